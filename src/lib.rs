@@ -1,0 +1,7 @@
+//! Pathlight.
+pub mod action;
+pub mod layout;
+pub mod rollout;
+pub mod scene;
+pub mod task;
+pub mod templates;
