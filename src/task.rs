@@ -56,9 +56,9 @@ impl Task {
 
     /// The 100 tasks of a template, ascending.
     pub fn of(template: &'static Template) -> impl Iterator<Item = Task> {
-        template.tasks().map(|(number, params, scene)| {
-            Task::new(TaskId { template: template.number, number }, params, scene)
-        })
+        template
+            .tasks()
+            .map(|(number, params, scene)| Task::new(TaskId { template: template.number, number }, params, scene))
     }
 
     fn new(id: TaskId, params: Params, scene: Scene) -> Task {

@@ -13,9 +13,7 @@ use crate::scene::Scene;
 mod t00_two_drops;
 
 /// All templates, in the order of their numbers.
-pub static TEMPLATES: [&Template; 1] = [
-    &t00_two_drops::TEMPLATE,
-];
+pub static TEMPLATES: [&Template; 1] = [&t00_two_drops::TEMPLATE];
 
 /// One template of tasks.
 pub struct Template {
