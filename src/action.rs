@@ -7,7 +7,7 @@ use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
-use crate::scene::{Body, Part, SIZE, Scene, walls};
+use crate::scene::{Body, Part, Role, SIZE, Scene, Shape, walls};
 
 /// Smallest and largest radius of the action ball, px.
 pub const RADIUS: std::ops::RangeInclusive<f64> = 2.0..=32.0;
@@ -82,6 +82,12 @@ impl Ball {
             Some(body) => Err(Invalid::Overlaps(body)),
             None => Ok(()),
         }
+    }
+
+    /// The ball as a body, at rest.
+    pub fn body(&self) -> Body {
+        let parts = vec![Part::Circle(self.r)];
+        Body { x: self.x, y: self.y, angle: 0.0, dynamic: true, shape: Shape::Ball, role: Role::Red, parts }
     }
 
     /// The action whose ball this is, up to rounding.

@@ -1,0 +1,128 @@
+//! From the placement map to balls: step 5 of Harter et al. (2020), without a single call of the simulator.
+//!
+//! Cells of the map over a threshold seed five balls of random radius; each is improved five times by looking
+//! at its neighbours for a better overlap with the map. These are the first attempts. The others are the same
+//! five with Gaussian noise that slowly grows. Only valid balls that differ from all before are proposed.
+
+use rand::{Rng, RngExt, SeedableRng};
+use rand_pcg::Pcg64Mcg;
+
+use crate::action::{Action, Ball};
+use crate::raster::{SIDE, ball_image};
+use crate::scene::{SIZE, Scene};
+
+/// Balls that the map itself places, before noise.
+const STARTS: usize = 5;
+
+/// Rounds of improvement of each.
+const IMPROVEMENTS: usize = 5;
+
+/// How far a neighbour lies in x, y or radius in the first round, px; it halves from round to round.
+const REACH: f64 = 8.0;
+
+/// A cell may seed a ball if its value is above this share of the highest.
+const THRESHOLD: f32 = 0.5;
+
+/// Standard deviation of the noise on an action: of the first noisy one, and the growth with each.
+const NOISE: f64 = 0.02;
+const NOISE_GROWTH: f64 = 0.001;
+
+/// Draws for one proposal before the search widens: the map then lies where no ball may be.
+const PATIENCE: usize = 200;
+
+/// Up to `attempts` valid, distinct balls, best guess first. `map` holds 64 x 64 values in 0..=1, row 0 at the
+/// bottom. The same seed gives the same balls.
+pub fn proposals(map: &[f32], scene: &Scene, seed: u64, attempts: usize) -> Vec<Ball> {
+    let mut rng = Pcg64Mcg::seed_from_u64(seed);
+    let highest = map.iter().copied().fold(0.0, f32::max);
+    let seeds: Vec<usize> = (0..map.len()).filter(|&cell| map[cell] > THRESHOLD * highest).collect();
+    let mut balls: Vec<Ball> = Vec::with_capacity(attempts);
+    let mut starts: Vec<Action> = Vec::with_capacity(STARTS);
+    for _ in 0..STARTS.min(attempts) {
+        let fresh = (0..PATIENCE).find_map(|_| {
+            let ball = seeded(map, scene, &seeds, &mut rng)?;
+            (!balls.contains(&ball)).then_some(ball)
+        });
+        balls.extend(fresh);
+        starts.extend(fresh.map(|ball| ball.action()));
+    }
+    if starts.is_empty() {
+        return random_balls(scene, &mut rng, attempts);
+    }
+    for turn in 0.. {
+        if balls.len() >= attempts {
+            break;
+        }
+        let start = starts[turn % starts.len()];
+        // Noise that finds no free place grows until it covers the whole scene.
+        let mut deviation = NOISE + NOISE_GROWTH * turn as f64;
+        let fresh = (0..).find_map(|tries| {
+            if tries % PATIENCE == PATIENCE - 1 {
+                deviation = (deviation * 2.0).min(1.0);
+            }
+            let ball = noisy(start, deviation, &mut rng).place(scene).ok()?;
+            (!balls.contains(&ball)).then_some(ball)
+        });
+        balls.extend(fresh);
+    }
+    balls
+}
+
+/// Valid balls drawn uniformly from the action space: what the random agent plays.
+pub fn random_balls(scene: &Scene, rng: &mut impl Rng, count: usize) -> Vec<Ball> {
+    std::iter::repeat_with(|| random_ball(scene, rng)).take(count).collect()
+}
+
+/// A valid ball drawn uniformly from the action space.
+pub fn random_ball(scene: &Scene, rng: &mut impl Rng) -> Ball {
+    loop {
+        let action = Action { x: rng.random(), y: rng.random(), r: rng.random() };
+        if let Ok(ball) = action.place(scene) {
+            return ball;
+        }
+    }
+}
+
+/// A ball on one of the cells, of random radius, improved; `None` if it is not valid.
+fn seeded(map: &[f32], scene: &Scene, seeds: &[usize], rng: &mut impl Rng) -> Option<Ball> {
+    let cell = *seeds.get(rng.random_range(0..seeds.len().max(1)))?;
+    let centre = |index: usize| (index as f64 + 0.5) * SIZE / SIDE as f64;
+    let start = Ball { x: centre(cell % SIDE), y: centre(cell / SIDE), r: rng.random_range(2.0..32.0) };
+    let mut ball = start.action().place(scene).ok()?;
+    let mut best = overlap(map, ball);
+    let mut reach = REACH;
+    for _ in 0..IMPROVEMENTS {
+        for (dx, dy, dr) in NEIGHBOURS {
+            let near = Ball { x: ball.x + dx * reach, y: ball.y + dy * reach, r: ball.r + dr * reach / 2.0 };
+            let Ok(near) = near.action().place(scene) else { continue };
+            let score = overlap(map, near);
+            if score > best {
+                (ball, best) = (near, score);
+            }
+        }
+        reach = (reach / 2.0).max(1.0);
+    }
+    Some(ball)
+}
+
+const NEIGHBOURS: [(f64, f64, f64); 6] =
+    [(-1.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, -1.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, -1.0), (0.0, 0.0, 1.0)];
+
+/// How well a drawn ball fits the map: the sum of the map under it by the root of its area. A larger ball
+/// gains as long as it takes in cells that are more than half as high as its mean.
+fn overlap(map: &[f32], ball: Ball) -> f32 {
+    let image = ball_image(ball);
+    let under: f32 = map.iter().zip(image.numbers()).map(|(value, inside)| value * inside).sum();
+    under / (image.count().max(1) as f32).sqrt()
+}
+
+fn noisy(start: Action, deviation: f64, rng: &mut impl Rng) -> Action {
+    let mut near = |value: f64| value + deviation * gaussian(rng);
+    Action { x: near(start.x), y: near(start.y), r: near(start.r).clamp(0.0, 1.0) }
+}
+
+/// One draw of mean 0 and deviation 1 (Box and Muller), from libm, so that wasm draws the same.
+fn gaussian(rng: &mut impl Rng) -> f64 {
+    let (u, v): (f64, f64) = (1.0 - rng.random::<f64>(), rng.random());
+    libm::sqrt(-2.0 * libm::log(u)) * libm::cos(std::f64::consts::TAU * v)
+}

@@ -1,0 +1,179 @@
+//! Pictures for the nets: the five channels of a scene, and the path of a body through a rollout.
+//!
+//! Everything is drawn at 256 x 256, one pixel a px, and pooled to 64 x 64 by "any", as in the authors' data.
+//! Row 0 is the bottom of the scene. Used by `pathnet` (through `samples`), `placement` and the page; knows
+//! nothing of engines and nets.
+
+use crate::action::Ball;
+use crate::rollout::{Pose, Rollout};
+use crate::scene::{Body, Part, Role, SIZE, Scene};
+
+/// Width and height of a picture, cells.
+pub const SIDE: usize = 64;
+
+/// Cells of a picture.
+pub const CELLS: usize = SIDE * SIDE;
+
+/// Channels of a scene: green object, blue goal, purple goal, gray, black.
+pub const CHANNELS: usize = 5;
+
+/// A path keeps every tenth step of a rollout, as in the authors' data.
+const PATH_STRIDE: usize = 10;
+
+/// Pixels across a cell.
+const POOL: usize = SIZE as usize / SIDE;
+
+/// A 64 x 64 picture of set and unset cells: a word for each row, the lowest bit on the left.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Bitmap(pub [u64; SIDE]);
+
+impl Bitmap {
+    pub const EMPTY: Bitmap = Bitmap([0; SIDE]);
+
+    /// Is the cell in this column and row set?
+    pub fn get(&self, column: usize, row: usize) -> bool {
+        self.0[row] >> column & 1 == 1
+    }
+
+    /// The number of cells set.
+    pub fn count(&self) -> u32 {
+        self.0.iter().map(|row| row.count_ones()).sum()
+    }
+
+    /// 1 for each cell set, 0 for the others; 4096 numbers, row by row.
+    pub fn numbers(&self) -> impl Iterator<Item = f32> {
+        self.0.into_iter().flat_map(|row| (0..SIDE).map(move |column| (row >> column & 1) as f32))
+    }
+
+    /// Draws a body that stands at a pose.
+    fn draw(&mut self, body: &Body, [x, y, angle]: Pose) {
+        let placed = Body { x: x.into(), y: y.into(), angle: angle.into(), ..body.clone() };
+        for part in &placed.parts {
+            match part {
+                Part::Circle(radius) => self.disc(placed.x, placed.y, *radius),
+                Part::Polygon(corners) => {
+                    let corners: Vec<_> = corners.iter().map(|&corner| placed.to_scene(corner)).collect();
+                    self.polygon(&corners);
+                }
+            }
+        }
+    }
+
+    fn disc(&mut self, x: f64, y: f64, radius: f64) {
+        self.fill(y - radius, y + radius, |height| {
+            let half = libm::sqrt((radius * radius - (height - y) * (height - y)).max(0.0));
+            Some((x - half, x + half))
+        });
+    }
+
+    /// A convex polygon.
+    fn polygon(&mut self, corners: &[[f64; 2]]) {
+        let bottom = corners.iter().map(|corner| corner[1]).fold(f64::INFINITY, f64::min);
+        let top = corners.iter().map(|corner| corner[1]).fold(f64::NEG_INFINITY, f64::max);
+        self.fill(bottom, top, |height| {
+            let mut span = None::<(f64, f64)>;
+            for (a, b) in corners.iter().zip(corners.iter().cycle().skip(1)) {
+                if (a[1] <= height) != (b[1] <= height) {
+                    let x = a[0] + (height - a[1]) / (b[1] - a[1]) * (b[0] - a[0]);
+                    span = Some(span.map_or((x, x), |(left, right)| (left.min(x), right.max(x))));
+                }
+            }
+            span
+        });
+    }
+
+    /// Sets every cell with a pixel whose centre lies in the span of its line; `span` gives left and right, px.
+    fn fill(&mut self, bottom: f64, top: f64, span: impl Fn(f64) -> Option<(f64, f64)>) {
+        for line in first_pixel(bottom)..end_pixel(top) {
+            let Some((left, right)) = span(line as f64 + 0.5) else { continue };
+            let (start, end) = (first_pixel(left), end_pixel(right));
+            if start < end {
+                let (low, high) = (start / POOL, (end - 1) / POOL);
+                self.0[line / POOL] |= u64::MAX >> (SIDE - 1 - (high - low)) << low;
+            }
+        }
+    }
+}
+
+impl std::ops::BitOrAssign for Bitmap {
+    fn bitor_assign(&mut self, other: Bitmap) {
+        for (row, more) in self.0.iter_mut().zip(other.0) {
+            *row |= more;
+        }
+    }
+}
+
+/// The first pixel whose centre is not before a coordinate, within the scene.
+fn first_pixel(coordinate: f64) -> usize {
+    (coordinate - 0.5).ceil().clamp(0.0, SIZE) as usize
+}
+
+/// The pixel after the last whose centre is not after a coordinate, within the scene.
+fn end_pixel(coordinate: f64) -> usize {
+    ((coordinate - 0.5).floor() + 1.0).clamp(0.0, SIZE) as usize
+}
+
+/// The five channels of a scene as it starts.
+pub fn scene_channels(scene: &Scene) -> [Bitmap; CHANNELS] {
+    [Role::Green, Role::Blue, Role::Purple, Role::Gray, Role::Black].map(|role| {
+        let mut channel = Bitmap::EMPTY;
+        for body in scene.bodies.iter().filter(|body| body.role == role) {
+            channel.draw(body, [body.x as f32, body.y as f32, body.angle as f32]);
+        }
+        channel
+    })
+}
+
+/// The ball before the rollout.
+pub fn ball_image(ball: Ball) -> Bitmap {
+    let mut image = Bitmap::EMPTY;
+    image.disc(ball.x, ball.y, ball.r);
+    image
+}
+
+/// Every place where a body was: its drawings at every tenth step together. `index` is the body's number in
+/// the rollout; a body that never moves has been where it stands.
+pub fn path_image(body: &Body, rollout: &Rollout, index: usize) -> Bitmap {
+    let mut image = Bitmap::EMPTY;
+    for step in (0..=rollout.steps).step_by(PATH_STRIDE) {
+        let start = [body.x as f32, body.y as f32, body.angle as f32];
+        image.draw(body, rollout.pose(step, index).unwrap_or(start));
+    }
+    image
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn area_px(ball: Ball) -> f64 {
+        f64::from(ball_image(ball).count()) * (POOL * POOL) as f64
+    }
+
+    #[test]
+    fn a_disc_covers_about_its_area_and_a_rim_of_half_a_cell() {
+        let ball = Ball { x: 100.0, y: 60.0, r: 20.0 };
+        let (inner, outer) = (std::f64::consts::PI * 20.0 * 20.0, std::f64::consts::PI * 24.0 * 24.0);
+        assert!((inner..outer).contains(&area_px(ball)), "{}", area_px(ball));
+    }
+
+    #[test]
+    fn a_ball_of_one_pixel_sets_one_cell_at_its_place() {
+        let image = ball_image(Ball { x: 4.5, y: 252.5, r: 0.5 });
+        assert_eq!(image.count(), 1);
+        assert!(image.get(1, 63));
+    }
+
+    #[test]
+    fn what_sticks_out_of_the_scene_is_cut_off() {
+        assert!(ball_image(Ball { x: -10.0, y: 300.0, r: 20.0 }).count() == 0);
+        assert!(ball_image(Ball { x: 0.0, y: 0.0, r: 8.0 }).get(0, 0));
+    }
+
+    #[test]
+    fn a_rectangle_sets_the_cells_it_meets() {
+        let mut image = Bitmap::EMPTY;
+        image.polygon(&[[8.0, 8.0], [0.0, 8.0], [0.0, 0.0], [8.0, 0.0]]);
+        assert_eq!(image.0[..3], [0b11, 0b11, 0]);
+    }
+}
