@@ -1,31 +1,54 @@
 //! The small language that templates are written in.
 //!
-//! A template adds pieces (`fixed` or `dynamic`; ball, bar, jar, standing sticks), turns them, and puts
-//! an edge of each somewhere, often at an edge of a piece that is there already. Each word acts at once,
-//! on the outline of the turned piece. `Layout::scene` then gives every body its role and closes the scene.
-//! Formulas and their order are PHYRE's (v0.2.2, `creator`); 5.12 px is the thickness of a bar.
+//! A template makes pieces (`fixed` or `dynamic`; ball, bar, jar, standing sticks), turns them, and puts
+//! an edge of each somewhere, often at an edge of another piece. Each word acts at once, on the outline of
+//! the turned piece. Then it marks the object and the goal and closes the scene with `scene`.
+//! Used by `templates` alone; it knows no parameters and no tasks. The formulas are PHYRE's (v0.2.2, `creator`).
+
+use std::f64::consts::PI;
 
 use crate::scene::{Body, Part, Role, SIZE, Scene, Shape, rectangle};
+
+pub use Form::{Ball, Bar, Jar, StandingSticks};
 
 /// Thickness of a bar, px; also scales the walls of a jar and the sticks.
 const THICKNESS: f64 = 5.12;
 
-/// A shape from its one scale number: 1.0 spans the scene.
-pub struct Form(Shape, Vec<Part>);
-
-/// One circle of radius trunc(128 s) + 0.5 px.
-pub fn ball(scale: f64) -> Form {
-    Form(Shape::Ball, vec![Part::Circle((SIZE / 2.0 * scale).trunc() + 0.5)])
+/// A shape by its one scale number s; 1.0 spans the scene.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Form {
+    /// One circle of radius trunc(128 s) + 0.5 px.
+    Ball(f64),
+    /// A thin rectangle, 256 s px long.
+    Bar(f64),
+    /// A base and two walls that lean outwards, 256 s px high. The origin is the middle of the base.
+    Jar(f64),
+    /// Two crossed sticks, each two thirds of a bar of this scale, leaning 12.5 degrees from upright.
+    StandingSticks(f64),
 }
 
-/// A thin rectangle, 256 s px long.
-pub fn bar(scale: f64) -> Form {
-    Form(Shape::Bar, vec![rectangle(SIZE * scale, THICKNESS)])
+impl Form {
+    fn shape(self) -> Shape {
+        match self {
+            Form::Ball(_) => Shape::Ball,
+            Form::Bar(_) => Shape::Bar,
+            Form::Jar(_) => Shape::Jar,
+            Form::StandingSticks(_) => Shape::StandingSticks,
+        }
+    }
+
+    fn parts(self) -> Vec<Part> {
+        match self {
+            Form::Ball(scale) => vec![Part::Circle((SIZE / 2.0 * scale).trunc() + 0.5)],
+            Form::Bar(scale) => vec![rectangle(SIZE * scale, THICKNESS)],
+            Form::Jar(scale) => jar(SIZE * scale),
+            Form::StandingSticks(scale) => vec![stick(scale, -77.5), stick(scale, 77.5)],
+        }
+    }
 }
 
-/// A base and two walls that lean outwards; 256 s px high. The origin is the middle of the base.
-pub fn jar(scale: f64) -> Form {
-    let height = SIZE * scale;
+/// The base and the two walls of a jar of this height, px. They overlap in the lower corners.
+fn jar(height: f64) -> Vec<Part> {
     let width = height / 1.2;
     let base = 0.8 * width;
     let t = THICKNESS * libm::log(height) / libm::log(0.3 * SIZE);
@@ -35,25 +58,23 @@ pub fn jar(scale: f64) -> Form {
     let (p, q, v) = (t * height / slant, t * slant / height, t * lean / slant);
     let (w, b) = (width / 2.0, base / 2.0);
     let (rim, foot) = (height - t / 2.0, -t / 2.0);
-    Form(
-        Shape::Jar,
-        vec![
-            rectangle(base, t),
-            Part::Polygon(vec![[-w, rim], [-b, foot], [-b + p, v + foot], [-w + q, rim]]),
-            Part::Polygon(vec![[w, rim], [w - q, rim], [b - p, v + foot], [b, foot]]),
-        ],
-    )
+    vec![
+        rectangle(base, t),
+        Part::Polygon(vec![[-w, rim], [-b, foot], [-b + p, v + foot], [-w + q, rim]]),
+        Part::Polygon(vec![[w, rim], [w - q, rim], [b - p, v + foot], [b, foot]]),
+    ]
 }
 
-/// Two crossed sticks, each two thirds of a bar of this scale, leaning 12.5 degrees from upright.
-pub fn standing_sticks(scale: f64) -> Form {
-    let (width, height) = (SIZE * scale * 2.0 / 3.0, THICKNESS * 2.0 / 3.0);
-    let stick = |degrees: f64| {
-        let Part::Polygon(corners) = rectangle(width, height) else { unreachable!("a rectangle is a polygon") };
-        let (sin, cos) = (libm::sin(degrees.to_radians()), libm::cos(degrees.to_radians()));
-        Part::Polygon(corners.iter().map(|&[a, b]| [a * cos - b * sin, a * sin + b * cos]).collect())
-    };
-    Form(Shape::StandingSticks, vec![stick(-77.5), stick(77.5)])
+fn stick(scale: f64, degrees: f64) -> Part {
+    let (a, b) = (SIZE * scale / 3.0, THICKNESS / 3.0);
+    let (sin, cos) = (libm::sin(radians(degrees)), libm::cos(radians(degrees)));
+    let turned = |a: f64, b: f64| [a * cos - b * sin, a * sin + b * cos];
+    Part::Polygon(vec![turned(a, b), turned(-a, b), turned(-a, -b), turned(a, -b)])
+}
+
+/// Degrees in radians, rounded as PHYRE rounds.
+pub fn radians(degrees: f64) -> f64 {
+    degrees / 180.0 * PI
 }
 
 /// A body under construction. Every word acts at once, on the piece as it is then.
@@ -62,29 +83,46 @@ pub struct Piece(Body);
 
 /// A static piece at the origin.
 pub fn fixed(form: Form) -> Piece {
-    piece(form, false)
+    piece(form, false, Role::Black)
 }
 
 /// A dynamic piece at the origin.
 pub fn dynamic(form: Form) -> Piece {
-    piece(form, true)
+    piece(form, true, Role::Gray)
 }
 
-fn piece(Form(shape, parts): Form, dynamic: bool) -> Piece {
-    let role = if dynamic { Role::Gray } else { Role::Black };
-    Piece(Body { x: 0.0, y: 0.0, angle: 0.0, dynamic, shape, role, parts })
+fn piece(form: Form, dynamic: bool, role: Role) -> Piece {
+    Piece(Body { x: 0.0, y: 0.0, angle: 0.0, dynamic, shape: form.shape(), role, parts: form.parts() })
 }
 
 impl Piece {
+    /// Marks the piece that has to reach the goal: body1.
+    pub fn object(mut self) -> Self {
+        self.0.role = Role::Green;
+        self
+    }
+
+    /// Marks the piece that the object has to touch: body2.
+    pub fn goal(mut self) -> Self {
+        self.0.role = if self.0.dynamic { Role::Blue } else { Role::Purple };
+        self
+    }
+
     /// Turns the piece about its origin, to this angle.
     pub fn turned(mut self, degrees: f64) -> Self {
-        self.0.angle = degrees / 180.0 * std::f64::consts::PI;
+        self.0.angle = radians(degrees);
         self
     }
 
     /// Puts the origin here, px.
     pub fn at(mut self, x: f64, y: f64) -> Self {
         (self.0.x, self.0.y) = (x, y);
+        self
+    }
+
+    /// Moves the piece sideways, px.
+    pub fn shifted(mut self, by: f64) -> Self {
+        self.0.x += by;
         self
     }
 
@@ -167,48 +205,92 @@ impl Piece {
     }
 }
 
-/// The pieces of one task, in the order they were added.
-#[derive(Default)]
-pub struct Layout(Vec<Piece>);
-
-/// The number of a piece in its layout: the index of the body in the scene.
-pub type Id = usize;
-
-impl Layout {
-    /// Adds a piece.
-    pub fn add(&mut self, piece: Piece) -> Id {
-        self.0.push(piece);
-        self.0.len() - 1
-    }
-
-    /// Moves a piece already added; it keeps its number.
-    pub fn adjust(&mut self, id: Id, words: impl FnOnce(Piece) -> Piece) {
-        self.0[id] = words(self.0[id].clone());
-    }
-
-    /// Closes the scene: the object and its goal get their roles.
-    pub fn scene(self, goal: Goal) -> Scene {
-        let mut bodies: Vec<Body> = self.0.into_iter().map(|Piece(body)| body).collect();
-        let target = &mut bodies[goal.target];
-        target.role = if target.dynamic { Role::Blue } else { Role::Purple };
-        bodies[goal.object].role = Role::Green;
-        Scene { body1: goal.object, body2: goal.target, bodies }
-    }
+/// Closes a scene: bodies in this order, the marked ones its goal.
+///
+/// Panics unless one piece is marked as the object and one as the goal: that is a slip in a script.
+pub fn scene(pieces: impl IntoIterator<Item = Piece>) -> Scene {
+    let bodies: Vec<Body> = pieces.into_iter().map(|Piece(body)| body).collect();
+    let only = |roles: &[Role]| {
+        let mut marked = (0..bodies.len()).filter(|&index| roles.contains(&bodies[index].role));
+        let first = marked.next().expect("a script marks its object and its goal");
+        assert!(marked.next().is_none(), "a script marks one object and one goal");
+        first
+    };
+    Scene { body1: only(&[Role::Green]), body2: only(&[Role::Blue, Role::Purple]), bodies }
 }
 
-impl std::ops::Index<Id> for Layout {
-    type Output = Piece;
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
 
-    fn index(&self, id: Id) -> &Piece {
-        &self.0[id]
+    use super::*;
+
+    fn forms() -> impl Strategy<Value = Form> {
+        let kinds: [fn(f64) -> Form; 4] = [Ball, Bar, Jar, StandingSticks];
+        (prop::sample::select(kinds.to_vec()), 0.02..1.2).prop_map(|(kind, scale)| kind(scale))
     }
-}
 
-/// Which piece has to touch which.
-#[derive(Clone, Copy, Debug)]
-pub struct Goal {
-    /// The green object: body1, always dynamic.
-    pub object: Id,
-    /// What it has to touch: body2.
-    pub target: Id,
+    fn close(a: f64, b: f64) -> bool {
+        (a - b).abs() < 1e-9
+    }
+
+    proptest! {
+        #[test]
+        fn an_edge_goes_where_it_is_put(form in forms(), degrees in -400.0..400.0, to in -300.0..300.0) {
+            let piece = fixed(form).turned(degrees);
+            prop_assert!(close(piece.clone().at_left(to).left(), to));
+            prop_assert!(close(piece.clone().at_right(to).right(), to));
+            prop_assert!(close(piece.clone().at_top(to).top(), to));
+            prop_assert!(close(piece.clone().at_bottom(to).bottom(), to));
+            prop_assert!(close(piece.clone().at_cx(to).cx(), to));
+            prop_assert!(close(piece.clone().at_cy(to).cy(), to));
+        }
+
+        #[test]
+        fn moving_keeps_size_and_the_other_axis(form in forms(), degrees in -400.0..400.0, to in -300.0..300.0) {
+            let piece = dynamic(form).turned(degrees).at(10.0, 20.0);
+            let moved = piece.clone().at_right(to);
+            prop_assert!(close(moved.width(), piece.width()) && close(moved.height(), piece.height()));
+            prop_assert_eq!(moved.bottom(), piece.bottom());
+        }
+
+        #[test]
+        fn polygons_are_convex_and_counter_clockwise(form in forms()) {
+            for part in form.parts() {
+                let Part::Polygon(corners) = part else { continue };
+                for i in 0..corners.len() {
+                    let [a, b, c] = [0, 1, 2].map(|k| corners[(i + k) % corners.len()]);
+                    prop_assert!((b[0] - a[0]) * (c[1] - b[1]) > (b[1] - a[1]) * (c[0] - b[0]), "{:?}", corners);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_radius_of_a_ball_is_a_whole_number_and_a_half() {
+        let radius = |scale| Ball(scale).parts();
+        assert_eq!(radius(0.05), [Part::Circle(6.5)]);
+        assert_eq!(radius(0.1), [Part::Circle(12.5)]);
+        assert_eq!(radius(0.25), [Part::Circle(32.5)]);
+    }
+
+    #[test]
+    fn a_jar_stands_on_its_base_and_is_wider_at_the_rim() {
+        let jar = fixed(Jar(0.1));
+        assert!(close(jar.width(), 25.6 / 1.2));
+        assert!(close(jar.height(), 25.6));
+        let Part::Polygon(wall) = &Jar(0.1).parts()[1] else { panic!("a wall is a polygon") };
+        assert!((wall[2][0] + 4.722242).abs() < 1e-6 && (wall[2][1] + 1.594560).abs() < 1e-6, "{wall:?}");
+    }
+
+    #[test]
+    fn the_outline_of_a_ball_does_not_turn() {
+        assert_eq!(fixed(Ball(0.1)).turned(33.0).width(), 25.0);
+    }
+
+    #[test]
+    #[should_panic(expected = "marks its object and its goal")]
+    fn a_scene_without_a_goal_is_a_slip() {
+        scene([dynamic(Ball(0.1)).object()]);
+    }
 }

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
 use crate::scene::{Body, Role, Scene, Shape};
-use crate::templates::{Params, TEMPLATES, Template};
+use crate::templates::{TEMPLATES, Template, grid::Params};
 
 /// Template and number of a task: `00007:013`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
@@ -25,7 +25,7 @@ pub struct TaskId {
 pub enum TaskError {
     #[error("`{0}` is no task id: write template and number like 00007:013")]
     Malformed(String),
-    #[error("there is no template {0:?}: they run from 00000 to 00024")]
+    #[error("there is no template `{0}`: they run from 00000 to 00024")]
     NoTemplate(String),
     #[error("the benchmark keeps no task {0}: `pathlight tasks --template {template:05}` lists those of the template", template = .0.template)]
     NotKept(TaskId),
@@ -49,7 +49,8 @@ impl Task {
     /// # Errors
     /// `NoTemplate` or `NotKept` if the benchmark has no such task.
     pub fn load(id: TaskId) -> Result<Task, TaskError> {
-        let template = TEMPLATES.get(id.template).ok_or_else(|| TaskError::NoTemplate(id.template.to_string()))?;
+        let template =
+            TEMPLATES.get(id.template).ok_or_else(|| TaskError::NoTemplate(format!("{:05}", id.template)))?;
         let (params, scene) = template.task(id.number).ok_or(TaskError::NotKept(id))?;
         Ok(Task::new(id, params, scene))
     }
