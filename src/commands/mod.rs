@@ -1,0 +1,44 @@
+//! The command line, one module for each command; used by `main` alone.
+//!
+//! A command is an `Args` with a `run`. What it prints for programs goes to standard output, what it says to
+//! people while it works goes to standard error. Bad input is an error: one sentence after `error:`, exit code 2.
+
+use std::io;
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+mod tasks;
+
+/// Physics puzzles, and the paths that four small nets imagine for them.
+#[derive(Parser)]
+#[command(version, arg_required_else_help = true)]
+struct CommandLine {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    Tasks(tasks::Args),
+}
+
+/// Runs the command that the process was started with.
+pub fn run() -> ExitCode {
+    let result = match CommandLine::parse().command {
+        Command::Tasks(args) => args.run(),
+    };
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        // Whoever read the output has enough of it: `pathlight tasks | head`.
+        Err(error) if is_broken_pipe(&error) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error:#}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn is_broken_pipe(error: &anyhow::Error) -> bool {
+    error.downcast_ref::<io::Error>().is_some_and(|error| error.kind() == io::ErrorKind::BrokenPipe)
+}

@@ -1,0 +1,89 @@
+//! `pathlight tasks`: the templates, the tasks of one of them, or scenes as JSON.
+//!
+//! The JSON of a task is `pathlight::task::Task` as it serialises itself; nothing is added here.
+
+use std::io::{self, BufWriter, Write};
+
+use pathlight::task::{Task, TaskError, TaskId};
+use pathlight::templates::{TEMPLATES, Template};
+use serde_json::{Map, Value};
+
+/// List the templates, the tasks of one, or scenes as JSON
+#[derive(clap::Args)]
+pub struct Args {
+    /// List the 100 tasks of this template, with their parameters
+    #[arg(long, value_name = "TEMPLATE", value_parser = find_template)]
+    template: Option<&'static Template>,
+
+    /// Print scenes as JSON, one a line: of this task (like 00007:013), else of all tasks
+    #[arg(long, value_name = "TASK", num_args = 0..=1)]
+    json: Option<Option<TaskId>>,
+}
+
+impl Args {
+    pub fn run(self) -> anyhow::Result<()> {
+        let mut out = BufWriter::new(io::stdout().lock());
+        match (self.json, self.template) {
+            (Some(Some(_)), Some(_)) => anyhow::bail!("a task names its template: leave out --template"),
+            (Some(Some(id)), None) => print_json(&mut out, &Task::load(id)?)?,
+            (Some(None), Some(template)) => print_all_json(&mut out, template)?,
+            (Some(None), None) => TEMPLATES.iter().try_for_each(|template| print_all_json(&mut out, template))?,
+            (None, Some(template)) => list_tasks(&mut out, template)?,
+            (None, None) => list_templates(&mut out)?,
+        }
+        Ok(out.flush()?)
+    }
+}
+
+/// The template of a number like `00007` or `7`.
+fn find_template(text: &str) -> Result<&'static Template, TaskError> {
+    let number = text.bytes().all(|byte| byte.is_ascii_digit()).then(|| text.parse::<usize>().ok()).flatten();
+    let template = number.and_then(|number| TEMPLATES.get(number));
+    template.copied().ok_or_else(|| TaskError::NoTemplate(text.to_string()))
+}
+
+/// One line a template: id, name, and the goal sentence, which its tasks have in common.
+fn list_templates(out: &mut impl Write) -> io::Result<()> {
+    let width = TEMPLATES.iter().map(|template| template.name.len()).max().unwrap_or(0);
+    for template in TEMPLATES {
+        let first = Task::of(template).next().expect("every template has tasks");
+        writeln!(out, "{:05}  {:width$}  {}", template.number, template.name, first.goal)?;
+    }
+    Ok(())
+}
+
+/// One line a task: id, then a column for each parameter.
+fn list_tasks(out: &mut impl Write, template: &'static Template) -> io::Result<()> {
+    let tasks: Vec<Task> = Task::of(template).collect();
+    let widths: Vec<usize> = template
+        .grid
+        .iter()
+        .map(|(name, _)| tasks.iter().map(|task| setting(&task.params, name).len()).max().unwrap_or(0))
+        .collect();
+    for task in &tasks {
+        write!(out, "{}", task.id)?;
+        let (last, others) = template.grid.split_last().expect("every template has parameters");
+        for ((name, _), width) in others.iter().zip(&widths) {
+            write!(out, "  {:width$}", setting(&task.params, name))?;
+        }
+        writeln!(out, "  {}", setting(&task.params, last.0))?;
+    }
+    Ok(())
+}
+
+/// `name=value`, strings without quotes.
+fn setting(params: &Map<String, Value>, name: &str) -> String {
+    match &params[name] {
+        Value::String(word) => format!("{name}={word}"),
+        value => format!("{name}={value}"),
+    }
+}
+
+fn print_all_json(out: &mut impl Write, template: &'static Template) -> io::Result<()> {
+    Task::of(template).try_for_each(|task| print_json(out, &task))
+}
+
+fn print_json(out: &mut impl Write, task: &Task) -> io::Result<()> {
+    serde_json::to_writer(&mut *out, task)?;
+    writeln!(out)
+}
