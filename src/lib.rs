@@ -10,5 +10,6 @@ pub mod rollout;
 pub mod samples;
 pub mod scene;
 pub mod simulator;
+pub mod solutions;
 pub mod task;
 pub mod templates;

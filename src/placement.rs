@@ -60,7 +60,7 @@ pub fn proposals(map: &[f32], scene: &Scene, seed: u64, attempts: usize) -> Vec<
             if tries % PATIENCE == PATIENCE - 1 {
                 deviation = (deviation * 2.0).min(1.0);
             }
-            let ball = noisy(start, deviation, &mut rng).place(scene).ok()?;
+            let ball = nudged(start, deviation, &mut rng).place(scene).ok()?;
             (!balls.contains(&ball)).then_some(ball)
         });
         balls.extend(fresh);
@@ -116,7 +116,8 @@ fn overlap(map: &[f32], ball: Ball) -> f32 {
     under / (image.count().max(1) as f32).sqrt()
 }
 
-fn noisy(start: Action, deviation: f64, rng: &mut impl Rng) -> Action {
+/// An action moved by Gaussian noise; a radius that leaves its range stops at the end of it.
+pub fn nudged(start: Action, deviation: f64, rng: &mut impl Rng) -> Action {
     let mut near = |value: f64| value + deviation * gaussian(rng);
     Action { x: near(start.x), y: near(start.y), r: near(start.r).clamp(0.0, 1.0) }
 }

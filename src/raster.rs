@@ -41,8 +41,13 @@ impl Bitmap {
     }
 
     /// 1 for each cell set, 0 for the others; 4096 numbers, row by row.
-    pub fn numbers(&self) -> impl Iterator<Item = f32> {
+    pub fn numbers(&self) -> impl Iterator<Item = f32> + use<> {
         self.0.into_iter().flat_map(|row| (0..SIDE).map(move |column| (row >> column & 1) as f32))
+    }
+
+    /// The picture itself, or its mirror image left to right.
+    pub fn turned(self, mirrored: bool) -> Bitmap {
+        if mirrored { Bitmap(self.0.map(u64::reverse_bits)) } else { self }
     }
 
     /// Draws a body that stands at a pose.

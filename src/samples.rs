@@ -3,21 +3,10 @@
 //! A solution is a task and a ball; the pictures follow from it by simulation. Used by training; knows nothing
 //! of burn or files.
 
-use serde::{Deserialize, Serialize};
-
 use crate::action::{Ball, Invalid};
 use crate::raster::{Bitmap, CHANNELS, ball_image, path_image, scene_channels};
 use crate::scene::Scene;
 use crate::simulator::simulate;
-use crate::task::TaskId;
-
-/// A ball that solves a task: one line of the file that `pathlight collect` writes.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Solution {
-    pub task: TaskId,
-    /// px
-    pub ball: Ball,
-}
 
 /// The pictures of one solution. 9 x 512 bytes.
 #[derive(Clone, Debug, PartialEq)]

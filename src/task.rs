@@ -95,6 +95,15 @@ fn goal_sentence(object: &Body, target: &Body) -> String {
     format!("Make sure the {} is touching the {}.", name(object), name(target))
 }
 
+impl TaskId {
+    /// The seed of what is drawn at random for this task in a run with a seed of its own: the page, `propose`
+    /// and `evaluate` draw the same.
+    pub fn seed(self, run: u64) -> u64 {
+        // An odd constant spreads the runs over the 64 bits (Knuth's multiplicative hashing).
+        run.wrapping_mul(0x9E37_79B9_7F4A_7C15) ^ ((self.template as u64) << 32 | u64::from(self.number) << 16)
+    }
+}
+
 impl fmt::Display for TaskId {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{:05}:{:03}", self.template, self.number)

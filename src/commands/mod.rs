@@ -7,8 +7,13 @@ use std::io;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
+use pathlight::folds::Setup;
 
+mod collect;
+mod progress;
+mod scenes;
 mod tasks;
+mod train;
 
 /// Physics puzzles, and the paths that four small nets imagine for them.
 #[derive(Parser)]
@@ -21,12 +26,16 @@ struct CommandLine {
 #[derive(Subcommand)]
 enum Command {
     Tasks(tasks::Args),
+    Collect(collect::Args),
+    Train(train::Args),
 }
 
 /// Runs the command that the process was started with.
 pub fn run() -> ExitCode {
     let result = match CommandLine::parse().command {
         Command::Tasks(args) => args.run(),
+        Command::Collect(args) => args.run(),
+        Command::Train(args) => args.run(),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
@@ -41,4 +50,13 @@ pub fn run() -> ExitCode {
 
 fn is_broken_pipe(error: &anyhow::Error) -> bool {
     error.downcast_ref::<io::Error>().is_some_and(|error| error.kind() == io::ErrorKind::BrokenPipe)
+}
+
+/// `within` or `cross`.
+fn setup(text: &str) -> Result<Setup, String> {
+    match text {
+        "within" => Ok(Setup::Within),
+        "cross" => Ok(Setup::Cross),
+        _ => Err("the setups are within and cross".to_string()),
+    }
 }
