@@ -8,6 +8,9 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
+mod progress;
+mod scenes;
+mod simulate;
 mod tasks;
 
 /// Physics puzzles, and the paths that four small nets imagine for them.
@@ -21,12 +24,14 @@ struct CommandLine {
 #[derive(Subcommand)]
 enum Command {
     Tasks(tasks::Args),
+    Simulate(simulate::Args),
 }
 
 /// Runs the command that the process was started with.
 pub fn run() -> ExitCode {
     let result = match CommandLine::parse().command {
         Command::Tasks(args) => args.run(),
+        Command::Simulate(args) => args.run(),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
