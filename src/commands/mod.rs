@@ -12,6 +12,7 @@ use pathlight::folds::Setup;
 mod collect;
 mod progress;
 mod scenes;
+mod simulate;
 mod tasks;
 mod train;
 
@@ -28,6 +29,7 @@ enum Command {
     Tasks(tasks::Args),
     Collect(collect::Args),
     Train(train::Args),
+    Simulate(simulate::Args),
 }
 
 /// Runs the command that the process was started with.
@@ -36,6 +38,7 @@ pub fn run() -> ExitCode {
         Command::Tasks(args) => args.run(),
         Command::Collect(args) => args.run(),
         Command::Train(args) => args.run(),
+        Command::Simulate(args) => args.run(),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

@@ -7,7 +7,7 @@
 
 use crate::action::{Ball, Invalid};
 use crate::rollout::{GOAL_STEPS, MAX_STEPS, Pose, Rollout};
-use crate::scene::{Body, Part, Role, Scene, Shape, walls};
+use crate::scene::{Scene, walls};
 use settings::{SCALE, TOUCHING_BALLS};
 use world::World;
 
@@ -73,7 +73,7 @@ impl Setup {
         let mut moving: Vec<_> = (0..).zip(numbers.iter().copied()).filter(|&(i, _)| scene.bodies[i].dynamic).collect();
         if let Some(ball) = ball {
             ball.check(scene)?;
-            moving.push((scene.bodies.len(), world.add(&red(ball))));
+            moving.push((scene.bodies.len(), world.add(&ball.body())));
         }
         let [object, target] = [scene.body1, scene.body2].map(|body| scene.bodies[body].ball_radius());
         let reach = object.zip(target).map(|(r1, r2)| r1 + r2 + TOUCHING_BALLS);
@@ -118,10 +118,4 @@ impl Setup {
             [origin.x, origin.y, body.now.angle]
         })
     }
-}
-
-/// The action ball as a body.
-fn red(ball: Ball) -> Body {
-    let parts = vec![Part::Circle(ball.r)];
-    Body { x: ball.x, y: ball.y, angle: 0.0, dynamic: true, shape: Shape::Ball, role: Role::Red, parts }
 }

@@ -1,0 +1,101 @@
+//! A batch: requests in, answers out, a line each, in the same order, on all cores.
+//!
+//! Works through the lines in chunks, so that memory stays bounded and the first answers come at once, also to
+//! a program that writes a few lines and waits.
+
+use std::fs::File;
+use std::io::{self, BufRead, BufReader, BufWriter, Read, Write};
+
+use anyhow::Context;
+use pathlight::action::Ball;
+use pathlight::simulator::outcome;
+use rayon::prelude::*;
+
+use super::Answer;
+use super::start::Request;
+use crate::commands::progress::Progress;
+use crate::commands::scenes::Scenes;
+
+/// Lines a core gets in one chunk: enough that cores seldom wait for one another.
+const LINES_PER_CORE: usize = 64;
+
+const EXAMPLE: &str = r#"{"task":"00007:013","ball":[128,200,15]}"#;
+
+/// Simulates the lines of a file, or of standard input if it is `-`.
+pub fn run(file: &str) -> anyhow::Result<()> {
+    let (source, bytes): (Box<dyn Read>, _) = match file {
+        "-" => (Box::new(io::stdin().lock()), None),
+        path => {
+            let file = File::open(path).with_context(|| format!("cannot read {path}"))?;
+            let about = file.metadata()?;
+            (Box::new(file), about.is_file().then(|| about.len()))
+        }
+    };
+    let mut source = BufReader::with_capacity(1 << 16, source);
+    let mut out = BufWriter::new(io::stdout().lock());
+    let mut progress = Progress::new(bytes);
+    let scenes = Scenes::new();
+    let (mut first, mut answered, mut bad) = (1, 0, 0);
+    loop {
+        let lines = next_lines(&mut source).with_context(|| format!("cannot read {file}"))?;
+        if lines.is_empty() {
+            break;
+        }
+        let answers: Vec<_> = lines.par_iter().map(|line| answer(&scenes, line)).collect();
+        for (number, answer) in (first..).zip(answers) {
+            match answer {
+                Ok(Some(answer)) => {
+                    serde_json::to_writer(&mut out, &answer).map_err(io::Error::from)?;
+                    writeln!(out)?;
+                    answered += 1;
+                }
+                Ok(None) => {}
+                Err(error) => {
+                    progress.say(&format!("error: line {number}: {error}"));
+                    bad += 1;
+                }
+            }
+        }
+        out.flush()?;
+        first += lines.len();
+        progress.advance(lines.iter().map(|line| line.len() as u64).sum(), format!("{answered} balls"));
+    }
+    progress.finish(&format!("{answered} balls"));
+    match bad {
+        0 => Ok(()),
+        1 => anyhow::bail!("1 line could not be simulated; it is named above"),
+        _ => anyhow::bail!("{bad} lines could not be simulated; they are named above"),
+    }
+}
+
+/// The next chunk of lines, line breaks included; empty at the end. Waits for input only as long as it has none.
+fn next_lines(source: &mut BufReader<impl Read>) -> io::Result<Vec<Vec<u8>>> {
+    let mut lines = Vec::new();
+    while lines.len() < LINES_PER_CORE * rayon::current_num_threads() {
+        let mut line = Vec::new();
+        if source.read_until(b'\n', &mut line)? == 0 {
+            break;
+        }
+        lines.push(line);
+        if source.buffer().is_empty() {
+            break;
+        }
+    }
+    Ok(lines)
+}
+
+/// The answer to a line, nothing to a blank one, or what is wrong with it.
+fn answer(scenes: &Scenes, line: &[u8]) -> Result<Option<Answer>, anyhow::Error> {
+    if line.trim_ascii().is_empty() {
+        return Ok(None);
+    }
+    let Request { task, start } = serde_json::from_slice(line).map_err(|error| {
+        // To the parser every line is the first one.
+        let what = error.to_string().replace(" at line 1 column", " at column");
+        anyhow::anyhow!("{what}; write it like {EXAMPLE}")
+    })?;
+    let scene = scenes.get(task)?;
+    let ball = start.place(scene);
+    let ended = ball.and_then(|ball| outcome(scene, ball.map(Ball::from)));
+    Ok(Some(Answer::new(task, ball.ok().flatten(), ended)))
+}

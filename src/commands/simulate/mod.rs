@@ -1,0 +1,114 @@
+//! `pathlight simulate`: what comes of a ball in a task, for one ball or for a whole file of them.
+//!
+//! Both ways answer in the same JSON line: task, ball in px, status, reason if it is invalid, and steps.
+
+use std::io::{self, Write};
+
+use clap::ArgGroup;
+use pathlight::action::{Action, Ball, Invalid};
+use pathlight::rollout::{Pose, Rollout, Status};
+use pathlight::simulator::{Outcome, simulate};
+use pathlight::task::{Task, TaskId};
+use serde::Serialize;
+
+mod batch;
+mod start;
+
+use start::{Pixels, Start};
+
+/// Simulate one ball in a task, or a batch of them, and print the outcome as JSON
+#[derive(clap::Args)]
+#[command(group(ArgGroup::new("what").args(["task", "batch"]).required(true)))]
+pub struct Args {
+    /// Simulate this task, like 00007:013; with neither --action nor --ball, it runs with no ball
+    #[arg(long)]
+    task: Option<TaskId>,
+
+    /// Place the ball by an action: three numbers in 0..1
+    #[arg(long, value_name = "x,y,r", value_parser = start::parse_action, allow_hyphen_values = true, conflicts_with = "ball")]
+    action: Option<Action>,
+
+    /// Place the ball here: three whole numbers, px
+    #[arg(long, value_name = "X,Y,R", value_parser = start::parse_ball, allow_hyphen_values = true)]
+    ball: Option<Pixels>,
+
+    /// Print the pose of every moving body at every step too
+    #[arg(long)]
+    poses: bool,
+
+    /// Simulate each line of this file ("-": of standard input) on all cores: {"task":"00007:013","ball":[X,Y,R]},
+    /// with "action":[x,y,r] instead of "ball", or with "ball":null for none
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["task", "action", "ball", "poses"])]
+    batch: Option<String>,
+}
+
+impl Args {
+    pub fn run(self) -> anyhow::Result<()> {
+        let start = match self.action {
+            Some(action) => Start::Action(action),
+            None => Start::Ball(self.ball),
+        };
+        match (self.batch, self.task) {
+            (Some(file), _) => batch::run(&file),
+            (None, id) => one(id.expect("clap asks for a task or a batch"), start, self.poses),
+        }
+    }
+}
+
+fn one(id: TaskId, start: Start, with_poses: bool) -> anyhow::Result<()> {
+    let task = Task::load(id)?;
+    let ball = start.place(&task.scene);
+    let rollout = ball.and_then(|ball| simulate(&task.scene, ball.map(Ball::from)));
+    let ended = rollout.as_ref().map(|rollout| Outcome { solved: rollout.solved, steps: rollout.steps });
+    let answer = Answer::new(id, ball.ok().flatten(), ended.map_err(|invalid| *invalid));
+    let poses = rollout.as_ref().ok().filter(|_| with_poses).map(Poses::of);
+    Ok(writeln!(io::stdout(), "{}", serde_json::to_string(&Line { answer, poses })?)?)
+}
+
+/// What came of one ball.
+#[derive(Serialize)]
+struct Answer {
+    task: TaskId,
+    /// px; null if there is none: none was asked for, or the action places none.
+    ball: Option<Pixels>,
+    status: Status,
+    /// Why it is invalid.
+    reason: Option<String>,
+    /// Steps simulated; 0 if invalid.
+    steps: usize,
+}
+
+impl Answer {
+    fn new(task: TaskId, ball: Option<Pixels>, ended: Result<Outcome, Invalid>) -> Answer {
+        let (status, reason, steps) = match ended {
+            Ok(Outcome { solved: true, steps }) => (Status::Solved, None, steps),
+            Ok(Outcome { solved: false, steps }) => (Status::NotSolved, None, steps),
+            Err(invalid) => (Status::Invalid, Some(invalid.to_string()), 0),
+        };
+        Answer { task, ball, status, reason, steps }
+    }
+}
+
+/// An answer and, if asked for, the rollout behind it.
+#[derive(Serialize)]
+struct Line<'a> {
+    #[serde(flatten)]
+    answer: Answer,
+    #[serde(flatten)]
+    poses: Option<Poses<'a>>,
+}
+
+/// A rollout, as `pathlight::rollout::Rollout` describes it, with the poses of each step in a row of their own.
+#[derive(Serialize)]
+struct Poses<'a> {
+    bodies: &'a [usize],
+    poses: Vec<&'a [Pose]>,
+    touching: &'a [bool],
+}
+
+impl Poses<'_> {
+    fn of(rollout: &Rollout) -> Poses<'_> {
+        let poses = (0..=rollout.steps).map(|step| rollout.row(step)).collect();
+        Poses { bodies: &rollout.bodies, poses, touching: &rollout.touching }
+    }
+}
