@@ -24,6 +24,15 @@ pub enum Setup {
     Cross,
 }
 
+impl fmt::Display for Setup {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Setup::Within => "within",
+            Setup::Cross => "cross",
+        })
+    }
+}
+
 /// The task ids of one fold. `dev` and `train` together are PHYRE's training tasks: settings are chosen on
 /// `dev`, never on `test`.
 #[derive(Clone, Debug, PartialEq)]

@@ -10,11 +10,14 @@ use clap::{Parser, Subcommand};
 use pathlight::folds::Setup;
 
 mod collect;
+mod evaluate;
 mod progress;
+mod propose;
 mod scenes;
 mod simulate;
 mod tasks;
 mod train;
+mod weights;
 
 /// Physics puzzles, and the paths that four small nets imagine for them.
 #[derive(Parser)]
@@ -29,6 +32,8 @@ enum Command {
     Tasks(tasks::Args),
     Collect(collect::Args),
     Train(train::Args),
+    Propose(propose::Args),
+    Evaluate(evaluate::Args),
     Simulate(simulate::Args),
 }
 
@@ -38,6 +43,8 @@ pub fn run() -> ExitCode {
         Command::Tasks(args) => args.run(),
         Command::Collect(args) => args.run(),
         Command::Train(args) => args.run(),
+        Command::Propose(args) => args.run(),
+        Command::Evaluate(args) => args.run(),
         Command::Simulate(args) => args.run(),
     };
     match result {

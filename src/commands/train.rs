@@ -87,8 +87,7 @@ struct Settings {
 
 impl Args {
     pub fn run(self) -> anyhow::Result<()> {
-        let setup = serde_json::to_value(self.setup)?;
-        let name = format!("target/train/{}-{}", setup.as_str().unwrap_or_default(), self.fold);
+        let name = format!("target/train/{}-{}", self.setup, self.fold);
         let folder = self.out.clone().unwrap_or_else(|| PathBuf::from(name));
         fs::create_dir_all(&folder).with_context(|| format!("cannot make {}", folder.display()))?;
         let (samples, settings) = self.samples()?;

@@ -1,0 +1,89 @@
+//! `pathlight propose`: the model's attempts at a fold's test tasks, as JSON lines, with no simulation at all,
+//! so that they can be judged elsewhere.
+
+use std::fs::File;
+use std::io::{self, BufWriter, Write};
+use std::path::PathBuf;
+
+use anyhow::Context;
+use pathlight::action::Ball;
+use pathlight::agent::Agent;
+use pathlight::folds::{Fold, Setup};
+use pathlight::task::TaskId;
+use rayon::prelude::*;
+use serde::Serialize;
+
+use super::progress::Progress;
+use super::scenes::Scenes;
+use super::weights::Weights;
+
+/// Write the model's attempts as JSON lines, best guess first, without simulating
+#[derive(clap::Args)]
+pub struct Args {
+    /// within: new tasks of known templates; cross: new templates
+    #[arg(long, value_parser = super::setup, default_value = "within")]
+    setup: Setup,
+
+    /// Fold of the benchmark
+    #[arg(long, default_value_t = 0, value_parser = clap::value_parser!(u8).range(0..10))]
+    fold: u8,
+
+    /// Tasks to propose for, like 00007:013; without it, all test tasks of the fold
+    #[arg(long = "task", value_name = "TASK")]
+    tasks: Vec<TaskId>,
+
+    /// Attempts for each task
+    #[arg(long, default_value_t = 100, value_parser = clap::value_parser!(u16).range(1..=1000))]
+    attempts: u16,
+
+    /// Seed of all that is drawn
+    #[arg(long, default_value_t = 0)]
+    seed: u64,
+
+    /// File to write; - is standard output
+    #[arg(long, default_value = "-")]
+    out: PathBuf,
+
+    #[command(flatten)]
+    weights: Weights,
+}
+
+/// A line: valid balls in the order of the attempts, px.
+#[derive(Serialize)]
+struct Line {
+    task: TaskId,
+    balls: Vec<Ball>,
+}
+
+impl Args {
+    pub fn run(self) -> anyhow::Result<()> {
+        let (nets, _) = self.weights.load(self.setup, self.fold)?;
+        let agent = Agent::Model(Box::new(nets));
+        let tasks = if self.tasks.is_empty() { Fold::new(self.setup, self.fold).test } else { self.tasks };
+        let scenes = Scenes::new();
+        let mut out: Box<dyn Write> = if self.out.as_os_str() == "-" {
+            Box::new(io::stdout().lock())
+        } else {
+            let file = File::create(&self.out).with_context(|| format!("cannot write {}", self.out.display()))?;
+            Box::new(BufWriter::new(file))
+        };
+        let mut progress = Progress::new(Some(tasks.len() as u64));
+        for tasks in tasks.chunks(25) {
+            let lines: Vec<Line> = tasks
+                .par_iter()
+                .map(|&task| {
+                    let balls = agent.attempts(task, scenes.get(task)?, self.seed, self.attempts.into());
+                    Ok(Line { task, balls })
+                })
+                .collect::<anyhow::Result<_>>()?;
+            for line in lines {
+                serde_json::to_writer(&mut out, &line)?;
+                out.write_all(b"\n")?;
+            }
+            progress.advance(tasks.len() as u64, "tasks".to_string());
+        }
+        out.flush()?;
+        progress.finish(&format!("{} tasks", tasks.len()));
+        Ok(())
+    }
+}

@@ -1,0 +1,221 @@
+//! The nets compute what the paper's layers compute: a plain nested-loop implementation of 4 x 4 convolutions,
+//! written here for the purpose, agrees with them to rounding, and so does the second backend.
+
+use pathlight::folds::Setup;
+use pathlight::pathnet::{Card, Imagined, PathNet, WeightsError, device};
+use pathlight::raster::{CELLS, CHANNELS, scene_channels};
+use pathlight::scene::Scene;
+use pathlight::task::Task;
+use safetensors::SafeTensors;
+
+const WIDTHS: [usize; 6] = [8, 16, 32, 64, 128, 256];
+
+fn card() -> Card {
+    Card { setup: Setup::Within, fold: 0, seed: 1, epochs: 0, samples: 0, tasks: 0, simulator: 0 }
+}
+
+/// Fresh weights, as a file. One file serves all tests: what a file says is what all implementations compute.
+fn weights() -> Vec<u8> {
+    let device = device("flex").expect("flex is always there");
+    device.seed(7);
+    PathNet::new(&device).save(&card())
+}
+
+fn scene() -> Scene {
+    Task::load("00012:002".parse().expect("an id")).expect("a task").scene
+}
+
+fn imagine(bytes: &[u8], name: &str) -> Imagined {
+    let (nets, _) = PathNet::load(bytes, &device(name).expect("a device")).expect("our own weights");
+    nets.imagine(&scene())
+}
+
+#[test]
+fn the_nets_agree_with_plain_loops() {
+    let bytes = weights();
+    let file = SafeTensors::deserialize(&bytes).expect("a safetensors file");
+    let seen: Vec<f32> = scene_channels(&scene()).iter().flat_map(|channel| channel.numbers()).collect();
+    let base = plain::hourglass(&file, "base", &seen, CHANNELS);
+    let target = plain::hourglass(&file, "target", &seen, CHANNELS);
+    let with = |map: &[f32]| [&seen[..], &target, map].concat();
+    let action = plain::hourglass(&file, "action", &with(&base), CHANNELS + 2);
+    let placement = plain::hourglass(&file, "placement", &with(&action), CHANNELS + 2);
+    let maps = imagine(&bytes, "flex");
+    for (name, map, plain) in [
+        ("base", &maps.base, base),
+        ("target", &maps.target, target),
+        ("action", &maps.action, action),
+        ("placement", &maps.placement, placement),
+    ] {
+        assert_close(name, map, &plain);
+        let (low, high) = map.iter().fold((1.0_f32, 0.0_f32), |(low, high), &x| (low.min(x), high.max(x)));
+        assert!(high - low > 1e-4, "{name} is flat, so that nothing was compared");
+    }
+}
+
+#[test]
+fn flex_agrees_with_ndarray() {
+    let bytes = weights();
+    let (flex, ndarray) = (imagine(&bytes, "flex"), imagine(&bytes, "ndarray"));
+    assert_close("base", &flex.base, &ndarray.base);
+    assert_close("target", &flex.target, &ndarray.target);
+    assert_close("action", &flex.action, &ndarray.action);
+    assert_close("placement", &flex.placement, &ndarray.placement);
+}
+
+/// The paper's layers have 1,398,257 numbers with 5 channels in and 1,398,513 with 7. The file leaves out the
+/// twelve taps of each kernel beside the code that only ever meet padding.
+#[test]
+fn the_file_holds_every_number_of_the_papers_layers_that_meets_data() {
+    let dead = 2 * 12 * WIDTHS[4] * WIDTHS[5];
+    let bytes = weights();
+    let file = SafeTensors::deserialize(&bytes).expect("a safetensors file");
+    for (net, channels, paper) in
+        [("base", 5, 1_398_257), ("target", 5, 1_398_257), ("action", 7, 1_398_513), ("placement", 7, 1_398_513)]
+    {
+        assert_eq!(nominal(channels), paper);
+        let live: usize = file
+            .iter()
+            .filter(|(name, _)| name.starts_with(&format!("{net}.")))
+            .map(|(_, view)| view.shape().iter().product::<usize>())
+            .sum();
+        assert_eq!(live + dead, paper, "{net}");
+    }
+}
+
+/// Numbers in an hourglass of 4 x 4 kernels.
+fn nominal(channels: usize) -> usize {
+    let layer = |a: usize, b: usize| a * b * 16;
+    let inputs = [channels, 8, 16, 32, 64, 128];
+    let down: usize = inputs.iter().zip(WIDTHS).map(|(&a, b)| layer(a, b) + b).sum();
+    let outputs = [1, 8, 16, 32, 64, 128];
+    let up: usize = outputs.iter().zip(WIDTHS).map(|(&a, b)| layer(a, b) + a).sum();
+    down + up
+}
+
+#[test]
+fn weights_survive_saving_and_loading() {
+    let bytes = weights();
+    let (nets, found) = PathNet::load(&bytes, &device("flex").expect("a device")).expect("our own weights");
+    assert_eq!(found, card());
+    assert_eq!(nets.save(&found), bytes);
+}
+
+#[test]
+fn files_that_do_not_fit_are_refused_in_words() {
+    let flex = device("flex").expect("a device");
+    let refusal = |bytes: &[u8]| PathNet::load(bytes, &flex).expect_err("not weights");
+    assert!(matches!(refusal(b"nothing like it"), WeightsError::NotSafetensors(_)));
+    let whole = weights();
+    assert!(matches!(refusal(&whole[..whole.len() / 2]), WeightsError::NotSafetensors(_)));
+    let one = [0u8; 4];
+    let view = || safetensors::tensor::TensorView::new(safetensors::Dtype::F16, vec![2], &one).expect("two numbers");
+    let bare = safetensors::serialize([("base.down.0.bias", view())], None).expect("a file");
+    assert!(matches!(refusal(&bare), WeightsError::NoCard));
+    let metadata = [("pathlight".to_string(), serde_json::to_string(&card()).expect("JSON"))];
+    let foreign = safetensors::serialize([("base.down.0.bias", view())], Some(metadata.into())).expect("a file");
+    let sentence = refusal(&foreign).to_string();
+    assert!(sentence.contains("other nets"), "{sentence}");
+}
+
+#[test]
+fn an_unknown_device_is_refused_in_words() {
+    assert!(device("abacus").expect_err("no device").contains("flex or ndarray"));
+}
+
+fn assert_close(name: &str, a: &[f32], b: &[f32]) {
+    assert_eq!((a.len(), b.len()), (CELLS, CELLS), "{name}");
+    let worst = a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
+    assert!(worst < 1e-5, "{name} differs by {worst}");
+}
+
+/// The paper's layers, written to be read and not to be fast. Pictures are channel by channel, row by row.
+mod plain {
+    use half::f16;
+    use safetensors::SafeTensors;
+
+    pub fn hourglass(file: &SafeTensors, net: &str, picture: &[f32], channels: usize) -> Vec<f32> {
+        let (mut x, mut inputs, mut side) = (picture.to_vec(), channels, 64);
+        for layer in 0..6 {
+            let (weight, bias) = layer_of(file, &format!("{net}.down.{layer}"));
+            x = convolve(&x, inputs, side, &weight, &bias);
+            (inputs, side) = (bias.len(), side / 2);
+            x.iter_mut().for_each(|value| *value = value.max(0.0));
+        }
+        for layer in 0..6 {
+            let (weight, bias) = layer_of(file, &format!("{net}.up.{layer}"));
+            x = convolve_transposed(&x, inputs, side, &weight, &bias);
+            (inputs, side) = (bias.len(), side * 2);
+            if layer < 5 {
+                x.iter_mut().for_each(|value| *value = value.max(0.0));
+            }
+        }
+        x.iter().map(|&logit| 1.0 / (1.0 + (-logit).exp())).collect()
+    }
+
+    /// Weight and bias; a kernel of which only the centre is kept becomes the 4 x 4 kernel that it stands for.
+    fn layer_of(file: &SafeTensors, layer: &str) -> (Vec<f32>, Vec<f32>) {
+        let numbers = |name: &str| -> (Vec<usize>, Vec<f32>) {
+            let view = file.tensor(&format!("{layer}.{name}")).expect("every layer has weight and bias");
+            let pairs = view.data().chunks_exact(2).map(|pair| f16::from_le_bytes([pair[0], pair[1]]).to_f32());
+            (view.shape().to_vec(), pairs.collect())
+        };
+        let (shape, weight) = numbers("weight");
+        let (_, bias) = numbers("bias");
+        if shape[2] == 4 {
+            return (weight, bias);
+        }
+        assert_eq!(shape[2..], [2, 2]);
+        let mut whole = vec![0.0; shape[0] * shape[1] * 16];
+        for (index, value) in weight.into_iter().enumerate() {
+            let (pair, row, column) = (index / 4, index / 2 % 2, index % 2);
+            whole[pair * 16 + (row + 1) * 4 + column + 1] = value;
+        }
+        (whole, bias)
+    }
+
+    /// 4 x 4, stride 2, padding 1. Weight: out, in, row, column.
+    fn convolve(x: &[f32], inputs: usize, side: usize, weight: &[f32], bias: &[f32]) -> Vec<f32> {
+        let half = side / 2;
+        let mut out = vec![0.0; bias.len() * half * half];
+        for (o, &bias) in bias.iter().enumerate() {
+            for row in 0..half {
+                for column in 0..half {
+                    let mut sum = bias;
+                    for i in 0..inputs {
+                        for (k, tap) in weight[(o * inputs + i) * 16..][..16].iter().enumerate() {
+                            let (y, z) = ((2 * row + k / 4).wrapping_sub(1), (2 * column + k % 4).wrapping_sub(1));
+                            if y < side && z < side {
+                                sum += tap * x[(i * side + y) * side + z];
+                            }
+                        }
+                    }
+                    out[(o * half + row) * half + column] = sum;
+                }
+            }
+        }
+        out
+    }
+
+    /// The mirror of `convolve`. Weight: in, out, row, column.
+    fn convolve_transposed(x: &[f32], inputs: usize, side: usize, weight: &[f32], bias: &[f32]) -> Vec<f32> {
+        let (outputs, double) = (bias.len(), side * 2);
+        let mut out: Vec<f32> = bias.iter().flat_map(|&bias| vec![bias; double * double]).collect();
+        for i in 0..inputs {
+            for row in 0..side {
+                for column in 0..side {
+                    let value = x[(i * side + row) * side + column];
+                    for o in 0..outputs {
+                        for (k, tap) in weight[(i * outputs + o) * 16..][..16].iter().enumerate() {
+                            let (y, z) = ((2 * row + k / 4).wrapping_sub(1), (2 * column + k % 4).wrapping_sub(1));
+                            if y < double && z < double {
+                                out[(o * double + y) * double + z] += tap * value;
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        out
+    }
+}
