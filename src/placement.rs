@@ -127,3 +127,49 @@ fn gaussian(rng: &mut impl Rng) -> f64 {
     let (u, v): (f64, f64) = (1.0 - rng.random::<f64>(), rng.random());
     libm::sqrt(-2.0 * libm::log(u)) * libm::cos(std::f64::consts::TAU * v)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::raster::CELLS;
+    use crate::task::Task;
+
+    fn scene() -> Scene {
+        Task::load("00002:007".parse().expect("an id")).expect("a task").scene
+    }
+
+    /// The map that nets would draw if they were sure of one ball.
+    fn sure_of(ball: Ball) -> Vec<f32> {
+        ball_image(ball).numbers().collect()
+    }
+
+    #[test]
+    fn the_first_balls_lie_where_the_map_says() {
+        let scene = scene();
+        let mut rng = Pcg64Mcg::seed_from_u64(3);
+        for _ in 0..20 {
+            let wanted = random_ball(&scene, &mut rng);
+            let first = proposals(&sure_of(wanted), &scene, 0, 1)[0];
+            assert!((first.x - wanted.x).abs() <= 8.0 && (first.y - wanted.y).abs() <= 8.0, "{wanted}: {first}");
+            assert!((first.r - wanted.r).abs() <= 8.0, "{wanted}: {first}");
+        }
+    }
+
+    #[test]
+    fn a_hundred_valid_balls_and_no_two_alike_whatever_the_map() {
+        let scene = scene();
+        let everywhere = vec![1.0; CELLS];
+        // A map that is sure of a place where the scene has a body.
+        let body = &scene.bodies[scene.body1];
+        let blocked = sure_of(Ball { x: body.x, y: body.y, r: 4.0 });
+        for map in [vec![0.0; CELLS], everywhere, blocked, vec![f32::NAN; CELLS]] {
+            let balls = proposals(&map, &scene, 5, 100);
+            assert_eq!(balls.len(), 100);
+            for (index, ball) in balls.iter().enumerate() {
+                assert_eq!(ball.check(&scene), Ok(()));
+                assert!(!balls[..index].contains(ball), "{ball} twice");
+            }
+            assert_eq!(balls, proposals(&map, &scene, 5, 100), "the same seed gives the same balls");
+        }
+    }
+}

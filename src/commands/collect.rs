@@ -13,7 +13,7 @@ use pathlight::action::Ball;
 use pathlight::simulator;
 use pathlight::solutions::{Hunt, Solution};
 use pathlight::task::Task;
-use pathlight::templates::TEMPLATES;
+use pathlight::templates::{TEMPLATES, Template};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
@@ -33,6 +33,14 @@ pub struct Args {
     /// Rounds at most; in each, every unfinished task tries 32 balls
     #[arg(long, default_value_t = 200)]
     rounds: usize,
+
+    /// Search this template alone, like 00007
+    #[arg(long, value_name = "TEMPLATE", value_parser = super::template)]
+    template: Option<&'static Template>,
+
+    /// Tasks of each template to search at most
+    #[arg(long, value_name = "N", default_value_t = 100)]
+    limit: usize,
 
     /// Seed of all that is drawn
     #[arg(long, default_value_t = 0)]
@@ -58,7 +66,9 @@ struct Settings {
 impl Args {
     pub fn run(self) -> anyhow::Result<()> {
         let settings = Settings { seed: self.seed, wanted: self.wanted, simulator: simulator::VERSION };
-        let mut hunts: Vec<Hunt> = TEMPLATES.iter().flat_map(|template| Task::of(template)).map(Hunt::new).collect();
+        let templates = TEMPLATES.iter().filter(|all| self.template.is_none_or(|one| one.number == all.number));
+        let mut hunts: Vec<Hunt> =
+            templates.flat_map(|template| Task::of(template).take(self.limit)).map(Hunt::new).collect();
         let (first, mut rollouts) = resume(&self.out, &settings, &mut hunts)?;
         let mut file = OpenOptions::new().append(true).open(&self.out)?;
         let known = |hunts: &[Hunt]| hunts.iter().map(|hunt| hunt.found.len()).sum::<usize>();
@@ -69,10 +79,10 @@ impl Args {
                 break;
             }
             // What the tasks of a template know together when the round begins.
-            let shared: Vec<Vec<Ball>> = hunts
-                .chunk_by(|a, b| a.task.template == b.task.template)
-                .map(|sisters| sisters.iter().flat_map(|hunt| hunt.found.iter().copied()).collect())
-                .collect();
+            let mut shared: Vec<Vec<Ball>> = vec![Vec::new(); TEMPLATES.len()];
+            for hunt in &hunts {
+                shared[hunt.task.template].extend_from_slice(&hunt.found);
+            }
             let catches: Vec<_> = hunts
                 .par_iter()
                 .map(|hunt| hunt.round(&shared[hunt.task.template], self.wanted, self.seed, round))
@@ -145,7 +155,8 @@ fn resume(path: &Path, settings: &Settings, hunts: &mut [Hunt]) -> anyhow::Resul
                 (next, rollouts, kept) = (round + 1, total, read);
                 for Solution { task, ball } in open.drain(..) {
                     let hunt = hunts.binary_search_by_key(&task, |hunt| hunt.task);
-                    let hunt = hunt.map_err(|_| anyhow::anyhow!("{name} names {task}, which is no task"))?;
+                    let hunt =
+                        hunt.map_err(|_| anyhow::anyhow!("{name} names {task}, which this run does not search"))?;
                     hunts[hunt].found.push(ball);
                 }
             }

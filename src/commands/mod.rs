@@ -8,6 +8,8 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 use pathlight::folds::Setup;
+use pathlight::task::TaskError;
+use pathlight::templates::{TEMPLATES, Template};
 
 mod collect;
 mod evaluate;
@@ -69,4 +71,11 @@ fn setup(text: &str) -> Result<Setup, String> {
         "cross" => Ok(Setup::Cross),
         _ => Err("the setups are within and cross".to_string()),
     }
+}
+
+/// The template of a number like `00007` or `7`.
+fn template(text: &str) -> Result<&'static Template, TaskError> {
+    let number = text.bytes().all(|byte| byte.is_ascii_digit()).then(|| text.parse::<usize>().ok()).flatten();
+    let template = number.and_then(|number| TEMPLATES.get(number));
+    template.copied().ok_or_else(|| TaskError::NoTemplate(text.to_string()))
 }

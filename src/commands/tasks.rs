@@ -4,7 +4,7 @@
 
 use std::io::{self, BufWriter, Write};
 
-use pathlight::task::{Task, TaskError, TaskId};
+use pathlight::task::{Task, TaskId};
 use pathlight::templates::{TEMPLATES, Template};
 use serde_json::{Map, Value};
 
@@ -12,7 +12,7 @@ use serde_json::{Map, Value};
 #[derive(clap::Args)]
 pub struct Args {
     /// List the 100 tasks of this template, with their parameters
-    #[arg(long, value_name = "TEMPLATE", value_parser = find_template)]
+    #[arg(long, value_name = "TEMPLATE", value_parser = super::template)]
     template: Option<&'static Template>,
 
     /// Print scenes as JSON, one a line: of this task (like 00007:013), else of all tasks
@@ -33,13 +33,6 @@ impl Args {
         }
         Ok(out.flush()?)
     }
-}
-
-/// The template of a number like `00007` or `7`.
-fn find_template(text: &str) -> Result<&'static Template, TaskError> {
-    let number = text.bytes().all(|byte| byte.is_ascii_digit()).then(|| text.parse::<usize>().ok()).flatten();
-    let template = number.and_then(|number| TEMPLATES.get(number));
-    template.copied().ok_or_else(|| TaskError::NoTemplate(text.to_string()))
 }
 
 /// One line a template: id, name, and the goal sentence, which its tasks have in common.

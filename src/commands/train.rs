@@ -29,9 +29,6 @@ use super::collect::read_solutions;
 use super::progress::Progress;
 use super::scenes::Scenes;
 
-/// Batches between two checkpoints and two lines of losses.
-const INTERVAL: usize = 100;
-
 /// Train the four nets on the training tasks of a fold
 #[derive(clap::Args)]
 pub struct Args {
@@ -67,6 +64,14 @@ pub struct Args {
     #[arg(long)]
     mirror: bool,
 
+    /// Batches between two checkpoints, and between two lines of losses
+    #[arg(long, value_name = "BATCHES", default_value_t = 100, value_parser = clap::value_parser!(u16).range(1..))]
+    checkpoint: u16,
+
+    /// End this run after so many batches, at a checkpoint; the same command goes on from there
+    #[arg(long, value_name = "BATCHES")]
+    stop_after: Option<usize>,
+
     /// Seed of the initial weights and of the order of the samples
     #[arg(long, default_value_t = 0)]
     seed: u64,
@@ -98,6 +103,8 @@ impl Args {
         let total = batches * self.epochs;
         let mut progress = Progress::new(Some(total as u64));
         progress.advance(run.done as u64, format!("batch {}", run.done));
+        let interval = usize::from(self.checkpoint);
+        let stop = self.stop_after.map_or(usize::MAX, |batches| run.done + batches);
         let mut sums = [0.0; 4];
         while run.done < total {
             let epoch = run.done / batches;
@@ -105,13 +112,17 @@ impl Args {
             for chosen in order.chunks(self.batch.into()).skip(run.done % batches) {
                 let losses = run.step(&samples, chosen, self.rate, &device);
                 for (sum, loss) in sums.iter_mut().zip(losses) {
-                    *sum += loss / INTERVAL as f32;
+                    *sum += loss / f32::from(self.checkpoint);
                 }
-                if run.done.is_multiple_of(INTERVAL) {
+                if run.done.is_multiple_of(interval) {
                     run.save(&folder, &settings, epoch, sums)?;
                     let so_far = format!("batch {} of {total}, placement loss {:.4}", run.done, sums[3]);
-                    progress.advance(INTERVAL as u64, so_far);
+                    progress.advance(interval as u64, so_far);
                     sums = [0.0; 4];
+                    if run.done >= stop {
+                        progress.finish(&format!("batch {} of {total}: stopped as told", run.done));
+                        return Ok(());
+                    }
                 }
             }
         }
@@ -167,6 +178,8 @@ struct Run {
     nets: PathNet,
     optimiser: ModuleOptimizer,
     done: usize,
+    /// The batch of the checkpoint that is on disk.
+    kept: Option<usize>,
 }
 
 const NETS: &str = "checkpoint-nets.bpk";
@@ -179,7 +192,7 @@ impl Run {
         let (nets, optimiser) = (PathNet::new(device), AdamConfig::new().with_epsilon(1e-8).init());
         let Ok(state) = fs::read(folder.join(STATE)) else {
             fs::write(folder.join("losses.csv"), "epoch,batch,base,target,action,placement,sum\n")?;
-            return Ok(Run { nets, optimiser, done: 0 });
+            return Ok(Run { nets, optimiser, done: 0, kept: None });
         };
         let (found, done): (Settings, usize) =
             serde_json::from_slice(&state).with_context(|| format!("{} is damaged: remove it", folder.display()))?;
@@ -190,7 +203,7 @@ impl Run {
         );
         let nets = nets.try_load_file(folder.join(format!("{done}-{NETS}")))?;
         let optimiser = optimiser.load(folder.join(format!("{done}-{OPTIMISER}")))?;
-        Ok(Run { nets, optimiser, done })
+        Ok(Run { nets, optimiser, done, kept: Some(done) })
     }
 
     /// One batch; gives the losses of the four maps.
@@ -218,17 +231,16 @@ impl Run {
 
     /// Writes the checkpoint and a line of losses. The state is written last and names the files, so that a run
     /// cut off in between goes on from the checkpoint before.
-    fn save(&self, folder: &Path, settings: &Settings, epoch: usize, losses: [f32; 4]) -> anyhow::Result<()> {
+    fn save(&mut self, folder: &Path, settings: &Settings, epoch: usize, losses: [f32; 4]) -> anyhow::Result<()> {
         let done = self.done;
         self.nets.clone().save_file(folder.join(format!("{done}-{NETS}")))?;
         self.optimiser.save(folder.join(format!("{done}-{OPTIMISER}")))?;
         let state = folder.join(STATE);
         fs::write(folder.join("next.json"), serde_json::to_vec(&(settings, done))?)?;
         fs::rename(folder.join("next.json"), state)?;
-        for name in [NETS, OPTIMISER] {
-            let before = folder.join(format!("{}-{name}", done.saturating_sub(INTERVAL)));
-            if before.exists() {
-                fs::remove_file(before)?;
+        if let Some(before) = self.kept.replace(done) {
+            for name in [NETS, OPTIMISER] {
+                fs::remove_file(folder.join(format!("{before}-{name}")))?;
             }
         }
         let [base, target, action, placement] = losses;
