@@ -122,9 +122,9 @@ fn every_scene_is_as_it_was() {
     if env::var_os("UPDATE_GOLDEN").is_some() {
         fs::write(&path, &digests).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
     }
-    let golden = fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    let golden = fs::read_to_string(&path).unwrap_or_default();
     let changed: Vec<&str> =
-        digests.lines().zip(golden.lines()).filter(|(now, then)| now != then).map(|(now, _)| &now[..5]).collect();
+        digests.lines().filter(|now| !golden.lines().any(|then| then == *now)).map(|now| &now[..5]).collect();
     assert!(
         digests == golden,
         "the scenes of templates {changed:?} are not those of tests/golden/scenes.txt. If that is meant, run \
