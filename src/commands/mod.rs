@@ -16,6 +16,7 @@ mod evaluate;
 mod progress;
 mod propose;
 mod scenes;
+mod serve;
 mod simulate;
 mod tasks;
 mod train;
@@ -37,6 +38,7 @@ enum Command {
     Propose(propose::Args),
     Evaluate(evaluate::Args),
     Simulate(simulate::Args),
+    Serve(serve::Args),
 }
 
 /// Runs the command that the process was started with.
@@ -48,6 +50,7 @@ pub fn run() -> ExitCode {
         Command::Propose(args) => args.run(),
         Command::Evaluate(args) => args.run(),
         Command::Simulate(args) => args.run(),
+        Command::Serve(args) => args.run(),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

@@ -28,7 +28,7 @@ pub fn run(file: &str) -> anyhow::Result<()> {
         path => {
             let file = File::open(path).with_context(|| format!("cannot read {path}"))?;
             let about = file.metadata()?;
-            (Box::new(file), about.is_file().then(|| about.len()))
+            (Box::new(file), about.is_file().then_some(about.len()))
         }
     };
     let mut source = BufReader::with_capacity(1 << 16, source);

@@ -1,0 +1,30 @@
+# `make play` builds what is missing and serves the page; `make test` runs every test.
+
+PORT ?= 8080
+
+# Tools that are installed here are shared by all clones, and replace nothing of yours.
+TOOLS := $(or $(XDG_CACHE_HOME),$(HOME)/.cache)/pathlight/tools
+export TOOLS
+export PATH := $(TOOLS)/bin:$(PATH)
+
+PACKAGE := www/pkg/pathlight_bg.wasm
+PACKAGED := Cargo.toml Cargo.lock .cargo/config.toml .ci/package \
+	$(shell find src -name '*.rs' -not -path 'src/commands/*' -not -path src/main.rs)
+
+.PHONY: play test build clean
+
+play: build
+	@target/release/pathlight serve --port $(PORT)
+
+test:
+	@.ci/test
+
+build: $(PACKAGE)
+	cargo build --release --bin pathlight
+
+$(PACKAGE): $(PACKAGED)
+	.ci/package
+
+clean:
+	cargo clean
+	rm -rf www/pkg tests/browser/node_modules

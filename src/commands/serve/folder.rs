@@ -1,0 +1,55 @@
+//! A folder to serve files from, and nothing outside it.
+//!
+//! `ServeDir` turns away `..`, however it is written; what is left is a link that leads out. So every path is
+//! resolved before it is opened.
+
+use std::io;
+use std::path::{Path, PathBuf};
+use std::pin::Pin;
+
+use tower_http::services::fs::{Backend, TokioBackend, TokioFile};
+
+#[derive(Clone, Debug)]
+pub struct Folder {
+    /// With every link resolved.
+    root: PathBuf,
+}
+
+impl Folder {
+    /// # Errors
+    /// If there is no such folder.
+    pub fn open(path: &Path) -> io::Result<Folder> {
+        let root = path.canonicalize()?;
+        if !root.is_dir() {
+            return Err(io::ErrorKind::NotADirectory.into());
+        }
+        Ok(Folder { root })
+    }
+
+    pub fn root(&self) -> &Path {
+        &self.root
+    }
+
+    /// The path with every link resolved; not found if that is outside or nowhere.
+    async fn inside(self, path: PathBuf) -> io::Result<PathBuf> {
+        let path = tokio::fs::canonicalize(path).await.ok();
+        path.filter(|path| path.starts_with(&self.root)).ok_or(io::ErrorKind::NotFound.into())
+    }
+}
+
+impl Backend for Folder {
+    type File = TokioFile;
+    type Metadata = std::fs::Metadata;
+    type OpenFuture = Pin<Box<dyn Future<Output = io::Result<TokioFile>> + Send>>;
+    type MetadataFuture = Pin<Box<dyn Future<Output = io::Result<std::fs::Metadata>> + Send>>;
+
+    fn open(&self, path: PathBuf) -> Self::OpenFuture {
+        let folder = self.clone();
+        Box::pin(async move { TokioBackend.open(folder.inside(path).await?).await })
+    }
+
+    fn metadata(&self, path: PathBuf) -> Self::MetadataFuture {
+        let folder = self.clone();
+        Box::pin(async move { TokioBackend.metadata(folder.inside(path).await?).await })
+    }
+}

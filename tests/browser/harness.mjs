@@ -1,0 +1,99 @@
+// What every browser test starts with: `pathlight serve` on a free port, and Chromium with a profile of its own.
+//
+//     const session = await start();
+//     const page = await session.open('/');
+//     await session.stop();        // fails if the page complained in its console
+//
+// It must not know what is on the page.
+
+import { spawn } from 'node:child_process';
+import { once } from 'node:events';
+import { existsSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+import { createInterface } from 'node:readline';
+import { fileURLToPath } from 'node:url';
+import { chromium } from 'playwright-core';
+
+const root = join(dirname(fileURLToPath(import.meta.url)), '..', '..');
+
+const flags = [
+  '--no-sandbox',
+  '--disable-gpu',
+  '--disable-background-networking',
+  '--disable-component-update',
+  '--disable-sync',
+  '--no-first-run',
+];
+
+/** Starts a server and a browser. `serve` are further arguments of `pathlight serve`. */
+export async function start({ serve = [] } = {}) {
+  const server = await startServer(serve);
+  const browser = await chromium.launch({ executablePath: findChromium(), headless: true, args: flags });
+  return new Session(server, browser);
+}
+
+class Session {
+  /** What the pages complained of: errors in the console, uncaught exceptions, failed requests. */
+  problems = [];
+
+  #server;
+  #browser;
+
+  constructor(server, browser) {
+    this.#server = server;
+    this.#browser = browser;
+    /** `http://127.0.0.1:PORT` */
+    this.origin = server.origin;
+  }
+
+  /** Opens a path in a new page with a fresh profile; `options` are Playwright's for a context (viewport, …). */
+  async open(path = '/', options = {}) {
+    const context = await this.#browser.newContext(options);
+    const page = await context.newPage();
+    page.on('console', (message) => {
+      if (message.type() === 'error') this.problems.push(`console: ${message.text()}`);
+    });
+    page.on('pageerror', (error) => this.problems.push(`uncaught: ${error.message}`));
+    page.on('requestfailed', (request) => {
+      this.problems.push(`failed: ${request.url()} ${request.failure()?.errorText}`);
+    });
+    await page.goto(this.origin + path);
+    return page;
+  }
+
+  /** Takes note of the problems so far as expected, and returns them. */
+  takeProblems() {
+    return this.problems.splice(0);
+  }
+
+  /** Ends browser and server. Throws if there are problems that nobody took. */
+  async stop() {
+    await this.#browser.close();
+    this.#server.child.kill('SIGINT');
+    if (this.#server.child.exitCode === null) await once(this.#server.child, 'exit');
+    if (this.problems.length > 0) throw new Error(`The page complained:\n${this.problems.join('\n')}`);
+  }
+}
+
+async function startServer(serve) {
+  const binary = join(root, 'target', 'release', 'pathlight');
+  if (!existsSync(binary)) throw new Error(`${binary} is missing: run make build`);
+  const child = spawn(binary, ['serve', '--port', '0', ...serve], { cwd: root, stdio: ['ignore', 'pipe', 'pipe'] });
+  let said = '';
+  child.stderr.on('data', (text) => (said += text));
+  process.once('exit', () => child.kill());
+  for await (const line of createInterface({ input: child.stdout })) {
+    const origin = line.match(/http:\/\/[^/]+/)?.[0];
+    if (origin) return { child, origin };
+  }
+  throw new Error(`pathlight serve did not start: ${said}`);
+}
+
+function findChromium() {
+  const places = process.env.CHROMIUM
+    ? [process.env.CHROMIUM]
+    : ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome', '/usr/bin/google-chrome-stable'];
+  const found = places.find(existsSync);
+  if (!found) throw new Error(`Chromium is missing (looked at ${places.join(', ')}): install it, or set CHROMIUM to its path`);
+  return found;
+}

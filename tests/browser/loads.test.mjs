@@ -1,0 +1,38 @@
+// The page arrives: served by the real binary, its wasm compiled, and nothing to complain of in the console.
+
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { start } from './harness.mjs';
+
+let session;
+before(async () => (session = await start()));
+after(() => session.stop());
+
+test('the page loads and says what it is', async () => {
+  const page = await session.open('/');
+  assert.match(await page.title(), /Pathlight/);
+});
+
+test('the wasm package is compiled under the page\'s own policy', async () => {
+  const page = await session.open('/');
+  const names = await page.evaluate(async () => {
+    const package_ = await import('/pkg/pathlight.js');
+    await package_.default();
+    return package_.templates().map((template) => template.id);
+  });
+  assert.equal(names.length, 25);
+  assert.equal(names[7], '00007');
+});
+
+test('the policy keeps scripts from elsewhere out', async () => {
+  const page = await session.open('/');
+  const ran = await page.evaluate(() => {
+    const script = document.createElement('script');
+    script.textContent = 'window.intruder = true';
+    document.head.append(script);
+    return window.intruder === true;
+  });
+  assert.equal(ran, false);
+  const problems = session.takeProblems();
+  assert.ok(problems.length > 0 && problems.every((problem) => /Content Security Policy/.test(problem)), problems.join());
+});

@@ -1,0 +1,54 @@
+//! The command line as its users meet it: the real binary, its output, its exit codes.
+//!
+//! A module for each command. This file holds how to run it.
+#![cfg(not(target_arch = "wasm32"))]
+
+use std::io::Write;
+use std::process::{Command, Output, Stdio};
+
+mod serve;
+mod simulate;
+mod tasks;
+
+/// The binary, ready to be given arguments.
+fn pathlight() -> Command {
+    Command::new(env!("CARGO_BIN_EXE_pathlight"))
+}
+
+/// Runs the binary to its end, with this standard input.
+fn run(args: &[&str], input: &str) -> Output {
+    let mut command = pathlight();
+    command.args(args).stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = command.spawn().expect("the binary starts");
+    let mut stdin = child.stdin.take().expect("piped");
+    let input = input.to_string();
+    // It may end without reading.
+    let writer = std::thread::spawn(move || drop(stdin.write_all(input.as_bytes())));
+    let output = child.wait_with_output().expect("the binary ends");
+    writer.join().expect("the writer ends");
+    output
+}
+
+/// Standard output of a run that has to succeed.
+fn output_of(args: &[&str]) -> String {
+    let output = run(args, "");
+    assert!(output.status.success(), "{args:?}: {}", stderr(&output));
+    stdout(&output)
+}
+
+/// Asserts that the run is refused: nothing on standard output, a sentence that has these words, exit code 2.
+fn assert_refused(args: &[&str], words: &str) {
+    let output = run(args, "");
+    assert_eq!(output.status.code(), Some(2), "{args:?}: {output:?}");
+    assert_eq!(stdout(&output), "", "{args:?}");
+    let said = stderr(&output);
+    assert!(said.starts_with("error: ") && said.contains(words), "{args:?} said {said:?} without {words:?}");
+}
+
+fn stdout(output: &Output) -> String {
+    String::from_utf8(output.stdout.clone()).expect("output is UTF-8")
+}
+
+fn stderr(output: &Output) -> String {
+    String::from_utf8(output.stderr.clone()).expect("messages are UTF-8")
+}
