@@ -11,7 +11,18 @@ use safetensors::SafeTensors;
 const WIDTHS: [usize; 6] = [8, 16, 32, 64, 128, 256];
 
 fn card() -> Card {
-    Card { setup: Setup::Within, fold: 0, seed: 1, epochs: 0, samples: 0, tasks: 0, simulator: 0 }
+    Card {
+        setup: Setup::Within,
+        fold: 0,
+        seed: 1,
+        epochs: 0,
+        batch: 32,
+        rate: 3e-3,
+        mirror: false,
+        samples: 0,
+        tasks: 0,
+        simulator: 0,
+    }
 }
 
 /// Fresh weights, as a file. One file serves all tests: what a file says is what all implementations compute.
@@ -53,6 +64,7 @@ fn the_nets_agree_with_plain_loops() {
     }
 }
 
+#[cfg(feature = "ndarray")]
 #[test]
 fn flex_agrees_with_ndarray() {
     let bytes = weights();

@@ -23,7 +23,6 @@ use rand::seq::SliceRandom;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use rayon::prelude::*;
-use serde::{Deserialize, Serialize};
 
 use super::collect::read_solutions;
 use super::progress::Progress;
@@ -81,24 +80,15 @@ pub struct Args {
     device: String,
 }
 
-/// What a checkpoint was made with; a run goes on only with the same settings.
-#[derive(Debug, PartialEq, Serialize, Deserialize)]
-struct Settings {
-    card: Card,
-    batch: u16,
-    rate: f64,
-    mirror: bool,
-}
-
 impl Args {
     pub fn run(self) -> anyhow::Result<()> {
         let name = format!("target/train/{}-{}", self.setup, self.fold);
         let folder = self.out.clone().unwrap_or_else(|| PathBuf::from(name));
         fs::create_dir_all(&folder).with_context(|| format!("cannot make {}", folder.display()))?;
-        let (samples, settings) = self.samples()?;
+        let (samples, card) = self.samples()?;
         let device = device(&self.device).map_err(anyhow::Error::msg)?.autodiff();
         device.seed(self.seed);
-        let mut run = Run::open(&folder, &settings, &device)?;
+        let mut run = Run::open(&folder, &card, &device)?;
         let batches = samples.len().div_ceil(self.batch.into());
         let total = batches * self.epochs;
         let mut progress = Progress::new(Some(total as u64));
@@ -115,7 +105,7 @@ impl Args {
                     *sum += loss / f32::from(self.checkpoint);
                 }
                 if run.done.is_multiple_of(interval) {
-                    run.save(&folder, &settings, epoch, sums)?;
+                    run.save(&folder, &card, epoch, sums)?;
                     let so_far = format!("batch {} of {total}, placement loss {:.4}", run.done, sums[3]);
                     progress.advance(interval as u64, so_far);
                     sums = [0.0; 4];
@@ -127,14 +117,14 @@ impl Args {
             }
         }
         let weights = folder.join("weights.safetensors");
-        fs::write(&weights, run.nets.valid().save(&settings.card))
+        fs::write(&weights, run.nets.valid().save(&card))
             .with_context(|| format!("cannot write {}", weights.display()))?;
         progress.finish(&format!("{total} batches; weights are in {},", weights.display()));
         Ok(())
     }
 
     /// The samples of the fold's training tasks, and what they were made with.
-    fn samples(&self) -> anyhow::Result<(Vec<Sample>, Settings)> {
+    fn samples(&self) -> anyhow::Result<(Vec<Sample>, Card)> {
         let tasks = Fold::new(self.setup, self.fold).all_train();
         let (solutions, version) = read_solutions(&self.solutions)?;
         ensure!(
@@ -157,11 +147,14 @@ impl Args {
             fold: self.fold,
             seed: self.seed,
             epochs: self.epochs,
+            batch: self.batch,
+            rate: self.rate,
+            mirror: self.mirror,
             samples: samples.len(),
             tasks: chosen.chunk_by(|a, b| a.task == b.task).count(),
             simulator: version,
         };
-        Ok((samples, Settings { card, batch: self.batch, rate: self.rate, mirror: self.mirror }))
+        Ok((samples, card))
     }
 
     /// The order of the samples in an epoch, and whether each is mirrored.
@@ -188,17 +181,17 @@ const STATE: &str = "checkpoint.json";
 
 impl Run {
     /// The run of a folder: its checkpoint, or a fresh start.
-    fn open(folder: &Path, settings: &Settings, device: &Device) -> anyhow::Result<Run> {
+    fn open(folder: &Path, card: &Card, device: &Device) -> anyhow::Result<Run> {
         let (nets, optimiser) = (PathNet::new(device), AdamConfig::new().with_epsilon(1e-8).init());
         let Ok(state) = fs::read(folder.join(STATE)) else {
             fs::write(folder.join("losses.csv"), "epoch,batch,base,target,action,placement,sum\n")?;
             return Ok(Run { nets, optimiser, done: 0, kept: None });
         };
-        let (found, done): (Settings, usize) =
+        let (found, done): (Card, usize) =
             serde_json::from_slice(&state).with_context(|| format!("{} is damaged: remove it", folder.display()))?;
         ensure!(
-            found == *settings,
-            "{} holds a run with {found:?}, now it is {settings:?}: name another folder with --out",
+            found == *card,
+            "{} holds a run with {found:?}, now it is {card:?}: name another folder with --out",
             folder.display()
         );
         let nets = nets.try_load_file(folder.join(format!("{done}-{NETS}")))?;
@@ -231,12 +224,12 @@ impl Run {
 
     /// Writes the checkpoint and a line of losses. The state is written last and names the files, so that a run
     /// cut off in between goes on from the checkpoint before.
-    fn save(&mut self, folder: &Path, settings: &Settings, epoch: usize, losses: [f32; 4]) -> anyhow::Result<()> {
+    fn save(&mut self, folder: &Path, card: &Card, epoch: usize, losses: [f32; 4]) -> anyhow::Result<()> {
         let done = self.done;
         self.nets.clone().save_file(folder.join(format!("{done}-{NETS}")))?;
         self.optimiser.save(folder.join(format!("{done}-{OPTIMISER}")))?;
         let state = folder.join(STATE);
-        fs::write(folder.join("next.json"), serde_json::to_vec(&(settings, done))?)?;
+        fs::write(folder.join("next.json"), serde_json::to_vec(&(card, done))?)?;
         fs::rename(folder.join("next.json"), state)?;
         if let Some(before) = self.kept.replace(done) {
             for name in [NETS, OPTIMISER] {

@@ -27,6 +27,12 @@ pub struct Card {
     pub seed: u64,
     /// Passes over the samples.
     pub epochs: usize,
+    /// Samples in a batch.
+    pub batch: u16,
+    /// Learning rate of Adam.
+    pub rate: f64,
+    /// Half of the samples were shown mirrored left to right.
+    pub mirror: bool,
     /// Solutions trained on.
     pub samples: usize,
     /// Tasks that the solutions belong to.
