@@ -13,6 +13,7 @@ use pathlight::templates::{TEMPLATES, Template};
 
 mod collect;
 mod evaluate;
+mod fidelity;
 mod progress;
 mod propose;
 mod scenes;
@@ -39,6 +40,7 @@ enum Command {
     Evaluate(evaluate::Args),
     Simulate(simulate::Args),
     Serve(serve::Args),
+    Fidelity(fidelity::Args),
 }
 
 /// Runs the command that the process was started with.
@@ -51,6 +53,7 @@ pub fn run() -> ExitCode {
         Command::Evaluate(args) => args.run(),
         Command::Simulate(args) => args.run(),
         Command::Serve(args) => args.run(),
+        Command::Fidelity(args) => args.run(),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

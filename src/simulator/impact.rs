@@ -54,11 +54,16 @@ fn frame(stance: Stance) -> Pose {
 
 /// Distance between two shapes and the direction from the first to the second; `None` beyond `far`.
 fn gap([a, b]: [&Fixture; 2], [pose_a, pose_b]: [Pose; 2], far: f32) -> Option<(f32, Vector)> {
-    if let (None, Some(radius)) = (a.ball, b.ball) {
-        let nearest = a.shape.project_point(&pose_a, pose_b.translation, true).point;
+    // Balls may overlap by then, so they count from their centres.
+    if let Some(radius) = b.ball {
+        let nearest = match a.ball {
+            Some(_) => pose_a.translation,
+            None => a.shape.project_point(&pose_a, pose_b.translation, true).point,
+        };
         let way = pose_b.translation - nearest;
         let distance = way.length();
-        return Some((distance - radius, if distance > 0.0 { way / distance } else { Vector::ZERO }));
+        let gap = distance - radius - a.ball.unwrap_or(0.0);
+        return Some((gap, if distance > 0.0 { way / distance } else { Vector::ZERO }));
     }
     match closest_points(&pose_a, &*a.shape, &pose_b, &*b.shape, far.max(0.0)) {
         Ok(ClosestPoints::WithinMargin(p, q)) => {

@@ -19,7 +19,7 @@ mod solver;
 mod world;
 
 /// Raised whenever any rollout changes; stored in weights and collected data.
-pub const VERSION: u32 = 2;
+pub const VERSION: u32 = 3;
 
 /// How a rollout ended, without its poses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

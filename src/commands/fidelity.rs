@@ -1,0 +1,197 @@
+//! `pathlight fidelity`: how near the simulator is to PHYRE's own.
+//!
+//! The reference folder has outcomes.jsonl (task, ball, kind, solved) and trajectories.jsonl (poses of rollouts);
+//! it is no part of the project. Even and odd task numbers stand beside each other: whoever tunes looks at the
+//! even ones only, and the odd ones tell whether it holds.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use anyhow::{Context, bail};
+use pathlight::action::Ball;
+use pathlight::rollout::STEPS_PER_SECOND;
+use pathlight::simulator::{outcome, simulate};
+use pathlight::task::TaskId;
+use pathlight::templates::TEMPLATES;
+use rayon::prelude::*;
+use serde::Deserialize;
+use serde::de::DeserializeOwned;
+
+use super::scenes::Scenes;
+
+/// Compare the simulator with PHYRE's outcomes and trajectories
+#[derive(clap::Args)]
+pub struct Args {
+    /// Folder with outcomes.jsonl and trajectories.jsonl
+    #[arg(long, value_name = "DIR")]
+    reference: PathBuf,
+
+    /// Only the first N tasks of each template, for a quick look
+    #[arg(long, value_name = "N", default_value_t = 100)]
+    limit: usize,
+}
+
+/// A line of outcomes.jsonl.
+#[derive(Deserialize)]
+struct Recorded {
+    task: TaskId,
+    ball: Ball,
+    kind: Kind,
+    solved: bool,
+}
+
+/// Where a recorded ball comes from.
+#[derive(Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+enum Kind {
+    /// A solution that survives small shifts on PHYRE's own engine.
+    Stable,
+    /// A solution that does not.
+    Unstable,
+    /// A uniform valid ball.
+    Random,
+}
+
+/// A line of trajectories.jsonl: `poses[row][column]` is the pose of a moving body after step
+/// `first_step + row * every`; the columns are those of `Rollout`.
+#[derive(Deserialize)]
+struct Trajectory {
+    task: TaskId,
+    ball: Option<Ball>,
+    every: usize,
+    first_step: usize,
+    poses: Vec<Vec<[f64; 3]>>,
+}
+
+/// What is compared of the outcomes, in the order of the columns.
+const COLUMNS: [(&str, Kind, bool); 4] = [
+    ("stable", Kind::Stable, true),
+    ("unstable", Kind::Unstable, true),
+    ("random misses", Kind::Random, false),
+    ("random solves", Kind::Random, true),
+];
+
+/// At which times poses are compared, s.
+const TIMES: [usize; 4] = [1, 2, 4, 7];
+
+/// How many agree, and of how many.
+#[derive(Clone, Copy, Default)]
+struct Share {
+    agree: usize,
+    all: usize,
+}
+
+impl Args {
+    pub fn run(self) -> anyhow::Result<()> {
+        let started = Instant::now();
+        let scenes = Scenes::new();
+        self.outcomes(&scenes)?;
+        self.trajectories(&scenes)?;
+        eprintln!("took {:.1} s", started.elapsed().as_secs_f64());
+        Ok(())
+    }
+
+    fn outcomes(&self, scenes: &Scenes) -> anyhow::Result<()> {
+        let lines: Vec<Recorded> = read_lines(&self.reference.join("outcomes.jsonl"))?;
+        let lines: Vec<Recorded> = lines.into_iter().filter(|line| self.wants(line.task)).collect();
+        let solved: Vec<bool> = lines
+            .par_iter()
+            .map(|line| Ok(outcome(scenes.get(line.task)?, Some(line.ball)).with_context(|| at(line))?.solved))
+            .collect::<anyhow::Result<_>>()?;
+
+        // [template, or all][column][even or odd]
+        let mut shares = vec![[[Share::default(); 2]; COLUMNS.len()]; TEMPLATES.len() + 1];
+        for (line, solved) in lines.iter().zip(solved) {
+            let column = COLUMNS.iter().position(|&(_, kind, wanted)| kind == line.kind && wanted == line.solved);
+            let Some(column) = column else { bail!("{}: a recorded solution that does not solve", at(line)) };
+            for row in [line.task.template, TEMPLATES.len()] {
+                let share = &mut shares[row][column][usize::from(line.task.number % 2)];
+                share.agree += usize::from(solved == line.solved);
+                share.all += 1;
+            }
+        }
+        println!("Outcomes that agree, %: even task numbers, odd ones, both (of how many)");
+        println!("{:9}{}", "", COLUMNS.map(|(name, ..)| format!("{name:^30}")).concat());
+        for (template, columns) in shares.iter().enumerate() {
+            let name = if template < TEMPLATES.len() { format!("{template:05}") } else { "all".into() };
+            println!("{name:9}{}", columns.map(cell).concat());
+        }
+        Ok(())
+    }
+
+    fn trajectories(&self, scenes: &Scenes) -> anyhow::Result<()> {
+        let lines: Vec<Trajectory> = read_lines(&self.reference.join("trajectories.jsonl"))?;
+        let lines: Vec<Trajectory> = lines.into_iter().filter(|line| self.wants(line.task)).collect();
+        let errors: Vec<[Vec<f64>; TIMES.len()]> =
+            lines.par_iter().map(|line| errors(line, scenes)).collect::<anyhow::Result<_>>()?;
+        println!("\nDistance from the reference position of each moving body, px: median, 90th percentile (bodies)");
+        println!("{:14}{}", "", TIMES.map(|time| format!("{:^26}", format!("{time} s"))).concat());
+        for (name, with_ball) in [("without a ball", false), ("with a ball", true)] {
+            let cells = [0, 1, 2, 3].map(|time| {
+                let of_kind = lines.iter().zip(&errors).filter(|(line, _)| line.ball.is_some() == with_ball);
+                let mut errors: Vec<f64> = of_kind.flat_map(|(_, errors)| &errors[time]).copied().collect();
+                errors.sort_by(f64::total_cmp);
+                format!(
+                    "{:>9} {:>8} {:>7}",
+                    quantile(&errors, 0.5),
+                    quantile(&errors, 0.9),
+                    format!("({})", errors.len())
+                )
+            });
+            println!("{name:14}{}", cells.concat());
+        }
+        Ok(())
+    }
+
+    /// Is it one of the first tasks of its template?
+    fn wants(&self, task: TaskId) -> bool {
+        let selected = TEMPLATES.get(task.template).map_or(&[][..], |template| &template.selected);
+        selected.iter().take(self.limit).any(|&number| number == task.number) || !selected.contains(&task.number)
+    }
+}
+
+/// How far each body is from where it should be at each of the times, px; nothing where either rollout has ended.
+fn errors(line: &Trajectory, scenes: &Scenes) -> anyhow::Result<[Vec<f64>; TIMES.len()]> {
+    let Trajectory { task, every, first_step, .. } = *line;
+    let rollout = simulate(scenes.get(task)?, line.ball).with_context(|| task.to_string())?;
+    Ok(TIMES.map(|time| {
+        // The first row at this time or after it.
+        let row = (time * STEPS_PER_SECOND).saturating_sub(first_step).div_ceil(every.max(1));
+        let step = first_step + row * every;
+        let Some(expected) = line.poses.get(row).filter(|_| step <= rollout.steps) else { return Vec::new() };
+        let distance =
+            |(&[x, y, _], &[u, v, _]): (&[f32; 3], &[f64; 3])| libm::hypot(f64::from(x) - u, f64::from(y) - v);
+        rollout.row(step).iter().zip(expected).map(distance).collect()
+    }))
+}
+
+fn read_lines<T: DeserializeOwned>(path: &Path) -> anyhow::Result<Vec<T>> {
+    let text = fs::read_to_string(path)
+        .with_context(|| format!("cannot read {}: --reference names the folder it is in", path.display()))?;
+    let parse =
+        |(number, line)| serde_json::from_str(line).with_context(|| format!("{}, line {}", path.display(), number + 1));
+    text.lines().enumerate().map(parse).collect()
+}
+
+fn at(line: &Recorded) -> String {
+    format!("task {}, ball {}", line.task, line.ball)
+}
+
+/// Even, odd and both as percentages, and how many there are in all.
+fn cell([even, odd]: [Share; 2]) -> String {
+    let both = Share { agree: even.agree + odd.agree, all: even.all + odd.all };
+    let percent = |share: Share| match share.all {
+        0 => "-".to_string(),
+        all => format!("{:.1}", 100.0 * share.agree as f64 / all as f64),
+    };
+    format!("{:>7}{:>7}{:>7}{:>9}", percent(even), percent(odd), percent(both), format!("({})", both.all))
+}
+
+/// The nearest-rank quantile of sorted values.
+fn quantile(sorted: &[f64], share: f64) -> String {
+    match sorted.len() {
+        0 => "-".into(),
+        count => format!("{:.2}", sorted[((share * count as f64).ceil() as usize).clamp(1, count) - 1]),
+    }
+}

@@ -1,0 +1,59 @@
+//! Rollouts are as they were, to the bit, natively and in wasm.
+//!
+//! One digest for each template, over three of its tasks, each without a ball and with two: 225 rollouts. The same
+//! file runs under `cargo test` and `wasm-pack test --node`, against the same digests. When the physics is meant
+//! to change, raise `simulator::VERSION` and run `UPDATE_GOLDEN=1 cargo test --release --test simulator_golden`.
+
+use md5::{Digest, Md5};
+use pathlight::action::{Action, Ball};
+use pathlight::scene::Scene;
+use pathlight::simulator::{VERSION, outcome, simulate};
+use pathlight::task::{Task, ids};
+use pathlight::templates::{TEMPLATES, Template};
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg32;
+
+const GOLDEN: &str = include_str!("golden/rollouts.txt");
+
+#[cfg_attr(not(target_arch = "wasm32"), test)]
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
+fn every_rollout_is_as_it_was() {
+    let lines = TEMPLATES.iter().map(|template| format!("{:05} {}\n", template.number, digest(template)));
+    let digests = format!("simulator version {VERSION}\n{}", lines.collect::<String>());
+    #[cfg(not(target_arch = "wasm32"))]
+    if std::env::var_os("UPDATE_GOLDEN").is_some() {
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/golden/rollouts.txt");
+        std::fs::write(path, &digests).unwrap_or_else(|error| panic!("{path}: {error}"));
+        return;
+    }
+    let pairs = digests.lines().zip(GOLDEN.lines().chain(std::iter::repeat("")));
+    let changed: Vec<&str> = pairs.filter(|(now, then)| now != then).map(|(now, _)| now).collect();
+    assert!(changed.is_empty() && digests.len() == GOLDEN.len(), "not as in tests/golden/rollouts.txt: {changed:?}");
+}
+
+/// MD5 over everything that `simulate` returns; `outcome` has to agree with it.
+fn digest(template: &'static Template) -> String {
+    let mut md5 = Md5::new();
+    for id in ids(template).step_by(40) {
+        let scene = Task::load(id).expect("an id of the template").scene;
+        let mut random = Pcg32::seed_from_u64(id.number.into());
+        let balls = [None, Some(any_ball(&scene, &mut random)), Some(any_ball(&scene, &mut random))];
+        for ball in balls {
+            let rollout = simulate(&scene, ball).expect("a valid ball");
+            let short = outcome(&scene, ball).expect("a valid ball");
+            assert_eq!((short.solved, short.steps), (rollout.solved, rollout.steps), "{id} {ball:?}");
+            md5.update(format!("{id} {ball:?} {} {} {:?}\n", rollout.solved, rollout.steps, rollout.bodies));
+            for value in rollout.poses.iter().flatten() {
+                md5.update(value.to_bits().to_le_bytes());
+            }
+            md5.update(rollout.touching.iter().map(|&touches| u8::from(touches)).collect::<Vec<u8>>());
+        }
+    }
+    md5.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+/// The first of the uniform actions that is valid.
+fn any_ball(scene: &Scene, random: &mut Pcg32) -> Ball {
+    let mut action = || Action { x: random.random(), y: random.random(), r: random.random() };
+    std::iter::repeat_with(|| action().place(scene)).find_map(Result::ok).expect("endless")
+}
