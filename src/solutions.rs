@@ -87,6 +87,16 @@ impl Hunt {
         }
         catch
     }
+
+    /// Which of these balls solve the task, still or again; invalid ones do not.
+    pub fn retry(&self, balls: impl Iterator<Item = Ball>) -> Catch {
+        let mut rollouts = 0;
+        let solves = |ball: &Ball| {
+            rollouts += 1;
+            outcome(&self.scene, Some(*ball)).is_ok_and(|outcome| outcome.solved)
+        };
+        Catch { found: balls.filter(solves).collect(), rollouts }
+    }
 }
 
 fn near(a: Ball, b: Ball) -> bool {

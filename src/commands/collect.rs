@@ -11,8 +11,8 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, bail};
 use pathlight::action::Ball;
 use pathlight::simulator;
-use pathlight::solutions::{Hunt, Solution};
-use pathlight::task::Task;
+use pathlight::solutions::{Catch, Hunt, Solution};
+use pathlight::task::{Task, TaskId};
 use pathlight::templates::{TEMPLATES, Template};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -41,6 +41,10 @@ pub struct Args {
     /// Tasks of each template to search at most
     #[arg(long, value_name = "N", default_value_t = 100)]
     limit: usize,
+
+    /// Begin with those solutions of another file, of an older simulator say, that solve their tasks here
+    #[arg(long, value_name = "FILE")]
+    from: Option<PathBuf>,
 
     /// Seed of all that is drawn
     #[arg(long, default_value_t = 0)]
@@ -83,10 +87,13 @@ impl Args {
             for hunt in &hunts {
                 shared[hunt.task.template].extend_from_slice(&hunt.found);
             }
-            let catches: Vec<_> = hunts
-                .par_iter()
-                .map(|hunt| hunt.round(&shared[hunt.task.template], self.wanted, self.seed, round))
-                .collect();
+            let catches: Vec<Catch> = match &self.from {
+                Some(file) if round == 0 => self.take_over(file, &hunts)?,
+                _ => hunts
+                    .par_iter()
+                    .map(|hunt| hunt.round(&shared[hunt.task.template], self.wanted, self.seed, round))
+                    .collect(),
+            };
             let mut lines = Vec::new();
             let before = known(&hunts);
             for (hunt, catch) in hunts.iter_mut().zip(catches) {
@@ -108,6 +115,19 @@ impl Args {
         progress.finish(&format!("{} solutions of {} tasks, {rollouts} rollouts", known(&hunts), hunts.len()));
         report(&hunts, self.wanted);
         Ok(())
+    }
+}
+
+impl Args {
+    /// Tries the solutions of another file: a round of its own.
+    fn take_over(&self, file: &Path, hunts: &[Hunt]) -> anyhow::Result<Vec<Catch>> {
+        let (mut solutions, _) = read_solutions(file)?;
+        solutions.sort_by_key(|solution| solution.task);
+        let of = |task: TaskId| {
+            let of_task = solutions.iter().filter(move |solution| solution.task == task);
+            of_task.map(|solution| solution.ball).take(self.wanted)
+        };
+        Ok(hunts.par_iter().map(|hunt| hunt.retry(of(hunt.task))).collect())
     }
 }
 
