@@ -286,10 +286,7 @@ mod tests {
         game.record(Agent::Model, attempt(0, true, 180)).expect("valid");
         assert_eq!(game.verdict(), "The model solved it on attempt 1. You have not yet, in 1.");
         game.record(Agent::Player, attempt(1, true, 180)).expect("valid");
-        assert_eq!(
-            game.verdict(),
-            "The model solved it on attempt 1, you on attempt 2. The model was quicker."
-        );
+        assert_eq!(game.verdict(), "The model solved it on attempt 1, you on attempt 2. The model was quicker.");
     }
 
     #[test]

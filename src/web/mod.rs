@@ -14,13 +14,14 @@ mod colour;
 mod error;
 mod paint;
 mod puzzle;
+mod take;
 
 use colour::Stage;
 use error::{Code, error, plain};
 use paint::Painter;
 
 /// The templates: `[{ id: "00007", name, story, tasks: ["00007:000", …] }]`.
-#[wasm_bindgen(unchecked_return_type = "Template[]")]
+#[wasm_bindgen]
 pub fn templates() -> Result<JsValue, JsValue> {
     #[derive(serde::Serialize)]
     struct Entry {
@@ -39,7 +40,7 @@ pub fn templates() -> Result<JsValue, JsValue> {
 }
 
 /// The colours of the roles and of the paper, as CSS colours: `{ green: "#009e73", … }`.
-#[wasm_bindgen(unchecked_return_type = "Record<string, string>")]
+#[wasm_bindgen]
 pub fn palette(dark: bool) -> Result<JsValue, JsValue> {
     plain(colour::palette(dark))
 }
@@ -53,7 +54,7 @@ pub fn paint_thumbnail(context: &CanvasRenderingContext2d, id: &str, dark: bool)
     let task = load(id)?;
     let painter = Painter::new(context, dark)?;
     for (index, body) in task.scene.bodies.iter().enumerate() {
-        painter.body(body, None, task.scene.is_goal(index))?;
+        painter.body(body, None, index == task.scene.body2)?;
     }
     Ok(())
 }
@@ -64,12 +65,7 @@ pub fn paint_thumbnail(context: &CanvasRenderingContext2d, id: &str, dark: bool)
 /// # Errors
 /// `bad_map` if the stage has no such name or the values are not 64 x 64.
 #[wasm_bindgen(js_name = paintMap)]
-pub fn paint_map(
-    context: &CanvasRenderingContext2d,
-    stage: &str,
-    values: &[f32],
-    dark: bool,
-) -> Result<(), JsValue> {
+pub fn paint_map(context: &CanvasRenderingContext2d, stage: &str, values: &[f32], dark: bool) -> Result<(), JsValue> {
     paint::map(context, stage_named(stage)?, values, dark)
 }
 

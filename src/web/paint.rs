@@ -12,9 +12,11 @@ use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement, ImageData, Path2d};
 use super::colour::{Palette, Stage, palette};
 use super::error::{Code, error};
 use crate::action::Ball;
-use crate::raster::SIDE;
 use crate::rollout::Pose;
 use crate::scene::{Body, Part, Role, SIZE};
+
+/// Width and height of a map, cells.
+const SIDE: usize = 64;
 
 /// Distance between the lines of a hatched goal, and their width, px.
 const HATCH: (f64, f64) = (4.5, 1.2);
@@ -263,8 +265,7 @@ pub fn map(context: &CanvasRenderingContext2d, stage: Stage, values: &[f32], dar
     if values.len() != SIDE * SIDE {
         return Err(error(Code::BadMap, format!("a map holds {SIDE} x {SIDE} values, not {}", values.len())));
     }
-    let pixels: Vec<u8> =
-        values.chunks(SIDE).rev().flatten().flat_map(|&value| stage.colour(value, dark)).collect();
+    let pixels: Vec<u8> = values.chunks(SIDE).rev().flatten().flat_map(|&value| stage.colour(value, dark)).collect();
     put(context, &pixels, SIDE)
 }
 
