@@ -12,6 +12,8 @@ pub enum Code {
     BadTask,
     /// A map that is none: wrong name or size.
     BadMap,
+    /// Weights that are none.
+    BadWeights,
     /// A ball that may not be placed.
     InvalidBall,
     /// The hundred attempts are used.
@@ -27,6 +29,7 @@ impl Code {
         match self {
             Code::BadTask => "bad_task",
             Code::BadMap => "bad_map",
+            Code::BadWeights => "bad_weights",
             Code::InvalidBall => "invalid_ball",
             Code::Spent => "spent",
             Code::NoAttempt => "no_attempt",

@@ -1,8 +1,9 @@
 //! What the page and its worker call: the wasm exports.
 //!
-//! `puzzle` is one puzzle on the page: placing, running, comparing, drawing. This file holds what needs no
-//! puzzle: the list of templates, thumbnails, maps and their legends. Data goes to JavaScript as plain objects
-//! in the words of the Rust types, or as typed arrays. The only user of wasm_bindgen and web_sys.
+//! `puzzle` is one puzzle on the page: placing, running, comparing, drawing; `model` is the nets in the
+//! worker. This file holds what needs neither: the list of templates, thumbnails, maps and their legends. Data
+//! goes to JavaScript as plain objects in the words of the Rust types, or as typed arrays; an error is a real
+//! `Error` with a `code`. The only user of wasm_bindgen and web_sys.
 
 use wasm_bindgen::prelude::*;
 use web_sys::CanvasRenderingContext2d;
@@ -12,6 +13,7 @@ use crate::templates::TEMPLATES;
 
 mod colour;
 mod error;
+mod model;
 mod paint;
 mod puzzle;
 mod take;

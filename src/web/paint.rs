@@ -12,11 +12,9 @@ use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement, ImageData, Path2d};
 use super::colour::{Palette, Stage, palette};
 use super::error::{Code, error};
 use crate::action::Ball;
+use crate::raster::SIDE;
 use crate::rollout::Pose;
 use crate::scene::{Body, Part, Role, SIZE};
-
-/// Width and height of a map, cells.
-const SIDE: usize = 64;
 
 /// Distance between the lines of a hatched goal, and their width, px.
 const HATCH: (f64, f64) = (4.5, 1.2);
