@@ -18,6 +18,9 @@ mod paint;
 mod puzzle;
 mod take;
 
+pub use model::{Model, Turn};
+pub use puzzle::Puzzle;
+
 use colour::Stage;
 use error::{Code, error, plain};
 use paint::Painter;
