@@ -89,6 +89,12 @@ export class Controls {
   }
 }
 
+/** What a comparison shows. */
+function compared([player, model]) {
+  if (player && model) return `Your attempt ${player.number} and the model’s attempt ${model.number}, over each other.`;
+  return player ? `Your attempt ${player.number}; the model has made none.` : `The model’s attempt ${model.number}; you have made none.`;
+}
+
 /** The session in one sentence, and its kind for the eye. */
 function status(session) {
   const { phase, ball, reason, refused, shown, finished } = session;
@@ -99,7 +105,7 @@ function status(session) {
     return { kind: "ready", words: "The ball may start here. Press Run." };
   }
   if (phase === "watch") return { kind: "hint", words: finished ? "That was the scene without a ball." : "The scene without a ball." };
-  if (phase === "compare") return { kind: "hint", words: session.puzzle.verdict() };
+  if (phase === "compare") return { kind: "hint", words: compared(session.pair) };
   const whose = shown.agent === "player" ? "Your" : "The model’s";
   if (!finished) return { kind: "running", words: `${whose} attempt ${shown.number} is running.` };
   if (shown.ending.solved) return { kind: "solved", words: `Solved! ${whose} attempt ${shown.number}: ${shown.words}.` };

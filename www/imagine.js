@@ -80,7 +80,7 @@ export class Imagine extends EventTarget {
       this.#ask("layers", { layers: STAGES.filter((stage) => this.#rows[stage].box.checked) });
     });
     this.maps[stage] = map;
-    this.#rows[stage] = { box, scene, map, legend };
+    this.#rows[stage] = { box, scene, map, legend, most: legend.nextElementSibling };
     return row;
   }
 
@@ -118,14 +118,18 @@ export class Imagine extends EventTarget {
   #paint() {
     const imagined = this.#imagined;
     for (const stage of STAGES) {
-      const { scene, map } = this.#rows[stage];
+      const { scene, map, most } = this.#rows[stage];
+      const values = imagined?.maps[stage];
+      // Each map is drawn up to its own peak, which the legend names.
+      const peak = values ? Math.max(...values) : 0;
+      most.textContent = values ? peak.toFixed(2) : "";
       if (this.#session) this.#wasm.paintThumbnail(scene.getContext("2d"), this.#session.about.id, this.#dark);
       const context = map.getContext("2d");
-      if (imagined) this.#wasm.paintMap(context, stage, imagined.maps[stage], this.#dark);
+      if (values) this.#wasm.paintMap(context, stage, values, peak, this.#dark);
       else context.clearRect(0, 0, SIDE, SIDE);
-      map.setAttribute("aria-label", `${WORDS[stage][0]}: ${imagined ? summary(imagined.maps[stage]) : "not imagined yet"}`);
+      map.setAttribute("aria-label", `${WORDS[stage][0]}: ${values ? summary(values) : "not imagined yet"}`);
     }
-    at("imagined-in").textContent = imagined ? `Imagined in ${Math.max(1, Math.round(imagined.milliseconds))} ms. ${imagined.saw ? "The model has seen this puzzle in training." : "The model has never seen this puzzle before."}` : "";
+    at("imagined-in").textContent = imagined ? timed(imagined) : "";
     this.dispatchEvent(new Event("imagined"));
   }
 }
@@ -142,6 +146,11 @@ function summary(map) {
   const [x, y] = [peak % SIDE, Math.floor(peak / SIDE)].map((cell) => cell * 4 + 2);
   const share = all ? Math.round((100 * left) / all) : 50;
   return `strongest at x ${x}, y ${y}; ${share} percent on the left, ${100 - share} on the right`;
+}
+
+function timed({ milliseconds, saw }) {
+  const before = saw ? "The model has seen this puzzle in training." : "The model has never seen this puzzle before.";
+  return `Imagined in ${Math.max(1, Math.round(milliseconds))} ms. ${before}`;
 }
 
 function carded({ name, card }) {

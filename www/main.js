@@ -243,11 +243,12 @@ class Page {
   #key(event) {
     const { key, target } = event;
     if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented) return;
-    if (target.closest("input, select, textarea, dialog")) return;
+    if (target.closest("input[type=number], select, dialog")) return;
     if (key === "?") return at("keys").showModal();
     const session = this.#session;
     if (!session) return;
-    if (key === " " && target.closest("button, a")) return;
+    // Where Space has its own meaning it keeps it.
+    if (key === " " && target.closest("button, a, input")) return;
     const keys = {
       " ": () => session.run(),
       ".": () => session.step(1),

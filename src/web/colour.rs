@@ -100,7 +100,7 @@ impl Stage {
         }
     }
 
-    /// Red, green, blue and opacity of a value in 0..=1: the more, the further from the paper.
+    /// Red, green, blue and opacity of a share of the most, 0..=1: the more, the further from the paper.
     pub fn colour(self, value: f32, dark: bool) -> [u8; 4] {
         let value = f64::from(value.clamp(0.0, 1.0));
         // The ends of a scale are near white and near black; on either paper one of them cannot be seen.

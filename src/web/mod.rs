@@ -64,17 +64,23 @@ pub fn paint_thumbnail(context: &CanvasRenderingContext2d, id: &str, dark: bool)
     Ok(())
 }
 
-/// Draws one map, 64 x 64 values in 0..=1 with row 0 at the bottom, into a canvas of 64 x 64 pixels.
-/// What is 0 is left transparent.
+/// Draws one map, 64 x 64 values in 0..=1 with row 0 at the bottom, into a canvas of 64 x 64 pixels. The
+/// scale runs from 0, which is left transparent, to `most`.
 ///
 /// # Errors
 /// `bad_map` if the stage has no such name or the values are not 64 x 64.
 #[wasm_bindgen(js_name = paintMap)]
-pub fn paint_map(context: &CanvasRenderingContext2d, stage: &str, values: &[f32], dark: bool) -> Result<(), JsValue> {
-    paint::map(context, stage_named(stage)?, values, dark)
+pub fn paint_map(
+    context: &CanvasRenderingContext2d,
+    stage: &str,
+    values: &[f32],
+    most: f32,
+    dark: bool,
+) -> Result<(), JsValue> {
+    paint::map(context, stage_named(stage)?, values, most, dark)
 }
 
-/// Draws the colours of a stage from 0 at the left to 1 at the right, over the whole canvas.
+/// Draws the colours of a stage from the least at the left to the most at the right, over the whole canvas.
 ///
 /// # Errors
 /// `bad_map` if the stage has no such name.

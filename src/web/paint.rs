@@ -49,6 +49,11 @@ impl<'a> Painter<'a> {
         Ok(painter)
     }
 
+    /// How much of what is underneath the next bodies hide, 0..=1.
+    pub fn cover(&self, share: f64) {
+        self.context.set_global_alpha(share);
+    }
+
     /// A body by its role; where it stands in the scene, or at a pose. A goal is hatched, the green object dotted.
     pub fn body(&self, body: &Body, pose: Option<Pose>, goal: bool) -> Result<(), JsValue> {
         let [x, y, angle] = pose.map_or([body.x, body.y, body.angle], |pose| pose.map(f64::from));
@@ -63,7 +68,7 @@ impl<'a> Painter<'a> {
             self.hatch(body, &outline)?;
         }
         if let (Role::Gray | Role::Blue, Some(radius)) = (body.role, body.ball_radius()) {
-            self.spoke(radius);
+            self.spoke(radius)?;
         }
         if body.role == Role::Green {
             self.dot(body)?;
@@ -97,7 +102,7 @@ impl<'a> Painter<'a> {
         context.fill();
         context.set_global_alpha(1.0);
         if valid {
-            self.spoke(ball.r);
+            self.spoke(ball.r)?;
         } else {
             self.stroke(self.palette.red, 2.0, Line::Dashed)?;
             context.stroke();
@@ -203,16 +208,17 @@ impl<'a> Painter<'a> {
     }
 
     /// A mark on a ball that shows how it rolls.
-    fn spoke(&self, radius: f64) {
+    fn spoke(&self, radius: f64) -> Result<(), JsValue> {
         let context = self.context;
+        context.save();
         context.begin_path();
         context.move_to(radius * 0.35, 0.0);
         context.line_to(radius * 0.75, 0.0);
-        context.set_line_width((radius * 0.12).max(0.8));
-        context.set_stroke_style_str(self.palette.paper);
         context.set_global_alpha(0.75);
+        self.stroke(self.palette.paper, (radius * 0.12).max(0.8), Line::Solid)?;
         context.stroke();
-        context.set_global_alpha(1.0);
+        context.restore();
+        Ok(())
     }
 
     /// The dot of the green object; off the middle of a ball, so that it shows how the ball rolls.
@@ -258,16 +264,24 @@ pub fn reach(body: &Body) -> f64 {
     body.parts.iter().map(part).fold(0.0, f64::max)
 }
 
-/// A map of 64 x 64 values, row 0 at the bottom, into a canvas of as many pixels.
-pub fn map(context: &CanvasRenderingContext2d, stage: Stage, values: &[f32], dark: bool) -> Result<(), JsValue> {
+/// A map of 64 x 64 values in 0..=most, row 0 at the bottom, into a canvas of as many pixels.
+pub fn map(
+    context: &CanvasRenderingContext2d,
+    stage: Stage,
+    values: &[f32],
+    most: f32,
+    dark: bool,
+) -> Result<(), JsValue> {
     if values.len() != SIDE * SIDE {
         return Err(error(Code::BadMap, format!("a map holds {SIDE} x {SIDE} values, not {}", values.len())));
     }
-    let pixels: Vec<u8> = values.chunks(SIDE).rev().flatten().flat_map(|&value| stage.colour(value, dark)).collect();
+    let share = |value: f32| if most > 0.0 { value / most } else { 0.0 };
+    let rows = values.chunks(SIDE).rev().flatten();
+    let pixels: Vec<u8> = rows.flat_map(|&value| stage.colour(share(value), dark)).collect();
     put(context, &pixels, SIDE)
 }
 
-/// The colours of a stage, 0 at the left and 1 at the right.
+/// The colours of a stage, the least at the left and the most at the right.
 pub fn legend(context: &CanvasRenderingContext2d, stage: Stage, dark: bool) -> Result<(), JsValue> {
     let canvas = context.canvas().ok_or_else(|| error(Code::BadData, "the context has no canvas"))?;
     let (width, height) = (canvas.width() as usize, canvas.height() as usize);

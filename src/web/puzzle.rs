@@ -197,11 +197,22 @@ impl Puzzle {
         let painter = Painter::new(context, view.dark)?;
         let scene = &self.task.scene;
         let main = self.takes.first();
-        for (index, body) in scene.bodies.iter().enumerate() {
-            painter.body(body, main.and_then(|take| take.pose(view.step, index)), index == scene.body2)?;
-        }
+        let bodies = || {
+            let mut bodies = scene.bodies.iter().enumerate();
+            bodies.try_for_each(|(index, body)| {
+                let pose = main.and_then(|take| take.pose(view.step, index));
+                painter.body(body, pose, index == scene.body2)
+            })
+        };
+        bodies()?;
         for map in &maps {
             painter.layer(map, view.opacity)?;
+        }
+        if !maps.is_empty() {
+            // The maps lie over the bodies; these show through, so that the scene stays in sight.
+            painter.cover(0.6);
+            bodies()?;
+            painter.cover(1.0);
         }
         for take in &self.takes {
             self.paint_paths(&painter, take, &view)?;
