@@ -32,6 +32,7 @@ pub mod action;
 pub mod agent;
 pub mod auccess;
 pub mod folds;
+pub mod game;
 pub mod layout;
 pub mod pathnet;
 pub mod placement;
@@ -43,3 +44,5 @@ pub mod simulator;
 pub mod solutions;
 pub mod task;
 pub mod templates;
+#[cfg(target_arch = "wasm32")]
+pub mod web;

@@ -71,6 +71,25 @@ impl Body {
         [self.x + a * cos - b * sin, self.y + a * sin + b * cos]
     }
 
+    /// Colour and shape in words: "green ball".
+    pub fn name(&self) -> String {
+        let colour = match self.role {
+            Role::Green => "green",
+            Role::Blue => "blue",
+            Role::Purple => "purple",
+            Role::Gray => "gray",
+            Role::Black => "black",
+            Role::Red => "red",
+        };
+        let shape = match self.shape {
+            Shape::Ball => "ball",
+            Shape::Bar => "bar",
+            Shape::Jar => "jar",
+            Shape::StandingSticks => "standing sticks",
+        };
+        format!("{colour} {shape}")
+    }
+
     /// The radius, if the body is a single ball.
     pub fn ball_radius(&self) -> Option<f64> {
         match self.parts.as_slice() {

@@ -7,7 +7,7 @@ use std::{fmt, str::FromStr};
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
-use crate::scene::{Body, Role, Scene, Shape};
+use crate::scene::{Body, Scene};
 use crate::templates::{TEMPLATES, Template, grid::Params};
 
 /// Template and number of a task: `00007:013`.
@@ -75,24 +75,7 @@ pub fn ids(template: &Template) -> impl Iterator<Item = TaskId> {
 }
 
 fn goal_sentence(object: &Body, target: &Body) -> String {
-    let name = |body: &Body| {
-        let colour = match body.role {
-            Role::Green => "green",
-            Role::Blue => "blue",
-            Role::Purple => "purple",
-            Role::Gray => "gray",
-            Role::Black => "black",
-            Role::Red => "red",
-        };
-        let shape = match body.shape {
-            Shape::Ball => "ball",
-            Shape::Bar => "bar",
-            Shape::Jar => "jar",
-            Shape::StandingSticks => "standing sticks",
-        };
-        format!("{colour} {shape}")
-    };
-    format!("Make sure the {} is touching the {}.", name(object), name(target))
+    format!("Make sure the {} is touching the {}.", object.name(), target.name())
 }
 
 impl TaskId {

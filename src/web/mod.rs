@@ -1,0 +1,98 @@
+//! What the page and its worker call: the wasm exports.
+//!
+//! `puzzle` is one puzzle on the page: placing, running, comparing, drawing; `model` is the nets in the
+//! worker. This file holds what needs neither: the list of templates, thumbnails, maps and their legends. Data
+//! goes to JavaScript as plain objects in the words of the Rust types, or as typed arrays; an error is a real
+//! `Error` with a `code`. The only user of wasm_bindgen and web_sys.
+
+use wasm_bindgen::prelude::*;
+use web_sys::CanvasRenderingContext2d;
+
+use crate::task::{self, Task};
+use crate::templates::TEMPLATES;
+
+mod colour;
+mod error;
+mod model;
+mod paint;
+mod puzzle;
+mod take;
+
+pub use model::{Model, Turn};
+pub use puzzle::Puzzle;
+
+use colour::Stage;
+use error::{Code, error, plain};
+use paint::Painter;
+
+/// The templates: `[{ id: "00007", name, story, tasks: ["00007:000", …] }]`.
+#[wasm_bindgen]
+pub fn templates() -> Result<JsValue, JsValue> {
+    #[derive(serde::Serialize)]
+    struct Entry {
+        id: String,
+        name: &'static str,
+        story: &'static str,
+        tasks: Vec<String>,
+    }
+    let entries = TEMPLATES.iter().map(|template| Entry {
+        id: format!("{:05}", template.number),
+        name: template.name,
+        story: template.story,
+        tasks: task::ids(template).map(String::from).collect(),
+    });
+    plain(&entries.collect::<Vec<_>>())
+}
+
+/// The colours of the roles and of the paper, as CSS colours: `{ green: "#009e73", … }`.
+#[wasm_bindgen]
+pub fn palette(dark: bool) -> Result<JsValue, JsValue> {
+    plain(colour::palette(dark))
+}
+
+/// Draws a task's scene so that it fills a square canvas.
+///
+/// # Errors
+/// `bad_task` if there is no such task.
+#[wasm_bindgen(js_name = paintThumbnail)]
+pub fn paint_thumbnail(context: &CanvasRenderingContext2d, id: &str, dark: bool) -> Result<(), JsValue> {
+    let task = load(id)?;
+    let painter = Painter::new(context, dark)?;
+    for (index, body) in task.scene.bodies.iter().enumerate() {
+        painter.body(body, None, index == task.scene.body2)?;
+    }
+    Ok(())
+}
+
+/// Draws one map, 64 x 64 values in 0..=1 with row 0 at the bottom, into a canvas of 64 x 64 pixels. The
+/// scale runs from 0, which is left transparent, to `most`.
+///
+/// # Errors
+/// `bad_map` if the stage has no such name or the values are not 64 x 64.
+#[wasm_bindgen(js_name = paintMap)]
+pub fn paint_map(
+    context: &CanvasRenderingContext2d,
+    stage: &str,
+    values: &[f32],
+    most: f32,
+    dark: bool,
+) -> Result<(), JsValue> {
+    paint::map(context, stage_named(stage)?, values, most, dark)
+}
+
+/// Draws the colours of a stage from the least at the left to the most at the right, over the whole canvas.
+///
+/// # Errors
+/// `bad_map` if the stage has no such name.
+#[wasm_bindgen(js_name = paintLegend)]
+pub fn paint_legend(context: &CanvasRenderingContext2d, stage: &str, dark: bool) -> Result<(), JsValue> {
+    paint::legend(context, stage_named(stage)?, dark)
+}
+
+fn stage_named(name: &str) -> Result<Stage, JsValue> {
+    name.parse().map_err(|sentence: String| error(Code::BadMap, sentence))
+}
+
+fn load(id: &str) -> Result<Task, JsValue> {
+    id.parse().and_then(Task::load).map_err(|reason| error(Code::BadTask, reason))
+}

@@ -1,0 +1,117 @@
+//! The wasm exports that need no document, called from Node as the page calls them.
+#![cfg(target_arch = "wasm32")]
+
+use js_sys::Reflect;
+use pathlight::game::ATTEMPTS;
+use pathlight::web::{Model, Puzzle, templates};
+use serde_json::Value;
+use wasm_bindgen::{JsCast, JsValue};
+use wasm_bindgen_test::wasm_bindgen_test;
+
+const TASK: &str = "00000:000";
+
+fn json(value: JsValue) -> Value {
+    serde_wasm_bindgen::from_value(value).expect("plain data")
+}
+
+/// The code of what has to be a real JavaScript `Error` with a sentence.
+fn code(error: JsValue) -> String {
+    let error: js_sys::Error = error.dyn_into().expect("a real Error");
+    assert!(String::from(error.message()).len() > 10, "an error says what is wrong");
+    Reflect::get(&error, &"code".into()).expect("an object").as_string().expect("a code")
+}
+
+fn open(id: &str) -> Puzzle {
+    Puzzle::new(id).unwrap_or_else(|error| panic!("{id} does not open: {error:?}"))
+}
+
+/// Valid balls all over the scene.
+fn balls(puzzle: &Puzzle) -> impl Iterator<Item = (f64, f64, f64)> {
+    let all = (1..25).flat_map(|x| (1..25).flat_map(move |y| [4, 10, 20].map(|r| (x * 10, y * 10, r))));
+    all.map(|(x, y, r)| (f64::from(x), f64::from(y), f64::from(r)))
+        .filter(|&(x, y, r)| puzzle.why_invalid(x, y, r).is_none())
+}
+
+#[wasm_bindgen_test]
+fn every_template_opens_and_tells_what_it_is() {
+    let list = json(templates().expect("a list"));
+    let list = list.as_array().expect("an array");
+    assert_eq!(list.len(), 25);
+    for template in list {
+        assert_eq!(template["tasks"].as_array().expect("tasks").len(), 100);
+        let first = template["tasks"][0].as_str().expect("an id");
+        let about = json(open(first).about().expect("words"));
+        assert_eq!(about["id"], first);
+        assert_eq!(about["name"], template["name"]);
+        assert!(about["goal"].as_str().expect("a goal").starts_with("Make sure the green "));
+        assert!(about["description"].as_str().expect("a description").contains("the goal is the "));
+    }
+}
+
+#[wasm_bindgen_test]
+fn what_is_no_task_is_an_error_with_a_code() {
+    for id in ["", "00007", "00025:000", "00000:999", "7:13"] {
+        assert_eq!(code(Puzzle::new(id).err().expect("refused")), "bad_task", "{id}");
+    }
+}
+
+#[wasm_bindgen_test]
+fn an_invalid_ball_names_what_it_overlaps_and_does_not_count() {
+    let mut puzzle = open(TASK);
+    // Two Drops has a green ball; a red one upon it overlaps it.
+    let line = json(puzzle.about().expect("words"))["description"].as_str().expect("a text").to_string();
+    let number = |after: &str| -> f64 {
+        let rest = line.split(after).nth(1).expect("coordinates in the description");
+        rest.split(|c: char| !c.is_ascii_digit()).next().expect("digits").parse().expect("a number")
+    };
+    let (x, y) = (number("x "), number("y "));
+    assert_eq!(puzzle.why_invalid(x, y, 5.0).as_deref(), Some("the ball overlaps the green ball"));
+    assert_eq!(puzzle.why_invalid(1.0, 250.0, 9.0).as_deref(), Some("the ball sticks out of the scene"));
+    assert_eq!(code(puzzle.attempt(x, y, 5.0).expect_err("refused")), "invalid_ball");
+    assert_eq!(json(puzzle.score("player").expect("a score"))["used"], 0);
+    assert_eq!(puzzle.steps(), 0);
+}
+
+#[wasm_bindgen_test]
+fn attempts_run_until_solved_and_replay_the_same() {
+    let mut puzzle = open(TASK);
+    let tries: Vec<_> = balls(&puzzle).collect();
+    let mut solved = None;
+    for (x, y, r) in tries {
+        if json(puzzle.score("player").expect("a score"))["used"] == ATTEMPTS {
+            puzzle.clear("player").expect("cleared");
+        }
+        let attempt = json(puzzle.attempt(x, y, r).expect("valid"));
+        if attempt["ending"]["solved"] == true {
+            solved = Some((attempt, puzzle.steps()));
+            break;
+        }
+    }
+    let (attempt, steps) = solved.expect("one of the balls solves Two Drops");
+    assert!(attempt["words"].as_str().expect("words").starts_with("solved after "));
+    puzzle.reset();
+    assert_eq!(puzzle.steps(), 0);
+    let number = attempt["number"].as_u64().expect("a number") as usize;
+    assert_eq!(json(puzzle.replay("player", number).expect("made")), attempt);
+    assert_eq!(puzzle.steps(), steps);
+    assert_eq!(json(puzzle.score("player").expect("a score"))["solved_at"], number);
+    // The goal held to the end, for three seconds.
+    let touches = json(puzzle.touches().expect("stretches"));
+    let last = touches.as_array().and_then(|all| all.last()).expect("it touched");
+    assert_eq!(last[1], steps);
+}
+
+#[wasm_bindgen_test]
+fn what_was_never_tried_cannot_be_replayed() {
+    let mut puzzle = open(TASK);
+    for number in [0, 1] {
+        assert_eq!(code(puzzle.replay("player", number).expect_err("refused")), "no_attempt");
+    }
+    assert_eq!(code(puzzle.replay("nobody", 1).expect_err("refused")), "bad_data");
+    assert_eq!(code(puzzle.record(JsValue::from("ball")).expect_err("refused")), "bad_data");
+}
+
+#[wasm_bindgen_test]
+fn bytes_that_are_no_weights_are_refused_in_words() {
+    assert_eq!(code(Model::new(&[1, 2, 3]).err().expect("refused")), "bad_weights");
+}

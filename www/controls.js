@@ -1,0 +1,113 @@
+// What stands round the scene: the transport below it, the status line, and the fields of the ball being placed.
+
+import { sentence } from "./session.js";
+
+const at = (id) => document.getElementById(id);
+const set = (id, property, value) => {
+  const element = at(id);
+  if (element[property] !== value) element[property] = value;
+};
+
+export class Controls {
+  #session = null;
+
+  constructor() {
+    const session = () => this.#session;
+    at("run").addEventListener("click", () => session().run());
+    at("step").addEventListener("click", () => session().step(1));
+    at("reset").addEventListener("click", () => session().reset());
+    at("watch").addEventListener("click", () => session().watch());
+    at("time").addEventListener("input", () => session().seek(Number(at("time").value)));
+    at("speed").addEventListener("change", () => this.#speed());
+    at("placing").addEventListener("submit", (event) => event.preventDefault());
+    at("radius").addEventListener("input", () => {
+      const [x, y] = session().ball ?? [128, 128];
+      session().place([x, y, Number(at("radius").value)]);
+    });
+    for (const id of ["ball-x", "ball-y", "ball-r"]) at(id).addEventListener("change", () => this.#typed());
+  }
+
+  show(session) {
+    this.#session = session;
+    this.#speed();
+    at("goal").textContent = session.about.goal;
+    at("story").textContent = session.about.story;
+    at("description").textContent = session.about.description;
+    session.addEventListener("change", () => this.#update());
+    session.addEventListener("draw", () => this.#tick());
+    this.#update();
+  }
+
+  #speed() {
+    if (this.#session) this.#session.playback.speed = Number(at("speed").value);
+  }
+
+  /** Takes the three numbers once all are there. */
+  #typed() {
+    const texts = ["ball-x", "ball-y", "ball-r"].map((id) => at(id).value);
+    if (texts.every((text) => text !== "" && Number.isFinite(Number(text)))) this.#session.place(texts.map(Number));
+  }
+
+  #update() {
+    const session = this.#session;
+    const { playing, last, ended } = session.playback;
+    const label = session.placing ? "Run" : playing ? "Pause" : ended ? "Again" : "Go on";
+    set("run-label", "textContent", label);
+    at("run-icon").setAttribute("href", playing ? "#icon-pause" : "#icon-run");
+    at("run").title = `${label}  Space`;
+    set("time", "disabled", session.placing);
+    set("time", "max", String(last));
+    set("reset", "disabled", session.placing);
+    this.#touches();
+    const [x, y, r] = session.ball ?? ["", "", ""];
+    set("ball-x", "value", String(x));
+    set("ball-y", "value", String(y));
+    set("ball-r", "value", String(r));
+    set("radius", "value", String(r || 12));
+    const { kind, words } = status(session);
+    set("status", "textContent", words);
+    at("status").dataset.kind = kind;
+    this.#tick();
+  }
+
+  #tick() {
+    const { step, seconds, last } = this.#session.playback;
+    set("time", "value", String(Math.floor(step)));
+    at("time").setAttribute("aria-valuetext", `${seconds.toFixed(1)} seconds`);
+    at("time").style.setProperty("--done", last ? step / last : 0);
+    set("clock", "textContent", `${seconds.toFixed(1)} s`);
+  }
+
+  /** Marks on the time line when the green object touches its goal. */
+  #touches() {
+    const { puzzle, playback, placing } = this.#session;
+    const bands = placing ? [] : puzzle.touches().map(([first, last]) => {
+      const [from, to] = [first, last + 1].map((step) => `${((100 * step) / (playback.last + 1)).toFixed(2)}%`);
+      return `transparent ${from}, var(--ring) ${from}, var(--ring) ${to}, transparent ${to}`;
+    });
+    at("time").style.setProperty("--touches", bands.length ? `linear-gradient(to right, ${bands.join(", ")})` : "none");
+  }
+}
+
+/** What a comparison shows. */
+function compared([player, model]) {
+  if (player && model) return `Your attempt ${player.number} and the model’s attempt ${model.number}, over each other.`;
+  return player ? `Your attempt ${player.number}; the model has made none.` : `The model’s attempt ${model.number}; you have made none.`;
+}
+
+/** The session in one sentence, and its kind for the eye. */
+function status(session) {
+  const { phase, ball, reason, refused, shown, finished } = session;
+  if (phase === "placing") {
+    if (refused) return { kind: "wrong", words: refused };
+    if (!ball) return { kind: "hint", words: "Click or tap the scene to place the red ball." };
+    if (reason) return { kind: "wrong", words: `Not here: ${sentence(reason)}` };
+    return { kind: "ready", words: "The ball may start here. Press Run." };
+  }
+  if (phase === "watch") return { kind: "hint", words: finished ? "That was the scene without a ball." : "The scene without a ball." };
+  if (phase === "compare") return { kind: "hint", words: compared(session.pair) };
+  const whose = shown.agent === "player" ? "Your" : "The model’s";
+  if (!finished) return { kind: "running", words: `${whose} attempt ${shown.number} is running.` };
+  if (shown.ending.solved) return { kind: "solved", words: `Solved! ${whose} attempt ${shown.number}: ${shown.words}.` };
+  return { kind: "missed", words: `Not solved. ${whose} attempt ${shown.number}: ${shown.words}.` };
+}

@@ -1,0 +1,158 @@
+// The Imagine panel: four small maps, each with a sentence, a legend and a switch that lays it over the scene.
+// Maps and legends are drawn by the wasm, from one colour scale a stage.
+
+import { STAGES } from "./state.js";
+
+const at = (id) => document.getElementById(id);
+
+/** Cells of a map, across and up. */
+const SIDE = 64;
+
+const WORDS = {
+  base: ["Base path", "Where the green object goes if nothing is done."],
+  target: ["Target path", "Where it should go to reach its goal."],
+  action: ["Action path", "Where the red ball should go to bring that about."],
+  placement: ["Placement", "Where the red ball should start."],
+};
+
+export class Imagine extends EventTarget {
+  /** Stage -> its canvas of 64 x 64, to be laid over the scene. */
+  maps = {};
+  #wasm;
+  #model;
+  #session = null;
+  #rows = {};
+  #imagined = null;
+  #dark = false;
+  #layers = [];
+
+  /** Fires "layers" with { layers } and "opacity" with { opacity } when the person asks for others. */
+  constructor(wasm, model) {
+    super();
+    this.#wasm = wasm;
+    this.#model = model;
+    at("stages").replaceChildren(...STAGES.map((stage) => this.#row(stage)));
+    at("opacity").addEventListener("input", () => this.#ask("opacity", { opacity: Number(at("opacity").value) }));
+    at("imagine-trouble").querySelector("button").addEventListener("click", () => this.#ask("again", {}));
+    model.addEventListener("change", () => this.#progress());
+  }
+
+  /** Imagines another puzzle, as soon as the model can. */
+  show(session) {
+    this.#session = session;
+    this.#imagined = null;
+    this.#paint();
+    this.#imagine();
+  }
+
+  set({ layers, opacity }) {
+    this.#layers = layers;
+    at("opacity").value = opacity;
+    for (const stage of STAGES) this.#rows[stage].box.checked = layers.includes(stage);
+  }
+
+  set dark(dark) {
+    this.#dark = dark;
+    for (const stage of STAGES) this.#wasm.paintLegend(this.#rows[stage].legend.getContext("2d"), stage, dark);
+    this.#paint();
+  }
+
+  /** The layers to draw over the scene now; none until there is something imagined. */
+  get shown() {
+    return this.#imagined ? this.#layers.map((stage) => this.maps[stage]) : [];
+  }
+
+  #ask(what, detail) {
+    this.dispatchEvent(new CustomEvent(what, { detail }));
+  }
+
+  #row(stage) {
+    const [name, words] = WORDS[stage];
+    const row = at("stage-row").content.firstElementChild.cloneNode(true);
+    const box = row.querySelector("input");
+    const [scene, map] = row.querySelectorAll(".map canvas");
+    const legend = row.querySelector(".legend");
+    row.dataset.stage = stage;
+    row.querySelector("b").textContent = name;
+    row.querySelector("p").textContent = words;
+    map.setAttribute("aria-label", `${name}: not imagined yet`);
+    box.addEventListener("change", () => {
+      this.#ask("layers", { layers: STAGES.filter((stage) => this.#rows[stage].box.checked) });
+    });
+    this.maps[stage] = map;
+    this.#rows[stage] = { box, scene, map, legend, most: legend.nextElementSibling };
+    return row;
+  }
+
+  #progress() {
+    const { status, progress, trouble, loaded } = this.#model;
+    at("imagine-trouble").hidden = status !== "failed";
+    at("imagine-trouble").querySelector("p").textContent = trouble ?? "";
+    at("imagine-body").hidden = status === "failed";
+    at("imagine-progress").hidden = status !== "loading";
+    const bar = at("imagine-progress").querySelector("progress");
+    if (progress === null) bar.removeAttribute("value");
+    else bar.value = progress;
+    at("card").textContent = loaded ? carded(loaded) : "";
+    if (status === "ready") this.#imagine();
+    else {
+      this.#imagined = null;
+      this.#paint();
+    }
+  }
+
+  async #imagine() {
+    const session = this.#session;
+    if (!session || this.#model.status !== "ready") return;
+    try {
+      const imagined = await this.#model.imagine(session.about.id);
+      if (session !== this.#session) return;
+      this.#imagined = imagined;
+      this.#paint();
+    } catch {
+      // The model tells its own trouble; `#progress` shows it.
+    }
+  }
+
+  /** Draws the small maps: the scene, and over it what is imagined. */
+  #paint() {
+    const imagined = this.#imagined;
+    for (const stage of STAGES) {
+      const { scene, map, most } = this.#rows[stage];
+      const values = imagined?.maps[stage];
+      // Each map is drawn up to its own peak, which the legend names.
+      const peak = values ? Math.max(...values) : 0;
+      most.textContent = values ? peak.toFixed(2) : "";
+      if (this.#session) this.#wasm.paintThumbnail(scene.getContext("2d"), this.#session.about.id, this.#dark);
+      const context = map.getContext("2d");
+      if (values) this.#wasm.paintMap(context, stage, values, peak, this.#dark);
+      else context.clearRect(0, 0, SIDE, SIDE);
+      map.setAttribute("aria-label", `${WORDS[stage][0]}: ${values ? summary(values) : "not imagined yet"}`);
+    }
+    at("imagined-in").textContent = imagined ? timed(imagined) : "";
+    this.dispatchEvent(new Event("imagined"));
+  }
+}
+
+/** A map in words: where it is strongest, and how it lies left and right. */
+function summary(map) {
+  let peak = 0;
+  let [left, all] = [0, 0];
+  map.forEach((value, cell) => {
+    if (value > map[peak]) peak = cell;
+    if (cell % SIDE < SIDE / 2) left += value;
+    all += value;
+  });
+  const [x, y] = [peak % SIDE, Math.floor(peak / SIDE)].map((cell) => cell * 4 + 2);
+  const share = all ? Math.round((100 * left) / all) : 50;
+  return `strongest at x ${x}, y ${y}; ${share} percent on the left, ${100 - share} on the right`;
+}
+
+function timed({ milliseconds, saw }) {
+  const before = saw ? "The model has seen this puzzle in training." : "The model has never seen this puzzle before.";
+  return `Imagined in ${Math.max(1, Math.round(milliseconds))} ms. ${before}`;
+}
+
+function carded({ name, card }) {
+  return `Model “${name}”: trained ${card.setup} templates, fold ${card.fold}, on ${card.samples.toLocaleString("en")} solutions of ${card.tasks.toLocaleString("en")} puzzles. After Harter et al., “Solving Physics Puzzles by Reasoning about Paths” (2020).`;
+}

@@ -1,0 +1,278 @@
+// The page: starts the wasm, follows the address, and joins its parts. Each part knows the session and the
+// wasm; only this file knows the parts.
+
+import { Attempts } from "./attempts.js";
+import { SceneCanvas } from "./canvas.js";
+import { Compare } from "./compare.js";
+import { Controls } from "./controls.js";
+import { Gallery } from "./gallery.js";
+import { Imagine } from "./imagine.js";
+import { Model } from "./model.js";
+import { notice, quiet } from "./notice.js";
+import { Session } from "./session.js";
+import { PANELS, START, read, write } from "./state.js";
+
+const at = (id) => document.getElementById(id);
+const darkness = matchMedia("(prefers-color-scheme: dark)");
+const stillness = matchMedia("(prefers-reduced-motion: reduce)");
+
+/** Compiles the wasm once, for page and worker. */
+async function start() {
+  if (typeof WebAssembly !== "object") {
+    throw new Error("This browser has no WebAssembly, or it is switched off. Pathlight needs it: try a current browser.");
+  }
+  const answer = await fetch("pkg/pathlight_bg.wasm");
+  if (!answer.ok) {
+    throw new Error(`Pathlight’s engine did not come: the server answered ${answer.status} for pkg/pathlight_bg.wasm. Build it with “make play”.`);
+  }
+  const wasm = await import("./pkg/pathlight.js");
+  const module = await WebAssembly.compileStreaming(answer);
+  await wasm.default({ module_or_path: module });
+  return { wasm, module };
+}
+
+class Page {
+  #wasm;
+  #templates;
+  #state = { ...START };
+  #session = null;
+  #model;
+  #gallery;
+  #canvas = new SceneCanvas(at("scene"));
+  #controls = new Controls();
+  #imagine;
+  #compare;
+  #lists;
+  #writing = null;
+
+  constructor(wasm, module) {
+    this.#wasm = wasm;
+    this.#templates = wasm.templates();
+    this.#model = new Model(module);
+    this.#gallery = new Gallery(at("templates"), wasm, this.#templates);
+    this.#imagine = new Imagine(wasm, this.#model);
+    this.#compare = new Compare(this.#model);
+    this.#lists = [
+      new Attempts(at("play-attempts"), at("play-count"), "player"),
+      new Attempts(at("you-attempts"), at("you-count"), "player"),
+      new Attempts(at("it-attempts"), at("it-count"), "model"),
+    ];
+    this.#listen();
+    this.#dress();
+    this.#follow();
+  }
+
+  #listen() {
+    addEventListener("popstate", () => this.#follow());
+    darkness.addEventListener("change", () => this.#dress());
+    at("previous").addEventListener("click", () => this.#turn(-1));
+    at("next").addEventListener("click", () => this.#turn(1));
+    at("random").addEventListener("click", () => this.#random());
+    at("task").addEventListener("change", () => this.#go({ task: at("task").value }));
+    at("skip").addEventListener("click", (event) => {
+      // Not the address's own jump: what stands after # is the state.
+      event.preventDefault();
+      at("scene").focus();
+    });
+    at("copy").addEventListener("click", () => this.#copy());
+    at("help").addEventListener("click", () => at("keys").showModal());
+    for (const tab of document.querySelectorAll("[role=tab]")) {
+      tab.addEventListener("click", () => this.#set({ panel: tab.dataset.panel }));
+      tab.addEventListener("keydown", (event) => this.#roam(event));
+    }
+    this.#imagine.addEventListener("layers", ({ detail }) => this.#set(detail));
+    this.#imagine.addEventListener("opacity", ({ detail }) => this.#set(detail));
+    this.#imagine.addEventListener("imagined", () => this.#lay());
+    for (const part of [this.#imagine, this.#compare]) {
+      part.addEventListener("again", () => this.#model.start(this.#state.model));
+    }
+    document.addEventListener("keydown", (event) => this.#key(event));
+  }
+
+  /** Takes light or dark, which the wasm draws in and the style sheet follows. */
+  #dress() {
+    const dark = darkness.matches;
+    for (const [name, colour] of Object.entries(this.#wasm.palette(dark))) {
+      document.documentElement.style.setProperty(`--${name}`, colour);
+    }
+    this.#gallery.dark = this.#canvas.dark = this.#imagine.dark = dark;
+    this.#gallery.redraw();
+    this.#canvas.draw();
+  }
+
+  /** Shows what the address asks for. */
+  #follow() {
+    quiet();
+    const { state, problem } = read(location.hash);
+    if (problem) notice(problem, [["All puzzles", "#"]]);
+    const known = state.task === null || this.#template(state.task)?.tasks.includes(state.task);
+    if (!known) {
+      const template = this.#template(state.task);
+      const ways = [["All puzzles", "#"]];
+      if (template) ways.unshift([`The first puzzle of ${template.name}`, `#task=${template.tasks[0]}`]);
+      notice(`This link asks for puzzle ${state.task}, which does not exist.`, ways);
+      state.task = null;
+    }
+    this.#open(state);
+  }
+
+  #open(state) {
+    const { task, model } = this.#state;
+    const came = at("gallery").contains(document.activeElement);
+    this.#state = state;
+    at("gallery").hidden = state.task !== null;
+    for (const id of ["puzzle", "title", "copy", "skip"]) at(id).hidden = state.task === null;
+    if (state.task === null) {
+      this.#shut();
+      document.title = "Pathlight";
+      return;
+    }
+    if (!this.#session || state.task !== task) this.#enter(state.task);
+    if (state.ball && String(state.ball) !== String(this.#session.ball)) this.#session.place(state.ball);
+    if (this.#model.status === "off" || (state.model ?? model) !== model) this.#model.start(state.model);
+    this.#show();
+    if (came) at("scene").focus({ preventScroll: true });
+  }
+
+  #enter(task) {
+    this.#shut();
+    const session = new Session(new this.#wasm.Puzzle(task), () => stillness.matches);
+    this.#session = session;
+    const { name } = session.about;
+    at("name").textContent = name;
+    document.title = `${name} ${task} – Pathlight`;
+    const { tasks } = this.#template(task);
+    at("task").replaceChildren(...tasks.map((id) => new Option(id, id, id === task, id === task)));
+    at("task").title = `Puzzle ${tasks.indexOf(task) + 1} of ${tasks.length}`;
+    session.addEventListener("change", () => this.#note());
+    for (const part of [this.#canvas, this.#controls, this.#imagine, this.#compare, ...this.#lists]) part.show(session);
+  }
+
+  #shut() {
+    this.#canvas.show(null);
+    this.#compare.leave();
+    this.#session?.close();
+    this.#session = null;
+  }
+
+  #template(task) {
+    return this.#templates.find(({ id }) => task.startsWith(id));
+  }
+
+  /** Goes somewhere that the back button leaves again. */
+  #go(patch) {
+    const state = { ...this.#state, ball: null, ...patch };
+    history.pushState(null, "", `#${write(state)}`);
+    quiet();
+    this.#open(state);
+  }
+
+  /** Changes what is shown of the same puzzle. */
+  #set(patch) {
+    const { panel } = this.#state;
+    Object.assign(this.#state, patch);
+    this.#show();
+    if (this.#state.panel === "compare" && panel !== "compare") this.#compare.open();
+    this.#write();
+  }
+
+  /** Takes the ball into the link. */
+  #note() {
+    this.#state.ball = this.#session.ball;
+    this.#write();
+  }
+
+  /** Writes the address a little later: browsers do not take it at every step of a drag. */
+  #write() {
+    clearTimeout(this.#writing);
+    this.#writing = setTimeout(() => {
+      if (this.#state.task) history.replaceState(null, "", `#${write(this.#state)}`);
+    }, 200);
+  }
+
+  #show() {
+    const { panel } = this.#state;
+    for (const name of PANELS) {
+      const tab = at(`tab-${name}`);
+      tab.setAttribute("aria-selected", String(name === panel));
+      tab.tabIndex = name === panel ? 0 : -1;
+      at(name).hidden = name !== panel;
+    }
+    this.#imagine.set(this.#state);
+    this.#lay();
+  }
+
+  /** Lays the chosen maps over the scene. */
+  #lay() {
+    this.#canvas.maps = this.#imagine.shown;
+    this.#canvas.opacity = this.#state.opacity;
+    this.#canvas.draw();
+  }
+
+  #turn(by) {
+    const { tasks } = this.#template(this.#state.task);
+    const index = (tasks.indexOf(this.#state.task) + by + tasks.length) % tasks.length;
+    this.#go({ task: tasks[index] });
+  }
+
+  #random() {
+    const any = (list) => list[Math.floor(Math.random() * list.length)];
+    this.#go({ task: any(any(this.#templates).tasks) });
+  }
+
+  async #copy() {
+    history.replaceState(null, "", `#${write(this.#state)}`);
+    try {
+      await navigator.clipboard.writeText(location.href);
+      notice("The link to what you see is copied.");
+    } catch {
+      notice(`This browser does not let the page copy. The link is ${location.href}`);
+    }
+  }
+
+  /** Arrow keys on the tabs. */
+  #roam(event) {
+    const by = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
+    if (!by) return;
+    const index = (PANELS.indexOf(this.#state.panel) + by + PANELS.length) % PANELS.length;
+    this.#set({ panel: PANELS[index] });
+    at(`tab-${PANELS[index]}`).focus();
+    event.preventDefault();
+  }
+
+  #key(event) {
+    const { key, target } = event;
+    if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented) return;
+    if (target.closest("input[type=number], select, dialog")) return;
+    if (key === "?") return at("keys").showModal();
+    const session = this.#session;
+    if (!session) return;
+    // Where Space has its own meaning it keeps it.
+    if (key === " " && target.closest("button, a, input")) return;
+    const keys = {
+      " ": () => session.run(),
+      ".": () => session.step(1),
+      ",": () => session.step(-1),
+      r: () => session.reset(),
+      "[": () => this.#turn(-1),
+      "]": () => this.#turn(1),
+      1: () => this.#set({ panel: "play" }),
+      2: () => this.#set({ panel: "imagine" }),
+      3: () => this.#set({ panel: "compare" }),
+    };
+    const act = keys[key.toLowerCase()];
+    if (!act) return;
+    event.preventDefault();
+    act();
+  }
+}
+
+addEventListener("error", ({ message }) => notice(`Something in Pathlight broke: ${message}. Load the page again to go on.`));
+addEventListener("unhandledrejection", ({ reason }) => notice(`Something in Pathlight broke: ${reason?.message ?? reason}. Load the page again to go on.`));
+
+try {
+  const { wasm, module } = await start();
+  new Page(wasm, module);
+} catch (error) {
+  notice(error.message, [["Try again", location.pathname]]);
+}

@@ -1,0 +1,185 @@
+// One puzzle being played: the ball being placed, the rollout being shown, the attempts of player and model.
+// Wraps the wasm's Puzzle and the clock; the parts of the page ask it to do things and listen:
+//   "change" something to read has changed      "draw" only the picture has
+// Knows nothing of the document.
+
+import { Playback } from "./playback.js";
+
+/** Where a ball starts that is first moved by keys, px. */
+const MIDDLE = 128;
+const FIRST_RADIUS = 12;
+
+export class Session extends EventTarget {
+  /** The wasm's Puzzle. */
+  puzzle;
+  about;
+  playback = new Playback();
+  /** [x, y, r] in whole px, or null. */
+  ball = null;
+  /** Why the ball may not be placed, or null. */
+  reason = null;
+  /** What is on: "placing", "attempt", "watch", "compare". */
+  phase = "placing";
+  /** The attempt that is shown: { agent, number, words, ball, ending }; only while phase is "attempt". */
+  shown = null;
+  /** The best attempts of player and model, each or null; only while phase is "compare". */
+  pair = [null, null];
+  /** The last refusal in words, or null. */
+  refused = null;
+  /** Has what is shown come to its end at least once? */
+  finished = false;
+  #still;
+
+  /** `still`: says whether motion is unwanted; then a run goes straight to its end. */
+  constructor(puzzle, still) {
+    super();
+    this.puzzle = puzzle;
+    this.about = puzzle.about();
+    this.#still = still;
+    this.playback.addEventListener("moment", () => this.#moment());
+  }
+
+  get placing() {
+    return this.phase === "placing";
+  }
+
+  /** Puts the ball being placed somewhere, in px; it is rounded and kept inside the square. */
+  place([x, y, r]) {
+    const between = (value, low, high) => Math.min(Math.max(Math.round(value), low), high);
+    this.ball = [between(x, 0, 255), between(y, 0, 255), between(r, 2, 32)];
+    this.reason = this.puzzle.whyInvalid(...this.ball) ?? null;
+    this.refused = null;
+    if (this.placing) this.#changed("change");
+    else this.reset();
+  }
+
+  /** Moves the ball and changes its radius by so many px; a first ball appears in the middle. */
+  nudge(dx, dy, dr) {
+    const [x, y, r] = this.ball ?? [MIDDLE - dx, MIDDLE - dy, FIRST_RADIUS - dr];
+    this.place([x + dx, y + dy, r + dr]);
+  }
+
+  /** What the run button does now: run the ball, pause, or go on. */
+  run() {
+    if (!this.placing) {
+      if (this.playback.playing) this.playback.pause();
+      else this.playback.play();
+      this.#changed("change");
+    } else if (!this.ball) {
+      this.#refuse("Place the ball first: click or tap in the scene, or press an arrow key there.");
+    } else {
+      this.#try();
+    }
+  }
+
+  #try() {
+    try {
+      const attempt = this.puzzle.attempt(...this.ball);
+      this.#show("attempt", { agent: "player", ...attempt });
+    } catch (error) {
+      if (!error.code) throw error;
+      this.#refuse(`${sentence(error.message)} That does not count as an attempt.`);
+    }
+  }
+
+  /** Shows the scene without a ball. */
+  watch() {
+    this.puzzle.watch();
+    this.#show("watch", null);
+  }
+
+  /** Shows an attempt again; it does not count once more. */
+  replay(agent, number) {
+    const attempt = this.puzzle.replay(agent, number);
+    if (agent === "player") {
+      this.ball = attempt.ball;
+      this.reason = null;
+    }
+    this.#show("attempt", { agent, ...attempt });
+  }
+
+  /** Shows the best attempts of both over each other: at their end, or from the start. */
+  compare(play) {
+    this.pair = this.puzzle.compare();
+    if (!this.pair.some(Boolean)) return this.reset();
+    this.#show("compare", null, play);
+  }
+
+  /** Back to placing, with the ball where it was. */
+  reset() {
+    this.puzzle.reset();
+    this.phase = "placing";
+    this.shown = null;
+    this.playback.load(0);
+    this.#changed("change");
+  }
+
+  /** Steps by one, forward or back; while placing, it first runs the ball. */
+  step(by) {
+    if (this.placing) {
+      this.run();
+      if (this.placing) return;
+      this.playback.seek(0);
+    }
+    this.playback.seek(Math.floor(this.playback.step) + by);
+    this.#changed("change");
+  }
+
+  seek(step) {
+    this.playback.seek(step);
+    this.#changed("change");
+  }
+
+  /** Adds an attempt of the model's that the worker has simulated. */
+  record(attempt) {
+    this.puzzle.record(attempt);
+    this.#changed("change");
+  }
+
+  clear() {
+    this.puzzle.clear("player");
+    this.puzzle.clear("model");
+    this.reset();
+  }
+
+  /** Stops the clock and gives the wasm's memory back. */
+  close() {
+    this.playback.pause();
+    this.puzzle.free();
+  }
+
+  #show(phase, attempt, play = true) {
+    this.phase = phase;
+    this.shown = attempt;
+    this.refused = null;
+    this.finished = false;
+    const last = this.puzzle.steps();
+    const still = !play || this.#still();
+    this.playback.load(last, still ? last : 0);
+    if (!still) this.playback.play();
+    this.#changed("change");
+  }
+
+  #moment() {
+    const { playing, ended } = this.playback;
+    if (!this.placing && ended && !playing && !this.finished) {
+      this.finished = true;
+      this.#changed("change");
+    }
+    this.#changed("draw");
+  }
+
+  #refuse(words) {
+    this.refused = words;
+    this.#changed("change");
+  }
+
+  #changed(what) {
+    this.dispatchEvent(new Event(what));
+  }
+}
+
+/** Words as a sentence: "the ball …" becomes "The ball ….". */
+export function sentence(words) {
+  return words[0].toUpperCase() + words.slice(1) + (/[.!?]$/.test(words) ? "" : ".");
+}
