@@ -16,6 +16,7 @@ mod evaluate;
 mod fidelity;
 mod progress;
 mod propose;
+mod publish;
 mod scenes;
 mod serve;
 mod simulate;
@@ -36,6 +37,7 @@ enum Command {
     Tasks(tasks::Args),
     Collect(collect::Args),
     Train(train::Args),
+    Publish(publish::Args),
     Propose(propose::Args),
     Evaluate(evaluate::Args),
     Simulate(simulate::Args),
@@ -49,6 +51,7 @@ pub fn run() -> ExitCode {
         Command::Tasks(args) => args.run(),
         Command::Collect(args) => args.run(),
         Command::Train(args) => args.run(),
+        Command::Publish(args) => args.run(),
         Command::Propose(args) => args.run(),
         Command::Evaluate(args) => args.run(),
         Command::Simulate(args) => args.run(),

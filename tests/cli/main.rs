@@ -6,9 +6,11 @@
 use std::io::Write;
 use std::process::{Command, Output, Stdio};
 
+mod collect;
 mod serve;
 mod simulate;
 mod tasks;
+mod train;
 
 /// The binary, ready to be given arguments.
 fn pathlight() -> Command {

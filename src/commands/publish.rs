@@ -1,0 +1,73 @@
+//! `pathlight publish`: puts trained weights where the page finds them.
+//!
+//! Copies them to the assets folder under the name of their setup and fold, and writes the list of all weights
+//! there, with the hash by which the page checks what it downloads.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, ensure};
+use pathlight::pathnet::{PathNet, device};
+use serde::Serialize;
+use sha2::{Digest, Sha256};
+
+/// Put trained weights into assets, where the page finds them
+#[derive(clap::Args)]
+pub struct Args {
+    /// Weights files of `pathlight train`; without any, only the list is written anew
+    weights: Vec<PathBuf>,
+
+    /// The folder that the page loads weights from
+    #[arg(long, default_value = "assets")]
+    assets: PathBuf,
+}
+
+/// `model.json`.
+#[derive(Serialize)]
+struct List {
+    models: Vec<Entry>,
+}
+
+#[derive(Serialize)]
+struct Entry {
+    name: String,
+    file: String,
+    sha256: String,
+}
+
+impl Args {
+    pub fn run(self) -> anyhow::Result<()> {
+        fs::create_dir_all(&self.assets).with_context(|| format!("cannot make {}", self.assets.display()))?;
+        for path in &self.weights {
+            let bytes = fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
+            let flex = device("flex").map_err(anyhow::Error::msg)?;
+            let (_, card) = PathNet::load(&bytes, &flex).with_context(|| format!("{} does not fit", path.display()))?;
+            let copy = self.assets.join(format!("{}-{}.safetensors", card.setup, card.fold));
+            fs::write(&copy, bytes).with_context(|| format!("cannot write {}", copy.display()))?;
+            println!("{}", copy.display());
+        }
+        let list = List { models: entries(&self.assets)? };
+        ensure!(!list.models.is_empty(), "{} holds no weights: name a file to publish", self.assets.display());
+        let path = self.assets.join("model.json");
+        let mut json = serde_json::to_vec_pretty(&list)?;
+        json.push(b'\n');
+        fs::write(&path, json).with_context(|| format!("cannot write {}", path.display()))?;
+        println!("{}", path.display());
+        Ok(())
+    }
+}
+
+/// All weights in a folder, within before cross, folds ascending.
+fn entries(folder: &Path) -> anyhow::Result<Vec<Entry>> {
+    let mut entries = Vec::new();
+    for file in fs::read_dir(folder)? {
+        let file = file?.file_name().to_string_lossy().into_owned();
+        if let Some(name) = file.strip_suffix(".safetensors") {
+            let digest = Sha256::digest(fs::read(folder.join(&file))?);
+            let sha256 = digest.iter().map(|byte| format!("{byte:02x}")).collect();
+            entries.push(Entry { name: name.to_string(), sha256, file });
+        }
+    }
+    entries.sort_by(|a, b| (a.name.starts_with("cross"), &a.name).cmp(&(b.name.starts_with("cross"), &b.name)));
+    Ok(entries)
+}
