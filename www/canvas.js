@@ -66,8 +66,10 @@ export class SceneCanvas {
   }
 
   #resize(entry) {
+    const near = entry.contentRect.width * devicePixelRatio;
     const exact = entry.devicePixelContentBoxSize?.[0].inlineSize;
-    const side = Math.max(1, Math.round(exact ?? entry.contentRect.width * devicePixelRatio));
+    // The exact size spares a blur where the ratio is no whole number; an emulated screen tells it wrong.
+    const side = Math.max(1, Math.round(Math.abs(exact - near) < 2 ? exact : near));
     if (side === this.#canvas.width) return;
     this.#canvas.width = side;
     this.#canvas.height = side;

@@ -67,6 +67,7 @@ export class Compare extends EventTarget {
     const { status, trouble } = this.#model;
     at("compare-trouble").hidden = status !== "failed";
     at("compare-trouble").querySelector("p").textContent = trouble ?? "";
+    at("compare-trouble").querySelector("button").textContent = this.#model.code === "no_model" ? "Use the model that is here" : "Try again";
     if (!this.#session) return;
     const { puzzle } = this.#session;
     const [player, model] = ["player", "model"].map((agent) => puzzle.score(agent));

@@ -88,6 +88,7 @@ export class Imagine extends EventTarget {
     const { status, progress, trouble, loaded } = this.#model;
     at("imagine-trouble").hidden = status !== "failed";
     at("imagine-trouble").querySelector("p").textContent = trouble ?? "";
+    at("imagine-trouble").querySelector("button").textContent = this.#model.code === "no_model" ? "Use the model that is here" : "Try again";
     at("imagine-body").hidden = status === "failed";
     at("imagine-progress").hidden = status !== "loading";
     const bar = at("imagine-progress").querySelector("progress");

@@ -84,7 +84,7 @@ class Page {
     this.#imagine.addEventListener("opacity", ({ detail }) => this.#set(detail));
     this.#imagine.addEventListener("imagined", () => this.#lay());
     for (const part of [this.#imagine, this.#compare]) {
-      part.addEventListener("again", () => this.#model.start(this.#state.model));
+      part.addEventListener("again", () => this.#again());
     }
     document.addEventListener("keydown", (event) => this.#key(event));
   }
@@ -188,6 +188,12 @@ class Page {
     this.#writing = setTimeout(() => {
       if (this.#state.task) history.replaceState(null, "", `#${write(this.#state)}`);
     }, 200);
+  }
+
+  /** Starts the model once more; one that is not there gives way to the first that is. */
+  #again() {
+    if (this.#model.code === "no_model") this.#set({ model: null });
+    this.#model.start(this.#state.model);
   }
 
   #show() {

@@ -11,6 +11,8 @@ export class Model extends EventTarget {
   progress = null;
   /** After a failure: what went wrong, in a sentence. */
   trouble = null;
+  /** After a failure: its code; "no_model" if the name asked for is not there. */
+  code = null;
   /** Once ready: { name, names, card }. */
   loaded = null;
   #module;
@@ -40,7 +42,7 @@ export class Model extends EventTarget {
       const loaded = await this.#ask("load", { name }, ({ progress }) => this.#set("loading", { progress }));
       this.#set("ready", { loaded });
     } catch (error) {
-      if (worker === this.#worker) this.#set("failed", { trouble: error.message });
+      if (worker === this.#worker) this.#set("failed", { trouble: error.message, code: error.code });
     }
   }
 
@@ -90,8 +92,8 @@ export class Model extends EventTarget {
     this.#waiting.clear();
   }
 
-  #set(status, { progress = null, trouble = null, loaded = null } = {}) {
-    Object.assign(this, { status, progress, trouble, loaded });
+  #set(status, { progress = null, trouble = null, code = null, loaded = null } = {}) {
+    Object.assign(this, { status, progress, trouble, code, loaded });
     this.dispatchEvent(new Event("change"));
   }
 }

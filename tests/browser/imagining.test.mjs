@@ -1,0 +1,77 @@
+// The four maps: imagined in the worker, each with its legend, laid over the scene when asked.
+
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { start } from './harness.mjs';
+import { openPuzzle, picture } from './playing.mjs';
+
+const STAGES = ['base', 'target', 'action', 'placement'];
+
+let session;
+before(async () => (session = await start()));
+after(() => session.stop());
+
+async function imagine(options) {
+  const page = await openPuzzle(session, { more: '&panel=imagine', ...options });
+  await page.locator('#imagined-in').filter({ hasText: /Imagined in \d+ ms/ }).waitFor();
+  return page;
+}
+
+test('four different maps, each with a sentence, a summary and a legend', async () => {
+  const page = await imagine();
+  const seen = new Set();
+  for (const stage of STAGES) {
+    const row = page.locator(`[data-stage=${stage}]`);
+    assert.match(await row.locator('p').textContent(), /^Where .+\.$/);
+    assert.match(await row.locator('.map canvas[role=img]').getAttribute('aria-label'), /strongest at x \d+, y \d+; \d+ percent on the left/);
+    const peak = Number(await row.locator('.scale span').last().textContent());
+    assert.ok(peak > 0 && peak <= 1, `${stage}: ${peak}`);
+    seen.add(await picture(page, `[data-stage=${stage}] .map canvas[role=img]`));
+    seen.add(await picture(page, `[data-stage=${stage}] .legend`));
+  }
+  assert.equal(seen.size, 8, 'no two maps and no two legends are alike');
+  assert.match(await page.locator('#card').textContent(), /trained (within|cross) templates, fold \d, on [\d,]+ solutions/);
+});
+
+test('a layer lies over the scene while it is on, as strongly as its opacity', async () => {
+  const page = await imagine();
+  const settled = async () => {
+    await page.waitForTimeout(120);
+    return picture(page);
+  };
+  const bare = await settled();
+  for (const stage of STAGES) {
+    const box = page.locator(`[data-stage=${stage}] input`);
+    await box.check();
+    assert.notEqual(await settled(), bare, `${stage} shows`);
+    await box.uncheck();
+    assert.equal(await settled(), bare, `${stage} is gone`);
+  }
+  await page.locator('[data-stage=target] input').check();
+  const strong = await settled();
+  await page.locator('#opacity').fill('0.3');
+  assert.notEqual(await settled(), strong);
+  await page.waitForFunction(() => /layers=target/.test(location.hash) && /opacity=0.3/.test(location.hash));
+});
+
+test('another puzzle is imagined afresh, and the page stays alive meanwhile', async () => {
+  const page = await imagine();
+  const before = await picture(page, '[data-stage=base] .map canvas[role=img]');
+  await page.evaluate(() => {
+    // The longest gap between two frames, while the next puzzle is imagined.
+    window.gap = 0;
+    let then = performance.now();
+    const frame = (now) => {
+      window.gap = Math.max(window.gap, now - then);
+      then = now;
+      requestAnimationFrame(frame);
+    };
+    requestAnimationFrame(frame);
+  });
+  await page.locator('#next').click();
+  await page.waitForFunction(
+    (before) => document.querySelector('[data-stage=base] .map canvas[role=img]').toDataURL() !== before && /Imagined/.test(document.querySelector('#imagined-in').textContent),
+    before,
+  );
+  assert.ok((await page.evaluate(() => window.gap)) < 1000, 'the page does not freeze');
+});

@@ -1,0 +1,128 @@
+// Links open what they name; what cannot be had is a sentence on the page, with a way on.
+
+import assert from 'node:assert/strict';
+import { mkdtemp, rm } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { start } from './harness.mjs';
+import { EASY, attempts, ball, known, openPuzzle, says, type } from './playing.mjs';
+
+let session;
+before(async () => (session = await start()));
+after(() => session.stop());
+
+const notice = (page) => page.locator('#notice:visible #problem');
+
+test('a link opens the same puzzle, panel, layers and ball', async () => {
+  const page = await openPuzzle(session, { more: '&panel=imagine&layers=target,placement&opacity=0.5&ball=100,200,10' });
+  assert.equal(await page.locator('#task').inputValue(), EASY);
+  assert.equal(await page.locator('#tab-imagine').getAttribute('aria-selected'), 'true');
+  for (const [stage, on] of Object.entries({ base: false, target: true, action: false, placement: true })) {
+    assert.equal(await page.locator(`[data-stage=${stage}] input`).isChecked(), on, stage);
+  }
+  assert.equal(await page.locator('#opacity').inputValue(), '0.5');
+  assert.deepEqual(await ball(page), [100, 200, 10]);
+});
+
+test('what the page shows is in its address, and opens again from there', async () => {
+  const page = await openPuzzle(session);
+  await type(page, [90, 190, 7]);
+  await page.locator('#tab-compare').click();
+  await page.waitForFunction(() => /ball=90,190,7/.test(location.hash) && /panel=compare/.test(location.hash));
+  await page.reload();
+  await page.locator('#scene').waitFor();
+  assert.deepEqual(await ball(page), [90, 190, 7]);
+  assert.equal(await page.locator('#tab-compare').getAttribute('aria-selected'), 'true');
+});
+
+test('a model that is named in the link is the one that imagines', async () => {
+  const page = await openPuzzle(session, { more: '&panel=imagine&model=nobody' });
+  await page.locator('#imagine-trouble:visible').filter({ hasText: 'There is no model “nobody” here. There is: ' }).waitFor();
+  const name = (await page.locator('#imagine-trouble p').textContent()).match(/There is: ([\w-]+)/)[1];
+  await page.locator('#imagine-trouble button').click();
+  await page.locator('#card').filter({ hasText: `Model “${name}”` }).waitFor();
+  await page.waitForFunction(() => !/model=/.test(location.hash));
+  await page.goto(`${session.origin}/#task=${EASY}&panel=imagine&model=${name}`);
+  await page.locator('#card').filter({ hasText: `Model “${name}”` }).waitFor();
+});
+
+for (const [link, words] of [
+  ['task=00007:999', /puzzle 00007:999, which does not exist/],
+  ['task=00099:000', /puzzle 00099:000, which does not exist/],
+  ['task=funnel', /“task=funnel”, which Pathlight does not understand/],
+  ['layers=soup', /“layers=soup”/],
+  ['constructor=1', /“constructor=1”/],
+  ['%E0%A4%A', /does not understand/],
+]) {
+  test(`a bad link (${link}) is a sentence with a way on`, async () => {
+    const page = await session.open(`/#${link}`);
+    await notice(page).filter({ hasText: words }).waitFor();
+    await page.locator('#ways a', { hasText: 'All puzzles' }).click();
+    await page.locator('#gallery').waitFor();
+    await page.locator('#notice').waitFor({ state: 'hidden' });
+  });
+}
+
+test('a number that a template has not leads to its first puzzle', async () => {
+  const page = await session.open('/#task=00007:999');
+  await page.locator('#ways a').first().click();
+  await page.locator('#scene').waitFor();
+  assert.match(await page.locator('#task').inputValue(), /^00007:/);
+});
+
+test('without WebAssembly the page says what it needs', async () => {
+  const page = await session.open('/icon.svg');
+  await page.addInitScript(() => delete globalThis.WebAssembly);
+  await page.goto(session.origin);
+  await notice(page).filter({ hasText: 'no WebAssembly' }).waitFor();
+});
+
+test('without the wasm package the page says so', async () => {
+  const page = await session.open('/icon.svg');
+  await page.route('**/*.wasm', (route) => route.fulfill({ status: 404 }));
+  await page.goto(session.origin);
+  await notice(page).filter({ hasText: 'the server answered 404' }).waitFor();
+  const problems = session.takeProblems();
+  assert.ok(problems.every((problem) => /404|preload/.test(problem)), problems.join('\n'));
+});
+
+test('a worker that dies is a sentence, and can be started again', async () => {
+  const page = await openPuzzle(session, { more: '&panel=imagine' });
+  await page.locator('#imagined-in').filter({ hasText: 'Imagined' }).waitFor();
+  await page.workers()[0].evaluate(() => void setTimeout(() => { throw new Error('gone'); }));
+  await page.locator('#imagine-trouble:visible').filter({ hasText: /worker has stopped.*gone/ }).waitFor();
+  session.takeProblems();
+  await page.locator('#imagine-trouble button').click();
+  await page.locator('#imagined-in').filter({ hasText: 'Imagined' }).waitFor();
+});
+
+test('damaged weights are refused in words', async () => {
+  const page = await session.open('/icon.svg');
+  await page.context().route('**/assets/*.safetensors', (route) => route.fulfill({ body: 'soup', contentType: 'application/octet-stream' }));
+  await page.goto(`${session.origin}/#task=${EASY}&panel=imagine`);
+  await page.locator('#imagine-trouble:visible').filter({ hasText: 'it is damaged or old' }).waitFor();
+});
+
+test('without weights a person can still play', async () => {
+  const empty = await mkdtemp(join(tmpdir(), 'pathlight-assets-'));
+  const bare = await start({ serve: ['--assets', empty] });
+  try {
+    const page = await openPuzzle(bare, { more: '&panel=imagine', still: true });
+    await page.locator('#imagine-trouble:visible').filter({ hasText: 'The model’s weights are missing here' }).waitFor();
+    await page.locator('#tab-compare').click();
+    await page.locator('#compare-trouble:visible').filter({ hasText: 'weights are missing' }).waitFor();
+    assert.ok(await page.locator('#turn').isDisabled());
+    await page.locator('#tab-play').click();
+    const { solving } = await known(page);
+    await type(page, solving);
+    await page.locator('#run').click();
+    await says(page, /^Solved!/);
+    assert.equal(await attempts(page), 1);
+    const problems = bare.takeProblems();
+    assert.ok(problems.every((problem) => /404/.test(problem)), problems.join());
+  } finally {
+    await bare.stop();
+    await rm(empty, { recursive: true });
+  }
+});

@@ -1,0 +1,74 @@
+// The model's turn: its attempts fill a list until one solves or a hundred are made; player and model compared.
+
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { start } from './harness.mjs';
+import { known, openPuzzle, picture, says, type } from './playing.mjs';
+
+let session;
+before(async () => (session = await start()));
+after(() => session.stop());
+
+async function compare(options) {
+  const page = await openPuzzle(session, { more: '&panel=compare', still: true, ...options });
+  await page.locator('#turn:enabled').waitFor();
+  return page;
+}
+
+const made = (page) => page.locator('#it-attempts li').count();
+
+async function played(page) {
+  await page.locator('#turn').click();
+  await page.locator('#turn').filter({ hasText: 'The model has played' }).waitFor({ timeout: 120_000 });
+}
+
+test('the model plays until it has solved, or a hundred times', async () => {
+  const page = await compare();
+  await played(page);
+  const results = await page.locator('#it-attempts button').allTextContents();
+  const solved = results.map((text) => /solved after/.test(text));
+  assert.ok(results.length >= 1 && results.length <= 100);
+  if (solved.includes(true)) assert.equal(solved.indexOf(true), results.length - 1, 'it stops when solved');
+  else assert.equal(results.length, 100);
+  await page.locator('#it-attempts button').first().click();
+  await says(page, /The model’s attempt 1:/);
+  assert.equal(await page.locator('#play-attempts li').count(), 0, 'the player has made none');
+});
+
+test('its turn can be stopped, and taken up again with the same balls', async () => {
+  const page = await compare();
+  await page.locator('#turn').click();
+  await page.locator('#it-attempts li').first().waitFor();
+  // An easy puzzle may be solved before the button is reached.
+  if ((await page.locator('#turn').textContent()) === 'Stop the model') await page.locator('#turn').click({ timeout: 2000 }).catch(() => {});
+  await page.waitForTimeout(300);
+  const [first, count] = [await page.locator('#it-attempts button').first().getAttribute('title'), await made(page)];
+  await page.waitForTimeout(500);
+  assert.equal(await made(page), count, 'a stopped model makes no more attempts');
+  if ((await page.locator('#turn').textContent()) === 'Let the model play') await played(page);
+  assert.ok((await made(page)) >= count);
+  assert.equal(await page.locator('#it-attempts button').first().getAttribute('title'), first);
+});
+
+test('player and model side by side, both paths over each other', async () => {
+  const page = await compare();
+  assert.equal(await page.locator('#verdict').textContent(), 'Nobody has tried yet.');
+  const { solving } = await known(page);
+  await page.locator('#tab-play').click();
+  await type(page, solving);
+  await page.locator('#run').click();
+  await says(page, /^Solved!/);
+  await page.locator('#tab-compare').click();
+  assert.match(await page.locator('#verdict').textContent(), /^You solved it on attempt 1\. The model has not had its turn\.$/);
+  await says(page, /Your attempt 1; the model has made none/);
+  await page.waitForTimeout(150);
+  const alone = await picture(page);
+  await played(page);
+  await says(page, /Your attempt 1 and the model’s attempt \d+, over each other/);
+  await page.waitForTimeout(150);
+  assert.notEqual(await picture(page), alone, 'the model’s path is drawn too');
+  assert.match(await page.locator('#verdict').textContent(), /^You (solved|and the model)/);
+  await page.locator('#clear').click();
+  assert.equal(await page.locator('#verdict').textContent(), 'Nobody has tried yet.');
+  assert.equal(await made(page), 0);
+});

@@ -1,0 +1,69 @@
+// The page on a phone: everything fits, a finger places and drags, and a drag in the scene scrolls nothing.
+
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { start } from './harness.mjs';
+import { ball, known, openPuzzle, says, spot } from './playing.mjs';
+
+const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, deviceScaleFactor: 3 };
+
+let session;
+before(async () => (session = await start()));
+after(() => session.stop());
+
+/** A finger that goes down at the first point, over the others, and up. */
+async function drag(page, points) {
+  const client = await page.context().newCDPSession(page);
+  const send = (type, touchPoints) => client.send('Input.dispatchTouchEvent', { type, touchPoints });
+  const [from, ...way] = await Promise.all(points.map(async ([x, y]) => spot(page, x, y)));
+  const touch = ([x, y]) => [{ x, y }];
+  await send('touchStart', touch(from));
+  for (const point of way) await send('touchMove', touch(point));
+  await send('touchEnd', []);
+}
+
+test('a tap places, a finger drags, nothing scrolls', async () => {
+  const page = await openPuzzle(session, { ...PHONE, still: true });
+  await page.touchscreen.tap(...(await spot(page, 128, 220)));
+  assert.deepEqual((await ball(page)).slice(0, 2), [128, 220]);
+  await drag(page, [[130, 222], [120, 210], [100, 190], [90, 150]]);
+  const [x, y] = await ball(page);
+  assert.ok(Math.abs(x - 88) <= 1 && Math.abs(y - 148) <= 1, `dragged to ${x}, ${y}`);
+  const scrolled = await page.evaluate(() => [scrollX, scrollY, document.querySelector('#play').scrollTop]);
+  assert.deepEqual(scrolled, [0, 0, 0]);
+});
+
+test('a solving ball is tapped, run and solved', async () => {
+  const page = await openPuzzle(session, { ...PHONE, still: true });
+  const { solving: [x, y, r] } = await known(page);
+  await page.touchscreen.tap(...(await spot(page, x, y)));
+  await page.locator('#ball-r').fill(String(r));
+  await page.locator('#ball-r').press('Tab');
+  assert.deepEqual(await ball(page), [x, y, r]);
+  await page.locator('#run').tap();
+  await says(page, /^Solved!/);
+});
+
+for (const [width, height] of [[390, 844], [360, 640], [844, 390]]) {
+  test(`at ${width} x ${height} nothing sticks out and the scene stays in sight`, async () => {
+    const page = await openPuzzle(session, { ...PHONE, viewport: { width, height } });
+    for (const panel of ['play', 'imagine', 'compare']) {
+      await page.locator(`#tab-${panel}`).tap();
+      const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+      assert.ok(wide <= width, `${panel}: ${wide} px wide`);
+      const box = await page.locator('#scene').boundingBox();
+      assert.ok(box.x >= 0 && box.y >= 0 && box.x + box.width <= width && box.y + box.height <= height, panel);
+      assert.ok(Math.abs(box.width - box.height) < 2, 'the scene is square');
+      for (const button of await page.locator('button:visible, select:visible').all()) {
+        const size = await button.boundingBox();
+        assert.ok(size.width >= 24 && size.height >= 24, `${await button.textContent()} is ${size.width} x ${size.height}`);
+      }
+    }
+  });
+}
+
+test('the scene is as sharp as the screen', async () => {
+  const page = await openPuzzle(session, PHONE);
+  const [pixels, css] = await page.locator('#scene').evaluate((canvas) => [canvas.width, canvas.clientWidth]);
+  assert.ok(Math.abs(pixels - css * 3) <= 3, `${pixels} pixels for ${css} CSS px`);
+});

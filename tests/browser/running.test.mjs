@@ -1,0 +1,104 @@
+// Running a ball: pause, step, scrub, speed, reset, and the result in words; a known solution is solved.
+
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { start } from './harness.mjs';
+import { attempts, known, openPuzzle, palette, picture, pixels, says, type } from './playing.mjs';
+
+let session;
+before(async () => (session = await start()));
+after(() => session.stop());
+
+const seconds = async (page) => parseFloat(await page.locator('#clock').textContent());
+
+test('a solving ball runs to "Solved!", with the ring while the goal holds', async () => {
+  const page = await openPuzzle(session);
+  const { solving } = await known(page);
+  await type(page, solving);
+  await says(page, /may start here/);
+  await page.locator('#speed').selectOption('4');
+  await page.locator('#run').click();
+  await says(page, /attempt 1 is running/);
+  const words = await says(page, /^Solved! Your attempt 1: solved after \d+\.\d s\.$/);
+  // The clock has stopped at what the words say.
+  assert.equal(await seconds(page), parseFloat(words.match(/after ([\d.]+)/)[1]));
+  assert.ok((await pixels(page, (await palette(page)).ring)) > 30, 'the ring is full at the end');
+  assert.match(await page.locator('#play-count').textContent(), /solved on attempt 1/);
+});
+
+test('a miss says why, and joins the list', async () => {
+  const page = await openPuzzle(session, { still: true });
+  const { missing } = await known(page);
+  await type(page, missing);
+  await page.locator('#run').click();
+  await says(page, /^Not solved\. Your attempt 1: (never touched|touched for .+, then lost|touching for .+ when time ran out)\.$/);
+  assert.equal(await attempts(page), 1);
+});
+
+test('pause, step, scrub and go on', async () => {
+  const page = await openPuzzle(session);
+  const { missing } = await known(page);
+  await type(page, missing);
+  await page.locator('#run').click();
+  await page.waitForFunction(() => Number(document.querySelector('#time').value) > 20);
+  await page.locator('#run').click();
+  const time = page.locator('#time');
+  const paused = Number(await time.inputValue());
+  const scene = await picture(page);
+  await page.waitForTimeout(300);
+  assert.equal(Number(await time.inputValue()), paused, 'paused stays paused');
+  await page.locator('#step').click();
+  assert.equal(Number(await time.inputValue()), paused + 1);
+  await time.fill('0');
+  await page.waitForTimeout(100);
+  assert.notEqual(await picture(page), scene);
+  await page.locator('#run').click();
+  await page.waitForFunction(() => Number(document.querySelector('#time').value) > 5);
+  await page.locator('#reset').click();
+  assert.equal(await seconds(page), 0);
+  await says(page, /may start here/);
+});
+
+test('a quarter of the speed takes longer than four times', async () => {
+  const page = await openPuzzle(session);
+  const { missing } = await known(page);
+  await type(page, missing);
+  const after = async (speed) => {
+    await page.locator('#speed').selectOption(speed);
+    await page.locator('#run').click();
+    await page.waitForTimeout(700);
+    const reached = Number(await page.locator('#time').inputValue());
+    await page.locator('#reset').click();
+    return reached;
+  };
+  const [slow, fast] = [await after('0.25'), await after('4')];
+  assert.ok(slow > 0 && fast > 4 * slow, `${slow} and ${fast} steps`);
+});
+
+test('an attempt is replayed from the list and does not count again', async () => {
+  const page = await openPuzzle(session, { still: true });
+  const { missing, solving } = await known(page);
+  for (const one of [missing, solving]) {
+    await type(page, one);
+    await page.locator('#run').click();
+    await says(page, /attempt/);
+    await page.locator('#reset').click();
+  }
+  await page.locator('#play-attempts button').first().click();
+  await says(page, /^Not solved\. Your attempt 1/);
+  assert.equal(await attempts(page), 2);
+  assert.equal(await page.locator('#play-attempts [aria-current]').textContent(), await page.locator('#play-attempts button').first().textContent());
+  // The very same ball is the same attempt.
+  await page.locator('#reset').click();
+  await page.locator('#run').click();
+  await says(page, /attempt 1/);
+  assert.equal(await attempts(page), 2);
+});
+
+test('the scene runs without a ball too, and that is no attempt', async () => {
+  const page = await openPuzzle(session, { still: true });
+  await page.locator('#watch').click();
+  await says(page, /without a ball/);
+  assert.ok(Number(await page.locator('#time').inputValue()) > 0);
+  assert.equal(await attempts(page), 0);
+});
