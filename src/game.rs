@@ -9,12 +9,10 @@ use std::fmt;
 use serde::{Deserialize, Serialize};
 
 use crate::action::{Ball, Invalid};
+use crate::auccess::ATTEMPTS;
 use crate::rollout::{GOAL_STEPS, Rollout, STEPS_PER_SECOND};
 use crate::scene::Scene;
 use crate::simulator::simulate;
-
-/// The most attempts that count (PHYRE).
-pub const ATTEMPTS: usize = 100;
 
 /// Who places the ball.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]

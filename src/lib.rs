@@ -4,13 +4,13 @@
 //! red ball. The simulator turns both into a rollout; an agent proposes balls.
 //!
 //! ```
-//! use pathlight::{action::Action, agent::Agent, simulator::simulate, task::Task};
+//! use pathlight::{action::Action, proposer, simulator::simulate, task::Task};
 //!
 //! let task = Task::load("00002:007".parse()?)?;
 //! let ball = Action { x: 0.1, y: 0.9, r: 0.5 }.place(&task.scene)?;
 //! let rollout = simulate(&task.scene, Some(ball))?;
 //! println!("{}: {:?} after {} steps", task.goal, rollout.status(), rollout.steps);
-//! let attempts = Agent::Random.attempts(task.id, &task.scene, 0, 100);
+//! let attempts = proposer::random(task.id, &task.scene, 0, 100);
 //! assert!(attempts.iter().all(|ball| ball.check(&task.scene).is_ok()));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -24,18 +24,18 @@
 //! | `simulator` | a scene and a ball in, a rollout out |
 //! | `raster` | scenes and rollouts as 64 x 64 pictures |
 //! | `pathnet`, `placement` | the four nets, and balls from the last one's map |
-//! | `agent`, `folds`, `auccess` | who proposes balls, on which tasks, and how well |
+//! | `proposer`, `folds`, `auccess` | who proposes balls, on which tasks, and how well |
 //! | `solutions`, `samples` | known solutions, and the pictures that nets learn from |
 //! | `game`, `web` | one session on one puzzle, and the page's way in |
 
 pub mod action;
-pub mod agent;
 pub mod auccess;
 pub mod folds;
 pub mod game;
 pub mod layout;
 pub mod pathnet;
 pub mod placement;
+pub mod proposer;
 pub mod raster;
 pub mod rollout;
 pub mod samples;

@@ -47,7 +47,7 @@ pub fn proposals(map: &[f32], scene: &Scene, seed: u64, attempts: usize) -> Vec<
         starts.extend(fresh.map(|ball| ball.action()));
     }
     if starts.is_empty() {
-        return random_balls(scene, &mut rng, attempts);
+        return std::iter::repeat_with(|| random_ball(scene, &mut rng)).take(attempts).collect();
     }
     for turn in 0.. {
         if balls.len() >= attempts {
@@ -66,11 +66,6 @@ pub fn proposals(map: &[f32], scene: &Scene, seed: u64, attempts: usize) -> Vec<
         balls.extend(fresh);
     }
     balls
-}
-
-/// Valid balls drawn uniformly from the action space: what the random agent plays.
-pub fn random_balls(scene: &Scene, rng: &mut impl Rng, count: usize) -> Vec<Ball> {
-    std::iter::repeat_with(|| random_ball(scene, rng)).take(count).collect()
 }
 
 /// A valid ball drawn uniformly from the action space.

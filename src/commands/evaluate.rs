@@ -8,10 +8,12 @@ use std::path::PathBuf;
 
 use anyhow::Context;
 use clap::ValueEnum;
-use pathlight::agent::Agent;
+use pathlight::action::Ball;
 use pathlight::auccess::{ATTEMPTS, auccess, share_within};
 use pathlight::folds::{Fold, Setup};
 use pathlight::pathnet::Card;
+use pathlight::proposer;
+use pathlight::scene::Scene;
 use pathlight::simulator::{self, outcome};
 use pathlight::task::TaskId;
 use pathlight::templates::TEMPLATES;
@@ -106,9 +108,11 @@ impl Args {
         if self.agent == Player::Model {
             let (nets, card) = self.weights.load(self.setup, self.fold)?;
             report.card = Some(card);
-            report.agents.push(score("model", &Agent::Model(Box::new(nets)), &tasks, self.seed)?);
+            let model = |task, scene: &Scene| proposer::model(&nets, task, scene, self.seed, ATTEMPTS);
+            report.agents.push(score("model", model, &tasks)?);
         }
-        report.agents.push(score("random", &Agent::Random, &tasks, self.seed)?);
+        let random = |task, scene: &Scene| proposer::random(task, scene, self.seed, ATTEMPTS);
+        report.agents.push(score("random", random, &tasks)?);
         report.print(&tasks);
         if let Some(path) = &self.json {
             let json = serde_json::to_vec_pretty(&report)?;
@@ -119,14 +123,18 @@ impl Args {
 }
 
 /// Lets an agent play tasks.
-fn score(name: &'static str, agent: &Agent, tasks: &[TaskId], seed: u64) -> anyhow::Result<Score> {
+fn score(
+    name: &'static str,
+    propose: impl Fn(TaskId, &Scene) -> Vec<Ball> + Sync,
+    tasks: &[TaskId],
+) -> anyhow::Result<Score> {
     let scenes = Scenes::new();
     let mut progress = Progress::new(Some(tasks.len() as u64));
     let mut first_solved = Vec::with_capacity(tasks.len());
     for chunk in tasks.chunks(20) {
         let played = chunk.par_iter().map(|&task| {
             let scene = scenes.get(task)?;
-            let balls = agent.attempts(task, scene, seed, ATTEMPTS);
+            let balls = propose(task, scene);
             let solves = |&ball| outcome(scene, Some(ball)).expect("agents propose valid balls").solved;
             Ok((task, balls.iter().position(solves).map(|index| index + 1)))
         });

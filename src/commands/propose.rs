@@ -7,8 +7,8 @@ use std::path::PathBuf;
 
 use anyhow::Context;
 use pathlight::action::Ball;
-use pathlight::agent::Agent;
 use pathlight::folds::{Fold, Setup};
+use pathlight::proposer;
 use pathlight::task::TaskId;
 use rayon::prelude::*;
 use serde::Serialize;
@@ -58,7 +58,6 @@ struct Line {
 impl Args {
     pub fn run(self) -> anyhow::Result<()> {
         let (nets, _) = self.weights.load(self.setup, self.fold)?;
-        let agent = Agent::Model(Box::new(nets));
         let tasks = if self.tasks.is_empty() { Fold::new(self.setup, self.fold).test } else { self.tasks };
         let scenes = Scenes::new();
         let mut out: Box<dyn Write> = if self.out.as_os_str() == "-" {
@@ -72,7 +71,7 @@ impl Args {
             let lines: Vec<Line> = tasks
                 .par_iter()
                 .map(|&task| {
-                    let balls = agent.attempts(task, scenes.get(task)?, self.seed, self.attempts.into());
+                    let balls = proposer::model(&nets, task, scenes.get(task)?, self.seed, self.attempts.into());
                     Ok(Line { task, balls })
                 })
                 .collect::<anyhow::Result<_>>()?;

@@ -8,13 +8,14 @@ use wasm_bindgen::prelude::*;
 use super::error::{Code, error, plain};
 use super::load;
 use crate::action::Ball;
+use crate::auccess::ATTEMPTS;
 use crate::folds::Fold;
-use crate::game::{ATTEMPTS, Attempt, Ending};
+use crate::game::{Attempt, Ending};
 use crate::pathnet::{Card, PathNet, device};
-use crate::placement::proposals;
+use crate::proposer;
 use crate::scene::Scene;
 use crate::simulator::simulate;
-use crate::task::TaskId;
+use crate::task::{Task, TaskId};
 
 /// The four nets with their weights.
 #[wasm_bindgen]
@@ -85,9 +86,8 @@ impl Model {
     /// # Errors
     /// `bad_task` if there is no such task.
     pub fn turn(&self, id: &str, seed: u32) -> Result<Turn, JsValue> {
-        let scene = load(id)?.scene;
-        let placement = self.net.imagine(&scene).placement;
-        let balls = proposals(&placement, &scene, seed.into(), ATTEMPTS).into_iter();
+        let Task { id, scene, .. } = load(id)?;
+        let balls = proposer::model(&self.net, id, &scene, seed.into(), ATTEMPTS).into_iter();
         Ok(Turn { scene, balls, solved: false })
     }
 }

@@ -253,7 +253,7 @@ impl Puzzle {
         if is_main {
             painter.ball(Ball { x, y, ..ball }, angle, true)
         } else {
-            painter.ghost(&red_ball(ball), [x as f32, y as f32, angle as f32], line)
+            painter.ghost(&ball.body(), [x as f32, y as f32, angle as f32], line)
         }
     }
 
@@ -275,18 +275,6 @@ impl Puzzle {
             Refused::Invalid(why) => error(Code::InvalidBall, reason(why, &self.task.scene)),
             Refused::Spent => error(Code::Spent, why),
         }
-    }
-}
-
-fn red_ball(ball: Ball) -> Body {
-    Body {
-        x: ball.x,
-        y: ball.y,
-        angle: 0.0,
-        dynamic: true,
-        shape: Shape::Ball,
-        role: Role::Red,
-        parts: vec![Part::Circle(ball.r)],
     }
 }
 

@@ -1,0 +1,25 @@
+//! The agents that propose balls by themselves: the model, and chance.
+//!
+//! The page, `propose` and `evaluate` ask here, so that with the same seed an agent makes the same attempts
+//! everywhere. Neither calls the simulator. All balls are valid, in the order of the attempts; `run` is the seed
+//! of the whole run, from which every task draws its own.
+
+use rand::SeedableRng;
+use rand_pcg::Pcg64Mcg;
+
+use crate::action::Ball;
+use crate::pathnet::PathNet;
+use crate::placement::{proposals, random_ball};
+use crate::scene::Scene;
+use crate::task::TaskId;
+
+/// The model imagines, then proposes what its placement map shows.
+pub fn model(nets: &PathNet, task: TaskId, scene: &Scene, run: u64, count: usize) -> Vec<Ball> {
+    proposals(&nets.imagine(scene).placement, scene, task.seed(run), count)
+}
+
+/// Chance draws uniformly from the action space.
+pub fn random(task: TaskId, scene: &Scene, run: u64, count: usize) -> Vec<Ball> {
+    let mut rng = Pcg64Mcg::seed_from_u64(task.seed(run));
+    std::iter::repeat_with(|| random_ball(scene, &mut rng)).take(count).collect()
+}

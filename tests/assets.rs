@@ -1,0 +1,33 @@
+//! What is shipped in assets fits: the page's list names every weights file by its hash, and the nets load it.
+#![cfg(not(target_arch = "wasm32"))]
+
+use std::fs;
+use std::path::Path;
+
+use pathlight::pathnet::{PathNet, device};
+use pathlight::simulator;
+use serde_json::Value;
+use sha2::{Digest, Sha256};
+
+/// A model's download stays below this, bytes.
+const MOST: usize = 6_000_000;
+
+#[test]
+fn every_model_of_the_list_is_there_whole_and_up_to_date() {
+    let assets = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets");
+    let list = fs::read(assets.join("model.json")).expect("assets/model.json is shipped");
+    let list: Value = serde_json::from_slice(&list).expect("the list is JSON");
+    let models = list["models"].as_array().expect("a list of models");
+    assert!(!models.is_empty());
+    for model in models {
+        let text = |key: &str| model[key].as_str().unwrap_or_else(|| panic!("{model} has no {key}"));
+        let bytes = fs::read(assets.join(text("file"))).unwrap_or_else(|error| panic!("{}: {error}", text("file")));
+        let digest: String = Sha256::digest(&bytes).iter().map(|byte| format!("{byte:02x}")).collect();
+        assert_eq!(digest, text("sha256"), "run `pathlight publish` again");
+        let (_, card) = PathNet::load(&bytes, &device("flex").expect("a device")).expect("weights that fit");
+        assert_eq!(text("name"), format!("{}-{}", card.setup, card.fold));
+        assert_eq!(card.simulator, simulator::VERSION, "trained on rollouts of another simulator");
+        assert!(bytes.len() < MOST, "{} is {} bytes", text("name"), bytes.len());
+        println!("{}: {} bytes, {card:?}", text("name"), bytes.len());
+    }
+}
