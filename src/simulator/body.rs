@@ -35,9 +35,6 @@ impl Stance {
 
 pub struct Rigid {
     pub dynamic: bool,
-    /// 1/kg and 1/(kg m^2); 0 for static bodies.
-    pub inv_mass: f32,
-    pub inv_inertia: f32,
     /// The centre of mass in body coordinates, m.
     pub local_com: Vector,
     /// Where the step began, or its last moment of impact, and what share of the step that was.
@@ -46,9 +43,6 @@ pub struct Rigid {
     pub now: Stance,
     /// Of `now`; kept because it is asked for far more often than it changes.
     rotation: Rotation,
-    /// m/s and radians/s.
-    pub velocity: Vector,
-    pub spin: f32,
     pub awake: bool,
     /// How long it has been still, s.
     pub still: f32,
@@ -57,8 +51,8 @@ pub struct Rigid {
 }
 
 impl Rigid {
-    /// The body of a scene and its fixtures, which will have the numbers from `first` on.
-    pub fn new(body: &Body, number: usize, first: usize) -> (Rigid, Vec<Fixture>) {
+    /// The body of a scene, at rest, and its fixtures, which will have the numbers from `first` on.
+    pub fn new(body: &Body, number: usize, first: usize) -> (Rigid, Motion, Vec<Fixture>) {
         let mut fixtures: Vec<Fixture> = body.parts.iter().map(|part| Fixture::new(part, number)).collect();
         let mass = |fixture: &Fixture| {
             let collider = ColliderBuilder::new(fixture.shape.clone()).density(DENSITY).build();
@@ -74,15 +68,11 @@ impl Rigid {
         let now = Stance { com: origin.com + origin.rotation() * local_com, ..origin };
         let rigid = Rigid {
             dynamic: body.dynamic,
-            inv_mass,
-            inv_inertia,
             local_com,
             start: now,
             start_time: 0.0,
             now,
             rotation: now.rotation(),
-            velocity: Vector::ZERO,
-            spin: 0.0,
             awake: body.dynamic,
             still: 0.0,
             fixtures: first..first + fixtures.len(),
@@ -93,7 +83,7 @@ impl Rigid {
             fixture.place(&pose);
             fixture.roomy = fixture.swept.loosened(BOX_MARGIN);
         }
-        (rigid, fixtures)
+        (rigid, Motion { velocity: Vector::ZERO, spin: 0.0, inv_mass, inv_inertia }, fixtures)
     }
 
     /// The frame at the centre of mass.
@@ -147,6 +137,22 @@ impl Rigid {
     pub fn sleep(&mut self) {
         self.awake = false;
         self.still = 0.0;
+    }
+}
+
+/// How a body moves, and how it answers to impulses. Apart from the rest because the solver reads nothing else, often.
+#[derive(Clone, Copy, Debug)]
+pub struct Motion {
+    /// m/s and radians/s.
+    pub velocity: Vector,
+    pub spin: f32,
+    /// 1/kg and 1/(kg m^2); 0 for static bodies.
+    pub inv_mass: f32,
+    pub inv_inertia: f32,
+}
+
+impl Motion {
+    pub fn stop(&mut self) {
         self.velocity = Vector::ZERO;
         self.spin = 0.0;
     }
@@ -157,7 +163,7 @@ impl Rigid {
     }
 
     /// The velocity of a point of the body, given from the centre of mass.
-    pub fn velocity_at(&self, at: Vector) -> Vector {
+    pub fn at(&self, at: Vector) -> Vector {
         self.velocity + self.spin * at.perp()
     }
 

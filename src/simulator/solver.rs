@@ -5,7 +5,7 @@
 
 use rapier2d::math::Vector;
 
-use super::body::{Rigid, Stance};
+use super::body::{Motion, Rigid, Stance};
 use super::contact::{Contact, Impulse};
 use super::settings::{BOUNCE_SPEED, FRICTION, MAX_CONDITION, MAX_PUSH, RESTITUTION, SLOP, VELOCITY_SWEEPS};
 
@@ -34,9 +34,9 @@ struct Row {
 
 impl Constraint {
     /// Looks at the bodies as they are now. `warm`: start from the impulses of the last step.
-    pub fn new(index: usize, contact: &Contact, bodies: &[Rigid], warm: bool) -> Constraint {
-        let [a, b] = contact.bodies.map(|body| &bodies[body]);
-        let (pose_a, pose_b) = (a.pose(), b.pose());
+    pub fn new(index: usize, contact: &Contact, bodies: &[Rigid], motions: &[Motion], warm: bool) -> Constraint {
+        let [pose_a, pose_b] = contact.bodies.map(|body| bodies[body].pose());
+        let [a, b] = contact.bodies.map(|body| &motions[body]);
         let normal = contact.normal(&pose_a, &pose_b);
         let tangent = -normal.perp();
         let mut rows = [Row::default(); 2];
@@ -44,12 +44,12 @@ impl Constraint {
             let gap = contact.gap(point, normal, &pose_a, &pose_b);
             // Halfway between the two surfaces.
             let at = pose_b * point.on_b - normal * (contact.margins[1] + gap / 2.0);
-            let arms = [at - a.now.com, at - b.now.com];
+            let arms = [at - pose_a.translation, at - pose_b.translation];
             let mass = |along| {
                 let response = a.response(arms[0], along) + b.response(arms[1], along);
                 if response > 0.0 { 1.0 / response } else { 0.0 }
             };
-            let approach = (b.velocity_at(arms[1]) - a.velocity_at(arms[0])).dot(normal);
+            let approach = (b.at(arms[1]) - a.at(arms[0])).dot(normal);
             rows[i] = Row {
                 arms,
                 impulse: if warm { contact.impulse(i) } else { Impulse::default() },
@@ -81,41 +81,52 @@ impl Constraint {
     }
 
     /// Applies the impulses that it starts from.
-    fn warm_start(&self, bodies: &mut [Rigid]) {
+    fn warm_start(&self, motions: &mut [Motion]) {
+        let [mut a, mut b] = self.bodies.map(|body| motions[body]);
         for row in &self.rows[..self.count] {
-            let impulse = self.normal * row.impulse.normal + self.tangent() * row.impulse.tangent;
-            push(bodies, self.bodies, row, impulse);
+            row.push(&mut a, &mut b, self.normal * row.impulse.normal + self.tangent() * row.impulse.tangent);
         }
+        self.put_back(motions, a, b);
     }
 
-    fn sweep(&mut self, bodies: &mut [Rigid]) {
+    /// Solves the contact by itself. Returns whether any impulse changed.
+    fn sweep(&mut self, motions: &mut [Motion]) -> bool {
+        let [mut a, mut b] = self.bodies.map(|body| motions[body]);
         let tangent = self.tangent();
-        for i in 0..self.count {
-            let row = &mut self.rows[i];
-            let slip = approach(bodies, self.bodies, row).dot(tangent);
+        let mut changed = false;
+        for row in &mut self.rows[..self.count] {
+            let slip = row.approach(&a, &b).dot(tangent);
             let limit = FRICTION * row.impulse.normal;
             let wanted = (row.impulse.tangent - row.tangent_mass * slip).max(-limit).min(limit);
             let change = wanted - row.impulse.tangent;
             row.impulse.tangent = wanted;
-            push(bodies, self.bodies, row, tangent * change);
+            row.push(&mut a, &mut b, tangent * change);
+            changed |= change != 0.0;
         }
-        let Some([[k11, k12, k22], inverse]) = self.pair else {
-            for i in 0..self.count {
-                let row = &mut self.rows[i];
-                let speed = approach(bodies, self.bodies, row).dot(self.normal);
-                let wanted = (row.impulse.normal - row.normal_mass * (speed - row.bounce)).max(0.0);
-                let change = wanted - row.impulse.normal;
-                row.impulse.normal = wanted;
-                push(bodies, self.bodies, row, self.normal * change);
+        match self.pair {
+            Some(pair) => changed |= self.sweep_pair(pair, &mut a, &mut b),
+            None => {
+                for row in &mut self.rows[..self.count] {
+                    let speed = row.approach(&a, &b).dot(self.normal);
+                    let wanted = (row.impulse.normal - row.normal_mass * (speed - row.bounce)).max(0.0);
+                    let change = wanted - row.impulse.normal;
+                    row.impulse.normal = wanted;
+                    row.push(&mut a, &mut b, self.normal * change);
+                    changed |= change != 0.0;
+                }
             }
-            return;
-        };
-        // Two impulses, none pulling, each zero unless its point would otherwise sink in: try which of the two act.
-        let [first, second] = self.rows;
+        }
+        self.put_back(motions, a, b);
+        changed
+    }
+
+    /// Two impulses, none pulling, each zero unless its point would otherwise sink in: tries which of the two act.
+    fn sweep_pair(&mut self, [[k11, k12, k22], inverse]: [[f32; 3]; 2], a: &mut Motion, b: &mut Motion) -> bool {
+        let [first, second] = &mut self.rows;
         let (old1, old2) = (first.impulse.normal, second.impulse.normal);
-        let rest = |row: &Row| approach(bodies, self.bodies, row).dot(self.normal) - row.bounce;
-        let b1 = rest(&first) - (k11 * old1 + k12 * old2);
-        let b2 = rest(&second) - (k12 * old1 + k22 * old2);
+        let rest = |row: &Row| row.approach(a, b).dot(self.normal) - row.bounce;
+        let b1 = rest(first) - (k11 * old1 + k12 * old2);
+        let b2 = rest(second) - (k12 * old1 + k22 * old2);
         let both = [-(inverse[0] * b1 + inverse[1] * b2), -(inverse[1] * b1 + inverse[2] * b2)];
         let (only1, only2) = (-first.normal_mass * b1, -second.normal_mass * b2);
         let [new1, new2] = if both[0] >= 0.0 && both[1] >= 0.0 {
@@ -127,32 +138,46 @@ impl Constraint {
         } else if b1 >= 0.0 && b2 >= 0.0 {
             [0.0, 0.0]
         } else {
-            return;
+            return false;
         };
-        push(bodies, self.bodies, &first, self.normal * (new1 - old1));
-        push(bodies, self.bodies, &second, self.normal * (new2 - old2));
-        self.rows[0].impulse.normal = new1;
-        self.rows[1].impulse.normal = new2;
+        first.push(a, b, self.normal * (new1 - old1));
+        second.push(a, b, self.normal * (new2 - old2));
+        first.impulse.normal = new1;
+        second.impulse.normal = new2;
+        new1 != old1 || new2 != old2
+    }
+
+    fn put_back(&self, motions: &mut [Motion], a: Motion, b: Motion) {
+        motions[self.bodies[0]] = a;
+        motions[self.bodies[1]] = b;
     }
 }
 
-fn approach(bodies: &[Rigid], [a, b]: [usize; 2], row: &Row) -> Vector {
-    bodies[b].velocity_at(row.arms[1]) - bodies[a].velocity_at(row.arms[0])
-}
+impl Row {
+    /// How fast b moves away from a at the point.
+    fn approach(&self, a: &Motion, b: &Motion) -> Vector {
+        b.at(self.arms[1]) - a.at(self.arms[0])
+    }
 
-fn push(bodies: &mut [Rigid], [a, b]: [usize; 2], row: &Row, impulse: Vector) {
-    bodies[a].push(-impulse, row.arms[0]);
-    bodies[b].push(impulse, row.arms[1]);
+    fn push(&self, a: &mut Motion, b: &mut Motion, impulse: Vector) {
+        a.push(-impulse, self.arms[0]);
+        b.push(impulse, self.arms[1]);
+    }
 }
 
 /// Changes the velocities so that no point sinks in further.
-pub fn solve_velocities(constraints: &mut [Constraint], bodies: &mut [Rigid]) {
+pub fn solve_velocities(constraints: &mut [Constraint], motions: &mut [Motion]) {
     for constraint in &*constraints {
-        constraint.warm_start(bodies);
+        constraint.warm_start(motions);
     }
     for _ in 0..VELOCITY_SWEEPS {
+        let mut changed = false;
         for constraint in &mut *constraints {
-            constraint.sweep(bodies);
+            changed |= constraint.sweep(motions);
+        }
+        // The next sweep would find what this one found: stopping here changes no bit.
+        if !changed {
+            break;
         }
     }
 }
@@ -172,6 +197,7 @@ pub fn sweep_positions(
     chosen: &[usize],
     contacts: &[Contact],
     bodies: &mut [Rigid],
+    motions: &[Motion],
     share: f32,
     movable: impl Fn(usize) -> bool,
 ) -> f32 {
@@ -182,23 +208,23 @@ pub fn sweep_positions(
         let give = |body: usize| if movable(body) { 1.0 } else { 0.0 };
         let (give_a, give_b) = (give(ia), give(ib));
         for point in contact.points() {
-            let (a, b) = (&bodies[ia], &bodies[ib]);
-            let (pose_a, pose_b) = (a.pose(), b.pose());
+            let (pose_a, pose_b) = (bodies[ia].pose(), bodies[ib].pose());
             let normal = contact.normal(&pose_a, &pose_b);
             let gap = contact.gap(point, normal, &pose_a, &pose_b);
             deepest = deepest.min(gap);
             let at = if contact.round { (pose_a.translation + pose_b.translation) / 2.0 } else { pose_b * point.on_b };
-            let (arm_a, arm_b) = (at - a.now.com, at - b.now.com);
+            let (arm_a, arm_b) = (at - pose_a.translation, at - pose_b.translation);
             let wanted = (share * (gap + SLOP)).clamp(-MAX_PUSH, 0.0);
+            let (a, b) = (&motions[ia], &motions[ib]);
             let response = give_a * a.response(arm_a, normal) + give_b * b.response(arm_b, normal);
             if wanted == 0.0 || response <= 0.0 {
                 continue;
             }
             let push = normal * (-wanted / response);
             let mut shift = |body: usize, arm: Vector, push: Vector| {
-                let body = &mut bodies[body];
-                let com = body.now.com + body.inv_mass * push;
-                let angle = body.now.angle + body.inv_inertia * arm.perp_dot(push);
+                let (motion, body) = (&motions[body], &mut bodies[body]);
+                let com = body.now.com + motion.inv_mass * push;
+                let angle = body.now.angle + motion.inv_inertia * arm.perp_dot(push);
                 body.stand(Stance { com, angle });
             };
             if give_a > 0.0 {

@@ -6,7 +6,7 @@
 
 use rapier2d::parry::bounding_volume::BoundingVolume;
 
-use super::body::{Fixture, Rigid, Stance};
+use super::body::{Fixture, Motion, Rigid, Stance};
 use super::contact::Contact;
 use super::impact;
 use super::settings::{
@@ -19,6 +19,8 @@ use crate::scene::Body;
 #[derive(Default)]
 pub struct World {
     pub bodies: Vec<Rigid>,
+    /// One for each body.
+    motions: Vec<Motion>,
     fixtures: Vec<Fixture>,
     /// Oldest first.
     contacts: Vec<Contact>,
@@ -38,8 +40,9 @@ impl World {
     /// Adds a body; returns its number.
     pub fn add(&mut self, body: &Body) -> usize {
         let number = self.bodies.len();
-        let (rigid, fixtures) = Rigid::new(body, number, self.fixtures.len());
+        let (rigid, motion, fixtures) = Rigid::new(body, number, self.fixtures.len());
         self.bodies.push(rigid);
+        self.motions.push(motion);
         self.fixtures.extend(fixtures);
         number
     }
@@ -169,11 +172,11 @@ impl World {
 
     fn solve_island(&mut self, island: &Island) {
         for &body in &island.bodies {
-            let body = &mut self.bodies[body];
+            let (body, motion) = (&mut self.bodies[body], &mut self.motions[body]);
             if body.dynamic {
                 body.start = body.now;
-                body.velocity.y += STEP * GRAVITY;
-                body.spin *= 1.0 / (1.0 + STEP * ANGULAR_DAMPING);
+                motion.velocity.y += STEP * GRAVITY;
+                motion.spin *= 1.0 / (1.0 + STEP * ANGULAR_DAMPING);
             }
         }
         self.solve_contacts(island, true);
@@ -181,7 +184,7 @@ impl World {
         self.move_bodies(island, STEP);
         let mut settled = false;
         for _ in 0..POSITION_SWEEPS {
-            let deepest = sweep_positions(&island.contacts, &self.contacts, &mut self.bodies, PUSH, |_| true);
+            let deepest = self.sweep_positions(island, PUSH, |_| true);
             settled = deepest >= -3.0 * SLOP;
             if settled {
                 break;
@@ -192,27 +195,32 @@ impl World {
 
     fn solve_contacts(&mut self, island: &Island, warm: bool) {
         self.constraints.clear();
-        let constraint = |&index: &usize| Constraint::new(index, &self.contacts[index], &self.bodies, warm);
+        let constraint =
+            |&index: &usize| Constraint::new(index, &self.contacts[index], &self.bodies, &self.motions, warm);
         self.constraints.extend(island.contacts.iter().map(constraint));
-        solve_velocities(&mut self.constraints, &mut self.bodies);
+        solve_velocities(&mut self.constraints, &mut self.motions);
+    }
+
+    fn sweep_positions(&mut self, island: &Island, share: f32, movable: impl Fn(usize) -> bool) -> f32 {
+        sweep_positions(&island.contacts, &self.contacts, &mut self.bodies, &self.motions, share, movable)
     }
 
     fn move_bodies(&mut self, island: &Island, time: f32) {
         for &body in &island.bodies {
-            let body = &mut self.bodies[body];
+            let (body, motion) = (&mut self.bodies[body], &mut self.motions[body]);
             if !body.dynamic {
                 continue;
             }
-            let way = (body.velocity * time).length();
+            let way = (motion.velocity * time).length();
             if way > MAX_TRANSLATION {
-                body.velocity *= MAX_TRANSLATION / way;
+                motion.velocity *= MAX_TRANSLATION / way;
             }
-            let turn = (body.spin * time).abs();
+            let turn = (motion.spin * time).abs();
             if turn > MAX_ROTATION {
-                body.spin *= MAX_ROTATION / turn;
+                motion.spin *= MAX_ROTATION / turn;
             }
-            let com = body.now.com + body.velocity * time;
-            let angle = body.now.angle + body.spin * time;
+            let com = body.now.com + motion.velocity * time;
+            let angle = body.now.angle + motion.spin * time;
             body.stand(Stance { com, angle });
         }
     }
@@ -221,11 +229,11 @@ impl World {
     fn let_sleep(&mut self, island: &Island, settled: bool) {
         let mut least = f32::MAX;
         for &body in &island.bodies {
-            let body = &mut self.bodies[body];
+            let (body, motion) = (&mut self.bodies[body], &self.motions[body]);
             if !body.dynamic {
                 continue;
             }
-            let moves = body.spin.abs() > STILL_SPIN || body.velocity.length_squared() > STILL_SPEED * STILL_SPEED;
+            let moves = motion.spin.abs() > STILL_SPIN || motion.velocity.length_squared() > STILL_SPEED * STILL_SPEED;
             body.still = if moves { 0.0 } else { body.still + STEP };
             least = least.min(body.still);
         }
@@ -233,6 +241,7 @@ impl World {
             for &body in &island.bodies {
                 if self.bodies[body].dynamic {
                     self.bodies[body].sleep();
+                    self.motions[body].stop();
                 }
             }
         }
@@ -353,7 +362,7 @@ impl World {
         }
         for _ in 0..POSITION_SWEEPS {
             let movable = |body: usize| bodies.contains(&body);
-            let deepest = sweep_positions(&island.contacts, &self.contacts, &mut self.bodies, IMPACT_PUSH, movable);
+            let deepest = self.sweep_positions(&island, IMPACT_PUSH, movable);
             if deepest >= -1.5 * SLOP {
                 break;
             }

@@ -1,0 +1,107 @@
+//! What the simulator promises: free fall by the book, rest, the three seconds of the goal, and PHYRE's outcomes.
+//!
+//! The last test needs PHYRE's recorded outcomes, which are no part of the project: PATHLIGHT_PHYRE names the
+//! folder that has outcomes.jsonl; without it the test says so and checks nothing. `pathlight fidelity` prints more.
+
+use std::collections::BTreeMap;
+use std::{env, fs, path::Path};
+
+use pathlight::action::{Ball, Invalid};
+use pathlight::rollout::{GOAL_STEPS, MAX_STEPS};
+use pathlight::scene::{Body, Part, Role, Scene, Shape};
+use pathlight::simulator::{outcome, simulate};
+use pathlight::task::{Task, TaskId};
+use pathlight::templates::TEMPLATES;
+use serde::Deserialize;
+
+/// A green ball and a blue one, both of 10 px, at these places.
+fn two_balls(green: [f64; 2], blue: [f64; 2]) -> Scene {
+    let ball = |[x, y]: [f64; 2], role| Body {
+        x,
+        y,
+        angle: 0.0,
+        dynamic: true,
+        shape: Shape::Ball,
+        role,
+        parts: vec![Part::Circle(10.0)],
+    };
+    Scene { body1: 0, body2: 1, bodies: vec![ball(green, Role::Green), ball(blue, Role::Blue)] }
+}
+
+#[test]
+fn a_ball_falls_by_the_book_and_comes_to_rest() {
+    let rollout = simulate(&two_balls([50.0, 200.0], [200.0, 200.0]), None).expect("no ball to refuse");
+    assert_eq!((rollout.solved, rollout.steps), (false, MAX_STEPS));
+    assert_eq!(rollout.poses.len(), (MAX_STEPS + 1) * 2);
+    assert_eq!(rollout.touching.len(), MAX_STEPS + 1);
+    for step in 0..60 {
+        // 9.8 m/s^2 at 6 px/m; each step of 1/60 s first gains speed, then moves.
+        let expected = 200.0 - 9.8 * 6.0 / 3600.0 * (step * (step + 1)) as f32 / 2.0;
+        let [x, y, angle] = rollout.row(step)[0];
+        assert!((y - expected).abs() < 1e-2 && x == 50.0 && angle == 0.0, "step {step}: {x} {y} {angle}");
+    }
+    // Rest: the radius and the polygon skin of 0.06 px above the floor, less what the skin gives way.
+    let [_, y, _] = rollout.row(MAX_STEPS)[0];
+    assert!((10.02..10.07).contains(&y), "rests at {y}");
+    assert_eq!(rollout.row(MAX_STEPS), rollout.row(MAX_STEPS - 100));
+}
+
+#[test]
+fn the_goal_has_to_hold_for_three_seconds() {
+    let rollout = simulate(&two_balls([50.0, 10.05], [70.0, 10.05]), None).expect("no ball to refuse");
+    assert_eq!((rollout.solved, rollout.steps), (true, GOAL_STEPS));
+    assert!(rollout.touching.iter().all(|&touches| touches));
+    let apart = outcome(&two_balls([50.0, 10.05], [90.0, 10.05]), None).expect("no ball to refuse");
+    assert_eq!((apart.solved, apart.steps), (false, MAX_STEPS));
+}
+
+#[test]
+fn a_ball_that_may_not_be_there_is_refused() {
+    let scene = two_balls([50.0, 50.0], [200.0, 50.0]);
+    assert_eq!(simulate(&scene, Some(Ball { x: 55.0, y: 50.0, r: 5.0 })).err(), Some(Invalid::Overlaps(0)));
+    assert_eq!(outcome(&scene, Some(Ball { x: 2.0, y: 50.0, r: 5.0 })).err(), Some(Invalid::Outside));
+}
+
+#[test]
+fn the_action_ball_comes_last() {
+    let scene = two_balls([50.0, 50.0], [200.0, 50.0]);
+    let rollout = simulate(&scene, Some(Ball { x: 120.0, y: 100.0, r: 8.0 })).expect("a valid ball");
+    assert_eq!(rollout.bodies, [0, 1, 2]);
+    assert_eq!(rollout.row(0)[2], [120.0, 100.0, 0.0]);
+}
+
+#[derive(Deserialize)]
+struct Recorded {
+    task: TaskId,
+    ball: Ball,
+    kind: String,
+    solved: bool,
+}
+
+#[test]
+fn outcomes_agree_with_phyres() {
+    let Some(folder) = env::var_os("PATHLIGHT_PHYRE") else {
+        println!("skipped: PATHLIGHT_PHYRE does not name a folder with PHYRE's outcomes");
+        return;
+    };
+    let path = Path::new(&folder).join("outcomes.jsonl");
+    let lines = fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    // Four tasks of each template, to be quick.
+    let tasks = TEMPLATES.iter().flat_map(|template| Task::of(template).step_by(25));
+    let scenes: BTreeMap<TaskId, Scene> = tasks.map(|task| (task.id, task.scene)).collect();
+    let mut shares: BTreeMap<String, [usize; 2]> = BTreeMap::new();
+    for line in lines.lines() {
+        let recorded: Recorded = serde_json::from_str(line).expect("a line of outcomes.jsonl");
+        let Some(scene) = scenes.get(&recorded.task) else { continue };
+        let kind = if recorded.kind == "random" && recorded.solved { "random solve".into() } else { recorded.kind };
+        let agrees = outcome(scene, Some(recorded.ball)).expect("a valid ball").solved == recorded.solved;
+        let share = shares.entry(kind).or_default();
+        share[0] += usize::from(agrees);
+        share[1] += 1;
+    }
+    println!("{shares:?}");
+    for (kind, least) in [("stable", 0.95), ("unstable", 0.80), ("random", 0.99)] {
+        let [agree, all] = shares[kind];
+        assert!(agree as f64 >= least * all as f64, "{kind}: only {agree} of {all} agree");
+    }
+}
