@@ -20,6 +20,7 @@ mod publish;
 mod scenes;
 mod serve;
 mod simulate;
+mod solve_rates;
 mod tasks;
 mod train;
 mod weights;
@@ -43,6 +44,7 @@ enum Command {
     Simulate(simulate::Args),
     Serve(serve::Args),
     Fidelity(fidelity::Args),
+    SolveRates(solve_rates::Args),
 }
 
 /// Runs the command that the process was started with.
@@ -57,6 +59,7 @@ pub fn run() -> ExitCode {
         Command::Simulate(args) => args.run(),
         Command::Serve(args) => args.run(),
         Command::Fidelity(args) => args.run(),
+        Command::SolveRates(args) => args.run(),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
