@@ -31,12 +31,14 @@ export class Attempts {
   }
 
   #update() {
-    const { puzzle, shown, phase, pair } = this.#session;
-    const { used, solved_at: solvedAt } = puzzle.score(this.#agent);
+    const { puzzle, shown, phase, pair, unseen } = this.#session;
+    const score = puzzle.score(this.#agent);
+    // An attempt that runs for the first time is listed when it has ended.
+    const used = score.used - Number(unseen && this.#agent === "player");
+    const solvedAt = score.solved_at <= used ? score.solved_at : null;
     if (used < this.#length) this.#clear();
     if (used > this.#length) {
-      const fresh = puzzle.attempts(this.#agent).slice(this.#length);
-      this.#list.append(...fresh.map(item));
+      this.#list.append(...puzzle.attempts(this.#agent).slice(this.#length, used).map(item));
       this.#length = used;
       this.#list.scrollTop = this.#list.scrollHeight;
     }

@@ -77,7 +77,7 @@ export class Compare extends EventTarget {
     turn.textContent = this.#turning ? "Stop the model" : over ? "The model has played" : "Let the model play";
     at("both").disabled = player.used + model.used === 0;
     at("clear").disabled = player.used + model.used === 0;
-    const verdict = puzzle.verdict();
+    const verdict = this.#session.unseen ? "Your attempt is running." : puzzle.verdict();
     if (at("verdict").textContent !== verdict) at("verdict").textContent = verdict;
   }
 }

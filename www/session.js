@@ -22,6 +22,8 @@ export class Session extends EventTarget {
   phase = "placing";
   /** The attempt that is shown: { agent, number, words, ball, ending }; only while phase is "attempt". */
   shown = null;
+  /** Is the player's last attempt running for the first time? Then nothing tells yet how it ends. */
+  unseen = false;
   /** The best attempts of player and model, each or null; only while phase is "compare". */
   pair = [null, null];
   /** The last refusal in words, or null. */
@@ -74,8 +76,9 @@ export class Session extends EventTarget {
 
   #try() {
     try {
+      const before = this.puzzle.score("player").used;
       const attempt = this.puzzle.attempt(...this.ball);
-      this.#show("attempt", { agent: "player", ...attempt });
+      this.#show("attempt", { agent: "player", ...attempt }, true, attempt.number > before);
     } catch (error) {
       if (!error.code) throw error;
       this.#refuse(`${sentence(error.message)} That does not count as an attempt.`);
@@ -110,6 +113,7 @@ export class Session extends EventTarget {
     this.puzzle.reset();
     this.phase = "placing";
     this.shown = null;
+    this.unseen = false;
     this.playback.load(0);
     this.#changed("change");
   }
@@ -148,11 +152,12 @@ export class Session extends EventTarget {
     this.puzzle.free();
   }
 
-  #show(phase, attempt, play = true) {
+  #show(phase, attempt, play = true, unseen = false) {
     this.phase = phase;
     this.shown = attempt;
     this.refused = null;
     this.finished = false;
+    this.unseen = unseen;
     const last = this.puzzle.steps();
     const still = !play || this.#still();
     this.playback.load(last, still ? last : 0);
@@ -164,6 +169,7 @@ export class Session extends EventTarget {
     const { playing, ended } = this.playback;
     if (!this.placing && ended && !playing && !this.finished) {
       this.finished = true;
+      this.unseen = false;
       this.#changed("change");
     }
     this.#changed("draw");

@@ -57,7 +57,7 @@ async function turn({ task, seed }, tell) {
   stopped = false;
   const turn = model.turn(task, seed);
   try {
-    for (let attempt = turn.next(); attempt; attempt = turn.next()) {
+    for (let attempt = turn.attempt(); attempt; attempt = turn.attempt()) {
       tell({ attempt });
       await breath();
       if (stopped) return { finished: false };

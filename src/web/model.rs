@@ -98,7 +98,7 @@ impl Turn {
     ///
     /// # Errors
     /// `invalid_ball` if the model proposes what may not be placed.
-    pub fn next(&mut self) -> Result<JsValue, JsValue> {
+    pub fn attempt(&mut self) -> Result<JsValue, JsValue> {
         let ball = match self.balls.next() {
             Some(ball) if !self.solved => ball,
             _ => return Ok(JsValue::UNDEFINED),

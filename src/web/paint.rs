@@ -19,6 +19,9 @@ use crate::scene::{Body, Part, Role, SIZE};
 /// Distance between the lines of a hatched goal, and their width, px.
 const HATCH: (f64, f64) = (4.5, 1.2);
 
+/// Width of a path, px.
+const PATH: f64 = 1.6;
+
 pub struct Painter<'a> {
     context: &'a CanvasRenderingContext2d,
     palette: &'static Palette,
@@ -130,23 +133,17 @@ impl<'a> Painter<'a> {
     }
 
     /// A path through points of the scene, px.
-    pub fn path(
-        &self,
-        points: impl Iterator<Item = [f64; 2]>,
-        role: Role,
-        width: f64,
-        line: Line,
-    ) -> Result<(), JsValue> {
+    pub fn path(&self, points: impl Iterator<Item = [f64; 2]>, role: Role, line: Line) -> Result<(), JsValue> {
         self.context.begin_path();
         for [x, y] in points {
             self.context.line_to(x, y);
         }
         // A rim in the colour of the paper keeps the path in sight where it crosses a body of its own colour.
-        self.stroke(self.palette.paper, width + 1.4, Line::Solid)?;
+        self.stroke(self.palette.paper, PATH + 1.4, Line::Solid)?;
         self.context.set_global_alpha(0.7);
         self.context.stroke();
         self.context.set_global_alpha(1.0);
-        self.stroke(self.palette.role(role), width, line)?;
+        self.stroke(self.palette.role(role), PATH, line)?;
         self.context.stroke();
         Ok(())
     }

@@ -8,12 +8,12 @@ use wasm_bindgen::prelude::*;
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 
 use super::error::{Code, error, from_plain, plain};
-use super::paint::{Line, Painter, reach};
+use super::paint::{Painter, reach};
 use super::take::Take;
 use crate::action::{Ball, Invalid};
 use crate::game::{Agent, Attempt, Game, Refused, held};
 use crate::rollout::GOAL_STEPS;
-use crate::scene::{Body, Part, Role, Scene, Shape};
+use crate::scene::{Body, Role, Scene};
 use crate::simulator::simulate;
 use crate::task::Task;
 use crate::templates::TEMPLATES;
@@ -197,25 +197,29 @@ impl Puzzle {
         let painter = Painter::new(context, view.dark)?;
         let scene = &self.task.scene;
         let main = self.takes.first();
-        let bodies = || {
-            let mut bodies = scene.bodies.iter().enumerate();
+        let bodies = |dynamic| {
+            let mut bodies = scene.bodies.iter().enumerate().filter(|(_, body)| body.dynamic == dynamic);
             bodies.try_for_each(|(index, body)| {
                 let pose = main.and_then(|take| take.pose(view.step, index));
                 painter.body(body, pose, index == scene.body2)
             })
         };
-        bodies()?;
+        bodies(false)?;
         for map in &maps {
             painter.layer(map, view.opacity)?;
         }
         if !maps.is_empty() {
-            // The maps lie over the bodies; these show through, so that the scene stays in sight.
+            // What stands still shows through the maps; what moves lies over them.
             painter.cover(0.6);
-            bodies()?;
+            bodies(false)?;
             painter.cover(1.0);
         }
         for take in &self.takes {
             self.paint_paths(&painter, take, &view)?;
+        }
+        bodies(true)?;
+        for (place, take) in self.takes.iter().enumerate() {
+            self.paint_ball(&painter, take, view.step, place > 0)?;
         }
         if let Some(take) = main {
             self.paint_ring(&painter, take, view.step)?;
@@ -235,25 +239,26 @@ impl Puzzle {
         Ok(Take { attempt: Some((agent, attempt.ball)), rollout })
     }
 
-    /// The paths of green object and ball in one rollout, and the ball itself. A second rollout is a ghost.
+    /// The paths of green object and ball in one rollout.
     fn paint_paths(&self, painter: &Painter, take: &Take, view: &View) -> Result<(), JsValue> {
         let Scene { bodies, body1, .. } = &self.task.scene;
-        let line = if take.agent() == Some(Agent::Model) { Line::Dashed } else { Line::Solid };
         let until = if view.whole { f64::INFINITY } else { view.step };
-        painter.path(take.path(until, *body1), Role::Green, 1.6, line)?;
-        let is_main = self.takes.first().is_some_and(|main| std::ptr::eq(main, take));
-        if !is_main && let Some(pose) = take.pose(view.step, *body1) {
-            painter.ghost(&bodies[*body1], pose, line)?;
+        painter.path(take.path(until, *body1), Role::Green, take.line())?;
+        painter.path(take.path(until, bodies.len()), Role::Red, take.line())
+    }
+
+    /// The ball of one rollout. A rollout that is only laid over another shows ball and green object as outlines.
+    fn paint_ball(&self, painter: &Painter, take: &Take, step: f64, outlined: bool) -> Result<(), JsValue> {
+        let Scene { bodies, body1, .. } = &self.task.scene;
+        if outlined && let Some(pose) = take.pose(step, *body1) {
+            painter.ghost(&bodies[*body1], pose, take.line())?;
         }
-        let Some((_, ball)) = take.attempt else { return Ok(()) };
-        painter.path(take.path(until, bodies.len()), Role::Red, 1.6, line)?;
-        let Some([x, y, angle]) = take.pose(view.step, bodies.len()).map(|pose| pose.map(f64::from)) else {
-            return Ok(());
-        };
-        if is_main {
-            painter.ball(Ball { x, y, ..ball }, angle, true)
-        } else {
-            painter.ghost(&ball.body(), [x as f32, y as f32, angle as f32], line)
+        match (take.attempt, take.pose(step, bodies.len())) {
+            (Some((_, ball)), Some(pose)) if outlined => painter.ghost(&ball.body(), pose, take.line()),
+            (Some((_, ball)), Some([x, y, angle])) => {
+                painter.ball(Ball { x: x.into(), y: y.into(), ..ball }, angle.into(), true)
+            }
+            _ => Ok(()),
         }
     }
 

@@ -1,6 +1,7 @@
 //! A rollout on its way to the screen: whose attempt it is, and where every body stands at a moment between
-//! two steps. Used by `puzzle`; knows nothing of canvases.
+//! two steps. Used by `puzzle`; draws nothing itself.
 
+use super::paint::Line;
 use crate::action::Ball;
 use crate::game::Agent;
 use crate::rollout::{Pose, Rollout};
@@ -13,8 +14,12 @@ pub struct Take {
 }
 
 impl Take {
-    pub fn agent(&self) -> Option<Agent> {
-        self.attempt.map(|(agent, _)| agent)
+    /// How its paths are drawn.
+    pub fn line(&self) -> Line {
+        match self.attempt {
+            Some((Agent::Model, _)) => Line::Dashed,
+            _ => Line::Solid,
+        }
     }
 
     /// The pose of a moving body at a step, which may lie between two; after the last it stays.
