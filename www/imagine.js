@@ -26,13 +26,15 @@ export class Imagine extends EventTarget {
   #dark = false;
   #layers = [];
 
-  /** Fires "layers" with { layers } and "opacity" with { opacity } when the person asks for others. */
+  /** Fires "layers", "opacity" and "model", with { layers } and so on, when the person asks for others, and
+   * "again" when a model that failed is to be started once more. */
   constructor(wasm, model) {
     super();
     this.#wasm = wasm;
     this.#model = model;
     at("stages").replaceChildren(...STAGES.map((stage) => this.#row(stage)));
     at("opacity").addEventListener("input", () => this.#ask("opacity", { opacity: Number(at("opacity").value) }));
+    at("model").addEventListener("change", () => this.#ask("model", { model: at("model").value }));
     at("imagine-trouble").querySelector("button").addEventListener("click", () => this.#ask("again", {}));
     model.addEventListener("change", () => this.#progress());
   }
@@ -94,12 +96,19 @@ export class Imagine extends EventTarget {
     const bar = at("imagine-progress").querySelector("progress");
     if (progress === null) bar.removeAttribute("value");
     else bar.value = progress;
+    if (loaded) this.#choice(loaded);
     at("card").textContent = loaded ? carded(loaded) : "";
     if (status === "ready") this.#imagine();
     else {
       this.#imagined = null;
       this.#paint();
     }
+  }
+
+  /** The models that there are, where there are several. */
+  #choice({ name, names }) {
+    at("models").hidden = names.length < 2;
+    at("model").replaceChildren(...names.map((one) => new Option(one, one, one === name, one === name)));
   }
 
   async #imagine() {

@@ -82,6 +82,10 @@ class Page {
     }
     this.#imagine.addEventListener("layers", ({ detail }) => this.#set(detail));
     this.#imagine.addEventListener("opacity", ({ detail }) => this.#set(detail));
+    this.#imagine.addEventListener("model", ({ detail }) => {
+      this.#set(detail);
+      this.#model.start(detail.model);
+    });
     this.#imagine.addEventListener("imagined", () => this.#lay());
     for (const part of [this.#imagine, this.#compare]) {
       part.addEventListener("again", () => this.#again());
@@ -129,7 +133,7 @@ class Page {
     }
     if (!this.#session || state.task !== task) this.#enter(state.task);
     if (state.ball && String(state.ball) !== String(this.#session.ball)) this.#session.place(state.ball);
-    if (this.#model.status === "off" || (state.model ?? model) !== model) this.#model.start(state.model);
+    if (this.#model.status === "off" || state.model !== model) this.#model.start(state.model);
     this.#show();
     if (came) at("scene").focus({ preventScroll: true });
   }
