@@ -3,8 +3,9 @@
 use std::fs;
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::TcpStream;
-use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
+
+use tempfile::{TempDir, tempdir};
 
 use crate::{assert_refused, pathlight};
 
@@ -13,28 +14,27 @@ struct Server {
     child: Child,
     /// `127.0.0.1:PORT`
     address: String,
-    folder: PathBuf,
+    folder: TempDir,
 }
 
 impl Server {
-    /// `name` keeps the folders of tests apart.
-    fn start(name: &str) -> Server {
-        let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("serve-{name}"));
-        let _ = fs::remove_dir_all(&folder);
+    fn start() -> Server {
+        let folder = tempdir().expect("a folder");
+        let root = folder.path();
         for inner in ["www/pkg", "assets"] {
-            fs::create_dir_all(folder.join(inner)).expect("a folder");
+            fs::create_dir_all(root.join(inner)).expect("a folder");
         }
-        fs::write(folder.join("www/index.html"), "<!doctype html><title>page</title>".repeat(10)).expect("a file");
-        fs::write(folder.join("www/main.js"), "// script\n".repeat(100)).expect("a file");
-        fs::write(folder.join("www/style.css"), "a { color: red }").expect("a file");
-        fs::write(folder.join("www/pkg/pathlight_bg.wasm"), [b'w'; 100_000]).expect("a file");
-        fs::write(folder.join("assets/weights.safetensors"), [b's'; 5_000]).expect("a file");
-        fs::write(folder.join("secret.txt"), "secret").expect("a file");
+        fs::write(root.join("www/index.html"), "<!doctype html><title>page</title>".repeat(10)).expect("a file");
+        fs::write(root.join("www/main.js"), "// script\n".repeat(100)).expect("a file");
+        fs::write(root.join("www/style.css"), "a { color: red }").expect("a file");
+        fs::write(root.join("www/pkg/pathlight_bg.wasm"), [b'w'; 100_000]).expect("a file");
+        fs::write(root.join("assets/weights.safetensors"), [b's'; 5_000]).expect("a file");
+        fs::write(root.join("secret.txt"), "secret").expect("a file");
         let mut child = pathlight()
             .args(["serve", "--port", "0", "--dir"])
-            .arg(folder.join("www"))
+            .arg(root.join("www"))
             .arg("--assets")
-            .arg(folder.join("assets"))
+            .arg(root.join("assets"))
             .stdout(Stdio::piped())
             .spawn()
             .expect("the binary starts");
@@ -79,7 +79,7 @@ fn value<'a>(head: &'a str, name: &str) -> Option<&'a str> {
 
 #[test]
 fn every_file_has_its_type() {
-    let server = Server::start("types");
+    let server = Server::start();
     for (path, mime) in [
         ("/", "text/html"),
         ("/main.js", "text/javascript"),
@@ -95,7 +95,7 @@ fn every_file_has_its_type() {
 
 #[test]
 fn every_answer_carries_the_policy() {
-    let server = Server::start("policy");
+    let server = Server::start();
     for path in ["/", "/main.js", "/assets/weights.safetensors", "/nowhere", "/../secret.txt"] {
         let (head, _) = server.get(path, &[]);
         let policy = value(&head, "content-security-policy").unwrap_or_else(|| panic!("{path}: {head}"));
@@ -116,7 +116,7 @@ fn every_answer_carries_the_policy() {
 
 #[test]
 fn nothing_outside_the_folders_is_served() {
-    let server = Server::start("outside");
+    let server = Server::start();
     for path in [
         "/../secret.txt",
         "/pkg/../../secret.txt",
@@ -144,8 +144,8 @@ fn nothing_outside_the_folders_is_served() {
 #[cfg(unix)]
 #[test]
 fn a_link_that_leads_out_is_not_followed() {
-    let server = Server::start("links");
-    let www = server.folder.join("www");
+    let server = Server::start();
+    let www = server.folder.path().join("www");
     std::os::unix::fs::symlink("../secret.txt", www.join("out.txt")).expect("a link");
     std::os::unix::fs::symlink("..", www.join("up")).expect("a link");
     std::os::unix::fs::symlink("main.js", www.join("in.js")).expect("a link");
@@ -156,7 +156,7 @@ fn a_link_that_leads_out_is_not_followed() {
 
 #[test]
 fn wasm_comes_compressed_and_weights_with_their_length() {
-    let server = Server::start("compression");
+    let server = Server::start();
     for encoding in ["br", "gzip"] {
         let accept = format!("Accept-Encoding: {encoding}");
         let (head, body) = server.get("/pkg/pathlight_bg.wasm", &[&accept]);
@@ -170,12 +170,12 @@ fn wasm_comes_compressed_and_weights_with_their_length() {
 
 #[test]
 fn a_browser_asks_again_and_gets_what_changed() {
-    let server = Server::start("cache");
+    let server = Server::start();
     let (head, _) = server.get("/main.js", &[]);
     assert_eq!(value(&head, "cache-control"), Some("no-cache"));
     let known = format!("If-None-Match: {}", value(&head, "etag").expect("an ETag"));
     assert!(is(&server.get("/main.js", &[&known]).0, 304));
-    fs::write(server.folder.join("www/main.js"), "// rebuilt").expect("a file");
+    fs::write(server.folder.path().join("www/main.js"), "// rebuilt").expect("a file");
     let (head, body) = server.get("/main.js", &[&known]);
     assert!(is(&head, 200), "{head}");
     assert_eq!(body, b"// rebuilt");
@@ -183,8 +183,8 @@ fn a_browser_asks_again_and_gets_what_changed() {
 
 #[test]
 fn a_taken_port_is_refused_with_the_remedy() {
-    let server = Server::start("taken");
-    let (www, assets) = (server.folder.join("www"), server.folder.join("assets"));
+    let server = Server::start();
+    let (www, assets) = (server.folder.path().join("www"), server.folder.path().join("assets"));
     let folders = ["--dir", www.to_str().expect("UTF-8"), "--assets", assets.to_str().expect("UTF-8")];
     let args = [&["serve", "--port", server.port()][..], &folders].concat();
     assert_refused(&args, &format!("port {} is taken by another program: choose another", server.port()));
@@ -198,7 +198,7 @@ fn a_folder_that_is_not_there_is_refused_in_words() {
 #[cfg(unix)]
 #[test]
 fn ctrl_c_ends_it_without_an_error() {
-    let mut server = Server::start("interrupt");
+    let mut server = Server::start();
     let kept = TcpStream::connect(&server.address).expect("it listens");
     let sent = Command::new("kill").args(["-INT", &server.child.id().to_string()]).status().expect("kill runs");
     assert!(sent.success());
