@@ -13,6 +13,7 @@ use crate::templates::TEMPLATES;
 
 mod colour;
 mod error;
+mod frame;
 mod model;
 mod paint;
 mod puzzle;

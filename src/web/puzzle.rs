@@ -3,17 +3,16 @@
 //! The page asks here whether a ball is valid, runs it, replays and compares attempts, and has every frame
 //! drawn. Nothing is shown but the scene until an attempt, a replay, a comparison or the scene alone runs.
 
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 use wasm_bindgen::prelude::*;
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 
 use super::error::{Code, error, from_plain, plain};
-use super::paint::{Painter, reach};
+use super::frame;
 use super::take::Take;
 use crate::action::{Ball, Invalid};
-use crate::game::{Agent, Attempt, Game, Refused, held};
-use crate::rollout::GOAL_STEPS;
-use crate::scene::{Body, Role, Scene};
+use crate::game::{Agent, Attempt, Game, Refused};
+use crate::scene::{Body, Scene};
 use crate::simulator::simulate;
 use crate::task::Task;
 use crate::templates::TEMPLATES;
@@ -24,22 +23,6 @@ pub struct Puzzle {
     game: Game,
     /// What is shown: nothing, one rollout, or the player's and then the model's.
     takes: Vec<Take>,
-}
-
-/// What a frame shows.
-#[derive(Deserialize)]
-struct View {
-    /// Steps since the start; may lie between two.
-    step: f64,
-    /// The ball being placed.
-    ball: Option<Ball>,
-    /// The radius of the knob on that ball, px; 0 draws none.
-    knob: f64,
-    /// Draws paths whole and not only up to the step.
-    whole: bool,
-    /// How much the maps cover, 0..=1.
-    opacity: f64,
-    dark: bool,
 }
 
 /// An attempt as the page lists it.
@@ -193,43 +176,7 @@ impl Puzzle {
         view: JsValue,
         maps: Vec<HtmlCanvasElement>,
     ) -> Result<(), JsValue> {
-        let view: View = from_plain(view)?;
-        let painter = Painter::new(context, view.dark)?;
-        let scene = &self.task.scene;
-        let main = self.takes.first();
-        let bodies = |dynamic| {
-            let mut bodies = scene.bodies.iter().enumerate().filter(|(_, body)| body.dynamic == dynamic);
-            bodies.try_for_each(|(index, body)| {
-                let pose = main.and_then(|take| take.pose(view.step, index));
-                painter.body(body, pose, index == scene.body2)
-            })
-        };
-        bodies(false)?;
-        for map in &maps {
-            painter.layer(map, view.opacity)?;
-        }
-        if !maps.is_empty() {
-            // What stands still shows through the maps; what moves lies over them.
-            painter.cover(0.6);
-            bodies(false)?;
-            painter.cover(1.0);
-        }
-        for take in &self.takes {
-            self.paint_paths(&painter, take, &view)?;
-        }
-        bodies(true)?;
-        for (place, take) in self.takes.iter().enumerate() {
-            self.paint_ball(&painter, take, view.step, place > 0)?;
-        }
-        if let Some(take) = main {
-            self.paint_ring(&painter, take, view.step)?;
-        } else if let Some(ball) = view.ball {
-            painter.ball(ball, 0.0, ball.check(scene).is_ok())?;
-            if view.knob > 0.0 {
-                painter.handle(ball, view.knob)?;
-            }
-        }
-        Ok(())
+        frame::paint(context, &self.task.scene, &self.takes, &from_plain(view)?, &maps)
     }
 }
 
@@ -237,42 +184,6 @@ impl Puzzle {
     fn take(&self, agent: Agent, attempt: Attempt) -> Result<Take, JsValue> {
         let rollout = simulate(&self.task.scene, Some(attempt.ball)).map_err(|why| self.refusal(why.into()))?;
         Ok(Take { attempt: Some((agent, attempt.ball)), rollout })
-    }
-
-    /// The paths of green object and ball in one rollout.
-    fn paint_paths(&self, painter: &Painter, take: &Take, view: &View) -> Result<(), JsValue> {
-        let Scene { bodies, body1, .. } = &self.task.scene;
-        let until = if view.whole { f64::INFINITY } else { view.step };
-        painter.path(take.path(until, *body1), Role::Green, take.line())?;
-        painter.path(take.path(until, bodies.len()), Role::Red, take.line())
-    }
-
-    /// The ball of one rollout. A rollout that is only laid over another shows ball and green object as outlines.
-    fn paint_ball(&self, painter: &Painter, take: &Take, step: f64, outlined: bool) -> Result<(), JsValue> {
-        let Scene { bodies, body1, .. } = &self.task.scene;
-        if outlined && let Some(pose) = take.pose(step, *body1) {
-            painter.ghost(&bodies[*body1], pose, take.line())?;
-        }
-        match (take.attempt, take.pose(step, bodies.len())) {
-            (Some((_, ball)), Some(pose)) if outlined => painter.ghost(&ball.body(), pose, take.line()),
-            (Some((_, ball)), Some([x, y, angle])) => {
-                painter.ball(Ball { x: x.into(), y: y.into(), ..ball }, angle.into(), true)
-            }
-            _ => Ok(()),
-        }
-    }
-
-    /// The ring round the green object while it touches the goal.
-    fn paint_ring(&self, painter: &Painter, take: &Take, step: f64) -> Result<(), JsValue> {
-        let held = held(&take.rollout, step as usize);
-        let object = &self.task.scene.bodies[self.task.scene.body1];
-        match take.pose(step, self.task.scene.body1) {
-            Some([x, y, _]) if held > 0 => {
-                let radius = reach(object).min(24.0) + 5.0;
-                painter.ring([x.into(), y.into()], radius, held as f64 / GOAL_STEPS as f64)
-            }
-            _ => Ok(()),
-        }
     }
 
     fn refusal(&self, why: Refused) -> JsValue {
