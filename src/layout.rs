@@ -219,7 +219,7 @@ pub fn scene(pieces: impl IntoIterator<Item = Piece>) -> Scene {
     Scene { body1: only(&[Role::Green]), body2: only(&[Role::Blue, Role::Purple]), bodies }
 }
 
-#[cfg(test)]
+#[cfg(all(test, not(target_arch = "wasm32")))]
 mod tests {
     use proptest::prelude::*;
 

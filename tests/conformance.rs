@@ -3,6 +3,7 @@
 //! The first test compares all 2,500 with PHYRE's own. That data is no part of the project: PATHLIGHT_PHYRE
 //! names the folder that has `tasks/00000.jsonl` and so on; without it the test says so and checks nothing.
 //! The second needs no data: it holds one digest per template, taken when all scenes conformed.
+#![cfg(not(target_arch = "wasm32"))]
 
 use std::{env, fs, path::Path};
 

@@ -1,4 +1,5 @@
 //! The ten folds are PHYRE's, in both setups: the test tasks, the templates, and how many there are of each kind.
+#![cfg(not(target_arch = "wasm32"))]
 
 use std::path::Path;
 

@@ -1,5 +1,6 @@
 //! The nets compute what the paper's layers compute: a plain nested-loop implementation of 4 x 4 convolutions,
 //! written here for the purpose, agrees with them to rounding, and so does the second backend.
+#![cfg(not(target_arch = "wasm32"))]
 
 use pathlight::folds::Setup;
 use pathlight::pathnet::{Card, Imagined, PathNet, WeightsError, device};

@@ -2,6 +2,7 @@
 //!
 //! The last test needs PHYRE's recorded outcomes, which are no part of the project: PATHLIGHT_PHYRE names the
 //! folder that has outcomes.jsonl; without it the test says so and checks nothing. `pathlight fidelity` prints more.
+#![cfg(not(target_arch = "wasm32"))]
 
 use std::collections::BTreeMap;
 use std::{env, fs, path::Path};

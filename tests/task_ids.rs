@@ -1,4 +1,5 @@
 //! A task id that someone types becomes a task, or a sentence that says what is wrong and what to do.
+#![cfg(not(target_arch = "wasm32"))]
 
 use pathlight::task::{Task, TaskError, TaskId, ids};
 use pathlight::templates::TEMPLATES;
