@@ -55,7 +55,9 @@ class Session {
     });
     page.on('pageerror', (error) => this.problems.push(`uncaught: ${error.message}`));
     page.on('requestfailed', (request) => {
-      this.problems.push(`failed: ${request.url()} ${request.failure()?.errorText}`);
+      const why = request.failure()?.errorText;
+      // A page that is left gives up what it was still loading; that is no failure.
+      if (why !== 'net::ERR_ABORTED') this.problems.push(`failed: ${request.url()} ${why}`);
     });
     await page.goto(this.origin + path);
     return page;
