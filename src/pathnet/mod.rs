@@ -75,6 +75,8 @@ pub struct Imagined {
 ///
 /// # Errors
 /// Names the devices there are.
+// ndarray is deprecated upstream; it stays as long as it is there to disagree with flex.
+#[cfg_attr(feature = "ndarray", allow(deprecated))]
 pub fn device(name: &str) -> Result<Device, String> {
     match name {
         "flex" => Ok(Device::flex()),
