@@ -18,7 +18,7 @@ const STARTS: usize = 5;
 const IMPROVEMENTS: usize = 5;
 
 /// How far a neighbour lies in x, y or radius in the first round, px; it halves from round to round.
-const REACH: f64 = 8.0;
+const REACH: f64 = 16.0;
 
 /// A cell may seed a ball if its value is above this share of the highest.
 const THRESHOLD: f32 = 0.5;
@@ -88,7 +88,7 @@ fn seeded(map: &[f32], scene: &Scene, seeds: &[usize], rng: &mut impl Rng) -> Op
     let mut reach = REACH;
     for _ in 0..IMPROVEMENTS {
         for (dx, dy, dr) in NEIGHBOURS {
-            let near = Ball { x: ball.x + dx * reach, y: ball.y + dy * reach, r: ball.r + dr * reach / 2.0 };
+            let near = Ball { x: ball.x + dx * reach, y: ball.y + dy * reach, r: ball.r + dr * reach };
             let Ok(near) = near.action().place(scene) else { continue };
             let score = overlap(map, near);
             if score > best {
