@@ -104,7 +104,7 @@ impl Stage {
     pub fn colour(self, value: f32, dark: bool) -> [u8; 4] {
         let value = f64::from(value.clamp(0.0, 1.0));
         // The ends of a scale are near white and near black; on either paper one of them cannot be seen.
-        let along = if dark { 0.72 - 0.5 * value } else { 0.3 + 0.6 * value };
+        let along = if dark { 0.78 - 0.42 * value } else { 0.3 + 0.6 * value };
         let colorous::Color { r, g, b } = self.gradient().eval_continuous(along);
         [r, g, b, (235.0 * libm::sqrt(value)) as u8]
     }
