@@ -69,17 +69,24 @@ impl Args {
         let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build()?;
         runtime.block_on(async {
             let listener = listen(&self.host, self.port).await?;
-            let address = listener.local_addr()?;
-            writeln!(io::stdout(), "Pathlight is at http://{address}/ (Ctrl+C ends it)")?;
-            if !address.ip().is_loopback() {
-                eprintln!("warning: every machine that reaches {} can open the page", address.ip());
-            }
             tokio::select! {
-                served = axum::serve(listener, router(&page, &assets)) => Ok(served?),
+                // In this order: by the time anyone knows the address, Ctrl+C is listened for.
+                biased;
                 stopped = tokio::signal::ctrl_c() => Ok(stopped?),
+                served = serve(listener, router(&page, &assets)) => served,
             }
         })
     }
+}
+
+/// Prints the address and serves for ever.
+async fn serve(listener: TcpListener, router: Router) -> anyhow::Result<()> {
+    let address = listener.local_addr()?;
+    writeln!(io::stdout(), "Pathlight is at http://{address}/ (Ctrl+C ends it)")?;
+    if !address.ip().is_loopback() {
+        eprintln!("warning: every machine that reaches {} can open the page", address.ip());
+    }
+    Ok(axum::serve(listener, router).await?)
 }
 
 async fn listen(host: &str, port: u16) -> anyhow::Result<TcpListener> {
