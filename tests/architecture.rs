@@ -35,6 +35,9 @@ const DETERMINISTIC: &[&str] = &[
     "folds.rs",
     "auccess.rs",
     "game.rs",
+    "proposer.rs",
+    "samples.rs",
+    "solutions.rs",
 ];
 
 const RULES: &[Rule] = &[

@@ -10,7 +10,7 @@ use anyhow::Context;
 use clap::ValueEnum;
 use pathlight::action::Ball;
 use pathlight::auccess::{ATTEMPTS, auccess, share_within};
-use pathlight::folds::{Fold, Setup};
+use pathlight::folds::Setup;
 use pathlight::pathnet::Card;
 use pathlight::proposer;
 use pathlight::scene::Scene;
@@ -23,6 +23,7 @@ use serde::Serialize;
 use super::progress::Progress;
 use super::scenes::Scenes;
 use super::weights::Weights;
+use super::which::Which;
 
 /// Measure an agent on the test tasks of a fold
 #[derive(clap::Args)]
@@ -31,13 +32,8 @@ pub struct Args {
     #[arg(long, value_enum, default_value_t = Player::Model)]
     agent: Player,
 
-    /// within: new tasks of known templates; cross: new templates
-    #[arg(long, value_parser = super::setup, default_value = "within")]
-    setup: Setup,
-
-    /// Fold of the benchmark
-    #[arg(long, default_value_t = 0, value_parser = clap::value_parser!(u8).range(0..10))]
-    fold: u8,
+    #[command(flatten)]
+    which: Which,
 
     /// Play the dev tasks, to choose settings by, instead of the test tasks
     #[arg(long)]
@@ -90,15 +86,15 @@ struct Score {
 
 impl Args {
     pub fn run(self) -> anyhow::Result<()> {
-        let fold = Fold::new(self.setup, self.fold);
+        let fold = self.which.tasks();
         let (tasks, tasks_of) = if self.dev { (fold.dev, "dev") } else { (fold.test, "test") };
         let tasks: Vec<TaskId> = tasks
             .chunk_by(|a, b| a.template == b.template)
             .flat_map(|sisters| sisters.iter().copied().take(self.limit.unwrap_or(usize::MAX)))
             .collect();
         let mut report = Report {
-            setup: self.setup,
-            fold: self.fold,
+            setup: self.which.setup,
+            fold: self.which.fold,
             tasks_of,
             seed: self.seed,
             simulator: simulator::VERSION,
@@ -106,7 +102,7 @@ impl Args {
             agents: Vec::new(),
         };
         if self.agent == Player::Model {
-            let (nets, card) = self.weights.load(self.setup, self.fold)?;
+            let (nets, card) = self.weights.load(&self.which)?;
             report.card = Some(card);
             let model = |task, scene: &Scene| proposer::model(&nets, task, scene, self.seed, ATTEMPTS);
             report.agents.push(score("model", model, &tasks)?);

@@ -7,7 +7,6 @@ use std::io;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
-use pathlight::folds::Setup;
 use pathlight::task::TaskError;
 use pathlight::templates::{TEMPLATES, Template};
 
@@ -24,6 +23,7 @@ mod solve_rates;
 mod tasks;
 mod train;
 mod weights;
+mod which;
 
 /// Physics puzzles, and the paths that four small nets imagine for them.
 #[derive(Parser)]
@@ -74,15 +74,6 @@ pub fn run() -> ExitCode {
 
 fn is_broken_pipe(error: &anyhow::Error) -> bool {
     error.downcast_ref::<io::Error>().is_some_and(|error| error.kind() == io::ErrorKind::BrokenPipe)
-}
-
-/// `within` or `cross`.
-fn setup(text: &str) -> Result<Setup, String> {
-    match text {
-        "within" => Ok(Setup::Within),
-        "cross" => Ok(Setup::Cross),
-        _ => Err("the setups are within and cross".to_string()),
-    }
 }
 
 /// The template of a number like `00007` or `7`.

@@ -7,7 +7,6 @@ use std::path::PathBuf;
 
 use anyhow::Context;
 use pathlight::action::Ball;
-use pathlight::folds::{Fold, Setup};
 use pathlight::proposer;
 use pathlight::task::TaskId;
 use rayon::prelude::*;
@@ -16,17 +15,13 @@ use serde::Serialize;
 use super::progress::Progress;
 use super::scenes::Scenes;
 use super::weights::Weights;
+use super::which::Which;
 
 /// Write the model's attempts as JSON lines, best guess first, without simulating
 #[derive(clap::Args)]
 pub struct Args {
-    /// within: new tasks of known templates; cross: new templates
-    #[arg(long, value_parser = super::setup, default_value = "within")]
-    setup: Setup,
-
-    /// Fold of the benchmark
-    #[arg(long, default_value_t = 0, value_parser = clap::value_parser!(u8).range(0..10))]
-    fold: u8,
+    #[command(flatten)]
+    which: Which,
 
     /// Tasks to propose for, like 00007:013; without it, all test tasks of the fold
     #[arg(long = "task", value_name = "TASK")]
@@ -57,8 +52,8 @@ struct Line {
 
 impl Args {
     pub fn run(self) -> anyhow::Result<()> {
-        let (nets, _) = self.weights.load(self.setup, self.fold)?;
-        let tasks = if self.tasks.is_empty() { Fold::new(self.setup, self.fold).test } else { self.tasks };
+        let (nets, _) = self.weights.load(&self.which)?;
+        let tasks = if self.tasks.is_empty() { self.which.tasks().test } else { self.tasks };
         let scenes = Scenes::new();
         let mut out: Box<dyn Write> = if self.out.as_os_str() == "-" {
             Box::new(io::stdout().lock())

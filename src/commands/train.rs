@@ -13,7 +13,6 @@ use burn::module::Module;
 use burn::optim::{AdamConfig, GradientsParams, ModuleOptimizer};
 use burn::tensor::activation::relu;
 use burn::tensor::{Device, Tensor, TensorData};
-use pathlight::folds::{Fold, Setup};
 use pathlight::pathnet::{Card, PathNet, device};
 use pathlight::raster::{Bitmap, CELLS, CHANNELS, SIDE};
 use pathlight::samples::Sample;
@@ -27,17 +26,13 @@ use rayon::prelude::*;
 use super::collect::read_solutions;
 use super::progress::Progress;
 use super::scenes::Scenes;
+use super::which::Which;
 
 /// Train the four nets on the training tasks of a fold
 #[derive(clap::Args)]
 pub struct Args {
-    /// within: new tasks of known templates; cross: new templates
-    #[arg(long, value_parser = super::setup, default_value = "within")]
-    setup: Setup,
-
-    /// Fold of the benchmark
-    #[arg(long, default_value_t = 0, value_parser = clap::value_parser!(u8).range(0..10))]
-    fold: u8,
+    #[command(flatten)]
+    which: Which,
 
     /// Solutions to train on, from `pathlight collect`
     #[arg(long, default_value = "target/solutions.jsonl")]
@@ -82,7 +77,7 @@ pub struct Args {
 
 impl Args {
     pub fn run(self) -> anyhow::Result<()> {
-        let name = format!("target/train/{}-{}", self.setup, self.fold);
+        let name = format!("target/train/{}-{}", self.which.setup, self.which.fold);
         let folder = self.out.clone().unwrap_or_else(|| PathBuf::from(name));
         fs::create_dir_all(&folder).with_context(|| format!("cannot make {}", folder.display()))?;
         let (samples, card) = self.samples()?;
@@ -125,7 +120,7 @@ impl Args {
 
     /// The samples of the fold's training tasks, and what they were made with.
     fn samples(&self) -> anyhow::Result<(Vec<Sample>, Card)> {
-        let tasks = Fold::new(self.setup, self.fold).all_train();
+        let tasks = self.which.tasks().all_train();
         let (solutions, version) = read_solutions(&self.solutions)?;
         ensure!(
             version == simulator::VERSION,
@@ -143,8 +138,8 @@ impl Args {
             .map(|solution| Ok(Sample::new(scenes.get(solution.task)?, solution.ball)?))
             .collect::<anyhow::Result<Vec<Sample>>>()?;
         let card = Card {
-            setup: self.setup,
-            fold: self.fold,
+            setup: self.which.setup,
+            fold: self.which.fold,
             seed: self.seed,
             epochs: self.epochs,
             batch: self.batch,

@@ -4,8 +4,9 @@ use std::fs;
 use std::path::PathBuf;
 
 use anyhow::{Context, ensure};
-use pathlight::folds::Setup;
 use pathlight::pathnet::{Card, PathNet, device};
+
+use super::which::Which;
 
 /// Where a fold's weights come from, and what they run on; part of the arguments of other commands.
 #[derive(clap::Args)]
@@ -21,7 +22,7 @@ pub struct Weights {
 
 impl Weights {
     /// The nets of a fold. Weights of another fold have seen its test tasks, so they are refused.
-    pub fn load(&self, setup: Setup, fold: u8) -> anyhow::Result<(PathNet, Card)> {
+    pub fn load(&self, &Which { setup, fold }: &Which) -> anyhow::Result<(PathNet, Card)> {
         let path = self.weights.clone().unwrap_or_else(|| format!("assets/{setup}-{fold}.safetensors").into());
         let name = path.display();
         let bytes = fs::read(&path)
