@@ -10,7 +10,7 @@ use serde_json::{Map, Value};
 use crate::scene::{Body, Scene};
 use crate::templates::{TEMPLATES, Template, grid::Params};
 
-/// Template and number of a task: `00007:013`.
+/// Template and number of a task: `00007:008`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(into = "String", try_from = "String")]
 pub struct TaskId {
@@ -23,7 +23,7 @@ pub struct TaskId {
 /// Why something is no task id.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum TaskError {
-    #[error("`{0}` is no task id: write template and number like 00007:013")]
+    #[error("`{0}` is no task id: write template and number like 00007:008")]
     Malformed(String),
     #[error("there is no template `{0}`: they run from 00000 to 00024")]
     NoTemplate(String),

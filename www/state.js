@@ -7,7 +7,7 @@ export const PANELS = ["play", "imagine", "compare"];
 
 /** What is shown when the address says nothing: the grid of templates. */
 export const START = Object.freeze({
-  /** "00007:013", or null for the grid. */
+  /** "00007:008", or null for the grid. */
   task: null,
   /** A name in assets/model.json, or null for the first. */
   model: null,

@@ -23,7 +23,7 @@ pub struct Args {
     #[command(flatten)]
     which: Which,
 
-    /// Tasks to propose for, like 00007:013; without it, all test tasks of the fold
+    /// Tasks to propose for, like 00007:008; without it, all test tasks of the fold
     #[arg(long = "task", value_name = "TASK")]
     tasks: Vec<TaskId>,
 

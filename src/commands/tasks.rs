@@ -15,7 +15,7 @@ pub struct Args {
     #[arg(long, value_name = "TEMPLATE", value_parser = super::template)]
     template: Option<&'static Template>,
 
-    /// Print scenes as JSON, one a line: of this task (like 00007:013), else of all tasks
+    /// Print scenes as JSON, one a line: of this task (like 00007:008), else of all tasks
     #[arg(long, value_name = "TASK", num_args = 0..=1)]
     json: Option<Option<TaskId>>,
 }

@@ -19,7 +19,7 @@ use crate::commands::scenes::Scenes;
 /// Lines a core gets in one chunk: enough that cores seldom wait for one another.
 const LINES_PER_CORE: usize = 64;
 
-const EXAMPLE: &str = r#"{"task":"00007:013","ball":[128,200,15]}"#;
+const EXAMPLE: &str = r#"{"task":"00007:008","ball":[128,200,15]}"#;
 
 /// Simulates the lines of a file, or of standard input if it is `-`.
 pub fn run(file: &str) -> anyhow::Result<()> {

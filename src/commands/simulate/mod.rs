@@ -20,7 +20,7 @@ use start::{Pixels, Start};
 #[derive(clap::Args)]
 #[command(group(ArgGroup::new("what").args(["task", "batch"]).required(true)))]
 pub struct Args {
-    /// Simulate this task, like 00007:013; with neither --action nor --ball, it runs with no ball
+    /// Simulate this task, like 00007:008; with neither --action nor --ball, it runs with no ball
     #[arg(long)]
     task: Option<TaskId>,
 
@@ -36,7 +36,7 @@ pub struct Args {
     #[arg(long)]
     poses: bool,
 
-    /// Simulate each line of this file ("-": of standard input) on all cores: {"task":"00007:013","ball":[X,Y,R]},
+    /// Simulate each line of this file ("-": of standard input) on all cores: {"task":"00007:008","ball":[X,Y,R]},
     /// with "action":[x,y,r] instead of "ball", or with "ball":null for none
     #[arg(long, value_name = "FILE", conflicts_with_all = ["task", "action", "ball", "poses"])]
     batch: Option<String>,
