@@ -15,8 +15,10 @@ export class SceneCanvas {
   #context;
   #session = null;
   #waiting = false;
-  /** What the pointer holds: { kind: "ball", dx, dy } or { kind: "radius" }, or null. */
+  /** What the pointer holds: { kind: "ball", dx, dy } or { kind: "radius" }, or null. Each is a gesture of its own. */
   #held = null;
+  /** The gesture of the key that was pressed last. */
+  #press = null;
   /** Maps to lay over the scene, canvases of 64 x 64. */
   maps = [];
   opacity = 0.8;
@@ -106,7 +108,7 @@ export class SceneCanvas {
       this.#held = { kind: "ball", dx: ballX - x, dy: ballY - y };
     } else {
       this.#held = { kind: "ball", dx: 0, dy: 0 };
-      session.place([x, y, r]);
+      session.place([x, y, r], this.#held);
     }
   }
 
@@ -115,15 +117,15 @@ export class SceneCanvas {
     if (!held || !event.isPrimary) return;
     const [x, y] = this.#point(event);
     const [ballX, ballY, r] = this.#session.ball;
-    if (held.kind === "radius") this.#session.place([ballX, ballY, Math.hypot(x - ballX, y - ballY)]);
-    else this.#session.place([x + held.dx, y + held.dy, r]);
+    if (held.kind === "radius") this.#session.place([ballX, ballY, Math.hypot(x - ballX, y - ballY)], held);
+    else this.#session.place([x + held.dx, y + held.dy, r], held);
   }
 
   #wheel(event) {
     const session = this.#session;
     if (!session?.placing || !session.ball || event.ctrlKey || event.deltaY === 0) return;
     event.preventDefault();
-    session.nudge(0, 0, event.deltaY < 0 ? 1 : -1);
+    session.nudge(0, 0, event.deltaY < 0 ? 1 : -1, "wheel");
   }
 
   #key(event) {
@@ -140,7 +142,9 @@ export class SceneCanvas {
       "−": [0, 0, -1],
     };
     if (Object.hasOwn(nudges, event.key)) {
-      this.#session.nudge(...nudges[event.key]);
+      // A key that is held down is one gesture, undone at once.
+      if (!event.repeat) this.#press = {};
+      this.#session.nudge(...nudges[event.key], this.#press);
       event.preventDefault();
     } else if (event.key === "Enter") {
       this.#session.run();

@@ -17,12 +17,14 @@ export class Controls {
     at("step").addEventListener("click", () => session().step(1));
     at("reset").addEventListener("click", () => session().reset());
     at("watch").addEventListener("click", () => session().watch());
+    at("undo").addEventListener("click", () => session().undo());
+    at("redo").addEventListener("click", () => session().redo());
     at("time").addEventListener("input", () => session().seek(Number(at("time").value)));
     at("speed").addEventListener("change", () => this.#speed());
     at("placing").addEventListener("submit", (event) => event.preventDefault());
     at("radius").addEventListener("input", () => {
       const [x, y] = session().ball ?? [128, 128];
-      session().place([x, y, Number(at("radius").value)]);
+      session().place([x, y, Number(at("radius").value)], "radius");
     });
     for (const id of ["ball-x", "ball-y", "ball-r"]) at(id).addEventListener("change", () => this.#typed());
   }
@@ -58,6 +60,8 @@ export class Controls {
     set("time", "disabled", session.placing);
     set("time", "max", String(last));
     set("reset", "disabled", session.placing);
+    set("undo", "disabled", !session.canUndo);
+    set("redo", "disabled", !session.canRedo);
     this.#touches();
     const [x, y, r] = session.ball ?? ["", "", ""];
     set("ball-x", "value", String(x));

@@ -252,6 +252,7 @@ class Page {
 
   #key(event) {
     const { key, target } = event;
+    if (this.#undoing(event)) return event.preventDefault();
     if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented) return;
     if (target.closest("input[type=number], select, dialog")) return;
     if (key === "?") return at("keys").showModal();
@@ -274,6 +275,16 @@ class Page {
     if (!act) return;
     event.preventDefault();
     act();
+  }
+
+  /** Ctrl+Z, Ctrl+Y and Ctrl+Shift+Z, with Cmd too. In a field as well: there the browser would take back what was typed
+   * in another field, without a word to the page. Says whether it was one. */
+  #undoing({ key, ctrlKey, metaKey, altKey, shiftKey, target }) {
+    if (!(ctrlKey || metaKey) || altKey || !this.#session || target.closest("dialog")) return false;
+    const act = { z: shiftKey ? "redo" : "undo", y: "redo" }[key.toLowerCase()];
+    if (!act) return false;
+    this.#session[act]();
+    return true;
   }
 }
 

@@ -3,6 +3,7 @@
 //   "change" something to read has changed      "draw" only the picture has
 // Knows nothing of the document.
 
+import { History } from "./history.js";
 import { Playback } from "./playback.js";
 
 /** Where a ball starts that is first moved by keys, px. */
@@ -31,6 +32,7 @@ export class Session extends EventTarget {
   /** Has what is shown come to its end at least once? */
   finished = false;
   #still;
+  #history = new History(null);
 
   /** `still`: says whether motion is unwanted; then a run goes straight to its end. */
   constructor(puzzle, still) {
@@ -45,20 +47,43 @@ export class Session extends EventTarget {
     return this.phase === "placing";
   }
 
-  /** Puts the ball being placed somewhere, in px; it is rounded and kept inside the square. */
-  place([x, y, r]) {
+  /** Puts the ball being placed somewhere, in px; it is rounded and kept inside the square. Placements of one
+   * `gesture` (a drag, say) are undone together. */
+  place([x, y, r], gesture = null) {
     const between = (value, low, high) => Math.min(Math.max(Math.round(value), low), high);
-    this.ball = [between(x, 0, 255), between(y, 0, 255), between(r, 2, 32)];
-    this.reason = this.puzzle.whyInvalid(...this.ball) ?? null;
-    this.refused = null;
-    if (this.placing) this.#changed("change");
-    else this.reset();
+    const ball = [between(x, 0, 255), between(y, 0, 255), between(r, 2, 32)];
+    this.#history.put(ball, gesture);
+    this.#take(ball);
   }
 
   /** Moves the ball and changes its radius by so many px; a first ball appears in the middle. */
-  nudge(dx, dy, dr) {
+  nudge(dx, dy, dr, gesture = null) {
     const [x, y, r] = this.ball ?? [MIDDLE - dx, MIDDLE - dy, FIRST_RADIUS - dr];
-    this.place([x + dx, y + dy, r + dr]);
+    this.place([x + dx, y + dy, r + dr], gesture);
+  }
+
+  get canUndo() {
+    return this.#history.canUndo;
+  }
+
+  get canRedo() {
+    return this.#history.canRedo;
+  }
+
+  undo() {
+    if (this.canUndo) this.#take(this.#history.undo());
+  }
+
+  redo() {
+    if (this.canRedo) this.#take(this.#history.redo());
+  }
+
+  #take(ball) {
+    this.ball = ball;
+    this.reason = (ball && this.puzzle.whyInvalid(...ball)) ?? null;
+    this.refused = null;
+    if (this.placing) this.#changed("change");
+    else this.reset();
   }
 
   /** What the run button does now: run the ball, pause, or go on. */
@@ -97,6 +122,7 @@ export class Session extends EventTarget {
     if (agent === "player") {
       this.ball = attempt.ball;
       this.reason = null;
+      this.#history.put(attempt.ball);
     }
     this.#show("attempt", { agent, ...attempt });
   }
