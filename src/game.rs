@@ -103,6 +103,16 @@ impl Game {
         }
     }
 
+    /// Forgets one attempt of an agent's; those after it move up by one. Says whether there was such a number.
+    pub fn remove(&mut self, agent: Agent, number: usize) -> bool {
+        let attempts = self.list(agent);
+        let there = (1..=attempts.len()).contains(&number);
+        if there {
+            attempts.remove(number - 1);
+        }
+        there
+    }
+
     /// Forgets an agent's attempts.
     pub fn clear(&mut self, agent: Agent) {
         self.list(agent).clear();
@@ -273,6 +283,19 @@ mod tests {
         game.record(Agent::Player, attempt(4, true, 180)).expect("valid");
         assert_eq!(game.best(Agent::Player).expect("five").0, 4);
         assert_eq!(game.score(Agent::Player), Score { used: 5, solved_at: Some(4) });
+    }
+
+    #[test]
+    fn an_attempt_that_is_removed_makes_room_and_the_later_ones_move_up() {
+        let mut game = game();
+        for number in 0..ATTEMPTS {
+            game.record(Agent::Player, attempt(number, number == 2, 0)).expect("within the hundred");
+        }
+        assert!(!game.remove(Agent::Player, 0) && !game.remove(Agent::Player, ATTEMPTS + 1));
+        assert!(!game.remove(Agent::Model, 1));
+        assert!(game.remove(Agent::Player, 2));
+        assert_eq!(game.score(Agent::Player), Score { used: ATTEMPTS - 1, solved_at: Some(2) });
+        assert_eq!(game.record(Agent::Player, attempt(1, false, 0)), Ok(ATTEMPTS));
     }
 
     #[test]

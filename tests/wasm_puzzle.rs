@@ -101,6 +101,26 @@ fn attempts_run_until_solved_and_replay_the_same() {
 }
 
 #[wasm_bindgen_test]
+fn two_attempts_lie_over_each_other_and_one_is_deleted() {
+    let mut puzzle = open(TASK);
+    let tries: Vec<_> = balls(&puzzle).take(2).collect();
+    let made: Vec<_> = tries.iter().map(|&(x, y, r)| json(puzzle.attempt(x, y, r).expect("valid"))).collect();
+    let steps = |puzzle: &mut Puzzle, number| {
+        puzzle.replay("player", number).expect("made");
+        puzzle.steps()
+    };
+    let longest = steps(&mut puzzle, 1).max(steps(&mut puzzle, 2));
+    let pair = json(puzzle.overlay("player", 2, "player", 1).expect("both made"));
+    assert_eq!((&pair[0], &pair[1]), (&made[1], &made[0]));
+    assert_eq!(puzzle.steps(), longest);
+    assert_eq!(code(puzzle.overlay("player", 1, "model", 1).expect_err("refused")), "no_attempt");
+
+    puzzle.remove("player", 1).expect("made");
+    assert_eq!(json(puzzle.attempts("player").expect("a list"))[0]["ball"], made[1]["ball"]);
+    assert_eq!(code(puzzle.remove("player", 2).expect_err("refused")), "no_attempt");
+}
+
+#[wasm_bindgen_test]
 fn what_was_never_tried_cannot_be_replayed() {
     let mut puzzle = open(TASK);
     for number in [0, 1] {

@@ -94,9 +94,10 @@ export class Controls {
 }
 
 /** What a comparison shows. */
-function compared([player, model]) {
-  if (player && model) return `Your attempt ${player.number} and the model’s attempt ${model.number}, over each other.`;
-  return player ? `Your attempt ${player.number}; the model has made none.` : `The model’s attempt ${model.number}; you have made none.`;
+function compared([first, second]) {
+  const named = ({ agent, number }) => `${agent === "player" ? "your" : "the model’s"} attempt ${number}`;
+  if (second) return sentence(`${named(first)} and ${named(second)}, over each other; the second is dashed`);
+  return sentence(`${named(first)}; ${first.agent === "player" ? "the model has" : "you have"} made none`);
 }
 
 /** The session in one sentence, and its kind for the eye. */

@@ -99,8 +99,7 @@ class Page {
     for (const [name, colour] of Object.entries(this.#wasm.palette(dark))) {
       document.documentElement.style.setProperty(`--${name}`, colour);
     }
-    this.#gallery.dark = this.#canvas.dark = this.#imagine.dark = dark;
-    this.#gallery.redraw();
+    for (const part of [this.#gallery, this.#canvas, this.#imagine, ...this.#lists]) part.dark = dark;
     this.#canvas.draw();
   }
 

@@ -25,8 +25,8 @@ export class Session extends EventTarget {
   shown = null;
   /** Is the player's last attempt running for the first time? Then nothing tells yet how it ends. */
   unseen = false;
-  /** The best attempts of player and model, each or null; only while phase is "compare". */
-  pair = [null, null];
+  /** The one or two attempts that lie over each other, the player's first; only while phase is "compare". */
+  pair = [];
   /** The last refusal in words, or null. */
   refused = null;
   /** Has what is shown come to its end at least once? */
@@ -129,9 +129,45 @@ export class Session extends EventTarget {
 
   /** Shows the best attempts of both over each other: at their end, or from the start. */
   compare(play) {
-    this.pair = this.puzzle.compare();
-    if (!this.pair.some(Boolean)) return this.reset();
+    const [player, model] = this.puzzle.compare();
+    this.pair = [player && { agent: "player", ...player }, model && { agent: "model", ...model }].filter(Boolean);
+    if (this.pair.length === 0) return this.reset();
     this.#show("compare", null, play);
+  }
+
+  /** Lays an attempt over another: over the one that is shown, else over the other agent's last, else its neighbour. */
+  overlay(agent, number) {
+    const self = { agent, number };
+    const other = this.#partner(self);
+    if (!other) return this.replay(agent, number);
+    const pair = agent === "model" && other.agent === "player" ? [other, self] : [self, other];
+    const laid = this.puzzle.overlay(pair[0].agent, pair[0].number, pair[1].agent, pair[1].number);
+    this.pair = laid.map((attempt, index) => ({ agent: pair[index].agent, ...attempt }));
+    this.#show("compare", null);
+  }
+
+  #partner({ agent, number }) {
+    const another = (one) => one.agent !== agent || one.number !== number;
+    if (this.onShow.length === 1 && another(this.onShow[0])) return this.onShow[0];
+    const rival = agent === "player" ? "model" : "player";
+    const { used } = this.puzzle.score(rival);
+    if (used > 0) return { agent: rival, number: used };
+    const neighbour = number > 1 ? number - 1 : 2;
+    return neighbour <= this.puzzle.score(agent).used ? { agent, number: neighbour } : null;
+  }
+
+  /** The attempts that are being shown. */
+  get onShow() {
+    if (this.phase === "compare") return this.pair;
+    return this.shown ? [this.shown] : [];
+  }
+
+  /** Deletes an attempt; those after it move up by one. */
+  remove(agent, number) {
+    this.puzzle.remove(agent, number);
+    // What is shown may be the one that is gone, or have another number now.
+    if (this.placing) this.#changed("change");
+    else this.reset();
   }
 
   /** Back to placing, with the ball where it was. */

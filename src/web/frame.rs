@@ -33,6 +33,13 @@ pub struct View {
     dark: bool,
 }
 
+impl View {
+    /// How what is shown has ended: everything in its last place, paths whole.
+    pub fn ended(dark: bool) -> View {
+        View { step: f64::INFINITY, ball: None, knob: 0.0, whole: true, opacity: 0.0, dark }
+    }
+}
+
 /// Draws a frame. `takes` are the rollouts being shown, the first with its bodies, a second as outlines over it.
 pub fn paint(
     context: &CanvasRenderingContext2d,
@@ -61,8 +68,8 @@ pub fn paint(
     }
     let until = if view.whole { f64::INFINITY } else { view.step };
     for take in takes {
-        painter.path(take.path(until, scene.body1), Role::Green, take.line())?;
-        painter.path(take.path(until, scene.bodies.len()), Role::Red, take.line())?;
+        painter.path(take.path(until, scene.body1), Role::Green, take.line)?;
+        painter.path(take.path(until, scene.bodies.len()), Role::Red, take.line)?;
     }
     bodies(true)?;
     for (place, take) in takes.iter().enumerate() {
@@ -77,10 +84,10 @@ pub fn paint(
 /// The ball of one rollout; of one that is only laid over another, the green object too, both as outlines.
 fn ball(painter: &Painter, scene: &Scene, take: &Take, step: f64, outlined: bool) -> Result<(), JsValue> {
     if outlined && let Some(pose) = take.pose(step, scene.body1) {
-        painter.ghost(&scene.bodies[scene.body1], pose, take.line())?;
+        painter.ghost(&scene.bodies[scene.body1], pose, take.line)?;
     }
     match (take.attempt, take.pose(step, scene.bodies.len())) {
-        (Some((_, ball)), Some(pose)) if outlined => painter.ghost(&ball.body(), pose, take.line()),
+        (Some((_, ball)), Some(pose)) if outlined => painter.ghost(&ball.body(), pose, take.line),
         (Some((_, ball)), Some([x, y, angle])) => {
             painter.ball(Ball { x: x.into(), y: y.into(), ..ball }, angle.into(), true)
         }

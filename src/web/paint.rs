@@ -22,6 +22,9 @@ const HATCH: (f64, f64) = (4.5, 1.2);
 /// Width of a path, px.
 const PATH: f64 = 1.6;
 
+/// The least width of a path, pixels of the canvas: in a small picture `PATH` alone is a hair.
+const PATH_PIXELS: f64 = 1.2;
+
 pub struct Painter<'a> {
     context: &'a CanvasRenderingContext2d,
     palette: &'static Palette,
@@ -138,12 +141,13 @@ impl<'a> Painter<'a> {
         for [x, y] in points {
             self.context.line_to(x, y);
         }
+        let width = PATH.max(PATH_PIXELS / self.scale);
         // A rim in the colour of the paper keeps the path in sight where it crosses a body of its own colour.
-        self.stroke(self.palette.paper, PATH + 1.4, Line::Solid)?;
+        self.stroke(self.palette.paper, width + 1.4, Line::Solid)?;
         self.context.set_global_alpha(0.7);
         self.context.stroke();
         self.context.set_global_alpha(1.0);
-        self.stroke(self.palette.role(role), PATH, line)?;
+        self.stroke(self.palette.role(role), width, line)?;
         self.context.stroke();
         Ok(())
     }

@@ -8,7 +8,8 @@ use wasm_bindgen::prelude::*;
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 
 use super::error::{Code, error, from_plain, plain};
-use super::frame;
+use super::frame::{self, View};
+use super::paint::Line;
 use super::take::Take;
 use crate::action::{Ball, Invalid};
 use crate::game::{Agent, Attempt, Game, Refused};
@@ -87,14 +88,14 @@ impl Puzzle {
     pub fn attempt(&mut self, x: f64, y: f64, r: f64) -> Result<JsValue, JsValue> {
         let ball = Ball { x, y, r };
         let (number, rollout) = self.game.play(Agent::Player, ball).map_err(|why| self.refusal(why))?;
-        self.takes = vec![Take { attempt: Some((Agent::Player, ball)), rollout }];
+        self.takes = vec![Take { attempt: Some((Agent::Player, ball)), rollout, line: Line::Solid }];
         plain(&Listed::new(number, self.game.attempts(Agent::Player)[number - 1]))
     }
 
     /// Shows what happens without a ball.
     pub fn watch(&mut self) -> Result<(), JsValue> {
         let rollout = simulate(&self.task.scene, None).map_err(|why| self.refusal(why.into()))?;
-        self.takes = vec![Take { attempt: None, rollout }];
+        self.takes = vec![Take { attempt: None, rollout, line: Line::Solid }];
         Ok(())
     }
 
@@ -103,11 +104,19 @@ impl Puzzle {
     /// # Errors
     /// `no_attempt` if the agent (`player` or `model`) has made fewer.
     pub fn replay(&mut self, agent: &str, number: usize) -> Result<JsValue, JsValue> {
-        let agent = agent_named(agent)?;
-        let attempt = number.checked_sub(1).and_then(|index| self.game.attempts(agent).get(index).copied());
-        let attempt = attempt.ok_or_else(|| error(Code::NoAttempt, format!("there is no attempt {number}")))?;
-        self.takes = vec![self.take(agent, attempt)?];
-        plain(&Listed::new(number, attempt))
+        let (take, listed) = self.again(agent, number)?;
+        self.takes = vec![take];
+        plain(&listed)
+    }
+
+    /// Shows two attempts over each other, the second dashed: `[first, second]`, each as in `replay`.
+    ///
+    /// # Errors
+    /// `no_attempt` if an agent (`player` or `model`) has made fewer.
+    pub fn overlay(&mut self, agent: &str, number: usize, other: &str, over: usize) -> Result<JsValue, JsValue> {
+        let ((first, one), (second, two)) = (self.again(agent, number)?, self.again(other, over)?);
+        self.takes = vec![Take { line: Line::Solid, ..first }, Take { line: Line::Dashed, ..second }];
+        plain(&[one, two])
     }
 
     /// Shows the best attempts of player and model over each other: `[player, model]`, each as in `replay` or null.
@@ -150,6 +159,14 @@ impl Puzzle {
         self.game.verdict()
     }
 
+    /// Forgets one attempt of an agent's; those after it move up by one.
+    ///
+    /// # Errors
+    /// `no_attempt` if the agent has made fewer.
+    pub fn remove(&mut self, agent: &str, number: usize) -> Result<(), JsValue> {
+        if self.game.remove(agent_named(agent)?, number) { Ok(()) } else { Err(none(number)) }
+    }
+
     /// Forgets an agent's attempts.
     pub fn clear(&mut self, agent: &str) -> Result<(), JsValue> {
         self.game.clear(agent_named(agent)?);
@@ -178,12 +195,37 @@ impl Puzzle {
     ) -> Result<(), JsValue> {
         frame::paint(context, &self.task.scene, &self.takes, &from_plain(view)?, &maps)
     }
+
+    /// Draws how an attempt ended, with its whole paths, into a square canvas.
+    ///
+    /// # Errors
+    /// `no_attempt` if the agent has made fewer.
+    #[wasm_bindgen(js_name = paintAttempt)]
+    pub fn paint_attempt(
+        &self,
+        context: &CanvasRenderingContext2d,
+        agent: &str,
+        number: usize,
+        dark: bool,
+    ) -> Result<(), JsValue> {
+        let (take, _) = self.again(agent, number)?;
+        frame::paint(context, &self.task.scene, &[take], &View::ended(dark), &[])
+    }
 }
 
 impl Puzzle {
     fn take(&self, agent: Agent, attempt: Attempt) -> Result<Take, JsValue> {
         let rollout = simulate(&self.task.scene, Some(attempt.ball)).map_err(|why| self.refusal(why.into()))?;
-        Ok(Take { attempt: Some((agent, attempt.ball)), rollout })
+        let line = if agent == Agent::Model { Line::Dashed } else { Line::Solid };
+        Ok(Take { attempt: Some((agent, attempt.ball)), rollout, line })
+    }
+
+    /// An attempt that was made, simulated once more, and as it is listed.
+    fn again(&self, agent: &str, number: usize) -> Result<(Take, Listed), JsValue> {
+        let agent = agent_named(agent)?;
+        let attempt = number.checked_sub(1).and_then(|index| self.game.attempts(agent).get(index).copied());
+        let attempt = attempt.ok_or_else(|| none(number))?;
+        Ok((self.take(agent, attempt)?, Listed::new(number, attempt)))
     }
 
     fn refusal(&self, why: Refused) -> JsValue {
@@ -192,6 +234,10 @@ impl Puzzle {
             Refused::Spent => error(Code::Spent, why),
         }
     }
+}
+
+fn none(number: usize) -> JsValue {
+    error(Code::NoAttempt, format!("there is no attempt {number}"))
 }
 
 fn agent_named(name: &str) -> Result<Agent, JsValue> {

@@ -11,17 +11,11 @@ pub struct Take {
     /// `None` if the scene runs without a ball.
     pub attempt: Option<(Agent, Ball)>,
     pub rollout: Rollout,
+    /// How its paths are drawn.
+    pub line: Line,
 }
 
 impl Take {
-    /// How its paths are drawn.
-    pub fn line(&self) -> Line {
-        match self.attempt {
-            Some((Agent::Model, _)) => Line::Dashed,
-            _ => Line::Solid,
-        }
-    }
-
     /// The pose of a moving body at a step, which may lie between two; after the last it stays.
     pub fn pose(&self, step: f64, body: usize) -> Option<Pose> {
         let step = step.clamp(0.0, self.rollout.steps as f64);

@@ -25,12 +25,12 @@ async function played(page) {
 test('the model plays until it has solved, or a hundred times', async () => {
   const page = await compare();
   await played(page);
-  const results = await page.locator('#it-attempts button').allTextContents();
+  const results = await page.locator('#it-attempts [data-act=replay]').allTextContents();
   const solved = results.map((text) => /solved after/.test(text));
   assert.ok(results.length >= 1 && results.length <= 100);
   if (solved.includes(true)) assert.equal(solved.indexOf(true), results.length - 1, 'it stops when solved');
   else assert.equal(results.length, 100);
-  await page.locator('#it-attempts button').first().click();
+  await page.locator('#it-attempts [data-act=replay]').first().click();
   await says(page, /The model’s attempt 1:/);
   assert.equal(await page.locator('#play-attempts li').count(), 0, 'the player has made none');
 });
@@ -42,12 +42,12 @@ test('its turn can be stopped, and taken up again with the same balls', async ()
   // An easy puzzle may be solved before the button is reached.
   if ((await page.locator('#turn').textContent()) === 'Stop the model') await page.locator('#turn').click({ timeout: 2000 }).catch(() => {});
   await page.waitForTimeout(300);
-  const [first, count] = [await page.locator('#it-attempts button').first().getAttribute('title'), await made(page)];
+  const [first, count] = [await page.locator('#it-attempts [data-act=replay]').first().getAttribute('title'), await made(page)];
   await page.waitForTimeout(500);
   assert.equal(await made(page), count, 'a stopped model makes no more attempts');
   if ((await page.locator('#turn').textContent()) === 'Let the model play') await played(page);
   assert.ok((await made(page)) >= count);
-  assert.equal(await page.locator('#it-attempts button').first().getAttribute('title'), first);
+  assert.equal(await page.locator('#it-attempts [data-act=replay]').first().getAttribute('title'), first);
 });
 
 test('player and model side by side, both paths over each other', async () => {

@@ -84,10 +84,10 @@ test('an attempt is replayed from the list and does not count again', async () =
     await says(page, /attempt/);
     await page.locator('#reset').click();
   }
-  await page.locator('#play-attempts button').first().click();
+  await page.locator('#play-attempts [data-act=replay]').first().click();
   await says(page, /^Not solved\. Your attempt 1/);
   assert.equal(await attempts(page), 2);
-  assert.equal(await page.locator('#play-attempts [aria-current]').textContent(), await page.locator('#play-attempts button').first().textContent());
+  assert.equal(await page.locator('#play-attempts [aria-current]').textContent(), await page.locator('#play-attempts [data-act=replay]').first().textContent());
   // The very same ball is the same attempt.
   await page.locator('#reset').click();
   await page.locator('#run').click();

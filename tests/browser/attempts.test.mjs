@@ -1,0 +1,82 @@
+// The player's attempts: each joins the list with a picture of how it ended, and can be compared and deleted.
+
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { start } from './harness.mjs';
+import { attempts, known, openPuzzle, palette, picture, pixels, says, type } from './playing.mjs';
+
+let session;
+before(async () => (session = await start()));
+after(() => session.stop());
+
+const row = (page, number) => page.locator(`#play-attempts li[data-number="${number}"]`);
+
+/** A puzzle on which two balls have been tried: one that misses, then one that solves. */
+async function tried(options = {}) {
+  const page = await openPuzzle(session, { still: true, ...options });
+  const { missing, solving } = await known(page);
+  for (const [ball, words] of [[missing, /^Not solved\. Your attempt 1/], [solving, /^Solved! Your attempt 2/]]) {
+    await type(page, ball);
+    await page.locator('#run').click();
+    await says(page, words);
+    await page.locator('#reset').click();
+  }
+  return page;
+}
+
+test('every attempt has a picture of its own, with its ball in it', async () => {
+  const page = await tried({ deviceScaleFactor: 2 });
+  const red = (await palette(page)).red;
+  const pictures = new Set();
+  for (const number of [1, 2]) {
+    await row(page, number).locator('canvas.drawn').waitFor();
+    const canvas = `#play-attempts li[data-number="${number}"] canvas`;
+    assert.ok((await pixels(page, red, canvas)) > 5, `the red ball of attempt ${number}`);
+    pictures.add(await picture(page, canvas));
+  }
+  assert.equal(pictures.size, 2);
+  // In words, and not by colour or mark alone.
+  assert.match(await row(page, 2).locator('.words').textContent(), /^solved after/);
+  await page.emulateMedia({ colorScheme: 'dark' });
+  await page.waitForTimeout(300);
+  assert.ok(!pictures.has(await picture(page, '#play-attempts li[data-number="1"] canvas')), 'drawn afresh in the dark');
+});
+
+test('two attempts of one’s own lie over each other', async () => {
+  const page = await tried();
+  await row(page, 1).locator('[data-act=replay]').click();
+  await says(page, /^Not solved\. Your attempt 1/);
+  await page.waitForTimeout(100);
+  const alone = await picture(page);
+  await row(page, 2).getByRole('button', { name: 'Compare attempt 2' }).click();
+  await says(page, /^Your attempt 2 and your attempt 1, over each other/);
+  await page.waitForTimeout(100);
+  assert.notEqual(await picture(page), alone);
+  assert.equal(await page.locator('#play-attempts [aria-current]').count(), 2);
+});
+
+test('an attempt is deleted, by key too, and the list closes up', async () => {
+  const page = await tried();
+  await row(page, 1).locator('[data-act=replay]').click();
+  await row(page, 1).getByRole('button', { name: 'Delete attempt 1' }).focus();
+  await page.keyboard.press('Enter');
+  assert.equal(await attempts(page), 1);
+  assert.match(await row(page, 1).locator('.words').textContent(), /^solved after/);
+  assert.equal(await page.locator('#play-count').textContent(), 'solved on attempt 1');
+  // What was shown is gone, so the ball can be placed; the focus stays in the list.
+  await says(page, /may start here/);
+  assert.equal(await page.evaluate(() => document.activeElement.getAttribute('aria-label')), 'Delete attempt 1');
+  await page.keyboard.press('Enter');
+  assert.equal(await attempts(page), 0);
+  assert.equal(await page.locator('#play-empty').isVisible(), true);
+});
+
+test('the buttons of an attempt are as large as a finger needs', async () => {
+  const page = await tried({ viewport: { width: 360, height: 640 }, hasTouch: true, isMobile: true });
+  for (const button of await row(page, 1).locator('button').all()) {
+    const { width, height } = await button.boundingBox();
+    assert.ok(width >= 24 && height >= 24, `${width} x ${height}`);
+  }
+  await row(page, 2).locator('[data-act=remove]').tap();
+  assert.equal(await attempts(page), 1);
+});
