@@ -7,6 +7,7 @@ const SIDE = 176;
 
 export class Gallery {
   #pictures;
+  #marks = {};
   #dark = false;
 
   /** `templates`: as the wasm lists them. */
@@ -20,7 +21,12 @@ export class Gallery {
     this.#pictures.redraw();
   }
 
-  #item({ name, story, tasks: [first] }) {
+  /** Says under a template what has been solved of it. */
+  mark(id, words) {
+    this.#marks[id].textContent = words;
+  }
+
+  #item({ id, name, story, tasks: [first] }) {
     const link = document.createElement("a");
     link.href = `#task=${first}`;
     const canvas = this.#pictures.add(SIDE);
@@ -29,7 +35,9 @@ export class Gallery {
     title.textContent = name;
     const text = document.createElement("span");
     text.textContent = story;
-    link.append(canvas, title, text);
+    const mark = document.createElement("em");
+    this.#marks[id] = mark;
+    link.append(canvas, title, text, mark);
     const item = document.createElement("li");
     item.append(link);
     return item;

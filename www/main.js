@@ -9,6 +9,8 @@ import { Gallery } from "./gallery.js";
 import { Imagine } from "./imagine.js";
 import { Model } from "./model.js";
 import { notice, quiet } from "./notice.js";
+import { Progress } from "./progress.js";
+import { Record } from "./record.js";
 import { Session } from "./session.js";
 import { PANELS, START, read, write } from "./state.js";
 
@@ -43,6 +45,8 @@ class Page {
   #imagine;
   #compare;
   #lists;
+  #progress = new Progress();
+  #record;
   #writing = null;
 
   constructor(wasm, module) {
@@ -50,6 +54,7 @@ class Page {
     this.#templates = wasm.templates();
     this.#model = new Model(module);
     this.#gallery = new Gallery(at("templates"), wasm, this.#templates);
+    this.#record = new Record(this.#progress, this.#templates, this.#gallery);
     this.#imagine = new Imagine(wasm, this.#model);
     this.#compare = new Compare(this.#model);
     this.#lists = [
@@ -145,9 +150,10 @@ class Page {
     at("name").textContent = name;
     document.title = `${name} ${task} – Pathlight`;
     const { tasks } = this.#template(task);
-    at("task").replaceChildren(...tasks.map((id) => new Option(id, id, id === task, id === task)));
+    at("task").replaceChildren(...tasks.map((id) => new Option(this.#record.label(id), id, id === task, id === task)));
     at("task").title = `Puzzle ${tasks.indexOf(task) + 1} of ${tasks.length}`;
     session.addEventListener("change", () => this.#note());
+    session.addEventListener("attempt", ({ detail }) => this.#progress.note(task, detail.solved));
     for (const part of [this.#canvas, this.#controls, this.#imagine, this.#compare, ...this.#lists]) part.show(session);
   }
 

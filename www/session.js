@@ -1,6 +1,7 @@
 // One puzzle being played: the ball being placed, the rollout being shown, the attempts of player and model.
 // Wraps the wasm's Puzzle and the clock; the parts of the page ask it to do things and listen:
 //   "change" something to read has changed      "draw" only the picture has
+//   "attempt" an attempt of the player's that was new is over, with { solved }
 // Knows nothing of the document.
 
 import { History } from "./history.js";
@@ -172,10 +173,10 @@ export class Session extends EventTarget {
 
   /** Back to placing, with the ball where it was. */
   reset() {
+    this.#settle();
     this.puzzle.reset();
     this.phase = "placing";
     this.shown = null;
-    this.unseen = false;
     this.playback.load(0);
     this.#changed("change");
   }
@@ -210,11 +211,13 @@ export class Session extends EventTarget {
 
   /** Stops the clock and gives the wasm's memory back. */
   close() {
+    this.#settle();
     this.playback.pause();
     this.puzzle.free();
   }
 
   #show(phase, attempt, play = true, unseen = false) {
+    this.#settle();
     this.phase = phase;
     this.shown = attempt;
     this.refused = null;
@@ -231,10 +234,17 @@ export class Session extends EventTarget {
     const { playing, ended } = this.playback;
     if (!this.placing && ended && !playing && !this.finished) {
       this.finished = true;
-      this.unseen = false;
+      this.#settle();
       this.#changed("change");
     }
     this.#changed("draw");
+  }
+
+  /** The player's new attempt has run to its end, or the player has turned from it: now it may be told. */
+  #settle() {
+    if (!this.unseen) return;
+    this.unseen = false;
+    this.dispatchEvent(new CustomEvent("attempt", { detail: { solved: this.shown.ending.solved } }));
   }
 
   #refuse(words) {

@@ -1,0 +1,123 @@
+// What was tried and solved is kept on the device, shown on the grid and in the picker, saved to a file and cleared;
+// a store that is damaged or forbidden never breaks the page.
+
+import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
+import { after, before, test } from 'node:test';
+import { start } from './harness.mjs';
+import { EASY, known, openPuzzle, says, type } from './playing.mjs';
+
+let session;
+before(async () => (session = await start()));
+after(() => session.stop());
+
+const KEY = 'pathlight.progress';
+const label = (page, task = EASY) => page.locator(`#task option[value="${task}"]`).textContent();
+const mark = (page) => page.locator('#templates li').first().locator('em');
+
+async function run(page, ball, words) {
+  await type(page, ball);
+  await page.locator('#run').click();
+  await says(page, words);
+}
+
+/** A miss, then a solution, on the easy puzzle. */
+async function played(page) {
+  const { missing, solving } = await known(page);
+  await run(page, missing, /^Not solved/);
+  assert.equal(await label(page), `${EASY} × 1`);
+  await page.locator('#reset').click();
+  await run(page, solving, /^Solved/);
+  assert.equal(await label(page), `${EASY} ✓ in 2`);
+}
+
+test('progress is told on the grid and in the picker, and outlasts the page', async () => {
+  const page = await openPuzzle(session, { still: true });
+  await played(page);
+  await page.locator('#home').click();
+  assert.equal(await mark(page).textContent(), '✓ 1 of 100 solved, in 2 attempts');
+  await page.reload();
+  await page.locator('#record:visible').filter({ hasText: 'So far you have tried 1 puzzle and solved 1, in 2 attempts.' }).waitFor();
+  assert.equal(await mark(page).textContent(), '✓ 1 of 100 solved, in 2 attempts');
+  await page.locator('#templates a').first().click();
+  assert.equal(await label(page), `${EASY} ✓ in 2`);
+});
+
+test('an attempt is not told before it has run, and counts when it is left', async () => {
+  const page = await openPuzzle(session);
+  const { solving } = await known(page);
+  await run(page, solving, /is running/);
+  assert.equal(await label(page), EASY);
+  await page.locator('#next').click();
+  await page.locator('#previous').click();
+  assert.equal(await label(page), `${EASY} ✓ in 1`);
+});
+
+test('another tab’s attempts are seen, and added to', async () => {
+  const page = await openPuzzle(session, { still: true });
+  const other = await page.context().newPage();
+  await other.goto(page.url());
+  const { missing, solving } = await known(page);
+  await run(page, missing, /^Not solved/);
+  await other.waitForFunction((task) => document.querySelector('#task').selectedOptions[0].textContent === `${task} × 1`, EASY);
+  await other.emulateMedia({ reducedMotion: 'reduce' });
+  await run(other, solving, /^Solved/);
+  assert.equal(await label(other), `${EASY} ✓ in 2`);
+});
+
+test('progress is saved to a file, and forgotten only when the person is sure', async () => {
+  const page = await openPuzzle(session, { still: true });
+  await played(page);
+  await page.locator('#home').click();
+  const [file] = await Promise.all([page.waitForEvent('download'), page.locator('#save').click()]);
+  assert.equal(file.suggestedFilename(), 'pathlight-progress.json');
+  assert.deepEqual(JSON.parse(await readFile(await file.path(), 'utf8')), { tasks: { [EASY]: { attempts: 2, solved: 2 } } });
+
+  await page.locator('#forget').click();
+  await page.keyboard.press('Escape');
+  assert.ok(await page.locator('#record').isVisible());
+  await page.locator('#forget').click();
+  await page.locator('#forgetting button[value=keep]').click();
+  assert.ok(await page.locator('#record').isVisible());
+  await page.locator('#forget').click();
+  await page.locator('#forgetting button[value=forget]').click();
+  await page.locator('#record').waitFor({ state: 'hidden' });
+  assert.equal(await mark(page).textContent(), '');
+  assert.equal(await page.evaluate((key) => localStorage.getItem(key), KEY), null);
+});
+
+for (const [what, kept, tried] of [
+  ['no JSON', '{"tasks": {', 0],
+  ['another form', '[1, 2]', 0],
+  ['nothing', 'null', 0],
+  ['partly nonsense', JSON.stringify({ tasks: { [EASY]: { attempts: 2, solved: null }, soup: { attempts: 1, solved: 1 }, '00001:000': { attempts: 1, solved: 7 }, '00002:000': null, '00003:000': { attempts: -1e99, solved: null } } }), 1],
+]) {
+  test(`a store that holds ${what} does no harm`, async () => {
+    const page = await session.open('/');
+    await page.evaluate(([key, kept]) => localStorage.setItem(key, kept), [KEY, kept]);
+    await page.reload();
+    await page.locator('#templates a').first().waitFor();
+    assert.equal((await page.locator('#templates em').allTextContents()).filter(Boolean).length, tried);
+    await page.emulateMedia({ reducedMotion: 'reduce' });
+    await page.locator('#templates a').first().click();
+    await run(page, (await known(page)).solving, /^Solved/);
+    assert.equal(await label(page), `${EASY} ✓ in ${tried ? 3 : 1}`);
+  });
+}
+
+for (const [what, forbid] of [
+  ['asked', () => Object.defineProperty(globalThis, 'localStorage', { get: () => { throw new DOMException('no', 'SecurityError'); } })],
+  ['written', () => { Storage.prototype.setItem = () => { throw new DOMException('full', 'QuotaExceededError'); }; }],
+]) {
+  test(`a store that may not be ${what} lasts as long as the page, which says so`, async () => {
+    const page = await session.open(`/#task=${EASY}`, { reducedMotion: 'reduce' });
+    await page.addInitScript(forbid);
+    await page.reload();
+    await page.locator('#scene').waitFor();
+    await played(page);
+    await page.locator('#home').click();
+    await page.locator('#record:visible').filter({ hasText: 'keeps nothing for the page' }).waitFor();
+    assert.equal(await mark(page).textContent(), '✓ 1 of 100 solved, in 2 attempts');
+    assert.ok(await page.locator('#notice').isHidden());
+  });
+}
