@@ -20,6 +20,9 @@ pub const CHANNELS: usize = 5;
 /// A path keeps every tenth step of a rollout, as in the authors' data.
 const PATH_STRIDE: usize = 10;
 
+/// Distance between two drawings of a body along a trail, px: half a cell, so that no cell is left out.
+const TRAIL_STRIDE: f64 = 2.0;
+
 /// Pixels across a cell.
 const POOL: usize = SIZE as usize / SIDE;
 
@@ -147,9 +150,27 @@ pub fn path_image(body: &Body, rollout: &Rollout, index: usize) -> Bitmap {
     image
 }
 
+/// Every place where a body would be if it slid along a line through these points, px: what a person draws,
+/// as a path. It stands at the start too, keeps its angle, and no point takes it out of the scene.
+pub fn trail_image(body: &Body, points: &[[f64; 2]]) -> Bitmap {
+    let mut image = Bitmap::EMPTY;
+    let mut draw = |[x, y]: [f64; 2]| image.draw(body, [x as f32, y as f32, body.angle as f32]);
+    draw([body.x, body.y]);
+    let kept: Vec<[f64; 2]> = points.iter().map(|point| point.map(|value| value.clamp(0.0, SIZE))).collect();
+    for (from, to) in kept.iter().zip(kept.iter().skip(1).chain(kept.last())) {
+        let steps = (libm::hypot(to[0] - from[0], to[1] - from[1]) / TRAIL_STRIDE).ceil().max(1.0);
+        for step in 0..steps as usize {
+            let share = step as f64 / steps;
+            draw([from[0] + share * (to[0] - from[0]), from[1] + share * (to[1] - from[1])]);
+        }
+    }
+    image
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scene::Shape;
 
     fn area_px(ball: Ball) -> f64 {
         f64::from(ball_image(ball).count()) * (POOL * POOL) as f64
@@ -173,6 +194,23 @@ mod tests {
     fn what_sticks_out_of_the_scene_is_cut_off() {
         assert!(ball_image(Ball { x: -10.0, y: 300.0, r: 20.0 }).count() == 0);
         assert!(ball_image(Ball { x: 0.0, y: 0.0, r: 8.0 }).get(0, 0));
+    }
+
+    #[test]
+    fn a_trail_is_the_body_all_along_the_line_and_at_the_start() {
+        let parts = vec![Part::Circle(6.0)];
+        let body = Body { x: 20.0, y: 20.0, angle: 0.0, dynamic: true, shape: Shape::Ball, role: Role::Green, parts };
+        let ball = |x, y| ball_image(Ball { x, y, r: 6.0 });
+        assert_eq!(trail_image(&body, &[]), ball(20.0, 20.0));
+        let mut wanted = ball(20.0, 20.0);
+        for x in 100..=200 {
+            wanted |= ball(f64::from(x), 100.0);
+        }
+        let drawn = trail_image(&body, &[[100.0, 100.0], [200.0, 100.0]]);
+        let missing = (0..SIDE).map(|row| (wanted.0[row] & !drawn.0[row]).count_ones()).sum::<u32>();
+        assert!(missing <= 2, "{missing} cells of the line are not drawn");
+        assert!(drawn.count() <= wanted.count());
+        assert!(trail_image(&body, &[[f64::NAN, f64::INFINITY], [-1e300, 1e300]]).count() > 0, "bad points do no harm");
     }
 
     #[test]
