@@ -6,6 +6,7 @@
 
 use rand::{Rng, RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
+use serde::Serialize;
 
 use crate::action::{Action, Ball};
 use crate::raster::{SIDE, ball_image};
@@ -30,42 +31,68 @@ const NOISE_GROWTH: f64 = 0.001;
 /// Draws for one proposal before the search widens: the map then lies where no ball may be.
 const PATIENCE: usize = 200;
 
+/// A ball that is proposed, and how it was come by.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Proposal {
+    pub ball: Ball,
+    pub origin: Origin,
+    /// Draws before it that were passed over: invalid, or proposed already.
+    pub passed: usize,
+}
+
+/// Where a proposal comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(tag = "kind", rename_all = "snake_case")]
+pub enum Origin {
+    /// A cell of the map, by its middle in px, from which the ball was improved.
+    Map { x: f64, y: f64 },
+    /// An earlier proposal, by its number from 1, with noise.
+    Near { number: usize },
+    /// Chance: the map has no place where a ball may be.
+    Chance,
+}
+
 /// Up to `attempts` valid, distinct balls, best guess first. `map` holds 64 x 64 values in 0..=1, row 0 at the
 /// bottom. The same seed gives the same balls.
-pub fn proposals(map: &[f32], scene: &Scene, seed: u64, attempts: usize) -> Vec<Ball> {
+pub fn proposals(map: &[f32], scene: &Scene, seed: u64, attempts: usize) -> Vec<Proposal> {
     let mut rng = Pcg64Mcg::seed_from_u64(seed);
     let highest = map.iter().copied().fold(0.0, f32::max);
     let seeds: Vec<usize> = (0..map.len()).filter(|&cell| map[cell] > THRESHOLD * highest).collect();
-    let mut balls: Vec<Ball> = Vec::with_capacity(attempts);
-    let mut starts: Vec<Action> = Vec::with_capacity(STARTS);
+    let mut found: Vec<Proposal> = Vec::with_capacity(attempts);
     for _ in 0..STARTS.min(attempts) {
-        let fresh = (0..PATIENCE).find_map(|_| {
-            let ball = seeded(map, scene, &seeds, &mut rng)?;
-            (!balls.contains(&ball)).then_some(ball)
+        let fresh = (0..PATIENCE).find_map(|passed| {
+            let (ball, [x, y]) = seeded(map, scene, &seeds, &mut rng)?;
+            new(ball, &found).then_some(Proposal { ball, origin: Origin::Map { x, y }, passed })
         });
-        balls.extend(fresh);
-        starts.extend(fresh.map(|ball| ball.action()));
+        found.extend(fresh);
     }
+    let starts: Vec<Action> = found.iter().map(|start| start.ball.action()).collect();
     if starts.is_empty() {
-        return std::iter::repeat_with(|| random_ball(scene, &mut rng)).take(attempts).collect();
+        let blind = std::iter::repeat_with(|| random_ball(scene, &mut rng)).take(attempts);
+        return blind.map(|ball| Proposal { ball, origin: Origin::Chance, passed: 0 }).collect();
     }
     for turn in 0.. {
-        if balls.len() >= attempts {
+        if found.len() >= attempts {
             break;
         }
-        let start = starts[turn % starts.len()];
+        let number = turn % starts.len();
         // Noise that finds no free place grows until it covers the whole scene.
         let mut deviation = NOISE + NOISE_GROWTH * turn as f64;
-        let fresh = (0..).find_map(|tries| {
-            if tries % PATIENCE == PATIENCE - 1 {
+        let fresh = (0..).find_map(|passed| {
+            if passed % PATIENCE == PATIENCE - 1 {
                 deviation = (deviation * 2.0).min(1.0);
             }
-            let ball = nudged(start, deviation, &mut rng).place(scene).ok()?;
-            (!balls.contains(&ball)).then_some(ball)
+            let ball = nudged(starts[number], deviation, &mut rng).place(scene).ok()?;
+            let origin = Origin::Near { number: number + 1 };
+            new(ball, &found).then_some(Proposal { ball, origin, passed })
         });
-        balls.extend(fresh);
+        found.extend(fresh);
     }
-    balls
+    found
+}
+
+fn new(ball: Ball, found: &[Proposal]) -> bool {
+    found.iter().all(|before| before.ball != ball)
 }
 
 /// A valid ball drawn uniformly from the action space.
@@ -78,8 +105,8 @@ pub fn random_ball(scene: &Scene, rng: &mut impl Rng) -> Ball {
     }
 }
 
-/// A ball on one of the cells, of random radius, improved; `None` if it is not valid.
-fn seeded(map: &[f32], scene: &Scene, seeds: &[usize], rng: &mut impl Rng) -> Option<Ball> {
+/// A ball on one of the cells, of random radius, improved, and the middle of that cell; `None` if it is not valid.
+fn seeded(map: &[f32], scene: &Scene, seeds: &[usize], rng: &mut impl Rng) -> Option<(Ball, [f64; 2])> {
     let cell = *seeds.get(rng.random_range(0..seeds.len().max(1)))?;
     let centre = |index: usize| (index as f64 + 0.5) * SIZE / SIDE as f64;
     let start = Ball { x: centre(cell % SIDE), y: centre(cell / SIDE), r: rng.random_range(2.0..32.0) };
@@ -97,7 +124,7 @@ fn seeded(map: &[f32], scene: &Scene, seeds: &[usize], rng: &mut impl Rng) -> Op
         }
         reach = (reach / 2.0).max(1.0);
     }
-    Some(ball)
+    Some((ball, [start.x, start.y]))
 }
 
 const NEIGHBOURS: [(f64, f64, f64); 6] =
@@ -144,7 +171,7 @@ mod tests {
         let mut rng = Pcg64Mcg::seed_from_u64(3);
         for _ in 0..20 {
             let wanted = random_ball(&scene, &mut rng);
-            let first = proposals(&sure_of(wanted), &scene, 0, 1)[0];
+            let first = proposals(&sure_of(wanted), &scene, 0, 1)[0].ball;
             assert!((first.x - wanted.x).abs() <= 8.0 && (first.y - wanted.y).abs() <= 8.0, "{wanted}: {first}");
             assert!((first.r - wanted.r).abs() <= 8.0, "{wanted}: {first}");
         }
@@ -158,13 +185,30 @@ mod tests {
         let body = &scene.bodies[scene.body1];
         let blocked = sure_of(Ball { x: body.x, y: body.y, r: 4.0 });
         for map in [vec![0.0; CELLS], everywhere, blocked, vec![f32::NAN; CELLS]] {
-            let balls = proposals(&map, &scene, 5, 100);
+            let found = proposals(&map, &scene, 5, 100);
+            let balls: Vec<Ball> = found.iter().map(|proposal| proposal.ball).collect();
             assert_eq!(balls.len(), 100);
             for (index, ball) in balls.iter().enumerate() {
                 assert_eq!(ball.check(&scene), Ok(()));
                 assert!(!balls[..index].contains(ball), "{ball} twice");
             }
-            assert_eq!(balls, proposals(&map, &scene, 5, 100), "the same seed gives the same balls");
+            assert_eq!(found, proposals(&map, &scene, 5, 100), "the same seed gives the same balls");
         }
+    }
+
+    #[test]
+    fn a_proposal_says_where_it_comes_from() {
+        let scene = scene();
+        let wanted = random_ball(&scene, &mut Pcg64Mcg::seed_from_u64(3));
+        let found = proposals(&sure_of(wanted), &scene, 0, 20);
+        let origins: Vec<Origin> = found.iter().map(|proposal| proposal.origin).collect();
+        for origin in &origins[..STARTS] {
+            let Origin::Map { x, y } = *origin else { panic!("{origin:?} is a start") };
+            assert!(libm::hypot(x - wanted.x, y - wanted.y) < wanted.r + 4.0, "{x}, {y} is not a cell of the map");
+        }
+        for (turn, origin) in origins[STARTS..].iter().enumerate() {
+            assert_eq!(*origin, Origin::Near { number: turn % STARTS + 1 });
+        }
+        assert_eq!(proposals(&[0.0; CELLS], &scene, 0, 1)[0].origin, Origin::Chance);
     }
 }

@@ -9,12 +9,17 @@ use rand_pcg::Pcg64Mcg;
 
 use crate::action::Ball;
 use crate::pathnet::PathNet;
-use crate::placement::{proposals, random_ball};
+use crate::placement::{Proposal, proposals, random_ball};
 use crate::scene::Scene;
 use crate::task::TaskId;
 
 /// The model imagines, then proposes what its placement map shows.
 pub fn model(nets: &PathNet, task: TaskId, scene: &Scene, run: u64, count: usize) -> Vec<Ball> {
+    traced(nets, task, scene, run, count).into_iter().map(|proposal| proposal.ball).collect()
+}
+
+/// The same balls as `model`, each with where it comes from.
+pub fn traced(nets: &PathNet, task: TaskId, scene: &Scene, run: u64, count: usize) -> Vec<Proposal> {
     proposals(&nets.imagine(scene).placement, scene, task.seed(run), count)
 }
 
