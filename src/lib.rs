@@ -22,10 +22,11 @@
 //! | `scene`, `action`, `rollout` | plain data: bodies, the action ball and when it is valid, poses over time |
 //! | `layout`, `templates`, `task` | how the 2,500 tasks are laid out, and their ids |
 //! | `simulator` | a scene and a ball in, a rollout out |
-//! | `raster` | scenes and rollouts as 64 x 64 pictures |
+//! | `raster`, `overlap` | scenes and rollouts as 64 x 64 pictures, and how well two of them agree |
 //! | `pathnet`, `placement` | the four nets, and balls from the last one's map |
 //! | `proposer`, `folds`, `auccess` | who proposes balls, on which tasks, and how well |
 //! | `solutions`, `samples` | known solutions, and the pictures that nets learn from |
+//! | `solve_map` | where a ball of one radius solves a scene, by simulation |
 //! | `game`, `web` | one session on one puzzle, and the page's way in |
 
 pub mod action;
@@ -33,6 +34,7 @@ pub mod auccess;
 pub mod folds;
 pub mod game;
 pub mod layout;
+pub mod overlap;
 pub mod pathnet;
 pub mod placement;
 pub mod proposer;
@@ -42,6 +44,7 @@ pub mod samples;
 pub mod scene;
 pub mod simulator;
 pub mod solutions;
+pub mod solve_map;
 pub mod task;
 pub mod templates;
 #[cfg(target_arch = "wasm32")]

@@ -35,7 +35,9 @@ const DETERMINISTIC: &[&str] = &[
     "folds.rs",
     "auccess.rs",
     "game.rs",
+    "overlap.rs",
     "proposer.rs",
+    "solve_map.rs",
     "samples.rs",
     "solutions.rs",
 ];
