@@ -100,6 +100,22 @@ impl Stage {
         }
     }
 
+    /// The colour of a line round what a stage imagines, as a CSS colour.
+    pub fn line(self, dark: bool) -> String {
+        let [r, g, b, _] = self.colour(1.0, dark);
+        format!("rgb({r} {g} {b})")
+    }
+
+    /// Lengths of the dashes of that line and of the gaps between, in widths of the line.
+    pub fn dashes(self) -> &'static [f64] {
+        match self {
+            Stage::Base => &[],
+            Stage::Target => &[6.0, 3.0],
+            Stage::Action => &[1.0, 2.5],
+            Stage::Placement => &[6.0, 2.5, 1.0, 2.5],
+        }
+    }
+
     /// Red, green, blue and opacity of a share of the most, 0..=1: the more, the further from the paper.
     pub fn colour(self, value: f32, dark: bool) -> [u8; 4] {
         let value = f64::from(value.clamp(0.0, 1.0));

@@ -1,6 +1,7 @@
 //! One frame of the page: what is drawn over what.
 //!
-//! From the bottom: what stands still, the maps, the paths, what moves, the balls, and the ring or the knob.
+//! From the bottom: what stands still, the maps, the paths, what moves, the balls, marks, what a person has drawn,
+//! and the ring or the knob.
 //! Used by `puzzle`; it decides nothing but the order, and `paint` does the drawing.
 
 use serde::Deserialize;
@@ -31,12 +32,29 @@ pub struct View {
     /// How much the maps cover, 0..=1.
     opacity: f64,
     dark: bool,
+    /// The balls of other attempts, with where they come from.
+    #[serde(default)]
+    marks: Vec<Mark>,
+    /// What a person has drawn as the path of the green object, px.
+    #[serde(default)]
+    sketch: Vec<[f64; 2]>,
+}
+
+/// A ball that is only marked.
+#[derive(Deserialize)]
+struct Mark {
+    ball: Ball,
+    /// The place that it comes from, px.
+    from: Option<[f64; 2]>,
+    /// Is it the one that is looked at?
+    chosen: bool,
 }
 
 impl View {
     /// How what is shown has ended: everything in its last place, paths whole.
     pub fn ended(dark: bool) -> View {
-        View { step: f64::INFINITY, ball: None, knob: 0.0, whole: true, opacity: 0.0, dark }
+        let (marks, sketch) = (Vec::new(), Vec::new());
+        View { step: f64::INFINITY, ball: None, knob: 0.0, whole: true, opacity: 0.0, dark, marks, sketch }
     }
 }
 
@@ -74,6 +92,12 @@ pub fn paint(
     bodies(true)?;
     for (place, take) in takes.iter().enumerate() {
         ball(&painter, scene, take, view.step, place > 0)?;
+    }
+    for mark in &view.marks {
+        painter.mark(mark.ball, mark.from, mark.chosen)?;
+    }
+    if !view.sketch.is_empty() {
+        painter.sketch(&view.sketch)?;
     }
     match main {
         Some(take) => ring(&painter, scene, take, view.step),

@@ -1,7 +1,8 @@
 //! What the page and its worker call: the wasm exports.
 //!
 //! `puzzle` is one puzzle on the page: placing, running, comparing, drawing; `model` is the nets in the
-//! worker. This file holds what needs neither: the list of templates, thumbnails, maps and their legends. Data
+//! worker, `solve_map` its search for all solutions; `measure` holds the numbers that agents are compared by.
+//! This file holds what needs none of them: the list of templates, thumbnails, maps and their legends. Data
 //! goes to JavaScript as plain objects in the words of the Rust types, or as typed arrays; an error is a real
 //! `Error` with a `code`. The only user of wasm_bindgen and web_sys.
 
@@ -11,16 +12,21 @@ use web_sys::CanvasRenderingContext2d;
 use crate::task::{self, Task};
 use crate::templates::TEMPLATES;
 
+mod chart;
 mod colour;
 mod error;
 mod frame;
+mod measure;
 mod model;
 mod paint;
 mod puzzle;
+mod solve_map;
 mod take;
 
+pub use measure::{auccess, overlap};
 pub use model::{Model, Turn};
 pub use puzzle::Puzzle;
+pub use solve_map::SolveMap;
 
 use colour::Stage;
 use error::{Code, error, plain};
@@ -78,7 +84,7 @@ pub fn paint_map(
     most: f32,
     dark: bool,
 ) -> Result<(), JsValue> {
-    paint::map(context, stage_named(stage)?, values, most, dark)
+    chart::map(context, stage_named(stage)?, values, most, dark)
 }
 
 /// Draws the colours of a stage from the least at the left to the most at the right, over the whole canvas.
@@ -87,7 +93,38 @@ pub fn paint_map(
 /// `bad_map` if the stage has no such name.
 #[wasm_bindgen(js_name = paintLegend)]
 pub fn paint_legend(context: &CanvasRenderingContext2d, stage: &str, dark: bool) -> Result<(), JsValue> {
-    paint::legend(context, stage_named(stage)?, dark)
+    chart::legend(context, stage_named(stage)?, dark)
+}
+
+/// Draws a line round what is set (over one half) of 64 x 64 values, row 0 at the bottom, over a square canvas of
+/// any size: what was `real`, or what was `drawn` by the person, dashed. Or, in the name of a stage, a line in its
+/// colour and with its own dashes, so that stages differ without colour.
+///
+/// # Errors
+/// `bad_map` if there is no such line or the values are not 64 x 64.
+#[wasm_bindgen(js_name = paintOutline)]
+pub fn paint_outline(
+    context: &CanvasRenderingContext2d,
+    line: &str,
+    values: &[f32],
+    dark: bool,
+) -> Result<(), JsValue> {
+    let ink = colour::palette(dark).ink.to_string();
+    let (colour, dashes) = match line {
+        "real" => (ink, &[][..]),
+        "drawn" => (ink, &[6.0, 4.0][..]),
+        stage => stage_named(stage).map(|stage| (stage.line(dark), stage.dashes()))?,
+    };
+    chart::outlined(context, values, &colour, dashes)
+}
+
+/// Draws a map of outcomes, as `SolveMap.picture` gives it, into a canvas of 256 x 256 pixels.
+///
+/// # Errors
+/// `bad_map` if the outcomes are not 64 x 64.
+#[wasm_bindgen(js_name = paintOutcomes)]
+pub fn paint_outcomes(context: &CanvasRenderingContext2d, outcomes: &[u8], dark: bool) -> Result<(), JsValue> {
+    chart::outcomes(context, outcomes, dark)
 }
 
 fn stage_named(name: &str) -> Result<Stage, JsValue> {

@@ -81,6 +81,17 @@ impl Model {
         Ok(maps.into())
     }
 
+    /// The balls that the model would try, in order, and where each comes from:
+    /// `[{ ball, origin: { kind: "map", x, y } | { kind: "near", number } | { kind: "chance" }, passed }, …]`;
+    /// `passed` counts the draws before it that may not be placed, or had been proposed.
+    ///
+    /// # Errors
+    /// `bad_task` if there is no such task.
+    pub fn propose(&self, id: &str, seed: u32) -> Result<JsValue, JsValue> {
+        let Task { id, scene, .. } = load(id)?;
+        plain(&proposer::traced(&self.net, id, &scene, seed.into(), ATTEMPTS))
+    }
+
     /// Begins the model's turn on a task. The same seed gives the same attempts.
     ///
     /// # Errors

@@ -1,4 +1,4 @@
-//! Draws scenes, balls, paths, rings and maps on a canvas.
+//! Draws scenes, balls, paths, rings and laid-over maps on a canvas.
 //!
 //! A painter sets the canvas up so that one unit is one px of the scene, origin bottom left, y up, whatever
 //! the canvas's own resolution; then each call draws one thing. It is told what to draw and where, and knows
@@ -6,13 +6,12 @@
 
 use std::f64::consts::TAU;
 
-use wasm_bindgen::{Clamped, prelude::*};
-use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement, ImageData, Path2d};
+use wasm_bindgen::prelude::*;
+use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement, Path2d};
 
-use super::colour::{Palette, Stage, palette};
+use super::colour::{Palette, palette};
 use super::error::{Code, error};
 use crate::action::Ball;
-use crate::raster::SIDE;
 use crate::rollout::Pose;
 use crate::scene::{Body, Part, Role, SIZE};
 
@@ -152,6 +151,42 @@ impl<'a> Painter<'a> {
         Ok(())
     }
 
+    /// A ball that another attempt places: a small ring; of the one that is looked at, its rim, its middle, and a
+    /// line from the place that it comes from.
+    pub fn mark(&self, ball: Ball, from: Option<[f64; 2]>, chosen: bool) -> Result<(), JsValue> {
+        let context = self.context;
+        let circle = |radius: f64, colour: &str, width: f64, line| {
+            context.begin_path();
+            context.arc(ball.x, ball.y, radius, 0.0, TAU)?;
+            self.stroke(colour, width, line)?;
+            context.stroke();
+            Ok::<(), JsValue>(())
+        };
+        circle(2.2, self.palette.paper, 2.2, Line::Solid)?;
+        circle(2.2, self.palette.ink, 0.9, Line::Solid)?;
+        if !chosen {
+            return Ok(());
+        }
+        circle(ball.r, self.palette.ink, 1.6, Line::Dashed)?;
+        if let Some([x, y]) = from {
+            self.path([[x, y], [ball.x, ball.y]].into_iter(), Role::Red, Line::Solid)?;
+            context.set_fill_style_str(self.palette.ink);
+            context.fill_rect(x - 2.2, y - 2.2, 4.4, 4.4);
+        }
+        Ok(())
+    }
+
+    /// What a person has drawn, with a dot where it ends.
+    pub fn sketch(&self, points: &[[f64; 2]]) -> Result<(), JsValue> {
+        self.path(points.iter().copied(), Role::Green, Line::Dashed)?;
+        let Some(&[x, y]) = points.last() else { return Ok(()) };
+        self.context.begin_path();
+        self.context.arc(x, y, 3.0, 0.0, TAU)?;
+        self.context.set_fill_style_str(self.palette.ink);
+        self.context.fill();
+        Ok(())
+    }
+
     /// A ring round a point, filled to a share of its turn, clockwise from the top.
     pub fn ring(&self, [x, y]: [f64; 2], radius: f64, share: f64) -> Result<(), JsValue> {
         let top = TAU / 4.0;
@@ -263,36 +298,4 @@ pub fn reach(body: &Body) -> f64 {
         Part::Polygon(corners) => corners.iter().map(|[x, y]| libm::hypot(*x, *y)).fold(0.0, f64::max),
     };
     body.parts.iter().map(part).fold(0.0, f64::max)
-}
-
-/// A map of 64 x 64 values in 0..=most, row 0 at the bottom, into a canvas of as many pixels.
-pub fn map(
-    context: &CanvasRenderingContext2d,
-    stage: Stage,
-    values: &[f32],
-    most: f32,
-    dark: bool,
-) -> Result<(), JsValue> {
-    if values.len() != SIDE * SIDE {
-        return Err(error(Code::BadMap, format!("a map holds {SIDE} x {SIDE} values, not {}", values.len())));
-    }
-    let share = |value: f32| if most > 0.0 { value / most } else { 0.0 };
-    let rows = values.chunks(SIDE).rev().flatten();
-    let pixels: Vec<u8> = rows.flat_map(|&value| stage.colour(share(value), dark)).collect();
-    put(context, &pixels, SIDE)
-}
-
-/// The colours of a stage, the least at the left and the most at the right.
-pub fn legend(context: &CanvasRenderingContext2d, stage: Stage, dark: bool) -> Result<(), JsValue> {
-    let canvas = context.canvas().ok_or_else(|| error(Code::BadData, "the context has no canvas"))?;
-    let (width, height) = (canvas.width() as usize, canvas.height() as usize);
-    let last = width.max(2) - 1;
-    let row: Vec<u8> = (0..width).flat_map(|x| stage.colour(x as f32 / last as f32, dark)).collect();
-    put(context, &row.repeat(height), width)
-}
-
-/// Pixels, row by row from the top, into the upper left corner of a canvas.
-fn put(context: &CanvasRenderingContext2d, pixels: &[u8], width: usize) -> Result<(), JsValue> {
-    let image = ImageData::new_with_u8_clamped_array(Clamped(pixels), width as u32)?;
-    context.put_image_data(&image, 0.0, 0.0)
 }

@@ -12,7 +12,8 @@ use super::frame::{self, View};
 use super::paint::Line;
 use super::take::Take;
 use crate::action::{Ball, Invalid};
-use crate::game::{Agent, Attempt, Game, Refused};
+use crate::game::{Agent, Attempt, Ending, Game, Refused};
+use crate::raster::trail_image;
 use crate::scene::{Body, Scene};
 use crate::simulator::simulate;
 use crate::task::Task;
@@ -119,6 +120,35 @@ impl Puzzle {
         plain(&[one, two])
     }
 
+    /// Shows what a ball of the model's comes to, without counting it: as `replay`, with the number 0.
+    ///
+    /// # Errors
+    /// `invalid_ball`.
+    pub fn rehearse(&mut self, x: f64, y: f64, r: f64) -> Result<JsValue, JsValue> {
+        let ball = Ball { x, y, r };
+        let rollout = simulate(&self.task.scene, Some(ball)).map_err(|why| self.refusal(why.into()))?;
+        let attempt = Attempt { ball, ending: Ending::of(&rollout) };
+        self.takes = vec![Take { attempt: Some((Agent::Model, ball)), rollout, line: Line::Dashed }];
+        plain(&Listed::new(0, attempt))
+    }
+
+    /// The real paths of what is shown: for each rollout `{ object, ball }`, Float32Arrays of 64 x 64 zeros and
+    /// ones, row 0 at the bottom; `ball` is missing if the scene runs alone.
+    pub fn paths(&self) -> Result<js_sys::Array, JsValue> {
+        self.takes.iter().map(|take| take.pictures(&self.task.scene)).collect()
+    }
+
+    /// What a person draws as the path of the green object, as such a picture: x, y, x, y, … in px.
+    pub fn sketch(&self, points: &[f64]) -> Vec<f32> {
+        let points: Vec<[f64; 2]> = points.chunks_exact(2).map(|point| [point[0], point[1]]).collect();
+        trail_image(self.object(), &points).numbers().collect()
+    }
+
+    /// Where the green object is at first, px: `[x, y]`.
+    pub fn start(&self) -> Vec<f64> {
+        vec![self.object().x, self.object().y]
+    }
+
     /// Shows the best attempts of player and model over each other: `[player, model]`, each as in `replay` or null.
     pub fn compare(&mut self) -> Result<JsValue, JsValue> {
         let best = [Agent::Player, Agent::Model].map(|agent| (agent, self.game.best(agent)));
@@ -214,6 +244,10 @@ impl Puzzle {
 }
 
 impl Puzzle {
+    fn object(&self) -> &Body {
+        &self.task.scene.bodies[self.task.scene.body1]
+    }
+
     fn take(&self, agent: Agent, attempt: Attempt) -> Result<Take, JsValue> {
         let rollout = simulate(&self.task.scene, Some(attempt.ball)).map_err(|why| self.refusal(why.into()))?;
         let line = if agent == Agent::Model { Line::Dashed } else { Line::Solid };

@@ -1,10 +1,15 @@
 //! A rollout on its way to the screen: whose attempt it is, and where every body stands at a moment between
 //! two steps. Used by `puzzle`; draws nothing itself.
 
+use js_sys::{Float32Array, Object, Reflect};
+use wasm_bindgen::JsValue;
+
 use super::paint::Line;
 use crate::action::Ball;
 use crate::game::Agent;
+use crate::raster::{Bitmap, path_image};
 use crate::rollout::{Pose, Rollout};
+use crate::scene::Scene;
 
 /// One rollout being shown.
 pub struct Take {
@@ -30,6 +35,19 @@ impl Take {
         let last = (step.max(0.0) as usize).min(self.rollout.steps);
         let points = (0..=last).filter_map(move |step| self.rollout.pose(step, body));
         points.map(|[x, y, _]| [x.into(), y.into()])
+    }
+
+    /// The paths of the green object and of the ball as pictures: `{ object, ball }`.
+    pub fn pictures(&self, scene: &Scene) -> Result<JsValue, JsValue> {
+        let picture = |image: Bitmap| Float32Array::from(image.numbers().collect::<Vec<_>>().as_slice());
+        let paths = Object::new();
+        let object = path_image(&scene.bodies[scene.body1], &self.rollout, scene.body1);
+        Reflect::set(&paths, &"object".into(), &picture(object))?;
+        if let Some((_, ball)) = self.attempt {
+            let path = path_image(&ball.body(), &self.rollout, scene.bodies.len());
+            Reflect::set(&paths, &"ball".into(), &picture(path))?;
+        }
+        Ok(paths.into())
     }
 
     /// The stretches of steps in which the green object touches the goal: first and last step of each.
