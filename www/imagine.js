@@ -2,18 +2,9 @@
 // Maps and legends are drawn by the wasm, from one colour scale a stage.
 
 import { STAGES } from "./state.js";
+import { SIDE, WORDS, summary } from "./stages.js";
 
 const at = (id) => document.getElementById(id);
-
-/** Cells of a map, across and up. */
-const SIDE = 64;
-
-const WORDS = {
-  base: ["Base path", "Where the green object goes if nothing is done."],
-  target: ["Target path", "Where it should go to reach its goal."],
-  action: ["Action path", "Where the red ball should go to bring that about."],
-  placement: ["Placement", "Where the red ball should start."],
-};
 
 export class Imagine extends EventTarget {
   /** Stage -> its canvas of 64 x 64, to be laid over the scene. */
@@ -64,25 +55,38 @@ export class Imagine extends EventTarget {
     return this.#imagined ? this.#layers.map((stage) => this.maps[stage]) : [];
   }
 
+  /** Stage -> its map, 64 x 64 numbers; null until they are imagined. */
+  get values() {
+    return this.#imagined?.maps ?? null;
+  }
+
+  /** Shows one stage alone, or all for null. */
+  set alone(stage) {
+    at("stages").classList.toggle("alone", stage !== null);
+    for (const one of STAGES) this.#rows[one].row.hidden = stage !== null && one !== stage;
+  }
+
   #ask(what, detail) {
     this.dispatchEvent(new CustomEvent(what, { detail }));
   }
 
   #row(stage) {
-    const [name, words] = WORDS[stage];
+    const { name, means, how } = WORDS[stage];
     const row = at("stage-row").content.firstElementChild.cloneNode(true);
     const box = row.querySelector("input");
     const [scene, map] = row.querySelectorAll(".map canvas");
     const legend = row.querySelector(".legend");
     row.dataset.stage = stage;
     row.querySelector("b").textContent = name;
-    row.querySelector("p").textContent = words;
+    row.querySelector(".means").textContent = means;
+    row.querySelector("details p").textContent = how;
     map.setAttribute("aria-label", `${name}: not imagined yet`);
     box.addEventListener("change", () => {
       this.#ask("layers", { layers: STAGES.filter((stage) => this.#rows[stage].box.checked) });
     });
     this.maps[stage] = map;
-    this.#rows[stage] = { box, scene, map, legend, most: legend.nextElementSibling };
+    const said = row.querySelector(".summary");
+    this.#rows[stage] = { row, box, scene, map, legend, most: legend.nextElementSibling, said };
     return row;
   }
 
@@ -128,7 +132,7 @@ export class Imagine extends EventTarget {
   #paint() {
     const imagined = this.#imagined;
     for (const stage of STAGES) {
-      const { scene, map, most } = this.#rows[stage];
+      const { scene, map, most, said } = this.#rows[stage];
       const values = imagined?.maps[stage];
       // Each map is drawn up to its own peak, which the legend names.
       const peak = values ? Math.max(...values) : 0;
@@ -137,25 +141,13 @@ export class Imagine extends EventTarget {
       const context = map.getContext("2d");
       if (values) this.#wasm.paintMap(context, stage, values, peak, this.#dark);
       else context.clearRect(0, 0, SIDE, SIDE);
-      map.setAttribute("aria-label", `${WORDS[stage][0]}: ${values ? summary(values) : "not imagined yet"}`);
+      const words = values ? summary(values) : "not imagined yet";
+      map.setAttribute("aria-label", `${WORDS[stage].name}: ${words}`);
+      said.textContent = `${words[0].toUpperCase()}${words.slice(1)}.`;
     }
     at("imagined-in").textContent = imagined ? timed(imagined) : "";
     this.dispatchEvent(new Event("imagined"));
   }
-}
-
-/** A map in words: where it is strongest, and how it lies left and right. */
-function summary(map) {
-  let peak = 0;
-  let [left, all] = [0, 0];
-  map.forEach((value, cell) => {
-    if (value > map[peak]) peak = cell;
-    if (cell % SIDE < SIDE / 2) left += value;
-    all += value;
-  });
-  const [x, y] = [peak % SIDE, Math.floor(peak / SIDE)].map((cell) => cell * 4 + 2);
-  const share = all ? Math.round((100 * left) / all) : 50;
-  return `strongest at x ${x}, y ${y}; ${share} percent on the left, ${100 - share} on the right`;
 }
 
 function timed({ milliseconds, saw }) {

@@ -13,6 +13,7 @@ import { Progress } from "./progress.js";
 import { Record } from "./record.js";
 import { Session } from "./session.js";
 import { PANELS, START, read, write } from "./state.js";
+import { Thinking } from "./thinking.js";
 
 const at = (id) => document.getElementById(id);
 const darkness = matchMedia("(prefers-color-scheme: dark)");
@@ -43,6 +44,7 @@ class Page {
   #canvas = new SceneCanvas(at("scene"));
   #controls = new Controls();
   #imagine;
+  #thinking;
   #compare;
   #lists;
   #progress = new Progress();
@@ -56,6 +58,7 @@ class Page {
     this.#gallery = new Gallery(at("templates"), wasm, this.#templates);
     this.#record = new Record(this.#progress, this.#templates, this.#gallery);
     this.#imagine = new Imagine(wasm, this.#model);
+    this.#thinking = new Thinking(this.#imagine);
     this.#compare = new Compare(this.#model);
     this.#lists = [
       new Attempts(at("play-attempts"), at("play-count"), "player"),
@@ -92,6 +95,7 @@ class Page {
       this.#model.start(detail.model);
     });
     this.#imagine.addEventListener("imagined", () => this.#lay());
+    this.#thinking.addEventListener("set", ({ detail }) => this.#set(detail));
     for (const part of [this.#imagine, this.#compare]) {
       part.addEventListener("again", () => this.#again());
     }
@@ -155,6 +159,7 @@ class Page {
     session.addEventListener("change", () => this.#note());
     session.addEventListener("attempt", ({ detail }) => this.#progress.note(task, detail.solved));
     for (const part of [this.#canvas, this.#controls, this.#imagine, this.#compare, ...this.#lists]) part.show(session);
+    this.#thinking.show(session);
   }
 
   #shut() {
@@ -214,12 +219,13 @@ class Page {
       at(name).hidden = name !== panel;
     }
     this.#imagine.set(this.#state);
+    this.#thinking.set(this.#state);
     this.#lay();
   }
 
   /** Lays the chosen maps over the scene. */
   #lay() {
-    this.#canvas.maps = this.#imagine.shown;
+    this.#canvas.maps = this.#thinking.maps;
     this.#canvas.opacity = this.#state.opacity;
     this.#canvas.draw();
   }

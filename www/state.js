@@ -12,6 +12,8 @@ export const START = Object.freeze({
   /** A name in assets/model.json, or null for the first. */
   model: null,
   panel: "play",
+  /** The stage that the story of the model is at, or null for all together. */
+  stage: null,
   /** The maps laid over the scene, in the order of STAGES. */
   layers: [],
   /** How much the maps cover, 0..1. */
@@ -27,6 +29,7 @@ const KEYS = {
   task: { text: (id) => id, value: (text) => (/^\d{5}:\d{3}$/.test(text) ? text : undefined) },
   model: { text: (name) => name, value: (text) => (/^[\w.-]+$/.test(text) ? text : undefined) },
   panel: { text: (name) => name, value: (text) => (PANELS.includes(text) ? text : undefined) },
+  stage: { text: (name) => name, value: (text) => (STAGES.includes(text) ? text : undefined) },
   layers: {
     text: (names) => names.join(","),
     value: (text) => {

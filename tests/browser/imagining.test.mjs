@@ -22,7 +22,7 @@ test('four different maps, each with a sentence, a summary and a legend', async 
   const seen = new Set();
   for (const stage of STAGES) {
     const row = page.locator(`[data-stage=${stage}]`);
-    assert.match(await row.locator('p').textContent(), /^Where .+\.$/);
+    assert.match(await row.locator('.means').textContent(), /^Where .+\.$/);
     assert.match(await row.locator('.map canvas[role=img]').getAttribute('aria-label'), /strongest at x \d+, y \d+; \d+ percent on the left/);
     const peak = Number(await row.locator('.scale span').last().textContent());
     assert.ok(peak > 0 && peak <= 1, `${stage}: ${peak}`);

@@ -1,0 +1,98 @@
+// The four stages told one after another, and the value under the pointer: by mouse, touch and keys, from a link too.
+
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { start } from './harness.mjs';
+import { openPuzzle, spot } from './playing.mjs';
+
+const STAGES = ['base', 'target', 'action', 'placement'];
+
+let session;
+before(async () => (session = await start()));
+after(() => session.stop());
+
+async function imagine(options) {
+  const page = await openPuzzle(session, { more: '&panel=imagine', ...options });
+  await page.locator('#imagined-in').filter({ hasText: /Imagined in \d+ ms/ }).waitFor();
+  return page;
+}
+
+/** The stages whose maps are in the panel, and those that lie over the scene. */
+async function shown(page) {
+  const rows = await page.locator('#stages li:visible').evaluateAll((rows) => rows.map((row) => row.dataset.stage));
+  const laid = await page.locator('#stages input:checked').evaluateAll((boxes) => boxes.map((box) => box.closest('li').dataset.stage));
+  return { rows, laid };
+}
+
+test('each step shows one stage alone, forward and back, and all four again', async () => {
+  const page = await imagine();
+  assert.deepEqual((await shown(page)).rows, STAGES);
+  for (const stage of STAGES) {
+    await page.locator('#story-next').click();
+    assert.deepEqual(await shown(page), { rows: [stage], laid: [stage] });
+    const row = page.locator(`[data-stage=${stage}]`);
+    assert.match(await row.locator('.means').textContent(), /^Where .+\.$/);
+    assert.match(await row.locator('.summary').textContent(), /^Strongest at x \d+, y \d+; \d+ percent on the left, \d+ on the right\.$/);
+    assert.match(await page.locator('#story-told').textContent(), /Where .+ It is strongest at x/, 'it is said aloud');
+  }
+  await page.locator('#story-next').press('Enter');
+  assert.deepEqual((await shown(page)).rows, ['placement'], 'there is no fifth');
+  await page.locator('#story-back').click();
+  assert.deepEqual((await shown(page)).rows, ['action']);
+  await page.locator('#story-dots button').first().click();
+  assert.deepEqual((await shown(page)).rows, ['base']);
+  await page.locator('#story-all').click();
+  assert.deepEqual((await shown(page)).rows, STAGES);
+});
+
+test('it plays by itself to the end, and a step is in the link', async () => {
+  const page = await imagine();
+  await page.locator('#story-play').click();
+  for (const stage of STAGES) {
+    await page.waitForFunction((stage) => location.hash.includes(`stage=${stage}`), stage, { timeout: 8000 });
+  }
+  await page.locator('#story-play-label', { hasText: 'Play' }).waitFor();
+  await page.reload();
+  await page.locator('#imagined-in').filter({ hasText: 'Imagined' }).waitFor();
+  assert.deepEqual(await shown(page), { rows: ['placement'], laid: ['placement'] });
+});
+
+test('keys go through the story', async () => {
+  const page = await imagine();
+  await page.locator('#story-next').focus();
+  for (const stage of STAGES) {
+    await page.keyboard.press('Enter');
+    assert.deepEqual((await shown(page)).rows, [stage]);
+  }
+});
+
+test('the mouse reads the maps that lie over the scene', async () => {
+  const page = await imagine();
+  await page.locator('[data-stage=base] input').check();
+  const summary = await page.locator('[data-stage=base] .summary').textContent();
+  const [, x, y] = summary.match(/x (\d+), y (\d+)/).map(Number);
+  await page.mouse.move(...(await spot(page, x, y)));
+  const peak = await page.locator('[data-stage=base] .scale span').last().textContent();
+  const note = await page.locator('#reading').textContent();
+  assert.ok(note.startsWith(`Base path ${peak}`), `${note}: its peak is ${peak}`);
+  assert.match(await page.locator('[data-stage=base] .value').textContent(), new RegExp(`^${peak} at x ${x}, y `));
+  assert.match(await page.locator('[data-stage=placement] .value').textContent(), /^\d\.\d\d at/, 'all four are read');
+  await page.mouse.move(2, 2);
+  await page.locator('#reading').waitFor({ state: 'hidden' });
+});
+
+test('a finger reads too, and its reading stays', async () => {
+  const page = await imagine({ hasTouch: true, viewport: { width: 390, height: 844 } });
+  await page.locator('#story-next').tap();
+  await page.touchscreen.tap(...(await spot(page, 100, 200)));
+  assert.match(await page.locator('#reading:visible').textContent(), /^Base path \d\.\d\dx (99|100|101), y (199|200|201)$/);
+});
+
+test('arrow keys on a small map read it', async () => {
+  const page = await imagine();
+  await page.locator('[data-stage=target] .map').focus();
+  await page.keyboard.press('ArrowRight');
+  await page.keyboard.press('Shift+ArrowUp');
+  assert.match(await page.locator('#reading-told').textContent(), /^x 132, y 160: \d\.\d\d$/);
+  assert.match(await page.locator('[data-stage=target] .value').textContent(), /^\d\.\d\d at x 132, y 160$/);
+});
