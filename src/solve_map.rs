@@ -104,7 +104,7 @@ mod tests {
         let mut cells = map.order.clone();
         cells.sort_unstable();
         assert_eq!(cells, (0..CELLS).collect::<Vec<_>>());
-        assert!(map.order[..64].iter().all(|cell| cell % 8 == 0 && cell / SIDE % 8 == 0));
+        assert!(map.order[..64].iter().all(|&cell| block(cell, 8) == cell));
         assert!(map.order[CELLS / 4..].iter().all(|cell| cell % 2 == 1 || cell / SIDE % 2 == 1));
     }
 
