@@ -32,7 +32,7 @@ export class SceneCanvas {
     canvas.addEventListener("pointermove", (event) => this.#move(event));
     for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, () => (this.#held = null));
     canvas.addEventListener("wheel", (event) => this.#wheel(event), { passive: false });
-    canvas.addEventListener("keydown", (event) => this.#key(event));
+    canvas.addEventListener("keydown", (event) => this.key(event));
   }
 
   /** Shows another session, or none. */
@@ -128,7 +128,8 @@ export class SceneCanvas {
     session.nudge(0, 0, event.deltaY < 0 ? 1 : -1, "wheel");
   }
 
-  #key(event) {
+  /** Arrows, + and −, Enter. */
+  key(event) {
     if (!this.#session || event.ctrlKey || event.metaKey || event.altKey) return;
     const far = event.shiftKey ? 10 : 1;
     const nudges = {

@@ -8,8 +8,14 @@ const set = (id, property, value) => {
   if (element[property] !== value) element[property] = value;
 };
 
+/** How long the goal has to hold, and steps in a second, as in the simulator. */
+const GOAL_SECONDS = 3;
+const STEPS_PER_SECOND = 60;
+
 export class Controls {
   #session = null;
+  /** The stretches of steps in which the green object touches its goal, in what is shown. */
+  #touches = [];
 
   constructor() {
     const session = () => this.#session;
@@ -62,7 +68,9 @@ export class Controls {
     set("reset", "disabled", session.placing);
     set("undo", "disabled", !session.canUndo);
     set("redo", "disabled", !session.canRedo);
-    this.#touches();
+    this.#touches = session.placing ? [] : session.puzzle.touches();
+    at("hold").hidden = session.placing;
+    this.#bands();
     const [x, y, r] = session.ball ?? ["", "", ""];
     set("ball-x", "value", String(x));
     set("ball-y", "value", String(y));
@@ -80,13 +88,27 @@ export class Controls {
     at("time").setAttribute("aria-valuetext", `${seconds.toFixed(1)} seconds`);
     at("time").style.setProperty("--done", last ? step / last : 0);
     set("clock", "textContent", `${seconds.toFixed(1)} s`);
+    this.#hold(Math.floor(step));
+  }
+
+  /** The three-second ring: how long the goal has held without a break, up to a step. */
+  #hold(step) {
+    const [first] = this.#touches.find(([first, last]) => first <= step && step <= last) ?? [step + 1];
+    const held = Math.min((step + 1 - first) / STEPS_PER_SECOND, GOAL_SECONDS);
+    const words = `${held.toFixed(1)} of ${GOAL_SECONDS} s`;
+    const hold = at("hold");
+    if (hold.lastElementChild.textContent === words) return;
+    hold.lastElementChild.textContent = words;
+    hold.setAttribute("aria-valuenow", held.toFixed(1));
+    hold.setAttribute("aria-valuetext", `${held.toFixed(1)} of ${GOAL_SECONDS} seconds`);
+    hold.style.setProperty("--held", (100 * held) / GOAL_SECONDS);
   }
 
   /** Marks on the time line when the green object touches its goal. */
-  #touches() {
-    const { puzzle, playback, placing } = this.#session;
-    const bands = placing ? [] : puzzle.touches().map(([first, last]) => {
-      const [from, to] = [first, last + 1].map((step) => `${((100 * step) / (playback.last + 1)).toFixed(2)}%`);
+  #bands() {
+    const steps = this.#session.playback.last + 1;
+    const bands = this.#touches.map(([first, last]) => {
+      const [from, to] = [first, last + 1].map((step) => `${((100 * step) / steps).toFixed(2)}%`);
       return `transparent ${from}, var(--ring) ${from}, var(--ring) ${to}, transparent ${to}`;
     });
     at("time").style.setProperty("--touches", bands.length ? `linear-gradient(to right, ${bands.join(", ")})` : "none");

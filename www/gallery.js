@@ -8,6 +8,7 @@ const SIDE = 176;
 export class Gallery {
   #pictures;
   #marks = {};
+  #links = [];
   #dark = false;
 
   /** `templates`: as the wasm lists them. */
@@ -21,6 +22,11 @@ export class Gallery {
     this.#pictures.redraw();
   }
 
+  /** Leads to the first puzzle of each template. `address`: that of a task. */
+  link(address) {
+    for (const link of this.#links) link.href = address(link.dataset.task);
+  }
+
   /** Says under a template what has been solved of it. */
   mark(id, words) {
     this.#marks[id].textContent = words;
@@ -28,7 +34,8 @@ export class Gallery {
 
   #item({ id, name, story, tasks: [first] }) {
     const link = document.createElement("a");
-    link.href = `#task=${first}`;
+    link.dataset.task = first;
+    this.#links.push(link);
     const canvas = this.#pictures.add(SIDE);
     canvas.dataset.task = first;
     const title = document.createElement("strong");

@@ -7,6 +7,7 @@ import { Compare } from "./compare.js";
 import { Controls } from "./controls.js";
 import { Gallery } from "./gallery.js";
 import { Imagine } from "./imagine.js";
+import { listen } from "./keys.js";
 import { Model } from "./model.js";
 import { notice, quiet } from "./notice.js";
 import { Progress } from "./progress.js";
@@ -99,7 +100,16 @@ class Page {
     for (const part of [this.#imagine, this.#compare]) {
       part.addEventListener("again", () => this.#again());
     }
-    document.addEventListener("keydown", (event) => this.#key(event));
+    const page = this;
+    listen({
+      get session() {
+        return page.#session;
+      },
+      scene: this.#canvas,
+      turn: (by) => this.#turn(by),
+      panel: (index) => this.#panels[index] && this.#set({ panel: this.#panels[index] }),
+      help: () => at("keys").showModal(),
+    });
   }
 
   /** Takes light or dark, which the wasm draws in and the style sheet follows. */
@@ -132,6 +142,7 @@ class Page {
     const { task, model } = this.#state;
     const came = at("gallery").contains(document.activeElement);
     this.#state = state;
+    this.#hide();
     at("gallery").hidden = state.task !== null;
     for (const id of ["puzzle", "title", "copy", "skip"]) at(id).hidden = state.task === null;
     if (state.task === null) {
@@ -144,6 +155,21 @@ class Page {
     if (this.#model.status === "off" || state.model !== model) this.#model.start(state.model);
     this.#show();
     if (came) at("scene").focus({ preventScroll: true });
+  }
+
+  /** Takes away what the link hides; the ways to other puzzles go on hiding it. */
+  #hide() {
+    const { hide, model } = this.#state;
+    for (const part of document.querySelectorAll("[data-part]")) part.classList.toggle("away", hide.includes(part.dataset.part));
+    const address = (task) => `#${write({ ...START, task, model, hide })}`;
+    this.#gallery.link(address);
+    if (hide.includes("puzzles")) at("home").removeAttribute("href");
+    else at("home").href = address(null);
+  }
+
+  /** The panels that are not hidden; Play always is there. */
+  get #panels() {
+    return PANELS.filter((name) => !this.#state.hide.includes(name));
   }
 
   #enter(task) {
@@ -211,7 +237,7 @@ class Page {
   }
 
   #show() {
-    const { panel } = this.#state;
+    const panel = this.#panels.includes(this.#state.panel) ? this.#state.panel : this.#panels[0];
     for (const name of PANELS) {
       const tab = at(`tab-${name}`);
       tab.setAttribute("aria-selected", String(name === panel));
@@ -231,6 +257,7 @@ class Page {
   }
 
   #turn(by) {
+    if (this.#state.hide.includes("puzzles")) return;
     const { tasks } = this.#template(this.#state.task);
     const index = (tasks.indexOf(this.#state.task) + by + tasks.length) % tasks.length;
     this.#go({ task: tasks[index] });
@@ -255,47 +282,11 @@ class Page {
   #roam(event) {
     const by = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
     if (!by) return;
-    const index = (PANELS.indexOf(this.#state.panel) + by + PANELS.length) % PANELS.length;
-    this.#set({ panel: PANELS[index] });
-    at(`tab-${PANELS[index]}`).focus();
+    const panels = this.#panels;
+    const panel = panels[(panels.indexOf(this.#state.panel) + by + panels.length) % panels.length];
+    this.#set({ panel });
+    at(`tab-${panel}`).focus();
     event.preventDefault();
-  }
-
-  #key(event) {
-    const { key, target } = event;
-    if (this.#undoing(event)) return event.preventDefault();
-    if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented) return;
-    if (target.closest("input[type=number], select, dialog")) return;
-    if (key === "?") return at("keys").showModal();
-    const session = this.#session;
-    if (!session) return;
-    // Where Space has its own meaning it keeps it.
-    if (key === " " && target.closest("button, a, input")) return;
-    const keys = {
-      " ": () => session.run(),
-      ".": () => session.step(1),
-      ",": () => session.step(-1),
-      r: () => session.reset(),
-      "[": () => this.#turn(-1),
-      "]": () => this.#turn(1),
-      1: () => this.#set({ panel: "play" }),
-      2: () => this.#set({ panel: "imagine" }),
-      3: () => this.#set({ panel: "compare" }),
-    };
-    const act = keys[key.toLowerCase()];
-    if (!act) return;
-    event.preventDefault();
-    act();
-  }
-
-  /** Ctrl+Z, Ctrl+Y and Ctrl+Shift+Z, with Cmd too. In a field as well: there the browser would take back what was typed
-   * in another field, without a word to the page. Says whether it was one. */
-  #undoing({ key, ctrlKey, metaKey, altKey, shiftKey, target }) {
-    if (!(ctrlKey || metaKey) || altKey || !this.#session || target.closest("dialog")) return false;
-    const act = { z: shiftKey ? "redo" : "undo", y: "redo" }[key.toLowerCase()];
-    if (!act) return false;
-    this.#session[act]();
-    return true;
   }
 }
 

@@ -1,9 +1,12 @@
 // What the page shows, as one object, and its two-way translation to the part of the address after `#`.
-// A link carries the task, the model, the panel, the layers and the ball, so it opens the same view elsewhere.
+// A link carries the task, the model, the panel, the layers and the ball, so it opens the same view elsewhere; for
+// teaching it may hide parts of the page.
 // Knows nothing of the document.
 
 export const STAGES = ["base", "target", "action", "placement"];
 export const PANELS = ["play", "imagine", "compare"];
+/** What a link can hide: the panels but Play, and what the document marks with data-part. */
+export const PARTS = ["puzzles", "story", "fields", "watch", "attempts", "imagine", "compare"];
 
 /** What is shown when the address says nothing: the grid of templates. */
 export const START = Object.freeze({
@@ -20,6 +23,8 @@ export const START = Object.freeze({
   opacity: 0.8,
   /** [x, y, r] in whole px, or null. */
   ball: null,
+  /** The parts of the page that are hidden, in the order of PARTS. */
+  hide: [],
 });
 
 const WHOLE = /^\d{1,3}$/;
@@ -30,13 +35,7 @@ const KEYS = {
   model: { text: (name) => name, value: (text) => (/^[\w.-]+$/.test(text) ? text : undefined) },
   panel: { text: (name) => name, value: (text) => (PANELS.includes(text) ? text : undefined) },
   stage: { text: (name) => name, value: (text) => (STAGES.includes(text) ? text : undefined) },
-  layers: {
-    text: (names) => names.join(","),
-    value: (text) => {
-      const names = text.split(",").filter(Boolean);
-      return names.every((name) => STAGES.includes(name)) ? STAGES.filter((name) => names.includes(name)) : undefined;
-    },
-  },
+  layers: some(STAGES),
   opacity: {
     text: String,
     value: (text) => (/^(0|1|0?\.\d+)$/.test(text) ? Number(text) : undefined),
@@ -50,7 +49,19 @@ const KEYS = {
       return x <= 255 && y <= 255 && r >= 2 && r <= 32 ? [x, y, r] : undefined;
     },
   },
+  hide: some(PARTS),
 };
+
+/** A key whose value is some of these names. */
+function some(all) {
+  return {
+    text: (names) => names.join(","),
+    value: (text) => {
+      const names = text.split(",").filter(Boolean);
+      return names.every((name) => all.includes(name)) ? all.filter((name) => names.includes(name)) : undefined;
+    },
+  };
+}
 
 /** The part of the address after `#` for a state; what is as at the start is left out. */
 export function write(state) {

@@ -103,3 +103,13 @@ test('what has the focus can be seen', async () => {
     assert.equal(outline, 'solid', id);
   }
 });
+
+test('where nothing has the focus, the arrows move the ball', async () => {
+  const page = await openPuzzle(session);
+  await page.evaluate(() => document.activeElement.blur());
+  await page.keyboard.press('Shift+ArrowUp');
+  const [x, y, r] = await ball(page);
+  await page.keyboard.press('Shift+ArrowLeft');
+  await page.keyboard.press('+');
+  assert.deepEqual(await ball(page), [x - 10, y, r + 1]);
+});

@@ -36,6 +36,39 @@ test('what the page shows is in its address, and opens again from there', async 
   assert.equal(await page.locator('#tab-compare').getAttribute('aria-selected'), 'true');
 });
 
+test('a link hides what a lesson leaves out, and goes on hiding it', async () => {
+  const page = await openPuzzle(session, { more: '&panel=imagine&hide=story,imagine,compare,watch,attempts,fields' });
+  for (const hidden of ['#story', '#tab-imagine', '#tab-compare', '#imagine', '#watch', '#play-attempts', '#ball-x']) {
+    assert.ok(await page.locator(hidden).isHidden(), hidden);
+  }
+  assert.ok(await page.locator('#play').isVisible(), 'instead of the panel that is hidden');
+  await page.locator('#scene').focus();
+  await page.keyboard.press('ArrowUp');
+  await says(page, /may start here|Not here/);
+  await page.keyboard.press('Control+z');
+  await says(page, /place the red ball/);
+  await page.keyboard.press('2');
+  assert.ok(await page.locator('#imagine').isHidden(), 'nor by its key');
+  await page.locator('#next').click();
+  assert.ok(await page.locator('#tab-imagine').isHidden(), 'on the next puzzle too');
+  await page.locator('#home').click();
+  await page.locator('#templates a').nth(2).click();
+  assert.ok(await page.locator('#tab-imagine').isHidden(), 'and on one from the grid');
+  assert.match(page.url(), /hide=story,fields,watch,attempts,imagine,compare/);
+});
+
+test('a link can hold on to one puzzle', async () => {
+  const page = await openPuzzle(session, { more: '&hide=puzzles' });
+  assert.ok(await page.locator('#next').isHidden());
+  await page.locator('#home').click({ force: true });
+  await page.locator('#scene').focus();
+  await page.keyboard.press(']');
+  assert.match(page.url(), new RegExp(`task=${EASY}`));
+  assert.ok(await page.locator('#scene').isVisible());
+  await page.goto(`${session.origin}/#task=${EASY}`);
+  await page.locator('#next').waitFor();
+});
+
 test('a model that is named in the link is the one that imagines', async () => {
   const page = await openPuzzle(session, { more: '&panel=imagine&model=nobody' });
   await page.locator('#imagine-trouble:visible').filter({ hasText: 'There is no model “nobody” here. There is: ' }).waitFor();
@@ -52,6 +85,7 @@ for (const [link, words] of [
   ['task=00099:000', /puzzle 00099:000, which does not exist/],
   ['task=funnel', /“task=funnel”, which Pathlight does not understand/],
   ['layers=soup', /“layers=soup”/],
+  ['hide=play', /“hide=play”/],
   ['constructor=1', /“constructor=1”/],
   ['%E0%A4%A', /does not understand/],
 ]) {
