@@ -102,3 +102,52 @@ test('the scene runs without a ball too, and that is no attempt', async () => {
   assert.ok(Number(await page.locator('#time').inputValue()) > 0);
   assert.equal(await attempts(page), 0);
 });
+
+test('the ring tells how long the goal has held, of the three seconds', async () => {
+  const page = await openPuzzle(session, { still: true });
+  const { solving } = await known(page);
+  const hold = page.locator('#hold');
+  assert.ok(await hold.isHidden());
+  await type(page, solving);
+  await page.locator('#run').click();
+  await says(page, /^Solved!/);
+  assert.equal(await hold.textContent().then((text) => text.trim()), '3.0 of 3 s');
+  assert.equal(await hold.getAttribute('aria-valuetext'), '3.0 of 3 seconds');
+  // Half a second before the end it had held for two and a half; a second and more before it began, not at all.
+  const last = Number(await page.locator('#time').getAttribute('max'));
+  await page.locator('#time').fill(String(last - 30));
+  assert.equal(await hold.getAttribute('aria-valuenow'), '2.5');
+  await page.locator('#time').fill('0');
+  assert.equal(await hold.getAttribute('aria-valuenow'), '0.0');
+});
+
+test('with reduced motion a run shows its end and its path at once', async () => {
+  const page = await openPuzzle(session, { still: true });
+  const { missing } = await known(page);
+  await type(page, missing);
+  await page.locator('#run').click();
+  await says(page, /^Not solved/, 1000);
+  const time = page.locator('#time');
+  assert.equal(await time.inputValue(), await time.getAttribute('max'));
+  await page.waitForTimeout(100);
+  const ended = await pixels(page, (await palette(page)).green);
+  await time.fill('0');
+  await page.waitForTimeout(100);
+  assert.ok(ended > (await pixels(page, (await palette(page)).green)) + 20, 'the path of the green object is drawn');
+});
+
+test('the path is drawn as it goes', async () => {
+  const page = await openPuzzle(session, { still: true });
+  const { missing } = await known(page);
+  await type(page, missing);
+  await page.locator('#run').click();
+  const red = (await palette(page)).red;
+  const lengths = [];
+  const last = Number(await page.locator('#time').getAttribute('max'));
+  for (const share of [0, 0.05, 0.1]) {
+    await page.locator('#time').fill(String(Math.round(last * share)));
+    await page.waitForTimeout(100);
+    lengths.push(await pixels(page, red));
+  }
+  assert.ok(lengths[0] < lengths[1] && lengths[1] < lengths[2], lengths.join());
+});
