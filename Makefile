@@ -1,4 +1,5 @@
-# `make play` builds what is missing and serves the page; `make test` runs every test.
+# `make play` builds what is missing and serves the page; `make test` runs every test; `make bench` compares the
+# nets' speed with other engines, which it installs into target/bench.
 
 PORT ?= 8080
 
@@ -8,16 +9,19 @@ export TOOLS
 export PATH := $(TOOLS)/bin:$(PATH)
 
 PACKAGE := www/pkg/pathlight_bg.wasm
-PACKAGED := Cargo.toml Cargo.lock .cargo/config.toml .ci/package \
+PACKAGED := Cargo.toml Cargo.lock .cargo/config.toml .ci/package .ci/optimise \
 	$(shell find src -name '*.rs' -not -path 'src/commands/*' -not -path src/main.rs)
 
-.PHONY: play test build clean
+.PHONY: play test bench build clean
 
 play: build
 	@target/release/pathlight serve --port $(PORT)
 
 test:
 	@.ci/test
+
+bench: $(PACKAGE)
+	@benches/nets/run
 
 build: $(PACKAGE)
 	cargo build --release --bin pathlight

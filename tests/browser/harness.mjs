@@ -28,8 +28,12 @@ const flags = [
 /** Starts a server and a browser. `serve` are further arguments of `pathlight serve`. */
 export async function start({ serve = [] } = {}) {
   const server = await startServer(serve);
-  const browser = await chromium.launch({ executablePath: findChromium(), headless: true, args: flags });
-  return new Session(server, browser);
+  return new Session(server, await launch());
+}
+
+/** Starts a browser only. */
+export function launch() {
+  return chromium.launch({ executablePath: findChromium(), headless: true, args: flags });
 }
 
 class Session {
