@@ -1,0 +1,132 @@
+//! The nets natively, as one contender of `make bench`; `benches/nets/bench.mjs` holds the stopwatch's rules.
+//!
+//! `inputs TASK FOLDER` writes what every contender is given. `forward TASK` and `train` prepare, answer
+//! with a line of numbers that the others have to agree with, and then do as many repetitions as each line of the
+//! standard input says, answering with their milliseconds.
+
+use std::io::{self, Write};
+use std::path::Path;
+use std::time::Instant;
+use std::{env, fs};
+
+use burn::module::Module;
+use burn::optim::{AdamConfig, GradientsParams};
+use burn::tensor::activation::relu;
+use burn::tensor::{Device, Tensor, TensorData};
+use pathlight::pathnet::{Imagined, PathNet, device};
+use pathlight::raster::{Bitmap, CELLS, CHANNELS, SIDE, scene_channels};
+use pathlight::samples::Sample;
+use pathlight::solutions::Solution;
+use pathlight::task::Task;
+
+const WEIGHTS: &str = "assets/within-0.safetensors";
+const SOLUTIONS: &str = "assets/solutions.jsonl";
+const BATCH: usize = 32;
+/// Of Adam.
+const RATE: f64 = 3e-3;
+/// The losses of so many steps have to agree.
+const COMPARED: usize = 3;
+
+fn main() {
+    let arguments: Vec<String> = env::args().skip(1).filter(|argument| argument != "--bench").collect();
+    match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
+        ["inputs", task, folder] => {
+            inputs(&load(task), Path::new(folder));
+            let start = Instant::now();
+            for _ in 0..100 {
+                std::hint::black_box(scene_channels(&load(task).scene));
+            }
+            let milliseconds = start.elapsed().as_secs_f64() * 1e3 / 100.0;
+            println!("ours also lays out the task and draws its scene, which takes {milliseconds:.3} ms natively");
+        }
+        ["forward", task] => {
+            let (nets, task) = (nets(&device("flex").expect("built in")), load(task));
+            let imagine = || nets.imagine(&task.scene);
+            let Imagined { base, target, action, placement } = imagine();
+            repeat(&[base, target, action, placement].concat(), imagine);
+        }
+        ["train"] => {
+            let mut step = training();
+            let losses: Vec<f32> = (0..COMPARED).map(|_| step()).collect();
+            repeat(&losses, step);
+        }
+        _ => println!("`make bench` runs this, with contenders to compare it with"),
+    }
+}
+
+fn load(task: &str) -> Task {
+    Task::load(task.parse().expect("a task's id")).expect("a task")
+}
+
+fn nets(device: &Device) -> PathNet {
+    let bytes = fs::read(WEIGHTS).expect("the weights are in assets");
+    PathNet::load(&bytes, device).expect("the weights fit").0
+}
+
+/// Answers with the result to compare, then times on demand.
+fn repeat<T>(result: &[f32], mut work: impl FnMut() -> T) {
+    let mut output = io::stdout().lock();
+    let mut say = |line: String| writeln!(output, "{line}").and_then(|()| output.flush()).expect("somebody listens");
+    say(format!("{result:?}"));
+    for line in io::stdin().lines() {
+        let repetitions = line.expect("text").parse().expect("a number of repetitions");
+        let mut times = Vec::with_capacity(repetitions);
+        for _ in 0..repetitions {
+            let start = Instant::now();
+            std::hint::black_box(work());
+            times.push(start.elapsed().as_secs_f64() * 1e3);
+        }
+        say(format!("{times:?}"));
+    }
+}
+
+/// Writes the scene `[5, 64, 64]` and the batch `[32, 9, 64, 64]`, scenes before what is to be imagined.
+fn inputs(task: &Task, folder: &Path) {
+    let write = |name: &str, pictures: &mut dyn Iterator<Item = Bitmap>| {
+        let bytes: Vec<u8> = pictures.flat_map(|picture| picture.numbers()).flat_map(f32::to_le_bytes).collect();
+        fs::write(folder.join(name), bytes).expect("the folder can be written");
+    };
+    write("scene.f32", &mut scene_channels(&task.scene).into_iter());
+    write("batch.f32", &mut batch().into_iter().flat_map(|sample| sample.scene.into_iter().chain(sample.imagined)));
+}
+
+/// Solutions from all over the templates.
+fn batch() -> Vec<Sample> {
+    let text = fs::read_to_string(SOLUTIONS).expect("the solutions are in assets");
+    let lines: Vec<&str> = text.lines().skip(1).collect();
+    let chosen = lines.iter().step_by(lines.len() / BATCH).take(BATCH);
+    let samples = chosen.map(|line| {
+        let Solution { task, ball } = serde_json::from_str(line).expect("a solution");
+        Sample::new(&Task::load(task).expect("a task").scene, ball).expect("a valid ball")
+    });
+    samples.collect()
+}
+
+/// The step of `pathlight train`, on one batch over and over; gives the sum of the losses.
+// A copy of `Run::step` in src/commands/train.rs, as long as that is private to the binary.
+fn training() -> impl FnMut() -> f32 {
+    let plain = device("flex").expect("built in");
+    let device = plain.clone().autodiff();
+    let (mut nets, mut optimiser) = (nets(&plain).train(), AdamConfig::new().with_epsilon(1e-8).init());
+    let samples = batch();
+    move || {
+        let pictures = |of: fn(&Sample) -> &[Bitmap], channels: usize| {
+            let mut numbers = Vec::with_capacity(BATCH * channels * CELLS);
+            numbers.extend(samples.iter().flat_map(of).flat_map(Bitmap::numbers));
+            Tensor::<4>::from_data(TensorData::new(numbers, [BATCH, channels, SIDE, SIDE]), &device)
+        };
+        let scene = pictures(|sample| &sample.scene, CHANNELS);
+        let wanted = pictures(|sample| &sample.imagined, 4).chunk(4, 1);
+        let maps = nets.forward(scene);
+        let losses = maps.into_iter().zip(wanted).map(|(map, wanted)| cross_entropy(map, wanted)).collect();
+        let losses = Tensor::cat(losses, 0);
+        let gradients = GradientsParams::from_grads(losses.clone().sum().backward(), &nets);
+        nets = optimiser.step(RATE, nets.clone(), gradients);
+        losses.into_data().iter::<f32>().sum()
+    }
+}
+
+fn cross_entropy(logits: Tensor<4>, wanted: Tensor<4>) -> Tensor<1> {
+    let softplus = relu(logits.clone()) + logits.clone().abs().neg().exp().log1p();
+    (softplus - logits * wanted).mean()
+}

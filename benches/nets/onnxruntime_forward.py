@@ -1,0 +1,20 @@
+"""The nets natively by onnxruntime, one thread: onnxruntime_forward.py ONNX SCENE"""
+
+import sys
+
+import numpy as np
+import onnxruntime
+from repeat import repeat
+
+onnx, scene = sys.argv[1:]
+options = onnxruntime.SessionOptions()
+options.intra_op_num_threads = options.inter_op_num_threads = 1
+session = onnxruntime.InferenceSession(onnx, options, providers=["CPUExecutionProvider"])
+inputs = {"scene": np.fromfile(scene, np.float32).reshape(1, 5, 64, 64)}
+
+
+def forward():
+    return session.run(None, inputs)
+
+
+repeat(np.concatenate(forward()).ravel(), forward)

@@ -1,0 +1,65 @@
+"""A training step by PyTorch: torch_step.py WEIGHTS BATCH THREADS [fused]
+
+The same nets from the same weights on the same batch as in main.rs; `fused` takes the fused Adam.
+"""
+
+import sys
+
+import numpy as np
+import torch
+from repeat import repeat
+from safetensors.torch import load_file
+from torch import nn
+
+weights, batch, threads, *fused = sys.argv[1:]
+torch.set_num_threads(int(threads))
+WIDTHS = [8, 16, 32, 64, 128, 256]
+
+
+class Hourglass(nn.Module):
+    def __init__(self, channels):
+        super().__init__()
+        outer = [channels, *WIDTHS]
+        inner = [1, *WIDTHS]
+        # Kernel, stride, padding; the innermost layer's are the live taps of a 4 x 4 kernel.
+        shape = [(4, 2, 1)] * 5 + [(2, 2, 0)]
+        self.down = nn.ModuleList(nn.Conv2d(outer[i], outer[i + 1], *shape[i]) for i in range(6))
+        self.up = nn.ModuleList(nn.ConvTranspose2d(inner[i + 1], inner[i], *shape[i]) for i in reversed(range(6)))
+
+    def forward(self, x):
+        for layer in [*self.down, *self.up[:-1]]:
+            x = torch.relu(layer(x))
+        return self.up[-1](x)
+
+
+class PathNet(nn.Module):
+    def __init__(self):
+        super().__init__()
+        self.base, self.target = Hourglass(5), Hourglass(5)
+        self.action, self.placement = Hourglass(7), Hourglass(7)
+
+    def forward(self, scene):
+        base, target = self.base(scene), self.target(scene)
+        seen = torch.cat([scene, torch.sigmoid(target)], 1)
+        action = self.action(torch.cat([seen, torch.sigmoid(base)], 1))
+        placement = self.placement(torch.cat([seen, torch.sigmoid(action)], 1))
+        return base, target, action, placement
+
+
+nets = PathNet()
+nets.load_state_dict({name: tensor.float() for name, tensor in load_file(weights).items()})
+adam = torch.optim.Adam(nets.parameters(), lr=3e-3, eps=1e-8, fused=bool(fused))
+scene, wanted = torch.from_numpy(np.fromfile(batch, np.float32).reshape(-1, 9, 64, 64)).split([5, 4], 1)
+scene, wanted = scene.contiguous(), [picture.contiguous() for picture in wanted.split(1, 1)]
+cross_entropy = nn.BCEWithLogitsLoss()
+
+
+def step():
+    adam.zero_grad()
+    loss = sum(cross_entropy(logits, picture) for logits, picture in zip(nets(scene), wanted))
+    loss.backward()
+    adam.step()
+    return loss.item()
+
+
+repeat([step() for _ in range(3)], step)
