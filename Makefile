@@ -1,5 +1,6 @@
 # `make play` builds what is missing and serves the page; `make test` runs every test; `make bench` compares the
 # nets' speed with other engines, which it installs into target/bench.
+# `make timings` prints how long a person waits for the page, `make pictures` takes pictures of all its views.
 
 PORT ?= 8080
 
@@ -12,7 +13,7 @@ PACKAGE := www/pkg/pathlight_bg.wasm
 PACKAGED := Cargo.toml Cargo.lock .cargo/config.toml .ci/package .ci/optimise \
 	$(shell find src -name '*.rs' -not -path 'src/commands/*' -not -path src/main.rs)
 
-.PHONY: play test bench build clean
+.PHONY: play test bench build timings pictures clean
 
 play: build
 	@target/release/pathlight serve --port $(PORT)
@@ -25,6 +26,10 @@ bench: $(PACKAGE)
 
 build: $(PACKAGE)
 	cargo build --release --bin pathlight
+
+timings pictures: build
+	.ci/tools packages chromium
+	node tests/browser/$@.mjs
 
 $(PACKAGE): $(PACKAGED)
 	.ci/package

@@ -50,7 +50,7 @@ class Session {
     this.origin = server.origin;
   }
 
-  /** Opens a path in a new page with a fresh profile; `options` are Playwright's for a context (viewport, …). */
+  /** Opens a path (or nothing yet, if empty) in a new page with a fresh profile; `options` are Playwright's for a context (viewport, …). */
   async open(path = '/', options = {}) {
     const context = await this.#browser.newContext(options);
     const page = await context.newPage();
@@ -63,7 +63,7 @@ class Session {
       // A page that is left gives up what it was still loading; that is no failure.
       if (why !== 'net::ERR_ABORTED') this.problems.push(`failed: ${request.url()} ${why}`);
     });
-    await page.goto(this.origin + path);
+    if (path) await page.goto(this.origin + path);
     return page;
   }
 

@@ -1,0 +1,109 @@
+// Prints how long a person waits, on this machine: make timings
+//
+//   first puzzle   from asking for the page, with an empty cache, until the scene (or the grid's first picture) is
+//                  drawn; the page is the one asked for, a puzzle by its link or the grid
+//   drag           the time between two frames while the ball is dragged, and the work in each
+//   maps           from opening another puzzle until its four maps are drawn, once the weights are there
+//
+// Each is taken several times; the median is printed with the worst. What it should be is printed beside it.
+
+import { start } from './harness.mjs';
+import { openPuzzle, spot } from './playing.mjs';
+
+const TIMES = 7;
+/** Of these templates the first task is opened. */
+const TEMPLATES = [1, 7, 12, 16, 20, 23, 24];
+
+const session = await start();
+const rows = [];
+const row = (what, values, unit, wanted) => {
+  const sorted = values.toSorted((a, b) => a - b);
+  const [median, worst] = [sorted[Math.floor(sorted.length / 2)], sorted.at(-1)];
+  rows.push({ what, median: `${median.toFixed(1)} ${unit}`, worst: `${worst.toFixed(1)} ${unit}`, wanted });
+};
+
+const grid = await session.open('/');
+await grid.locator('#templates a').first().waitFor();
+const tasks = await grid.evaluate(async () => (await import('/pkg/pathlight.js')).templates().map((template) => template.tasks[0]));
+await grid.context().close();
+const task = (time) => tasks[TEMPLATES[time]];
+
+/** From the start of the navigation until this selector's canvas has something on it. */
+async function drawn(path, selector) {
+  const page = await session.open('');
+  await page.addInitScript((selector) => {
+    const look = (now) => {
+      const canvas = document.querySelector(selector);
+      // Paper is opaque: a canvas that nobody has drawn on is not.
+      const ready = canvas?.width > 1 && canvas.getContext('2d').getImageData(canvas.width >> 1, canvas.width >> 1, 1, 1).data[3] > 0;
+      if (ready) globalThis.drawnAt = now;
+      else requestAnimationFrame(look);
+    };
+    requestAnimationFrame(look);
+  }, selector);
+  await page.goto(session.origin + path);
+  await page.waitForFunction(() => globalThis.drawnAt);
+  const time = await page.evaluate(() => globalThis.drawnAt);
+  await page.context().close();
+  return time;
+}
+
+async function repeat(act) {
+  const values = [];
+  for (let time = 0; time < TIMES; time += 1) values.push(await act(time));
+  return values;
+}
+
+row('first puzzle, by its link', await repeat((time) => drawn(`/#task=${task(time)}`, '#scene')), 'ms', '< 1000 ms');
+row('first puzzle, on the grid', await repeat(() => drawn('/', '#templates canvas')), 'ms', '< 1000 ms');
+
+const page = await openPuzzle(session, { more: '&panel=imagine&layers=base,placement&ball=128,200,12' });
+await page.locator('#imagined-in').filter({ hasText: 'Imagined' }).waitFor();
+
+/** Drags the ball about for two seconds: the times between frames. */
+async function drag() {
+  await page.mouse.move(...(await spot(page, 128, 200)));
+  await page.mouse.down();
+  await page.evaluate(() => {
+    globalThis.frames = [];
+    globalThis.dragging = true;
+    const frame = (now) => {
+      globalThis.frames.push(now);
+      if (globalThis.dragging) requestAnimationFrame(frame);
+    };
+    requestAnimationFrame(frame);
+  });
+  const end = Date.now() + 2000;
+  for (let turn = 0; Date.now() < end; turn += 0.12) {
+    await page.mouse.move(...(await spot(page, 128 + 60 * Math.cos(turn), 190 + 40 * Math.sin(turn))));
+  }
+  await page.mouse.up();
+  return page.evaluate(() => {
+    globalThis.dragging = false;
+    return globalThis.frames.slice(1).map((now, index) => now - globalThis.frames[index]);
+  });
+}
+
+const gaps = await drag();
+row('drag, between two frames', gaps, 'ms', '16.7 ms');
+const seconds = gaps.reduce((sum, gap) => sum + gap, 0) / 1000;
+rows.push({ what: 'drag, frames a second', median: (gaps.length / seconds).toFixed(1), worst: '', wanted: '60' });
+
+/** Opens a task by its link and waits for all four maps. */
+const maps = (task) =>
+  page.evaluate(async (task) => {
+    const named = () => [...document.querySelectorAll('#stages canvas[role=img]')].map((map) => map.getAttribute('aria-label'));
+    const start = performance.now();
+    location.hash = `task=${task}&panel=imagine`;
+    // First the maps of the puzzle before go, then the new ones come.
+    for (let gone = false; ; ) {
+      const there = named().every((label) => !/not imagined yet/.test(label));
+      gone ||= !there;
+      if (gone && there) return performance.now() - start;
+      await new Promise((resume) => setTimeout(resume));
+    }
+  }, task);
+row('maps of another puzzle', await repeat((time) => maps(task(time))), 'ms', '< 100 ms');
+
+console.table(rows);
+await session.stop();
