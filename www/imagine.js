@@ -101,7 +101,6 @@ export class Imagine extends EventTarget {
     if (progress === null) bar.removeAttribute("value");
     else bar.value = progress;
     if (loaded) this.#choice(loaded);
-    at("card").textContent = loaded ? carded(loaded) : "";
     if (status === "ready") this.#imagine();
     else {
       this.#imagined = null;
@@ -153,8 +152,4 @@ export class Imagine extends EventTarget {
 function timed({ milliseconds, saw }) {
   const before = saw ? "The model has seen this puzzle in training." : "The model has never seen this puzzle before.";
   return `Imagined in ${Math.max(1, Math.round(milliseconds))} ms. ${before}`;
-}
-
-function carded({ name, card }) {
-  return `Model “${name}”: trained ${card.setup} templates, fold ${card.fold}, on ${card.samples.toLocaleString("en")} solutions of ${card.tasks.toLocaleString("en")} puzzles. After Harter et al., “Solving Physics Puzzles by Reasoning about Paths” (2020).`;
 }

@@ -1,6 +1,7 @@
 // The page: starts the wasm, follows the address, and joins its parts. Each part knows the session and the
 // wasm; only this file knows the parts.
 
+import { About } from "./about.js";
 import { Attempts } from "./attempts.js";
 import { SceneCanvas } from "./canvas.js";
 import { Compare } from "./compare.js";
@@ -61,6 +62,7 @@ class Page {
     this.#imagine = new Imagine(wasm, this.#model);
     this.#thinking = new Thinking(this.#imagine);
     this.#compare = new Compare(this.#model);
+    new About(this.#model);
     this.#lists = [
       new Attempts(at("play-attempts"), at("play-count"), "player"),
       new Attempts(at("you-attempts"), at("you-count"), "player"),
@@ -84,7 +86,9 @@ class Page {
       at("scene").focus();
     });
     at("copy").addEventListener("click", () => this.#copy());
-    at("help").addEventListener("click", () => at("keys").showModal());
+    for (const button of document.querySelectorAll("[data-opens]")) {
+      button.addEventListener("click", () => at(button.dataset.opens).showModal());
+    }
     for (const tab of document.querySelectorAll("[role=tab]")) {
       tab.addEventListener("click", () => this.#set({ panel: tab.dataset.panel }));
       tab.addEventListener("keydown", (event) => this.#roam(event));

@@ -14,7 +14,6 @@ export class Record {
     this.#templates = templates;
     this.#gallery = gallery;
     at("save").addEventListener("click", () => this.#save());
-    at("forget").addEventListener("click", () => at("forgetting").showModal());
     at("forgetting").addEventListener("close", () => {
       if (at("forgetting").returnValue === "forget") progress.clear();
     });

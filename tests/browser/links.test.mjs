@@ -74,10 +74,10 @@ test('a model that is named in the link is the one that imagines', async () => {
   await page.locator('#imagine-trouble:visible').filter({ hasText: 'There is no model “nobody” here. There is: ' }).waitFor();
   const name = (await page.locator('#imagine-trouble p').textContent()).match(/There is: ([\w-]+)/)[1];
   await page.locator('#imagine-trouble button').click();
-  await page.locator('#card').filter({ hasText: `Model “${name}”` }).waitFor();
+  await page.locator('#card').filter({ hasText: `model “${name}”` }).waitFor({ state: 'attached' });
   await page.waitForFunction(() => !/model=/.test(location.hash));
   await page.goto(`${session.origin}/#task=${EASY}&panel=imagine&model=${name}`);
-  await page.locator('#card').filter({ hasText: `Model “${name}”` }).waitFor();
+  await page.locator('#card').filter({ hasText: `model “${name}”` }).waitFor({ state: 'attached' });
 });
 
 for (const [link, words] of [

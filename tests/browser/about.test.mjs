@@ -1,0 +1,56 @@
+// The science is one click away, on the grid and beside the maps: the paper, the benchmark, and the model's own card.
+
+import assert from 'node:assert/strict';
+import { open } from 'node:fs/promises';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { after, before, test } from 'node:test';
+import { start } from './harness.mjs';
+import { openPuzzle } from './playing.mjs';
+
+const ASSETS = join(dirname(fileURLToPath(import.meta.url)), '..', '..', 'assets');
+
+let session;
+before(async () => (session = await start()));
+after(() => session.stop());
+
+/** The card as it stands in the weights file: safetensors begins with the length of its JSON header. */
+async function card(file) {
+  const weights = await open(join(ASSETS, file));
+  try {
+    const { buffer: size } = await weights.read(Buffer.alloc(8), 0, 8, 0);
+    const { buffer: header } = await weights.read(Buffer.alloc(Number(size.readBigUInt64LE())), 0, Number(size.readBigUInt64LE()), 8);
+    return JSON.parse(JSON.parse(header.toString()).__metadata__.pathlight);
+  } finally {
+    await weights.close();
+  }
+}
+
+test('the sheet names the paper, the benchmark and what the model learned from', async () => {
+  const page = await openPuzzle(session, { more: '&panel=imagine' });
+  const [entry] = await page.evaluate(async () => (await (await fetch('assets/model.json')).json()).models);
+  const { samples, tasks, epochs } = await card(entry.file);
+  await page.locator('#imagine [data-opens=about]').click();
+  const about = page.locator('#about[open]');
+  const text = await about.textContent();
+  for (const said of ['Solving Physics Puzzles by Reasoning about Paths', 'Harter', '2020', 'PHYRE']) assert.ok(text.includes(said), said);
+  await about.locator('#card').filter({ hasText: entry.name }).waitFor();
+  const entries = await about.locator('#card-entries').textContent();
+  const said = (number) => number.toLocaleString('en');
+  assert.ok(entries.includes(`${said(samples)} solutions of ${said(tasks)} puzzles`), entries);
+  assert.ok(entries.includes(`${epochs} times`), entries);
+  await about.getByRole('button', { name: 'Close' }).click();
+  await about.waitFor({ state: 'hidden' });
+});
+
+for (const [what, viewport] of [['a desktop', { width: 1280, height: 800 }], ['a phone', { width: 360, height: 640 }]]) {
+  test(`it opens from the grid on ${what} and closes by key`, async () => {
+    const page = await session.open('/', { viewport });
+    await page.locator('#behind').click();
+    const box = await page.locator('#about[open]').boundingBox();
+    assert.ok(box.x >= 0 && box.x + box.width <= viewport.width && box.height <= viewport.height, JSON.stringify(box));
+    assert.ok((await page.locator('#about').evaluate((about) => about.scrollTop)) === 0, 'it begins at its beginning');
+    await page.keyboard.press('Escape');
+    await page.locator('#about').waitFor({ state: 'hidden' });
+  });
+}
