@@ -19,6 +19,8 @@ pub struct Palette {
     pub purple: &'static str,
     pub gray: &'static str,
     pub black: &'static str,
+    /// Round black bodies, which dark paper would swallow.
+    pub rim: &'static str,
     pub red: &'static str,
     /// The ring that fills while the goal holds.
     pub ring: &'static str,
@@ -31,8 +33,9 @@ const LIGHT: Palette = Palette {
     green: "#009e73",
     blue: "#0072b2",
     purple: "#8e5ab5",
-    gray: "#9ba1aa",
+    gray: "#868d97",
     black: "#25282d",
+    rim: "#25282d",
     red: "#d55e00",
     ring: "#e69f00",
     ink: "#16181c",
@@ -45,6 +48,7 @@ const DARK: Palette = Palette {
     purple: "#b48ad8",
     gray: "#8d95a3",
     black: "#07080a",
+    rim: "#808997",
     red: "#f2812f",
     ring: "#ffc233",
     ink: "#f3f4f6",

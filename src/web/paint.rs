@@ -18,6 +18,9 @@ use crate::scene::{Body, Part, Role, SIZE};
 /// Distance between the lines of a hatched goal, and their width, px.
 const HATCH: (f64, f64) = (4.5, 1.2);
 
+/// Width of the rim of black bodies, px.
+const RIM: f64 = 0.8;
+
 /// Width of a path, px.
 const PATH: f64 = 1.6;
 
@@ -69,6 +72,10 @@ impl<'a> Painter<'a> {
         context.rotate(angle)?;
         context.set_fill_style_str(self.palette.role(body.role));
         context.fill_with_path_2d(&outline);
+        if body.role == Role::Black {
+            self.stroke(self.palette.rim, RIM, Line::Solid)?;
+            context.stroke_with_path(&outline);
+        }
         if goal {
             self.hatch(body, &outline)?;
         }

@@ -1,21 +1,19 @@
-// axe finds nothing serious or critical on any view, light or dark.
+// axe finds nothing serious or critical on any view, on a desktop and on a phone, light and dark; and the roles stand
+// out from the paper.
 
 import AxeBuilder from '@axe-core/playwright';
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { start } from './harness.mjs';
-import { EASY, known, says, type } from './playing.mjs';
+import { EASY, known, openPuzzle, says, type } from './playing.mjs';
 
 let session;
 before(async () => (session = await start()));
 after(() => session.stop());
 
-const VIEWS = {
-  grid: '/',
-  play: `/#task=${EASY}`,
-  imagine: `/#task=${EASY}&panel=imagine&layers=base,placement`,
-  compare: `/#task=${EASY}&panel=compare`,
-  'bad link': '/#task=00007:999',
+const SCREENS = {
+  'a desktop': { viewport: { width: 1280, height: 800 } },
+  'a phone': { viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true },
 };
 
 async function check(page, view) {
@@ -25,28 +23,76 @@ async function check(page, view) {
   assert.equal(bad.length, 0, `${view}:\n${told.join('\n')}`);
 }
 
-for (const colorScheme of ['light', 'dark']) {
-  test(`every view, ${colorScheme}`, async () => {
-    for (const [view, path] of Object.entries(VIEWS)) {
-      const page = await session.open(path, { colorScheme });
-      await page.locator(path === '/' || view === 'bad link' ? '#templates canvas.drawn' : '#scene').first().waitFor();
-      if (view === 'imagine') await page.locator('#imagined-in').filter({ hasText: 'Imagined' }).waitFor();
-      await check(page, view);
-      await page.context().close();
-    }
-  });
+for (const [screen, size] of Object.entries(SCREENS)) {
+  for (const colorScheme of ['light', 'dark']) {
+    test(`the grid, a bad link and all sheets on ${screen}, ${colorScheme}`, async () => {
+      const page = await session.open('/#task=00007:999', { ...size, colorScheme });
+      await page.locator('#templates canvas.drawn').first().waitFor();
+      await page.evaluate((task) => localStorage.setItem('pathlight.progress', JSON.stringify({ tasks: { [task]: { attempts: 3, solved: 2 } } })), EASY);
+      await check(page, 'bad link');
+      await page.reload();
+      await page.locator('#record:visible').waitFor();
+      await check(page, 'grid');
+      for (const sheet of ['keys', 'about', 'forgetting']) {
+        await page.locator(`#${sheet}`).evaluate((dialog) => dialog.showModal());
+        await check(page, sheet);
+        await page.keyboard.press('Escape');
+      }
+    });
 
-  test(`solved, not solved and the sheet of keys, ${colorScheme}`, async () => {
-    const page = await session.open(`/#task=${EASY}`, { colorScheme, reducedMotion: 'reduce' });
-    await page.locator('#scene').waitFor();
-    const { solving, missing, invalid } = await known(page);
-    for (const [one, words] of [[missing, /^Not solved/], [solving, /^Solved/], [invalid, /does not count/]]) {
-      await type(page, one);
+    test(`placing, running, solved, missed and overlaid on ${screen}, ${colorScheme}`, async () => {
+      const page = await openPuzzle(session, { ...size, colorScheme });
+      const { solving, missing, invalid } = await known(page);
+      await check(page, 'placing');
+      await type(page, missing);
+      await page.locator('#speed').selectOption('0.25');
       await page.locator('#run').click();
-      await says(page, words);
-      await check(page, String(words));
-    }
-    await page.locator('#help').click();
-    await check(page, 'keys');
-  });
+      await says(page, /is running/);
+      await check(page, 'running');
+      await page.locator('#reset').click();
+      await page.emulateMedia({ reducedMotion: 'reduce' });
+      for (const [one, words] of [[missing, /^Not solved/], [solving, /^Solved/], [invalid, /does not count/]]) {
+        await type(page, one);
+        await page.locator('#run').click();
+        await says(page, words);
+        await check(page, String(words));
+      }
+      await page.locator('#play-attempts [data-act=lay]').first().click();
+      await says(page, /over each other/);
+      await check(page, 'overlaid');
+    });
+
+    test(`imagine and compare on ${screen}, ${colorScheme}`, async () => {
+      const page = await openPuzzle(session, { ...size, colorScheme, more: '&panel=imagine&layers=base,placement', still: true });
+      await page.locator('#imagined-in').filter({ hasText: 'Imagined' }).waitFor();
+      await check(page, 'imagine');
+      await page.locator('#tab-compare').click();
+      await check(page, 'compare, before');
+      await page.locator('#turn:enabled').click();
+      await page.locator('#turn').filter({ hasText: 'The model has played' }).waitFor({ timeout: 120_000 });
+      await check(page, 'compare, after');
+    });
+  }
 }
+
+/** Relative luminance of "#rrggbb", after WCAG 2. */
+function luminance(colour) {
+  const [red, green, blue] = [1, 3, 5]
+    .map((at) => parseInt(colour.slice(at, at + 2), 16) / 255)
+    .map((share) => (share <= 0.04045 ? share / 12.92 : ((share + 0.055) / 1.055) ** 2.4));
+  return 0.2126 * red + 0.7152 * green + 0.0722 * blue;
+}
+
+test('every role stands out from the paper, three to one, light and dark', async () => {
+  const page = await session.open('/');
+  await page.locator('#templates canvas.drawn').first().waitFor();
+  for (const dark of [false, true]) {
+    const colours = await page.evaluate(async (dark) => (await import('/pkg/pathlight.js')).palette(dark), dark);
+    // A black body is seen by its rim, and the ring has one of ink.
+    for (const role of ['green', 'blue', 'purple', 'gray', 'rim', 'red', 'ink']) {
+      const [one, other] = [luminance(colours[role]), luminance(colours.paper)].toSorted((a, b) => b - a);
+      const contrast = (one + 0.05) / (other + 0.05);
+      assert.ok(contrast >= 3, `${role} on ${dark ? 'dark' : 'light'} paper: ${contrast.toFixed(2)} to 1`);
+    }
+  }
+});
