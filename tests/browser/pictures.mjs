@@ -1,0 +1,84 @@
+// Takes pictures of all views, on a desktop and on a phone, light and dark, into target/pictures, for people to look
+// at: make pictures. The task is one on which player and model have something to show.
+
+import { mkdir } from 'node:fs/promises';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { start } from './harness.mjs';
+import { known, openPuzzle, says, type } from './playing.mjs';
+
+const TASK = process.argv[2] ?? '00007:008';
+const folder = join(dirname(fileURLToPath(import.meta.url)), '..', '..', 'target', 'pictures');
+
+const SCREENS = {
+  desktop: { viewport: { width: 1280, height: 800 } },
+  phone: { viewport: { width: 390, height: 844 }, isMobile: true, hasTouch: true, deviceScaleFactor: 2 },
+};
+
+await mkdir(folder, { recursive: true });
+const session = await start();
+let balls = null;
+
+for (const [screen, size] of Object.entries(SCREENS)) {
+  for (const colorScheme of ['light', 'dark']) {
+    const page = await openPuzzle(session, { ...size, task: TASK, still: true, colorScheme });
+    balls ??= await known(page, TASK);
+    const take = async (view) => {
+      await page.waitForTimeout(400);
+      await page.screenshot({ path: join(folder, `${view}-${screen}-${colorScheme}.png`) });
+    };
+    const run = async (ball, words) => {
+      await type(page, ball);
+      await page.locator('#run').click();
+      await says(page, words);
+    };
+
+    await type(page, balls.missing);
+    await take('placing');
+    await type(page, balls.invalid);
+    await take('invalid');
+    await run(balls.missing, /^Not solved/);
+    await take('missed');
+    await page.locator('#reset').click();
+
+    // Half way through a run that moves.
+    await page.emulateMedia({ reducedMotion: 'no-preference' });
+    await run(balls.solving, /is running/);
+    await page.locator('#run').click();
+    const time = page.locator('#time');
+    await time.fill(String(Math.round(Number(await time.getAttribute('max')) * 0.5)));
+    await take('running');
+    await page.emulateMedia({ reducedMotion: 'reduce' });
+    await time.fill(await time.getAttribute('max'));
+    await says(page, /^Solved/);
+    await take('solved');
+    await page.locator('#play-attempts [data-act=lay]').first().click();
+    await take('overlaid');
+
+    await page.locator('#reset').click();
+    await page.locator('#tab-imagine').click();
+    await page.locator('#imagined-in').filter({ hasText: 'Imagined' }).waitFor();
+    await page.locator('[data-stage=target] input').check();
+    await page.locator('[data-stage=placement] input').check();
+    await take('imagine');
+    await page.locator('#imagine [data-opens=about]').click();
+    await take('about');
+    await page.keyboard.press('Escape');
+
+    await page.locator('#tab-compare').click();
+    await page.locator('#turn:enabled').click();
+    await page.locator('#turn').filter({ hasText: 'The model has played' }).waitFor({ timeout: 120_000 });
+    await take('compare');
+
+    await page.keyboard.press('?');
+    await take('keys');
+    await page.keyboard.press('Escape');
+    await page.locator('#home').click();
+    await page.locator('#templates canvas.drawn').first().waitFor();
+    await take('grid');
+    await page.context().close();
+  }
+}
+
+await session.stop();
+console.log(folder);
