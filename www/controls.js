@@ -69,7 +69,8 @@ export class Controls {
     set("undo", "disabled", !session.canUndo);
     set("redo", "disabled", !session.canRedo);
     this.#touches = session.placing ? [] : session.puzzle.touches();
-    at("hold").hidden = session.placing;
+    // Of two rollouts over each other the ring could be either's.
+    at("hold").hidden = session.placing || session.phase === "compare";
     this.#bands();
     const [x, y, r] = session.ball ?? ["", "", ""];
     set("ball-x", "value", String(x));

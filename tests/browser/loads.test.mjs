@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { start } from './harness.mjs';
+import { EASY, known, says, type } from './playing.mjs';
 
 let session;
 before(async () => (session = await start()));
@@ -35,4 +36,23 @@ test('the policy keeps scripts from elsewhere out', async () => {
   assert.equal(ran, false);
   const problems = session.takeProblems();
   assert.ok(problems.length > 0 && problems.every((problem) => /Content Security Policy/.test(problem)), problems.join());
+});
+
+test('a puzzle is drawn and played before the weights are there', async () => {
+  const page = await session.open('', { reducedMotion: 'reduce' });
+  let asked;
+  const held = new Promise((resolve) => {
+    asked = resolve;
+  });
+  await page.context().route('**/assets/*.safetensors', asked);
+  await page.goto(`${session.origin}/#task=${EASY}&panel=imagine`);
+  const weights = await held;
+  await page.locator('#imagine-progress:visible').filter({ hasText: 'Loading the model' }).waitFor();
+  await page.locator('#tab-play').click();
+  await type(page, (await known(page)).solving);
+  await page.locator('#run').click();
+  await says(page, /^Solved!/);
+  await weights.continue();
+  await page.locator('#tab-imagine').click();
+  await page.locator('#imagined-in').filter({ hasText: 'Imagined' }).waitFor();
 });
