@@ -1,5 +1,6 @@
 // What stands round the scene: the transport below it, the status line, and the fields of the ball being placed.
 
+import { say } from "./say.js";
 import { sentence } from "./session.js";
 
 const at = (id) => document.getElementById(id);
@@ -78,7 +79,10 @@ export class Controls {
     set("ball-r", "value", String(r));
     set("radius", "value", String(r || 12));
     const { kind, words } = status(session);
-    set("status", "textContent", words);
+    if (at("status").textContent !== words) {
+      at("status").textContent = words;
+      say(words);
+    }
     at("status").dataset.kind = kind;
     this.#tick();
   }

@@ -2,6 +2,7 @@
 // mouse or a finger over the scene or a small map, or from the arrow keys on a small map. Each small map marks
 // it and says its value; a note in the corner of the scene says those of the maps that lie over it.
 
+import { say } from "./say.js";
 import { STAGES } from "./state.js";
 import { WORDS, valueAt } from "./stages.js";
 
@@ -62,7 +63,7 @@ export class Reading {
     const from = this.#point ?? [SIZE / 2, SIZE / 2];
     this.#point = from.map((value, axis) => Math.min(Math.max(value + by[axis] * far, 2), SIZE - 2));
     this.#show();
-    at("reading-told").textContent = `${this.#place()}: ${this.#value(stage)}`;
+    say(`${this.#place()}: ${this.#value(stage)}`);
   }
 
   #place() {

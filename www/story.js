@@ -1,6 +1,7 @@
 // The four stages told one after another: a row of steps above the maps. A step lays its map alone over the scene
 // and leaves only its own map in the panel. Asks for another stage by "set"; which one is on is in the link.
 
+import { say } from "./say.js";
 import { STAGES } from "./state.js";
 import { WORDS, summary } from "./stages.js";
 
@@ -92,6 +93,6 @@ export class Story extends EventTarget {
   #tell() {
     const map = this.#imagine.values?.[this.#stage];
     const words = WORDS[this.#stage];
-    at("story-told").textContent = words ? `${words.name}. ${words.means} ${map ? `It is ${summary(map)}.` : ""}` : "";
+    if (words) say(`${words.name}. ${words.means} ${map ? `It is ${summary(map)}.` : ""}`);
   }
 }

@@ -33,6 +33,17 @@ test('a tap places, a finger drags, nothing scrolls', async () => {
   assert.deepEqual(scrolled, [0, 0, 0]);
 });
 
+test('a finger need not hit a small ball, nor its knob, exactly', async () => {
+  const page = await openPuzzle(session, { ...PHONE, more: '&ball=128,220,4' });
+  // One px of the scene is about one and a half of the screen: this is 18 of the screen beside the ball.
+  await drag(page, [[116, 220], [106, 220], [96, 210]]);
+  assert.deepEqual(await ball(page), [108, 210, 4], 'dragged, and not placed anew under the finger');
+  await drag(page, [[118, 210], [124, 210], [130, 210]]);
+  const [x, y, r] = await ball(page);
+  assert.deepEqual([x, y], [108, 210]);
+  assert.ok(r > 12, `the knob was pulled to radius ${r}`);
+});
+
 test('a solving ball is tapped, run and solved', async () => {
   const page = await openPuzzle(session, { ...PHONE, still: true });
   const { solving: [x, y, r] } = await known(page);

@@ -52,15 +52,50 @@ test('an invalid ball is outlined, named and never counts', async () => {
   const { invalid } = await known(page);
   await type(page, invalid);
   const words = await says(page, /^Not here: The ball (sticks out of the scene|overlaps the [\w ]+)\.$/);
-  assert.equal(await page.locator('#status').getAttribute('role'), 'status');
+  // And it is said aloud, in the one place that speaks.
+  assert.equal(await page.locator('[role=status], [aria-live], output').count(), 1);
+  assert.equal(await page.locator('[role=status]').textContent(), words);
   await page.locator('#run').click();
   await says(page, /does not count as an attempt/);
   assert.equal(await attempts(page), 0);
-  assert.ok(words.length > 0);
 });
 
 test('without a ball, Run says what to do', async () => {
   const page = await openPuzzle(session);
   await page.locator('#run').click();
   await says(page, /Place the ball first/);
+});
+
+test('however many moves a drag makes, a frame is drawn once, and in time for the next', async () => {
+  const page = await openPuzzle(session, { more: '&ball=128,200,12' });
+  await page.evaluate(async () => {
+    const { Puzzle } = await import('/pkg/pathlight.js');
+    const paint = Puzzle.prototype.paint;
+    globalThis.painted = [];
+    Puzzle.prototype.paint = function (...args) {
+      const start = performance.now();
+      paint.apply(this, args);
+      globalThis.painted.push(performance.now() - start);
+    };
+  });
+  const [x, y] = await spot(page, 128, 200);
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  const painted = await page.evaluate(async ([x, y]) => {
+    const scene = document.querySelector('#scene');
+    const next = () => new Promise((resume) => requestAnimationFrame(resume));
+    await next();
+    globalThis.painted.length = 0;
+    for (let frame = 0; frame < 30; frame += 1) {
+      for (let move = 0; move < 20; move += 1) {
+        scene.dispatchEvent(new PointerEvent('pointermove', { clientX: x + frame * 2, clientY: y + move, isPrimary: true, bubbles: true }));
+      }
+      await next();
+    }
+    return globalThis.painted;
+  }, [x, y]);
+  await page.mouse.up();
+  assert.ok(painted.length >= 20 && painted.length <= 31, `${painted.length} drawings in 30 frames of 20 moves`);
+  const median = painted.toSorted((a, b) => a - b)[painted.length >> 1];
+  assert.ok(median < 16, `a drawing takes ${median} ms`);
 });

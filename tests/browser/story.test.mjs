@@ -33,7 +33,7 @@ test('each step shows one stage alone, forward and back, and all four again', as
     const row = page.locator(`[data-stage=${stage}]`);
     assert.match(await row.locator('.means').textContent(), /^Where .+\.$/);
     assert.match(await row.locator('.summary').textContent(), /^Strongest at x \d+, y \d+; \d+ percent on the left, \d+ on the right\.$/);
-    assert.match(await page.locator('#story-told').textContent(), /Where .+ It is strongest at x/, 'it is said aloud');
+    assert.match(await page.locator('#told').textContent(), /Where .+ It is strongest at x/, 'it is said aloud');
   }
   await page.locator('#story-next').press('Enter');
   assert.deepEqual((await shown(page)).rows, ['placement'], 'there is no fifth');
@@ -93,6 +93,6 @@ test('arrow keys on a small map read it', async () => {
   await page.locator('[data-stage=target] .map').focus();
   await page.keyboard.press('ArrowRight');
   await page.keyboard.press('Shift+ArrowUp');
-  assert.match(await page.locator('#reading-told').textContent(), /^x 132, y 160: \d\.\d\d$/);
+  assert.match(await page.locator('#told').textContent(), /^x 132, y 160: \d\.\d\d$/);
   assert.match(await page.locator('[data-stage=target] .value').textContent(), /^\d\.\d\d at x 132, y 160$/);
 });
