@@ -6,6 +6,7 @@ import { Attempts } from "./attempts.js";
 import { SceneCanvas } from "./canvas.js";
 import { Compare } from "./compare.js";
 import { Controls } from "./controls.js";
+import { start } from "./engine.js";
 import { Gallery } from "./gallery.js";
 import { Imagine } from "./imagine.js";
 import { listen } from "./keys.js";
@@ -20,21 +21,6 @@ import { Thinking } from "./thinking.js";
 const at = (id) => document.getElementById(id);
 const darkness = matchMedia("(prefers-color-scheme: dark)");
 const stillness = matchMedia("(prefers-reduced-motion: reduce)");
-
-/** Compiles the wasm once, for page and worker. */
-async function start() {
-  if (typeof WebAssembly !== "object") {
-    throw new Error("This browser has no WebAssembly, or it is switched off. Pathlight needs it: try a current browser.");
-  }
-  const answer = await fetch("pkg/pathlight_bg.wasm");
-  if (!answer.ok) {
-    throw new Error(`Pathlight’s engine did not come: the server answered ${answer.status} for pkg/pathlight_bg.wasm. Build it with “make play”.`);
-  }
-  const wasm = await import("./pkg/pathlight.js");
-  const module = await WebAssembly.compileStreaming(answer);
-  await wasm.default({ module_or_path: module });
-  return { wasm, module };
-}
 
 class Page {
   #wasm;
