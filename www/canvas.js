@@ -22,6 +22,13 @@ export class SceneCanvas {
   /** Maps to lay over the scene, canvases of 64 x 64. */
   maps = [];
   opacity = 0.8;
+  /** Balls to mark, [{ ball, from, chosen }, …]: `from` is the place that one comes from, or null. */
+  marks = [];
+  /** A line that the person has drawn, [[x, y], …]. */
+  sketch = [];
+  /** Who takes pointer and keys while the scene is drawn on, { begin(point), draw(point), key(event) }; null while
+   * the ball is placed. */
+  pen = null;
   dark = false;
 
   constructor(canvas) {
@@ -62,6 +69,8 @@ export class SceneCanvas {
       knob: KNOB / this.#scale,
       whole: session.phase === "compare",
       opacity: this.opacity,
+      marks: this.marks,
+      sketch: this.sketch,
       dark: this.dark,
     };
     session.puzzle.paint(this.#context, view, this.maps);
@@ -94,6 +103,10 @@ export class SceneCanvas {
     event.preventDefault();
     this.#canvas.focus({ preventScroll: true });
     this.#canvas.setPointerCapture(event.pointerId);
+    if (this.pen) {
+      this.#held = { kind: "pen" };
+      return this.pen.begin(this.#point(event));
+    }
     const session = this.#session;
     const [x, y] = this.#point(event);
     const [ballX, ballY, r] = session.ball ?? [Infinity, Infinity, FIRST_RADIUS];
@@ -115,6 +128,8 @@ export class SceneCanvas {
   #move(event) {
     const held = this.#held;
     if (!held || !event.isPrimary) return;
+    // A pen that has been taken away in the middle of a line ends it.
+    if (held.kind === "pen") return this.pen?.draw(this.#point(event));
     const [x, y] = this.#point(event);
     const [ballX, ballY, r] = this.#session.ball;
     if (held.kind === "radius") this.#session.place([ballX, ballY, Math.hypot(x - ballX, y - ballY)], held);
@@ -131,6 +146,7 @@ export class SceneCanvas {
   /** Arrows, + and −, Enter. */
   key(event) {
     if (!this.#session || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (this.pen?.key(event)) return event.preventDefault();
     const far = event.shiftKey ? 10 : 1;
     const nudges = {
       ArrowLeft: [-far, 0, 0],

@@ -60,7 +60,7 @@ export class Compare extends EventTarget {
   #stop() {
     if (!this.#turning) return;
     this.#turning = null;
-    this.#model.stop();
+    this.#model.stop("turn");
   }
 
   #update() {

@@ -129,17 +129,18 @@ function compared([first, second]) {
 
 /** The session in one sentence, and its kind for the eye. */
 function status(session) {
-  const { phase, ball, reason, refused, shown, finished } = session;
+  const { phase, ball, reason, refused, shown, finished, drawing } = session;
   if (phase === "placing") {
     if (refused) return { kind: "wrong", words: refused };
+    if (drawing) return { kind: "hint", words: "Draw in the scene the path that the green object will take." };
     if (!ball) return { kind: "hint", words: "Click or tap the scene to place the red ball." };
     if (reason) return { kind: "wrong", words: `Not here: ${sentence(reason)}` };
     return { kind: "ready", words: "The ball may start here. Press Run." };
   }
   if (phase === "watch") return { kind: "hint", words: finished ? "That was the scene without a ball." : "The scene without a ball." };
   if (phase === "compare") return { kind: "hint", words: compared(session.pair) };
-  const whose = shown.agent === "player" ? "Your" : "The model’s";
-  if (!finished) return { kind: "running", words: `${whose} attempt ${shown.number} is running.` };
-  if (shown.ending.solved) return { kind: "solved", words: `Solved! ${whose} attempt ${shown.number}: ${shown.words}.` };
-  return { kind: "missed", words: `Not solved. ${whose} attempt ${shown.number}: ${shown.words}.` };
+  const what = `${shown.agent === "player" ? "Your" : "The model’s"} ${shown.rehearsed ? "ball" : "attempt"} ${shown.number}`;
+  if (!finished) return { kind: "running", words: `${what} is running.` };
+  if (shown.ending.solved) return { kind: "solved", words: `Solved! ${what}: ${shown.words}.` };
+  return { kind: "missed", words: `Not solved. ${what}: ${shown.words}.` };
 }

@@ -4,6 +4,9 @@
 import { STAGES } from "./state.js";
 import { SIDE, WORDS, summary } from "./stages.js";
 
+/** Pixels across a canvas of lines, which is laid over the whole scene. */
+const LINES = 1024;
+
 const at = (id) => document.getElementById(id);
 
 export class Imagine extends EventTarget {
@@ -15,7 +18,6 @@ export class Imagine extends EventTarget {
   #rows = {};
   #imagined = null;
   #dark = false;
-  #layers = [];
 
   /** Fires "layers", "opacity" and "model", with { layers } and so on, when the person asks for others, and
    * "again" when a model that failed is to be started once more. */
@@ -39,7 +41,6 @@ export class Imagine extends EventTarget {
   }
 
   set({ layers, opacity }) {
-    this.#layers = layers;
     at("opacity").value = opacity;
     for (const stage of STAGES) this.#rows[stage].box.checked = layers.includes(stage);
   }
@@ -50,9 +51,10 @@ export class Imagine extends EventTarget {
     this.#paint();
   }
 
-  /** The layers to draw over the scene now; none until there is something imagined. */
-  get shown() {
-    return this.#imagined ? this.#layers.map((stage) => this.maps[stage]) : [];
+  /** What to draw over the scene for some stages: their maps, and lines round what is strong in them; nothing until
+   * they are imagined. */
+  laid(stages) {
+    return this.#imagined ? stages.flatMap((stage) => [this.maps[stage], this.#rows[stage].line]) : [];
   }
 
   /** Stage -> its map, 64 x 64 numbers; null until they are imagined. */
@@ -86,7 +88,9 @@ export class Imagine extends EventTarget {
     });
     this.maps[stage] = map;
     const said = row.querySelector(".summary");
-    this.#rows[stage] = { row, box, scene, map, legend, most: legend.nextElementSibling, said };
+    const line = document.createElement("canvas");
+    line.width = line.height = LINES;
+    this.#rows[stage] = { row, box, scene, map, legend, most: legend.nextElementSibling, said, line };
     return row;
   }
 
@@ -131,7 +135,7 @@ export class Imagine extends EventTarget {
   #paint() {
     const imagined = this.#imagined;
     for (const stage of STAGES) {
-      const { scene, map, most, said } = this.#rows[stage];
+      const { scene, map, line, most, said } = this.#rows[stage];
       const values = imagined?.maps[stage];
       // Each map is drawn up to its own peak, which the legend names.
       const peak = values ? Math.max(...values) : 0;
@@ -140,6 +144,9 @@ export class Imagine extends EventTarget {
       const context = map.getContext("2d");
       if (values) this.#wasm.paintMap(context, stage, values, peak, this.#dark);
       else context.clearRect(0, 0, SIDE, SIDE);
+      const round = line.getContext("2d");
+      round.clearRect(0, 0, LINES, LINES);
+      if (values) this.#wasm.paintOutline(round, stage, values.map((value) => value / peak), this.#dark);
       const words = values ? summary(values) : "not imagined yet";
       map.setAttribute("aria-label", `${WORDS[stage].name}: ${words}`);
       said.textContent = `${words[0].toUpperCase()}${words.slice(1)}.`;

@@ -46,7 +46,7 @@ class Page {
     this.#gallery = new Gallery(at("templates"), wasm, this.#templates);
     this.#record = new Record(this.#progress, this.#templates, this.#gallery);
     this.#imagine = new Imagine(wasm, this.#model);
-    this.#thinking = new Thinking(this.#imagine);
+    this.#thinking = new Thinking(wasm, this.#model, this.#imagine, this.#canvas, this.#progress);
     this.#compare = new Compare(this.#model);
     new About(this.#model);
     this.#lists = [
@@ -85,7 +85,6 @@ class Page {
       this.#set(detail);
       this.#model.start(detail.model);
     });
-    this.#imagine.addEventListener("imagined", () => this.#lay());
     this.#thinking.addEventListener("set", ({ detail }) => this.#set(detail));
     for (const part of [this.#imagine, this.#compare]) {
       part.addEventListener("again", () => this.#again());
@@ -108,7 +107,7 @@ class Page {
     for (const [name, colour] of Object.entries(this.#wasm.palette(dark))) {
       document.documentElement.style.setProperty(`--${name}`, colour);
     }
-    for (const part of [this.#gallery, this.#canvas, this.#imagine, ...this.#lists]) part.dark = dark;
+    for (const part of [this.#gallery, this.#canvas, this.#imagine, this.#thinking, ...this.#lists]) part.dark = dark;
     this.#canvas.draw();
   }
 
@@ -181,6 +180,7 @@ class Page {
   #shut() {
     this.#canvas.show(null);
     this.#compare.leave();
+    this.#thinking.leave();
     this.#session?.close();
     this.#session = null;
   }
@@ -202,7 +202,7 @@ class Page {
     const { panel } = this.#state;
     Object.assign(this.#state, patch);
     this.#show();
-    if (this.#state.panel === "compare" && panel !== "compare") this.#compare.open();
+    if (this.#state.panel === "compare" && panel !== "compare" && !this.#state.proposal) this.#compare.open();
     this.#write();
   }
 
@@ -236,14 +236,6 @@ class Page {
     }
     this.#imagine.set(this.#state);
     this.#thinking.set(this.#state);
-    this.#lay();
-  }
-
-  /** Lays the chosen maps over the scene. */
-  #lay() {
-    this.#canvas.maps = this.#thinking.maps;
-    this.#canvas.opacity = this.#state.opacity;
-    this.#canvas.draw();
   }
 
   #turn(by) {

@@ -56,9 +56,20 @@ export class Model extends EventTarget {
     return this.#ask("turn", { task, seed: SEED }, ({ attempt }) => each(attempt));
   }
 
-  /** Ends a turn after the attempt that it is at. */
-  stop() {
-    this.#worker?.postMessage({ call: "stop" });
+  /** The balls of that turn, untried: [{ ball, origin, passed }, …]. */
+  propose(task) {
+    return this.#ask("propose", { task, seed: SEED });
+  }
+
+  /** Where a ball of a radius solves a task: calls `each` with { picture, progress }; resolves to { finished }. Needs no
+   * weights. */
+  solve(task, radius, each) {
+    return this.#ask("solve", { task, radius }, ({ map }) => each(map));
+  }
+
+  /** Ends the "turn" or the "solve" that is on, after what it is at. */
+  stop(what) {
+    this.#worker?.postMessage({ call: "stop", what });
   }
 
   #ask(call, rest, news = () => {}) {

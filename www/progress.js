@@ -10,14 +10,16 @@ const TASK = /^\d{5}:\d{3}$/;
 export class Progress extends EventTarget {
   /** Does it outlast the page? */
   kept = true;
+  #key;
   #tasks = {};
 
   /** Fires "change" whenever there is something else to tell, also when another tab has noted it. */
-  constructor() {
+  constructor(key = KEY) {
     super();
+    this.#key = key;
     this.#read();
     addEventListener("storage", ({ key }) => {
-      if (key !== KEY && key !== null) return;
+      if (key !== this.#key && key !== null) return;
       this.#read();
       this.#changed();
     });
@@ -26,6 +28,11 @@ export class Progress extends EventTarget {
   /** { attempts, solved } of a task; no attempts if it was never tried. */
   of(task) {
     return Object.hasOwn(this.#tasks, task) ? this.#tasks[task] : { attempts: 0, solved: null };
+  }
+
+  /** The tasks that were tried. */
+  get tasks() {
+    return Object.keys(this.#tasks).sort();
   }
 
   /** Of some tasks: how many were tried, how many are solved, and how many attempts that took in all. */
@@ -41,12 +48,19 @@ export class Progress extends EventTarget {
     if (this.kept) this.#read();
     const { attempts, solved } = this.of(task);
     this.#tasks[task] = { attempts: attempts + 1, solved: solved ?? (solves ? attempts + 1 : null) };
-    this.#write((store) => store.setItem(KEY, this.text()));
+    this.#keep();
+  }
+
+  /** Takes note of how far someone has come at a task. */
+  keep(task, attempts, solved) {
+    if (this.kept) this.#read();
+    this.#tasks[task] = { attempts, solved };
+    this.#keep();
   }
 
   clear() {
     this.#tasks = {};
-    this.#write((store) => store.removeItem(KEY));
+    this.#write((store) => store.removeItem(this.#key));
   }
 
   /** All of it as JSON. */
@@ -56,12 +70,16 @@ export class Progress extends EventTarget {
 
   #read() {
     try {
-      this.#tasks = sound(JSON.parse(localStorage.getItem(KEY) ?? "null"));
+      this.#tasks = sound(JSON.parse(localStorage.getItem(this.#key) ?? "null"));
     } catch (error) {
       // What is no JSON is forgotten; a store that may not even be asked is never asked again.
       this.#tasks = {};
       if (!(error instanceof SyntaxError)) this.kept = false;
     }
+  }
+
+  #keep() {
+    this.#write((store) => store.setItem(this.#key, this.text()));
   }
 
   #write(change) {

@@ -32,6 +32,7 @@ export class Session extends EventTarget {
   refused = null;
   /** Has what is shown come to its end at least once? */
   finished = false;
+  #drawing = false;
   #still;
   #history = new History(null);
 
@@ -128,6 +129,23 @@ export class Session extends EventTarget {
     this.#show("attempt", { agent, ...attempt });
   }
 
+  /** Shows at its end what the model's ball of this number comes to; it does not count. `tried`: has it been an attempt? */
+  rehearse(number, ball, tried) {
+    const attempt = this.puzzle.rehearse(...ball);
+    this.#show("attempt", { ...attempt, agent: "model", number, tried, rehearsed: number }, false);
+  }
+
+  /** Is the scene drawn on, instead of a ball placed in it? */
+  get drawing() {
+    return this.#drawing;
+  }
+
+  set drawing(drawing) {
+    if (drawing === this.#drawing) return;
+    this.#drawing = drawing;
+    this.#changed("change");
+  }
+
   /** Shows the best attempts of both over each other: at their end, or from the start. */
   compare(play) {
     const [player, model] = this.puzzle.compare();
@@ -160,7 +178,7 @@ export class Session extends EventTarget {
   /** The attempts that are being shown. */
   get onShow() {
     if (this.phase === "compare") return this.pair;
-    return this.shown ? [this.shown] : [];
+    return this.shown && !this.shown.rehearsed ? [this.shown] : [];
   }
 
   /** Deletes an attempt; those after it move up by one. */

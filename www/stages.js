@@ -38,14 +38,15 @@ export function valueAt(map, [x, y]) {
 
 /** A map in words: where it is strongest, and how it lies left and right. */
 export function summary(map) {
-  let peak = 0;
-  let [left, all] = [0, 0];
-  map.forEach((value, cell) => {
-    if (value > map[peak]) peak = cell;
-    if (cell % SIDE < SIDE / 2) left += value;
-    all += value;
-  });
+  const peak = map.reduce((best, value, cell) => (value > map[best] ? cell : best), 0);
   const [x, y] = [peak % SIDE, Math.floor(peak / SIDE)].map((cell) => cell * CELL + CELL / 2);
+  return `strongest at x ${x}, y ${y}; ${sides(map)}`;
+}
+
+/** How much of a map lies left and right, in words. */
+export function sides(map) {
+  const all = map.reduce((sum, value) => sum + value, 0);
+  const left = map.reduce((sum, value, cell) => sum + (cell % SIDE < SIDE / 2 ? value : 0), 0);
   const share = all ? Math.round((100 * left) / all) : 50;
-  return `strongest at x ${x}, y ${y}; ${share} percent on the left, ${100 - share} on the right`;
+  return `${share} percent on the left, ${100 - share} on the right`;
 }

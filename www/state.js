@@ -4,9 +4,9 @@
 // Knows nothing of the document.
 
 export const STAGES = ["base", "target", "action", "placement"];
-export const PANELS = ["play", "imagine", "compare"];
+export const PANELS = ["play", "imagine", "compare", "predict", "map"];
 /** What a link can hide: the panels but Play, and what the document marks with data-part. */
-export const PARTS = ["puzzles", "story", "fields", "watch", "attempts", "imagine", "compare"];
+export const PARTS = ["puzzles", "story", "fields", "watch", "attempts", "imagine", "compare", "predict", "map"];
 
 /** What is shown when the address says nothing: the grid of templates. */
 export const START = Object.freeze({
@@ -17,6 +17,8 @@ export const START = Object.freeze({
   panel: "play",
   /** The stage that the story of the model is at, or null for all together. */
   stage: null,
+  /** The number of the model's ball that is looked at, from 1, or null. */
+  proposal: null,
   /** The maps laid over the scene, in the order of STAGES. */
   layers: [],
   /** How much the maps cover, 0..1. */
@@ -35,6 +37,7 @@ const KEYS = {
   model: { text: (name) => name, value: (text) => (/^[\w.-]+$/.test(text) ? text : undefined) },
   panel: { text: (name) => name, value: (text) => (PANELS.includes(text) ? text : undefined) },
   stage: { text: (name) => name, value: (text) => (STAGES.includes(text) ? text : undefined) },
+  proposal: { text: String, value: (text) => (/^([1-9]\d?|100)$/.test(text) ? Number(text) : undefined) },
   layers: some(STAGES),
   opacity: {
     text: String,

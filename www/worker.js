@@ -1,23 +1,31 @@
-// The worker: fetches the weights, imagines, and plays the model's turn, off the page's thread.
+// The worker: fetches the weights, imagines, plays the model's turn, and searches for all solutions, off the page's
+// thread.
 //
 // In:   { id, call: "start", module }           the compiled WebAssembly.Module
 //       { id, call: "load", name }              weights by their name in assets/model.json; null for the first
 //       { id, call: "imagine", task }
-//       { id, call: "turn", task, seed }        one turn at a time; { call: "stop" } ends it early
-// Out:  { id, value } or { id, error: { code, message } }; on the way { id, progress } and { id, attempt }
+//       { id, call: "propose", task, seed }     the balls of a turn, without trying them
+//       { id, call: "turn", task, seed }        one turn at a time
+//       { id, call: "solve", task, radius }     one map of all solutions at a time
+//       { call: "stop", what }                  ends the "turn" or the "solve" that is on
+// Out:  { id, value } or { id, error: { code, message } }; on the way { id, progress }, { id, attempt } and { id, map }
 //
 // assets/model.json lists the weights beside it: { "models": [{ "name", "file", "sha256" }, …] }.
 
-import { initSync, Model } from "./pkg/pathlight.js";
+import { initSync, Model, SolveMap } from "./pkg/pathlight.js";
 
-const calls = { start, load, imagine, turn };
+const calls = { start, load, imagine, propose, turn, solve };
+
+/** How long a search goes on before it tells what it has found and lets messages in, ms. */
+const SLICE = 100;
 
 let model = null;
-let stopped = false;
+/** A token for the turn and for the search that is on; who finds that it is no longer theirs ends. */
+const on = { turn: null, solve: null };
 
 self.addEventListener("message", async ({ data: { id, call, ...rest } }) => {
   if (call === "stop") {
-    stopped = true;
+    on[rest.what] = null;
     return;
   }
   try {
@@ -54,17 +62,39 @@ function imagine({ task }) {
 
 /** Tries the model's balls in order, and tells each attempt. Says whether it came to its end. */
 async function turn({ task, seed }, tell) {
-  stopped = false;
+  const token = (on.turn = {});
   const turn = model.turn(task, seed);
   try {
     for (let attempt = turn.attempt(); attempt; attempt = turn.attempt()) {
       tell({ attempt });
       await breath();
-      if (stopped) return { finished: false };
+      if (on.turn !== token) return { finished: false };
     }
     return { finished: true };
   } finally {
     turn.free();
+  }
+}
+
+function propose({ task, seed }) {
+  return model.propose(task, seed);
+}
+
+/** Maps where a ball of a radius solves a task, and tells the map as it grows. Says whether it came to its end. */
+async function solve({ task, radius }, tell) {
+  const token = (on.solve = {});
+  const map = new SolveMap(task, radius);
+  try {
+    for (let more = true; more; ) {
+      const end = performance.now() + SLICE;
+      while (more && performance.now() < end) more = map.advance();
+      tell({ map: { picture: map.picture(), progress: map.progress() } });
+      await breath();
+      if (on.solve !== token) return { finished: false };
+    }
+    return { finished: true };
+  } finally {
+    map.free();
   }
 }
 

@@ -5,9 +5,12 @@
 use wasm_bindgen::{Clamped, prelude::*};
 use web_sys::{CanvasRenderingContext2d, ImageData};
 
-use super::colour::Stage;
+use super::colour::{Dashes, Stage};
 use super::error::{Code, error};
 use crate::raster::{CELLS, SIDE};
+
+/// Width of a line round cells, cells.
+const LINE: f64 = 0.4;
 
 /// A map of 64 x 64 values in 0..=most, row 0 at the bottom, into a canvas of as many pixels.
 pub fn map(
@@ -24,12 +27,12 @@ pub fn map(
     put(context, &pixels, SIDE)
 }
 
-/// A line round the cells whose value is over one half. Dashes are in widths of the line.
+/// A line round the cells whose value is over one half.
 pub fn outlined(
     context: &CanvasRenderingContext2d,
     values: &[f32],
     colour: &str,
-    dashes: &[f64],
+    dashes: Dashes,
 ) -> Result<(), JsValue> {
     sized(values.len())?;
     let (side, _) = size(context)?;
@@ -37,7 +40,7 @@ pub fn outlined(
     let set = |column: usize, row: usize| column < SIDE && row < SIDE && values[row * SIDE + column] > 0.5;
     context.begin_path();
     for row in 0..=SIDE {
-        for column in 0..=SIDE {
+        for column in (0..=SIDE).filter(|column| dashes[(column + row) % dashes.len()]) {
             let (x, y) = (column as f64 * cell, side as f64 - row as f64 * cell);
             // Between this cell and the one to its left, and the one below: an index before the first wraps round.
             if set(column, row) != set(column.wrapping_sub(1), row) {
@@ -50,12 +53,9 @@ pub fn outlined(
             }
         }
     }
-    let width = cell * 0.7;
-    context.set_line_width(width);
-    context.set_line_cap("butt");
+    context.set_line_width(cell * LINE);
+    context.set_line_cap("square");
     context.set_stroke_style_str(colour);
-    let dashes: js_sys::Array = dashes.iter().map(|dash| JsValue::from(dash * width)).collect();
-    context.set_line_dash(&dashes)?;
     context.stroke();
     Ok(())
 }

@@ -71,6 +71,11 @@ impl Palette {
     }
 }
 
+/// Which cells of a line along cells are drawn, over and over.
+pub type Dashes = &'static [bool];
+
+pub const SOLID: Dashes = &[true];
+
 /// What the four nets imagine, in their order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stage {
@@ -110,13 +115,13 @@ impl Stage {
         format!("rgb({r} {g} {b})")
     }
 
-    /// Lengths of the dashes of that line and of the gaps between, in widths of the line.
-    pub fn dashes(self) -> &'static [f64] {
+    /// The dashes of that line.
+    pub fn dashes(self) -> Dashes {
         match self {
-            Stage::Base => &[],
-            Stage::Target => &[6.0, 3.0],
-            Stage::Action => &[1.0, 2.5],
-            Stage::Placement => &[6.0, 2.5, 1.0, 2.5],
+            Stage::Base => SOLID,
+            Stage::Target => &[true, true, true, true, false, false],
+            Stage::Action => &[true, false],
+            Stage::Placement => &[true, true, true, false, true, false],
         }
     }
 

@@ -16,12 +16,14 @@ mod chart;
 mod colour;
 mod error;
 mod frame;
+mod marks;
 mod measure;
 mod model;
 mod paint;
 mod puzzle;
 mod solve_map;
 mod take;
+mod words;
 
 pub use measure::{auccess, overlap};
 pub use model::{Model, Turn};
@@ -97,8 +99,8 @@ pub fn paint_legend(context: &CanvasRenderingContext2d, stage: &str, dark: bool)
 }
 
 /// Draws a line round what is set (over one half) of 64 x 64 values, row 0 at the bottom, over a square canvas of
-/// any size: what was `real`, or what was `drawn` by the person, dashed. Or, in the name of a stage, a line in its
-/// colour and with its own dashes, so that stages differ without colour.
+/// any size: round what was `real`, or in the name of a stage, in its colour and with dashes of its own, so that
+/// stages differ without colour.
 ///
 /// # Errors
 /// `bad_map` if there is no such line or the values are not 64 x 64.
@@ -111,8 +113,7 @@ pub fn paint_outline(
 ) -> Result<(), JsValue> {
     let ink = colour::palette(dark).ink.to_string();
     let (colour, dashes) = match line {
-        "real" => (ink, &[][..]),
-        "drawn" => (ink, &[6.0, 4.0][..]),
+        "real" => (ink, colour::SOLID),
         stage => stage_named(stage).map(|stage| (stage.line(dark), stage.dashes()))?,
     };
     chart::outlined(context, values, &colour, dashes)

@@ -28,8 +28,8 @@ const PATH: f64 = 1.6;
 const PATH_PIXELS: f64 = 1.2;
 
 pub struct Painter<'a> {
-    context: &'a CanvasRenderingContext2d,
-    palette: &'static Palette,
+    pub(super) context: &'a CanvasRenderingContext2d,
+    pub(super) palette: &'static Palette,
     /// Canvas pixels in one px of the scene.
     scale: f64,
 }
@@ -158,42 +158,6 @@ impl<'a> Painter<'a> {
         Ok(())
     }
 
-    /// A ball that another attempt places: a small ring; of the one that is looked at, its rim, its middle, and a
-    /// line from the place that it comes from.
-    pub fn mark(&self, ball: Ball, from: Option<[f64; 2]>, chosen: bool) -> Result<(), JsValue> {
-        let context = self.context;
-        let circle = |radius: f64, colour: &str, width: f64, line| {
-            context.begin_path();
-            context.arc(ball.x, ball.y, radius, 0.0, TAU)?;
-            self.stroke(colour, width, line)?;
-            context.stroke();
-            Ok::<(), JsValue>(())
-        };
-        circle(2.2, self.palette.paper, 2.2, Line::Solid)?;
-        circle(2.2, self.palette.ink, 0.9, Line::Solid)?;
-        if !chosen {
-            return Ok(());
-        }
-        circle(ball.r, self.palette.ink, 1.6, Line::Dashed)?;
-        if let Some([x, y]) = from {
-            self.path([[x, y], [ball.x, ball.y]].into_iter(), Role::Red, Line::Solid)?;
-            context.set_fill_style_str(self.palette.ink);
-            context.fill_rect(x - 2.2, y - 2.2, 4.4, 4.4);
-        }
-        Ok(())
-    }
-
-    /// What a person has drawn, with a dot where it ends.
-    pub fn sketch(&self, points: &[[f64; 2]]) -> Result<(), JsValue> {
-        self.path(points.iter().copied(), Role::Green, Line::Dashed)?;
-        let Some(&[x, y]) = points.last() else { return Ok(()) };
-        self.context.begin_path();
-        self.context.arc(x, y, 3.0, 0.0, TAU)?;
-        self.context.set_fill_style_str(self.palette.ink);
-        self.context.fill();
-        Ok(())
-    }
-
     /// A ring round a point, filled to a share of its turn, clockwise from the top.
     pub fn ring(&self, [x, y]: [f64; 2], radius: f64, share: f64) -> Result<(), JsValue> {
         let top = TAU / 4.0;
@@ -220,7 +184,7 @@ impl<'a> Painter<'a> {
         self.context.set_transform(self.scale, 0.0, 0.0, -self.scale, 0.0, self.scale * SIZE)
     }
 
-    fn stroke(&self, colour: &str, width: f64, line: Line) -> Result<(), JsValue> {
+    pub(super) fn stroke(&self, colour: &str, width: f64, line: Line) -> Result<(), JsValue> {
         self.context.set_stroke_style_str(colour);
         self.context.set_line_width(width);
         let dashes = match line {

@@ -11,10 +11,11 @@ use super::error::{Code, error, from_plain, plain};
 use super::frame::{self, View};
 use super::paint::Line;
 use super::take::Take;
-use crate::action::{Ball, Invalid};
+use super::words::{described, reason};
+use crate::action::Ball;
 use crate::game::{Agent, Attempt, Ending, Game, Refused};
 use crate::raster::trail_image;
-use crate::scene::{Body, Scene};
+use crate::scene::Body;
 use crate::simulator::simulate;
 use crate::task::Task;
 use crate::templates::TEMPLATES;
@@ -280,24 +281,4 @@ fn agent_named(name: &str) -> Result<Agent, JsValue> {
         "model" => Ok(Agent::Model),
         _ => Err(error(Code::BadData, format!("there is no agent `{name}`: they are player and model"))),
     }
-}
-
-/// Why a ball is invalid, with the name of the body in its way.
-fn reason(why: Invalid, scene: &Scene) -> String {
-    match why {
-        Invalid::Overlaps(body) => format!("the ball overlaps the {}", scene.bodies[body].name()),
-        why => why.to_string(),
-    }
-}
-
-/// The scene for someone who does not see it: every body with its place, what matters first.
-fn described(scene: &Scene) -> String {
-    let place = |body: &Body| format!("{} at x {:.0}, y {:.0}", body.name(), body.x, body.y);
-    let (object, target) = (&scene.bodies[scene.body1], &scene.bodies[scene.body2]);
-    let others: Vec<String> = (0..scene.bodies.len())
-        .filter(|&index| index != scene.body1 && index != scene.body2)
-        .map(|index| place(&scene.bodies[index]))
-        .collect();
-    let rest = if others.is_empty() { "Nothing else.".to_string() } else { format!("Also: {}.", others.join("; ")) };
-    format!("256 by 256, y is up. The {}; the goal is the {}. {rest}", place(object), place(target))
 }

@@ -72,6 +72,40 @@ for (const [screen, size] of Object.entries(SCREENS)) {
       await page.locator('#turn').filter({ hasText: 'The model has played' }).waitFor({ timeout: 120_000 });
       await check(page, 'compare, after');
     });
+
+    test(`how the model thinks on ${screen}, ${colorScheme}`, async () => {
+      const page = await openPuzzle(session, { ...size, colorScheme, more: '&panel=imagine', still: true });
+      await page.locator('#imagined-in').filter({ hasText: 'Imagined' }).waitFor();
+      const tab = (name) => page.locator(`#tab-${name}`).click();
+      await page.locator('#story-next').click();
+      await page.locator('[data-stage=base] .map').press('ArrowUp');
+      for (const sum of await page.locator('#imagine summary:visible').all()) await sum.click();
+      await check(page, 'a step of the story, read');
+      await tab('predict');
+      await check(page, 'predict');
+      await page.locator('#scene').press('Shift+ArrowDown');
+      await page.locator('#predict-watch').click();
+      await page.locator('#predict-result:visible').waitFor();
+      await check(page, 'predict, measured');
+      await tab('imagine');
+      await page.locator('#story-all').click();
+      await page.locator('#runs li').first().waitFor();
+      await check(page, 'imagined and real');
+      await tab('compare');
+      await page.evaluate((task) => localStorage.setItem('pathlight.progress', JSON.stringify({ tasks: { [task]: { attempts: 3, solved: 2 } } })), EASY);
+      await page.reload();
+      await page.locator('#turn:enabled').click();
+      await page.locator('#score-table:visible').waitFor({ timeout: 120_000 });
+      await page.locator('#stack-next').click();
+      await page.locator('#stack-facts:visible').waitFor();
+      for (const sum of await page.locator('#compare summary:visible').all()) await sum.click();
+      await check(page, 'a ball of the model’s, and the score');
+      await tab('map');
+      await page.locator('#search').click();
+      await page.locator('#map-words').filter({ hasText: 'tried so far' }).waitFor();
+      await page.locator('#map-placement').check();
+      await check(page, 'map');
+    });
   }
 }
 

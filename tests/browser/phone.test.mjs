@@ -58,7 +58,7 @@ test('a solving ball is tapped, run and solved', async () => {
 for (const [width, height] of [[390, 844], [360, 640], [844, 390]]) {
   test(`at ${width} x ${height} nothing sticks out and the scene stays in sight`, async () => {
     const page = await openPuzzle(session, { ...PHONE, viewport: { width, height } });
-    for (const panel of ['play', 'imagine', 'compare']) {
+    for (const panel of ['play', 'imagine', 'compare', 'predict', 'map']) {
       await page.locator(`#tab-${panel}`).tap();
       const wide = await page.evaluate(() => document.documentElement.scrollWidth);
       assert.ok(wide <= width, `${panel}: ${wide} px wide`);

@@ -1,0 +1,68 @@
+// Imagined against real: after a run its paths lie over the imagined ones, with their overlap as a number.
+
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { start } from './harness.mjs';
+import { known, openPuzzle, picture, says, type } from './playing.mjs';
+
+let session;
+before(async () => (session = await start()));
+after(() => session.stop());
+
+const run = (page, who) => page.locator(`#runs [data-who=${who}]`);
+
+/** The overlaps of a run, in percent: of the green object, and of the ball if there is one. */
+async function numbers(page, who) {
+  const texts = await run(page, who).locator('.plates b').allTextContents();
+  return texts.map((text) => Number(text.match(/^(\d+) %$/)[1]));
+}
+
+test('runs of the player, of the model and without a ball stand beside each other with their overlaps', async () => {
+  const page = await openPuzzle(session, { still: true });
+  const { solving } = await known(page);
+  await page.locator('#watch').click();
+  await page.locator('#tab-imagine').click();
+  await page.locator('#actual-words').filter({ hasText: 'Without a ball: green object' }).waitFor({ state: 'attached' });
+  assert.equal((await numbers(page, 'alone')).length, 1, 'there is no ball to measure');
+
+  await type(await tab(page, 'play'), solving);
+  await page.locator('#run').click();
+  await says(page, /^Solved!/);
+  await tab(page, 'compare');
+  await page.locator('#turn:enabled').click();
+  await page.locator('#turn').filter({ hasText: 'The model has played' }).waitFor({ timeout: 120_000 });
+  await tab(page, 'imagine');
+  assert.equal(await run(page, 'player').locator('h3').textContent(), 'Your attempt 1');
+  assert.match(await run(page, 'model').locator('h3').textContent(), /^The model’s attempt \d+$/);
+  for (const who of ['player', 'model']) {
+    const shares = await numbers(page, who);
+    assert.equal(shares.length, 2);
+    assert.ok(shares.every((share) => share > 0 && share <= 100), `${who}: ${shares}`);
+  }
+  assert.match(await page.locator('#actual-words').textContent(), /Your attempt 1: green object \d+ %, red ball \d+ %; The model’s attempt \d+: green object/);
+});
+
+test('the line goes round the path of this run, and goes with its attempt', async () => {
+  const page = await openPuzzle(session, { still: true });
+  const { solving, missing } = await known(page);
+  const pictures = [];
+  for (const ball of [solving, missing]) {
+    await type(await tab(page, 'play'), ball);
+    await page.locator('#run').click();
+    await says(page, /olved/);
+    await tab(page, 'imagine');
+    await run(page, 'player').waitFor();
+    pictures.push(await picture(page, '#runs [data-who=player] .plates li:last-child canvas[role=img]'));
+  }
+  assert.notEqual(pictures[0], pictures[1]);
+  await tab(page, 'compare');
+  await page.locator('#clear').click();
+  await tab(page, 'imagine');
+  assert.equal(await run(page, 'player').count(), 0);
+  await page.locator('#actual-empty:visible').waitFor();
+});
+
+async function tab(page, name) {
+  await page.locator(`#tab-${name}`).click();
+  return page;
+}

@@ -1,0 +1,118 @@
+// Predict first: the green object's path drawn by mouse, finger and keys, then run and measured beside the net.
+
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { start } from './harness.mjs';
+import { attempts, ball, known, openPuzzle, picture, says, spot, type } from './playing.mjs';
+
+let session;
+before(async () => (session = await start()));
+after(() => session.stop());
+
+async function predict(options) {
+  const page = await openPuzzle(session, { more: '&panel=predict', still: true, ...options });
+  await page.waitForFunction(() => /trained/.test(document.querySelector('#card').textContent));
+  return page;
+}
+
+/** Draws a line through points of the scene with the mouse. */
+async function draw(page, points) {
+  await page.mouse.move(...(await spot(page, ...points[0])));
+  await page.mouse.down();
+  for (const point of points) await page.mouse.move(...(await spot(page, ...point)), { steps: 5 });
+  await page.mouse.up();
+}
+
+/** Where the green object is at first. */
+function green(page) {
+  return page.evaluate(async () => {
+    const { Puzzle } = await import('/pkg/pathlight.js');
+    return [...new Puzzle('00000:000').start()];
+  });
+}
+
+const VERDICT = /^(You were closer: \d+ %, the net \d+ %|The net was closer: \d+ %, you \d+ %|A draw: both were right by \d+ %)\.$/;
+
+async function verdict(page) {
+  await page.locator('#predict-words').filter({ hasText: VERDICT }).waitFor();
+  const shares = await page.locator('#predict-plates b').allTextContents();
+  return shares.map((share) => Number(share.match(/^(\d+) %$/)[1]));
+}
+
+test('a line is drawn with the mouse, places no ball, and is measured when it has run', async () => {
+  const page = await predict();
+  await says(page, /Draw in the scene/);
+  assert.ok(await page.locator('#predict-watch').isDisabled(), 'there is nothing to measure yet');
+  const before = await picture(page);
+  const [x, y] = await green(page);
+  await draw(page, [[x, y], [x, 10]]);
+  await page.locator('#predict-words').filter({ hasText: /^Your line ends at x \d+, y (9|10|11)\.$/ }).waitFor();
+  assert.notEqual(await picture(page), before, 'the line is in the scene');
+  assert.doesNotMatch(page.url(), /ball=/);
+  await page.locator('#predict-watch').click();
+  const [straight] = await verdict(page);
+
+  // A line that has nothing to do with it is worse.
+  await draw(page, [[10, 250], [250, 250], [10, 240], [250, 240]]);
+  await says(page, /Draw in the scene/);
+  await page.locator('#predict-watch').click();
+  const [wild] = await verdict(page);
+  assert.ok(wild < straight, `${wild} % is less than ${straight} %`);
+
+  await page.locator('#predict-wipe').click();
+  assert.equal(await page.locator('#predict-words').textContent(), 'Nothing drawn yet.');
+  assert.ok(await page.locator('#predict-result').isHidden());
+});
+
+test('with a ball the run is an attempt, and the net’s target path is measured', async () => {
+  const page = await predict();
+  const { solving } = await known(page);
+  const [x, y] = await green(page);
+  await draw(page, [[x, y], [x, 10]]);
+  assert.ok(await page.locator('#predict-run').isDisabled(), 'there is no ball');
+  await page.locator('#tab-play').click();
+  await type(page, solving);
+  await page.locator('#tab-predict').click();
+  await page.locator('#predict-run').click();
+  await says(page, /^Solved!/);
+  assert.equal((await verdict(page)).length, 2);
+  assert.equal(await attempts(page), 1);
+});
+
+test('a finger draws, and nothing scrolls', async () => {
+  const page = await predict({ hasTouch: true, isMobile: true, viewport: { width: 390, height: 844 } });
+  const client = await page.context().newCDPSession(page);
+  const touch = async (type, point) => {
+    const [x, y] = point ? await spot(page, ...point) : [];
+    await client.send('Input.dispatchTouchEvent', { type, touchPoints: point ? [{ x, y }] : [] });
+  };
+  await touch('touchStart', [40, 200]);
+  for (const y of [170, 140, 110, 80]) await touch('touchMove', [60, y]);
+  await touch('touchEnd');
+  await page.locator('#predict-words').filter({ hasText: /^Your line ends at x (59|60|61), y (79|80|81)\.$/ }).waitFor();
+  assert.equal(await page.evaluate(() => scrollY), 0);
+  // A tap that follows a swipe at once only stops what the swipe has set going.
+  await page.waitForTimeout(800);
+  await page.locator('#predict-watch').tap();
+  await verdict(page);
+});
+
+test('keys draw from the green object on, and take back', async () => {
+  const page = await predict();
+  const [x, y] = await green(page);
+  await page.locator('#scene').focus();
+  await page.keyboard.press('ArrowLeft');
+  await page.keyboard.press('Shift+ArrowDown');
+  await page.keyboard.press('Backspace');
+  await page.locator('#predict-words').filter({ hasText: `Your line ends at x ${Math.round(x - 6)}, y ${Math.round(y)}.` }).waitFor();
+  assert.deepEqual(await ball(page), [0, 0, 0], 'no ball has come');
+  await page.locator('#predict-watch').press('Enter');
+  await verdict(page);
+});
+
+test('on another panel the scene places the ball again', async () => {
+  const page = await predict();
+  await page.locator('#tab-play').click();
+  await page.mouse.click(...(await spot(page, 100, 240)));
+  assert.deepEqual((await ball(page)).slice(0, 2), [100, 240]);
+});

@@ -1,0 +1,97 @@
+// Player against model over all puzzles that both have played, kept on the device.
+
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { start } from './harness.mjs';
+import { known, openPuzzle, says, type } from './playing.mjs';
+
+let session;
+before(async () => (session = await start()));
+after(() => session.stop());
+
+const rows = (page) => page.locator('#score-rows tr');
+
+/** Lets the model play, and the player solve the puzzle after a number of misses. */
+async function playBoth(page) {
+  const { solving, missing } = await known(page);
+  for (const ball of [missing, solving]) {
+    await page.locator('#tab-play').click();
+    await type(page, ball);
+    await page.locator('#run').click();
+    await says(page, /olved/);
+  }
+  await page.locator('#tab-compare').click();
+  await page.locator('#turn:enabled').click();
+  await page.locator('#turn').filter({ hasText: 'The model has played' }).waitFor({ timeout: 120_000 });
+}
+
+test('a puzzle counts once both have played, by the same measure, and is kept', async () => {
+  const page = await openPuzzle(session, { more: '&panel=compare', still: true });
+  await page.locator('#score-empty:visible').waitFor();
+  await playBoth(page);
+  assert.equal(await rows(page).count(), 1);
+  assert.equal(await rows(page).locator('td').first().textContent(), '✓ on attempt 2');
+  const made = await page.locator('#it-attempts li').count();
+  assert.match(await rows(page).locator('td').last().textContent(), new RegExp(`^(✓ on attempt|× in) ${made}$`));
+  // PHYRE's value for one task that is solved on the second attempt.
+  assert.equal(Number(await page.locator('#score-you').textContent()).toFixed(0), '85');
+  const kept = await page.locator('#score-table').innerText();
+  await page.reload();
+  await page.locator('#score-table:visible').waitFor();
+  assert.equal(await page.locator('#score-table').innerText(), kept);
+});
+
+/** A page on a device that remembers this. */
+async function remembering(entries) {
+  const localStorage = Object.entries(entries).map(([name, value]) => ({ name, value }));
+  const storageState = { cookies: [], origins: [{ origin: session.origin, localStorage }] };
+  const page = await openPuzzle(session, { more: '&panel=compare', storageState });
+  await page.locator('#turn:enabled').waitFor();
+  return page;
+}
+
+const record = (tasks) => JSON.stringify({ tasks });
+
+test('what one has not solved counts nothing for it, and what only one has played does not count', async () => {
+  const name = await modelName();
+  const page = await remembering({
+    'pathlight.progress': record({
+      '00001:001': { attempts: 1, solved: 1 },
+      '00001:002': { attempts: 7, solved: null },
+      '00003:003': { attempts: 3, solved: 3 },
+    }),
+    [`pathlight.model.${name}`]: record({
+      '00001:001': { attempts: 100, solved: null },
+      '00001:002': { attempts: 1, solved: 1 },
+      '00009:009': { attempts: 1, solved: 1 },
+    }),
+  });
+  await page.locator('#score-table:visible').waitFor();
+  assert.deepEqual(await rows(page).locator('th').allTextContents(), ['00001:001', '00001:002']);
+  assert.equal(await page.locator('#score-you').textContent(), '50.0');
+  assert.equal(await page.locator('#score-it').textContent(), '50.0');
+  assert.deepEqual(await rows(page).first().locator('td').allTextContents(), ['✓ on attempt 1', '× in 100']);
+});
+
+test('a damaged store costs the score, not the page', async () => {
+  const name = await modelName();
+  for (const soup of ['soup', '[]', 'null', '{"tasks":{"00001:001":{"attempts":"x"}}}', '{"tasks":7}']) {
+    const page = await remembering({ 'pathlight.progress': soup, [`pathlight.model.${name}`]: soup });
+    await page.locator('#score-empty:visible').waitFor();
+    await page.context().close();
+  }
+});
+
+test('a store that is forbidden does not stop anybody', async () => {
+  const page = await openPuzzle(session, { more: '&panel=compare', still: true });
+  await page.addInitScript(() => Object.defineProperty(window, 'localStorage', { get() { throw new DOMException('no', 'SecurityError'); } }));
+  await page.reload();
+  await page.locator('#turn:enabled').waitFor();
+  await playBoth(page);
+  assert.equal(await rows(page).count(), 1);
+});
+
+async function modelName() {
+  const answer = await fetch(`${session.origin}/assets/model.json`);
+  return (await answer.json()).models[0].name;
+}
