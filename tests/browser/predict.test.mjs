@@ -11,7 +11,7 @@ after(() => session.stop());
 
 async function predict(options) {
   const page = await openPuzzle(session, { more: '&panel=predict', still: true, ...options });
-  await page.waitForFunction(() => /trained/.test(document.querySelector('#card').textContent));
+  await page.waitForFunction(() => /Imagined/.test(document.querySelector('#imagined-in').textContent));
   return page;
 }
 
