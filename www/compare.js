@@ -48,7 +48,9 @@ export class Compare extends EventTarget {
       await this.#model.turn(session.about.id, (attempt) => {
         if (session === this.#turning) session.record(attempt);
       });
-      if (session === this.#turning && !session.playback.playing) session.compare(true);
+      // Who is watching something else meanwhile goes on watching it.
+      const busy = session.playback.playing || session.shown?.rehearsed;
+      if (session === this.#turning && !busy) session.compare(true);
     } catch {
       // The model tells its own trouble; `#update` shows it.
     } finally {

@@ -92,6 +92,7 @@ for (const [screen, size] of Object.entries(SCREENS)) {
       await page.locator('#runs li').first().waitFor();
       await check(page, 'imagined and real');
       await tab('compare');
+      await page.waitForFunction(() => /panel=compare/.test(location.hash));
       await page.evaluate((task) => localStorage.setItem('pathlight.progress', JSON.stringify({ tasks: { [task]: { attempts: 3, solved: 2 } } })), EASY);
       await page.reload();
       await page.locator('#turn:enabled').click();
