@@ -3,6 +3,7 @@
 // path. The scene's canvas hands over pointer and keys while this panel is on.
 
 import { Plate, percent } from "./plate.js";
+import { say } from "./say.js";
 
 const at = (id) => document.getElementById(id);
 const SIZE = 256;
@@ -105,7 +106,9 @@ export class Predict extends EventTarget {
     const over = !none && session.finished && own && !session.placing;
     at("predict-result").hidden = !over;
     const words = over ? this.#score() : none ? "Nothing drawn yet." : `Your line ends at ${spoken(this.sketch.at(-1))}.`;
-    if (at("predict-words").textContent !== words) at("predict-words").textContent = words;
+    if (at("predict-words").textContent === words) return;
+    at("predict-words").textContent = words;
+    if (this.#on) say(words);
   }
 
   /** Measures both against the real path and says who was closer. */

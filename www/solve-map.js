@@ -4,6 +4,7 @@
 
 import { CELL, SIDE, sides } from "./stages.js";
 import { percent } from "./plate.js";
+import { say } from "./say.js";
 
 const at = (id) => document.getElementById(id);
 
@@ -101,6 +102,8 @@ export class SolveMap extends EventTarget {
     } finally {
       if (session === this.#searching) this.#searching = null;
       this.#tell();
+      // Not on the way: who listens would never hear the end.
+      if (session === this.#session) say(at("map-words").textContent);
     }
   }
 
@@ -124,8 +127,6 @@ export class SolveMap extends EventTarget {
     at("search-progress").hidden = !this.#searching;
     at("search-progress").querySelector("progress").value = this.#progress;
     const words = this.#trouble ?? (this.#picture ? this.#words() : "");
-    // While it grows, a screen reader would never come to its end.
-    at("map-words").setAttribute("aria-live", this.#searching ? "off" : "polite");
     if (at("map-words").textContent !== words) at("map-words").textContent = words;
   }
 

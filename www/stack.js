@@ -115,6 +115,7 @@ export class Stack extends EventTarget {
     at("stack-hint").hidden = number !== null;
     at("stack-number").textContent = number === null ? "–" : `${number} of ${this.#proposals.length}`;
     at("stack").value = number ?? 1;
+    at("stack").setAttribute("aria-valuetext", number === null ? "none" : `${number}`);
     if (number === null) return;
     const proposal = this.#proposals[number - 1];
     const { ending, words, tried } = this.#session.shown;
