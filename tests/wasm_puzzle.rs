@@ -3,7 +3,7 @@
 
 use js_sys::Reflect;
 use pathlight::auccess::ATTEMPTS;
-use pathlight::web::{Model, Puzzle, templates};
+use pathlight::web::{Model, Puzzle, SolveMap, auccess, overlap, templates};
 use serde_json::Value;
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -133,4 +133,69 @@ fn what_was_never_tried_cannot_be_replayed() {
 #[wasm_bindgen_test]
 fn bytes_that_are_no_weights_are_refused_in_words() {
     assert_eq!(code(Model::new(&[1, 2, 3]).err().expect("refused")), "bad_weights");
+}
+
+#[wasm_bindgen_test]
+fn the_real_paths_are_pictures_and_overlap_with_themselves() {
+    let mut puzzle = open(TASK);
+    assert_eq!(puzzle.paths().expect("no paths").length(), 0, "nothing has run yet");
+    let (x, y, r) = balls(&puzzle).next().expect("a valid ball");
+    puzzle.attempt(x, y, r).expect("valid");
+    let paths = puzzle.paths().expect("the paths of one rollout");
+    assert_eq!(paths.length(), 1);
+    let picture = |name: &str| {
+        let value = Reflect::get(&paths.get(0), &name.into()).expect("an object");
+        value.dyn_into::<js_sys::Float32Array>().expect("a picture").to_vec()
+    };
+    let (object, ball) = (picture("object"), picture("ball"));
+    assert_eq!(overlap(&object, &object).expect("two pictures"), 1.0);
+    assert!(overlap(&object, &ball).expect("two pictures") < 1.0);
+    puzzle.watch().expect("it runs");
+    let alone = puzzle.paths().expect("the path of one rollout").get(0);
+    assert!(Reflect::get(&alone, &"ball".into()).expect("an object").is_undefined(), "there is no ball");
+}
+
+#[wasm_bindgen_test]
+fn a_sketch_of_whatever_points_is_a_picture_with_the_green_object_in_it() {
+    let puzzle = open(TASK);
+    let bare = puzzle.sketch(&[]);
+    assert!(bare.iter().sum::<f32>() > 0.0);
+    let points: &[&[f64]] = &[&[1.0], &[f64::NAN, f64::INFINITY, -1e300, 1e300], &[-5.0, 900.0, 10.0, 10.0]];
+    for points in points {
+        let sketch = puzzle.sketch(points);
+        assert_eq!(sketch.len(), bare.len());
+        assert!(bare.iter().zip(&sketch).all(|(bare, drawn)| bare <= drawn), "{points:?}");
+    }
+}
+
+#[wasm_bindgen_test]
+fn a_rehearsal_tells_the_outcome_and_counts_nothing() {
+    let mut puzzle = open(TASK);
+    let (x, y, r) = balls(&puzzle).next().expect("a valid ball");
+    let rehearsed = json(puzzle.rehearse(x, y, r).expect("valid"));
+    assert_eq!(json(puzzle.score("model").expect("a score"))["used"], 0);
+    let tried = json(puzzle.attempt(x, y, r).expect("valid"));
+    assert_eq!(rehearsed["ending"], tried["ending"]);
+    assert_eq!(code(puzzle.rehearse(1.0, 1.0, 30.0).expect_err("it sticks out")), "invalid_ball");
+}
+
+#[wasm_bindgen_test]
+fn measures_refuse_what_is_no_picture_and_no_score() {
+    assert_eq!(code(overlap(&[0.0; 9], &[0.0; 9]).expect_err("too small")), "bad_map");
+    assert_eq!(code(auccess(JsValue::from_str("soup")).expect_err("no list")), "bad_data");
+    let solved = serde_wasm_bindgen::to_value(&[Some(1), None]).expect("a list");
+    assert_eq!(auccess(solved).expect("two tasks"), 50.0);
+}
+
+#[wasm_bindgen_test]
+fn a_solve_map_grows_to_its_end_and_refuses_what_is_none() {
+    assert_eq!(code(SolveMap::new("7:13", 12.0).err().expect("refused")), "bad_task");
+    assert_eq!(code(SolveMap::new(TASK, f64::NAN).err().expect("refused")), "invalid_ball");
+    let mut map = SolveMap::new(TASK, 32.0).expect("a map");
+    assert!(map.picture().iter().all(|&outcome| outcome == 0));
+    for _ in 0..64 {
+        assert!(map.advance());
+    }
+    assert_eq!(map.progress(), 64.0 / 4096.0);
+    assert!(map.picture().iter().all(|outcome| (1..=3).contains(outcome)));
 }

@@ -21,6 +21,7 @@ export class SolveMap extends EventTarget {
   #dark = false;
   /** Is this panel on? */
   #on = false;
+  #layers = [];
   /** Outcomes of 64 x 64 places, or null. */
   #picture = null;
   /** The radius that the map is for, and the share of the places that has been tried. */
@@ -39,7 +40,8 @@ export class SolveMap extends EventTarget {
     this.#canvas.width = this.#canvas.height = SIDE * CELL;
     at("search").addEventListener("click", () => (this.#searching ? this.#stop() : this.#search()));
     at("map-placement").addEventListener("change", () => {
-      const layers = at("map-placement").checked ? ["placement"] : [];
+      const others = this.#layers.filter((stage) => stage !== "placement");
+      const layers = at("map-placement").checked ? [...others, "placement"] : others;
       this.dispatchEvent(new CustomEvent("set", { detail: { layers } }));
     });
     imagine.addEventListener("imagined", () => this.#tell());
@@ -62,6 +64,7 @@ export class SolveMap extends EventTarget {
 
   set({ panel, layers }) {
     this.#on = panel === "map";
+    this.#layers = layers;
     at("map-placement").checked = layers.includes("placement");
   }
 

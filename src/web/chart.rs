@@ -9,6 +9,9 @@ use super::colour::{Dashes, Stage};
 use super::error::{Code, error};
 use crate::raster::{CELLS, SIDE};
 
+/// Length of one dash in a legend, pixels.
+const DASH: usize = 2;
+
 /// Width of a line round cells, cells.
 const LINE: f64 = 0.4;
 
@@ -73,7 +76,7 @@ pub fn outcomes(context: &CanvasRenderingContext2d, outcomes: &[u8], dark: bool)
 /// Solved is filled and dotted, invalid is ruled from corner to corner, not solved has a few dots, and untried
 /// is left as it is.
 fn outcome(outcome: u8, x: usize, y: usize, dark: bool) -> [u8; 4] {
-    const SOLVED: [u8; 4] = [240, 188, 66, 215];
+    const SOLVED: [u8; 4] = [240, 188, 66, 255];
     let quiet = if dark { 225 } else { 70 };
     match outcome {
         1 if (x + y).is_multiple_of(8) => [quiet, quiet, quiet, 120],
@@ -85,12 +88,19 @@ fn outcome(outcome: u8, x: usize, y: usize, dark: bool) -> [u8; 4] {
     }
 }
 
-/// The colours of a stage, the least at the left and the most at the right.
+/// The colours of a stage, the least at the left and the most at the right; in the lowest row of pixels, if there
+/// are several, the dashes of its line.
 pub fn legend(context: &CanvasRenderingContext2d, stage: Stage, dark: bool) -> Result<(), JsValue> {
     let (width, height) = size(context)?;
     let last = width.max(2) - 1;
-    let row: Vec<u8> = (0..width).flat_map(|x| stage.colour(x as f32 / last as f32, dark)).collect();
-    put(context, &row.repeat(height), width)
+    let mut pixels: Vec<u8> = (0..width).flat_map(|x| stage.colour(x as f32 / last as f32, dark)).collect();
+    if height > 1 {
+        let dashes = stage.dashes();
+        let dash = |x: usize| if dashes[x / DASH % dashes.len()] { stage.colour(1.0, dark) } else { [0; 4] };
+        pixels = pixels.repeat(height - 1);
+        pixels.extend((0..width).flat_map(dash));
+    }
+    put(context, &pixels, width)
 }
 
 fn sized(cells: usize) -> Result<(), JsValue> {
