@@ -6,7 +6,7 @@ import { Attempts } from "./attempts.js";
 import { SceneCanvas } from "./canvas.js";
 import { Compare } from "./compare.js";
 import { Controls } from "./controls.js";
-import { start } from "./engine.js";
+import { engine } from "./engine.js";
 import { Gallery } from "./gallery.js";
 import { Imagine } from "./imagine.js";
 import { listen } from "./keys.js";
@@ -276,7 +276,7 @@ addEventListener("error", ({ message }) => notice(`Something in Pathlight broke:
 addEventListener("unhandledrejection", ({ reason }) => notice(`Something in Pathlight broke: ${reason?.message ?? reason}. Load the page again to go on.`));
 
 try {
-  const { wasm, module } = await start();
+  const { wasm, module } = await engine;
   new Page(wasm, module);
 } catch (error) {
   notice(error.message, [["Try again", location.pathname]]);

@@ -25,6 +25,18 @@ test('the wasm package is compiled under the page\'s own policy', async () => {
   assert.equal(names[7], '00007');
 });
 
+test('every module of the page is named in its head, so that none waits for another', async () => {
+  const page = await session.open('/', { viewport: { width: 1280, height: 800 } });
+  await page.locator('#templates canvas.drawn').first().waitFor();
+  const [loaded, named] = await page.evaluate(() => {
+    const path = (url) => new URL(url, location).pathname;
+    const scripts = performance.getEntriesByType('resource').map(({ name }) => path(name)).filter((name) => name.endsWith('.js'));
+    const links = [...document.querySelectorAll('link[rel=modulepreload], script[src]')].map((one) => path(one.href ?? one.src));
+    return [[...new Set(scripts)].sort(), links.sort()];
+  });
+  assert.deepEqual(loaded, named);
+});
+
 test('the policy keeps scripts from elsewhere out', async () => {
   const page = await session.open('/');
   const ran = await page.evaluate(() => {
