@@ -70,6 +70,28 @@ for (const [screen, size] of Object.entries(SCREENS)) {
     await page.locator('#turn').filter({ hasText: 'The model has played' }).waitFor({ timeout: 120_000 });
     await take('compare');
 
+    await page.locator('#stack').fill('8');
+    await page.locator('#score-title').scrollIntoViewIfNeeded();
+    await take('ball-by-ball');
+    await page.locator('#stack-close').click();
+
+    await page.locator('#tab-imagine').click();
+    await page.locator('#actual-how').scrollIntoViewIfNeeded();
+    await take('imagined-and-real');
+    await page.locator('#story-next').click();
+    await take('story');
+
+    await page.locator('#tab-predict').click();
+    for (const key of ['ArrowDown', 'ArrowDown', 'ArrowLeft', 'ArrowDown', 'ArrowDown', 'ArrowDown']) await page.locator('#scene').press(`Shift+${key}`);
+    await page.locator('#predict-watch').click();
+    await take('predict');
+
+    await page.locator('#tab-map').click();
+    await page.locator('#search').click();
+    await page.locator('#map-words').filter({ hasText: 'Every place tried' }).waitFor({ timeout: 120_000 });
+    await page.locator('#map-placement').check();
+    await take('map');
+
     await page.keyboard.press('?');
     await take('keys');
     await page.keyboard.press('Escape');
