@@ -36,8 +36,10 @@ export class Imagine extends EventTarget {
   show(session) {
     this.#session = session;
     this.#imagined = null;
-    this.#paint();
+    // Asked for first: the worker imagines while the page draws.
     this.#imagine();
+    this.#scenes();
+    this.#paint();
   }
 
   set({ layers, opacity }) {
@@ -48,6 +50,7 @@ export class Imagine extends EventTarget {
   set dark(dark) {
     this.#dark = dark;
     for (const stage of STAGES) this.#wasm.paintLegend(this.#rows[stage].legend.getContext("2d"), stage, dark);
+    this.#scenes();
     this.#paint();
   }
 
@@ -131,16 +134,21 @@ export class Imagine extends EventTarget {
     }
   }
 
-  /** Draws the small maps: the scene, and over it what is imagined. */
+  /** Draws the scene that lies under each small map. */
+  #scenes() {
+    if (!this.#session) return;
+    for (const stage of STAGES) this.#wasm.paintThumbnail(this.#rows[stage].scene.getContext("2d"), this.#session.about.id, this.#dark);
+  }
+
+  /** Draws the small maps: what is imagined. */
   #paint() {
     const imagined = this.#imagined;
     for (const stage of STAGES) {
-      const { scene, map, line, most, said } = this.#rows[stage];
+      const { map, line, most, said } = this.#rows[stage];
       const values = imagined?.maps[stage];
       // Each map is drawn up to its own peak, which the legend names.
       const peak = values ? Math.max(...values) : 0;
       most.textContent = values ? peak.toFixed(2) : "";
-      if (this.#session) this.#wasm.paintThumbnail(scene.getContext("2d"), this.#session.about.id, this.#dark);
       const context = map.getContext("2d");
       if (values) this.#wasm.paintMap(context, stage, values, peak, this.#dark);
       else context.clearRect(0, 0, SIDE, SIDE);
