@@ -25,7 +25,7 @@
 //! | `raster`, `overlap` | scenes and rollouts as 64 x 64 pictures, and how well two of them agree |
 //! | `pathnet`, `placement` | the four nets, and balls from the last one's map |
 //! | `proposer`, `folds`, `auccess` | who proposes balls, on which tasks, and how well |
-//! | `solutions`, `samples` | known solutions, and the pictures that nets learn from |
+//! | `solutions`, `samples`, `labels` | known solutions, the pictures that nets learn from, and balls by their outcome |
 //! | `solve_map` | where a ball of one radius solves a scene, by simulation |
 //! | `game`, `web` | one session on one puzzle, and the page's way in |
 
@@ -33,6 +33,7 @@ pub mod action;
 pub mod auccess;
 pub mod folds;
 pub mod game;
+pub mod labels;
 pub mod layout;
 pub mod overlap;
 pub mod pathnet;

@@ -13,6 +13,7 @@ use pathlight::templates::{TEMPLATES, Template};
 mod collect;
 mod evaluate;
 mod fidelity;
+mod label;
 mod progress;
 mod propose;
 mod publish;
@@ -37,6 +38,7 @@ struct CommandLine {
 enum Command {
     Tasks(tasks::Args),
     Collect(collect::Args),
+    Label(label::Args),
     Train(train::Args),
     Publish(publish::Args),
     Propose(propose::Args),
@@ -52,6 +54,7 @@ pub fn run() -> ExitCode {
     let result = match CommandLine::parse().command {
         Command::Tasks(args) => args.run(),
         Command::Collect(args) => args.run(),
+        Command::Label(args) => args.run(),
         Command::Train(args) => args.run(),
         Command::Publish(args) => args.run(),
         Command::Propose(args) => args.run(),

@@ -1,20 +1,18 @@
 //! `pathlight train`: the four nets trained jointly on the solutions of a fold's training tasks.
 //!
-//! One optimiser, one loss: the sum of the four maps' per-pixel cross-entropies, with gradients through the
-//! whole chain (Harter et al. 2020). The run lives in a folder (checkpoint, losses, weights) from which it goes
-//! on if it was cut off, with the same result. Beside `pathnet` the only user of burn.
+//! The run lives in a folder (checkpoint, losses, weights) from which it goes on if it was cut off, with the same
+//! result. What a step does, `pathnet::trainer` says.
 
 use std::fs::{self, OpenOptions};
 use std::io::Write;
+use std::ops::Range;
 use std::path::{Path, PathBuf};
+use std::sync::mpsc::{SyncSender, sync_channel};
+use std::thread;
 
 use anyhow::{Context, ensure};
-use burn::module::Module;
-use burn::optim::{AdamConfig, GradientsParams, ModuleOptimizer};
-use burn::tensor::activation::relu;
-use burn::tensor::{Device, Tensor, TensorData};
-use pathlight::pathnet::{Card, PathNet, device};
-use pathlight::raster::{Bitmap, CELLS, CHANNELS, SIDE};
+use pathlight::pathnet::trainer::{Batch, Trainer};
+use pathlight::pathnet::{Card, device};
 use pathlight::samples::Sample;
 use pathlight::simulator;
 use pathlight::solutions::Solution;
@@ -81,9 +79,8 @@ impl Args {
         let folder = self.out.clone().unwrap_or_else(|| PathBuf::from(name));
         fs::create_dir_all(&folder).with_context(|| format!("cannot make {}", folder.display()))?;
         let (samples, card) = self.samples()?;
-        let device = device(&self.device).map_err(anyhow::Error::msg)?.autodiff();
-        device.seed(self.seed);
-        let mut run = Run::open(&folder, &card, &device)?;
+        let device = device(&self.device).map_err(anyhow::Error::msg)?;
+        let mut run = Run::open(&folder, &card, Trainer::new(device, self.seed))?;
         let batches = samples.len().div_ceil(self.batch.into());
         let total = batches * self.epochs;
         let mut progress = Progress::new(Some(total as u64));
@@ -91,31 +88,54 @@ impl Args {
         let interval = usize::from(self.checkpoint);
         let stop = self.stop_after.map_or(usize::MAX, |batches| run.done + batches);
         let mut sums = [0.0; 4];
-        while run.done < total {
-            let epoch = run.done / batches;
-            let order = self.order(samples.len(), epoch);
-            for chosen in order.chunks(self.batch.into()).skip(run.done % batches) {
-                let losses = run.step(&samples, chosen, self.rate, &device);
+        let first = run.done;
+        thread::scope(|scope| {
+            // While one batch is trained on, the next is drawn.
+            let (ready, next) = sync_channel(1);
+            let (this, samples) = (&self, &samples);
+            scope.spawn(move || this.draw(samples, first..total, ready));
+            for batch in next {
+                let losses = run.trainer.step(batch, self.rate);
+                run.done += 1;
                 for (sum, loss) in sums.iter_mut().zip(losses) {
                     *sum += loss / f32::from(self.checkpoint);
                 }
                 if run.done.is_multiple_of(interval) {
-                    run.save(&folder, &card, epoch, sums)?;
+                    run.save(&folder, &card, (run.done - 1) / batches, sums)?;
                     let so_far = format!("batch {} of {total}, placement loss {:.4}", run.done, sums[3]);
                     progress.advance(interval as u64, so_far);
                     sums = [0.0; 4];
                     if run.done >= stop {
-                        progress.finish(&format!("batch {} of {total}: stopped as told", run.done));
-                        return Ok(());
+                        break;
                     }
                 }
             }
+            anyhow::Ok(())
+        })?;
+        if run.done < total {
+            progress.finish(&format!("batch {} of {total}: stopped as told", run.done));
+            return Ok(());
         }
         let weights = folder.join("weights.safetensors");
-        fs::write(&weights, run.nets.valid().save(&card))
+        fs::write(&weights, run.trainer.nets().save(&card))
             .with_context(|| format!("cannot write {}", weights.display()))?;
         progress.finish(&format!("{total} batches; weights are in {},", weights.display()));
         Ok(())
+    }
+
+    /// Draws these batches of the run, one after the other, until nobody waits for them.
+    fn draw(&self, samples: &[Sample], wanted: Range<usize>, ready: SyncSender<Batch>) {
+        let size = usize::from(self.batch);
+        let batches = samples.len().div_ceil(size);
+        for epoch in wanted.start / batches..wanted.end.div_ceil(batches) {
+            let order = self.order(samples.len(), epoch);
+            for chosen in order.chunks(size).skip(wanted.start.saturating_sub(epoch * batches)) {
+                let batch = Batch::new(chosen.iter().map(|&(sample, mirrored)| (&samples[sample], mirrored)));
+                if ready.send(batch).is_err() {
+                    return;
+                }
+            }
+        }
     }
 
     /// The samples of the fold's training tasks, and what they were made with.
@@ -161,10 +181,9 @@ impl Args {
     }
 }
 
-/// A training run: nets, optimiser, and how many batches they have seen.
+/// A training run: the trainer, and how many batches it has seen.
 struct Run {
-    nets: PathNet,
-    optimiser: ModuleOptimizer,
+    trainer: Trainer,
     done: usize,
     /// The batch of the checkpoint that is on disk.
     kept: Option<usize>,
@@ -175,12 +194,11 @@ const OPTIMISER: &str = "checkpoint-adam.bpk";
 const STATE: &str = "checkpoint.json";
 
 impl Run {
-    /// The run of a folder: its checkpoint, or a fresh start.
-    fn open(folder: &Path, card: &Card, device: &Device) -> anyhow::Result<Run> {
-        let (nets, optimiser) = (PathNet::new(device), AdamConfig::new().with_epsilon(1e-8).init());
+    /// The run of a folder: its checkpoint, or the fresh trainer.
+    fn open(folder: &Path, card: &Card, trainer: Trainer) -> anyhow::Result<Run> {
         let Ok(state) = fs::read(folder.join(STATE)) else {
             fs::write(folder.join("losses.csv"), "epoch,batch,base,target,action,placement,sum\n")?;
-            return Ok(Run { nets, optimiser, done: 0, kept: None });
+            return Ok(Run { trainer, done: 0, kept: None });
         };
         let (found, done): (Card, usize) =
             serde_json::from_slice(&state).with_context(|| format!("{} is damaged: remove it", folder.display()))?;
@@ -189,46 +207,21 @@ impl Run {
             "{} holds a run with {found:?}, now it is {card:?}: name another folder with --out",
             folder.display()
         );
-        let nets = nets.try_load_file(folder.join(format!("{done}-{NETS}")))?;
-        let optimiser = optimiser.load(folder.join(format!("{done}-{OPTIMISER}")))?;
-        Ok(Run { nets, optimiser, done, kept: Some(done) })
-    }
-
-    /// One batch; gives the losses of the four maps.
-    fn step(&mut self, samples: &[Sample], chosen: &[(usize, bool)], rate: f64, device: &Device) -> [f32; 4] {
-        let pictures = |of: fn(&Sample) -> &[Bitmap], channels: usize| {
-            let mut numbers = Vec::with_capacity(chosen.len() * channels * CELLS);
-            for &(sample, mirrored) in chosen {
-                let pictures = of(&samples[sample]).iter();
-                numbers.extend(pictures.flat_map(|picture| picture.turned(mirrored).numbers()));
-            }
-            Tensor::<4>::from_data(TensorData::new(numbers, [chosen.len(), channels, SIDE, SIDE]), device)
-        };
-        let scene = pictures(|sample| &sample.scene, CHANNELS);
-        let wanted = pictures(|sample| &sample.imagined, 4).chunk(4, 1);
-        let maps = self.nets.forward(scene);
-        let losses: Vec<Tensor<1>> =
-            maps.into_iter().zip(wanted).map(|(map, wanted)| cross_entropy(map, wanted)).collect();
-        let losses = Tensor::cat(losses, 0);
-        let gradients = GradientsParams::from_grads(losses.clone().sum().backward(), &self.nets);
-        self.nets = self.optimiser.step(rate, self.nets.clone(), gradients);
-        self.done += 1;
-        let numbers: Vec<f32> = losses.into_data().iter::<f32>().collect();
-        numbers.try_into().expect("four maps")
+        let [nets, optimiser] = files(folder, done);
+        Ok(Run { trainer: trainer.restore(&nets, &optimiser)?, done, kept: Some(done) })
     }
 
     /// Writes the checkpoint and a line of losses. The state is written last and names the files, so that a run
     /// cut off in between goes on from the checkpoint before.
     fn save(&mut self, folder: &Path, card: &Card, epoch: usize, losses: [f32; 4]) -> anyhow::Result<()> {
         let done = self.done;
-        self.nets.clone().save_file(folder.join(format!("{done}-{NETS}")))?;
-        self.optimiser.save(folder.join(format!("{done}-{OPTIMISER}")))?;
-        let state = folder.join(STATE);
+        let [nets, optimiser] = files(folder, done);
+        self.trainer.save(&nets, &optimiser)?;
         fs::write(folder.join("next.json"), serde_json::to_vec(&(card, done))?)?;
-        fs::rename(folder.join("next.json"), state)?;
+        fs::rename(folder.join("next.json"), folder.join(STATE))?;
         if let Some(before) = self.kept.replace(done) {
-            for name in [NETS, OPTIMISER] {
-                fs::remove_file(folder.join(format!("{before}-{name}")))?;
+            for file in files(folder, before) {
+                fs::remove_file(file)?;
             }
         }
         let [base, target, action, placement] = losses;
@@ -239,10 +232,7 @@ impl Run {
     }
 }
 
-/// Mean over the pixels of the cross-entropy between logits and pictures of 0 and 1. `[batch, 1, 64, 64]` in,
-/// `[1]` out.
-fn cross_entropy(logits: Tensor<4>, wanted: Tensor<4>) -> Tensor<1> {
-    // ln(1 + e^x) written so that no x overflows.
-    let softplus = relu(logits.clone()) + logits.clone().abs().neg().exp().log1p();
-    (softplus - logits * wanted).mean()
+/// The files of the checkpoint after so many batches.
+fn files(folder: &Path, done: usize) -> [PathBuf; 2] {
+    [NETS, OPTIMISER].map(|name| folder.join(format!("{done}-{name}")))
 }

@@ -7,8 +7,9 @@
 use burn::module::Module;
 use burn::nn::PaddingConfig2d;
 use burn::nn::conv::{Conv2d, Conv2dConfig, ConvTranspose2d, ConvTranspose2dConfig};
-use burn::tensor::activation::relu;
 use burn::tensor::{Device, Tensor};
+
+use super::strided::{double, halve};
 
 /// Channels after each of the six convolutions; the last is the length of the code.
 const WIDTHS: [usize; 6] = [8, 16, 32, 64, 128, 256];
@@ -44,10 +45,10 @@ impl Hourglass {
 
     /// Logits of the map. `[batch, channels, 64, 64]` in, `[batch, 1, 64, 64]` out.
     pub fn forward(&self, pictures: Tensor<4>) -> Tensor<4> {
-        let code = self.down.iter().fold(pictures, |x, layer| relu(layer.forward(x)));
+        let code = self.down.iter().fold(pictures, |x, layer| halve(layer, x));
         let (last, hidden) = self.up.split_last().expect("six layers");
-        let wide = hidden.iter().fold(code, |x, layer| relu(layer.forward(x)));
-        last.forward(wide)
+        let wide = hidden.iter().fold(code, |x, layer| double(layer, x, true));
+        double(last, wide, false)
     }
 }
 

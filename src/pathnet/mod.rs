@@ -10,7 +10,12 @@ use burn::tensor::{Device, Tensor, TensorData};
 use crate::raster::{Bitmap, CHANNELS, SIDE, scene_channels};
 use crate::scene::Scene;
 
+#[cfg(not(target_arch = "wasm32"))]
+mod adam;
 mod hourglass;
+mod strided;
+#[cfg(not(target_arch = "wasm32"))]
+pub mod trainer;
 mod weights;
 
 pub use hourglass::Hourglass;

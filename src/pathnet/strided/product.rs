@@ -1,0 +1,148 @@
+//! The matrix product under the convolutions: the gemm crate natively, our own loops in wasm.
+//!
+//! gemm copies both matrices into tiles first, which pays for batches. For the one scene that a browser
+//! imagines the weights are read once, and copying them costs more than the sums: `small` reads them where they
+//! lie. Used by the layers alone.
+
+/// A matrix in a slice. Element (row, column) lies at `row * row_stride + column * column_stride`.
+#[derive(Clone, Copy)]
+pub struct Matrix<'a> {
+    pub data: &'a [f32],
+    pub rows: usize,
+    pub columns: usize,
+    pub row_stride: usize,
+    pub column_stride: usize,
+}
+
+impl<'a> Matrix<'a> {
+    /// Row after row, `stride` numbers from one to the next.
+    pub fn new(data: &'a [f32], rows: usize, columns: usize, stride: usize) -> Matrix<'a> {
+        let matrix = Matrix { data, rows, columns, row_stride: stride, column_stride: 1 };
+        assert!(rows > 0 && columns > 0 && (rows - 1) * stride + columns <= data.len(), "the matrix fits its slice");
+        matrix
+    }
+
+    /// Rows as columns.
+    pub fn transposed(self) -> Matrix<'a> {
+        let Matrix { data, rows, columns, row_stride, column_stride } = self;
+        Matrix { data, rows: columns, columns: rows, row_stride: column_stride, column_stride: row_stride }
+    }
+}
+
+/// `out = a b`, or `out += a b`; the rows of `out` begin `stride` numbers apart.
+pub fn product(out: &mut [f32], stride: usize, a: Matrix, b: Matrix, add: bool) {
+    assert!(a.columns == b.rows && (a.rows - 1) * stride + b.columns <= out.len(), "the product fits");
+    #[cfg(target_arch = "wasm32")]
+    {
+        debug_assert!(!add, "wasm knows no gradients");
+        small::product(out, stride, a, b);
+    }
+    #[cfg(not(target_arch = "wasm32"))]
+    // SAFETY: both matrices lie within their slices by construction, and the assertion above holds for `out`.
+    unsafe {
+        gemm::gemm(
+            a.rows,
+            b.columns,
+            a.columns,
+            out.as_mut_ptr(),
+            1,
+            stride as isize,
+            add,
+            a.data.as_ptr(),
+            a.column_stride as isize,
+            a.row_stride as isize,
+            b.data.as_ptr(),
+            b.column_stride as isize,
+            b.row_stride as isize,
+            1.0,
+            1.0,
+            false,
+            false,
+            false,
+            gemm::Parallelism::None,
+        );
+    }
+}
+
+/// Products that read their matrices where they lie, four numbers at a time.
+#[cfg(any(target_arch = "wasm32", test))]
+mod small {
+    use super::Matrix;
+
+    /// What a vector register of wasm holds.
+    type Vector = [f32; 4];
+
+    /// `out = a b` for a `b` of contiguous rows.
+    pub fn product(out: &mut [f32], stride: usize, a: Matrix, b: Matrix) {
+        assert!(b.column_stride == 1, "rows of b are contiguous");
+        match b.columns {
+            1 => vector(out, stride, a, b),
+            4 => tiles::<8, 1>(out, stride, a, b),
+            _ => tiles::<4, 2>(out, stride, a, b),
+        }
+    }
+
+    /// Tiles of `ROWS` rows by `4 VECTORS` columns, summed up in registers.
+    fn tiles<const ROWS: usize, const VECTORS: usize>(out: &mut [f32], stride: usize, a: Matrix, b: Matrix) {
+        assert!(a.rows.is_multiple_of(ROWS) && b.columns.is_multiple_of(4 * VECTORS), "whole tiles");
+        for row in (0..a.rows).step_by(ROWS) {
+            for column in (0..b.columns).step_by(4 * VECTORS) {
+                let mut sums = [[[0.0; 4]; VECTORS]; ROWS];
+                for k in 0..a.columns {
+                    let right: [Vector; VECTORS] = std::array::from_fn(|vector| {
+                        let at = k * b.row_stride + column + 4 * vector;
+                        b.data[at..at + 4].try_into().expect("four numbers")
+                    });
+                    for (i, sums) in sums.iter_mut().enumerate() {
+                        let left = a.data[(row + i) * a.row_stride + k * a.column_stride];
+                        for (sum, right) in sums.iter_mut().zip(right) {
+                            for (sum, right) in sum.iter_mut().zip(right) {
+                                *sum += left * right;
+                            }
+                        }
+                    }
+                }
+                for (i, sums) in sums.iter().enumerate() {
+                    let at = (row + i) * stride + column;
+                    out[at..at + 4 * VECTORS].copy_from_slice(sums.as_flattened());
+                }
+            }
+        }
+    }
+
+    /// A matrix times one column.
+    fn vector(out: &mut [f32], stride: usize, a: Matrix, b: Matrix) {
+        if a.column_stride == 1 {
+            let right: Vec<f32> = (0..b.rows).map(|k| b.data[k * b.row_stride]).collect();
+            for row in 0..a.rows {
+                let left = &a.data[row * a.row_stride..][..a.columns];
+                out[row * stride] = dot(left, &right);
+            }
+        } else {
+            let mut sums = vec![0.0; a.rows];
+            for k in 0..a.columns {
+                let right = b.data[k * b.row_stride];
+                let left = &a.data[k * a.column_stride..][..a.rows];
+                for (sum, left) in sums.iter_mut().zip(left) {
+                    *sum += left * right;
+                }
+            }
+            for (row, sum) in sums.into_iter().enumerate() {
+                out[row * stride] = sum;
+            }
+        }
+    }
+
+    /// Sixteen sums at once, so that none waits for the one before.
+    fn dot(left: &[f32], right: &[f32]) -> f32 {
+        let mut sums = [0.0; 16];
+        let ((left, left_rest), (right, right_rest)) = (left.as_chunks::<16>(), right.as_chunks::<16>());
+        for (left, right) in left.iter().zip(right) {
+            for (sum, (left, right)) in sums.iter_mut().zip(left.iter().zip(right)) {
+                *sum += left * right;
+            }
+        }
+        let rest: f32 = left_rest.iter().zip(right_rest).map(|(left, right)| left * right).sum();
+        sums.iter().sum::<f32>() + rest
+    }
+}
