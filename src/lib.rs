@@ -23,7 +23,8 @@
 //! | `layout`, `templates`, `task` | how the 2,500 tasks are laid out, and their ids |
 //! | `simulator` | a scene and a ball in, a rollout out |
 //! | `raster`, `overlap` | scenes and rollouts as 64 x 64 pictures, and how well two of them agree |
-//! | `pathnet`, `placement` | the four nets, and balls from the last one's map |
+//! | `pathnet` | the four nets that imagine, and the one that judges |
+//! | `placement`, `ranking` | balls from the placement map, and from the judge's maps |
 //! | `proposer`, `folds`, `auccess` | who proposes balls, on which tasks, and how well |
 //! | `solutions`, `samples`, `labels` | known solutions, the pictures that nets learn from, and balls by their outcome |
 //! | `solve_map` | where a ball of one radius solves a scene, by simulation |
@@ -39,6 +40,7 @@ pub mod overlap;
 pub mod pathnet;
 pub mod placement;
 pub mod proposer;
+pub mod ranking;
 pub mod raster;
 pub mod rollout;
 pub mod samples;

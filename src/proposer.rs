@@ -10,16 +10,20 @@ use rand_pcg::Pcg64Mcg;
 use crate::action::Ball;
 use crate::pathnet::PathNet;
 use crate::placement::{Proposal, proposals, random_ball};
+use crate::ranking::ranked;
 use crate::scene::Scene;
 use crate::task::TaskId;
 
-/// The model imagines, then proposes what its placement map shows.
+/// The model proposes what its judge thinks likely; without a judge, what its placement map shows.
 pub fn model(nets: &PathNet, task: TaskId, scene: &Scene, run: u64, count: usize) -> Vec<Ball> {
     traced(nets, task, scene, run, count).into_iter().map(|proposal| proposal.ball).collect()
 }
 
 /// The same balls as `model`, each with where it comes from.
 pub fn traced(nets: &PathNet, task: TaskId, scene: &Scene, run: u64, count: usize) -> Vec<Proposal> {
+    if let Some(logits) = nets.judged(scene) {
+        return ranked(&logits, scene, count);
+    }
     proposals(&nets.imagine(scene).placement, scene, task.seed(run), count)
 }
 

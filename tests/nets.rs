@@ -4,10 +4,12 @@
 
 use pathlight::folds::Setup;
 use pathlight::pathnet::{Card, Imagined, PathNet, WeightsError, device};
-use pathlight::raster::{CELLS, CHANNELS, scene_channels};
+use pathlight::raster::CELLS;
 use pathlight::scene::Scene;
 use pathlight::task::Task;
 use safetensors::SafeTensors;
+
+mod plain;
 
 const WIDTHS: [usize; 6] = [8, 16, 32, 64, 128, 256];
 
@@ -23,6 +25,7 @@ fn card() -> Card {
         samples: 0,
         tasks: 0,
         simulator: 0,
+        judge: None,
     }
 }
 
@@ -46,12 +49,7 @@ fn imagine(bytes: &[u8], name: &str) -> Imagined {
 fn the_nets_agree_with_plain_loops() {
     let bytes = weights();
     let file = SafeTensors::deserialize(&bytes).expect("a safetensors file");
-    let seen: Vec<f32> = scene_channels(&scene()).iter().flat_map(|channel| channel.numbers()).collect();
-    let base = plain::hourglass(&file, "base", &seen, CHANNELS);
-    let target = plain::hourglass(&file, "target", &seen, CHANNELS);
-    let with = |map: &[f32]| [&seen[..], &target, map].concat();
-    let action = plain::hourglass(&file, "action", &with(&base), CHANNELS + 2);
-    let placement = plain::hourglass(&file, "placement", &with(&action), CHANNELS + 2);
+    let [base, target, action, placement] = plain::imagine(&file, &scene());
     let maps = imagine(&bytes, "flex");
     for (name, map, plain) in [
         ("base", &maps.base, base),
@@ -140,95 +138,4 @@ fn assert_close(name: &str, a: &[f32], b: &[f32]) {
     assert_eq!((a.len(), b.len()), (CELLS, CELLS), "{name}");
     let worst = a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
     assert!(worst < 1e-5, "{name} differs by {worst}");
-}
-
-/// The paper's layers, written to be read and not to be fast. Pictures are channel by channel, row by row.
-mod plain {
-    use half::f16;
-    use safetensors::SafeTensors;
-
-    pub fn hourglass(file: &SafeTensors, net: &str, picture: &[f32], channels: usize) -> Vec<f32> {
-        let (mut x, mut inputs, mut side) = (picture.to_vec(), channels, 64);
-        for layer in 0..6 {
-            let (weight, bias) = layer_of(file, &format!("{net}.down.{layer}"));
-            x = convolve(&x, inputs, side, &weight, &bias);
-            (inputs, side) = (bias.len(), side / 2);
-            x.iter_mut().for_each(|value| *value = value.max(0.0));
-        }
-        for layer in 0..6 {
-            let (weight, bias) = layer_of(file, &format!("{net}.up.{layer}"));
-            x = convolve_transposed(&x, inputs, side, &weight, &bias);
-            (inputs, side) = (bias.len(), side * 2);
-            if layer < 5 {
-                x.iter_mut().for_each(|value| *value = value.max(0.0));
-            }
-        }
-        x.iter().map(|&logit| 1.0 / (1.0 + (-logit).exp())).collect()
-    }
-
-    /// Weight and bias; a kernel of which only the centre is kept becomes the 4 x 4 kernel that it stands for.
-    fn layer_of(file: &SafeTensors, layer: &str) -> (Vec<f32>, Vec<f32>) {
-        let numbers = |name: &str| -> (Vec<usize>, Vec<f32>) {
-            let view = file.tensor(&format!("{layer}.{name}")).expect("every layer has weight and bias");
-            let pairs = view.data().chunks_exact(2).map(|pair| f16::from_le_bytes([pair[0], pair[1]]).to_f32());
-            (view.shape().to_vec(), pairs.collect())
-        };
-        let (shape, weight) = numbers("weight");
-        let (_, bias) = numbers("bias");
-        if shape[2] == 4 {
-            return (weight, bias);
-        }
-        assert_eq!(shape[2..], [2, 2]);
-        let mut whole = vec![0.0; shape[0] * shape[1] * 16];
-        for (index, value) in weight.into_iter().enumerate() {
-            let (pair, row, column) = (index / 4, index / 2 % 2, index % 2);
-            whole[pair * 16 + (row + 1) * 4 + column + 1] = value;
-        }
-        (whole, bias)
-    }
-
-    /// 4 x 4, stride 2, padding 1. Weight: out, in, row, column.
-    fn convolve(x: &[f32], inputs: usize, side: usize, weight: &[f32], bias: &[f32]) -> Vec<f32> {
-        let half = side / 2;
-        let mut out = vec![0.0; bias.len() * half * half];
-        for (o, &bias) in bias.iter().enumerate() {
-            for row in 0..half {
-                for column in 0..half {
-                    let mut sum = bias;
-                    for i in 0..inputs {
-                        for (k, tap) in weight[(o * inputs + i) * 16..][..16].iter().enumerate() {
-                            let (y, z) = ((2 * row + k / 4).wrapping_sub(1), (2 * column + k % 4).wrapping_sub(1));
-                            if y < side && z < side {
-                                sum += tap * x[(i * side + y) * side + z];
-                            }
-                        }
-                    }
-                    out[(o * half + row) * half + column] = sum;
-                }
-            }
-        }
-        out
-    }
-
-    /// The mirror of `convolve`. Weight: in, out, row, column.
-    fn convolve_transposed(x: &[f32], inputs: usize, side: usize, weight: &[f32], bias: &[f32]) -> Vec<f32> {
-        let (outputs, double) = (bias.len(), side * 2);
-        let mut out: Vec<f32> = bias.iter().flat_map(|&bias| vec![bias; double * double]).collect();
-        for i in 0..inputs {
-            for row in 0..side {
-                for column in 0..side {
-                    let value = x[(i * side + row) * side + column];
-                    for o in 0..outputs {
-                        for (k, tap) in weight[(i * outputs + o) * 16..][..16].iter().enumerate() {
-                            let (y, z) = ((2 * row + k / 4).wrapping_sub(1), (2 * column + k % 4).wrapping_sub(1));
-                            if y < double && z < double {
-                                out[(o * double + y) * double + z] += tap * value;
-                            }
-                        }
-                    }
-                }
-            }
-        }
-        out
-    }
 }

@@ -9,12 +9,10 @@ use std::path::Path;
 use std::time::Instant;
 use std::{env, fs};
 
-use burn::module::Module;
-use burn::optim::{AdamConfig, GradientsParams};
-use burn::tensor::activation::relu;
-use burn::tensor::{Device, Tensor, TensorData};
+use burn::tensor::Device;
+use pathlight::pathnet::trainer::{Batch, Trainer};
 use pathlight::pathnet::{Imagined, PathNet, device};
-use pathlight::raster::{Bitmap, CELLS, CHANNELS, SIDE, scene_channels};
+use pathlight::raster::{Bitmap, scene_channels};
 use pathlight::samples::Sample;
 use pathlight::solutions::Solution;
 use pathlight::task::Task;
@@ -93,7 +91,7 @@ fn inputs(task: &Task, folder: &Path) {
 /// Solutions from all over the templates.
 fn batch() -> Vec<Sample> {
     let text = fs::read_to_string(SOLUTIONS).expect("the solutions are in assets");
-    let lines: Vec<&str> = text.lines().skip(1).collect();
+    let lines: Vec<&str> = text.lines().filter(|line| line.contains("task")).collect();
     let chosen = lines.iter().step_by(lines.len() / BATCH).take(BATCH);
     let samples = chosen.map(|line| {
         let Solution { task, ball } = serde_json::from_str(line).expect("a solution");
@@ -103,30 +101,12 @@ fn batch() -> Vec<Sample> {
 }
 
 /// The step of `pathlight train`, on one batch over and over; gives the sum of the losses.
-// A copy of `Run::step` in src/commands/train.rs, as long as that is private to the binary.
 fn training() -> impl FnMut() -> f32 {
-    let plain = device("flex").expect("built in");
-    let device = plain.clone().autodiff();
-    let (mut nets, mut optimiser) = (nets(&plain).train(), AdamConfig::new().with_epsilon(1e-8).init());
+    let device = device("flex").expect("built in");
+    let mut trainer = Trainer::<PathNet>::new(device.clone(), 0).with(nets(&device));
     let samples = batch();
     move || {
-        let pictures = |of: fn(&Sample) -> &[Bitmap], channels: usize| {
-            let mut numbers = Vec::with_capacity(BATCH * channels * CELLS);
-            numbers.extend(samples.iter().flat_map(of).flat_map(Bitmap::numbers));
-            Tensor::<4>::from_data(TensorData::new(numbers, [BATCH, channels, SIDE, SIDE]), &device)
-        };
-        let scene = pictures(|sample| &sample.scene, CHANNELS);
-        let wanted = pictures(|sample| &sample.imagined, 4).chunk(4, 1);
-        let maps = nets.forward(scene);
-        let losses = maps.into_iter().zip(wanted).map(|(map, wanted)| cross_entropy(map, wanted)).collect();
-        let losses = Tensor::cat(losses, 0);
-        let gradients = GradientsParams::from_grads(losses.clone().sum().backward(), &nets);
-        nets = optimiser.step(RATE, nets.clone(), gradients);
-        losses.into_data().iter::<f32>().sum()
+        let batch = Batch::new(samples.iter().map(|sample| (sample, false)));
+        trainer.step(batch, RATE).iter().sum()
     }
-}
-
-fn cross_entropy(logits: Tensor<4>, wanted: Tensor<4>) -> Tensor<1> {
-    let softplus = relu(logits.clone()) + logits.clone().abs().neg().exp().log1p();
-    (softplus - logits * wanted).mean()
 }

@@ -13,6 +13,7 @@ use pathlight::templates::{TEMPLATES, Template};
 mod collect;
 mod evaluate;
 mod fidelity;
+mod judge;
 mod label;
 mod progress;
 mod propose;
@@ -39,6 +40,7 @@ enum Command {
     Tasks(tasks::Args),
     Collect(collect::Args),
     Label(label::Args),
+    Judge(judge::Args),
     Train(train::Args),
     Publish(publish::Args),
     Propose(propose::Args),
@@ -55,6 +57,7 @@ pub fn run() -> ExitCode {
         Command::Tasks(args) => args.run(),
         Command::Collect(args) => args.run(),
         Command::Label(args) => args.run(),
+        Command::Judge(args) => args.run(),
         Command::Train(args) => args.run(),
         Command::Publish(args) => args.run(),
         Command::Propose(args) => args.run(),

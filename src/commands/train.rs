@@ -12,7 +12,7 @@ use std::thread;
 
 use anyhow::{Context, ensure};
 use pathlight::pathnet::trainer::{Batch, Trainer};
-use pathlight::pathnet::{Card, device};
+use pathlight::pathnet::{Card, PathNet, device};
 use pathlight::samples::Sample;
 use pathlight::simulator;
 use pathlight::solutions::Solution;
@@ -80,7 +80,7 @@ impl Args {
         fs::create_dir_all(&folder).with_context(|| format!("cannot make {}", folder.display()))?;
         let (samples, card) = self.samples()?;
         let device = device(&self.device).map_err(anyhow::Error::msg)?;
-        let mut run = Run::open(&folder, &card, Trainer::new(device, self.seed))?;
+        let mut run = Run::open(&folder, &card, Trainer::<PathNet>::new(device, self.seed))?;
         let batches = samples.len().div_ceil(self.batch.into());
         let total = batches * self.epochs;
         let mut progress = Progress::new(Some(total as u64));
@@ -168,6 +168,7 @@ impl Args {
             samples: samples.len(),
             tasks: chosen.chunk_by(|a, b| a.task == b.task).count(),
             simulator: version,
+            judge: None,
         };
         Ok((samples, card))
     }
@@ -183,7 +184,7 @@ impl Args {
 
 /// A training run: the trainer, and how many batches it has seen.
 struct Run {
-    trainer: Trainer,
+    trainer: Trainer<PathNet>,
     done: usize,
     /// The batch of the checkpoint that is on disk.
     kept: Option<usize>,
@@ -195,7 +196,7 @@ const STATE: &str = "checkpoint.json";
 
 impl Run {
     /// The run of a folder: its checkpoint, or the fresh trainer.
-    fn open(folder: &Path, card: &Card, trainer: Trainer) -> anyhow::Result<Run> {
+    fn open(folder: &Path, card: &Card, trainer: Trainer<PathNet>) -> anyhow::Result<Run> {
         let Ok(state) = fs::read(folder.join(STATE)) else {
             fs::write(folder.join("losses.csv"), "epoch,batch,base,target,action,placement,sum\n")?;
             return Ok(Run { trainer, done: 0, kept: None });

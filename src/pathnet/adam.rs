@@ -65,3 +65,26 @@ impl Optimizer for FusedAdam {
         state
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use burn::optim::AdamConfig;
+
+    use super::*;
+
+    #[test]
+    fn steps_are_those_of_burns_own() {
+        let device = Device::flex();
+        let burns = AdamConfig::new().with_epsilon(EPSILON).build();
+        let start = Tensor::<1>::from_floats([0.5, -2.0, 1e-3, 4.0], &device);
+        let (mut ours, mut theirs) = ((start.clone(), None), (start.clone(), None));
+        for turn in 0..5 {
+            let gradient = Tensor::<1>::from_floats([1.0 - 0.3 * turn as f32, 1e-4, 0.0, -7.0], &device);
+            ours = FusedAdam.step(3e-3, ours.0, gradient.clone(), ours.1);
+            theirs = burns.step(3e-3, theirs.0, gradient, theirs.1);
+        }
+        let moved = (ours.0.clone() - start).abs().max().into_scalar::<f32>();
+        let apart = (ours.0 - theirs.0).abs().max().into_scalar::<f32>();
+        assert!(moved > 1e-3 && apart < 1e-6, "moved by {moved}, apart by {apart}");
+    }
+}

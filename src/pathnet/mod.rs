@@ -13,13 +13,15 @@ use crate::scene::Scene;
 #[cfg(not(target_arch = "wasm32"))]
 mod adam;
 mod hourglass;
+pub mod judge;
 mod strided;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod trainer;
 mod weights;
 
 pub use hourglass::Hourglass;
-pub use weights::{Card, WeightsError, read_card};
+pub use judge::Judge;
+pub use weights::{Card, JudgeCard, WeightsError, read_card};
 
 /// The four nets together.
 #[derive(Module, Debug)]
@@ -28,6 +30,8 @@ pub struct PathNet {
     target: Hourglass,
     action: Hourglass,
     placement: Hourglass,
+    /// Not the paper's; some weights come without it.
+    pub judge: Option<Judge>,
 }
 
 /// Logits of the four maps, each `[batch, 1, 64, 64]`, in the order base, target, action, placement.
@@ -37,7 +41,8 @@ impl PathNet {
     /// Fresh nets.
     pub fn new(device: &Device) -> PathNet {
         let net = |channels| Hourglass::new(channels, device);
-        PathNet { base: net(CHANNELS), target: net(CHANNELS), action: net(CHANNELS + 2), placement: net(CHANNELS + 2) }
+        let (base, target) = (net(CHANNELS), net(CHANNELS));
+        PathNet { base, target, action: net(CHANNELS + 2), placement: net(CHANNELS + 2), judge: None }
     }
 
     /// `[batch, 5, 64, 64]` in; gradients flow through the whole chain.
@@ -52,14 +57,24 @@ impl PathNet {
 
     /// What the nets imagine of a scene.
     pub fn imagine(&self, scene: &Scene) -> Imagined {
-        let channels: Vec<f32> = scene_channels(scene).iter().flat_map(Bitmap::numbers).collect();
-        let device = self.devices().into_iter().next().expect("the nets have parameters");
-        let scene = Tensor::from_data(TensorData::new(channels, [1, CHANNELS, SIDE, SIDE]), &device);
-        let [base, target, action, placement] = self.forward(scene).map(|logits| {
+        let [base, target, action, placement] = self.forward(self.tensor(scene)).map(|logits| {
             let map = sigmoid(logits).into_data();
             map.iter::<f32>().collect()
         });
         Imagined { base, target, action, placement }
+    }
+
+    /// The judge's logits for a scene, `[RADII, 64, 64]`; `None` if the weights came without a judge.
+    pub fn judged(&self, scene: &Scene) -> Option<Vec<f32>> {
+        let judge = self.judge.as_ref()?;
+        Some(judge.forward(self.tensor(scene)).into_data().iter::<f32>().collect())
+    }
+
+    /// A scene as the nets see it, `[1, 5, 64, 64]`.
+    fn tensor(&self, scene: &Scene) -> Tensor<4> {
+        let channels: Vec<f32> = scene_channels(scene).iter().flat_map(Bitmap::numbers).collect();
+        let device = self.devices().into_iter().next().expect("the nets have parameters");
+        Tensor::from_data(TensorData::new(channels, [1, CHANNELS, SIDE, SIDE]), &device)
     }
 }
 

@@ -10,16 +10,19 @@ use burn::module::Module;
 use burn::optim::{GradientsParams, ModuleOptimizer};
 use burn::store::RecordError;
 use burn::tensor::activation::relu;
-use burn::tensor::{Device, Tensor, TensorData};
+use burn::tensor::{Device, Int, Tensor, TensorData};
 
-use super::PathNet;
 use super::adam::FusedAdam;
-use crate::raster::{Bitmap, CHANNELS, SIDE};
+use super::judge::{self, RADII};
+use super::{Judge, PathNet};
+use crate::action::Ball;
+use crate::raster::{Bitmap, CELLS, CHANNELS, SIDE};
 use crate::samples::Sample;
+use crate::scene::SIZE;
 
-/// Nets and their optimiser.
-pub struct Trainer {
-    nets: PathNet,
+/// Nets, all four or the judge, and their optimiser.
+pub struct Trainer<M> {
+    nets: M,
     optimiser: ModuleOptimizer,
     device: Device,
 }
@@ -48,12 +51,34 @@ impl Batch {
     }
 }
 
-impl Trainer {
+/// Some scenes with balls that were tried: `[scenes, 5, 64, 64]`, and for each ball its index among the logits
+/// `[scenes, RADII, 64, 64]` and 1 if it solved, else 0.
+#[derive(Default)]
+pub struct Trials {
+    scenes: usize,
+    scene: Vec<f32>,
+    indices: Vec<i64>,
+    solved: Vec<f32>,
+}
+
+impl Trials {
+    /// Adds a scene and balls that were tried in it, as they are or mirrored left to right.
+    pub fn add(&mut self, scene: &[Bitmap; CHANNELS], balls: &[(Ball, bool)], mirrored: bool) {
+        self.scene.extend(scene.iter().flat_map(|picture| picture.turned(mirrored).numbers()));
+        for &(ball, solved) in balls {
+            let mirror = Ball { x: SIZE - ball.x, ..ball };
+            let index = judge::index(if mirrored { mirror } else { ball });
+            self.indices.push((self.scenes * RADII * CELLS + index) as i64);
+            self.solved.push(if solved { 1.0 } else { 0.0 });
+        }
+        self.scenes += 1;
+    }
+}
+
+impl Trainer<PathNet> {
     /// Fresh nets on a device, their weights drawn from the seed.
-    pub fn new(device: Device, seed: u64) -> Trainer {
-        let device = device.autodiff();
-        device.seed(seed);
-        Trainer { nets: PathNet::new(&device), optimiser: FusedAdam.into(), device }
+    pub fn new(device: Device, seed: u64) -> Trainer<PathNet> {
+        Trainer::begin(device, seed, PathNet::new)
     }
 
     /// One step on a batch at a learning rate; gives the losses of the four maps.
@@ -65,15 +90,49 @@ impl Trainer {
         let wanted = tensor(batch.imagined, 4).chunk(4, 1);
         let losses: Vec<Tensor<1>> =
             maps.into_iter().zip(wanted).map(|(map, wanted)| cross_entropy(map, wanted)).collect();
-        let losses = Tensor::cat(losses, 0);
+        self.descend(Tensor::cat(losses, 0), rate).try_into().expect("four maps")
+    }
+}
+
+impl Trainer<Judge> {
+    /// A fresh judge on a device, its weights drawn from the seed.
+    pub fn new(device: Device, seed: u64) -> Trainer<Judge> {
+        Trainer::begin(device, seed, Judge::new)
+    }
+
+    /// One step on some scenes and their balls at a learning rate; gives the mean cross-entropy of a ball.
+    pub fn step(&mut self, trials: Trials, rate: f64) -> f32 {
+        let shape = [trials.scenes, CHANNELS, SIDE, SIDE];
+        let logits = self.nets.forward(Tensor::from_data(TensorData::new(trials.scene, shape), &self.device));
+        let balls = trials.indices.len();
+        let indices = Tensor::<1, Int>::from_data(TensorData::new(trials.indices, [balls]), &self.device);
+        let logits = logits.reshape([-1]).select(0, indices);
+        let solved = Tensor::<1>::from_data(TensorData::new(trials.solved, [balls]), &self.device);
+        self.descend(cross_entropy(logits, solved), rate)[0]
+    }
+}
+
+impl<M: Module> Trainer<M> {
+    fn begin(device: Device, seed: u64, fresh: impl FnOnce(&Device) -> M) -> Trainer<M> {
+        let device = device.autodiff();
+        device.seed(seed);
+        Trainer { nets: fresh(&device), optimiser: FusedAdam.into(), device }
+    }
+
+    /// Goes on with these nets instead.
+    pub fn with(self, nets: M) -> Trainer<M> {
+        Trainer { nets: nets.train(), ..self }
+    }
+
+    /// A step down the sum of the losses, which it gives.
+    fn descend(&mut self, losses: Tensor<1>, rate: f64) -> Vec<f32> {
         let gradients = GradientsParams::from_grads(losses.clone().sum().backward(), &self.nets);
         self.nets = self.optimiser.step(rate, self.nets.clone(), gradients);
-        let numbers: Vec<f32> = losses.into_data().iter::<f32>().collect();
-        numbers.try_into().expect("four maps")
+        losses.into_data().iter::<f32>().collect()
     }
 
     /// The nets as they are now, ready to imagine.
-    pub fn nets(&self) -> PathNet {
+    pub fn nets(&self) -> M {
         self.nets.valid()
     }
 
@@ -90,15 +149,14 @@ impl Trainer {
     ///
     /// # Errors
     /// Says what is wrong with the files.
-    pub fn restore(self, nets: &Path, optimiser: &Path) -> Result<Trainer, RecordError> {
+    pub fn restore(self, nets: &Path, optimiser: &Path) -> Result<Trainer<M>, RecordError> {
         let Trainer { nets: fresh, optimiser: idle, device } = self;
         Ok(Trainer { nets: fresh.try_load_file(nets)?, optimiser: idle.load(optimiser)?, device })
     }
 }
 
-/// Mean over the pixels of the cross-entropy between logits and pictures of 0 and 1. `[batch, 1, 64, 64]` in,
-/// `[1]` out.
-fn cross_entropy(logits: Tensor<4>, wanted: Tensor<4>) -> Tensor<1> {
+/// Mean cross-entropy between logits and numbers of 0 and 1 of the same shape. `[1]` out.
+fn cross_entropy<const D: usize>(logits: Tensor<D>, wanted: Tensor<D>) -> Tensor<1> {
     // ln(1 + e^x) written so that no x overflows.
     let softplus = relu(logits.clone()) + logits.clone().abs().neg().exp().log1p();
     (softplus - logits * wanted).mean()

@@ -11,7 +11,7 @@ use half::f16;
 use safetensors::tensor::{Dtype, SafeTensors, TensorView};
 use serde::{Deserialize, Serialize};
 
-use super::PathNet;
+use super::{Judge, PathNet};
 use crate::folds::Setup;
 
 /// The key of the card in the file's metadata.
@@ -39,6 +39,22 @@ pub struct Card {
     pub tasks: usize,
     /// `simulator::VERSION` of the rollouts trained on.
     pub simulator: u32,
+    /// How the judge came to be, if there is one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub judge: Option<JudgeCard>,
+}
+
+/// How a judge came to be. It has seen the same tasks as the nets.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct JudgeCard {
+    /// Of the initial weights and the order of the scenes.
+    pub seed: u64,
+    /// Passes over the scenes.
+    pub epochs: usize,
+    /// Highest learning rate of Adam.
+    pub rate: f64,
+    /// Balls with their outcome that it has learned from.
+    pub balls: usize,
 }
 
 /// Why bytes are no weights.
@@ -69,7 +85,11 @@ impl PathNet {
         let card = read_card(bytes)?;
         let file = SafeTensors::deserialize(bytes)?;
         let mut filler = Filler { file: &file, device, path: Vec::new(), filled: 0, error: None };
-        let nets = PathNet::new(device).map(&mut filler);
+        let mut nets = PathNet::new(device);
+        if file.names().iter().any(|name| name.starts_with("judge.")) {
+            nets.judge = Some(Judge::new(device));
+        }
+        let nets = nets.map(&mut filler);
         let extra = file.len().saturating_sub(filler.filled);
         match filler.error {
             Some(error) => Err(error),

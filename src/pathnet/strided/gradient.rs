@@ -31,17 +31,22 @@ impl Layer<'_> {
         let geometry = self.geometry;
         let cells = geometry.cells();
         let mut dx = vec![0.0; x.len()];
-        let (weight, bias) = self.summed(&mut dx, geometry.wide_picture(), |group, dx, part| {
-            let range = group.narrow(&geometry);
-            let passed = passed(&slope[range.clone()], Some(&y[range]));
-            add_channels(&mut part.bias, &passed, cells);
-            let passed = self.channels_first(&passed, group.samples);
-            let mut columns = Columns::gathered(&geometry, &x[group.wide(&geometry)], group.samples);
-            let passed = Matrix::new(&passed, geometry.narrow, columns.count, columns.count);
-            product(&mut part.weight, geometry.patch(), passed, columns.matrix(&geometry).transposed(), false);
-            product(&mut columns.data, columns.stride, self.matrix().transposed(), passed, false);
-            columns.scatter(&geometry, dx);
-        }, geometry.narrow);
+        let (weight, bias) = self.summed(
+            &mut dx,
+            geometry.wide_picture(),
+            |group, dx, part| {
+                let range = group.narrow(&geometry);
+                let passed = passed(&slope[range.clone()], Some(&y[range]));
+                add_channels(&mut part.bias, &passed, cells);
+                let passed = self.channels_first(&passed, group.samples);
+                let mut columns = Columns::gathered(&geometry, &x[group.wide(&geometry)], group.samples);
+                let passed = Matrix::new(&passed, geometry.narrow, columns.count, columns.count);
+                product(&mut part.weight, geometry.patch(), passed, columns.matrix(&geometry).transposed());
+                product(&mut columns.data, columns.stride, self.matrix().transposed(), passed);
+                columns.scatter(&geometry, dx);
+            },
+            geometry.narrow,
+        );
         Slopes { x: dx, weight, bias }
     }
 
@@ -50,21 +55,26 @@ impl Layer<'_> {
         let geometry = self.geometry;
         let cells = geometry.cells();
         let mut dx = vec![0.0; x.len()];
-        let (weight, bias) = self.summed(&mut dx, geometry.narrow_picture(), |group, dx, part| {
-            let range = group.wide(&geometry);
-            let passed = passed(&slope[range.clone()], y.map(|y| &y[range]));
-            add_channels(&mut part.bias, &passed, geometry.wide_cells());
-            let columns = Columns::gathered(&geometry, &passed, group.samples);
-            let x = self.channels_first(&x[group.narrow(&geometry)], group.samples);
-            let x = Matrix::new(&x, geometry.narrow, columns.count, columns.count);
-            product(&mut part.weight, geometry.patch(), x, columns.matrix(&geometry).transposed(), false);
-            let mut sums = vec![0.0; dx.len()];
-            product(&mut sums, columns.count, self.matrix(), columns.matrix(&geometry), false);
-            for (index, dx) in dx.chunks_exact_mut(cells).enumerate() {
-                let (sample, channel) = (index / geometry.narrow, index % geometry.narrow);
-                dx.copy_from_slice(&sums[channel * columns.count + sample * cells..][..cells]);
-            }
-        }, geometry.wide);
+        let (weight, bias) = self.summed(
+            &mut dx,
+            geometry.narrow_picture(),
+            |group, dx, part| {
+                let range = group.wide(&geometry);
+                let passed = passed(&slope[range.clone()], y.map(|y| &y[range]));
+                add_channels(&mut part.bias, &passed, geometry.wide_cells());
+                let columns = Columns::gathered(&geometry, &passed, group.samples);
+                let x = self.channels_first(&x[group.narrow(&geometry)], group.samples);
+                let x = Matrix::new(&x, geometry.narrow, columns.count, columns.count);
+                product(&mut part.weight, geometry.patch(), x, columns.matrix(&geometry).transposed());
+                let mut sums = vec![0.0; dx.len()];
+                product(&mut sums, columns.count, self.matrix(), columns.matrix(&geometry));
+                for (index, dx) in dx.chunks_exact_mut(cells).enumerate() {
+                    let (sample, channel) = (index / geometry.narrow, index % geometry.narrow);
+                    dx.copy_from_slice(&sums[channel * columns.count + sample * cells..][..cells]);
+                }
+            },
+            geometry.wide,
+        );
         Slopes { x: dx, weight, bias }
     }
 
@@ -207,3 +217,95 @@ impl<C: CheckpointStrategy> StridedOps for Autodiff<Flex, C> {
 /// On ndarray burn differentiates its own operations: the second opinion.
 #[cfg(feature = "ndarray")]
 impl<C: CheckpointStrategy> StridedOps for Autodiff<burn::backend::NdArray, C> {}
+
+#[cfg(test)]
+mod tests {
+    use super::super::patches::Geometry;
+    use super::*;
+    use rand::{RngExt, SeedableRng};
+    use rand_pcg::Pcg64Mcg;
+
+    /// The step of a difference quotient. The layers are linear but for relu, so a long one is as good and rounds less.
+    const STEP: f32 = 0.125;
+
+    fn numbers(count: usize, rng: &mut Pcg64Mcg) -> Vec<f32> {
+        (0..count).map(|_| rng.random_range(-1.0..1.0)).collect()
+    }
+
+    /// The slope of `f` along one of its numbers.
+    fn difference(at: &[f32], index: usize, f: impl Fn(&[f32]) -> f64) -> f64 {
+        let moved = |by: f32| {
+            let mut at = at.to_vec();
+            at[index] += by;
+            f(&at)
+        };
+        (moved(STEP) - moved(-STEP)) / f64::from(2.0 * STEP)
+    }
+
+    fn assert_slopes(name: &str, found: &[f32], at: &[f32], f: impl Fn(&[f32]) -> f64) {
+        assert_eq!(found.len(), at.len(), "{name}");
+        let every = (at.len() / 40).max(1);
+        for index in (0..at.len()).step_by(every) {
+            let wanted = difference(at, index, &f);
+            let found = f64::from(found[index]);
+            assert!((found - wanted).abs() < 2e-3 * (1.0 + wanted.abs()), "{name} {index}: {found}, not {wanted}");
+        }
+    }
+
+    fn dot(a: &[f32], b: &[f32]) -> f64 {
+        a.iter().zip(b).map(|(a, b)| f64::from(*a) * f64::from(*b)).sum()
+    }
+
+    /// Both kernels, and batches of one group and of several.
+    const CASES: [(Geometry, usize); 3] = [
+        (Geometry { wide: 3, narrow: 8, side: 4, kernel: 4 }, 2),
+        (Geometry { wide: 8, narrow: 16, side: 1, kernel: 2 }, 20),
+        (Geometry { wide: 5, narrow: 8, side: 32, kernel: 4 }, 3),
+    ];
+
+    #[test]
+    fn slopes_of_halving_are_difference_quotients() {
+        let mut rng = Pcg64Mcg::seed_from_u64(1);
+        for (geometry, batch) in CASES {
+            let (x, weight) = (
+                numbers(batch * geometry.wide_picture(), &mut rng),
+                numbers(geometry.narrow * geometry.patch(), &mut rng),
+            );
+            // Every output stays on one side of the relu: half of the channels far above, half far below zero.
+            let bias: Vec<f32> = (0..geometry.narrow).map(|i| if i % 2 == 0 { 20.0 } else { -20.0 }).collect();
+            let slope = numbers(batch * geometry.narrow_picture(), &mut rng);
+            let y = Layer { geometry, weight: &weight }.halve(&x, &bias);
+            let slopes = Layer { geometry, weight: &weight }.halve_back(&x, &y, &slope);
+            let f = |x: &[f32], weight: &[f32], bias: &[f32]| dot(&Layer { geometry, weight }.halve(x, bias), &slope);
+            let far = f(&x, &weight, &bias);
+            assert!(far != 0.0);
+            assert_slopes("x", &slopes.x, &x, |x| f(x, &weight, &bias) - far);
+            assert_slopes("weight", &slopes.weight, &weight, |weight| f(&x, weight, &bias) - far);
+            assert_slopes("bias", &slopes.bias, &bias, |bias| f(&x, &weight, bias) - far);
+        }
+    }
+
+    #[test]
+    fn slopes_of_doubling_are_difference_quotients() {
+        let mut rng = Pcg64Mcg::seed_from_u64(2);
+        for (geometry, batch) in CASES {
+            let (x, weight) = (
+                numbers(batch * geometry.narrow_picture(), &mut rng),
+                numbers(geometry.narrow * geometry.patch(), &mut rng),
+            );
+            let bias: Vec<f32> = (0..geometry.wide).map(|i| if i % 2 == 0 { 20.0 } else { -20.0 }).collect();
+            let slope = numbers(batch * geometry.wide_picture(), &mut rng);
+            for positive in [true, false] {
+                let layer = Layer { geometry, weight: &weight };
+                let y = layer.double(&x, &bias, positive);
+                let slopes = layer.double_back(&x, positive.then_some(&y[..]), &slope);
+                let f = |x: &[f32], weight: &[f32], bias: &[f32]| {
+                    dot(&Layer { geometry, weight }.double(x, bias, positive), &slope)
+                };
+                assert_slopes("x", &slopes.x, &x, |x| f(x, &weight, &bias));
+                assert_slopes("weight", &slopes.weight, &weight, |weight| f(&x, weight, &bias));
+                assert_slopes("bias", &slopes.bias, &bias, |bias| f(&x, &weight, bias));
+            }
+        }
+    }
+}

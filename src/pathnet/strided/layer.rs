@@ -32,7 +32,7 @@ impl Layer<'_> {
         self.each_group(&mut y, self.geometry.narrow_picture(), |group, y| {
             let columns = Columns::gathered(&self.geometry, &x[group.wide(&self.geometry)], group.samples);
             let mut sums = vec![0.0; narrow * columns.count];
-            product(&mut sums, columns.count, self.matrix(), columns.matrix(&self.geometry), false);
+            product(&mut sums, columns.count, self.matrix(), columns.matrix(&self.geometry));
             for (index, y) in y.chunks_exact_mut(cells).enumerate() {
                 let (sample, channel) = (index / narrow, index % narrow);
                 let sums = &sums[channel * columns.count + sample * cells..][..cells];
@@ -53,7 +53,7 @@ impl Layer<'_> {
             let x = self.channels_first(&x[group.narrow(&self.geometry)], group.samples);
             let mut columns = Columns::new(&self.geometry, group.samples);
             let x = Matrix::new(&x, self.geometry.narrow, columns.count, columns.count);
-            product(&mut columns.data, columns.stride, self.matrix().transposed(), x, false);
+            product(&mut columns.data, columns.stride, self.matrix().transposed(), x);
             columns.scatter(&self.geometry, y);
             for (index, y) in y.chunks_exact_mut(self.geometry.wide_cells()).enumerate() {
                 let (bias, least) = (bias[index % self.geometry.wide], if positive { 0.0 } else { f32::NEG_INFINITY });

@@ -52,7 +52,11 @@ impl Geometry {
     fn sights(&self, row: usize) -> impl Iterator<Item = (usize, usize)> + use<> {
         let (side, kernel) = (self.side, self.kernel);
         let row = row + (kernel - 2) / 2;
-        (row % 2..kernel).step_by(2).filter(move |tap| row >= *tap).map(move |tap| (tap, (row - tap) / 2)).filter(move |(_, y)| *y < side)
+        (row % 2..kernel)
+            .step_by(2)
+            .filter(move |tap| row >= *tap)
+            .map(move |tap| (tap, (row - tap) / 2))
+            .filter(move |(_, y)| *y < side)
     }
 
     /// Writes the patches of one sample as columns: `[wide, 2 side, 2 side]` to `[patch, cells]`, whose rows
