@@ -12,6 +12,7 @@ const ENTRIES = {
   batch: ["At a time (batch)", number],
   rate: ["Learning rate (Adam)", String],
   mirror: ["Mirrored", (mirror) => (mirror ? "half of the time, left to right" : "never")],
+  judge: ["The judge learned from", ({ balls, epochs }) => `${number(balls)} balls with their outcome, ${epochs} times over`],
   simulator: ["Version of the simulator", String],
   seed: ["Seed of all chance", String],
 };

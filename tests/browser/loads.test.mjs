@@ -1,6 +1,7 @@
 // The page arrives: served by the real binary, its wasm compiled, and nothing to complain of in the console.
 
 import assert from 'node:assert/strict';
+import { get } from 'node:http';
 import { after, before, test } from 'node:test';
 import { start } from './harness.mjs';
 import { EASY, known, says, type } from './playing.mjs';
@@ -23,6 +24,24 @@ test('the wasm package is compiled under the page\'s own policy', async () => {
   });
   assert.equal(names.length, 25);
   assert.equal(names[7], '00007');
+});
+
+test('wasm and weights are small to download', async (context) => {
+  const size = async (path) => {
+    const { headers } = await new Promise((answer, failed) =>
+      get(new URL(path, session.origin), { headers: { 'accept-encoding': 'br' } }, answer).on('error', failed));
+    return { bytes: Number(headers['content-length']), encoding: headers['content-encoding'] };
+  };
+  const wasm = await size('/pkg/pathlight_bg.wasm');
+  assert.equal(wasm.encoding, 'br');
+  context.diagnostic(`wasm: ${wasm.bytes} bytes with brotli`);
+  assert.ok(wasm.bytes > 0 && wasm.bytes <= 700_000, `${wasm.bytes} bytes`);
+  const { models } = await (await fetch(new URL('/assets/model.json', session.origin))).json();
+  for (const { file } of models) {
+    const { bytes } = await size(`/assets/${file}`);
+    context.diagnostic(`${file}: ${bytes} bytes`);
+    assert.ok(bytes > 0 && bytes <= 6_000_000, `${file}: ${bytes} bytes`);
+  }
 });
 
 test('every module of the page is named in its head, so that none waits for another', async () => {
