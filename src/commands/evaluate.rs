@@ -51,6 +51,10 @@ pub struct Args {
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
 
+    /// Let the model propose as in the paper, from its placement map, even if it has a judge
+    #[arg(long)]
+    without_judge: bool,
+
     #[command(flatten)]
     weights: Weights,
 }
@@ -78,6 +82,7 @@ struct Report {
 struct Score {
     agent: &'static str,
     auccess: f64,
+    solved_at_once: f64,
     solved_within_10: f64,
     solved_within_100: f64,
     /// The attempt that solved each task first, from 1; null if none of 100 did.
@@ -102,7 +107,10 @@ impl Args {
             agents: Vec::new(),
         };
         if self.agent == Player::Model {
-            let (nets, card) = self.weights.load(&self.which)?;
+            let (mut nets, mut card) = self.weights.load(&self.which)?;
+            if self.without_judge {
+                (nets.judge, card.judge) = (None, None);
+            }
             report.card = Some(card);
             let model = |task, scene: &Scene| proposer::model(&nets, task, scene, self.seed, ATTEMPTS);
             report.agents.push(score("model", model, &tasks)?);
@@ -142,6 +150,7 @@ fn score(
     Ok(Score {
         agent: name,
         auccess: auccess(&firsts),
+        solved_at_once: share_within(&firsts, 1),
         solved_within_10: share_within(&firsts, 10),
         solved_within_100: share_within(&firsts, ATTEMPTS),
         first_solved,
@@ -152,12 +161,17 @@ impl Report {
     fn print(&self, tasks: &[TaskId]) {
         let Report { setup, fold, tasks_of, seed, simulator, .. } = self;
         println!("{setup}, fold {fold}, {} {tasks_of} tasks, seed {seed}, simulator {simulator}", tasks.len());
-        if let Some(Card { samples, tasks, epochs, seed, .. }) = self.card.as_ref() {
-            println!("model: {samples} solutions of {tasks} tasks, {epochs} epochs, seed {seed}");
+        if let Some(card @ Card { samples, tasks, epochs, seed, .. }) = self.card.as_ref() {
+            let judge =
+                card.judge.as_ref().map(|judge| format!("; judge: {} balls, {} epochs", judge.balls, judge.epochs));
+            println!(
+                "model: {samples} solutions of {tasks} tasks, {epochs} epochs, seed {seed}{}",
+                judge.unwrap_or_default()
+            );
         }
         print!("{:30} {:>5}", "template", "tasks");
         for Score { agent, .. } in &self.agents {
-            print!("  {:>14} {:>6} {:>6}", format!("{agent}: auccess"), "<= 10", "<= 100");
+            print!("  {:>15} {:>6} {:>6} {:>6}", format!("{agent}: auccess"), "1st", "<= 10", "<= 100");
         }
         println!();
         for sisters in tasks.chunk_by(|a, b| a.template == b.template) {
@@ -176,8 +190,8 @@ impl Report {
             if column == 0 {
                 print!(" {:>5}", firsts.len());
             }
-            let [ten, hundred] = [10, ATTEMPTS].map(|attempts| 100.0 * share_within(&firsts, attempts));
-            print!("  {:>14.1} {ten:>4.0} % {hundred:>4.0} %", auccess(&firsts));
+            let [one, ten, hundred] = [1, 10, ATTEMPTS].map(|attempts| 100.0 * share_within(&firsts, attempts));
+            print!("  {:>15.1} {one:>4.0} % {ten:>4.0} % {hundred:>4.0} %", auccess(&firsts));
         }
         println!();
     }

@@ -4,8 +4,7 @@
 //! learning rate rises over the first steps and then falls to nothing.
 
 use std::collections::BTreeMap;
-use std::fs::{self, File};
-use std::io::{BufRead, BufReader};
+use std::fs;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, ensure};
@@ -19,6 +18,7 @@ use rand::seq::SliceRandom;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
+use super::label::read_labels;
 use super::progress::Progress;
 use super::scenes::Scenes;
 use super::weights::Weights;
@@ -83,7 +83,7 @@ impl Args {
         let (mut nets, mut card) = self.weights.load(&self.which)?;
         let fold = self.which.tasks();
         let tasks = if self.without_dev { fold.train } else { fold.all_train() };
-        let mut tried = read_labels(&self.labels, &tasks)?;
+        let mut tried = tried(&self.labels, &tasks)?;
         let balls = tried.iter().map(|tried| tried.balls.len()).sum();
         let device = device("flex").map_err(anyhow::Error::msg)?;
         let mut trainer = Trainer::<Judge>::new(device, self.seed);
@@ -123,26 +123,18 @@ impl Args {
 }
 
 /// The balls of some tasks, scene by scene.
-fn read_labels(path: &Path, tasks: &[TaskId]) -> anyhow::Result<Vec<Tried>> {
-    let name = path.display();
-    let file = File::open(path).with_context(|| format!("no balls in {name}: run `pathlight label` first"))?;
+fn tried(path: &Path, tasks: &[TaskId]) -> anyhow::Result<Vec<Tried>> {
     let scenes = Scenes::new();
     let mut tried: BTreeMap<TaskId, Tried> = BTreeMap::new();
-    for line in BufReader::new(file).lines() {
-        // The last line may have been cut off with the run.
-        let Ok(Labels { task, solved, failed }) = serde_json::from_str(&line?) else { break };
+    for Labels { task, solved, failed } in read_labels(path)? {
         if tasks.binary_search(&task).is_err() {
             continue;
         }
-        let entry = match tried.entry(task) {
-            std::collections::btree_map::Entry::Occupied(entry) => entry.into_mut(),
-            std::collections::btree_map::Entry::Vacant(entry) => {
-                entry.insert(Tried { scene: scene_channels(scenes.get(task)?), balls: Vec::new() })
-            }
-        };
+        let scene = scenes.get(task)?;
+        let entry = tried.entry(task).or_insert_with(|| Tried { scene: scene_channels(scene), balls: Vec::new() });
         entry.balls.extend(solved.into_iter().map(|ball| (ball, true)));
         entry.balls.extend(failed.into_iter().map(|ball| (ball, false)));
     }
-    ensure!(!tried.is_empty(), "{name} holds no balls of this fold: write it with `pathlight label`");
+    ensure!(!tried.is_empty(), "{} holds no balls of this fold: label all templates", path.display());
     Ok(tried.into_values().collect())
 }

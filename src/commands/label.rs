@@ -1,19 +1,22 @@
 //! `pathlight label`: balls with their outcome for all tasks, as JSON lines, to train a judge on.
 //!
-//! A line holds some balls of one task; round after round, every task gets a line, so the number of lines says
-//! where a run that was cut off goes on. The balls follow from the seed and the solutions alone.
+//! The first line holds the settings. Every other holds some balls of one task; round after round, every task gets
+//! a line, so the number of lines says where a run that was cut off goes on. The balls follow from the settings
+//! and the solutions alone.
 
 use std::collections::BTreeMap;
 use std::fs::{self, File, OpenOptions};
 use std::io::{BufRead, BufReader, Write};
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, ensure};
+use anyhow::{Context, bail, ensure};
 use pathlight::action::Ball;
 use pathlight::labels::Labels;
+use pathlight::simulator;
 use pathlight::task::{Task, TaskId};
-use pathlight::templates::TEMPLATES;
+use pathlight::templates::{TEMPLATES, Template};
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 
 use super::collect::read_solutions;
 use super::progress::Progress;
@@ -39,14 +42,34 @@ pub struct Args {
     #[arg(long, default_value_t = 8)]
     rounds: usize,
 
+    /// Try balls on this template alone, like 00007
+    #[arg(long, value_name = "TEMPLATE", value_parser = super::template)]
+    template: Option<&'static Template>,
+
+    /// Tasks of each template at most
+    #[arg(long, value_name = "N", default_value_t = 100)]
+    limit: usize,
+
     /// Seed of all that is drawn
     #[arg(long, default_value_t = 0)]
     seed: u64,
 }
 
+/// The first line.
+#[derive(Debug, PartialEq, Serialize, Deserialize)]
+struct Settings {
+    seed: u64,
+    tasks: usize,
+    first: TaskId,
+    simulator: u32,
+}
+
 impl Args {
     pub fn run(self) -> anyhow::Result<()> {
-        let tasks: Vec<Task> = TEMPLATES.iter().flat_map(|template| Task::of(template)).collect();
+        let templates = TEMPLATES.iter().filter(|all| self.template.is_none_or(|one| one.number == all.number));
+        let tasks: Vec<Task> = templates.flat_map(|template| Task::of(template).take(self.limit)).collect();
+        let first = tasks.first().context("no task is left to try balls on: raise --limit")?.id;
+        let settings = Settings { seed: self.seed, tasks: tasks.len(), first, simulator: simulator::VERSION };
         let mut own: BTreeMap<TaskId, Vec<Ball>> = BTreeMap::new();
         let mut sisters: Vec<Vec<Ball>> = vec![Vec::new(); TEMPLATES.len()];
         for solution in read_solutions(&self.solutions)?.0 {
@@ -54,8 +77,8 @@ impl Args {
             sisters[solution.task.template].push(solution.ball);
         }
         let total = self.rounds * tasks.len();
-        let mut done = resume(&self.out)?;
-        let mut file = OpenOptions::new().create(true).append(true).open(&self.out)?;
+        let mut done = resume(&self.out, &settings)?;
+        let mut file = OpenOptions::new().append(true).open(&self.out)?;
         let mut progress = Progress::new(Some(total as u64));
         progress.advance(done as u64, format!("{} balls", done * BALLS));
         while done < total {
@@ -81,23 +104,51 @@ impl Args {
     }
 }
 
-/// Cuts off a last line that is not whole, and counts the others.
-fn resume(path: &Path) -> anyhow::Result<usize> {
+/// Cuts off a last line that is not whole, and counts the others. A new file begins with the settings.
+fn resume(path: &Path, settings: &Settings) -> anyhow::Result<usize> {
+    let name = path.display();
     let Ok(file) = File::open(path) else {
         if let Some(folder) = path.parent() {
-            fs::create_dir_all(folder).with_context(|| format!("cannot make the folder of {}", path.display()))?;
+            fs::create_dir_all(folder).with_context(|| format!("cannot make the folder of {name}"))?;
         }
+        fs::write(path, serde_json::to_string(settings)? + "\n").with_context(|| format!("cannot write {name}"))?;
         return Ok(0);
     };
-    let (mut whole, mut kept) = (0, 0);
-    for line in BufReader::new(file).split(b'\n') {
+    let mut lines = BufReader::new(file).split(b'\n');
+    let first = lines.next().transpose()?.unwrap_or_default();
+    match serde_json::from_slice::<Settings>(&first) {
+        Ok(found) if found == *settings => {}
+        Ok(found) => bail!("{name} was made with {found:?}, now it is {settings:?}: name another file with --out"),
+        Err(_) => bail!("{name} is no file of `pathlight label`: name another with --out"),
+    }
+    let (mut whole, mut kept) = (0, first.len() as u64 + 1);
+    for line in lines {
         let line = line?;
         if serde_json::from_slice::<Labels>(&line).is_err() {
-            ensure!(whole > 0, "{} is no file of `pathlight label`: name another with --out", path.display());
             break;
         }
         (whole, kept) = (whole + 1, kept + line.len() as u64 + 1);
     }
     OpenOptions::new().write(true).open(path)?.set_len(kept)?;
     Ok(whole)
+}
+
+/// The balls in a file of `pathlight label`, line by line.
+///
+/// # Errors
+/// If there is no such file, or another simulator has made it.
+pub fn read_labels(path: &Path) -> anyhow::Result<impl Iterator<Item = Labels>> {
+    let name = path.display();
+    let file = File::open(path).with_context(|| format!("no balls in {name}: run `pathlight label` first"))?;
+    let mut lines = BufReader::new(file).lines().map_while(Result::ok);
+    let first = lines.next().unwrap_or_default();
+    let Settings { simulator: version, .. } = serde_json::from_str(&first)
+        .with_context(|| format!("{name} is no file of `pathlight label`: name another with --labels"))?;
+    ensure!(
+        version == simulator::VERSION,
+        "the balls are of simulator {version}, this is simulator {}: label them again",
+        simulator::VERSION
+    );
+    // The last line may have been cut off with the run.
+    Ok(lines.map_while(|line| serde_json::from_str(&line).ok()))
 }

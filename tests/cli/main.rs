@@ -7,6 +7,7 @@ use std::io::Write;
 use std::process::{Command, Output, Stdio};
 
 mod collect;
+mod judge;
 mod serve;
 mod simulate;
 mod tasks;

@@ -1,0 +1,63 @@
+//! `pathlight label` and `judge`: balls with their outcome, and the net that learns from them.
+
+use std::fs;
+use std::path::Path;
+
+use pathlight::labels::Labels;
+use pathlight::pathnet::{PathNet, device};
+use pathlight::simulator::outcome;
+use pathlight::task::Task;
+use tempfile::tempdir;
+
+use super::{assert_refused, output_of};
+
+const WEIGHTS: &str = "assets/within-0.safetensors";
+
+/// Balls of the first tasks of a template.
+fn label(folder: &Path, rounds: &str) -> String {
+    let out = folder.join("labels.jsonl").display().to_string();
+    output_of(&["label", "--template", "2", "--limit", "6", "--rounds", rounds, "--out", &out]);
+    out
+}
+
+#[test]
+fn labels_are_true_and_the_same_after_a_cut() {
+    let (whole, cut) = (tempdir().expect("a folder"), tempdir().expect("a folder"));
+    let whole = fs::read_to_string(label(whole.path(), "2")).expect("labels");
+    let half = label(cut.path(), "1");
+    let text = fs::read_to_string(&half).expect("labels");
+    fs::write(&half, &text[..text.len() - 20]).expect("a file");
+    assert_eq!(fs::read_to_string(label(cut.path(), "2")).expect("labels"), whole);
+
+    let (mut solved, mut failed) = (0, 0);
+    for line in whole.lines().skip(1).take(3) {
+        let labels: Labels = serde_json::from_str(line).expect("a line of labels");
+        let scene = Task::load(labels.task).expect("a task").scene;
+        let solves = |ball| outcome(&scene, Some(ball)).expect("a valid ball").solved;
+        assert!(labels.solved.iter().all(|&ball| solves(ball)));
+        assert!(!labels.failed.iter().any(|&ball| solves(ball)));
+        (solved, failed) = (solved + labels.solved.len(), failed + labels.failed.len());
+    }
+    assert!(solved > 0 && failed > 0 && solved + failed == 3 * 64);
+    assert_refused(&["label", "--out", &half], "name another file with --out");
+}
+
+#[test]
+fn a_judge_joins_the_weights_and_orders_the_attempts() {
+    let folder = tempdir().expect("a folder");
+    let labels = label(folder.path(), "1");
+    let out = folder.path().join("judged.safetensors").display().to_string();
+    let judge = ["judge", "--weights", WEIGHTS, "--labels", &labels, "--epochs", "2", "--out", &out];
+    output_of(&judge);
+    let bytes = fs::read(&out).expect("weights");
+    let (nets, card) = PathNet::load(&bytes, &device("flex").expect("a device")).expect("weights that fit");
+    assert!(nets.judge.is_some());
+    assert!(card.judge.expect("a card").balls > 64);
+    output_of(&judge);
+    assert_eq!(fs::read(&out).expect("weights"), bytes, "the same seed gives the same judge");
+
+    let propose =
+        |weights: &str| output_of(&["propose", "--weights", weights, "--task", "00002:007", "--attempts", "9"]);
+    assert_ne!(propose(&out), propose(WEIGHTS));
+    assert_refused(&["judge", "--weights", WEIGHTS, "--labels", "Cargo.toml"], "no file of `pathlight label`");
+}
