@@ -48,8 +48,8 @@ pub enum Origin {
     Map { x: f64, y: f64 },
     /// An earlier proposal, by its number from 1, with noise.
     Near { number: usize },
-    /// The judge's maps.
-    Judge,
+    /// The judge's maps: how likely they say that it solves, 0..=1, after what was proposed before.
+    Judge { chance: f64 },
     /// Chance: the map has no place where a ball may be.
     Chance,
 }

@@ -50,8 +50,8 @@ const RULES: &[Rule] = &[
     },
     Rule {
         words: &["burn::", "use burn"],
-        files: Only(&["pathnet/", "commands/train.rs"]),
-        reason: "the nets are used through plain numbers; only training needs gradients",
+        files: Only(&["pathnet/"]),
+        reason: "the nets are used and trained through plain numbers",
     },
     Rule {
         words: &["wasm_bindgen", "js_sys", "web_sys"],

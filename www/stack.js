@@ -128,7 +128,7 @@ export class Stack extends EventTarget {
 
   #origin({ origin }) {
     if (origin.kind === "near") return `Ball ${origin.number}, moved a little by chance.`;
-    if (origin.kind === "judge") return "The judge, a fifth net: of all balls not near one tried before, it thinks this the likeliest to solve the puzzle.";
+    if (origin.kind === "judge") return `The judge, a fifth net: after what was tried before, it gives this ball the best chance, ${Math.round(100 * origin.chance)} %.`;
     if (origin.kind === "chance") return "Chance: the placement map shows no place where a ball may be.";
     const value = valueAt(this.#imagine.values.placement, [origin.x, origin.y]).toFixed(2);
     return `The placement map: it is ${value} at x ${origin.x}, y ${origin.y}. From there the ball was moved to cover more of the map.`;

@@ -18,7 +18,8 @@ const ROUNDS = Number(process.env.ROUNDS || 15);
 /** ms */
 const WARM_UP = 2000;
 
-const ours = (...args) => ['cargo', 'bench', '--quiet', '--bench', 'nets', '--', ...args];
+// Built with the features of the tests, so that nothing is built twice.
+const ours = (...args) => ['cargo', 'bench', '--quiet', '--features', 'ndarray', '--bench', 'nets', '--', ...args];
 const python = (script, ...args) => ['target/bench/venv/bin/python', `benches/nets/${script}`, ...args];
 const WEIGHTS = 'assets/within-0.safetensors';
 const NETS = ['target/bench/nets.onnx', 'target/bench/scene.f32'];

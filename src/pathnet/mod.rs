@@ -1,7 +1,7 @@
 //! The four nets, wired as in Harter et al. (2020): each imagines one stage of a solution from the ones before.
 //!
 //! Base path and target path come from the scene alone; the action path from those three; the placement of
-//! the ball from scene, target path and action path. With `commands::train` the only user of burn.
+//! the ball from scene, target path and action path. A fifth net judges balls. This folder is the only user of burn.
 
 use burn::module::Module;
 use burn::tensor::activation::sigmoid;
@@ -64,10 +64,14 @@ impl PathNet {
         Imagined { base, target, action, placement }
     }
 
-    /// The judge's logits for a scene, `[RADII, 64, 64]`; `None` if the weights came without a judge.
+    /// The judge's logits for a scene, `[RADII, 64, 64]`; `None` if the weights came without a judge. PHYRE's world
+    /// is symmetric, so the mean of what it says of the scene and of its mirror image is the better opinion.
     pub fn judged(&self, scene: &Scene) -> Option<Vec<f32>> {
         let judge = self.judge.as_ref()?;
-        Some(judge.forward(self.tensor(scene)).into_data().iter::<f32>().collect())
+        let scene = self.tensor(scene);
+        let logits = judge.forward(Tensor::cat(vec![scene.clone(), scene.flip([3])], 0)); // [2, RADII, 64, 64]
+        let [one, other] = logits.chunk(2, 0).try_into().expect("two scenes");
+        Some(((one + other.flip([3])) / 2.0).into_data().iter::<f32>().collect())
     }
 
     /// A scene as the nets see it, `[1, 5, 64, 64]`.
