@@ -35,6 +35,8 @@ test('a puzzle counts once both have played, by the same measure, and is kept', 
   assert.match(await rows(page).locator('td').last().textContent(), new RegExp(`^(✓ on attempt|× in) ${made}$`));
   // PHYRE's value for one task that is solved on the second attempt.
   assert.equal(Number(await page.locator('#score-you').textContent()).toFixed(0), '85');
+  // The link follows a moment later.
+  await page.waitForURL(/panel=compare/);
   const kept = await page.locator('#score-table').innerText();
   await page.reload();
   await page.locator('#score-table:visible').waitFor();
