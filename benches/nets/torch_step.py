@@ -47,7 +47,8 @@ class PathNet(nn.Module):
 
 
 nets = PathNet()
-nets.load_state_dict({name: tensor.float() for name, tensor in load_file(weights).items()})
+# The judge is trained apart.
+nets.load_state_dict({name: tensor.float() for name, tensor in load_file(weights).items() if not name.startswith("judge.")})
 adam = torch.optim.Adam(nets.parameters(), lr=3e-3, eps=1e-8, fused=bool(fused))
 scene, wanted = torch.from_numpy(np.fromfile(batch, np.float32).reshape(-1, 9, 64, 64)).split([5, 4], 1)
 scene, wanted = scene.contiguous(), [picture.contiguous() for picture in wanted.split(1, 1)]
