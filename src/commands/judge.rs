@@ -56,8 +56,8 @@ pub struct Args {
     batch: u16,
 
     /// Balls of each scene in a batch, drawn anew each time
-    #[arg(long, default_value_t = 256)]
-    balls: usize,
+    #[arg(long, default_value_t = 256, value_parser = clap::value_parser!(u16).range(1..))]
+    balls: u16,
 
     /// Highest learning rate of Adam
     #[arg(long, default_value_t = 3e-3)]
@@ -96,7 +96,7 @@ impl Args {
             for scenes in tried.chunks_mut(self.batch.into()) {
                 let mut trials = Trials::default();
                 for Tried { scene, balls } in scenes {
-                    let (chosen, _) = balls.partial_shuffle(&mut rng, self.balls);
+                    let (chosen, _) = balls.partial_shuffle(&mut rng, self.balls.into());
                     trials.add(scene, chosen, rng.random());
                 }
                 let rise = ((done + 1) as f64 / RISE).min(1.0);

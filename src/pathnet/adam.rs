@@ -1,7 +1,7 @@
 //! Adam (Kingma and Ba 2014) in one pass over the numbers.
 //!
-//! burn's own composes it of a dozen tensor operations, each of which reads and writes every number; that took a
-//! third of a training step. Its state is burn's, and a test holds the two together.
+//! burn's own composes it of a dozen tensor operations, each of which reads and writes every number. The state is
+//! burn's, and a test holds the two together.
 
 use burn::optim::{AdamState, AdaptiveMomentumState, LearningRate, Optimizer};
 use burn::tensor::{Device, Tensor};
