@@ -34,6 +34,10 @@ pub struct Args {
     #[arg(long, default_value_t = 200)]
     rounds: usize,
 
+    /// Further rounds at most, for tasks of which no solution is known by then: as soon as they have one, they rest
+    #[arg(long, value_name = "ROUNDS", default_value_t = 1500)]
+    persist: usize,
+
     /// Search this template alone, like 00007
     #[arg(long, value_name = "TEMPLATE", value_parser = super::template)]
     template: Option<&'static Template>,
@@ -78,8 +82,9 @@ impl Args {
         let known = |hunts: &[Hunt]| hunts.iter().map(|hunt| hunt.found.len()).sum::<usize>();
         let mut progress = Progress::new(Some((hunts.len() * self.wanted) as u64));
         progress.advance(known(&hunts) as u64, format!("round {first}"));
-        for round in first..self.rounds {
-            if hunts.iter().all(|hunt| hunt.found.len() >= self.wanted) {
+        for round in first..self.rounds + self.persist {
+            let wanted = if round < self.rounds { self.wanted } else { self.wanted.min(1) };
+            if hunts.iter().all(|hunt| hunt.found.len() >= wanted) {
                 break;
             }
             // What the tasks of a template know together when the round begins.
@@ -91,7 +96,7 @@ impl Args {
                 Some(file) if round == 0 => self.take_over(file, &hunts)?,
                 _ => hunts
                     .par_iter()
-                    .map(|hunt| hunt.round(&shared[hunt.task.template], self.wanted, self.seed, round))
+                    .map(|hunt| hunt.round(&shared[hunt.task.template], wanted, self.seed, round))
                     .collect(),
             };
             let mut lines = Vec::new();

@@ -1,36 +1,36 @@
-//! `pathlight evaluate`: how well an agent does on a fold's test tasks, beside chance, as a table and as JSON.
+//! `pathlight evaluate`: how well agents do on a fold's test tasks, beside chance, as a table and as JSON.
 //!
 //! The simulator is called for the counted attempts alone: an agent proposes first, then its balls are tried
 //! in order until one solves the task.
 
-use std::fs;
 use std::path::PathBuf;
+use std::{fmt, fs};
 
-use anyhow::Context;
+use anyhow::{Context, ensure};
 use clap::ValueEnum;
 use pathlight::action::Ball;
 use pathlight::auccess::{ATTEMPTS, auccess, share_within};
 use pathlight::folds::Setup;
-use pathlight::pathnet::Card;
+use pathlight::pathnet::{Card, PathNet};
 use pathlight::proposer;
 use pathlight::scene::Scene;
 use pathlight::simulator::{self, outcome};
 use pathlight::task::TaskId;
 use pathlight::templates::TEMPLATES;
 use rayon::prelude::*;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use super::progress::Progress;
 use super::scenes::Scenes;
 use super::weights::Weights;
 use super::which::Which;
 
-/// Measure an agent on the test tasks of a fold
+/// Measure agents on the test tasks of a fold
 #[derive(clap::Args)]
 pub struct Args {
-    /// Who plays; the random agent always plays too, for comparison
-    #[arg(long, value_enum, default_value_t = Player::Model)]
-    agent: Player,
+    /// Who plays; can be given twice, and the random agent always plays too [default: all that the weights allow]
+    #[arg(long = "agent", value_enum)]
+    agents: Vec<Agent>,
 
     #[command(flatten)]
     which: Which,
@@ -51,42 +51,56 @@ pub struct Args {
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
 
-    /// Let the model propose as in the paper, from its placement map, even if it has a judge
-    #[arg(long)]
-    without_judge: bool,
-
     #[command(flatten)]
     weights: Weights,
 }
 
-#[derive(Clone, Copy, PartialEq, ValueEnum)]
-enum Player {
-    Model,
+/// Who proposes balls.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Agent {
+    /// The model, its judge ordering the balls
+    Judge,
+    /// The model without a judge: balls from its placement map, as in the paper
+    Paper,
+    /// Chance: uniform balls
     Random,
 }
 
-/// What was measured, and how.
-#[derive(Serialize)]
-struct Report {
-    setup: Setup,
-    fold: u8,
-    tasks_of: &'static str,
-    seed: u64,
-    simulator: u32,
-    /// The weights of the model, if it played.
-    card: Option<Card>,
-    agents: Vec<Score>,
+impl fmt::Display for Agent {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Agent::Judge => "judge",
+            Agent::Paper => "paper",
+            Agent::Random => "random",
+        })
+    }
 }
 
-#[derive(Serialize)]
-struct Score {
-    agent: &'static str,
-    auccess: f64,
-    solved_at_once: f64,
-    solved_within_10: f64,
-    solved_within_100: f64,
+/// What was measured, and how.
+#[derive(Serialize, Deserialize)]
+pub struct Report {
+    pub setup: Setup,
+    pub fold: u8,
+    /// `test` or `dev`.
+    pub tasks_of: String,
+    pub seed: u64,
+    pub simulator: u32,
+    /// The weights of the model, if it played.
+    pub card: Option<Card>,
+    pub agents: Vec<Score>,
+}
+
+/// How an agent did.
+#[derive(Serialize, Deserialize)]
+pub struct Score {
+    pub agent: Agent,
+    pub auccess: f64,
+    pub solved_at_once: f64,
+    pub solved_within_10: f64,
+    pub solved_within_100: f64,
     /// The attempt that solved each task first, from 1; null if none of 100 did.
-    first_solved: Vec<(TaskId, Option<usize>)>,
+    pub first_solved: Vec<(TaskId, Option<usize>)>,
 }
 
 impl Args {
@@ -100,26 +114,34 @@ impl Args {
         let mut report = Report {
             setup: self.which.setup,
             fold: self.which.fold,
-            tasks_of,
+            tasks_of: tasks_of.to_string(),
             seed: self.seed,
             simulator: simulator::VERSION,
             card: None,
             agents: Vec::new(),
         };
-        if self.agent == Player::Model {
-            let (mut nets, mut card) = self.weights.load(&self.which)?;
-            if self.without_judge {
-                (nets.judge, card.judge) = (None, None);
-            }
+        let plays = |agent| self.agents.is_empty() || self.agents.contains(&agent);
+        if plays(Agent::Judge) || plays(Agent::Paper) {
+            let (mut nets, card) = self.weights.load(&self.which)?;
+            ensure!(
+                nets.judge.is_some() || !self.agents.contains(&Agent::Judge),
+                "the weights have no judge: train one with `pathlight judge`, or leave --agent judge out"
+            );
             report.card = Some(card);
-            let model = |task, scene: &Scene| proposer::model(&nets, task, scene, self.seed, ATTEMPTS);
-            report.agents.push(score("model", model, &tasks)?);
+            let model = |nets: &PathNet, task, scene: &Scene| proposer::model(nets, task, scene, self.seed, ATTEMPTS);
+            if nets.judge.is_some() && plays(Agent::Judge) {
+                report.agents.push(score(Agent::Judge, |task, scene| model(&nets, task, scene), &tasks)?);
+            }
+            nets.judge = None;
+            if plays(Agent::Paper) {
+                report.agents.push(score(Agent::Paper, |task, scene| model(&nets, task, scene), &tasks)?);
+            }
         }
         let random = |task, scene: &Scene| proposer::random(task, scene, self.seed, ATTEMPTS);
-        report.agents.push(score("random", random, &tasks)?);
+        report.agents.push(score(Agent::Random, random, &tasks)?);
         report.print(&tasks);
         if let Some(path) = &self.json {
-            let json = serde_json::to_vec_pretty(&report)?;
+            let json = serde_json::to_vec(&report)?;
             fs::write(path, json).with_context(|| format!("cannot write {}", path.display()))?;
         }
         Ok(())
@@ -128,7 +150,7 @@ impl Args {
 
 /// Lets an agent play tasks.
 fn score(
-    name: &'static str,
+    agent: Agent,
     propose: impl Fn(TaskId, &Scene) -> Vec<Ball> + Sync,
     tasks: &[TaskId],
 ) -> anyhow::Result<Score> {
@@ -143,12 +165,12 @@ fn score(
             Ok((task, balls.iter().position(solves).map(|index| index + 1)))
         });
         first_solved.extend(played.collect::<anyhow::Result<Vec<_>>>()?);
-        progress.advance(chunk.len() as u64, format!("tasks played by {name}"));
+        progress.advance(chunk.len() as u64, format!("tasks played by {agent}"));
     }
-    progress.finish(&format!("{} tasks played by {name}", tasks.len()));
+    progress.finish(&format!("{} tasks played by {agent}", tasks.len()));
     let firsts: Vec<_> = first_solved.iter().map(|&(_, first)| first).collect();
     Ok(Score {
-        agent: name,
+        agent,
         auccess: auccess(&firsts),
         solved_at_once: share_within(&firsts, 1),
         solved_within_10: share_within(&firsts, 10),

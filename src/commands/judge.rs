@@ -1,34 +1,31 @@
 //! `pathlight judge`: trains the net that judges balls, and puts it into a weights file beside the other four.
 //!
 //! It learns from the training tasks of the weights' own fold, so that it has seen no other tasks than they. The
-//! learning rate rises over the first steps and then falls to nothing.
+//! learning rate rises over the first batches and then falls to nothing. The run lives in a folder (`run`).
 
 use std::collections::BTreeMap;
-use std::fs;
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, ensure};
+use anyhow::ensure;
 use pathlight::action::Ball;
 use pathlight::labels::Labels;
 use pathlight::pathnet::trainer::{Trainer, Trials};
 use pathlight::pathnet::{Judge, JudgeCard, device};
 use pathlight::raster::{Bitmap, CHANNELS, scene_channels};
 use pathlight::task::TaskId;
-use rand::seq::SliceRandom;
+use rand::seq::{IndexedRandom, SliceRandom};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
 use super::label::read_labels;
 use super::progress::Progress;
+use super::run::Run;
 use super::scenes::Scenes;
 use super::weights::Weights;
 use super::which::Which;
 
-/// Steps over which the learning rate rises.
+/// Batches over which the learning rate rises.
 const RISE: f64 = 200.0;
-
-/// Steps between two words on how it goes.
-const INTERVAL: usize = 20;
 
 /// Train a net that judges balls, and add it to weights
 #[derive(clap::Args)]
@@ -43,7 +40,8 @@ pub struct Args {
     #[arg(long, default_value = "target/labels.jsonl")]
     labels: PathBuf,
 
-    /// Weights file to write, all five nets [default: target/train/SETUP-FOLD/judged.safetensors]
+    /// Folder of the run: checkpoint, losses.csv, weights.safetensors of all five nets
+    /// [default: target/train/SETUP-FOLD/judge]
     #[arg(long)]
     out: Option<PathBuf>,
 
@@ -62,6 +60,14 @@ pub struct Args {
     /// Highest learning rate of Adam
     #[arg(long, default_value_t = 3e-3)]
     rate: f64,
+
+    /// Batches between two checkpoints, and between two lines of losses
+    #[arg(long, value_name = "BATCHES", default_value_t = 100, value_parser = clap::value_parser!(u16).range(1..))]
+    checkpoint: u16,
+
+    /// End this run after so many batches, at a checkpoint; the same command goes on from there
+    #[arg(long, value_name = "BATCHES")]
+    stop_after: Option<usize>,
 
     /// Leave the dev tasks out, to choose settings by them
     #[arg(long)]
@@ -83,42 +89,64 @@ impl Args {
         let (mut nets, mut card) = self.weights.load(&self.which)?;
         let fold = self.which.tasks();
         let tasks = if self.without_dev { fold.train } else { fold.all_train() };
-        let mut tried = tried(&self.labels, &tasks)?;
-        let balls = tried.iter().map(|tried| tried.balls.len()).sum();
+        let tried = tried(&self.labels, &tasks)?;
+        card.judge = Some(JudgeCard {
+            seed: self.seed,
+            epochs: self.epochs,
+            batch: self.batch,
+            drawn: self.balls,
+            rate: self.rate,
+            balls: tried.iter().map(|tried| tried.balls.len()).sum(),
+        });
         let device = device("flex").map_err(anyhow::Error::msg)?;
-        let mut trainer = Trainer::<Judge>::new(device, self.seed);
-        let total = tried.len().div_ceil(self.batch.into()) * self.epochs;
+        let folder = self.out.clone().unwrap_or_else(|| self.which.folder().join("judge"));
+        let mut run = Run::open(folder, card, "judge", Trainer::<Judge>::new(device, self.seed))?;
+        let batches = tried.len().div_ceil(self.batch.into());
+        let total = batches * self.epochs;
         let mut progress = Progress::new(Some(total as u64));
-        let mut rng = Pcg64Mcg::seed_from_u64(self.seed);
-        let (mut done, mut sum) = (0, 0.0);
-        for epoch in 1..=self.epochs {
-            tried.shuffle(&mut rng);
-            for scenes in tried.chunks_mut(self.batch.into()) {
-                let mut trials = Trials::default();
-                for Tried { scene, balls } in scenes {
-                    let (chosen, _) = balls.partial_shuffle(&mut rng, self.balls.into());
-                    trials.add(scene, chosen, rng.random());
-                }
-                let rise = ((done + 1) as f64 / RISE).min(1.0);
-                sum += trainer.step(trials, self.rate * rise * (1.0 - done as f64 / total as f64));
-                done += 1;
-                if done % INTERVAL == 0 {
-                    let loss = sum / INTERVAL as f32;
-                    progress.advance(INTERVAL as u64, format!("epoch {epoch}, step {done} of {total}, loss {loss:.4}"));
-                    sum = 0.0;
+        progress.advance(run.done as u64, format!("batch {}", run.done));
+        let stop = self.stop_after.map_or(usize::MAX, |batches| run.done + batches);
+        let (mut sum, mut summed) = (0.0, 0);
+        while run.done < total {
+            let trials = self.draw(&tried, run.done);
+            let rise = ((run.done + 1) as f64 / RISE).min(1.0);
+            sum += run.trainer.step(trials, self.rate * rise * (1.0 - run.done as f64 / total as f64));
+            run.done += 1;
+            summed += 1;
+            if run.done.is_multiple_of(self.checkpoint.into()) || run.done == total {
+                let loss = sum / summed as f32;
+                run.save((run.done - 1) / batches, &[loss])?;
+                progress.advance(summed, format!("batch {} of {total}, loss {loss:.4}", run.done));
+                (sum, summed) = (0.0, 0);
+                if run.done >= stop {
+                    break;
                 }
             }
         }
-        nets.judge = Some(trainer.nets());
-        card.judge = Some(JudgeCard { seed: self.seed, epochs: self.epochs, rate: self.rate, balls });
-        let name = format!("target/train/{}-{}/judged.safetensors", self.which.setup, self.which.fold);
-        let out = self.out.unwrap_or_else(|| name.into());
-        if let Some(folder) = out.parent() {
-            fs::create_dir_all(folder).with_context(|| format!("cannot make the folder of {}", out.display()))?;
+        if run.done < total {
+            progress.finish(&format!("batch {} of {total}: stopped as told", run.done));
+            return Ok(());
         }
-        fs::write(&out, nets.save(&card)).with_context(|| format!("cannot write {}", out.display()))?;
-        progress.finish(&format!("{balls} balls, {total} steps; weights are in {},", out.display()));
+        nets.judge = Some(run.trainer.nets());
+        let weights = run.finish(&nets)?;
+        progress.finish(&format!("{total} batches; weights are in {},", weights.display()));
         Ok(())
+    }
+
+    /// The scenes and balls of one batch of the run; they follow from the seed and its number alone.
+    fn draw(&self, tried: &[Tried], number: usize) -> Trials {
+        let (size, batches) = (usize::from(self.batch), tried.len().div_ceil(self.batch.into()));
+        let (epoch, batch) = (number / batches, number % batches);
+        let seed = self.seed.wrapping_mul(1_000_000);
+        let mut order: Vec<&Tried> = tried.iter().collect();
+        order.shuffle(&mut Pcg64Mcg::seed_from_u64(seed.wrapping_add(epoch as u64)));
+        let mut rng = Pcg64Mcg::seed_from_u64(!seed.wrapping_add(number as u64));
+        let mut trials = Trials::default();
+        for Tried { scene, balls } in order.into_iter().skip(batch * size).take(size) {
+            let chosen: Vec<(Ball, bool)> = balls.sample(&mut rng, self.balls.into()).copied().collect();
+            trials.add(scene, &chosen, rng.random());
+        }
+        trials
     }
 }
 

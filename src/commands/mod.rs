@@ -9,6 +9,7 @@ use std::process::ExitCode;
 use clap::{Parser, Subcommand};
 use pathlight::task::TaskError;
 use pathlight::templates::{TEMPLATES, Template};
+use sha2::{Digest, Sha256};
 
 mod collect;
 mod evaluate;
@@ -18,10 +19,12 @@ mod label;
 mod progress;
 mod propose;
 mod publish;
+mod run;
 mod scenes;
 mod serve;
 mod simulate;
 mod solve_rates;
+mod table;
 mod tasks;
 mod train;
 mod weights;
@@ -45,28 +48,42 @@ enum Command {
     Publish(publish::Args),
     Propose(propose::Args),
     Evaluate(evaluate::Args),
+    Table(table::Args),
     Simulate(simulate::Args),
     Serve(serve::Args),
     Fidelity(fidelity::Args),
     SolveRates(solve_rates::Args),
 }
 
+impl Command {
+    fn run(self) -> anyhow::Result<()> {
+        match self {
+            Command::Tasks(args) => args.run(),
+            Command::Collect(args) => args.run(),
+            Command::Label(args) => args.run(),
+            Command::Judge(args) => args.run(),
+            Command::Train(args) => args.run(),
+            Command::Publish(args) => args.run(),
+            Command::Propose(args) => args.run(),
+            Command::Evaluate(args) => args.run(),
+            Command::Table(args) => args.run(),
+            Command::Simulate(args) => args.run(),
+            Command::Serve(args) => args.run(),
+            Command::Fidelity(args) => args.run(),
+            Command::SolveRates(args) => args.run(),
+        }
+    }
+}
+
+/// Runs another command in this process, as if these words had been typed after `pathlight`; says so.
+fn run_words(words: &[String]) -> anyhow::Result<()> {
+    eprintln!("$ pathlight {}", words.join(" "));
+    CommandLine::try_parse_from([&["pathlight".to_string()], words].concat())?.command.run()
+}
+
 /// Runs the command that the process was started with.
 pub fn run() -> ExitCode {
-    let result = match CommandLine::parse().command {
-        Command::Tasks(args) => args.run(),
-        Command::Collect(args) => args.run(),
-        Command::Label(args) => args.run(),
-        Command::Judge(args) => args.run(),
-        Command::Train(args) => args.run(),
-        Command::Publish(args) => args.run(),
-        Command::Propose(args) => args.run(),
-        Command::Evaluate(args) => args.run(),
-        Command::Simulate(args) => args.run(),
-        Command::Serve(args) => args.run(),
-        Command::Fidelity(args) => args.run(),
-        Command::SolveRates(args) => args.run(),
-    };
+    let result = CommandLine::parse().command.run();
     match result {
         Ok(()) => ExitCode::SUCCESS,
         // Whoever read the output has enough of it: `pathlight tasks | head`.
@@ -80,6 +97,11 @@ pub fn run() -> ExitCode {
 
 fn is_broken_pipe(error: &anyhow::Error) -> bool {
     error.downcast_ref::<io::Error>().is_some_and(|error| error.kind() == io::ErrorKind::BrokenPipe)
+}
+
+/// SHA-256, in hexadecimal digits.
+fn sha256(bytes: &[u8]) -> String {
+    Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
 /// The template of a number like `00007` or `7`.

@@ -9,7 +9,8 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, ensure};
 use pathlight::pathnet::{PathNet, device};
 use serde::Serialize;
-use sha2::{Digest, Sha256};
+
+use super::sha256;
 
 /// Put trained weights into assets, where the page finds them
 #[derive(clap::Args)]
@@ -63,8 +64,7 @@ fn entries(folder: &Path) -> anyhow::Result<Vec<Entry>> {
     for file in fs::read_dir(folder)? {
         let file = file?.file_name().to_string_lossy().into_owned();
         if let Some(name) = file.strip_suffix(".safetensors") {
-            let digest = Sha256::digest(fs::read(folder.join(&file))?);
-            let sha256 = digest.iter().map(|byte| format!("{byte:02x}")).collect();
+            let sha256 = sha256(&fs::read(folder.join(&file))?);
             entries.push(Entry { name: name.to_string(), sha256, file });
         }
     }

@@ -1,16 +1,13 @@
 //! `pathlight train`: the four nets trained jointly on the solutions of a fold's training tasks.
 //!
-//! The run lives in a folder (checkpoint, losses, weights) from which it goes on if it was cut off, with the same
-//! result. What a step does, `pathnet::trainer` says.
+//! The run lives in a folder (`run`). What a step does, `pathnet::trainer` says.
 
-use std::fs::{self, OpenOptions};
-use std::io::Write;
 use std::ops::Range;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::mpsc::{SyncSender, sync_channel};
 use std::thread;
 
-use anyhow::{Context, ensure};
+use anyhow::ensure;
 use pathlight::pathnet::trainer::{Batch, Trainer};
 use pathlight::pathnet::{Card, PathNet, device};
 use pathlight::samples::Sample;
@@ -23,6 +20,7 @@ use rayon::prelude::*;
 
 use super::collect::read_solutions;
 use super::progress::Progress;
+use super::run::Run;
 use super::scenes::Scenes;
 use super::which::Which;
 
@@ -75,19 +73,18 @@ pub struct Args {
 
 impl Args {
     pub fn run(self) -> anyhow::Result<()> {
-        let name = format!("target/train/{}-{}", self.which.setup, self.which.fold);
-        let folder = self.out.clone().unwrap_or_else(|| PathBuf::from(name));
-        fs::create_dir_all(&folder).with_context(|| format!("cannot make {}", folder.display()))?;
+        let folder = self.out.clone().unwrap_or_else(|| self.which.folder());
         let (samples, card) = self.samples()?;
         let device = device(&self.device).map_err(anyhow::Error::msg)?;
-        let mut run = Run::open(&folder, &card, Trainer::<PathNet>::new(device, self.seed))?;
+        let trainer = Trainer::<PathNet>::new(device, self.seed);
+        let mut run = Run::open(folder, card, "base,target,action,placement", trainer)?;
         let batches = samples.len().div_ceil(self.batch.into());
         let total = batches * self.epochs;
         let mut progress = Progress::new(Some(total as u64));
         progress.advance(run.done as u64, format!("batch {}", run.done));
         let interval = usize::from(self.checkpoint);
         let stop = self.stop_after.map_or(usize::MAX, |batches| run.done + batches);
-        let mut sums = [0.0; 4];
+        let (mut sums, mut summed) = ([0.0; 4], 0);
         let first = run.done;
         thread::scope(|scope| {
             // While one batch is trained on, the next is drawn.
@@ -97,14 +94,16 @@ impl Args {
             for batch in next {
                 let losses = run.trainer.step(batch, self.rate);
                 run.done += 1;
+                summed += 1;
                 for (sum, loss) in sums.iter_mut().zip(losses) {
-                    *sum += loss / f32::from(self.checkpoint);
+                    *sum += loss;
                 }
-                if run.done.is_multiple_of(interval) {
-                    run.save(&folder, &card, (run.done - 1) / batches, sums)?;
-                    let so_far = format!("batch {} of {total}, placement loss {:.4}", run.done, sums[3]);
-                    progress.advance(interval as u64, so_far);
-                    sums = [0.0; 4];
+                if run.done.is_multiple_of(interval) || run.done == total {
+                    let losses = sums.map(|sum| sum / summed as f32);
+                    run.save((run.done - 1) / batches, &losses)?;
+                    let so_far = format!("batch {} of {total}, placement loss {:.4}", run.done, losses[3]);
+                    progress.advance(summed, so_far);
+                    (sums, summed) = ([0.0; 4], 0);
                     if run.done >= stop {
                         break;
                     }
@@ -116,9 +115,7 @@ impl Args {
             progress.finish(&format!("batch {} of {total}: stopped as told", run.done));
             return Ok(());
         }
-        let weights = folder.join("weights.safetensors");
-        fs::write(&weights, run.trainer.nets().save(&card))
-            .with_context(|| format!("cannot write {}", weights.display()))?;
+        let weights = run.finish(&run.trainer.nets())?;
         progress.finish(&format!("{total} batches; weights are in {},", weights.display()));
         Ok(())
     }
@@ -180,60 +177,4 @@ impl Args {
         order.shuffle(&mut rng);
         order
     }
-}
-
-/// A training run: the trainer, and how many batches it has seen.
-struct Run {
-    trainer: Trainer<PathNet>,
-    done: usize,
-    /// The batch of the checkpoint that is on disk.
-    kept: Option<usize>,
-}
-
-const NETS: &str = "checkpoint-nets.bpk";
-const OPTIMISER: &str = "checkpoint-adam.bpk";
-const STATE: &str = "checkpoint.json";
-
-impl Run {
-    /// The run of a folder: its checkpoint, or the fresh trainer.
-    fn open(folder: &Path, card: &Card, trainer: Trainer<PathNet>) -> anyhow::Result<Run> {
-        let Ok(state) = fs::read(folder.join(STATE)) else {
-            fs::write(folder.join("losses.csv"), "epoch,batch,base,target,action,placement,sum\n")?;
-            return Ok(Run { trainer, done: 0, kept: None });
-        };
-        let (found, done): (Card, usize) =
-            serde_json::from_slice(&state).with_context(|| format!("{} is damaged: remove it", folder.display()))?;
-        ensure!(
-            found == *card,
-            "{} holds a run with {found:?}, now it is {card:?}: name another folder with --out",
-            folder.display()
-        );
-        let [nets, optimiser] = files(folder, done);
-        Ok(Run { trainer: trainer.restore(&nets, &optimiser)?, done, kept: Some(done) })
-    }
-
-    /// Writes the checkpoint and a line of losses. The state is written last and names the files, so that a run
-    /// cut off in between goes on from the checkpoint before.
-    fn save(&mut self, folder: &Path, card: &Card, epoch: usize, losses: [f32; 4]) -> anyhow::Result<()> {
-        let done = self.done;
-        let [nets, optimiser] = files(folder, done);
-        self.trainer.save(&nets, &optimiser)?;
-        fs::write(folder.join("next.json"), serde_json::to_vec(&(card, done))?)?;
-        fs::rename(folder.join("next.json"), folder.join(STATE))?;
-        if let Some(before) = self.kept.replace(done) {
-            for file in files(folder, before) {
-                fs::remove_file(file)?;
-            }
-        }
-        let [base, target, action, placement] = losses;
-        let sum: f32 = losses.iter().sum();
-        let line = format!("{epoch},{done},{base:.5},{target:.5},{action:.5},{placement:.5},{sum:.5}\n");
-        OpenOptions::new().append(true).open(folder.join("losses.csv"))?.write_all(line.as_bytes())?;
-        Ok(())
-    }
-}
-
-/// The files of the checkpoint after so many batches.
-fn files(folder: &Path, done: usize) -> [PathBuf; 2] {
-    [NETS, OPTIMISER].map(|name| folder.join(format!("{done}-{name}")))
 }

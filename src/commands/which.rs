@@ -1,5 +1,8 @@
 //! Which fold of which setup a command is about; part of the arguments of others.
 
+use std::fmt;
+use std::path::PathBuf;
+
 use pathlight::folds::{Fold, Setup};
 
 #[derive(clap::Args)]
@@ -18,10 +21,21 @@ impl Which {
     pub fn tasks(&self) -> Fold {
         Fold::new(self.setup, self.fold)
     }
+
+    /// Where its training runs live, if nothing else is said.
+    pub fn folder(&self) -> PathBuf {
+        format!("target/train/{self}").into()
+    }
+}
+
+impl fmt::Display for Which {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}-{}", self.setup, self.fold)
+    }
 }
 
 /// `within` or `cross`.
-fn setup(text: &str) -> Result<Setup, String> {
+pub fn setup(text: &str) -> Result<Setup, String> {
     match text {
         "within" => Ok(Setup::Within),
         "cross" => Ok(Setup::Cross),

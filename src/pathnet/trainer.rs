@@ -6,7 +6,8 @@
 
 use std::path::Path;
 
-use burn::module::Module;
+/// What a trainer trains: `PathNet`, `Judge`.
+pub use burn::module::Module;
 use burn::optim::{GradientsParams, ModuleOptimizer};
 use burn::store::RecordError;
 use burn::tensor::activation::relu;

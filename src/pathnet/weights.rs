@@ -51,9 +51,13 @@ pub struct JudgeCard {
     pub seed: u64,
     /// Passes over the scenes.
     pub epochs: usize,
+    /// Scenes in a batch.
+    pub batch: u16,
+    /// Balls of each scene in a batch.
+    pub drawn: u16,
     /// Highest learning rate of Adam.
     pub rate: f64,
-    /// Balls with their outcome that it has learned from.
+    /// Balls with their outcome that these are drawn from.
     pub balls: usize,
 }
 

@@ -10,6 +10,7 @@ mod collect;
 mod judge;
 mod serve;
 mod simulate;
+mod table;
 mod tasks;
 mod train;
 
