@@ -21,8 +21,10 @@ pub fn model(nets: &PathNet, task: TaskId, scene: &Scene, run: u64, count: usize
 
 /// The same balls as `model`, each with where it comes from.
 pub fn traced(nets: &PathNet, task: TaskId, scene: &Scene, run: u64, count: usize) -> Vec<Proposal> {
-    if let Some(logits) = nets.judged(scene) {
-        return ranked(&logits, scene, count);
+    let judged = nets.judged(scene).map(|logits| ranked(&logits, scene, count)).unwrap_or_default();
+    // Damaged weights may make a judge whose logits are no numbers.
+    if !judged.is_empty() {
+        return judged;
     }
     proposals(&nets.imagine(scene).placement, scene, task.seed(run), count)
 }

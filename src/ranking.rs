@@ -1,4 +1,5 @@
-//! From the judge's maps to balls: the likeliest first, each next one away from those that have been tried.
+//! From the judge's maps to balls: the likeliest first, each next one away from those that have been tried; and to
+//! one map that people can look at.
 //!
 //! A ball that failed says that balls like it fail too, so every proposal lowers the judge's opinion of its
 //! neighbourhood. No call of the simulator, and nothing drawn at random.
@@ -6,6 +7,7 @@
 use crate::action::Ball;
 use crate::pathnet::judge;
 use crate::placement::{Origin, Proposal};
+use crate::raster::CELLS;
 use crate::scene::Scene;
 
 /// How far the doubt about a ball that was tried reaches: standard deviation of a Gaussian in x, y and r, px.
@@ -16,10 +18,8 @@ const DOUBT: f64 = 2.0;
 
 /// Up to `attempts` valid balls, the likeliest first. `logits` holds the judge's `[RADII, 64, 64]` maps.
 pub fn ranked(logits: &[f32], scene: &Scene, attempts: usize) -> Vec<Proposal> {
-    let mut candidates: Vec<(Ball, f64)> = (0..logits.len())
-        .filter(|&index| logits[index].is_finite())
-        .filter_map(|index| Some((judge::ball(index).action().place(scene).ok()?, logits[index].into())))
-        .collect();
+    let mut candidates: Vec<(Ball, f64)> =
+        candidates(logits, scene).map(|(index, ball)| (ball, logits[index].into())).collect();
     let mut found = Vec::with_capacity(attempts);
     while found.len() < attempts {
         let Some(best) = (0..candidates.len()).max_by(|&a, &b| candidates[a].1.total_cmp(&candidates[b].1)) else {
@@ -32,16 +32,37 @@ pub fn ranked(logits: &[f32], scene: &Scene, attempts: usize) -> Vec<Proposal> {
                 *logit -= DOUBT * libm::exp(-apart / (2.0 * REACH * REACH));
             }
         }
-        found.push(Proposal { ball, origin: Origin::Judge { chance: 1.0 / (1.0 + libm::exp(-logit)) }, passed: 0 });
+        found.push(Proposal { ball, origin: Origin::Judge { chance: chance(logit) }, passed: 0 });
     }
     found
+}
+
+/// For each of the 64 x 64 cells, row 0 at the bottom, the judge's chance, 0..=1, of the best ball that may be placed
+/// there; 0 where none may be.
+pub fn chances(logits: &[f32], scene: &Scene) -> Vec<f32> {
+    let mut map = vec![0.0_f32; CELLS];
+    for (index, _) in candidates(logits, scene) {
+        let cell = &mut map[index % CELLS];
+        *cell = cell.max(chance(logits[index].into()) as f32);
+    }
+    map
+}
+
+/// The balls that may be placed, each with its index among the logits.
+fn candidates(logits: &[f32], scene: &Scene) -> impl Iterator<Item = (usize, Ball)> {
+    (0..logits.len())
+        .filter(|&index| logits[index].is_finite())
+        .filter_map(|index| Some((index, judge::ball(index).action().place(scene).ok()?)))
+}
+
+fn chance(logit: f64) -> f64 {
+    1.0 / (1.0 + libm::exp(-logit))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::pathnet::judge::RADII;
-    use crate::raster::CELLS;
     use crate::task::Task;
 
     #[test]
@@ -63,5 +84,12 @@ mod tests {
             assert!(found[..index].iter().all(|before| before.ball != one.ball), "{} twice", one.ball);
         }
         assert!(ranked(&vec![f32::NAN; RADII * CELLS], &scene, 5).is_empty());
+
+        let map = chances(&logits, &scene);
+        assert_eq!(map.len(), CELLS);
+        assert_eq!(map[first % CELLS], chance(4.0) as f32, "the best radius counts");
+        assert!(map.iter().all(|&chance| chance < 0.99), "a place that is taken has no chance");
+        let wall = (0..CELLS).find(|cell| free.iter().all(|index| index % CELLS != *cell)).expect("a cell in a body");
+        assert_eq!(map[wall], 0.0);
     }
 }

@@ -1,4 +1,4 @@
-// The Imagine panel: four small maps, each with a sentence, a legend and a switch that lays it over the scene.
+// The Imagine panel: small maps, each with a sentence, a legend and a switch that lays it over the scene.
 // Maps and legends are drawn by the wasm, from one colour scale a stage.
 
 import { STAGES } from "./state.js";
@@ -155,7 +155,8 @@ export class Imagine extends EventTarget {
       const round = line.getContext("2d");
       round.clearRect(0, 0, LINES, LINES);
       if (values) this.#wasm.paintOutline(round, stage, values.map((value) => value / peak), this.#dark);
-      const words = values ? summary(values) : "not imagined yet";
+      // Weights may come without a judge.
+      const words = values ? summary(values) : imagined ? "this model has no such map" : "not imagined yet";
       map.setAttribute("aria-label", `${WORDS[stage].name}: ${words}`);
       said.textContent = `${words[0].toUpperCase()}${words.slice(1)}.`;
     }

@@ -1,4 +1,4 @@
-// The value under the pointer: one point of the scene, read from all four maps at once. The point comes from the
+// The value under the pointer: one point of the scene, read from all maps at once. The point comes from the
 // mouse or a finger over the scene or a small map, or from the arrow keys on a small map. Each small map marks
 // it and says its value; a note in the corner of the scene says those of the maps that lie over it.
 
@@ -72,7 +72,8 @@ export class Reading {
   }
 
   #value(stage) {
-    return valueAt(this.#imagine.values[stage], this.#point).toFixed(2);
+    const map = this.#imagine.values[stage];
+    return map ? valueAt(map, this.#point).toFixed(2) : "none";
   }
 
   #show() {

@@ -1,4 +1,4 @@
-// The four stages in words: what each means, how its net comes to it, and what a map of it says to someone who
+// The stages in words: what each means, how its net comes to it, and what a map of it says to someone who
 // does not see it. Knows nothing of the document.
 
 /** Cells of a map, across and up. */
@@ -26,7 +26,12 @@ export const WORDS = {
   placement: {
     name: "Placement",
     means: "Where the red ball should start.",
-    how: "The fourth net sees the scene and the three paths. Balls that cover much of this map are tried first; the others are those again, moved a little.",
+    how: "The fourth net sees the scene and the three paths. In the paper, balls that cover much of this map are tried first; here a judge orders the balls.",
+  },
+  judge: {
+    name: "Judge",
+    means: "Where a ball is likely to solve the puzzle.",
+    how: "A fifth net, which the paper does not have. It sees the scene alone, and has learned from balls that solved puzzles and balls that did not. It says of eight sizes of ball at every place how likely one solves; the map shows the best size. The likeliest ball is tried first, and balls like one that was tried wait.",
   },
 };
 

@@ -3,7 +3,8 @@
 // teaching it may hide parts of the page.
 // Knows nothing of the document.
 
-export const STAGES = ["base", "target", "action", "placement"];
+/** What the nets imagine, in their order: the paper's four maps, and the judge's. */
+export const STAGES = ["base", "target", "action", "placement", "judge"];
 export const PANELS = ["play", "imagine", "compare", "predict", "map"];
 /** What a link can hide: the panels but Play, and what the document marks with data-part. */
 export const PARTS = ["puzzles", "story", "fields", "watch", "attempts", "imagine", "compare", "predict", "map"];

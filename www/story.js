@@ -1,4 +1,4 @@
-// The four stages told one after another: a row of steps above the maps. A step lays its map alone over the scene
+// The stages told one after another: a row of steps above the maps. A step lays its map alone over the scene
 // and leaves only its own map in the panel. Asks for another stage by "set"; which one is on is in the link.
 
 import { say } from "./say.js";
@@ -52,7 +52,7 @@ export class Story extends EventTarget {
     at("story-back").setAttribute("aria-disabled", String(index < 0));
     at("story-next").setAttribute("aria-disabled", String(index === STAGES.length - 1));
     at("story-all").setAttribute("aria-pressed", String(stage === null));
-    at("story-step").textContent = stage ? `Step ${index + 1} of ${STAGES.length}` : "All four together";
+    at("story-step").textContent = stage ? `Step ${index + 1} of ${STAGES.length}` : "All together";
     if (fresh) this.#tell();
   }
 

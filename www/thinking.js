@@ -67,8 +67,9 @@ export class Thinking extends EventTarget {
   #lay() {
     if (!this.#state) return;
     const { panel, opacity, layers } = this.#state;
-    // Where a ball of the model's comes from is seen on its placement map.
-    const shown = this.#stack.open && !layers.includes("placement") ? [...layers, "placement"] : layers;
+    // Where a ball of the model's comes from is seen on the map that orders the balls.
+    const source = this.#imagine.values?.judge ? "judge" : "placement";
+    const shown = this.#stack.open && !layers.includes(source) ? [...layers, source] : layers;
     const drawing = panel === "predict";
     Object.assign(this.#canvas, {
       maps: [...this.#solveMap.maps, ...this.#imagine.laid(shown)],

@@ -5,11 +5,10 @@
 //! ever meets data, the rest falls on padding, so only the centre is kept; that changes no result.
 
 use burn::module::Module;
-use burn::nn::PaddingConfig2d;
-use burn::nn::conv::{Conv2d, Conv2dConfig, ConvTranspose2d, ConvTranspose2dConfig};
+use burn::nn::conv::{Conv2d, ConvTranspose2d};
 use burn::tensor::{Device, Tensor};
 
-use super::strided::{double, halve};
+use super::strided::{double, doubling, halve, halving};
 
 /// Channels after each of the six convolutions; the last is the length of the code.
 const WIDTHS: [usize; 6] = [8, 16, 32, 64, 128, 256];
@@ -26,19 +25,11 @@ impl Hourglass {
     pub fn new(channels: usize, device: &Device) -> Hourglass {
         let down = (0..6).map(|layer| {
             let input = if layer == 0 { channels } else { WIDTHS[layer - 1] };
-            let (kernel, stride, padding) = geometry(layer);
-            Conv2dConfig::new([input, WIDTHS[layer]], [kernel; 2])
-                .with_stride([stride; 2])
-                .with_padding(PaddingConfig2d::Explicit(padding, padding, padding, padding))
-                .init(device)
+            halving(input, WIDTHS[layer], kernel(layer), device)
         });
         let up = (0..6).rev().map(|layer| {
             let output = if layer == 0 { 1 } else { WIDTHS[layer - 1] };
-            let (kernel, stride, padding) = geometry(layer);
-            ConvTranspose2dConfig::new([WIDTHS[layer], output], [kernel; 2])
-                .with_stride([stride; 2])
-                .with_padding([padding; 2])
-                .init(device)
+            doubling(WIDTHS[layer], output, kernel(layer), device)
         });
         Hourglass { down: down.collect(), up: up.collect() }
     }
@@ -52,7 +43,7 @@ impl Hourglass {
     }
 }
 
-/// Kernel, stride and padding of a layer and its mirror.
-fn geometry(layer: usize) -> (usize, usize, usize) {
-    if layer == 5 { (2, 2, 0) } else { (4, 2, 1) }
+/// How wide the kernel of a layer and of its mirror is.
+fn kernel(layer: usize) -> usize {
+    if layer == 5 { 2 } else { 4 }
 }

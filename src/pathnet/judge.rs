@@ -5,11 +5,10 @@
 //! with their outcome (`labels`); the paper has no such net. Ordered by it, proposals need fewer attempts.
 
 use burn::module::Module;
-use burn::nn::PaddingConfig2d;
-use burn::nn::conv::{Conv2d, Conv2dConfig, ConvTranspose2d, ConvTranspose2dConfig};
+use burn::nn::conv::{Conv2d, ConvTranspose2d};
 use burn::tensor::{Device, Tensor};
 
-use super::strided::{double, halve};
+use super::strided::{double, doubling, halve, halving};
 use crate::action::{Ball, RADIUS};
 use crate::raster::{CELLS, CHANNELS, SIDE};
 use crate::scene::SIZE;
@@ -32,16 +31,12 @@ impl Judge {
     pub fn new(device: &Device) -> Judge {
         let down = (0..WIDTHS.len()).map(|layer| {
             let input = if layer == 0 { CHANNELS } else { WIDTHS[layer - 1] };
-            Conv2dConfig::new([input, WIDTHS[layer]], [4; 2])
-                .with_stride([2; 2])
-                .with_padding(PaddingConfig2d::Explicit(1, 1, 1, 1))
-                .init(device)
+            halving(input, WIDTHS[layer], 4, device)
         });
         let up = (0..WIDTHS.len()).rev().map(|layer| {
             // But for the innermost, a doubling sees the one before and what was seen at its size on the way down.
             let input = if layer == WIDTHS.len() - 1 { WIDTHS[layer] } else { 2 * WIDTHS[layer] };
-            let output = if layer == 0 { RADII } else { WIDTHS[layer - 1] };
-            ConvTranspose2dConfig::new([input, output], [4; 2]).with_stride([2; 2]).with_padding([1; 2]).init(device)
+            doubling(input, if layer == 0 { RADII } else { WIDTHS[layer - 1] }, 4, device)
         });
         Judge { down: down.collect(), up: up.collect() }
     }

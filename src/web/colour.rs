@@ -76,13 +76,14 @@ pub type Dashes = &'static [bool];
 
 pub const SOLID: Dashes = &[true];
 
-/// What the four nets imagine, in their order.
+/// What the nets imagine, in their order: the paper's four, and the judge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stage {
     Base,
     Target,
     Action,
     Placement,
+    Judge,
 }
 
 impl FromStr for Stage {
@@ -94,7 +95,8 @@ impl FromStr for Stage {
             "target" => Ok(Stage::Target),
             "action" => Ok(Stage::Action),
             "placement" => Ok(Stage::Placement),
-            _ => Err(format!("there is no map `{name}`: they are base, target, action and placement")),
+            "judge" => Ok(Stage::Judge),
+            _ => Err(format!("there is no map `{name}`: they are base, target, action, placement and judge")),
         }
     }
 }
@@ -106,6 +108,7 @@ impl Stage {
             Stage::Target => colorous::GREENS,
             Stage::Action => colorous::ORANGES,
             Stage::Placement => colorous::RED_PURPLE,
+            Stage::Judge => colorous::PURPLES,
         }
     }
 
@@ -122,6 +125,7 @@ impl Stage {
             Stage::Target => &[true, true, true, true, false, false],
             Stage::Action => &[true, false],
             Stage::Placement => &[true, true, true, false, true, false],
+            Stage::Judge => &[true, true, false, false],
         }
     }
 

@@ -13,11 +13,12 @@ use crate::folds::Fold;
 use crate::game::{Attempt, Ending};
 use crate::pathnet::{Card, PathNet, device};
 use crate::proposer;
+use crate::ranking::chances;
 use crate::scene::Scene;
 use crate::simulator::simulate;
 use crate::task::{Task, TaskId};
 
-/// The four nets with their weights.
+/// The nets with their weights.
 #[wasm_bindgen]
 pub struct Model {
     net: PathNet,
@@ -61,28 +62,33 @@ impl Model {
         Ok(self.seen.binary_search(&load(id)?.id).is_ok())
     }
 
-    /// The maps of a task: `{ base, target, action, placement }`, each a Float32Array of 64 x 64 values in
-    /// 0..=1, row 0 at the bottom.
+    /// The maps of a task: `{ base, target, action, placement }`, and `judge` if the weights have one; each a
+    /// Float32Array of 64 x 64 values in 0..=1, row 0 at the bottom.
     ///
     /// # Errors
     /// `bad_task` if there is no such task.
     pub fn imagine(&self, id: &str) -> Result<JsValue, JsValue> {
-        let imagined = self.net.imagine(&load(id)?.scene);
+        let scene = load(id)?.scene;
+        let imagined = self.net.imagine(&scene);
+        let judge = self.net.judged(&scene).map(|logits| chances(&logits, &scene));
         let maps = js_sys::Object::new();
         let stages = [
-            ("base", imagined.base),
-            ("target", imagined.target),
-            ("action", imagined.action),
-            ("placement", imagined.placement),
+            ("base", Some(imagined.base)),
+            ("target", Some(imagined.target)),
+            ("action", Some(imagined.action)),
+            ("placement", Some(imagined.placement)),
+            ("judge", judge),
         ];
         for (stage, map) in stages {
+            let Some(map) = map else { continue };
             js_sys::Reflect::set(&maps, &stage.into(), &js_sys::Float32Array::from(map.as_slice()))?;
         }
         Ok(maps.into())
     }
 
     /// The balls that the model would try, in order, and where each comes from:
-    /// `[{ ball, origin: { kind: "map", x, y } | { kind: "near", number } | { kind: "chance" }, passed }, …]`;
+    /// `[{ ball, origin: { kind: "judge", chance } | { kind: "map", x, y } | { kind: "near", number } |
+    /// { kind: "chance" }, passed }, …]`;
     /// `passed` counts the draws before it that may not be placed, or had been proposed.
     ///
     /// # Errors

@@ -1,11 +1,11 @@
-// The four maps: imagined in the worker, each with its legend, laid over the scene when asked.
+// The maps: imagined in the worker, each with its legend, laid over the scene when asked.
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { start } from './harness.mjs';
 import { openPuzzle, picture } from './playing.mjs';
 
-const STAGES = ['base', 'target', 'action', 'placement'];
+const STAGES = ['base', 'target', 'action', 'placement', 'judge'];
 
 let session;
 before(async () => (session = await start()));
@@ -17,7 +17,7 @@ async function imagine(options) {
   return page;
 }
 
-test('four different maps, each with a sentence, a summary and a legend', async () => {
+test('five different maps, each with a sentence, a summary and a legend', async () => {
   const page = await imagine();
   const seen = new Set();
   for (const stage of STAGES) {
@@ -29,7 +29,7 @@ test('four different maps, each with a sentence, a summary and a legend', async 
     seen.add(await picture(page, `[data-stage=${stage}] .map canvas[role=img]`));
     seen.add(await picture(page, `[data-stage=${stage}] .legend`));
   }
-  assert.equal(seen.size, 8, 'no two maps and no two legends are alike');
+  assert.equal(seen.size, 10, 'no two maps and no two legends are alike');
 });
 
 test('a layer lies over the scene while it is on, as strongly as its opacity', async () => {

@@ -1,11 +1,11 @@
-// The four stages told one after another, and the value under the pointer: by mouse, touch and keys, from a link too.
+// The stages told one after another, and the value under the pointer: by mouse, touch and keys, from a link too.
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { start } from './harness.mjs';
 import { openPuzzle, spot } from './playing.mjs';
 
-const STAGES = ['base', 'target', 'action', 'placement'];
+const STAGES = ['base', 'target', 'action', 'placement', 'judge'];
 
 let session;
 before(async () => (session = await start()));
@@ -24,7 +24,7 @@ async function shown(page) {
   return { rows, laid };
 }
 
-test('each step shows one stage alone, forward and back, and all four again', async () => {
+test('each step shows one stage alone, forward and back, and all again', async () => {
   const page = await imagine();
   assert.deepEqual((await shown(page)).rows, STAGES);
   for (const stage of STAGES) {
@@ -36,9 +36,9 @@ test('each step shows one stage alone, forward and back, and all four again', as
     assert.match(await page.locator('#told').textContent(), /Where .+ It is strongest at x/, 'it is said aloud');
   }
   await page.locator('#story-next').press('Enter');
-  assert.deepEqual((await shown(page)).rows, ['placement'], 'there is no fifth');
+  assert.deepEqual((await shown(page)).rows, ['judge'], 'there is no sixth');
   await page.locator('#story-back').click();
-  assert.deepEqual((await shown(page)).rows, ['action']);
+  assert.deepEqual((await shown(page)).rows, ['placement']);
   await page.locator('#story-dots button').first().click();
   assert.deepEqual((await shown(page)).rows, ['base']);
   await page.locator('#story-all').click();
@@ -54,7 +54,7 @@ test('it plays by itself to the end, and a step is in the link', async () => {
   await page.locator('#story-play-label', { hasText: 'Play' }).waitFor();
   await page.reload();
   await page.locator('#imagined-in').filter({ hasText: 'Imagined' }).waitFor();
-  assert.deepEqual(await shown(page), { rows: ['placement'], laid: ['placement'] });
+  assert.deepEqual(await shown(page), { rows: ['judge'], laid: ['judge'] });
 });
 
 test('keys go through the story', async () => {
@@ -76,7 +76,7 @@ test('the mouse reads the maps that lie over the scene', async () => {
   const note = await page.locator('#reading').textContent();
   assert.ok(note.startsWith(`Base path ${peak}`), `${note}: its peak is ${peak}`);
   assert.match(await page.locator('[data-stage=base] .value').textContent(), new RegExp(`^${peak} at x ${x}, y `));
-  assert.match(await page.locator('[data-stage=placement] .value').textContent(), /^\d\.\d\d at/, 'all four are read');
+  assert.match(await page.locator('[data-stage=placement] .value').textContent(), /^\d\.\d\d at/, 'all are read');
   await page.mouse.move(2, 2);
   await page.locator('#reading').waitFor({ state: 'hidden' });
 });

@@ -3,7 +3,7 @@
 //   first puzzle   from asking for the page, with an empty cache, until the scene (or the grid's first picture) is
 //                  drawn; the page is the one asked for, a puzzle by its link or the grid
 //   drag           the time between two frames while the ball is dragged, and the work in each
-//   maps           from opening another puzzle until its four maps are drawn, once the weights are there
+//   maps           from opening another puzzle until its maps are drawn, once the weights are there
 //
 // Each is taken several times; the median is printed with the worst. What it should be is printed beside it.
 
@@ -89,7 +89,7 @@ row('drag, between two frames', gaps, 'ms', '16.7 ms');
 const seconds = gaps.reduce((sum, gap) => sum + gap, 0) / 1000;
 rows.push({ what: 'drag, frames a second', median: (gaps.length / seconds).toFixed(1), worst: '', wanted: '60' });
 
-/** Opens a task by its link and waits for all four maps. */
+/** Opens a task by its link and waits for all maps. */
 const maps = (task) =>
   page.evaluate(async (task) => {
     const named = () => [...document.querySelectorAll('#stages canvas[role=img]')].map((map) => map.getAttribute('aria-label'));

@@ -2,7 +2,7 @@
 //!
 //! burn's own convolutions define what is computed: they are the default bodies below, which ndarray runs. On
 //! flex both kinds are one matrix product on gathered patches, bias and relu in the same pass, several times as
-//! fast. Used by `hourglass`.
+//! fast. Used by `hourglass` and `judge`.
 
 // burn names its ndarray backend deprecated; it stays as long as it is there to disagree with flex.
 #![allow(deprecated)]
@@ -10,8 +10,9 @@
 use burn::backend::ops::{ConvOptions, ConvTransposeOptions};
 use burn::backend::tensor::FloatTensor;
 use burn::backend::{Backend, Dispatch, Flex, TensorMetadata, backend_extension};
-use burn::nn::conv::{Conv2d, ConvTranspose2d};
-use burn::tensor::{Tensor, TensorData};
+use burn::nn::PaddingConfig2d;
+use burn::nn::conv::{Conv2d, Conv2dConfig, ConvTranspose2d, ConvTranspose2dConfig};
+use burn::tensor::{Device, Tensor, TensorData};
 
 #[cfg(not(target_arch = "wasm32"))]
 mod gradient;
@@ -21,6 +22,21 @@ mod product;
 
 use layer::Layer;
 use patches::Geometry;
+
+/// A fresh layer for `halve`, from so many channels to so many; the kernel is 4 wide, or 2.
+pub fn halving(from: usize, to: usize, kernel: usize, device: &Device) -> Conv2d {
+    let padding = (kernel - 2) / 2;
+    Conv2dConfig::new([from, to], [kernel; 2])
+        .with_stride([2; 2])
+        .with_padding(PaddingConfig2d::Explicit(padding, padding, padding, padding))
+        .init(device)
+}
+
+/// A fresh layer for `double`, from so many channels to so many; the kernel is 4 wide, or 2.
+pub fn doubling(from: usize, to: usize, kernel: usize, device: &Device) -> ConvTranspose2d {
+    let padding = (kernel - 2) / 2;
+    ConvTranspose2dConfig::new([from, to], [kernel; 2]).with_stride([2; 2]).with_padding([padding; 2]).init(device)
+}
 
 /// Half as wide: `[batch, wide, 2 n, 2 n]` to `[batch, narrow, n, n]`, below zero cut off.
 pub fn halve(convolution: &Conv2d, x: Tensor<4>) -> Tensor<4> {
