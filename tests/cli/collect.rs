@@ -55,6 +55,28 @@ fn the_file_hangs_on_the_seed_alone_and_every_ball_in_it_solves() {
 }
 
 #[test]
+fn tasks_without_a_solution_are_searched_until_they_have_one() {
+    let folder = tempdir().expect("a folder");
+    let out = folder.path().join("solutions.jsonl");
+    let few = ["--template", "2", "--limit", "6", "--rounds", "0", "--wanted", "4"];
+    let search = |persist: &str| {
+        let run = pathlight().arg("collect").args(few).args(["--persist", persist]).arg("--out").arg(&out).output();
+        let text = fs::read_to_string(&out).expect("the file is there");
+        let lines = text.lines().map(|line| serde_json::from_str::<Value>(line).expect("JSON"));
+        let mut tasks: Vec<String> = lines.filter_map(|line| line["task"].as_str().map(String::from)).collect();
+        tasks.sort();
+        (String::from_utf8(run.expect("the binary runs").stdout).expect("UTF-8"), tasks)
+    };
+    let (said, tasks) = search("0");
+    assert!(tasks.is_empty() && said.contains("6 have none"), "{said}");
+    let (said, tasks) = search("500");
+    assert!(said.contains("0 have none"), "{said}");
+    let mut once = tasks.clone();
+    once.dedup();
+    assert_eq!((tasks.len(), once.len()), (6, 6), "one solution each, then they rest");
+}
+
+#[test]
 fn files_that_are_not_its_own_are_refused_and_left_alone() {
     let folder = tempdir().expect("a folder");
     let path = folder.path().join("letter");
