@@ -38,14 +38,14 @@ pub fn ranked(logits: &[f32], scene: &Scene, attempts: usize) -> Vec<Proposal> {
 }
 
 /// For each of the 64 x 64 cells, row 0 at the bottom, the judge's chance, 0..=1, of the best ball that may be placed
-/// there; 0 where none may be.
-pub fn chances(logits: &[f32], scene: &Scene) -> Vec<f32> {
+/// there; 0 where none may be. None if no logit is a number: such a judge orders nothing.
+pub fn chances(logits: &[f32], scene: &Scene) -> Option<Vec<f32>> {
     let mut map = vec![0.0_f32; CELLS];
     for (index, _) in candidates(logits, scene) {
         let cell = &mut map[index % CELLS];
         *cell = cell.max(chance(logits[index].into()) as f32);
     }
-    map
+    logits.iter().any(|logit| logit.is_finite()).then_some(map)
 }
 
 /// The balls that may be placed, each with its index among the logits.
@@ -85,7 +85,8 @@ mod tests {
         }
         assert!(ranked(&vec![f32::NAN; RADII * CELLS], &scene, 5).is_empty());
 
-        let map = chances(&logits, &scene);
+        assert_eq!(chances(&[f32::NAN], &scene), None);
+        let map = chances(&logits, &scene).expect("a map");
         assert_eq!(map.len(), CELLS);
         assert_eq!(map[first % CELLS], chance(4.0) as f32, "the best radius counts");
         assert!(map.iter().all(|&chance| chance < 0.99), "a place that is taken has no chance");

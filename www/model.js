@@ -46,7 +46,7 @@ export class Model extends EventTarget {
     }
   }
 
-  /** The maps of a task: { maps: { base, target, action, placement }, saw, milliseconds }. */
+  /** The maps of a task: { maps: { base, target, action, placement, judge }, saw, milliseconds }; weights may have no judge. */
   imagine(task) {
     return this.#ask("imagine", { task });
   }

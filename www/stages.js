@@ -26,7 +26,7 @@ export const WORDS = {
   placement: {
     name: "Placement",
     means: "Where the red ball should start.",
-    how: "The fourth net sees the scene and the three paths. In the paper, balls that cover much of this map are tried first; here a judge orders the balls.",
+    how: "The fourth net sees the scene and the three paths. In the paper, balls that cover much of this map are tried first; a judge, where there is one, orders them otherwise.",
   },
   judge: {
     name: "Judge",

@@ -17,6 +17,7 @@ use pathlight::templates::{TEMPLATES, Template};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
+use super::hold::hold;
 use super::progress::Progress;
 
 /// Find balls that solve the tasks, by simulation, to train on
@@ -30,7 +31,7 @@ pub struct Args {
     #[arg(long, default_value_t = 10)]
     wanted: usize,
 
-    /// Rounds at most; in each, every unfinished task tries 32 balls
+    /// Rounds in which all unfinished tasks are searched; in each, a task tries 32 balls
     #[arg(long, default_value_t = 200)]
     rounds: usize,
 
@@ -77,8 +78,8 @@ impl Args {
         let templates = TEMPLATES.iter().filter(|all| self.template.is_none_or(|one| one.number == all.number));
         let mut hunts: Vec<Hunt> =
             templates.flat_map(|template| Task::of(template).take(self.limit)).map(Hunt::new).collect();
+        let mut file = hold(&self.out)?;
         let (first, mut rollouts) = resume(&self.out, &settings, &mut hunts)?;
-        let mut file = OpenOptions::new().append(true).open(&self.out)?;
         let known = |hunts: &[Hunt]| hunts.iter().map(|hunt| hunt.found.len()).sum::<usize>();
         let mut progress = Progress::new(Some((hunts.len() * self.wanted) as u64));
         progress.advance(known(&hunts) as u64, format!("round {first}"));
@@ -126,7 +127,7 @@ impl Args {
 impl Args {
     /// Tries the solutions of another file: a round of its own.
     fn take_over(&self, file: &Path, hunts: &[Hunt]) -> anyhow::Result<Vec<Catch>> {
-        let (mut solutions, _) = read_solutions(file)?;
+        let mut solutions = read_solutions(file)?.solutions;
         solutions.sort_by_key(|solution| solution.task);
         let of = |task: TaskId| {
             let of_task = solutions.iter().filter(move |solution| solution.task == task);
@@ -153,15 +154,13 @@ fn report(hunts: &[Hunt], wanted: usize) {
 /// with the settings. Gives the round to go on with and the rollouts so far.
 fn resume(path: &Path, settings: &Settings, hunts: &mut [Hunt]) -> anyhow::Result<(usize, usize)> {
     let name = path.display();
-    let Ok(file) = File::open(path) else {
-        if let Some(folder) = path.parent() {
-            fs::create_dir_all(folder).with_context(|| format!("cannot make the folder of {name}"))?;
-        }
+    let file = File::open(path).with_context(|| format!("cannot read {name}"))?;
+    if file.metadata()?.len() == 0 {
         let mut lines = Vec::new();
         write_line(&mut lines, settings)?;
         fs::write(path, lines).with_context(|| format!("cannot write {name}"))?;
         return Ok((0, 0));
-    };
+    }
     let (mut next, mut rollouts, mut kept, mut read) = (0, 0, 0, 0);
     let mut open: Vec<Solution> = Vec::new();
     for (number, line) in (1..).zip(BufReader::new(file).split(b'\n')) {
@@ -194,25 +193,34 @@ fn resume(path: &Path, settings: &Settings, hunts: &mut [Hunt]) -> anyhow::Resul
     Ok((next, rollouts))
 }
 
-/// The solutions in a file of `pathlight collect`, and the version of the simulator that found them.
+/// What a file of `pathlight collect` holds.
+pub struct Collected {
+    pub solutions: Vec<Solution>,
+    /// The version of the simulator that found them.
+    pub simulator: u32,
+    /// Balls tried for it.
+    pub rollouts: usize,
+}
+
+/// Reads a file of `pathlight collect`.
 ///
 /// # Errors
 /// Says what is wrong with the file.
-pub fn read_solutions(path: &Path) -> anyhow::Result<(Vec<Solution>, u32)> {
+pub fn read_solutions(path: &Path) -> anyhow::Result<Collected> {
     let name = path.display();
     let file = File::open(path).with_context(|| format!("no solutions in {name}: run `pathlight collect` first"))?;
-    let (mut solutions, mut version) = (Vec::new(), None);
+    let (mut solutions, mut simulator, mut rollouts) = (Vec::new(), None, 0);
     for line in BufReader::new(file).lines() {
         match serde_json::from_str(&line?) {
-            Ok(Line::Settings(settings)) => version = Some(settings.simulator),
+            Ok(Line::Settings(settings)) => simulator = Some(settings.simulator),
             Ok(Line::Solution(solution)) => solutions.push(solution),
-            Ok(Line::Round { .. }) => {}
+            Ok(Line::Round { rollouts: total, .. }) => rollouts = total,
             // The last line may have been cut off with the run.
             Err(_) => break,
         }
     }
-    let version = version.with_context(|| format!("{name} is no file of `pathlight collect`"))?;
-    Ok((solutions, version))
+    let simulator = simulator.with_context(|| format!("{name} is no file of `pathlight collect`"))?;
+    Ok(Collected { solutions, simulator, rollouts })
 }
 
 fn write_line(lines: &mut Vec<u8>, line: &impl Serialize) -> anyhow::Result<()> {

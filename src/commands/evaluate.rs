@@ -3,8 +3,10 @@
 //! The simulator is called for the counted attempts alone: an agent proposes first, then its balls are tried
 //! in order until one solves the task.
 
+use std::fmt::Write as _;
+use std::io::Write as _;
 use std::path::PathBuf;
-use std::{fmt, fs};
+use std::{fmt, fs, io};
 
 use anyhow::{Context, ensure};
 use clap::ValueEnum;
@@ -40,8 +42,8 @@ pub struct Args {
     dev: bool,
 
     /// Tasks of each template to play at most
-    #[arg(long, value_name = "N")]
-    limit: Option<usize>,
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    limit: Option<u16>,
 
     /// Seed of all that is drawn
     #[arg(long, default_value_t = 0)]
@@ -109,7 +111,7 @@ impl Args {
         let (tasks, tasks_of) = if self.dev { (fold.dev, "dev") } else { (fold.test, "test") };
         let tasks: Vec<TaskId> = tasks
             .chunk_by(|a, b| a.template == b.template)
-            .flat_map(|sisters| sisters.iter().copied().take(self.limit.unwrap_or(usize::MAX)))
+            .flat_map(|sisters| sisters.iter().copied().take(self.limit.map_or(usize::MAX, usize::from)))
             .collect();
         let mut report = Report {
             setup: self.which.setup,
@@ -122,11 +124,14 @@ impl Args {
         };
         let plays = |agent| self.agents.is_empty() || self.agents.contains(&agent);
         if plays(Agent::Judge) || plays(Agent::Paper) {
-            let (mut nets, card) = self.weights.load(&self.which)?;
+            let (mut nets, mut card) = self.weights.load(&self.which)?;
             ensure!(
                 nets.judge.is_some() || !self.agents.contains(&Agent::Judge),
                 "the weights have no judge: train one with `pathlight judge`, or leave --agent judge out"
             );
+            if !plays(Agent::Judge) {
+                card.judge = None;
+            }
             report.card = Some(card);
             let model = |nets: &PathNet, task, scene: &Scene| proposer::model(nets, task, scene, self.seed, ATTEMPTS);
             if nets.judge.is_some() && plays(Agent::Judge) {
@@ -139,11 +144,12 @@ impl Args {
         }
         let random = |task, scene: &Scene| proposer::random(task, scene, self.seed, ATTEMPTS);
         report.agents.push(score(Agent::Random, random, &tasks)?);
-        report.print(&tasks);
+        // The file first: who reads the table may stop reading.
         if let Some(path) = &self.json {
             let json = serde_json::to_vec(&report)?;
             fs::write(path, json).with_context(|| format!("cannot write {}", path.display()))?;
         }
+        io::stdout().write_all(report.table(&tasks)?.as_bytes())?;
         Ok(())
     }
 }
@@ -180,41 +186,43 @@ fn score(
 }
 
 impl Report {
-    fn print(&self, tasks: &[TaskId]) {
+    /// What was measured, for people.
+    fn table(&self, tasks: &[TaskId]) -> Result<String, fmt::Error> {
         let Report { setup, fold, tasks_of, seed, simulator, .. } = self;
-        println!("{setup}, fold {fold}, {} {tasks_of} tasks, seed {seed}, simulator {simulator}", tasks.len());
+        let mut text = String::new();
+        writeln!(text, "{setup}, fold {fold}, {} {tasks_of} tasks, seed {seed}, simulator {simulator}", tasks.len())?;
         if let Some(card @ Card { samples, tasks, epochs, seed, .. }) = self.card.as_ref() {
-            let judge =
-                card.judge.as_ref().map(|judge| format!("; judge: {} balls, {} epochs", judge.balls, judge.epochs));
-            println!(
-                "model: {samples} solutions of {tasks} tasks, {epochs} epochs, seed {seed}{}",
-                judge.unwrap_or_default()
-            );
+            write!(text, "model: {samples} solutions of {tasks} tasks, {epochs} epochs, seed {seed}")?;
+            if let Some(judge) = &card.judge {
+                write!(text, "; judge: {} balls, {} epochs", judge.balls, judge.epochs)?;
+            }
+            writeln!(text)?;
         }
-        print!("{:30} {:>5}", "template", "tasks");
+        write!(text, "{:30} {:>5}", "template", "tasks")?;
         for Score { agent, .. } in &self.agents {
-            print!("  {:>15} {:>6} {:>6} {:>6}", format!("{agent}: auccess"), "1st", "<= 10", "<= 100");
+            write!(text, "  {:>15} {:>6} {:>6} {:>6}", format!("{agent}: auccess"), "1st", "<= 10", "<= 100")?;
         }
-        println!();
+        writeln!(text)?;
         for sisters in tasks.chunk_by(|a, b| a.template == b.template) {
             let template = TEMPLATES[sisters[0].template];
             let of_template = |task: &TaskId| task.template == template.number;
-            self.row(&format!("{:05} {}", template.number, template.name), of_template);
+            self.row(&mut text, &format!("{:05} {}", template.number, template.name), of_template)?;
         }
-        self.row("all", |_| true);
+        self.row(&mut text, "all", |_| true)?;
+        Ok(text)
     }
 
-    fn row(&self, name: &str, of: impl Fn(&TaskId) -> bool) {
-        print!("{name:30}");
+    fn row(&self, text: &mut String, name: &str, of: impl Fn(&TaskId) -> bool) -> fmt::Result {
+        write!(text, "{name:30}")?;
         for (column, score) in self.agents.iter().enumerate() {
             let firsts: Vec<_> =
                 score.first_solved.iter().filter(|(task, _)| of(task)).map(|&(_, first)| first).collect();
             if column == 0 {
-                print!(" {:>5}", firsts.len());
+                write!(text, " {:>5}", firsts.len())?;
             }
             let [one, ten, hundred] = [1, 10, ATTEMPTS].map(|attempts| 100.0 * share_within(&firsts, attempts));
-            print!("  {:>15.1} {one:>4.0} % {ten:>4.0} % {hundred:>4.0} %", auccess(&firsts));
+            write!(text, "  {:>15.1} {one:>4.0} % {ten:>4.0} % {hundred:>4.0} %", auccess(&firsts))?;
         }
-        println!();
+        writeln!(text)
     }
 }

@@ -17,6 +17,7 @@ use rand::seq::{IndexedRandom, SliceRandom};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
+use super::digest;
 use super::label::read_labels;
 use super::progress::Progress;
 use super::run::Run;
@@ -100,31 +101,33 @@ impl Args {
         });
         let device = device("flex").map_err(anyhow::Error::msg)?;
         let folder = self.out.clone().unwrap_or_else(|| self.which.folder().join("judge"));
-        let mut run = Run::open(folder, card, "judge", Trainer::<Judge>::new(device, self.seed))?;
+        let trainer = Trainer::<Judge>::new(device, self.seed);
+        let mut run = Run::open(folder, card, digest(&self.labels)?, &["judge"], trainer)?;
         let batches = tried.len().div_ceil(self.batch.into());
         let total = batches * self.epochs;
         let mut progress = Progress::new(Some(total as u64));
-        progress.advance(run.done as u64, format!("batch {}", run.done));
-        let stop = self.stop_after.map_or(usize::MAX, |batches| run.done + batches);
+        let mut done = run.done();
+        progress.advance(done as u64, format!("batch {done}"));
+        let stop = self.stop_after.map_or(usize::MAX, |batches| done + batches);
         let (mut sum, mut summed) = (0.0, 0);
-        while run.done < total {
-            let trials = self.draw(&tried, run.done);
-            let rise = ((run.done + 1) as f64 / RISE).min(1.0);
-            sum += run.trainer.step(trials, self.rate * rise * (1.0 - run.done as f64 / total as f64));
-            run.done += 1;
+        while done < total {
+            let trials = self.draw(&tried, done);
+            let rise = ((done + 1) as f64 / RISE).min(1.0);
+            sum += run.trainer.step(trials, self.rate * rise * (1.0 - done as f64 / total as f64));
+            done += 1;
             summed += 1;
-            if run.done.is_multiple_of(self.checkpoint.into()) || run.done == total {
+            if done.is_multiple_of(self.checkpoint.into()) || done == total {
                 let loss = sum / summed as f32;
-                run.save((run.done - 1) / batches, &[loss])?;
-                progress.advance(summed, format!("batch {} of {total}, loss {loss:.4}", run.done));
+                run.save((done - 1) / batches, done, &[loss])?;
+                progress.advance(summed, format!("batch {done} of {total}, loss {loss:.4}"));
                 (sum, summed) = (0.0, 0);
-                if run.done >= stop {
+                if done >= stop {
                     break;
                 }
             }
         }
-        if run.done < total {
-            progress.finish(&format!("batch {} of {total}: stopped as told", run.done));
+        if done < total {
+            progress.finish(&format!("batch {done} of {total}: stopped as told"));
             return Ok(());
         }
         nets.judge = Some(run.trainer.nets());

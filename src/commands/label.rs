@@ -19,6 +19,8 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use super::collect::read_solutions;
+use super::digest;
+use super::hold::hold;
 use super::progress::Progress;
 
 /// Balls of a task in a line.
@@ -62,6 +64,8 @@ struct Settings {
     tasks: usize,
     first: TaskId,
     simulator: u32,
+    /// SHA-256 of the file of solutions.
+    solutions: String,
 }
 
 impl Args {
@@ -69,16 +73,22 @@ impl Args {
         let templates = TEMPLATES.iter().filter(|all| self.template.is_none_or(|one| one.number == all.number));
         let tasks: Vec<Task> = templates.flat_map(|template| Task::of(template).take(self.limit)).collect();
         let first = tasks.first().context("no task is left to try balls on: raise --limit")?.id;
-        let settings = Settings { seed: self.seed, tasks: tasks.len(), first, simulator: simulator::VERSION };
+        let settings = Settings {
+            seed: self.seed,
+            tasks: tasks.len(),
+            first,
+            simulator: simulator::VERSION,
+            solutions: digest(&self.solutions)?,
+        };
         let mut own: BTreeMap<TaskId, Vec<Ball>> = BTreeMap::new();
         let mut sisters: Vec<Vec<Ball>> = vec![Vec::new(); TEMPLATES.len()];
-        for solution in read_solutions(&self.solutions)?.0 {
+        for solution in read_solutions(&self.solutions)?.solutions {
             own.entry(solution.task).or_default().push(solution.ball);
             sisters[solution.task.template].push(solution.ball);
         }
         let total = self.rounds * tasks.len();
+        let mut file = hold(&self.out)?;
         let mut done = resume(&self.out, &settings)?;
-        let mut file = OpenOptions::new().append(true).open(&self.out)?;
         let mut progress = Progress::new(Some(total as u64));
         progress.advance(done as u64, format!("{} balls", done * BALLS));
         while done < total {
@@ -107,13 +117,11 @@ impl Args {
 /// Cuts off a last line that is not whole, and counts the others. A new file begins with the settings.
 fn resume(path: &Path, settings: &Settings) -> anyhow::Result<usize> {
     let name = path.display();
-    let Ok(file) = File::open(path) else {
-        if let Some(folder) = path.parent() {
-            fs::create_dir_all(folder).with_context(|| format!("cannot make the folder of {name}"))?;
-        }
+    let file = File::open(path).with_context(|| format!("cannot read {name}"))?;
+    if file.metadata()?.len() == 0 {
         fs::write(path, serde_json::to_string(settings)? + "\n").with_context(|| format!("cannot write {name}"))?;
         return Ok(0);
-    };
+    }
     let mut lines = BufReader::new(file).split(b'\n');
     let first = lines.next().transpose()?.unwrap_or_default();
     match serde_json::from_slice::<Settings>(&first) {
@@ -142,8 +150,7 @@ pub fn read_labels(path: &Path) -> anyhow::Result<impl Iterator<Item = Labels>> 
     let file = File::open(path).with_context(|| format!("no balls in {name}: run `pathlight label` first"))?;
     let mut lines = BufReader::new(file).lines().map_while(Result::ok);
     let first = lines.next().unwrap_or_default();
-    let Settings { simulator: version, .. } = serde_json::from_str(&first)
-        .with_context(|| format!("{name} is no file of `pathlight label`: name another with --labels"))?;
+    let Settings { simulator: version, .. } = settings(&first, path)?;
     ensure!(
         version == simulator::VERSION,
         "the balls are of simulator {version}, this is simulator {}: label them again",
@@ -151,4 +158,21 @@ pub fn read_labels(path: &Path) -> anyhow::Result<impl Iterator<Item = Labels>> 
     );
     // The last line may have been cut off with the run.
     Ok(lines.map_while(|line| serde_json::from_str(&line).ok()))
+}
+
+/// How many rounds a file of `pathlight label` holds; `None` if its last round is not whole.
+///
+/// # Errors
+/// As `read_labels`.
+pub fn rounds(path: &Path) -> anyhow::Result<Option<usize>> {
+    let lines = read_labels(path)?.count();
+    let mut first = String::new();
+    BufReader::new(File::open(path)?).read_line(&mut first)?;
+    let tasks = settings(&first, path)?.tasks;
+    Ok(lines.is_multiple_of(tasks).then(|| lines / tasks))
+}
+
+fn settings(line: &str, path: &Path) -> anyhow::Result<Settings> {
+    let settings = serde_json::from_str(line);
+    settings.with_context(|| format!("{} is no file of `pathlight label`: name another with --labels", path.display()))
 }

@@ -3,9 +3,11 @@
 //! A command is an `Args` with a `run`. What it prints for programs goes to standard output, what it says to
 //! people while it works goes to standard error. Bad input is an error: one sentence after `error:`, exit code 2.
 
-use std::io;
+use std::path::Path;
 use std::process::ExitCode;
+use std::{fs, io};
 
+use anyhow::Context;
 use clap::{Parser, Subcommand};
 use pathlight::task::TaskError;
 use pathlight::templates::{TEMPLATES, Template};
@@ -14,6 +16,7 @@ use sha2::{Digest, Sha256};
 mod collect;
 mod evaluate;
 mod fidelity;
+mod hold;
 mod judge;
 mod label;
 mod progress;
@@ -99,9 +102,10 @@ fn is_broken_pipe(error: &anyhow::Error) -> bool {
     error.downcast_ref::<io::Error>().is_some_and(|error| error.kind() == io::ErrorKind::BrokenPipe)
 }
 
-/// SHA-256, in hexadecimal digits.
-fn sha256(bytes: &[u8]) -> String {
-    Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
+/// SHA-256 of a file, in hexadecimal digits.
+fn digest(path: &Path) -> anyhow::Result<String> {
+    let bytes = fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
+    Ok(Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect())
 }
 
 /// The template of a number like `00007` or `7`.

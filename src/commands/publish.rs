@@ -10,7 +10,7 @@ use anyhow::{Context, ensure};
 use pathlight::pathnet::{PathNet, device};
 use serde::Serialize;
 
-use super::sha256;
+use super::digest;
 
 /// Put trained weights into assets, where the page finds them
 #[derive(clap::Args)]
@@ -64,7 +64,7 @@ fn entries(folder: &Path) -> anyhow::Result<Vec<Entry>> {
     for file in fs::read_dir(folder)? {
         let file = file?.file_name().to_string_lossy().into_owned();
         if let Some(name) = file.strip_suffix(".safetensors") {
-            let sha256 = sha256(&fs::read(folder.join(&file))?);
+            let sha256 = digest(&folder.join(&file))?;
             entries.push(Entry { name: name.to_string(), sha256, file });
         }
     }

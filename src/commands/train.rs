@@ -18,7 +18,8 @@ use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use rayon::prelude::*;
 
-use super::collect::read_solutions;
+use super::collect::{Collected, read_solutions};
+use super::digest;
 use super::progress::Progress;
 use super::run::Run;
 use super::scenes::Scenes;
@@ -77,15 +78,17 @@ impl Args {
         let (samples, card) = self.samples()?;
         let device = device(&self.device).map_err(anyhow::Error::msg)?;
         let trainer = Trainer::<PathNet>::new(device, self.seed);
-        let mut run = Run::open(folder, card, "base,target,action,placement", trainer)?;
+        let data = digest(&self.solutions)?;
+        let mut run = Run::open(folder, card, data, &["base", "target", "action", "placement"], trainer)?;
         let batches = samples.len().div_ceil(self.batch.into());
         let total = batches * self.epochs;
         let mut progress = Progress::new(Some(total as u64));
-        progress.advance(run.done as u64, format!("batch {}", run.done));
+        let first = run.done();
+        progress.advance(first as u64, format!("batch {first}"));
         let interval = usize::from(self.checkpoint);
-        let stop = self.stop_after.map_or(usize::MAX, |batches| run.done + batches);
+        let stop = self.stop_after.map_or(usize::MAX, |batches| first + batches);
         let (mut sums, mut summed) = ([0.0; 4], 0);
-        let first = run.done;
+        let mut done = first;
         thread::scope(|scope| {
             // While one batch is trained on, the next is drawn.
             let (ready, next) = sync_channel(1);
@@ -93,26 +96,26 @@ impl Args {
             scope.spawn(move || this.draw(samples, first..total, ready));
             for batch in next {
                 let losses = run.trainer.step(batch, self.rate);
-                run.done += 1;
+                done += 1;
                 summed += 1;
                 for (sum, loss) in sums.iter_mut().zip(losses) {
                     *sum += loss;
                 }
-                if run.done.is_multiple_of(interval) || run.done == total {
+                if done.is_multiple_of(interval) || done == total {
                     let losses = sums.map(|sum| sum / summed as f32);
-                    run.save((run.done - 1) / batches, &losses)?;
-                    let so_far = format!("batch {} of {total}, placement loss {:.4}", run.done, losses[3]);
+                    run.save((done - 1) / batches, done, &losses)?;
+                    let so_far = format!("batch {done} of {total}, placement loss {:.4}", losses[3]);
                     progress.advance(summed, so_far);
                     (sums, summed) = ([0.0; 4], 0);
-                    if run.done >= stop {
+                    if done >= stop {
                         break;
                     }
                 }
             }
             anyhow::Ok(())
         })?;
-        if run.done < total {
-            progress.finish(&format!("batch {} of {total}: stopped as told", run.done));
+        if done < total {
+            progress.finish(&format!("batch {done} of {total}: stopped as told"));
             return Ok(());
         }
         let weights = run.finish(&run.trainer.nets())?;
@@ -138,7 +141,7 @@ impl Args {
     /// The samples of the fold's training tasks, and what they were made with.
     fn samples(&self) -> anyhow::Result<(Vec<Sample>, Card)> {
         let tasks = self.which.tasks().all_train();
-        let (solutions, version) = read_solutions(&self.solutions)?;
+        let Collected { solutions, simulator: version, .. } = read_solutions(&self.solutions)?;
         ensure!(
             version == simulator::VERSION,
             "the solutions are of simulator {version}, this is simulator {}: collect them again",

@@ -70,7 +70,7 @@ impl Model {
     pub fn imagine(&self, id: &str) -> Result<JsValue, JsValue> {
         let scene = load(id)?.scene;
         let imagined = self.net.imagine(&scene);
-        let judge = self.net.judged(&scene).map(|logits| chances(&logits, &scene));
+        let judge = self.net.judged(&scene).and_then(|logits| chances(&logits, &scene));
         let maps = js_sys::Object::new();
         let stages = [
             ("base", Some(imagined.base)),

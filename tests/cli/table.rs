@@ -21,6 +21,8 @@ fn small(folder: &Path) -> Vec<String> {
         &within("solutions.jsonl"),
         "--labels",
         &within("labels.jsonl"),
+        "--label-rounds",
+        "1",
         "--epochs",
         "1",
         "--judge-epochs",
@@ -57,8 +59,15 @@ fn jobs_make_rows_and_the_report_reads_them() {
     let file = |name: &str| fs::read(results.join(name)).expect("a row");
     let row: Value = serde_json::from_slice(&file("within-3.json")).expect("JSON");
     assert_eq!(row["report"]["card"]["judge"]["epochs"], 2);
-    assert_eq!(row["nets"]["losses"].as_array().map(Vec::len), Some(4));
-    assert_eq!(row["judge"]["by_epoch"].as_array().map(Vec::len), Some(2));
+    for (run, losses) in [("nets", 4), ("judge", 1)] {
+        assert_eq!(row[run]["losses"].as_array().map(Vec::len), Some(losses), "{run}");
+        let (epoch, done, last) =
+            serde_json::from_value::<(usize, usize, Vec<f32>)>(row[run]["log"][0].clone()).expect("a line");
+        assert!(
+            epoch == done - 1 && last.len() == losses && last.iter().all(|loss| (0.0..2.0).contains(loss)),
+            "{run}"
+        );
+    }
     let agents: Vec<&Value> = row["report"]["agents"].as_array().expect("agents").iter().collect();
     assert_eq!(agents.iter().map(|one| &one["agent"]).collect::<Vec<_>>(), ["judge", "paper", "random"]);
     assert!(agents.iter().all(|one| one["first_solved"].as_array().is_some_and(|tasks| tasks.len() == 25)));
@@ -69,7 +78,17 @@ fn jobs_make_rows_and_the_report_reads_them() {
     assert_eq!(file("cross-0.json"), before);
     let other: Vec<String> = [&words[..], &["--seed".to_string(), "1".to_string()]].concat();
     let refused = job("10", &other);
-    assert!(String::from_utf8_lossy(&refused.stderr).contains("name another folder with --results"));
+    assert!(String::from_utf8_lossy(&refused.stderr).contains("name other folders with --results"));
+
+    // A row of another recipe may not stand in the same table.
+    let mut stray = row.clone();
+    stray["recipe"]["epochs"] = 7.into();
+    fs::write(results.join("within-4.json"), stray.to_string()).expect("written");
+    assert_refused(
+        &["table", "--only", "report", "--results", &words[1]],
+        "within-4.json was made with other settings",
+    );
+    fs::remove_file(results.join("within-4.json")).expect("removed");
 
     let report = ["table", "--only", "report"].into_iter().chain(words.iter().map(String::as_str));
     let printed = output_of(&report.collect::<Vec<_>>());
@@ -77,7 +96,48 @@ fn jobs_make_rows_and_the_report_reads_them() {
     let random = row["report"]["agents"][2]["auccess"].as_f64().expect("a number");
     assert!(printed.lines().any(|line| line.starts_with("| **random** |") && line.contains(&format!(" {random:.1} "))));
     let picture = fs::read_to_string(results.join("templates.svg")).expect("a picture");
-    assert!(picture.contains("within, mean of 1 fold") && picture.contains("00024"));
+    assert!(picture.contains("within, mean over the folds") && picture.contains("00024"));
+}
+
+#[test]
+fn data_that_are_complete_stay_as_they_are() {
+    let folder = tempdir().expect("a folder");
+    let file = |name: &str| folder.path().join(name);
+    fs::copy("assets/solutions.jsonl", file("solutions.jsonl")).expect("a copy");
+    let [solutions, labels] = ["solutions.jsonl", "labels.jsonl"].map(|name| file(name).display().to_string());
+    let data = ["table", "--only", "data", "--solutions", &solutions, "--labels", &labels, "--label-rounds", "0"];
+    for _ in 0..2 {
+        output_of(&data);
+        assert_eq!(
+            fs::read(file("solutions.jsonl")).expect("solutions"),
+            fs::read("assets/solutions.jsonl").expect("ours")
+        );
+        let labels = fs::read_to_string(&labels).expect("labels");
+        assert!(labels.lines().count() == 1 && labels.contains("\"tasks\":2500"), "{labels}");
+    }
+    let rows = ["--results", &file("results").display().to_string(), "--label-rounds", "3"].map(String::from);
+    let rows = ["table", "--only", "rows"]
+        .into_iter()
+        .chain(data[3..7].iter().copied())
+        .chain(rows.iter().map(String::as_str));
+    assert_refused(&rows.collect::<Vec<_>>(), "does not hold the balls of 3 rounds: run `pathlight table --only data`");
+}
+
+#[test]
+fn a_file_that_another_process_works_on_is_left_alone() {
+    let folder = tempdir().expect("a folder");
+    let path = folder.path().join("solutions.jsonl");
+    let held = fs::File::create(&path).expect("a file");
+    held.lock().expect("a lock");
+    let text = path.display().to_string();
+    assert_refused(&["collect", "--out", &text], "another process works on");
+    assert_refused(&["label", "--out", &text], "another process works on");
+    assert_eq!(fs::metadata(&path).expect("a file").len(), 0);
+    fs::rename(&path, folder.path().join("lock")).expect("renamed");
+    let few = folder.path().join("few.jsonl").display().to_string();
+    output_of(&["collect", "--template", "2", "--limit", "4", "--rounds", "1", "--out", &few]);
+    let train = ["train", "--solutions", &few, "--out", &folder.path().display().to_string()];
+    assert_refused(&train, "another process works on");
 }
 
 #[test]
@@ -88,10 +148,12 @@ fn a_table_says_what_it_lacks() {
         ["table", "--only", part].into_iter().chain(words.iter().map(String::as_str)).collect::<Vec<_>>()
     };
     assert_refused(&with("report"), "holds no rows");
-    assert_refused(&with("rows"), "run `pathlight collect` first");
+    assert_refused(&with("rows"), "run `pathlight label` first");
     fs::create_dir(folder.path().join("results")).expect("a folder");
     fs::write(folder.path().join("results/within-0.json"), "{").expect("a file");
     assert_refused(&with("rows"), "is no row of `pathlight table`");
-    let unnamed = Command::new("results/array.sh").env_remove("SLURM_ARRAY_TASK_ID").output().expect("it runs");
-    assert!(String::from_utf8_lossy(&unnamed.stderr).contains("is not set: give the row, 0 to 19"));
+    for row in ["", "20", "within"] {
+        let refused = job(row, &words);
+        assert!(String::from_utf8_lossy(&refused.stderr).contains("give the row, 0 to 19"), "{row}");
+    }
 }

@@ -7,13 +7,13 @@
 
 use std::path::PathBuf;
 
-use anyhow::ensure;
+use anyhow::{Context, ensure};
 use clap::ValueEnum;
 use pathlight::folds::{FOLDS, Setup};
 
 use super::run_words;
 use super::which::{Which, setup};
-use row::{Recipe, Row};
+use row::{Data, Recipe, Row};
 
 mod picture;
 mod report;
@@ -67,12 +67,12 @@ enum Part {
 impl Args {
     pub fn run(self) -> anyhow::Result<()> {
         let wanted = |part| self.only.is_none_or(|only| only == part);
+        let data = Data { solutions: self.solutions.clone(), labels: self.labels.clone() };
         if wanted(Part::Data) {
-            let (solutions, labels) = (self.solutions.display().to_string(), self.labels.display().to_string());
-            let seed = self.recipe.seed.to_string();
-            run_words(&["collect", "--out", &solutions, "--seed", &seed].map(String::from))?;
+            let (solutions, labels) = (data.solutions.display().to_string(), data.labels.display().to_string());
             let rounds = self.recipe.label_rounds.to_string();
-            let label = ["label", "--solutions", &solutions, "--out", &labels, "--rounds", &rounds, "--seed", &seed];
+            run_words(&["collect", "--out", &solutions].map(String::from))?;
+            let label = ["label", "--solutions", &solutions, "--out", &labels, "--rounds", &rounds];
             run_words(&label.map(String::from))?;
         }
         if wanted(Part::Rows) {
@@ -80,33 +80,32 @@ impl Args {
             for fold in folds {
                 for setup in [Setup::Within, Setup::Cross] {
                     if self.setup.is_none_or(|one| one == setup) {
-                        self.row(&Which { setup, fold })?;
+                        self.row(&Which { setup, fold }, &data)?;
                     }
                 }
             }
         }
         if wanted(Part::Report) {
-            let rows = row::read(&self.results)?;
-            ensure!(!rows.is_empty(), "{} holds no rows: run `pathlight table` first", self.results.display());
-            report::write(&rows, &self.solutions, &self.results)?;
+            report::write(&row::read(&self.results)?, &self.solutions, &self.results)?;
         }
         Ok(())
     }
 
     /// Makes a row, unless it is there.
-    fn row(&self, which: &Which) -> anyhow::Result<()> {
+    fn row(&self, which: &Which, data: &Data) -> anyhow::Result<()> {
         let path = self.results.join(format!("{which}.json"));
+        let name = path.display();
         if let Some(row) = Row::load(&path)? {
             ensure!(
-                row.recipe == self.recipe,
-                "{} was made with {:?}, now it is {:?}: name another folder with --results and --runs",
-                path.display(),
-                row.recipe,
-                self.recipe
+                row.is_of(&self.recipe, data)?,
+                "{name} was made with other settings, data or simulator: name other folders with --results and \
+                 --runs, or remove it"
             );
-            eprintln!("{} is there", path.display());
+            eprintln!("{name} is there");
             return Ok(());
         }
-        Row::make(which, &self.recipe, &self.solutions, &self.labels, &self.runs.join(which.to_string()))?.save(&path)
+        let folder = self.runs.join(which.to_string());
+        let row = Row::make(which, &self.recipe, data, &folder);
+        row.with_context(|| format!("cannot make {name} (here --out is called --runs)"))?.save(&path)
     }
 }

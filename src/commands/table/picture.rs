@@ -50,9 +50,8 @@ fn bars(rows: &[&Row], setup: Setup, panel: &DrawingArea<SVGBackend, Shift>) -> 
     // The first template stands on top; below the last is room for the legend.
     let last = count + LEGEND - 1;
     let place = |template: usize| SegmentValue::Exact(last - template);
-    let folds = if rows.len() == 1 { "fold" } else { "folds" };
     let mut chart = ChartBuilder::on(panel)
-        .caption(format!("{setup}, mean of {} {folds}", rows.len()), ("sans-serif", 18))
+        .caption(format!("{setup}, mean over the folds that test it"), ("sans-serif", 18))
         .margin(10)
         .margin_right(20)
         .x_label_area_size(40)

@@ -1,9 +1,10 @@
 //! The report on the rows that there are: `README.md` beside them.
 
 use std::collections::BTreeMap;
-use std::fmt::Write;
-use std::fs;
+use std::fmt::Write as _;
+use std::io::Write as _;
 use std::path::Path;
+use std::{fs, io};
 
 use anyhow::Context;
 use pathlight::folds::{FOLDS, Setup};
@@ -11,21 +12,19 @@ use pathlight::task::{TaskId, ids};
 use pathlight::templates::TEMPLATES;
 
 use super::picture;
-use super::row::{Row, Training};
-use crate::commands::collect::read_solutions;
+use super::row::Row;
+use crate::commands::collect::{Collected, read_solutions};
 use crate::commands::evaluate::Agent;
+use crate::commands::run::State;
 
 /// Our agents, the best first, and what the report calls them.
 pub const AGENTS: [(Agent, &str); 3] =
     [(Agent::Judge, "with the judge"), (Agent::Paper, "the paper's recipe"), (Agent::Random, "random")];
 
-/// Auccess that others report over the ten folds, within and across templates, on PHYRE's own engine: the random
-/// agent and DQN of Bakhtin et al. (2019), the nets of Harter et al. (2020), Table 1.
-const REPORTED: [(&str, [&str; 2]); 3] = [
-    ("DQN (Bakhtin et al. 2019)", ["77", "37"]),
-    ("the paper's nets (Harter et al. 2020)", ["62", "31"]),
-    ("random (Bakhtin et al. 2019)", ["13.7", "13.0"]),
-];
+/// Auccess that others report over the ten folds, within and across templates, on PHYRE's own engine: Harter et al.
+/// (2020), Table 1, for their nets and for DQN; the benchmark (PHYRE 0.2.2) for the random agent.
+const REPORTED: [(&str, [&str; 2]); 3] =
+    [("DQN", ["77", "37"]), ("the paper's nets", ["62", "31"]), ("random", ["13.7", "13.0"])];
 
 /// Writes the report and its picture into a folder, and prints the report.
 ///
@@ -42,9 +41,10 @@ pub fn write(rows: &[Row], solutions: &Path, folder: &Path) -> anyhow::Result<()
     training(&mut text, rows)?;
     data(&mut text, rows, solutions)?;
     text.push_str(AGAIN);
-    print!("{text}");
     let path = folder.join("README.md");
-    fs::write(&path, text).with_context(|| format!("cannot write {}", path.display()))
+    fs::write(&path, &text).with_context(|| format!("cannot write {}", path.display()))?;
+    io::stdout().write_all(text.as_bytes())?;
+    Ok(())
 }
 
 fn head(text: &mut String, rows: &[Row]) -> anyhow::Result<()> {
@@ -52,14 +52,16 @@ fn head(text: &mut String, rows: &[Row]) -> anyhow::Result<()> {
     writeln!(
         text,
         "# Results\n\n\
-         `pathlight table` has printed this from the files beside it, one for each setup and fold ({} of {} are there). \
-         Seed {}, simulator {}. Auccess on the test tasks of the folds, at most 100 attempts a task; the simulator is \
-         called for the counted attempts alone, and only training tasks are trained on. The paper's recipe is the \
-         four nets, balls from the placement map; the judge is a net of ours that orders the balls.\n",
+         `pathlight table` has printed this from the files beside it, one for each setup and fold; {} of {} are there. \
+         Seed {}, simulator {}, at most {} test tasks of a template.\n\n\
+         Auccess is measured with at most 100 attempts at a task, and with no call of the simulator but for these; \
+         trained is on training tasks alone. The paper's recipe is the four nets of Harter et al. (2020), balls from \
+         their placement map. The judge is a fifth net, not the paper's, which orders the balls.\n",
         rows.len(),
         2 * FOLDS,
         recipe.seed,
         report.simulator,
+        recipe.limit,
     )?;
     Ok(())
 }
@@ -80,9 +82,14 @@ fn table(text: &mut String, rows: &[Row]) -> anyhow::Result<()> {
     }
     let folds = [Setup::Within, Setup::Cross].map(|setup| {
         let numbers: Vec<String> = of(rows, setup).map(|row| row.report.fold.to_string()).collect();
-        format!("{setup} {}", numbers.join(", "))
+        format!("{setup} {}", if numbers.is_empty() { "none".to_string() } else { numbers.join(", ") })
     });
-    writeln!(text, "\nOur folds: {}. The others report all ten.", folds.join("; "))?;
+    writeln!(
+        text,
+        "\nOur folds: {}. The others are reported over all ten: the paper's nets and DQN by Harter et al. (2020), \
+         random by the benchmark.",
+        folds.join("; ")
+    )?;
     Ok(())
 }
 
@@ -102,98 +109,102 @@ fn folds(text: &mut String, rows: &[Row]) -> anyhow::Result<()> {
 }
 
 fn training(text: &mut String, rows: &[Row]) -> anyhow::Result<()> {
-    writeln!(text, "\n## Training\n")?;
+    writeln!(text, "\n## Training\n\nA loss is the mean of the last batches; times are wall-clock.\n")?;
     writeln!(
         text,
-        "The four nets: the paper's joint training, batches of 32. Times are wall-clock, on machines that did other \
-         things too; losses are means of the last epoch.\n"
+        "| setup | fold | solutions (tasks) | epochs x batch | rate | placement loss | min | balls | judge: epochs x \
+         batch x balls | rate | loss | min | weights, MB | evaluation, s |\n|{}",
+        " ---: |".repeat(14)
     )?;
-    writeln!(
-        text,
-        "| setup | fold | solutions of tasks | epochs | rate | placement loss | min | balls | judge: epochs | rate \
-         | loss | min | evaluation: s |\n| --- | {}",
-        "---: | ".repeat(12).trim_end()
-    )?;
-    for Row { report, nets, judge, evaluation_seconds, .. } in rows {
-        let Some(card) = &report.card else { continue };
-        let Some(judged) = &card.judge else { continue };
-        let last = |training: &Training| training.by_epoch.last().and_then(|losses| losses.last()).copied();
+    for Row { report, nets, judge, weights, evaluation_seconds, .. } in rows {
+        let Some(judged) = &judge.card.judge else { continue };
+        let card = &nets.card;
+        let last = |run: &State| run.log.last().and_then(|(_, _, losses)| losses.last().copied()).unwrap_or(f32::NAN);
         writeln!(
             text,
-            "| {} | {} | {} of {} | {} | {} | {:.4} | {:.0} | {} | {} | {} | {:.4} | {:.0} | {:.0} |",
+            "| {} | {} | {} ({}) | {} x {} | {} | {:.4} | {:.0} | {} | {} x {} x {} | {} | {:.4} | {:.0} | {:.2} | {:.0} |",
             report.setup,
             report.fold,
             card.samples,
             card.tasks,
             card.epochs,
+            card.batch,
             card.rate,
-            last(nets).unwrap_or(f64::NAN),
+            last(nets),
             nets.seconds / 60.0,
             judged.balls,
             judged.epochs,
+            judged.batch,
+            judged.drawn,
             judged.rate,
-            last(judge).unwrap_or(f64::NAN),
+            last(judge),
             judge.seconds / 60.0,
+            *weights as f64 / 1e6,
             evaluation_seconds,
         )?;
     }
     Ok(())
 }
 
-/// How many solutions are known of the tasks.
-fn data(text: &mut String, rows: &[Row], solutions: &Path) -> anyhow::Result<()> {
+/// How many solutions are known of the tasks, and which files the rows were made from.
+fn data(text: &mut String, rows: &[Row], path: &Path) -> anyhow::Result<()> {
     let mut known: BTreeMap<TaskId, usize> = TEMPLATES.iter().flat_map(|&one| ids(one)).map(|id| (id, 0)).collect();
-    let (solutions, _) = read_solutions(solutions)?;
+    let Collected { solutions, rollouts, .. } = read_solutions(path)?;
     for solution in &solutions {
         *known.entry(solution.task).or_default() += 1;
     }
     let most = known.values().max().copied().unwrap_or_default();
-    let fewer = known.values().filter(|&&count| count < most).count();
-    let none: Vec<String> = known.iter().filter(|(_, count)| **count == 0).map(|(id, _)| id.to_string()).collect();
+    let count = |of: &dyn Fn(usize) -> bool| known.values().filter(|&&count| of(count)).count();
     writeln!(
         text,
-        "\n## Data\n\n{} solutions of {} tasks; {fewer} have fewer than {most}, {} have none{}{}. A task without a \
-         known solution would stay in the count. \n",
+        "\n## Data\n\n{} solutions of {} tasks, found in {rollouts} rollouts. {} tasks have {most}, {} have fewer, {} \
+         have none. A task without a known solution stays in the count.\n",
         solutions.len(),
         known.len(),
-        none.len(),
-        if none.is_empty() { "" } else { ": " },
-        none.join(", "),
+        count(&|count| count == most),
+        count(&|count| count < most),
+        count(&|count| count == 0),
     )?;
-    writeln!(text, "| template | tasks with fewer | solutions |\n| --- | ---: | ---: |")?;
+    writeln!(text, "| template | tasks with fewer | solutions | without any |\n| --- | ---: | ---: | --- |")?;
     for template in TEMPLATES {
-        let counts: Vec<usize> = ids(template).filter_map(|id| known.get(&id).copied()).collect();
-        let fewer = counts.iter().filter(|&&count| count < most).count();
+        let of_template: Vec<(TaskId, usize)> = ids(template).map(|id| (id, known[&id])).collect();
+        let fewer = of_template.iter().filter(|(_, count)| *count < most).count();
+        let total: usize = of_template.iter().map(|(_, count)| count).sum();
+        let none: Vec<String> =
+            of_template.iter().filter(|(_, count)| *count == 0).map(|(id, _)| id.to_string()).collect();
         if fewer > 0 {
-            let total: usize = counts.iter().sum();
-            writeln!(text, "| {:05} {} | {fewer} | {total} |", template.number, template.name)?;
+            writeln!(text, "| {:05} {} | {fewer} | {total} | {} |", template.number, template.name, none.join(", "))?;
         }
     }
-    let mut digests: Vec<&[String; 2]> = rows.iter().map(|row| &row.data).collect();
-    digests.dedup();
-    writeln!(text, "\nSHA-256 of the solutions and of the labelled balls that the rows were made with:\n")?;
-    for [solutions, balls] in digests {
-        writeln!(text, "- {solutions}, {balls}")?;
-    }
+    let Some(Row { recipe, nets, judge, .. }) = rows.first() else { return Ok(()) };
+    writeln!(
+        text,
+        "\nBalls were labelled in {} rounds, 64 of each task in a round. SHA-256 of the file of solutions: `{}`, of the \
+         file of balls: `{}`.",
+        recipe.label_rounds, nets.data, judge.data
+    )?;
     Ok(())
 }
 
 const AGAIN: &str = "
 ## Again
 
+`make build` first. Each command goes on where it was cut off; settings other than the defaults (`--help`) need
+folders of their own.
+
 ```
-pathlight table                             # data, all twenty rows, report; goes on where it was cut off
-pathlight table --setup within --fold 3     # data if they are not there yet, one row, report
+pathlight table                             # data, all twenty rows, report
+pathlight table --setup within --fold 3     # data if it is not there yet, one row, report
 pathlight table --only report               # this file and the picture
 ```
 
 Rows share nothing but the two files of data, which they read. So twenty processes can make them, on as many machines
-as see the folder; `results/array.sh` is such a job, for Slurm's arrays or anything that sets `SLURM_ARRAY_TASK_ID`:
+as see the folder. `results/array.sh` is such a job, for Slurm's arrays or whatever sets `SLURM_ARRAY_TASK_ID`:
 
 ```
 pathlight table --only data
 sbatch --array=0-19 --cpus-per-task=2 results/array.sh
-seq 0 19 | xargs -P 4 -I{} env SLURM_ARRAY_TASK_ID={} results/array.sh     # without a scheduler, four at a time
+seq 0 19 | RAYON_NUM_THREADS=2 xargs -P 4 -I{} env SLURM_ARRAY_TASK_ID={} results/array.sh  # without a scheduler
 pathlight table --only report
 ```
 ";

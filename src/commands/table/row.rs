@@ -1,67 +1,69 @@
 //! A row of the table: one setup and fold, trained, judged and evaluated; and its JSON file.
 
+use std::fmt::Display;
 use std::fs;
-use std::path::Path;
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
 
 use anyhow::{Context, ensure};
-use pathlight::auccess::{auccess, share_within};
-use pathlight::folds::Setup;
+use pathlight::auccess::{ATTEMPTS, auccess, share_within};
+use pathlight::folds::{FOLDS, Setup};
+use pathlight::simulator;
 use serde::{Deserialize, Serialize};
 
 use crate::commands::evaluate::{Agent, Report};
+use crate::commands::run::{State, state};
 use crate::commands::which::Which;
-use crate::commands::{run, run_words, sha256};
+use crate::commands::{digest, label, run_words};
 
-/// The settings of a table. The defaults are the ones that the results beside the README were made with.
+/// The settings of a table. The defaults are those of the results in the repository.
 #[derive(Clone, Debug, PartialEq, clap::Args, Serialize, Deserialize)]
 pub struct Recipe {
-    /// Seed of all that is drawn
+    /// Seed of training and evaluation
     #[arg(long, default_value_t = 0)]
     pub seed: u64,
 
     /// Rounds of labelling; in each, every task tries 64 balls
     #[arg(long, default_value_t = 15)]
-    pub label_rounds: usize,
+    pub label_rounds: u16,
 
     /// Passes over the samples, of the four nets
-    #[arg(long, default_value_t = 10)]
-    pub epochs: usize,
+    #[arg(long, default_value_t = 10, value_parser = clap::value_parser!(u16).range(1..))]
+    pub epochs: u16,
 
     /// Passes over the scenes, of a judge within templates
-    #[arg(long, default_value_t = 150)]
-    pub judge_epochs: usize,
+    #[arg(long, default_value_t = 150, value_parser = clap::value_parser!(u16).range(1..))]
+    pub judge_epochs: u16,
 
-    /// Passes over the scenes, of a judge across templates, where a longer training learns the templates by heart
-    #[arg(long, default_value_t = 60)]
-    pub judge_epochs_cross: usize,
+    /// Passes over the scenes, of a judge across templates
+    #[arg(long, default_value_t = 60, value_parser = clap::value_parser!(u16).range(1..))]
+    pub judge_epochs_cross: u16,
 
     /// Tasks of each template to play at most
-    #[arg(long, value_name = "N", default_value_t = 100)]
-    pub limit: usize,
+    #[arg(long, value_name = "N", default_value_t = 100, value_parser = clap::value_parser!(u16).range(1..))]
+    pub limit: u16,
+}
+
+/// The files that a row is made from, which it only reads.
+pub struct Data {
+    pub solutions: PathBuf,
+    pub labels: PathBuf,
 }
 
 /// All that is known of a row.
 #[derive(Serialize, Deserialize)]
 pub struct Row {
     pub recipe: Recipe,
-    /// SHA-256 of the file of solutions, and of the file of labelled balls.
-    pub data: [String; 2],
-    pub nets: Training,
-    pub judge: Training,
+    /// How the training of the four nets went.
+    pub nets: State,
+    /// How the training of the judge went.
+    pub judge: State,
+    /// Size of the weights of all five nets, bytes.
+    pub weights: u64,
     /// Wall-clock time of the evaluation of all agents, s.
     pub evaluation_seconds: f64,
     pub report: Report,
-}
-
-/// How a training run went.
-#[derive(Serialize, Deserialize)]
-pub struct Training {
-    /// Wall-clock time, s.
-    pub seconds: f64,
-    /// Names of the losses.
-    pub losses: Vec<String>,
-    /// Mean losses of each epoch.
-    pub by_epoch: Vec<Vec<f64>>,
 }
 
 impl Row {
@@ -69,47 +71,47 @@ impl Row {
     /// on where it was cut off.
     ///
     /// # Errors
-    /// Those of the commands.
-    pub fn make(which: &Which, recipe: &Recipe, solutions: &Path, labels: &Path, folder: &Path) -> anyhow::Result<Row> {
+    /// If the labelled balls are not those of the recipe, and those of the commands.
+    pub fn make(which: &Which, recipe: &Recipe, data: &Data, folder: &Path) -> anyhow::Result<Row> {
+        let rounds = label::rounds(&data.labels)?;
+        ensure!(
+            rounds == Some(recipe.label_rounds.into()),
+            "{} does not hold the balls of {} rounds: run `pathlight table --only data`, or say --label-rounds",
+            data.labels.display(),
+            recipe.label_rounds
+        );
         let judge_epochs = match which.setup {
             Setup::Within => recipe.judge_epochs,
             Setup::Cross => recipe.judge_epochs_cross,
         };
-        let judge = folder.join("judge");
-        let (nets, judged) = (folder.join("weights.safetensors"), judge.join("weights.safetensors"));
+        let of_judge = folder.join("judge");
+        let (nets, judged) = (folder.join("weights.safetensors"), of_judge.join("weights.safetensors"));
         let evaluation = folder.join("evaluation.json");
-        let command = |name: &str, more: &[(&str, &dyn std::fmt::Display)]| {
-            let mut words = vec![name.to_string()];
-            let common: [(&str, &dyn std::fmt::Display); 3] =
+        let command = |name: &str, options: &[(&str, &dyn Display)]| {
+            let common: [(&str, &dyn Display); 3] =
                 [("setup", &which.setup), ("fold", &which.fold), ("seed", &recipe.seed)];
-            for (option, value) in common.iter().chain(more) {
-                words.extend([format!("--{option}"), value.to_string()]);
-            }
-            run_words(&words)
+            let options = common.iter().chain(options);
+            let words = options.flat_map(|(option, value)| [format!("--{option}"), value.to_string()]);
+            run_words(&[name.to_string()].into_iter().chain(words).collect::<Vec<_>>())
         };
-        command(
-            "train",
-            &[("solutions", &solutions.display()), ("epochs", &recipe.epochs), ("out", &folder.display())],
-        )?;
-        command(
-            "judge",
-            &[
-                ("weights", &nets.display()),
-                ("labels", &labels.display()),
-                ("epochs", &judge_epochs),
-                ("out", &judge.display()),
-            ],
-        )?;
-        let started = std::time::Instant::now();
-        command(
-            "evaluate",
-            &[("weights", &judged.display()), ("limit", &recipe.limit), ("json", &evaluation.display())],
-        )?;
+        let (solutions, labels) = (data.solutions.display(), data.labels.display());
+        command("train", &[("solutions", &solutions), ("epochs", &recipe.epochs), ("out", &folder.display())])?;
+        let judge: [(&str, &dyn Display); 4] = [
+            ("weights", &nets.display()),
+            ("labels", &labels),
+            ("epochs", &judge_epochs),
+            ("out", &of_judge.display()),
+        ];
+        command("judge", &judge)?;
+        let started = Instant::now();
+        let (weights, json) = (judged.display(), evaluation.display());
+        command("evaluate", &[("weights", &weights), ("limit", &recipe.limit), ("json", &json)])?;
+        let trained = |folder: &Path| state(folder)?.with_context(|| format!("no run in {}", folder.display()));
         Ok(Row {
             recipe: recipe.clone(),
-            data: [digest(solutions)?, digest(labels)?],
-            nets: Training::of(folder)?,
-            judge: Training::of(&judge)?,
+            nets: trained(folder)?,
+            judge: trained(&of_judge)?,
+            weights: fs::metadata(&judged)?.len(),
             evaluation_seconds: started.elapsed().as_secs_f64(),
             report: serde_json::from_slice(&fs::read(&evaluation)?)?,
         })
@@ -120,7 +122,10 @@ impl Row {
     /// # Errors
     /// If the file is no row.
     pub fn load(path: &Path) -> anyhow::Result<Option<Row>> {
-        let Ok(bytes) = fs::read(path) else { return Ok(None) };
+        let bytes = match fs::read(path) {
+            Err(error) if error.kind() == ErrorKind::NotFound => return Ok(None),
+            read => read.with_context(|| format!("cannot read {}", path.display()))?,
+        };
         let row = serde_json::from_slice(&bytes);
         row.map(Some).with_context(|| format!("{} is no row of `pathlight table`: remove it", path.display()))
     }
@@ -141,6 +146,24 @@ impl Row {
         Ok(())
     }
 
+    /// Is it made with this recipe, from these data, in this simulator?
+    ///
+    /// # Errors
+    /// If the data cannot be read.
+    pub fn is_of(&self, recipe: &Recipe, data: &Data) -> anyhow::Result<bool> {
+        Ok(self.recipe == *recipe
+            && self.report.simulator == simulator::VERSION
+            && self.nets.data == digest(&data.solutions)?
+            && self.judge.data == digest(&data.labels)?)
+    }
+
+    /// May both stand in one table?
+    pub fn goes_with(&self, other: &Row) -> bool {
+        self.recipe == other.recipe
+            && self.report.simulator == other.report.simulator
+            && [&self.nets.data, &self.judge.data] == [&other.nets.data, &other.judge.data]
+    }
+
     /// The attempts that first solved its tasks, those of a template or all; none for an agent that did not play.
     pub fn first_solved(&self, agent: Agent, template: Option<usize>) -> Vec<Option<usize>> {
         let score = self.report.agents.iter().find(|score| score.agent == agent);
@@ -151,48 +174,30 @@ impl Row {
     /// Auccess and the shares solved at the first attempt, within 10 and within 100; all in percent.
     pub fn score(&self, agent: Agent) -> [f64; 4] {
         let firsts = self.first_solved(agent, None);
-        let [one, ten, hundred] = [1, 10, 100].map(|attempts| 100.0 * share_within(&firsts, attempts));
+        let [one, ten, hundred] = [1, 10, ATTEMPTS].map(|attempts| 100.0 * share_within(&firsts, attempts));
         [auccess(&firsts), one, ten, hundred]
-    }
-}
-
-impl Training {
-    /// What a run in a folder says of itself.
-    fn of(folder: &Path) -> anyhow::Result<Training> {
-        let state = run::state(folder)?.with_context(|| format!("no run in {}: train again", folder.display()))?;
-        let text = run::losses(folder)?;
-        let mut lines = text.lines().map(|line| line.split(','));
-        let losses: Vec<String> = lines.next().into_iter().flatten().skip(2).map(String::from).collect();
-        let mut sums: Vec<(usize, Vec<f64>)> = Vec::new();
-        for mut line in lines {
-            let epoch: usize = line.next().unwrap_or_default().parse()?;
-            let numbers = line.skip(1).map(str::parse).collect::<Result<Vec<f64>, _>>()?;
-            ensure!(numbers.len() == losses.len(), "the losses in {} are damaged: train again", folder.display());
-            sums.resize(sums.len().max(epoch + 1), (0, vec![0.0; losses.len()]));
-            let (count, sum) = &mut sums[epoch];
-            *count += 1;
-            sum.iter_mut().zip(numbers).for_each(|(sum, number)| *sum += number);
-        }
-        let mean = |(count, sum): (usize, Vec<f64>)| sum.iter().map(|sum| sum / count.max(1) as f64).collect();
-        Ok(Training { seconds: state.seconds, losses, by_epoch: sums.into_iter().map(mean).collect() })
     }
 }
 
 /// All rows in a folder, within before cross, folds ascending.
 ///
 /// # Errors
-/// If a row's file is damaged.
+/// If there is none, a row's file is damaged, or rows were made in different ways.
 pub fn read(folder: &Path) -> anyhow::Result<Vec<Row>> {
-    let mut rows = Vec::new();
+    let mut rows: Vec<Row> = Vec::new();
     for setup in [Setup::Within, Setup::Cross] {
-        for fold in 0..pathlight::folds::FOLDS {
-            rows.extend(Row::load(&folder.join(format!("{}.json", Which { setup, fold })))?);
+        for fold in 0..FOLDS {
+            let path = folder.join(format!("{}.json", Which { setup, fold }));
+            let Some(row) = Row::load(&path)? else { continue };
+            ensure!(
+                rows.first().is_none_or(|first| first.goes_with(&row)),
+                "{} was made with other settings, data or simulator than the rows before it: keep such rows in \
+                 folders of their own (--results)",
+                path.display()
+            );
+            rows.push(row);
         }
     }
+    ensure!(!rows.is_empty(), "{} holds no rows: run `pathlight table` first", folder.display());
     Ok(rows)
-}
-
-fn digest(path: &Path) -> anyhow::Result<String> {
-    let bytes = fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
-    Ok(sha256(&bytes))
 }
