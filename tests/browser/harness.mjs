@@ -16,6 +16,8 @@ import { chromium } from 'playwright-core';
 
 const root = join(dirname(fileURLToPath(import.meta.url)), '..', '..');
 
+export const binary = join(root, 'target', 'release', 'pathlight');
+
 const flags = [
   '--no-sandbox',
   '--disable-gpu',
@@ -82,7 +84,6 @@ class Session {
 }
 
 async function startServer(serve) {
-  const binary = join(root, 'target', 'release', 'pathlight');
   if (!existsSync(binary)) throw new Error(`${binary} is missing: run make build`);
   const child = spawn(binary, ['serve', '--port', '0', ...serve], { cwd: root, stdio: ['ignore', 'pipe', 'pipe'] });
   let said = '';

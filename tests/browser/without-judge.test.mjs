@@ -1,0 +1,47 @@
+// Weights without a judge: the paper's four maps, and balls from the placement map.
+
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { binary, start } from './harness.mjs';
+import { openPuzzle } from './playing.mjs';
+
+let session, folder;
+before(async () => {
+  // As small as training goes.
+  folder = mkdtempSync(join(tmpdir(), 'pathlight-'));
+  const at = (name) => join(folder, name);
+  const run = (...words) => execFileSync(binary, words, { stdio: 'pipe' });
+  run('collect', '--template', '2', '--limit', '4', '--rounds', '1', '--out', at('solutions.jsonl'));
+  run('train', '--solutions', at('solutions.jsonl'), '--epochs', '1', '--batch', '4', '--out', at('run'));
+  run('publish', at('run/weights.safetensors'), '--assets', at('assets'));
+  session = await start({ serve: ['--assets', at('assets')] });
+});
+after(async () => {
+  await session.stop();
+  rmSync(folder, { recursive: true });
+});
+
+test('four maps are drawn, and the fifth says that there is none', async () => {
+  const page = await openPuzzle(session, { more: '&panel=imagine&layers=placement,judge' });
+  await page.locator('#imagined-in').filter({ hasText: /Imagined in \d+ ms/ }).waitFor();
+  for (const stage of ['base', 'target', 'action', 'placement']) {
+    assert.match(await page.locator(`[data-stage=${stage}] .summary`).textContent(), /^Strongest at/, stage);
+  }
+  const judge = page.locator('[data-stage=judge]');
+  assert.equal(await judge.locator('.summary').textContent(), 'This model has no such map.');
+  const box = await page.locator('#scene').boundingBox();
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  assert.match(await page.locator('#reading').textContent(), /Placement \d\.\d\dJudge none/);
+  assert.match(await judge.locator('.value').textContent(), /^none at x/);
+  await page.locator('#story-dots button').last().click();
+  assert.match(await page.locator('#told').textContent(), /^Judge\. Where .+\. $/);
+});
+
+test('its balls come from the placement map', async () => {
+  const page = await openPuzzle(session, { more: '&panel=compare&proposal=1' });
+  await page.locator('#stack-origin').filter({ hasText: /placement map/ }).waitFor();
+});
