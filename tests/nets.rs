@@ -21,6 +21,7 @@ fn card() -> Card {
         epochs: 0,
         batch: 32,
         rate: 3e-3,
+        cool: 1,
         mirror: false,
         samples: 0,
         tasks: 0,

@@ -11,6 +11,7 @@ const ENTRIES = {
   fold: ["Fold", (fold) => `${fold}, one of ten ways to part the puzzles into those to learn from and those to test on`],
   batch: ["At a time (batch)", number],
   rate: ["Learning rate (Adam)", String],
+  cool: ["Rate falling to nothing in the last", (cool) => `${cool} of the passes`],
   mirror: ["Mirrored", (mirror) => (mirror ? "half of the time, left to right" : "never")],
   judge: ["The judge learned from", ({ balls, epochs }) => `${number(balls)} balls with their outcome, ${epochs} times over`],
   simulator: ["Version of the simulator", String],

@@ -51,6 +51,10 @@ pub struct Args {
     #[arg(long, default_value_t = 3e-3)]
     rate: f64,
 
+    /// Of these passes, the last so many in which the learning rate falls to nothing
+    #[arg(long, value_name = "EPOCHS", default_value_t = 1)]
+    cool: usize,
+
     /// Show half of the samples mirrored left to right: PHYRE's world is symmetric
     #[arg(long)]
     mirror: bool,
@@ -95,7 +99,8 @@ impl Args {
             let (this, samples) = (&self, &samples);
             scope.spawn(move || this.draw(samples, first..total, ready));
             for batch in next {
-                let losses = run.trainer.step(batch, self.rate);
+                let left = (total - done) as f64 / (batches * self.cool) as f64;
+                let losses = run.trainer.step(batch, self.rate * left.min(1.0));
                 done += 1;
                 summed += 1;
                 for (sum, loss) in sums.iter_mut().zip(losses) {
@@ -164,6 +169,7 @@ impl Args {
             epochs: self.epochs,
             batch: self.batch,
             rate: self.rate,
+            cool: self.cool,
             mirror: self.mirror,
             samples: samples.len(),
             tasks: chosen.chunk_by(|a, b| a.task == b.task).count(),

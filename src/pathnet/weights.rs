@@ -31,6 +31,8 @@ pub struct Card {
     pub batch: u16,
     /// Learning rate of Adam.
     pub rate: f64,
+    /// Of the passes, the last ones in which the rate fell to nothing.
+    pub cool: usize,
     /// Half of the samples were shown mirrored left to right.
     pub mirror: bool,
     /// Solutions trained on.

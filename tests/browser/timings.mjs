@@ -4,6 +4,7 @@
 //                  drawn; the page is the one asked for, a puzzle by its link or the grid
 //   drag           the time between two frames while the ball is dragged, and the work in each
 //   maps           from opening another puzzle until its maps are drawn, once the weights are there
+//   in wasm        the model's own part of it: the maps of a puzzle, and a hundred balls proposed for it
 //
 // Each is taken several times; the median is printed with the worst. What it should be is printed beside it.
 
@@ -104,6 +105,23 @@ const maps = (task) =>
     }
   }, task);
 row('maps of another puzzle', await repeat((time) => maps(task(time))), 'ms', '< 100 ms');
+
+const spent = await page.evaluate(
+  async (tasks) => {
+    const { Model } = await import('/pkg/pathlight.js');
+    const { models } = await (await fetch('/assets/model.json')).json();
+    const model = new Model(new Uint8Array(await (await fetch(`/assets/${models[0].file}`)).arrayBuffer()));
+    const timed = (act) => {
+      const start = performance.now();
+      act();
+      return performance.now() - start;
+    };
+    return { maps: tasks.map((task) => timed(() => model.imagine(task))), balls: tasks.map((task) => timed(() => model.propose(task, 0))) };
+  },
+  TEMPLATES.map((template) => tasks[template]),
+);
+row('five maps, in wasm', spent.maps, 'ms', '');
+row('a hundred balls proposed, in wasm', spent.balls, 'ms', '< 1000 ms');
 
 console.table(rows);
 await session.stop();

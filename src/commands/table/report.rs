@@ -19,7 +19,7 @@ use crate::commands::run::State;
 
 /// Our agents, the best first, and what the report calls them.
 pub const AGENTS: [(Agent, &str); 3] =
-    [(Agent::Judge, "with the judge"), (Agent::Paper, "the paper's recipe"), (Agent::Random, "random")];
+    [(Agent::Judge, "with the judge"), (Agent::Paper, "the paper's four nets"), (Agent::Random, "random")];
 
 /// Auccess that others report over the ten folds, within and across templates, on PHYRE's own engine: Harter et al.
 /// (2020), Table 1, for their nets and for DQN; the benchmark (PHYRE 0.2.2) for the random agent.
@@ -55,8 +55,8 @@ fn head(text: &mut String, rows: &[Row]) -> anyhow::Result<()> {
          `pathlight table` has printed this from the files beside it, one for each setup and fold; {} of {} are there. \
          Seed {}, simulator {}, at most {} test tasks of a template.\n\n\
          Auccess is measured with at most 100 attempts at a task, and with no call of the simulator but for these; \
-         trained is on training tasks alone. The paper's recipe is the four nets of Harter et al. (2020), balls from \
-         their placement map. The judge is a fifth net, not the paper's, which orders the balls.\n",
+         trained is on training tasks alone. The four nets are those of Harter et al. (2020), trained jointly, balls \
+         from their placement map. The judge is a fifth net, not the paper's, which orders the balls.\n",
         rows.len(),
         2 * FOLDS,
         recipe.seed,
@@ -109,7 +109,12 @@ fn folds(text: &mut String, rows: &[Row]) -> anyhow::Result<()> {
 }
 
 fn training(text: &mut String, rows: &[Row]) -> anyhow::Result<()> {
-    writeln!(text, "\n## Training\n\nA loss is the mean of the last batches; times are wall-clock.\n")?;
+    writeln!(
+        text,
+        "\n## Training\n\nRates are the highest: that of the four nets falls to nothing in the last {} of their epochs, \
+         that of the judge from beginning to end. A loss is the mean of the last batches; times are wall-clock.\n",
+        rows.first().map_or(0, |row| row.nets.card.cool)
+    )?;
     writeln!(
         text,
         "| setup | fold | solutions (tasks) | epochs x batch | rate | placement loss | min | balls | judge: epochs x \
