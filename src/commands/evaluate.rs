@@ -30,7 +30,7 @@ use super::which::Which;
 /// Measure agents on the test tasks of a fold
 #[derive(clap::Args)]
 pub struct Args {
-    /// Who plays; can be given twice, and the random agent always plays too [default: all that the weights allow]
+    /// Who plays; can be given several times, and the random agent always plays too [default: all that the weights allow]
     #[arg(long = "agent", value_enum)]
     agents: Vec<Agent>,
 
