@@ -20,7 +20,7 @@ use crate::task::{Task, TaskId};
 pub const DRAWS: usize = 32;
 
 /// Two solutions of a task differ by at least this in x, y or radius, px.
-const SPREAD: f64 = 4.0;
+pub const SPREAD: f64 = 4.0;
 
 /// Standard deviation of the noise on a ball that has solved this task or a sister, as a share of the action
 /// space: from a few px to a good part of the scene.

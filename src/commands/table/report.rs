@@ -8,6 +8,7 @@ use std::{fs, io};
 
 use anyhow::Context;
 use pathlight::folds::{FOLDS, Setup};
+use pathlight::solutions::SPREAD;
 use pathlight::task::{TaskId, ids};
 use pathlight::templates::TEMPLATES;
 
@@ -109,11 +110,15 @@ fn folds(text: &mut String, rows: &[Row]) -> anyhow::Result<()> {
 }
 
 fn training(text: &mut String, rows: &[Row]) -> anyhow::Result<()> {
+    let course = match rows.first().map_or(0, |row| row.nets.card.cool) {
+        0 => "is the same all the time".to_string(),
+        1 => "falls to nothing in the last epoch".to_string(),
+        epochs => format!("falls to nothing in the last {epochs} epochs"),
+    };
     writeln!(
         text,
-        "\n## Training\n\nRates are the highest: that of the four nets falls to nothing in the last {} of their epochs, \
-         that of the judge from beginning to end. A loss is the mean of the last batches; times are wall-clock.\n",
-        rows.first().map_or(0, |row| row.nets.card.cool)
+        "\n## Training\n\nRates are the highest: that of the four nets {course}, that of the judge from early on to the \
+         end. A loss is the mean of the last batches; times are wall-clock.\n"
     )?;
     writeln!(
         text,
@@ -163,7 +168,8 @@ fn data(text: &mut String, rows: &[Row], path: &Path) -> anyhow::Result<()> {
     writeln!(
         text,
         "\n## Data\n\n{} solutions of {} tasks, found in {rollouts} rollouts. {} tasks have {most}, {} have fewer, {} \
-         have none. A task without a known solution stays in the count.\n",
+         have none. Those of a task are at least {SPREAD} px apart in x, y or radius; fewer are known where few balls \
+         solve it. A task without a known solution stays in the count.\n",
         solutions.len(),
         known.len(),
         count(&|count| count == most),
