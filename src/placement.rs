@@ -24,9 +24,10 @@ const REACH: f64 = 16.0;
 /// A cell may seed a ball if its value is above this share of the highest.
 const THRESHOLD: f32 = 0.5;
 
-/// Standard deviation of the noise on an action: of the first noisy one, and the growth with each.
-const NOISE: f64 = 0.02;
-const NOISE_GROWTH: f64 = 0.001;
+/// Standard deviation of the noise on an action, as a share of the action space: of the first noisy one, and the
+/// growth with each. Chosen on the dev tasks of fold 0, the best mean of both setups.
+const NOISE: f64 = 0.08;
+const NOISE_GROWTH: f64 = 0.004;
 
 /// Draws for one proposal before the search widens: the map then lies where no ball may be.
 const PATIENCE: usize = 200;

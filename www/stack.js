@@ -127,7 +127,7 @@ export class Stack extends EventTarget {
   }
 
   #origin({ origin }) {
-    if (origin.kind === "near") return `Ball ${origin.number}, moved a little by chance.`;
+    if (origin.kind === "near") return `Ball ${origin.number}, moved by chance.`;
     if (origin.kind === "judge") return `The judge, a fifth net: after what was tried before, it gives this ball the best chance, ${Math.round(100 * origin.chance)} %.`;
     if (origin.kind === "chance") return "Chance: the placement map shows no place where a ball may be.";
     const value = valueAt(this.#imagine.values.placement, [origin.x, origin.y]).toFixed(2);

@@ -59,6 +59,10 @@ pub struct Args {
     #[arg(long)]
     mirror: bool,
 
+    /// Leave the dev tasks out, to choose settings by them
+    #[arg(long)]
+    without_dev: bool,
+
     /// Batches between two checkpoints, and between two lines of losses
     #[arg(long, value_name = "BATCHES", default_value_t = 100, value_parser = clap::value_parser!(u16).range(1..))]
     checkpoint: u16,
@@ -145,7 +149,8 @@ impl Args {
 
     /// The samples of the fold's training tasks, and what they were made with.
     fn samples(&self) -> anyhow::Result<(Vec<Sample>, Card)> {
-        let tasks = self.which.tasks().all_train();
+        let fold = self.which.tasks();
+        let tasks = if self.without_dev { fold.train } else { fold.all_train() };
         let Collected { solutions, simulator: version, .. } = read_solutions(&self.solutions)?;
         ensure!(
             version == simulator::VERSION,
