@@ -5,7 +5,7 @@
 //! neighbourhood. No call of the simulator, and nothing drawn at random.
 
 use crate::action::Ball;
-use crate::pathnet::judge;
+use crate::pathnet::judge::{self, RADII};
 use crate::placement::{Origin, Proposal};
 use crate::raster::CELLS;
 use crate::scene::Scene;
@@ -50,9 +50,21 @@ pub fn chances(logits: &[f32], scene: &Scene) -> Option<Vec<f32>> {
 
 /// The balls that may be placed, each with its index among the logits.
 fn candidates(logits: &[f32], scene: &Scene) -> impl Iterator<Item = (usize, Ball)> {
-    (0..logits.len())
-        .filter(|&index| logits[index].is_finite())
-        .filter_map(|index| Some((index, judge::ball(index).action().place(scene).ok()?)))
+    // Where a ball fits, every smaller one does, so that few have to be tried: for each cell the number of radii that
+    // fit, and the largest such ball.
+    let radii: [usize; RADII] = std::array::from_fn(|radius| radius);
+    let fitting: Vec<(usize, Option<Ball>)> = (0..CELLS.min(logits.len()))
+        .map(|cell| {
+            let placed = |radius: usize| judge::ball(radius * CELLS + cell).action().place(scene).ok();
+            let count = radii.partition_point(|&radius| placed(radius).is_some());
+            (count, count.checked_sub(1).and_then(placed))
+        })
+        .collect();
+    (0..logits.len()).filter(|&index| logits[index].is_finite()).filter_map(move |index| {
+        let (count, largest) = fitting[index % CELLS];
+        let r = judge::ball(index).r.round_ties_even();
+        (index / CELLS < count).then_some((index, Ball { r, ..largest? }))
+    })
 }
 
 fn chance(logit: f64) -> f64 {
@@ -62,7 +74,6 @@ fn chance(logit: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::pathnet::judge::RADII;
     use crate::task::Task;
 
     #[test]
