@@ -7,7 +7,7 @@ use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
-use crate::scene::{Body, Part, Role, SIZE, Scene, Shape, walls};
+use crate::scene::{Body, Part, Role, SIZE, Scene, Shape};
 
 /// Smallest and largest radius of the action ball, px.
 pub const RADIUS: std::ops::RangeInclusive<f64> = 2.0..=32.0;
@@ -74,10 +74,8 @@ impl Ball {
         if !RADIUS.contains(&self.r) {
             return Err(Invalid::Radius);
         }
+        // The walls begin where the scene ends: a ball inside is clear of them.
         inside(self.x, self.y, self.r)?;
-        if walls().iter().any(|wall| self.overlaps(wall)) {
-            return Err(Invalid::Outside);
-        }
         match scene.bodies.iter().position(|body| self.overlaps(body)) {
             Some(body) => Err(Invalid::Overlaps(body)),
             None => Ok(()),
