@@ -24,7 +24,7 @@ use super::hold::hold;
 use super::progress::Progress;
 
 /// Balls of a task in a line.
-const BALLS: usize = 64;
+pub const BALLS: usize = 64;
 
 /// Lines that are written together.
 const BLOCK: usize = 100;

@@ -16,6 +16,7 @@ use super::picture;
 use super::row::Row;
 use crate::commands::collect::{Collected, read_solutions};
 use crate::commands::evaluate::Agent;
+use crate::commands::label::BALLS;
 use crate::commands::run::State;
 
 /// Our agents, the best first, and what the report calls them.
@@ -190,7 +191,7 @@ fn data(text: &mut String, rows: &[Row], path: &Path) -> anyhow::Result<()> {
     let Some(Row { recipe, nets, judge, .. }) = rows.first() else { return Ok(()) };
     writeln!(
         text,
-        "\nBalls were labelled in {} rounds, 64 of each task in a round. SHA-256 of the file of solutions: `{}`, of the \
+        "\nBalls were labelled in {} rounds, {BALLS} of each task in a round. SHA-256 of the file of solutions: `{}`, of the \
          file of balls: `{}`.",
         recipe.label_rounds, nets.data, judge.data
     )?;
