@@ -10,7 +10,7 @@ export TOOLS
 export PATH := $(TOOLS)/bin:$(PATH)
 
 PACKAGE := www/pkg/pathlight_bg.wasm
-PACKAGED := Cargo.toml Cargo.lock .cargo/config.toml .ci/package .ci/optimise \
+PACKAGED := Cargo.toml Cargo.lock .cargo/config.toml scripts/build-wasm scripts/optimise-wasm \
 	$(shell find src -name '*.rs' -not -path 'src/commands/*' -not -path src/main.rs)
 
 .PHONY: play test bench build timings pictures clean
@@ -19,7 +19,7 @@ play: build
 	@target/release/pathlight serve --port $(PORT)
 
 test:
-	@.ci/test
+	@scripts/test
 
 bench: $(PACKAGE)
 	@benches/nets/run
@@ -28,11 +28,11 @@ build: $(PACKAGE)
 	cargo build --release --bin pathlight
 
 timings pictures: build
-	.ci/tools packages chromium
+	scripts/install-tools packages chromium
 	node tests/browser/$@.mjs
 
 $(PACKAGE): $(PACKAGED)
-	.ci/package
+	scripts/build-wasm
 
 clean:
 	cargo clean

@@ -6,11 +6,11 @@
 use std::hint::black_box;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use pathlight::action::{Action, Ball};
-use pathlight::scene::Scene;
+use pathlight::puzzle::action::{Action, Ball};
+use pathlight::puzzle::scene::Scene;
+use pathlight::puzzle::task::Task;
+use pathlight::puzzle::templates::TEMPLATES;
 use pathlight::simulator::{outcome, simulate};
-use pathlight::task::Task;
-use pathlight::templates::TEMPLATES;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg32;
 

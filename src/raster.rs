@@ -4,9 +4,9 @@
 //! Row 0 is the bottom of the scene. Used by `pathnet` (through `samples`), `placement` and the page; knows
 //! nothing of engines and nets.
 
-use crate::action::Ball;
-use crate::rollout::{Pose, Rollout};
-use crate::scene::{Body, Part, Role, SIZE, Scene};
+use crate::puzzle::action::Ball;
+use crate::puzzle::rollout::{Pose, Rollout};
+use crate::puzzle::scene::{Body, Part, Role, SIZE, Scene};
 
 /// Width and height of a picture, cells.
 pub const SIDE: usize = 64;
@@ -170,7 +170,7 @@ pub fn trail_image(body: &Body, points: &[[f64; 2]]) -> Bitmap {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::Shape;
+    use crate::puzzle::scene::Shape;
 
     fn area_px(ball: Ball) -> f64 {
         f64::from(ball_image(ball).count()) * (POOL * POOL) as f64

@@ -1,10 +1,18 @@
-//! The fences between the modules: who may use what, and why.
+//! The order of the folders of `src/`, and what each of them may not use, with the reason.
 //!
-//! A grep over `src/`, comments left out. A rule is a list of words, the files that may hold them, and the reason.
+//! A grep over `src/`, comments left out. `LAYERS` is the order in which the folders build on each other; a rule is a
+//! list of words, the folders that may hold them (or may not), and the reason.
 #![cfg(not(target_arch = "wasm32"))]
 
 use std::fs;
 use std::path::{Path, PathBuf};
+
+/// The folders of `src/` from the data outwards: each uses only those before it. `raster` is a single file.
+const LAYERS: [&str; 10] =
+    ["puzzle", "raster", "simulator", "benchmark", "dataset", "nets", "agents", "play", "web", "commands"];
+
+/// The outermost layers: nothing uses them, not even each other.
+const OUTERMOST: [&str; 2] = ["web", "commands"];
 
 struct Rule {
     words: &'static [&'static str],
@@ -20,38 +28,19 @@ enum Files {
 
 use Files::{Never, Only};
 
-/// What builds or decides a simulation, or chooses a ball.
-const DETERMINISTIC: &[&str] = &[
-    "scene.rs",
-    "layout.rs",
-    "templates/",
-    "task.rs",
-    "action.rs",
-    "rollout.rs",
-    "simulator.rs",
-    "simulator/",
-    "raster.rs",
-    "placement.rs",
-    "folds.rs",
-    "auccess.rs",
-    "game.rs",
-    "overlap.rs",
-    "proposer.rs",
-    "solve_map.rs",
-    "samples.rs",
-    "solutions.rs",
-];
+/// What builds or decides a simulation, draws data or chooses a ball: the same bits natively and in wasm.
+const DETERMINISTIC: &[&str] = &["puzzle/", "raster.rs", "simulator/", "benchmark/", "dataset/", "agents/", "play/"];
 
 const RULES: &[Rule] = &[
     Rule {
         words: &["rapier2d"],
-        files: Only(&["simulator.rs", "simulator/"]),
-        reason: "one module stands between the engine and the rest, so that the engine can change alone",
+        files: Only(&["simulator/"]),
+        reason: "one folder stands between the engine and the rest, so that the engine can change alone",
     },
     Rule {
         words: &["burn::", "use burn"],
-        files: Only(&["pathnet/"]),
-        reason: "the nets are used and trained through plain numbers",
+        files: Only(&["nets/"]),
+        reason: "the rest uses and trains nets through plain slices of f32",
     },
     Rule {
         words: &["wasm_bindgen", "js_sys", "web_sys"],
@@ -71,7 +60,7 @@ const RULES: &[Rule] = &[
             "SystemTime",
         ],
         files: Only(&["main.rs", "commands/"]),
-        reason: "the library runs in a browser, which has no files, no environment and no threads, and no result may hang on a clock",
+        reason: "the library runs in a browser, which has no files, no environment and no threads, and no result may depend on a clock",
     },
     Rule {
         words: &[
@@ -89,37 +78,14 @@ const RULES: &[Rule] = &[
         reason: "their order differs from run to run; use Vec or BTreeMap",
     },
     Rule {
-        words: &["crate::web", "pathlight::web"],
-        files: Only(&["web/"]),
-        reason: "the page is outermost: nothing leans on it",
-    },
-    Rule {
-        words: &["crate::commands"],
-        files: Only(&["commands/"]),
-        reason: "the command line is outermost: nothing leans on it",
-    },
-    Rule { words: &["crate::"], files: Never(&["scene.rs"]), reason: "a scene is plain data and knows nobody" },
-    Rule {
-        words: &[
-            "crate::templates",
-            "crate::task",
-            "crate::simulator",
-            "crate::raster",
-            "crate::pathnet",
-            "crate::game",
-        ],
-        files: Never(&["layout.rs", "action.rs", "rollout.rs"]),
-        reason: "data and the layout language are what the others are made of",
-    },
-    Rule {
-        words: &["crate::templates", "crate::task", "crate::layout", "crate::raster", "crate::pathnet", "crate::game"],
-        files: Never(&["simulator.rs", "simulator/"]),
-        reason: "the simulator knows scenes and balls, not where they come from or who looks at them",
+        words: &["crate::"],
+        files: Never(&["puzzle/scene.rs"]),
+        reason: "a scene is plain data and depends on nothing",
     },
     Rule {
         words: &["crate::simulator"],
-        files: Never(&["templates/", "task.rs", "raster.rs", "pathnet/", "placement.rs"]),
-        reason: "tasks are laid out and proposals are made without simulating",
+        files: Never(&["nets/", "agents/"]),
+        reason: "proposals are made without simulating",
     },
     Rule {
         words: &["anyhow"],
@@ -129,7 +95,33 @@ const RULES: &[Rule] = &[
 ];
 
 #[test]
-fn no_module_reaches_over_a_fence() {
+fn a_folder_uses_only_the_folders_before_it() {
+    let broken: Vec<String> = sources().iter().flat_map(|(file, text)| upward_imports(file, text)).collect();
+    assert!(broken.is_empty(), "\n{}", broken.join("\n"));
+}
+
+#[test]
+fn every_folder_has_its_place_in_the_order() {
+    let mut layers: Vec<String> = sources().iter().filter_map(|(file, _)| layer_of(file)).map(String::from).collect();
+    layers.sort_unstable();
+    layers.dedup();
+    let mut expected = LAYERS.map(String::from).to_vec();
+    expected.sort_unstable();
+    assert_eq!(layers, expected, "src/ holds these folders and files beside lib.rs and main.rs");
+}
+
+#[test]
+fn an_import_of_a_later_folder_is_found() {
+    assert_eq!(upward_imports("nets/mod.rs", "use crate::agents::Proposal;").len(), 1);
+    assert_eq!(upward_imports("nets/mod.rs", "use crate::{play::game, puzzle::task};").len(), 1);
+    assert_eq!(upward_imports("nets/mod.rs", "use crate::raster::SIDE; // crate::web").len(), 0);
+    assert_eq!(upward_imports("commands/tasks.rs", "use pathlight::web::Puzzle;").len(), 1);
+    assert_eq!(upward_imports("commands/tasks.rs", "use pathlight::play::game;").len(), 0);
+    assert_eq!(upward_imports("nets/conv/mod.rs", "use crate::nets::conv;").len(), 0);
+}
+
+#[test]
+fn no_file_breaks_a_rule() {
     let sources = sources();
     assert!(sources.len() > 30, "only {} files found", sources.len());
     let broken: Vec<String> =
@@ -140,12 +132,8 @@ fn no_module_reaches_over_a_fence() {
 #[test]
 fn every_rule_names_files_that_exist() {
     let sources = sources();
-    // A module is a file or a folder, as it grew.
-    let exists = |path: &str| {
-        let stem = path.trim_end_matches('/').trim_end_matches(".rs");
-        let (file, folder) = (format!("{stem}.rs"), format!("{stem}/"));
-        sources.iter().any(|(name, _)| *name == file || name.starts_with(&folder))
-    };
+    let exists =
+        |path: &str| sources.iter().any(|(name, _)| name == path || path.ends_with('/') && name.starts_with(path));
     for rule in RULES {
         let (Only(files) | Never(files)) = rule.files;
         for file in files {
@@ -156,9 +144,8 @@ fn every_rule_names_files_that_exist() {
 
 #[test]
 fn a_rule_finds_what_breaks_it() {
-    let rule = Rule { words: &["rapier2d"], files: Only(&["simulator.rs", "simulator/"]), reason: "one module" };
+    let rule = Rule { words: &["rapier2d"], files: Only(&["simulator/"]), reason: "one folder" };
     assert_eq!(rule.broken_by("game.rs", "//! no rapier2d\nuse rapier2d::prelude::*; // why\n").count(), 1);
-    assert_eq!(rule.broken_by("simulator.rs", "use rapier2d::prelude::*;").count(), 0);
     assert_eq!(rule.broken_by("simulator/world.rs", "use rapier2d::prelude::*;").count(), 0);
     let rule = Rule { words: &["env::"], files: Never(&["task.rs", "templates/"]), reason: "the same everywhere" };
     assert_eq!(rule.broken_by("templates/mod.rs", "    std::env::var(name)").count(), 1);
@@ -172,6 +159,36 @@ fn no_file_is_a_dumping_ground() {
         let stem = Path::new(&file).file_stem().and_then(|stem| stem.to_str()).expect("a name");
         assert!(!["utils", "util", "helpers", "helper", "common", "misc"].contains(&stem), "src/{file}");
     }
+}
+
+/// The layer that a file below `src/` belongs to; none for lib.rs and main.rs.
+fn layer_of(file: &str) -> Option<&str> {
+    let first = file.split('/').next().unwrap_or(file);
+    let stem = first.strip_suffix(".rs").unwrap_or(first);
+    (!["lib", "main"].contains(&stem)).then_some(stem)
+}
+
+/// What a file uses of layers that are not before its own.
+fn upward_imports(file: &str, text: &str) -> Vec<String> {
+    let Some(own) = layer_of(file).and_then(|name| LAYERS.iter().position(|layer| *layer == name)) else {
+        return Vec::new();
+    };
+    let uses = |code: &str, layer: &str| {
+        let root = if LAYERS[own] == "commands" { "pathlight" } else { "crate" };
+        let grouped = code.contains(&format!("{root}::{{")) && holds(code, &format!("{layer}::"));
+        grouped || holds(code, &format!("{root}::{layer}"))
+    };
+    let mut broken = Vec::new();
+    for (number, line) in (1..).zip(text.lines()) {
+        let code = line.split("//").next().unwrap_or(line);
+        for (index, layer) in LAYERS.iter().enumerate() {
+            let allowed = index <= own && !(OUTERMOST.contains(layer) && index != own);
+            if !allowed && uses(code, layer) {
+                broken.push(format!("src/{file}:{number}: `{layer}` does not come before `{}`", LAYERS[own]));
+            }
+        }
+    }
+    broken
 }
 
 impl Rule {

@@ -4,7 +4,7 @@
 use std::fs;
 use std::path::Path;
 
-use pathlight::pathnet::{PathNet, device};
+use pathlight::nets::{PathNet, device};
 use pathlight::simulator;
 use serde_json::Value;
 use sha2::{Digest, Sha256};

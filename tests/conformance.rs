@@ -8,9 +8,9 @@
 use std::{env, fs, path::Path};
 
 use md5::{Digest, Md5};
-use pathlight::scene::{Body, Part, Role, Shape};
-use pathlight::task::{Task, TaskId};
-use pathlight::templates::TEMPLATES;
+use pathlight::puzzle::scene::{Body, Part, Role, Shape};
+use pathlight::puzzle::task::{Task, TaskId};
+use pathlight::puzzle::templates::TEMPLATES;
 use serde::Deserialize;
 use serde_json::{Map, Value};
 

@@ -3,8 +3,8 @@
 
 use std::path::Path;
 
-use pathlight::folds::{FOLDS, Fold, Setup};
-use pathlight::task::TaskId;
+use pathlight::benchmark::folds::{FOLDS, Fold, Setup};
+use pathlight::puzzle::task::TaskId;
 use serde_json::Value;
 
 #[test]

@@ -2,11 +2,11 @@
 //! written here for the purpose, agrees with them to rounding, and so does the second backend.
 #![cfg(not(target_arch = "wasm32"))]
 
-use pathlight::folds::Setup;
-use pathlight::pathnet::{Card, Imagined, PathNet, WeightsError, device};
+use pathlight::benchmark::folds::Setup;
+use pathlight::nets::{Card, Imagined, PathNet, WeightsError, device};
+use pathlight::puzzle::scene::Scene;
+use pathlight::puzzle::task::Task;
 use pathlight::raster::CELLS;
-use pathlight::scene::Scene;
-use pathlight::task::Task;
 use safetensors::SafeTensors;
 
 mod plain;

@@ -1,8 +1,8 @@
 //! The shipped weights imagine what plain nested loops make of them, natively and, by the loops that only wasm
 //! runs, in Node.
 
-use pathlight::pathnet::{Imagined, PathNet, device};
-use pathlight::task::Task;
+use pathlight::nets::{Imagined, PathNet, device};
+use pathlight::puzzle::task::Task;
 use safetensors::SafeTensors;
 
 mod plain;

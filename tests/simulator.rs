@@ -7,12 +7,12 @@
 use std::collections::BTreeMap;
 use std::{env, fs, path::Path};
 
-use pathlight::action::{Ball, Invalid};
-use pathlight::rollout::{GOAL_STEPS, MAX_STEPS};
-use pathlight::scene::{Body, Part, Role, Scene, Shape};
+use pathlight::puzzle::action::{Ball, Invalid};
+use pathlight::puzzle::rollout::{GOAL_STEPS, MAX_STEPS};
+use pathlight::puzzle::scene::{Body, Part, Role, Scene, Shape};
+use pathlight::puzzle::task::{Task, TaskId};
+use pathlight::puzzle::templates::TEMPLATES;
 use pathlight::simulator::{outcome, simulate};
-use pathlight::task::{Task, TaskId};
-use pathlight::templates::TEMPLATES;
 use serde::Deserialize;
 
 /// A green ball and a blue one, both of 10 px, at these places.

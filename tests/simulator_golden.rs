@@ -5,11 +5,11 @@
 //! to change, raise `simulator::VERSION` and run `UPDATE_GOLDEN=1 cargo test --release --test simulator_golden`.
 
 use md5::{Digest, Md5};
-use pathlight::action::{Action, Ball};
-use pathlight::scene::Scene;
+use pathlight::puzzle::action::{Action, Ball};
+use pathlight::puzzle::scene::Scene;
+use pathlight::puzzle::task::{Task, ids};
+use pathlight::puzzle::templates::{TEMPLATES, Template};
 use pathlight::simulator::{VERSION, outcome, simulate};
-use pathlight::task::{Task, ids};
-use pathlight::templates::{TEMPLATES, Template};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg32;
 

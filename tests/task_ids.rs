@@ -1,8 +1,8 @@
 //! A task id that someone types becomes a task, or a sentence that says what is wrong and what to do.
 #![cfg(not(target_arch = "wasm32"))]
 
-use pathlight::task::{Task, TaskError, TaskId, ids};
-use pathlight::templates::TEMPLATES;
+use pathlight::puzzle::task::{Task, TaskError, TaskId, ids};
+use pathlight::puzzle::templates::TEMPLATES;
 use proptest::prelude::*;
 
 fn said(text: &str) -> String {

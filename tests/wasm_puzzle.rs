@@ -2,7 +2,7 @@
 #![cfg(target_arch = "wasm32")]
 
 use js_sys::Reflect;
-use pathlight::auccess::ATTEMPTS;
+use pathlight::benchmark::auccess::ATTEMPTS;
 use pathlight::web::{Model, Puzzle, SolveMap, auccess, overlap, templates};
 use serde_json::Value;
 use wasm_bindgen::{JsCast, JsValue};

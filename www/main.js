@@ -1,22 +1,22 @@
 // The page: starts the wasm, follows the address, and joins its parts. Each part knows the session and the
 // wasm; only this file knows the parts.
 
-import { About } from "./about.js";
-import { Attempts } from "./attempts.js";
-import { SceneCanvas } from "./canvas.js";
-import { Compare } from "./compare.js";
-import { Controls } from "./controls.js";
-import { engine } from "./engine.js";
-import { Gallery } from "./gallery.js";
-import { Imagine } from "./imagine.js";
-import { listen } from "./keys.js";
-import { Model } from "./model.js";
-import { notice, quiet } from "./notice.js";
-import { Progress } from "./progress.js";
-import { Record } from "./record.js";
-import { Session } from "./session.js";
-import { PANELS, START, read, write } from "./state.js";
-import { Thinking } from "./thinking.js";
+import { About } from "./shell/about.js";
+import { Attempts } from "./play/attempts.js";
+import { SceneCanvas } from "./play/canvas.js";
+import { Compare } from "./panels/compare.js";
+import { Controls } from "./play/controls.js";
+import { engine } from "./shell/load-wasm.js";
+import { Gallery } from "./shell/gallery.js";
+import { Imagine } from "./panels/imagine.js";
+import { listen } from "./shell/shortcuts.js";
+import { Model } from "./model/worker-client.js";
+import { notice, quiet } from "./shell/notice.js";
+import { Progress } from "./shell/progress-store.js";
+import { Record } from "./shell/progress-view.js";
+import { Session } from "./play/session.js";
+import { PANELS, START, read, write } from "./shell/url-state.js";
+import { Thinking } from "./panels/panels.js";
 
 const at = (id) => document.getElementById(id);
 const darkness = matchMedia("(prefers-color-scheme: dark)");

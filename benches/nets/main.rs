@@ -10,12 +10,12 @@ use std::time::Instant;
 use std::{env, fs};
 
 use burn::tensor::Device;
-use pathlight::pathnet::trainer::{Batch, Trainer};
-use pathlight::pathnet::{Imagined, PathNet, device};
+use pathlight::dataset::samples::Sample;
+use pathlight::dataset::solutions::Solution;
+use pathlight::nets::training::{Batch, Trainer};
+use pathlight::nets::{Imagined, PathNet, device};
+use pathlight::puzzle::task::Task;
 use pathlight::raster::{Bitmap, scene_channels};
-use pathlight::samples::Sample;
-use pathlight::solutions::Solution;
-use pathlight::task::Task;
 
 const WEIGHTS: &str = "assets/within-0.safetensors";
 const SOLUTIONS: &str = "assets/solutions.jsonl";

@@ -9,15 +9,15 @@ use std::io::{BufRead, BufReader, Write};
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, bail};
-use pathlight::action::Ball;
+use pathlight::dataset::solutions::{Catch, Hunt, Solution};
+use pathlight::puzzle::action::Ball;
+use pathlight::puzzle::task::{Task, TaskId};
+use pathlight::puzzle::templates::{TEMPLATES, Template};
 use pathlight::simulator;
-use pathlight::solutions::{Catch, Hunt, Solution};
-use pathlight::task::{Task, TaskId};
-use pathlight::templates::{TEMPLATES, Template};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use super::hold::hold;
+use super::file_lock::hold;
 use super::progress::Progress;
 
 /// Find balls that solve the tasks, by simulation, to train on

@@ -10,22 +10,22 @@ use std::{fmt, fs, io};
 
 use anyhow::{Context, ensure};
 use clap::ValueEnum;
-use pathlight::action::Ball;
-use pathlight::auccess::{ATTEMPTS, auccess, share_within};
-use pathlight::folds::Setup;
-use pathlight::pathnet::{Card, PathNet};
-use pathlight::proposer;
-use pathlight::scene::Scene;
+use pathlight::agents;
+use pathlight::benchmark::auccess::{ATTEMPTS, auccess, share_within};
+use pathlight::benchmark::folds::Setup;
+use pathlight::nets::{Card, PathNet};
+use pathlight::puzzle::action::Ball;
+use pathlight::puzzle::scene::Scene;
+use pathlight::puzzle::task::TaskId;
+use pathlight::puzzle::templates::TEMPLATES;
 use pathlight::simulator::{self, outcome};
-use pathlight::task::TaskId;
-use pathlight::templates::TEMPLATES;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
+use super::fold_args::Which;
+use super::model_args::Weights;
 use super::progress::Progress;
-use super::scenes::Scenes;
-use super::weights::Weights;
-use super::which::Which;
+use super::scene_cache::Scenes;
 
 /// Measure agents on the test tasks of a fold
 #[derive(clap::Args)]
@@ -133,7 +133,7 @@ impl Args {
                 card.judge = None;
             }
             report.card = Some(card);
-            let model = |nets: &PathNet, task, scene: &Scene| proposer::model(nets, task, scene, self.seed, ATTEMPTS);
+            let model = |nets: &PathNet, task, scene: &Scene| agents::model(nets, task, scene, self.seed, ATTEMPTS);
             if nets.judge.is_some() && plays(Agent::Judge) {
                 report.agents.push(score(Agent::Judge, |task, scene| model(&nets, task, scene), &tasks)?);
             }
@@ -142,7 +142,7 @@ impl Args {
                 report.agents.push(score(Agent::Paper, |task, scene| model(&nets, task, scene), &tasks)?);
             }
         }
-        let random = |task, scene: &Scene| proposer::random(task, scene, self.seed, ATTEMPTS);
+        let random = |task, scene: &Scene| agents::random(task, scene, self.seed, ATTEMPTS);
         report.agents.push(score(Agent::Random, random, &tasks)?);
         // The file first: who reads the table may stop reading.
         if let Some(path) = &self.json {

@@ -9,16 +9,16 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use anyhow::{Context, bail};
-use pathlight::action::Ball;
-use pathlight::rollout::STEPS_PER_SECOND;
+use pathlight::puzzle::action::Ball;
+use pathlight::puzzle::rollout::STEPS_PER_SECOND;
+use pathlight::puzzle::task::TaskId;
+use pathlight::puzzle::templates::TEMPLATES;
 use pathlight::simulator::{outcome, simulate};
-use pathlight::task::TaskId;
-use pathlight::templates::TEMPLATES;
 use rayon::prelude::*;
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 
-use super::scenes::Scenes;
+use super::scene_cache::Scenes;
 
 /// Compare the simulator with PHYRE's outcomes and trajectories
 #[derive(clap::Args)]

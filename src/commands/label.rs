@@ -10,17 +10,17 @@ use std::io::{BufRead, BufReader, Write};
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, bail, ensure};
-use pathlight::action::Ball;
-use pathlight::labels::Labels;
+use pathlight::dataset::labels::Labels;
+use pathlight::puzzle::action::Ball;
+use pathlight::puzzle::task::{Task, TaskId};
+use pathlight::puzzle::templates::{TEMPLATES, Template};
 use pathlight::simulator;
-use pathlight::task::{Task, TaskId};
-use pathlight::templates::{TEMPLATES, Template};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use super::collect::read_solutions;
 use super::digest;
-use super::hold::hold;
+use super::file_lock::hold;
 use super::progress::Progress;
 
 /// Balls of a task in a line.

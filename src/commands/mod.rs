@@ -9,29 +9,29 @@ use std::{fs, io};
 
 use anyhow::Context;
 use clap::{Parser, Subcommand};
-use pathlight::task::TaskError;
-use pathlight::templates::{TEMPLATES, Template};
+use pathlight::puzzle::task::TaskError;
+use pathlight::puzzle::templates::{TEMPLATES, Template};
 use sha2::{Digest, Sha256};
 
 mod collect;
 mod evaluate;
 mod fidelity;
-mod hold;
-mod judge;
+mod file_lock;
+mod fold_args;
 mod label;
+mod model_args;
 mod progress;
 mod propose;
 mod publish;
-mod run;
-mod scenes;
+mod scene_cache;
 mod serve;
 mod simulate;
 mod solve_rates;
 mod table;
 mod tasks;
 mod train;
-mod weights;
-mod which;
+mod train_judge;
+mod training_run;
 
 /// Physics puzzles, and the paths that four small nets imagine for them.
 #[derive(Parser)]
@@ -46,7 +46,7 @@ enum Command {
     Tasks(tasks::Args),
     Collect(collect::Args),
     Label(label::Args),
-    Judge(judge::Args),
+    Judge(train_judge::Args),
     Train(train::Args),
     Publish(publish::Args),
     Propose(propose::Args),

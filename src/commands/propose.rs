@@ -6,16 +6,16 @@ use std::io::{self, BufWriter, Write};
 use std::path::PathBuf;
 
 use anyhow::Context;
-use pathlight::action::Ball;
-use pathlight::proposer;
-use pathlight::task::TaskId;
+use pathlight::agents;
+use pathlight::puzzle::action::Ball;
+use pathlight::puzzle::task::TaskId;
 use rayon::prelude::*;
 use serde::Serialize;
 
+use super::fold_args::Which;
+use super::model_args::Weights;
 use super::progress::Progress;
-use super::scenes::Scenes;
-use super::weights::Weights;
-use super::which::Which;
+use super::scene_cache::Scenes;
 
 /// Write the model's attempts as JSON lines, best guess first, without simulating
 #[derive(clap::Args)]
@@ -66,7 +66,7 @@ impl Args {
             let lines: Vec<Line> = tasks
                 .par_iter()
                 .map(|&task| {
-                    let balls = proposer::model(&nets, task, scenes.get(task)?, self.seed, self.attempts.into());
+                    let balls = agents::model(&nets, task, scenes.get(task)?, self.seed, self.attempts.into());
                     Ok(Line { task, balls })
                 })
                 .collect::<anyhow::Result<_>>()?;

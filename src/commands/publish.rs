@@ -7,7 +7,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, ensure};
-use pathlight::pathnet::{PathNet, device};
+use pathlight::nets::{PathNet, device};
 use serde::Serialize;
 
 use super::digest;

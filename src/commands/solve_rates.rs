@@ -9,10 +9,10 @@ use std::fs;
 use std::path::PathBuf;
 
 use anyhow::Context;
-use pathlight::action::{Action, Invalid};
+use pathlight::puzzle::action::{Action, Invalid};
+use pathlight::puzzle::task::{Task, TaskId};
+use pathlight::puzzle::templates::{TEMPLATES, Template};
 use pathlight::simulator::outcome;
-use pathlight::task::{Task, TaskId};
-use pathlight::templates::{TEMPLATES, Template};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use rayon::prelude::*;

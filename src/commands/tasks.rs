@@ -1,11 +1,11 @@
 //! `pathlight tasks`: the templates, the tasks of one of them, or scenes as JSON.
 //!
-//! The JSON of a task is `pathlight::task::Task` as it serialises itself; nothing is added here.
+//! The JSON of a task is `pathlight::puzzle::task::Task` as it serialises itself; nothing is added here.
 
 use std::io::{self, BufWriter, Write};
 
-use pathlight::task::{Task, TaskId};
-use pathlight::templates::{TEMPLATES, Template};
+use pathlight::puzzle::task::{Task, TaskId};
+use pathlight::puzzle::templates::{TEMPLATES, Template};
 use serde_json::{Map, Value};
 
 /// List the templates, the tasks of one, or scenes as JSON

@@ -8,11 +8,11 @@ use std::sync::mpsc::{SyncSender, sync_channel};
 use std::thread;
 
 use anyhow::ensure;
-use pathlight::pathnet::trainer::{Batch, Trainer};
-use pathlight::pathnet::{Card, PathNet, device};
-use pathlight::samples::Sample;
+use pathlight::dataset::samples::Sample;
+use pathlight::dataset::solutions::Solution;
+use pathlight::nets::training::{Batch, Trainer};
+use pathlight::nets::{Card, PathNet, device};
 use pathlight::simulator;
-use pathlight::solutions::Solution;
 use rand::seq::SliceRandom;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
@@ -20,10 +20,10 @@ use rayon::prelude::*;
 
 use super::collect::{Collected, read_solutions};
 use super::digest;
+use super::fold_args::Which;
 use super::progress::Progress;
-use super::run::Run;
-use super::scenes::Scenes;
-use super::which::Which;
+use super::scene_cache::Scenes;
+use super::training_run::Run;
 
 /// Train the four nets on the training tasks of a fold
 #[derive(clap::Args)]

@@ -8,8 +8,8 @@ use rapier2d::math::{Pose, Rotation, Vector};
 use rapier2d::parry::bounding_volume::BoundingVolume;
 use rapier2d::parry::mass_properties::MassProperties;
 
-use super::settings::{BOX_AHEAD, BOX_MARGIN, DENSITY, SCALE, SKIN};
-use crate::scene::{Body, Part};
+use super::constants::{BOX_AHEAD, BOX_MARGIN, DENSITY, SCALE, SKIN};
+use crate::puzzle::scene::{Body, Part};
 
 /// Where a body's centre of mass is, m, and its angle, radians, not wrapped.
 #[derive(Clone, Copy, Debug)]

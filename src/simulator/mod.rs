@@ -5,17 +5,17 @@
 //! for the trigonometry, and no order that hangs on a hash. Page, wasm, collection and evaluation all come here.
 //! Knows nothing of tasks, pixels or nets.
 
-use crate::action::{Ball, Invalid};
-use crate::rollout::{GOAL_STEPS, MAX_STEPS, Pose, Rollout};
-use crate::scene::{Scene, walls};
-use settings::{SCALE, TOUCHING_BALLS};
+use crate::puzzle::action::{Ball, Invalid};
+use crate::puzzle::rollout::{GOAL_STEPS, MAX_STEPS, Pose, Rollout};
+use crate::puzzle::scene::{Scene, walls};
+use constants::{SCALE, TOUCHING_BALLS};
 use world::World;
 
 mod body;
+mod constants;
 mod contact;
-mod impact;
-mod settings;
-mod solver;
+mod contact_solver;
+mod time_of_impact;
 mod world;
 
 /// Raised whenever any rollout changes; stored in weights and collected data.

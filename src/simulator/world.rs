@@ -7,14 +7,14 @@
 use rapier2d::parry::bounding_volume::BoundingVolume;
 
 use super::body::{Fixture, Motion, Rigid, Stance};
-use super::contact::Contact;
-use super::impact;
-use super::settings::{
+use super::constants::{
     ANGULAR_DAMPING, GRAVITY, IMPACT_PUSH, MAX_IMPACTS, MAX_ROTATION, MAX_TRANSLATION, POSITION_SWEEPS, PUSH, SLOP,
     STEP, STILL_SPEED, STILL_SPIN, STILL_TIME,
 };
-use super::solver::{Constraint, remember, solve_velocities, sweep_positions};
-use crate::scene::Body;
+use super::contact::Contact;
+use super::contact_solver::{Constraint, remember, solve_velocities, sweep_positions};
+use super::time_of_impact;
+use crate::puzzle::scene::Body;
 
 #[derive(Default)]
 pub struct World {
@@ -315,7 +315,7 @@ impl World {
         if !fixtures[0].swept.intersects(&fixtures[1].swept) {
             return 1.0;
         }
-        match impact::moment(fixtures, [&self.bodies[a], &self.bodies[b]]) {
+        match time_of_impact::moment(fixtures, [&self.bodies[a], &self.bodies[b]]) {
             Some(share) => (since + (1.0 - since) * share).min(1.0),
             None => 1.0,
         }

@@ -8,7 +8,7 @@ use std::str::FromStr;
 use colorous::Gradient;
 use serde::Serialize;
 
-use crate::scene::Role;
+use crate::puzzle::scene::Role;
 
 /// CSS colours.
 #[derive(Serialize)]

@@ -9,11 +9,11 @@ use wasm_bindgen::prelude::*;
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 
 use super::paint::{Painter, reach};
-use super::take::Take;
-use crate::action::Ball;
-use crate::game::held;
-use crate::rollout::GOAL_STEPS;
-use crate::scene::{Role, Scene};
+use super::recording::Take;
+use crate::play::game::held;
+use crate::puzzle::action::Ball;
+use crate::puzzle::rollout::GOAL_STEPS;
+use crate::puzzle::scene::{Role, Scene};
 
 /// How much of what stands still shows through the maps, 0..=1.
 const THROUGH: f64 = 0.6;

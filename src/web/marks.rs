@@ -5,8 +5,8 @@ use std::f64::consts::TAU;
 use wasm_bindgen::prelude::*;
 
 use super::paint::{Line, Painter};
-use crate::action::Ball;
-use crate::scene::Role;
+use crate::puzzle::action::Ball;
+use crate::puzzle::scene::Role;
 
 impl Painter<'_> {
     /// A ball that another attempt places: a small ring; of the one that is looked at, its rim, its middle, and a

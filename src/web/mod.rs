@@ -9,23 +9,23 @@
 use wasm_bindgen::prelude::*;
 use web_sys::CanvasRenderingContext2d;
 
-use crate::task::{self, Task};
-use crate::templates::TEMPLATES;
+use crate::puzzle::task::{self, Task};
+use crate::puzzle::templates::TEMPLATES;
 
-mod chart;
 mod colour;
+mod describe;
 mod error;
 mod frame;
+mod heatmap;
 mod marks;
-mod measure;
+mod metrics;
 mod model;
 mod paint;
 mod puzzle;
+mod recording;
 mod solve_map;
-mod take;
-mod words;
 
-pub use measure::{auccess, overlap};
+pub use metrics::{auccess, overlap};
 pub use model::{Model, Turn};
 pub use puzzle::Puzzle;
 pub use solve_map::SolveMap;
@@ -86,7 +86,7 @@ pub fn paint_map(
     most: f32,
     dark: bool,
 ) -> Result<(), JsValue> {
-    chart::map(context, stage_named(stage)?, values, most, dark)
+    heatmap::map(context, stage_named(stage)?, values, most, dark)
 }
 
 /// Draws the colours of a stage from the least at the left to the most at the right, over the whole canvas.
@@ -95,7 +95,7 @@ pub fn paint_map(
 /// `bad_map` if the stage has no such name.
 #[wasm_bindgen(js_name = paintLegend)]
 pub fn paint_legend(context: &CanvasRenderingContext2d, stage: &str, dark: bool) -> Result<(), JsValue> {
-    chart::legend(context, stage_named(stage)?, dark)
+    heatmap::legend(context, stage_named(stage)?, dark)
 }
 
 /// Draws a line round what is set (over one half) of 64 x 64 values, row 0 at the bottom, over a square canvas of
@@ -116,7 +116,7 @@ pub fn paint_outline(
         "real" => (ink, colour::SOLID),
         stage => stage_named(stage).map(|stage| (stage.line(dark), stage.dashes()))?,
     };
-    chart::outlined(context, values, &colour, dashes)
+    heatmap::outlined(context, values, &colour, dashes)
 }
 
 /// Draws a map of outcomes, as `SolveMap.picture` gives it, into a canvas of 256 x 256 pixels.
@@ -125,7 +125,7 @@ pub fn paint_outline(
 /// `bad_map` if the outcomes are not 64 x 64.
 #[wasm_bindgen(js_name = paintOutcomes)]
 pub fn paint_outcomes(context: &CanvasRenderingContext2d, outcomes: &[u8], dark: bool) -> Result<(), JsValue> {
-    chart::outcomes(context, outcomes, dark)
+    heatmap::outcomes(context, outcomes, dark)
 }
 
 fn stage_named(name: &str) -> Result<Stage, JsValue> {

@@ -7,16 +7,16 @@ use wasm_bindgen::prelude::*;
 
 use super::error::{Code, error, plain};
 use super::load;
-use crate::action::Ball;
-use crate::auccess::ATTEMPTS;
-use crate::folds::Fold;
-use crate::game::{Attempt, Ending};
-use crate::pathnet::{Card, PathNet, device};
-use crate::proposer;
-use crate::ranking::chances;
-use crate::scene::Scene;
+use crate::agents;
+use crate::agents::ranking::chances;
+use crate::benchmark::auccess::ATTEMPTS;
+use crate::benchmark::folds::Fold;
+use crate::nets::{Card, PathNet, device};
+use crate::play::game::{Attempt, Ending};
+use crate::puzzle::action::Ball;
+use crate::puzzle::scene::Scene;
+use crate::puzzle::task::{Task, TaskId};
 use crate::simulator::simulate;
-use crate::task::{Task, TaskId};
 
 /// The nets with their weights.
 #[wasm_bindgen]
@@ -95,7 +95,7 @@ impl Model {
     /// `bad_task` if there is no such task.
     pub fn propose(&self, id: &str, seed: u32) -> Result<JsValue, JsValue> {
         let Task { id, scene, .. } = load(id)?;
-        plain(&proposer::traced(&self.net, id, &scene, seed.into(), ATTEMPTS))
+        plain(&agents::traced(&self.net, id, &scene, seed.into(), ATTEMPTS))
     }
 
     /// Begins the model's turn on a task. The same seed gives the same attempts.
@@ -104,7 +104,7 @@ impl Model {
     /// `bad_task` if there is no such task.
     pub fn turn(&self, id: &str, seed: u32) -> Result<Turn, JsValue> {
         let Task { id, scene, .. } = load(id)?;
-        let balls = proposer::model(&self.net, id, &scene, seed.into(), ATTEMPTS).into_iter();
+        let balls = agents::model(&self.net, id, &scene, seed.into(), ATTEMPTS).into_iter();
         Ok(Turn { scene, balls, solved: false })
     }
 }

@@ -11,9 +11,9 @@ use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement, Path2d};
 
 use super::colour::{Palette, palette};
 use super::error::{Code, error};
-use crate::action::Ball;
-use crate::rollout::Pose;
-use crate::scene::{Body, Part, Role, SIZE};
+use crate::puzzle::action::Ball;
+use crate::puzzle::rollout::Pose;
+use crate::puzzle::scene::{Body, Part, Role, SIZE};
 
 /// Distance between the lines of a hatched goal, and their width, px.
 const HATCH: (f64, f64) = (4.5, 1.2);

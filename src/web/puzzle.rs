@@ -7,18 +7,18 @@ use serde::Serialize;
 use wasm_bindgen::prelude::*;
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 
+use super::describe::{described, reason};
 use super::error::{Code, error, from_plain, plain};
 use super::frame::{self, View};
 use super::paint::Line;
-use super::take::Take;
-use super::words::{described, reason};
-use crate::action::Ball;
-use crate::game::{Agent, Attempt, Ending, Game, Refused};
+use super::recording::Take;
+use crate::play::game::{Agent, Attempt, Ending, Game, Refused};
+use crate::puzzle::action::Ball;
+use crate::puzzle::scene::Body;
+use crate::puzzle::task::Task;
+use crate::puzzle::templates::TEMPLATES;
 use crate::raster::trail_image;
-use crate::scene::Body;
 use crate::simulator::simulate;
-use crate::task::Task;
-use crate::templates::TEMPLATES;
 
 #[wasm_bindgen]
 pub struct Puzzle {

@@ -4,7 +4,7 @@ use wasm_bindgen::prelude::*;
 
 use super::error::{Code, error};
 use super::load;
-use crate::solve_map;
+use crate::play::solve_map;
 
 /// A map of 64 x 64 cells of one task: what a ball of this radius comes to that starts there.
 #[wasm_bindgen]

@@ -3,9 +3,9 @@
 use std::fs;
 use std::path::Path;
 
-use pathlight::action::Ball;
+use pathlight::puzzle::action::Ball;
+use pathlight::puzzle::task::{Task, TaskId};
 use pathlight::simulator::outcome;
-use pathlight::task::{Task, TaskId};
 use serde_json::Value;
 use tempfile::tempdir;
 

@@ -3,10 +3,10 @@
 use std::fs;
 use std::path::Path;
 
-use pathlight::labels::Labels;
-use pathlight::pathnet::{PathNet, device};
+use pathlight::dataset::labels::Labels;
+use pathlight::nets::{PathNet, device};
+use pathlight::puzzle::task::Task;
 use pathlight::simulator::outcome;
-use pathlight::task::Task;
 use tempfile::tempdir;
 
 use super::{assert_refused, output_of};

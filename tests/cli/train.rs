@@ -4,8 +4,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
-use pathlight::action::Ball;
-use pathlight::task::{Task, TaskId};
+use pathlight::puzzle::action::Ball;
+use pathlight::puzzle::task::{Task, TaskId};
 use serde_json::Value;
 use tempfile::{TempDir, tempdir};
 

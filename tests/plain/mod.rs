@@ -1,8 +1,8 @@
 //! The paper's layers, written to be read and not to be fast. Pictures are channel by channel, row by row.
 
 use half::f16;
+use pathlight::puzzle::scene::Scene;
 use pathlight::raster::{CHANNELS, scene_channels};
-use pathlight::scene::Scene;
 use safetensors::SafeTensors;
 
 fn hourglass(file: &SafeTensors, net: &str, picture: &[f32], channels: usize) -> Vec<f32> {

@@ -115,7 +115,7 @@ fn router(page: &Folder, assets: &Folder) -> Router {
 
 fn files(folder: &Folder) -> Router {
     let missing = any(|| async { "There is nothing here. The page is at /\n" });
-    // `.ci/package` leaves the wasm compressed as well as can be beside it.
+    // `scripts/build-wasm` leaves the wasm compressed as well as can be beside it.
     let files =
         ServeDir::with_backend(folder.root(), folder.clone()).precompressed_br().redirect_to_trailing_slash(false);
     Router::new().fallback_service(files.not_found_service(missing))

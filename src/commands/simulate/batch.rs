@@ -7,14 +7,14 @@ use std::fs::File;
 use std::io::{self, BufRead, BufReader, BufWriter, Read, Write};
 
 use anyhow::Context;
-use pathlight::action::Ball;
+use pathlight::puzzle::action::Ball;
 use pathlight::simulator::outcome;
 use rayon::prelude::*;
 
 use super::Answer;
 use super::start::Request;
 use crate::commands::progress::Progress;
-use crate::commands::scenes::Scenes;
+use crate::commands::scene_cache::Scenes;
 
 /// Lines a core gets in one chunk: enough that cores seldom wait for one another.
 const LINES_PER_CORE: usize = 64;

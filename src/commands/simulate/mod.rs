@@ -5,10 +5,10 @@
 use std::io::{self, Write};
 
 use clap::ArgGroup;
-use pathlight::action::{Action, Ball, Invalid};
-use pathlight::rollout::{Pose, Rollout, Status};
+use pathlight::puzzle::action::{Action, Ball, Invalid};
+use pathlight::puzzle::rollout::{Pose, Rollout, Status};
+use pathlight::puzzle::task::{Task, TaskId};
 use pathlight::simulator::{Outcome, simulate};
-use pathlight::task::{Task, TaskId};
 use serde::Serialize;
 
 mod batch;
@@ -98,7 +98,7 @@ struct Line<'a> {
     poses: Option<Poses<'a>>,
 }
 
-/// A rollout, as `pathlight::rollout::Rollout` describes it, with the poses of each step in a row of their own.
+/// A rollout, as `pathlight::puzzle::rollout::Rollout` describes it, with the poses of each step in a row of their own.
 #[derive(Serialize)]
 struct Poses<'a> {
     bodies: &'a [usize],

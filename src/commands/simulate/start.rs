@@ -2,9 +2,9 @@
 //!
 //! A ball in px is what an action has become after rounding, so its three numbers are whole.
 
-use pathlight::action::{Action, Ball, Invalid};
-use pathlight::scene::Scene;
-use pathlight::task::TaskId;
+use pathlight::puzzle::action::{Action, Ball, Invalid};
+use pathlight::puzzle::scene::Scene;
+use pathlight::puzzle::task::TaskId;
 use serde::{Deserialize, Deserializer, Serialize};
 
 /// A ball: x, y and radius, whole numbers of px.

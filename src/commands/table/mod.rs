@@ -9,10 +9,10 @@ use std::path::PathBuf;
 
 use anyhow::{Context, ensure};
 use clap::ValueEnum;
-use pathlight::folds::{FOLDS, Setup};
+use pathlight::benchmark::folds::{FOLDS, Setup};
 
+use super::fold_args::{Which, setup};
 use super::run_words;
-use super::which::{Which, setup};
 use row::{Data, Recipe, Row};
 
 mod picture;

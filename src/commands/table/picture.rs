@@ -3,9 +3,9 @@
 use std::path::Path;
 
 use anyhow::anyhow;
-use pathlight::auccess::auccess;
-use pathlight::folds::Setup;
-use pathlight::templates::TEMPLATES;
+use pathlight::benchmark::auccess::auccess;
+use pathlight::benchmark::folds::Setup;
+use pathlight::puzzle::templates::TEMPLATES;
 use plotters::coord::Shift;
 use plotters::coord::ranged1d::SegmentValue;
 use plotters::prelude::*;

@@ -7,17 +7,17 @@ use std::path::Path;
 use std::{fs, io};
 
 use anyhow::Context;
-use pathlight::folds::{FOLDS, Setup};
-use pathlight::solutions::SPREAD;
-use pathlight::task::{TaskId, ids};
-use pathlight::templates::TEMPLATES;
+use pathlight::benchmark::folds::{FOLDS, Setup};
+use pathlight::dataset::solutions::SPREAD;
+use pathlight::puzzle::task::{TaskId, ids};
+use pathlight::puzzle::templates::TEMPLATES;
 
 use super::picture;
 use super::row::Row;
 use crate::commands::collect::{Collected, read_solutions};
 use crate::commands::evaluate::Agent;
 use crate::commands::label::BALLS;
-use crate::commands::run::State;
+use crate::commands::training_run::State;
 
 /// Our agents, the best first, and what the report calls them.
 pub const AGENTS: [(Agent, &str); 3] =

@@ -7,14 +7,14 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use anyhow::{Context, ensure};
-use pathlight::auccess::{ATTEMPTS, auccess, share_within};
-use pathlight::folds::{FOLDS, Setup};
+use pathlight::benchmark::auccess::{ATTEMPTS, auccess, share_within};
+use pathlight::benchmark::folds::{FOLDS, Setup};
 use pathlight::simulator;
 use serde::{Deserialize, Serialize};
 
 use crate::commands::evaluate::{Agent, Report};
-use crate::commands::run::{State, state};
-use crate::commands::which::Which;
+use crate::commands::fold_args::Which;
+use crate::commands::training_run::{State, state};
 use crate::commands::{digest, label, run_words};
 
 /// The settings of a table. The defaults are those of the results in the repository.

@@ -1,0 +1,40 @@
+//! Weights files on disk: which one belongs to a fold, and whether it may be used there.
+
+use std::fs;
+use std::path::PathBuf;
+
+use anyhow::{Context, ensure};
+use pathlight::nets::{Card, PathNet, device};
+
+use super::fold_args::Which;
+
+/// Where a fold's weights come from, and what they run on; part of the arguments of other commands.
+#[derive(clap::Args)]
+pub struct Weights {
+    /// Weights of the model [default: assets/SETUP-FOLD.safetensors]
+    #[arg(long)]
+    weights: Option<PathBuf>,
+
+    /// What the nets run on: flex or ndarray
+    #[arg(long, default_value = "flex")]
+    device: String,
+}
+
+impl Weights {
+    /// The nets of a fold. Weights of another fold have seen its test tasks, so they are refused.
+    pub fn load(&self, &Which { setup, fold }: &Which) -> anyhow::Result<(PathNet, Card)> {
+        let path = self.weights.clone().unwrap_or_else(|| format!("assets/{setup}-{fold}.safetensors").into());
+        let name = path.display();
+        let bytes = fs::read(&path)
+            .with_context(|| format!("no weights in {name}: run `pathlight train`, or name a file with --weights"))?;
+        let device = device(&self.device).map_err(anyhow::Error::msg)?;
+        let (nets, card) = PathNet::load(&bytes, &device).with_context(|| format!("{name} does not fit"))?;
+        ensure!(
+            card.setup == setup && card.fold == fold,
+            "{name} was trained on {} {}, so it may have seen the test tasks of {setup} {fold}: name other weights",
+            card.setup,
+            card.fold
+        );
+        Ok((nets, card))
+    }
+}

@@ -1,0 +1,8 @@
+//! What nets learn from: the search for solutions, balls labelled with their outcome, and training images.
+//!
+//! Uses the simulator. Knows neither nets nor files.
+
+pub mod labels;
+pub mod samples;
+pub mod sampling;
+pub mod solutions;

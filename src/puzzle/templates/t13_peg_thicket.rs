@@ -1,0 +1,67 @@
+//! 00013 Peg Thicket.
+
+use std::f64::consts::PI;
+
+use super::numpy::RandomState;
+use super::t12_switchback_pegs::pegs;
+use super::{Ints, Params, Template, kept};
+use crate::puzzle::layout::{Ball, Bar, dynamic, fixed, scene};
+use crate::puzzle::scene::{SIZE, Scene};
+
+pub static TEMPLATE: Template = Template {
+    number: 13,
+    name: "Peg Thicket",
+    story: "A ball falls into two wandering, branching chains of pegs; get it through to the floor.",
+    grid: &[("seed", Ints(0, 299))],
+    script,
+    selected: kept(
+        "11 15 19-21 25 27 36 45 49-52 59 64 65 67 70 74 75 78 81-84 90 91 95-97 101 104-108 112 \
+         116 118 121 122 125 127 128 139 141 142 144 146 149 152 159 162 164 165 169 172 177-179 \
+         181-184 193 194 197 206-208 210-212 215 218 220-222 226 231 234 235 240 243 244 247 249 \
+         252 259 263 270-272 281 283 285 286 291 294 299",
+    ),
+};
+
+fn script(p: &Params) -> Option<Scene> {
+    let mut random = RandomState::new(p.int("seed"));
+    let ball = dynamic(Ball(0.1)).at(SIZE * random.uniform(0.4, 0.6), 0.9 * SIZE);
+    let top = (ball.bottom() - 2.0 * ball.height()) / SIZE;
+    let chains = [[0.7, 0.5], [0.2, 0.5]].into_iter().flat_map(|start| chain(&mut random, start, top)).collect();
+    let floor = fixed(Bar(1.0)).at_bottom(0.0).at_left(0.0);
+    Some(scene([ball.object()].into_iter().chain(pegs(chains, 0.05)).chain([floor.goal()])))
+}
+
+/// A spiralling walk below `top` that now and then starts afresh from one of its own points, which is then
+/// listed twice; it goes on until enough points lie in the scene. Points are fractions of the scene.
+fn chain(random: &mut RandomState, start: [f64; 2], top: f64) -> Vec<[f64; 2]> {
+    let (mut angle, mut turn) = heading(random);
+    let wanted = random.randint(15, 30);
+    let mut points = vec![start];
+    let (mut run, mut inside) = (1, 0);
+    while inside < wanted {
+        let next = if run >= 3 && random.unit() < 0.2 {
+            let branch = points[random.randint(0, points.len())];
+            run = 1;
+            (angle, turn) = heading(random);
+            branch
+        } else {
+            run += 1;
+            let step = random.uniform(0.05, 0.2);
+            angle += turn;
+            let [x, y] = points[points.len() - 1];
+            [x + step * libm::cos(angle), y + step * libm::sin(angle)]
+        };
+        if next[1] < top {
+            points.push(next);
+            inside += usize::from(next.iter().all(|&at| 0.0 < at && at < 1.0));
+        }
+    }
+    points
+}
+
+/// A direction, and how far it turns at each step, radians.
+fn heading(random: &mut RandomState) -> (f64, f64) {
+    let angle = random.unit() * 2.0 * PI;
+    let turn = random.unit() * 2.0 * PI / 10.0;
+    (angle, turn)
+}

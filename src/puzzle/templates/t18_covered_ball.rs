@@ -1,0 +1,41 @@
+//! 00018 Covered Ball.
+
+use super::{Lin, Params, Template, kept, skip};
+use crate::puzzle::layout::{Ball, Bar, Jar, dynamic, fixed, scene};
+use crate::puzzle::scene::{SIZE, Scene};
+
+pub static TEMPLATE: Template = Template {
+    number: 18,
+    name: "Covered Ball",
+    story: "A small ball sits under an upturned jar on a shelf; get it to the ball that the jar on the ground holds.",
+    grid: &[
+        ("bar_offset", Lin(0.1, 0.2, 3)),
+        ("bar_y", Lin(0.4, 0.65, 10)),
+        ("bottom_jar_scale", Lin(0.15, 0.2, 3)),
+        ("bottom_jar_x", Lin(0.25, 0.5, 5)),
+        ("right_diag_angle", Lin(30.0, 70.0, 3)),
+    ],
+    script,
+    selected: kept(
+        "7 9 13 15 23 28 33 35 36 38-40 44 46 49 52 53 55-57 61 63 66 67 69 70 72 77 79 82 85 89 \
+         91 93 95 98 99 101 105 107 108 110 111 114-116 118-120 122 125-131 134-137 139 144-147 \
+         150 152 154-162 164-167 171-174 178-180 183-185 187-189 192 193 195-198",
+    ),
+};
+
+fn script(p: &Params) -> Option<Scene> {
+    let (jar_scale, jar_x) = (p.num("bottom_jar_scale"), p.num("bottom_jar_x"));
+    let y = p.num("bar_y");
+    skip(y >= 0.6 && jar_x > 0.4)?;
+    let jar = dynamic(Jar(jar_scale)).at_bottom(0.0).at_cx(SIZE * jar_x);
+    let held = dynamic(Ball(0.05 + jar_scale / 8.0)).at_bottom(10.0).at_cx(jar.cx());
+    let shelf = fixed(Bar(1.0)).at_left(jar.left() + SIZE * p.num("bar_offset")).at_bottom(SIZE * y);
+    let cover = dynamic(Jar(0.12)).turned(180.0).at_left(shelf.left()).at_bottom(shelf.top());
+    let ball = dynamic(Ball(0.05)).at_bottom(shelf.top()).at_cx(cover.left() + 0.5 * cover.width());
+    skip(shelf.left() < 3.0 * ball.width())?;
+    let diagonal = fixed(Bar(1.0))
+        .turned(p.num("right_diag_angle"))
+        .at_left((0.7 * SIZE).max(cover.right() + 10.0))
+        .at_bottom(shelf.bottom());
+    Some(scene([jar, held.goal(), shelf, cover, ball.object(), diagonal]))
+}

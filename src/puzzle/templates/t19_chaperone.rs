@@ -1,0 +1,41 @@
+//! 00019 Chaperone.
+
+use super::{Lin, List, Params, Template, kept, skip};
+use crate::puzzle::layout::{Ball, Bar, dynamic, fixed, scene};
+use crate::puzzle::scene::{SIZE, Scene};
+
+pub static TEMPLATE: Template = Template {
+    number: 19,
+    name: "Chaperone",
+    story: "Two balls fall one above the other; make the upper one come to rest on the raised pad with little rims.",
+    grid: &[
+        ("ball_x", Lin(0.0, 1.0, 128)),
+        ("lower_ball_y", List(&[0.7, 0.5])),
+        ("target_size", Lin(0.1, 0.2, 2)),
+        ("target_x", Lin(0.0, 1.0, 128)),
+    ],
+    script,
+    selected: kept(
+        "13 38 64 68 103 143 146 184 215 219 244 249 252 261 273 287 296 311 316 321 332 337 339 \
+         348 351 364 369 372 388 410 415 434 439 460 479 484 502 518 543 562 563 584 593 597 598 \
+         606 608 611 612 620 633 646 660 661 679 681 684 690 694 695 705 709 726 728 745 757 762 \
+         769 770 791 805 811 812 835 852 853 865 867 871 877 879 884 885 896 909 918 923 928 935 \
+         938 944 955 960 967 970 974 987 991 994 998",
+    ),
+};
+
+fn script(p: &Params) -> Option<Scene> {
+    let x = SIZE * p.num("ball_x");
+    let ball = dynamic(Ball(0.1)).at_bottom(SIZE * 0.9).at_cx(x);
+    let lower = dynamic(Ball(0.1)).at_bottom(SIZE * p.num("lower_ball_y")).at_cx(x);
+    skip(ball.left() >= 253.0)?;
+    let floor = fixed(Bar(1.0)).at_left(0.0).at_bottom(0.0);
+    let pad = fixed(Bar(p.num("target_size"))).at_bottom(floor.top()).at_cx(SIZE * p.num("target_x"));
+    let rim = || fixed(Bar(0.02)).turned(90.0).at_bottom(pad.top());
+    let left_rim = || rim().at_right(pad.left());
+    let right_rim = || rim().at_left(pad.right());
+    // One of the two stands there twice.
+    let twice = if pad.left() < ball.left() { left_rim() } else { right_rim() };
+    let rims = [left_rim(), right_rim(), twice];
+    Some(scene([ball.object(), lower, floor, pad.goal()].into_iter().chain(rims)))
+}
