@@ -10,6 +10,7 @@ use std::io::{BufRead, BufReader, Write};
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, bail, ensure};
+use pathlight::benchmark::folds::{FOLDS, Fold, Setup};
 use pathlight::dataset::labels::Labels;
 use pathlight::puzzle::action::Ball;
 use pathlight::puzzle::task::{Task, TaskId};
@@ -21,6 +22,7 @@ use serde::{Deserialize, Serialize};
 use super::collect::read_solutions;
 use super::digest;
 use super::file_lock::hold;
+use super::fold_args::setup;
 use super::progress::Progress;
 
 /// Balls of a task in a line.
@@ -52,7 +54,16 @@ pub struct Args {
     #[arg(long, value_name = "N", default_value_t = 100)]
     limit: usize,
 
-    /// Seed of all that is drawn
+    /// Use only the training tasks of one fold of this setup: only they are labelled, and only their solutions
+    /// are drawn around
+    #[arg(long, value_parser = setup, requires = "fold")]
+    setup: Option<Setup>,
+
+    /// The fold of --setup
+    #[arg(long, requires = "setup", value_parser = clap::value_parser!(u8).range(0..i64::from(FOLDS)))]
+    fold: Option<u8>,
+
+    /// Seed of all random draws
     #[arg(long, default_value_t = 0)]
     seed: u64,
 }
@@ -66,23 +77,32 @@ struct Settings {
     simulator: u32,
     /// SHA-256 of the file of solutions.
     solutions: String,
+    /// Setup and fold if only the fold's training tasks were used; absent if all tasks were.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    training_tasks_of: Option<(Setup, u8)>,
 }
 
 impl Args {
     pub fn run(self) -> anyhow::Result<()> {
         let templates = TEMPLATES.iter().filter(|all| self.template.is_none_or(|one| one.number == all.number));
-        let tasks: Vec<Task> = templates.flat_map(|template| Task::of(template).take(self.limit)).collect();
-        let first = tasks.first().context("no task is left to try balls on: raise --limit")?.id;
+        let training_tasks_of = self.setup.zip(self.fold);
+        // Test tasks must not steer where balls are sampled, so their solutions are left out too.
+        let allowed = training_tasks_of.map(|(setup, fold)| Fold::new(setup, fold).all_train());
+        let allows = |id: TaskId| allowed.as_ref().is_none_or(|allowed| allowed.binary_search(&id).is_ok());
+        let tasks: Vec<Task> =
+            templates.flat_map(|template| Task::of(template).take(self.limit)).filter(|task| allows(task.id)).collect();
+        let first = tasks.first().context("no task is left to label: choose another --template, --fold or --limit")?.id;
         let settings = Settings {
             seed: self.seed,
             tasks: tasks.len(),
             first,
             simulator: simulator::VERSION,
             solutions: digest(&self.solutions)?,
+            training_tasks_of,
         };
         let mut own: BTreeMap<TaskId, Vec<Ball>> = BTreeMap::new();
         let mut sisters: Vec<Vec<Ball>> = vec![Vec::new(); TEMPLATES.len()];
-        for solution in read_solutions(&self.solutions)?.solutions {
+        for solution in read_solutions(&self.solutions)?.solutions.into_iter().filter(|one| allows(one.task)) {
             own.entry(solution.task).or_default().push(solution.ball);
             sisters[solution.task.template].push(solution.ball);
         }

@@ -3,7 +3,9 @@
 use std::fs;
 use std::path::Path;
 
+use pathlight::benchmark::folds::{Fold, Setup};
 use pathlight::dataset::labels::Labels;
+use pathlight::dataset::solutions::Solution;
 use pathlight::nets::{PathNet, device};
 use pathlight::puzzle::task::Task;
 use pathlight::simulator::outcome;
@@ -40,6 +42,35 @@ fn labels_are_true_and_the_same_after_a_cut() {
     }
     assert!(solved > 0 && failed > 0 && solved + failed == 3 * 64);
     assert_refused(&["label", "--out", &half], "name another file with --out");
+}
+
+#[test]
+fn labels_of_a_fold_use_its_training_tasks_and_their_solutions_only() {
+    let folder = tempdir().expect("a folder");
+    let file = |name: &str| folder.path().join(name).display().to_string();
+    let solutions = fs::read_to_string("assets/solutions.jsonl").expect("solutions");
+    let fold = Fold::new(Setup::Within, 0);
+    // The same solutions without those of test tasks.
+    let known = |line: &str| serde_json::from_str::<Solution>(line).ok();
+    let of_training: Vec<&str> = solutions
+        .lines()
+        .filter(|line| known(line).is_none_or(|known| fold.test.binary_search(&known.task).is_err()))
+        .collect();
+    fs::write(file("training.jsonl"), of_training.join("\n") + "\n").expect("a file");
+    let label = |solutions: &str, out: &str, more: &[&str]| {
+        let words = ["label", "--template", "2", "--limit", "12", "--rounds", "1"];
+        output_of(&[&words[..], &["--solutions", solutions, "--out", &file(out)], more].concat());
+        let text = fs::read_to_string(file(out)).expect("labels");
+        text.lines().skip(1).map(|line| serde_json::from_str(line).expect("labels")).collect::<Vec<Labels>>()
+    };
+    let of_fold = label("assets/solutions.jsonl", "fold", &["--setup", "within", "--fold", "0"]);
+    assert!(of_fold.len() > 3 && of_fold.len() < 12, "{} of 12 tasks", of_fold.len());
+    assert!(of_fold.iter().all(|labels| fold.all_train().contains(&labels.task)));
+    let all = label(&file("training.jsonl"), "all", &[]);
+    let same: Vec<&Labels> = all.iter().filter(|labels| fold.test.binary_search(&labels.task).is_err()).collect();
+    assert_eq!(of_fold.iter().collect::<Vec<_>>(), same, "solutions of test tasks were used");
+    assert_refused(&["label", "--out", &file("fold")], "name another file with --out");
+    assert_refused(&["label", "--fold", "0", "--out", &file("half")], "--setup");
 }
 
 #[test]
