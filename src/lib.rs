@@ -10,7 +10,7 @@
 //! let task = Task::load("00002:007".parse()?)?;
 //! let ball = Action { x: 0.1, y: 0.9, r: 0.5 }.place(&task.scene)?;
 //! let rollout = simulate(&task.scene, Some(ball))?;
-//! println!("{}: {:?} after {} steps", task.goal, rollout.status(), rollout.steps);
+//! println!("{} Solved: {}, after {} steps", task.goal, rollout.solved, rollout.steps);
 //! let attempts = agents::random(task.id, &task.scene, 0, 100);
 //! assert!(attempts.iter().all(|ball| ball.check(&task.scene).is_ok()));
 //! # Ok::<(), Box<dyn std::error::Error>>(())

@@ -1,59 +1,64 @@
-//! Pictures for the nets: the five channels of a scene, and the path of a body through a rollout.
+//! 64 x 64 images for the nets: the five channels of a scene, and the path of a body through a rollout.
 //!
-//! Everything is drawn at 256 x 256, one pixel a px, and pooled to 64 x 64 by "any", as in the authors' data.
-//! Row 0 is the bottom of the scene. Used by `pathnet` (through `samples`), `placement` and the page; knows
-//! nothing of engines and nets.
+//! Everything is drawn at 256 x 256 pixels, one per px, and max-pooled to 64 x 64 cells, as in the data of Harter et
+//! al. (2020). Row 0 is the bottom of the scene. Used wherever a cell has a place in the scene: by `dataset`, `nets`,
+//! `agents`, `play` and the page. Must not depend on the simulator or on nets.
 
 use crate::puzzle::action::Ball;
 use crate::puzzle::rollout::{Pose, Rollout};
 use crate::puzzle::scene::{Body, Part, Role, SIZE, Scene};
 
-/// Width and height of a picture, cells.
+/// Width and height of an image, cells.
 pub const SIDE: usize = 64;
 
-/// Cells of a picture.
+/// Cells of an image.
 pub const CELLS: usize = SIDE * SIDE;
 
-/// Channels of a scene: green object, blue goal, purple goal, gray, black.
+/// Width and height of a cell, px. One px is one pixel of the image before pooling.
+pub const PX_PER_CELL: usize = SIZE as usize / SIDE;
+
+/// Channels of a scene: green object, blue goal, purple goal, gray, black (PHYRE's roles without the action ball).
 pub const CHANNELS: usize = 5;
 
-/// A path keeps every tenth step of a rollout, as in the authors' data.
+/// A path image shows every tenth step of a rollout, as in the data of Harter et al. (2020).
 const PATH_STRIDE: usize = 10;
 
 /// Distance between two drawings of a body along a trail, px: half a cell, so that no cell is left out.
-const TRAIL_STRIDE: f64 = 2.0;
+const TRAIL_STRIDE: f64 = PX_PER_CELL as f64 / 2.0;
 
-/// Pixels across a cell.
-const POOL: usize = SIZE as usize / SIDE;
+/// Returns the centre of a cell, px. Cells are numbered row by row from the bottom left, `0..CELLS`.
+pub fn cell_centre(cell: usize) -> [f64; 2] {
+    [cell % SIDE, cell / SIDE].map(|index| (index as f64 + 0.5) * PX_PER_CELL as f64)
+}
 
-/// A 64 x 64 picture of set and unset cells: a word for each row, the lowest bit on the left.
+/// A binary 64 x 64 image (a mask): one word per row, the lowest bit on the left.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Bitmap(pub [u64; SIDE]);
 
 impl Bitmap {
     pub const EMPTY: Bitmap = Bitmap([0; SIDE]);
 
-    /// Is the cell in this column and row set?
+    /// Whether the cell in this column and row is set.
     pub fn get(&self, column: usize, row: usize) -> bool {
         self.0[row] >> column & 1 == 1
     }
 
-    /// The number of cells set.
+    /// The number of set cells.
     pub fn count(&self) -> u32 {
         self.0.iter().map(|row| row.count_ones()).sum()
     }
 
-    /// 1 for each cell set, 0 for the others; 4096 numbers, row by row.
-    pub fn numbers(&self) -> impl Iterator<Item = f32> + use<> {
+    /// Returns 4,096 values, row by row: 1.0 for a set cell, 0.0 for any other.
+    pub fn to_f32(&self) -> impl Iterator<Item = f32> + use<> {
         self.0.into_iter().flat_map(|row| (0..SIDE).map(move |column| (row >> column & 1) as f32))
     }
 
-    /// The picture itself, or its mirror image left to right.
-    pub fn turned(self, mirrored: bool) -> Bitmap {
-        if mirrored { Bitmap(self.0.map(u64::reverse_bits)) } else { self }
+    /// Returns the image flipped left to right.
+    pub fn mirrored(self) -> Bitmap {
+        Bitmap(self.0.map(u64::reverse_bits))
     }
 
-    /// Draws a body that stands at a pose.
+    /// Draws a body at a pose.
     fn draw(&mut self, body: &Body, [x, y, angle]: Pose) {
         let placed = Body { x: x.into(), y: y.into(), angle: angle.into(), ..body.clone() };
         for part in &placed.parts {
@@ -67,6 +72,7 @@ impl Bitmap {
         }
     }
 
+    /// Draws a disc; centre and radius in px.
     fn disc(&mut self, x: f64, y: f64, radius: f64) {
         self.fill(y - radius, y + radius, |height| {
             let half = libm::sqrt((radius * radius - (height - y) * (height - y)).max(0.0));
@@ -74,7 +80,7 @@ impl Bitmap {
         });
     }
 
-    /// A convex polygon.
+    /// Draws a convex polygon; corners in px.
     fn polygon(&mut self, corners: &[[f64; 2]]) {
         let bottom = corners.iter().map(|corner| corner[1]).fold(f64::INFINITY, f64::min);
         let top = corners.iter().map(|corner| corner[1]).fold(f64::NEG_INFINITY, f64::max);
@@ -90,14 +96,15 @@ impl Bitmap {
         });
     }
 
-    /// Sets every cell with a pixel whose centre lies in the span of its line; `span` gives left and right, px.
+    /// Scan conversion: sets every cell that has a pixel whose centre lies in the span of its scan line. `span` returns
+    /// the left and right end of a line at a height, all px.
     fn fill(&mut self, bottom: f64, top: f64, span: impl Fn(f64) -> Option<(f64, f64)>) {
         for line in first_pixel(bottom)..end_pixel(top) {
             let Some((left, right)) = span(line as f64 + 0.5) else { continue };
             let (start, end) = (first_pixel(left), end_pixel(right));
             if start < end {
-                let (low, high) = (start / POOL, (end - 1) / POOL);
-                self.0[line / POOL] |= u64::MAX >> (SIDE - 1 - (high - low)) << low;
+                let (low, high) = (start / PX_PER_CELL, (end - 1) / PX_PER_CELL);
+                self.0[line / PX_PER_CELL] |= u64::MAX >> (SIDE - 1 - (high - low)) << low;
             }
         }
     }
@@ -111,17 +118,17 @@ impl std::ops::BitOrAssign for Bitmap {
     }
 }
 
-/// The first pixel whose centre is not before a coordinate, within the scene.
+/// Returns the first pixel whose centre is not before a coordinate (px), within the scene.
 fn first_pixel(coordinate: f64) -> usize {
     (coordinate - 0.5).ceil().clamp(0.0, SIZE) as usize
 }
 
-/// The pixel after the last whose centre is not after a coordinate, within the scene.
+/// Returns one more than the last pixel whose centre is not after a coordinate (px), within the scene.
 fn end_pixel(coordinate: f64) -> usize {
     ((coordinate - 0.5).floor() + 1.0).clamp(0.0, SIZE) as usize
 }
 
-/// The five channels of a scene as it starts.
+/// Returns the five channels of a scene at its start.
 pub fn scene_channels(scene: &Scene) -> [Bitmap; CHANNELS] {
     [Role::Green, Role::Blue, Role::Purple, Role::Gray, Role::Black].map(|role| {
         let mut channel = Bitmap::EMPTY;
@@ -132,15 +139,15 @@ pub fn scene_channels(scene: &Scene) -> [Bitmap; CHANNELS] {
     })
 }
 
-/// The ball before the rollout.
+/// Returns the image of a ball: the placement channel.
 pub fn ball_image(ball: Ball) -> Bitmap {
     let mut image = Bitmap::EMPTY;
     image.disc(ball.x, ball.y, ball.r);
     image
 }
 
-/// Every place where a body was: its drawings at every tenth step together. `index` is the body's number in
-/// the rollout; a body that never moves has been where it stands.
+/// Returns the path of a body: the union of its images at every tenth step. `index` is the body's index in the scene
+/// (the action ball has the one after the last); a static body is drawn where it is.
 pub fn path_image(body: &Body, rollout: &Rollout, index: usize) -> Bitmap {
     let mut image = Bitmap::EMPTY;
     for step in (0..=rollout.steps).step_by(PATH_STRIDE) {
@@ -150,18 +157,18 @@ pub fn path_image(body: &Body, rollout: &Rollout, index: usize) -> Bitmap {
     image
 }
 
-/// Every place where a body would be if it slid along a line through these points, px: what a person draws,
-/// as a path. It stands at the start too, keeps its angle, and no point takes it out of the scene.
+/// Returns the path of a body that slides along a line through these points (px) without rotating: what a person
+/// draws, as a path image. The start of the body is part of it, and points outside the scene are clamped to its edge.
 pub fn trail_image(body: &Body, points: &[[f64; 2]]) -> Bitmap {
     let mut image = Bitmap::EMPTY;
     let mut draw = |[x, y]: [f64; 2]| image.draw(body, [x as f32, y as f32, body.angle as f32]);
     draw([body.x, body.y]);
-    let kept: Vec<[f64; 2]> = points.iter().map(|point| point.map(|value| value.clamp(0.0, SIZE))).collect();
-    for (from, to) in kept.iter().zip(kept.iter().skip(1).chain(kept.last())) {
+    let clamped: Vec<[f64; 2]> = points.iter().map(|point| point.map(|value| value.clamp(0.0, SIZE))).collect();
+    for (from, to) in clamped.iter().zip(clamped.iter().skip(1).chain(clamped.last())) {
         let steps = (libm::hypot(to[0] - from[0], to[1] - from[1]) / TRAIL_STRIDE).ceil().max(1.0);
         for step in 0..steps as usize {
-            let share = step as f64 / steps;
-            draw([from[0] + share * (to[0] - from[0]), from[1] + share * (to[1] - from[1])]);
+            let t = step as f64 / steps;
+            draw([from[0] + t * (to[0] - from[0]), from[1] + t * (to[1] - from[1])]);
         }
     }
     image
@@ -173,7 +180,23 @@ mod tests {
     use crate::puzzle::scene::Shape;
 
     fn area_px(ball: Ball) -> f64 {
-        f64::from(ball_image(ball).count()) * (POOL * POOL) as f64
+        f64::from(ball_image(ball).count()) * (PX_PER_CELL * PX_PER_CELL) as f64
+    }
+
+    #[test]
+    fn a_ball_at_the_centre_of_a_cell_sets_this_cell() {
+        assert_eq!(cell_centre(SIDE + 2), [10.0, 6.0]);
+        for cell in [0, 1, SIDE, SIDE + 2, CELLS - 1] {
+            let [x, y] = cell_centre(cell);
+            let image = ball_image(Ball { x, y, r: 1.0 });
+            assert!(image.get(cell % SIDE, cell / SIDE) && image.count() == 1, "cell {cell}");
+        }
+    }
+
+    #[test]
+    fn a_mirrored_image_is_flipped_left_to_right() {
+        let ball = |x| ball_image(Ball { x, y: 60.0, r: 20.0 });
+        assert_eq!(ball(100.0).mirrored(), ball(SIZE - 100.0));
     }
 
     #[test]

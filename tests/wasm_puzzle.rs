@@ -2,7 +2,7 @@
 #![cfg(target_arch = "wasm32")]
 
 use js_sys::Reflect;
-use pathlight::benchmark::auccess::ATTEMPTS;
+use pathlight::play::game::ATTEMPT_LIMIT;
 use pathlight::web::{Model, Puzzle, SolveMap, auccess, overlap, templates};
 use serde_json::Value;
 use wasm_bindgen::{JsCast, JsValue};
@@ -77,7 +77,7 @@ fn attempts_run_until_solved_and_replay_the_same() {
     let tries: Vec<_> = balls(&puzzle).collect();
     let mut solved = None;
     for (x, y, r) in tries {
-        if json(puzzle.score("player").expect("a score"))["used"] == ATTEMPTS {
+        if json(puzzle.score("player").expect("a score"))["used"] == ATTEMPT_LIMIT {
             puzzle.clear("player").expect("cleared");
         }
         let attempt = json(puzzle.attempt(x, y, r).expect("valid"));

@@ -81,7 +81,7 @@ fn repeat<T>(result: &[f32], mut work: impl FnMut() -> T) {
 /// Writes the scene `[5, 64, 64]` and the batch `[32, 9, 64, 64]`, scenes before what is to be imagined.
 fn inputs(task: &Task, folder: &Path) {
     let write = |name: &str, pictures: &mut dyn Iterator<Item = Bitmap>| {
-        let bytes: Vec<u8> = pictures.flat_map(|picture| picture.numbers()).flat_map(f32::to_le_bytes).collect();
+        let bytes: Vec<u8> = pictures.flat_map(|picture| picture.to_f32()).flat_map(f32::to_le_bytes).collect();
         fs::write(folder.join(name), bytes).expect("the folder can be written");
     };
     write("scene.f32", &mut scene_channels(&task.scene).into_iter());

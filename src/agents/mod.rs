@@ -40,5 +40,5 @@ pub fn traced(nets: &PathNet, task: TaskId, scene: &Scene, run: u64, count: usiz
 /// Chance draws uniformly from the action space.
 pub fn random(task: TaskId, scene: &Scene, run: u64, count: usize) -> Vec<Ball> {
     let mut rng = Pcg64Mcg::seed_from_u64(task.seed(run));
-    std::iter::repeat_with(|| random_ball(scene, &mut rng)).take(count).collect()
+    std::iter::repeat_with(|| random_ball(scene, &mut rng)).map_while(|ball| ball).take(count).collect()
 }

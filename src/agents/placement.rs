@@ -10,8 +10,8 @@ use rand_pcg::Pcg64Mcg;
 use super::proposal::{Origin, Proposal};
 use crate::dataset::sampling::{perturbed, random_ball};
 use crate::puzzle::action::{Action, Ball};
-use crate::puzzle::scene::{SIZE, Scene};
-use crate::raster::{SIDE, ball_image};
+use crate::puzzle::scene::Scene;
+use crate::raster::{ball_image, cell_centre};
 
 /// Balls that the map itself places, before noise.
 const STARTS: usize = 5;
@@ -49,7 +49,7 @@ pub fn proposals(map: &[f32], scene: &Scene, seed: u64, attempts: usize) -> Vec<
     }
     let starts: Vec<Action> = found.iter().map(|start| start.ball.action()).collect();
     if starts.is_empty() {
-        let blind = std::iter::repeat_with(|| random_ball(scene, &mut rng)).take(attempts);
+        let blind = std::iter::repeat_with(|| random_ball(scene, &mut rng)).map_while(|ball| ball).take(attempts);
         return blind.map(|ball| Proposal { ball, origin: Origin::Chance, passed: 0 }).collect();
     }
     for turn in 0.. {
@@ -79,15 +79,15 @@ fn new(ball: Ball, found: &[Proposal]) -> bool {
 /// A ball on one of the cells, of random radius, improved, and the middle of that cell; `None` if it is not valid.
 fn seeded(map: &[f32], scene: &Scene, seeds: &[usize], rng: &mut impl Rng) -> Option<(Ball, [f64; 2])> {
     let cell = *seeds.get(rng.random_range(0..seeds.len().max(1)))?;
-    let centre = |index: usize| (index as f64 + 0.5) * SIZE / SIDE as f64;
-    let start = Ball { x: centre(cell % SIDE), y: centre(cell / SIDE), r: rng.random_range(2.0..32.0) };
-    let mut ball = start.action().place(scene).ok()?;
+    let [x, y] = cell_centre(cell);
+    let start = Ball { x, y, r: rng.random_range(2.0..32.0) };
+    let mut ball = start.snapped(scene).ok()?;
     let mut best = overlap(map, ball);
     let mut reach = REACH;
     for _ in 0..IMPROVEMENTS {
         for (dx, dy, dr) in NEIGHBOURS {
             let near = Ball { x: ball.x + dx * reach, y: ball.y + dy * reach, r: ball.r + dr * reach };
-            let Ok(near) = near.action().place(scene) else { continue };
+            let Ok(near) = near.snapped(scene) else { continue };
             let score = overlap(map, near);
             if score > best {
                 (ball, best) = (near, score);
@@ -105,7 +105,7 @@ const NEIGHBOURS: [(f64, f64, f64); 6] =
 /// gains as long as it takes in cells that are more than half as high as its mean.
 fn overlap(map: &[f32], ball: Ball) -> f32 {
     let image = ball_image(ball);
-    let under: f32 = map.iter().zip(image.numbers()).map(|(value, inside)| value * inside).sum();
+    let under: f32 = map.iter().zip(image.to_f32()).map(|(value, inside)| value * inside).sum();
     under / (image.count().max(1) as f32).sqrt()
 }
 
@@ -121,7 +121,7 @@ mod tests {
 
     /// The map that nets would draw if they were sure of one ball.
     fn sure_of(ball: Ball) -> Vec<f32> {
-        ball_image(ball).numbers().collect()
+        ball_image(ball).to_f32().collect()
     }
 
     #[test]
@@ -129,7 +129,7 @@ mod tests {
         let scene = scene();
         let mut rng = Pcg64Mcg::seed_from_u64(3);
         for _ in 0..20 {
-            let wanted = random_ball(&scene, &mut rng);
+            let wanted = random_ball(&scene, &mut rng).expect("the scene has room");
             let first = proposals(&sure_of(wanted), &scene, 0, 1)[0].ball;
             assert!((first.x - wanted.x).abs() <= 8.0 && (first.y - wanted.y).abs() <= 8.0, "{wanted}: {first}");
             assert!((first.r - wanted.r).abs() <= 8.0, "{wanted}: {first}");
@@ -158,7 +158,7 @@ mod tests {
     #[test]
     fn a_proposal_says_where_it_comes_from() {
         let scene = scene();
-        let wanted = random_ball(&scene, &mut Pcg64Mcg::seed_from_u64(3));
+        let wanted = random_ball(&scene, &mut Pcg64Mcg::seed_from_u64(3)).expect("the scene has room");
         let found = proposals(&sure_of(wanted), &scene, 0, 20);
         let origins: Vec<Origin> = found.iter().map(|proposal| proposal.origin).collect();
         for origin in &origins[..STARTS] {

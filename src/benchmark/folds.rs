@@ -1,26 +1,27 @@
-//! The benchmark's ten folds: which tasks an agent trains on and which it is tested on.
+//! PHYRE's ten folds in two setups: which tasks an agent is trained on and which it is tested on.
 //!
-//! `within`: 80 tasks of each template train, the other 20 test. `cross`: 20 templates train, the other 5
-//! test. Lists are shuffled as PHYRE does it: sorted by the MD5 of the item's text followed by a salt.
+//! `within`: four fifths of the tasks of each template are for training, one fifth for testing. `cross`: four fifths of
+//! the templates are for training, one fifth for testing. One fifth of what is for training is the dev part. All parts
+//! are cut from lists in PHYRE's `stable_shuffle`, with PHYRE's salts.
 
 use std::fmt;
 
-use md5::{Digest, Md5};
 use serde::{Deserialize, Serialize};
 
+use crate::puzzle::stable_shuffle::stable_shuffle;
 use crate::puzzle::task::{TaskId, ids};
 use crate::puzzle::templates::TEMPLATES;
 
-/// Folds of each setup.
+/// Number of folds in each setup.
 pub const FOLDS: u8 = 10;
 
-/// What an agent has to generalise to.
+/// What an agent has to generalise to (PHYRE's evaluation setups).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Setup {
-    /// To new tasks of the templates it knows.
+    /// New tasks of templates that it was trained on.
     Within,
-    /// To new templates.
+    /// New templates.
     Cross,
 }
 
@@ -43,7 +44,7 @@ pub struct Fold {
 }
 
 impl Fold {
-    /// The fold of this setup and number, 0..=9.
+    /// The fold of this setup and number, `0..FOLDS`.
     pub fn new(setup: Setup, fold: u8) -> Fold {
         match setup {
             Setup::Within => within(fold),
@@ -62,38 +63,40 @@ impl Fold {
 fn within(fold: u8) -> Fold {
     let (mut train, mut test) = (vec![], vec![]);
     for template in TEMPLATES {
-        let tasks = shuffled(ids(template).collect(), &format!("ball_online_ind_tasks{fold}"));
-        train.extend_from_slice(&tasks[..80]);
-        test.extend_from_slice(&tasks[80..]);
+        let mut tasks = stable_shuffle(ids(template).collect(), &format!("ball_online_ind_tasks{fold}"));
+        test.extend(tasks.split_off(four_fifths(tasks.len())));
+        train.extend(tasks);
     }
-    let mut train = shuffled(train, &format!("make_dev{fold}"));
-    let dev = train.split_off(1600);
+    let mut train = stable_shuffle(train, &format!("make_dev{fold}"));
+    let dev = train.split_off(four_fifths(train.len()));
     Fold { train: sorted(train), dev: sorted(dev), test: sorted(test) }
 }
 
 fn cross(fold: u8) -> Fold {
-    let numbers = (0..TEMPLATES.len()).map(Number).collect();
-    let mut train = shuffled(numbers, &format!("ball_cross_template_half_{fold}"));
-    let test = train.split_off(20);
-    let mut train = shuffled(train, &format!("dev_ball_cross_template_half_{fold}"));
-    let dev = train.split_off(16);
-    let tasks = |numbers: Vec<Number>| sorted(numbers.iter().flat_map(|&Number(n)| ids(TEMPLATES[n])).collect());
+    let numbers = (0..TEMPLATES.len()).map(TemplateNumber).collect();
+    let mut train = stable_shuffle(numbers, &format!("ball_cross_template_half_{fold}"));
+    let test = train.split_off(four_fifths(train.len()));
+    let mut train = stable_shuffle(train, &format!("dev_ball_cross_template_half_{fold}"));
+    let dev = train.split_off(four_fifths(train.len()));
+    let tasks = |numbers: Vec<TemplateNumber>| {
+        sorted(numbers.iter().flat_map(|&TemplateNumber(number)| ids(TEMPLATES[number])).collect())
+    };
     Fold { train: tasks(train), dev: tasks(dev), test: tasks(test) }
 }
 
-/// A template's number, written as PHYRE hashes it.
-#[derive(Clone, Copy)]
-struct Number(usize);
+/// PHYRE's training share of a list: of 100 tasks, 25 templates, 20 templates, 2,000 tasks.
+fn four_fifths(count: usize) -> usize {
+    count * 4 / 5
+}
 
-impl fmt::Display for Number {
+/// A template's number in the text that PHYRE hashes: five digits.
+#[derive(Clone, Copy)]
+struct TemplateNumber(usize);
+
+impl fmt::Display for TemplateNumber {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{:05}", self.0)
     }
-}
-
-fn shuffled<T: fmt::Display>(mut items: Vec<T>, salt: &str) -> Vec<T> {
-    items.sort_by_cached_key(|item| <[u8; 16]>::from(Md5::digest(format!("{item}{salt}"))));
-    items
 }
 
 fn sorted(mut tasks: Vec<TaskId>) -> Vec<TaskId> {

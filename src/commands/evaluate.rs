@@ -11,7 +11,7 @@ use std::{fmt, fs, io};
 use anyhow::{Context, ensure};
 use clap::ValueEnum;
 use pathlight::agents;
-use pathlight::benchmark::auccess::{ATTEMPTS, auccess, share_within};
+use pathlight::benchmark::auccess::{MAX_ATTEMPTS, auccess, solved_within};
 use pathlight::benchmark::folds::Setup;
 use pathlight::nets::{Card, PathNet};
 use pathlight::puzzle::action::Ball;
@@ -133,7 +133,7 @@ impl Args {
                 card.judge = None;
             }
             report.card = Some(card);
-            let model = |nets: &PathNet, task, scene: &Scene| agents::model(nets, task, scene, self.seed, ATTEMPTS);
+            let model = |nets: &PathNet, task, scene: &Scene| agents::model(nets, task, scene, self.seed, MAX_ATTEMPTS);
             if nets.judge.is_some() && plays(Agent::Judge) {
                 report.agents.push(score(Agent::Judge, |task, scene| model(&nets, task, scene), &tasks)?);
             }
@@ -142,7 +142,7 @@ impl Args {
                 report.agents.push(score(Agent::Paper, |task, scene| model(&nets, task, scene), &tasks)?);
             }
         }
-        let random = |task, scene: &Scene| agents::random(task, scene, self.seed, ATTEMPTS);
+        let random = |task, scene: &Scene| agents::random(task, scene, self.seed, MAX_ATTEMPTS);
         report.agents.push(score(Agent::Random, random, &tasks)?);
         // The file first: who reads the table may stop reading.
         if let Some(path) = &self.json {
@@ -178,9 +178,9 @@ fn score(
     Ok(Score {
         agent,
         auccess: auccess(&firsts),
-        solved_at_once: share_within(&firsts, 1),
-        solved_within_10: share_within(&firsts, 10),
-        solved_within_100: share_within(&firsts, ATTEMPTS),
+        solved_at_once: solved_within(&firsts, 1),
+        solved_within_10: solved_within(&firsts, 10),
+        solved_within_100: solved_within(&firsts, MAX_ATTEMPTS),
         first_solved,
     })
 }
@@ -220,7 +220,7 @@ impl Report {
             if column == 0 {
                 write!(text, " {:>5}", firsts.len())?;
             }
-            let [one, ten, hundred] = [1, 10, ATTEMPTS].map(|attempts| 100.0 * share_within(&firsts, attempts));
+            let [one, ten, hundred] = [1, 10, MAX_ATTEMPTS].map(|attempts| 100.0 * solved_within(&firsts, attempts));
             write!(text, "  {:>15.1} {one:>4.0} % {ten:>4.0} % {hundred:>4.0} %", auccess(&firsts))?;
         }
         writeln!(text)

@@ -42,7 +42,7 @@ impl Labels {
                 let deviation = NOISE[rng.random_range(0..NOISE.len())];
                 perturbed(ball.action(), deviation, &mut rng).place(&task.scene).ok()
             });
-            let ball = near.unwrap_or_else(|| random_ball(&task.scene, &mut rng));
+            let Some(ball) = near.or_else(|| random_ball(&task.scene, &mut rng)) else { break };
             let solved = outcome(&task.scene, Some(ball)).is_ok_and(|outcome| outcome.solved);
             if solved { &mut labels.solved } else { &mut labels.failed }.push(ball);
         }

@@ -4,17 +4,18 @@
 
 use rand::{Rng, RngExt};
 
-use crate::puzzle::action::{Action, Ball};
+use crate::puzzle::action::{Action, Ball, Obstacles};
 use crate::puzzle::scene::Scene;
 
-/// A valid ball drawn uniformly from the action space.
-pub fn random_ball(scene: &Scene, rng: &mut impl Rng) -> Ball {
-    loop {
-        let action = Action { x: rng.random(), y: rng.random(), r: rng.random() };
-        if let Ok(ball) = action.place(scene) {
-            return ball;
-        }
-    }
+/// Most draws for one ball. In the benchmark's tasks more than four actions in ten are valid; the limit ends the search in a
+/// scene that has no room.
+const MAX_DRAWS: usize = 100_000;
+
+/// Returns a valid ball drawn uniformly from the action space; `None` if the scene has no room for one.
+pub fn random_ball(scene: &Scene, rng: &mut impl Rng) -> Option<Ball> {
+    let obstacles = Obstacles::new(scene);
+    let mut action = || Action { x: rng.random(), y: rng.random(), r: rng.random() };
+    (0..MAX_DRAWS).find_map(|_| obstacles.place(action()).ok())
 }
 
 /// An action moved by Gaussian noise; a radius that leaves its range stops at the end of it.

@@ -68,7 +68,10 @@ impl Hunt {
                 _ => self.found.choose(&mut rng).or_else(|| sisters.choose(&mut rng)),
             };
             let ball = match known {
-                None => random_ball(&self.scene, &mut rng),
+                None => match random_ball(&self.scene, &mut rng) {
+                    Some(ball) => ball,
+                    None => break,
+                },
                 Some(ball) => {
                     let deviation = NOISE[rng.random_range(0..NOISE.len())];
                     match perturbed(ball.action(), deviation, &mut rng).place(&self.scene) {

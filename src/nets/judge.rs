@@ -11,7 +11,7 @@ use burn::tensor::{Device, Tensor};
 use super::conv::{double, doubling, halve, halving};
 use crate::puzzle::action::{Ball, RADIUS};
 use crate::puzzle::scene::SIZE;
-use crate::raster::{CELLS, CHANNELS, SIDE};
+use crate::raster::{CELLS, CHANNELS, SIDE, cell_centre};
 
 /// Radii that the judge has a map for, evenly spaced from the smallest to the largest.
 pub const RADII: usize = 8;
@@ -70,8 +70,8 @@ pub fn index(ball: Ball) -> usize {
 
 /// The ball in the middle of those that are judged by this number.
 pub fn ball(index: usize) -> Ball {
-    let centre = |cell: usize| (cell as f64 + 0.5) * SIZE / SIDE as f64;
+    let [x, y] = cell_centre(index % CELLS);
     let share = (index / CELLS) as f64 / (RADII - 1) as f64;
     let r = RADIUS.start() + share * (RADIUS.end() - RADIUS.start());
-    Ball { x: centre(index % SIDE), y: centre(index % CELLS / SIDE), r }
+    Ball { x, y, r }
 }

@@ -74,7 +74,7 @@ impl PathNet {
 
     /// A scene as the nets see it, `[1, 5, 64, 64]`.
     fn tensor(&self, scene: &Scene) -> Tensor<4> {
-        let channels: Vec<f32> = scene_channels(scene).iter().flat_map(Bitmap::numbers).collect();
+        let channels: Vec<f32> = scene_channels(scene).iter().flat_map(Bitmap::to_f32).collect();
         let device = self.devices().into_iter().next().expect("the nets have parameters");
         Tensor::from_data(TensorData::new(channels, [1, CHANNELS, SIDE, SIDE]), &device)
     }

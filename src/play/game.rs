@@ -8,11 +8,14 @@ use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
-use crate::benchmark::auccess::ATTEMPTS;
+use crate::benchmark::auccess::MAX_ATTEMPTS;
 use crate::puzzle::action::{Ball, Invalid};
 use crate::puzzle::rollout::{GOAL_STEPS, Rollout, STEPS_PER_SECOND};
 use crate::puzzle::scene::Scene;
 use crate::simulator::simulate;
+
+/// Most attempts of each agent at one puzzle: as many as PHYRE's metric counts.
+pub const ATTEMPT_LIMIT: usize = MAX_ATTEMPTS;
 
 /// Who places the ball.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -46,7 +49,7 @@ pub struct Attempt {
 pub enum Refused {
     #[error(transparent)]
     Invalid(#[from] Invalid),
-    #[error("all {ATTEMPTS} attempts are used: clear them to begin again")]
+    #[error("all {ATTEMPT_LIMIT} attempts are used: clear them to begin again")]
     Spent,
 }
 
@@ -82,7 +85,7 @@ impl Game {
     pub fn play(&mut self, agent: Agent, ball: Ball) -> Result<(usize, Rollout), Refused> {
         ball.check(&self.scene)?;
         let before = self.number_of(agent, ball);
-        if before.is_none() && self.attempts(agent).len() == ATTEMPTS {
+        if before.is_none() && self.attempts(agent).len() == ATTEMPT_LIMIT {
             return Err(Refused::Spent);
         }
         let rollout = simulate(&self.scene, Some(ball))?;
@@ -98,7 +101,7 @@ impl Game {
         attempt.ball.check(&self.scene)?;
         match self.number_of(agent, attempt.ball) {
             Some(number) => Ok(number),
-            None if self.attempts(agent).len() == ATTEMPTS => Err(Refused::Spent),
+            None if self.attempts(agent).len() == ATTEMPT_LIMIT => Err(Refused::Spent),
             None => Ok(self.push(agent, attempt)),
         }
     }
@@ -260,11 +263,11 @@ mod tests {
     #[test]
     fn the_hundredth_attempt_is_the_last() {
         let mut game = game();
-        for number in 0..ATTEMPTS {
+        for number in 0..ATTEMPT_LIMIT {
             game.record(Agent::Model, attempt(number, false, 0)).expect("within the hundred");
         }
-        assert_eq!(game.record(Agent::Model, attempt(ATTEMPTS, true, 180)), Err(Refused::Spent));
-        assert_eq!(game.play(Agent::Model, ball(ATTEMPTS)).unwrap_err(), Refused::Spent);
+        assert_eq!(game.record(Agent::Model, attempt(ATTEMPT_LIMIT, true, 180)), Err(Refused::Spent));
+        assert_eq!(game.play(Agent::Model, ball(ATTEMPT_LIMIT)).unwrap_err(), Refused::Spent);
         // One of the hundred can still be looked at.
         assert_eq!(game.play(Agent::Model, ball(4)).expect("made before").0, 5);
         game.clear(Agent::Model);
@@ -288,14 +291,14 @@ mod tests {
     #[test]
     fn an_attempt_that_is_removed_makes_room_and_the_later_ones_move_up() {
         let mut game = game();
-        for number in 0..ATTEMPTS {
+        for number in 0..ATTEMPT_LIMIT {
             game.record(Agent::Player, attempt(number, number == 2, 0)).expect("within the hundred");
         }
-        assert!(!game.remove(Agent::Player, 0) && !game.remove(Agent::Player, ATTEMPTS + 1));
+        assert!(!game.remove(Agent::Player, 0) && !game.remove(Agent::Player, ATTEMPT_LIMIT + 1));
         assert!(!game.remove(Agent::Model, 1));
         assert!(game.remove(Agent::Player, 2));
-        assert_eq!(game.score(Agent::Player), Score { used: ATTEMPTS - 1, solved_at: Some(2) });
-        assert_eq!(game.record(Agent::Player, attempt(1, false, 0)), Ok(ATTEMPTS));
+        assert_eq!(game.score(Agent::Player), Score { used: ATTEMPT_LIMIT - 1, solved_at: Some(2) });
+        assert_eq!(game.record(Agent::Player, attempt(1, false, 0)), Ok(ATTEMPT_LIMIT));
     }
 
     #[test]

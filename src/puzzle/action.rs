@@ -1,7 +1,8 @@
-//! Actions: three numbers in 0..1 that place the red ball, and the one rule that says whether it may be there.
+//! Actions: three numbers in 0..=1 that place the red ball, and the one rule that decides whether it is valid.
 //!
-//! Page, wasm and command line all come here, so a ball is valid everywhere or nowhere. Only valid balls
-//! count as attempts. Mapping and rule are PHYRE's (v0.2.2, ball tier).
+//! The page, the wasm exports and the commands all use this rule, so that a ball is valid in all of them or in none.
+//! Only valid balls count as attempts. The mapping and the rule are PHYRE's (v0.2.2, ball tier). Code that checks
+//! many balls in one scene prepares its `Obstacles` once.
 
 use std::fmt;
 
@@ -12,7 +13,7 @@ use crate::puzzle::scene::{Body, Part, Role, SIZE, Scene, Shape};
 /// Smallest and largest radius of the action ball, px.
 pub const RADIUS: std::ops::RangeInclusive<f64> = 2.0..=32.0;
 
-/// How much nearer than touching counts as overlap, px.
+/// Two bodies overlap if they are nearer than touching by more than this, px (PHYRE).
 const TOLERANCE: f64 = 1e-5;
 
 /// A point of the action space: x, y and radius, each in 0..=1.
@@ -24,7 +25,7 @@ pub struct Action {
     pub r: f64,
 }
 
-/// The red ball in the scene: whole numbers of px once it comes from an action.
+/// The red ball in the scene, px: its centre and its radius. Whole numbers if an action placed it.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(into = "[f64; 3]", from = "[f64; 3]")]
 pub struct Ball {
@@ -33,7 +34,7 @@ pub struct Ball {
     pub r: f64,
 }
 
-/// Why a ball may not be placed.
+/// Why an action or a ball is invalid.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum Invalid {
     #[error("x, y and r of an action must lie between 0 and 1")]
@@ -48,66 +49,144 @@ pub enum Invalid {
 }
 
 impl Action {
-    /// The ball that this action places in a scene.
+    /// Returns the ball that this action places in a scene.
     ///
     /// # Errors
-    /// Says why the action is invalid there.
+    /// The reason why the action is invalid in this scene.
     pub fn place(self, scene: &Scene) -> Result<Ball, Invalid> {
-        if ![self.x, self.y, self.r].iter().all(|value| (0.0..=1.0).contains(value)) {
-            return Err(Invalid::OutOfRange);
+        Obstacles::new(scene).place(self)
+    }
+
+    /// Returns the ball of this action before rounding, px.
+    fn unrounded(self) -> Ball {
+        Ball {
+            x: self.x * (SIZE - 1.0),
+            y: self.y * (SIZE - 1.0),
+            r: RADIUS.start() + (RADIUS.end() - RADIUS.start()) * self.r,
         }
-        let (x, y, r) = (self.x * (SIZE - 1.0), self.y * (SIZE - 1.0), 2.0 + 30.0 * self.r);
-        // PHYRE asks whether the ball is inside the scene before it rounds, and what it overlaps after.
-        inside(x, y, r)?;
-        let ball = Ball { x: x.trunc(), y: y.trunc(), r: r.round_ties_even() };
-        ball.check(scene)?;
-        Ok(ball)
     }
 }
 
 impl Ball {
-    /// Whether this ball may be placed in a scene: inside it, and clear of every body and wall.
+    /// Checks that this ball is valid in a scene: inside it, and overlapping no body.
     ///
     /// # Errors
-    /// Says why not.
+    /// The reason why it is invalid.
     pub fn check(&self, scene: &Scene) -> Result<(), Invalid> {
-        if !RADIUS.contains(&self.r) {
-            return Err(Invalid::Radius);
-        }
-        // The walls begin where the scene ends: a ball inside is clear of them.
-        inside(self.x, self.y, self.r)?;
-        match scene.bodies.iter().position(|body| self.overlaps(body)) {
-            Some(body) => Err(Invalid::Overlaps(body)),
-            None => Ok(()),
-        }
+        Obstacles::new(scene).check(self)
     }
 
-    /// The ball as a body, at rest.
+    /// Returns this ball as an action would place it: rounded to whole px, and valid.
+    ///
+    /// # Errors
+    /// The reason why the action is invalid in this scene.
+    pub fn snapped(&self, scene: &Scene) -> Result<Ball, Invalid> {
+        self.action().place(scene)
+    }
+
+    /// Returns this ball with PHYRE's rounding: the centre truncated, the radius rounded half to even. Does not check
+    /// that it is valid.
+    pub fn rounded(&self) -> Ball {
+        Ball { x: self.x.trunc(), y: self.y.trunc(), r: self.r.round_ties_even() }
+    }
+
+    /// Returns the ball as a body at rest.
     pub fn body(&self) -> Body {
         let parts = vec![Part::Circle(self.r)];
         Body { x: self.x, y: self.y, angle: 0.0, dynamic: true, shape: Shape::Ball, role: Role::Red, parts }
     }
 
-    /// The action whose ball this is, up to rounding.
+    /// Returns the action that places this ball, before rounding.
     pub fn action(&self) -> Action {
-        Action { x: self.x / (SIZE - 1.0), y: self.y / (SIZE - 1.0), r: (self.r - 2.0) / 30.0 }
+        Action {
+            x: self.x / (SIZE - 1.0),
+            y: self.y / (SIZE - 1.0),
+            r: (self.r - RADIUS.start()) / (RADIUS.end() - RADIUS.start()),
+        }
     }
 
-    /// Touching is not overlapping.
-    fn overlaps(&self, body: &Body) -> bool {
-        body.parts.iter().any(|part| match part {
-            Part::Circle(r) => libm::hypot(self.x - body.x, self.y - body.y) + TOLERANCE < self.r + r,
-            Part::Polygon(corners) => {
-                let corners: Vec<_> = corners.iter().map(|&corner| body.to_scene(corner)).collect();
-                distance_to_polygon([self.x, self.y], &corners) + TOLERANCE < self.r
-            }
-        })
+    fn check_inside_scene(&self) -> Result<(), Invalid> {
+        let span = self.r..=SIZE - self.r;
+        if span.contains(&self.x) && span.contains(&self.y) { Ok(()) } else { Err(Invalid::Outside) }
     }
 }
 
-fn inside(x: f64, y: f64, r: f64) -> Result<(), Invalid> {
-    let span = r..=SIZE - r;
-    if span.contains(&x) && span.contains(&y) { Ok(()) } else { Err(Invalid::Outside) }
+/// What a ball may not overlap: the bodies of a scene, prepared once so that many balls can be checked quickly.
+pub struct Obstacles {
+    shapes: Vec<Obstacle>,
+}
+
+/// One convex part of a body, in scene coordinates (px).
+struct Obstacle {
+    /// The index of the body in the scene.
+    body: usize,
+    outline: Outline,
+}
+
+enum Outline {
+    Circle { centre: [f64; 2], radius: f64 },
+    Polygon(Vec<[f64; 2]>),
+}
+
+impl Obstacles {
+    /// The obstacles of a scene. The walls begin where the scene ends, so a ball inside the scene does not overlap them.
+    pub fn new(scene: &Scene) -> Obstacles {
+        let parts = scene.bodies.iter().enumerate().flat_map(|(index, body)| {
+            body.parts.iter().map(move |part| {
+                let outline = match part {
+                    Part::Circle(radius) => Outline::Circle { centre: [body.x, body.y], radius: *radius },
+                    Part::Polygon(corners) => {
+                        Outline::Polygon(corners.iter().map(|&corner| body.to_scene(corner)).collect())
+                    }
+                };
+                Obstacle { body: index, outline }
+            })
+        });
+        Obstacles { shapes: parts.collect() }
+    }
+
+    /// Returns the ball that an action places among these obstacles.
+    ///
+    /// # Errors
+    /// The reason why the action is invalid there.
+    pub fn place(&self, action: Action) -> Result<Ball, Invalid> {
+        if ![action.x, action.y, action.r].iter().all(|value| (0.0..=1.0).contains(value)) {
+            return Err(Invalid::OutOfRange);
+        }
+        // PHYRE checks that the ball is inside the scene before it rounds, and what it overlaps after.
+        let ball = action.unrounded();
+        ball.check_inside_scene()?;
+        let ball = ball.rounded();
+        self.check(&ball)?;
+        Ok(ball)
+    }
+
+    /// Checks that a ball is inside the scene and overlaps none of these obstacles.
+    ///
+    /// # Errors
+    /// The reason why it is invalid.
+    pub fn check(&self, ball: &Ball) -> Result<(), Invalid> {
+        if !RADIUS.contains(&ball.r) {
+            return Err(Invalid::Radius);
+        }
+        ball.check_inside_scene()?;
+        match self.shapes.iter().find(|shape| shape.outline.overlaps(ball)) {
+            Some(shape) => Err(Invalid::Overlaps(shape.body)),
+            None => Ok(()),
+        }
+    }
+}
+
+impl Outline {
+    /// Touching is not overlapping.
+    fn overlaps(&self, ball: &Ball) -> bool {
+        match self {
+            Outline::Circle { centre: [x, y], radius } => {
+                libm::hypot(ball.x - x, ball.y - y) + TOLERANCE < ball.r + radius
+            }
+            Outline::Polygon(corners) => distance_to_polygon([ball.x, ball.y], corners) + TOLERANCE < ball.r,
+        }
+    }
 }
 
 /// Distance from a point to a convex, counter-clockwise polygon; 0 inside. Any length unit.

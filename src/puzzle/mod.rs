@@ -1,10 +1,11 @@
-//! What is asked, tried and what came of it, as plain data: scenes, actions, rollouts, and the benchmark's 2,500 tasks.
+//! The benchmark's puzzles as plain data: scenes, actions and when they are valid, rollouts, templates and their tasks.
 //!
-//! Everything else uses this folder; it uses nothing but itself.
+//! Every other folder uses this one; it uses none of them.
 
 pub mod action;
 pub mod layout;
 pub mod rollout;
 pub mod scene;
+pub mod stable_shuffle;
 pub mod task;
 pub mod templates;

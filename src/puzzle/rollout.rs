@@ -1,60 +1,56 @@
-//! What came of a simulation, as plain data: how it ended, and the pose of every moving body at every step.
+//! The result of a simulation as plain data: whether it solved the task, and the pose of every dynamic body at every step.
 //!
-//! Made by `simulator`; played back by the page, drawn by `raster`, compared by `game`.
+//! Made by `simulator`; played back by the page, drawn by `raster`, summarised by `play::game`.
 
 use serde::{Deserialize, Serialize};
 
-/// Steps that the goal must hold without a break: three seconds.
-pub const GOAL_STEPS: usize = 180;
-
-/// Steps in a second.
+/// Steps per second of simulated time (PHYRE).
 pub const STEPS_PER_SECOND: usize = 60;
 
-/// The longest rollout.
+/// Consecutive steps for which the object must touch the goal: three seconds (PHYRE).
+pub const GOAL_STEPS: usize = 3 * STEPS_PER_SECOND;
+
+/// Most steps of a rollout (PHYRE).
 pub const MAX_STEPS: usize = 1000;
 
-/// How a rollout or an attempt ended.
+/// PHYRE's status of an attempt.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Status {
     Solved,
     NotSolved,
-    /// The ball could not be placed; nothing was simulated.
+    /// The action is invalid; nothing was simulated.
     Invalid,
 }
 
-/// How a body stands: x and y in px, angle in radians (not wrapped).
+/// Position and rotation of a body: x and y of its origin in px, angle in radians (not wrapped).
 pub type Pose = [f32; 3];
 
-/// One whole simulation.
+/// One complete simulation.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Rollout {
     pub solved: bool,
-    /// Steps simulated: at most 1000, and fewer if solved.
+    /// Number of simulated steps: `MAX_STEPS`, or fewer if solved.
     pub steps: usize,
-    /// The moving bodies, as indices into the scene's bodies; the action ball, if there is one, comes last
+    /// The dynamic bodies, as indices into the scene's bodies; the action ball, if there is one, comes last
     /// and has the index after the last body.
     pub bodies: Vec<usize>,
     /// `(steps + 1) x bodies` poses, step by step; the first row is the start.
     pub poses: Vec<Pose>,
-    /// For each of the `steps + 1` rows: does the green object touch the goal?
+    /// For each of the `steps + 1` rows, whether the green object touches the goal.
     pub touching: Vec<bool>,
 }
 
 impl Rollout {
-    pub fn status(&self) -> Status {
-        if self.solved { Status::Solved } else { Status::NotSolved }
-    }
-
-    /// The poses after `step` steps, one for each of `bodies`.
+    /// Returns the poses after `step` steps, one for each of `bodies`.
     pub fn row(&self, step: usize) -> &[Pose] {
         let width = self.bodies.len();
         &self.poses[step * width..][..width]
     }
 
-    /// The pose of one of the scene's bodies after `step` steps, if that body moves.
+    /// Returns the pose of a body after `step` steps, by its index in the scene; `None` for a static body.
     pub fn pose(&self, step: usize, body: usize) -> Option<Pose> {
-        let column = self.bodies.iter().position(|&moving| moving == body)?;
+        let column = self.bodies.iter().position(|&dynamic| dynamic == body)?;
         Some(self.row(step)[column])
     }
 }

@@ -9,9 +9,9 @@ use super::error::{Code, error, plain};
 use super::load;
 use crate::agents;
 use crate::agents::ranking::chances;
-use crate::benchmark::auccess::ATTEMPTS;
 use crate::benchmark::folds::Fold;
 use crate::nets::{Card, PathNet, device};
+use crate::play::game::ATTEMPT_LIMIT;
 use crate::play::game::{Attempt, Ending};
 use crate::puzzle::action::Ball;
 use crate::puzzle::scene::Scene;
@@ -95,7 +95,7 @@ impl Model {
     /// `bad_task` if there is no such task.
     pub fn propose(&self, id: &str, seed: u32) -> Result<JsValue, JsValue> {
         let Task { id, scene, .. } = load(id)?;
-        plain(&agents::traced(&self.net, id, &scene, seed.into(), ATTEMPTS))
+        plain(&agents::traced(&self.net, id, &scene, seed.into(), ATTEMPT_LIMIT))
     }
 
     /// Begins the model's turn on a task. The same seed gives the same attempts.
@@ -104,7 +104,7 @@ impl Model {
     /// `bad_task` if there is no such task.
     pub fn turn(&self, id: &str, seed: u32) -> Result<Turn, JsValue> {
         let Task { id, scene, .. } = load(id)?;
-        let balls = agents::model(&self.net, id, &scene, seed.into(), ATTEMPTS).into_iter();
+        let balls = agents::model(&self.net, id, &scene, seed.into(), ATTEMPT_LIMIT).into_iter();
         Ok(Turn { scene, balls, solved: false })
     }
 }

@@ -142,7 +142,7 @@ impl Puzzle {
     /// What a person draws as the path of the green object, as such a picture: x, y, x, y, … in px.
     pub fn sketch(&self, points: &[f64]) -> Vec<f32> {
         let points: Vec<[f64; 2]> = points.chunks_exact(2).map(|point| [point[0], point[1]]).collect();
-        trail_image(self.object(), &points).numbers().collect()
+        trail_image(self.object(), &points).to_f32().collect()
     }
 
     /// Where the green object is at first, px: `[x, y]`.

@@ -39,7 +39,7 @@ impl Take {
 
     /// The paths of the green object and of the ball as pictures: `{ object, ball }`.
     pub fn pictures(&self, scene: &Scene) -> Result<JsValue, JsValue> {
-        let picture = |image: Bitmap| Float32Array::from(image.numbers().collect::<Vec<_>>().as_slice());
+        let picture = |image: Bitmap| Float32Array::from(image.to_f32().collect::<Vec<_>>().as_slice());
         let paths = Object::new();
         let object = path_image(&scene.bodies[scene.body1], &self.rollout, scene.body1);
         Reflect::set(&paths, &"object".into(), &picture(object))?;

@@ -92,7 +92,7 @@ fn convolve_transposed(x: &[f32], inputs: usize, side: usize, weight: &[f32], bi
 
 /// The four maps of a scene, in the order base, target, action, placement.
 pub fn imagine(file: &SafeTensors, scene: &Scene) -> [Vec<f32>; 4] {
-    let seen: Vec<f32> = scene_channels(scene).iter().flat_map(|channel| channel.numbers()).collect();
+    let seen: Vec<f32> = scene_channels(scene).iter().flat_map(|channel| channel.to_f32()).collect();
     let base = hourglass(file, "base", &seen, CHANNELS);
     let target = hourglass(file, "target", &seen, CHANNELS);
     let with = |map: &[f32]| [&seen[..], &target, map].concat();

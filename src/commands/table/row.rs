@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use anyhow::{Context, ensure};
-use pathlight::benchmark::auccess::{ATTEMPTS, auccess, share_within};
+use pathlight::benchmark::auccess::{MAX_ATTEMPTS, auccess, solved_within};
 use pathlight::benchmark::folds::{FOLDS, Setup};
 use pathlight::simulator;
 use serde::{Deserialize, Serialize};
@@ -174,7 +174,7 @@ impl Row {
     /// Auccess and the shares solved at the first attempt, within 10 and within 100; all in percent.
     pub fn score(&self, agent: Agent) -> [f64; 4] {
         let firsts = self.first_solved(agent, None);
-        let [one, ten, hundred] = [1, 10, ATTEMPTS].map(|attempts| 100.0 * share_within(&firsts, attempts));
+        let [one, ten, hundred] = [1, 10, MAX_ATTEMPTS].map(|attempts| 100.0 * solved_within(&firsts, attempts));
         [auccess(&firsts), one, ten, hundred]
     }
 }

@@ -41,7 +41,7 @@ impl Batch {
     pub fn new<'a>(samples: impl Iterator<Item = (&'a Sample, bool)>) -> Batch {
         let mut batch = Batch { samples: 0, scene: Vec::new(), imagined: Vec::new() };
         let numbers = |pictures: &[Bitmap], mirrored: bool, out: &mut Vec<f32>| {
-            out.extend(pictures.iter().flat_map(|picture| picture.turned(mirrored).numbers()));
+            out.extend(pictures.iter().flat_map(|picture| flipped(picture, mirrored).to_f32()));
         };
         for (sample, mirrored) in samples {
             numbers(&sample.scene, mirrored, &mut batch.scene);
@@ -65,7 +65,7 @@ pub struct Trials {
 impl Trials {
     /// Adds a scene and balls that were tried in it, as they are or mirrored left to right.
     pub fn add(&mut self, scene: &[Bitmap; CHANNELS], balls: &[(Ball, bool)], mirrored: bool) {
-        self.scene.extend(scene.iter().flat_map(|picture| picture.turned(mirrored).numbers()));
+        self.scene.extend(scene.iter().flat_map(|picture| flipped(picture, mirrored).to_f32()));
         for &(ball, solved) in balls {
             let mirror = Ball { x: SIZE - ball.x, ..ball };
             let index = judge::index(if mirrored { mirror } else { ball });
@@ -74,6 +74,10 @@ impl Trials {
         }
         self.scenes += 1;
     }
+}
+
+fn flipped(image: &Bitmap, mirrored: bool) -> Bitmap {
+    if mirrored { image.mirrored() } else { *image }
 }
 
 impl Trainer<PathNet> {
