@@ -22,10 +22,10 @@ use pathlight::simulator::{self, outcome};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use super::fold_args::Which;
-use super::model_args::Weights;
+use super::fold_args::FoldArgs;
+use super::model_args::ModelArgs;
 use super::progress::Progress;
-use super::scene_cache::Scenes;
+use super::scene_cache::SceneCache;
 
 /// Measure agents on the test tasks of a fold
 #[derive(clap::Args)]
@@ -35,7 +35,7 @@ pub struct Args {
     agents: Vec<Agent>,
 
     #[command(flatten)]
-    which: Which,
+    which: FoldArgs,
 
     /// Play the dev tasks, to choose settings by, instead of the test tasks
     #[arg(long)]
@@ -54,7 +54,7 @@ pub struct Args {
     json: Option<PathBuf>,
 
     #[command(flatten)]
-    weights: Weights,
+    weights: ModelArgs,
 }
 
 /// Who proposes balls.
@@ -160,7 +160,7 @@ fn score(
     propose: impl Fn(TaskId, &Scene) -> Vec<Ball> + Sync,
     tasks: &[TaskId],
 ) -> anyhow::Result<Score> {
-    let scenes = Scenes::new();
+    let scenes = SceneCache::new();
     let mut progress = Progress::new(Some(tasks.len() as u64));
     let mut first_solved = Vec::with_capacity(tasks.len());
     for chunk in tasks.chunks(20) {

@@ -18,7 +18,7 @@ use rayon::prelude::*;
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 
-use super::scene_cache::Scenes;
+use super::scene_cache::SceneCache;
 
 /// Compare the simulator with PHYRE's outcomes and trajectories
 #[derive(clap::Args)]
@@ -85,14 +85,14 @@ struct Share {
 impl Args {
     pub fn run(self) -> anyhow::Result<()> {
         let started = Instant::now();
-        let scenes = Scenes::new();
+        let scenes = SceneCache::new();
         self.outcomes(&scenes)?;
         self.trajectories(&scenes)?;
         eprintln!("took {:.1} s", started.elapsed().as_secs_f64());
         Ok(())
     }
 
-    fn outcomes(&self, scenes: &Scenes) -> anyhow::Result<()> {
+    fn outcomes(&self, scenes: &SceneCache) -> anyhow::Result<()> {
         let lines: Vec<Recorded> = read_lines(&self.reference.join("outcomes.jsonl"))?;
         let lines: Vec<Recorded> = lines.into_iter().filter(|line| self.wants(line.task)).collect();
         let solved: Vec<bool> = lines
@@ -120,7 +120,7 @@ impl Args {
         Ok(())
     }
 
-    fn trajectories(&self, scenes: &Scenes) -> anyhow::Result<()> {
+    fn trajectories(&self, scenes: &SceneCache) -> anyhow::Result<()> {
         let lines: Vec<Trajectory> = read_lines(&self.reference.join("trajectories.jsonl"))?;
         let lines: Vec<Trajectory> = lines.into_iter().filter(|line| self.wants(line.task)).collect();
         let errors: Vec<[Vec<f64>; TIMES.len()]> =
@@ -152,7 +152,7 @@ impl Args {
 }
 
 /// How far each body is from where it should be at each of the times, px; nothing where either rollout has ended.
-fn errors(line: &Trajectory, scenes: &Scenes) -> anyhow::Result<[Vec<f64>; TIMES.len()]> {
+fn errors(line: &Trajectory, scenes: &SceneCache) -> anyhow::Result<[Vec<f64>; TIMES.len()]> {
     let Trajectory { task, every, first_step, .. } = *line;
     let rollout = simulate(scenes.get(task)?, line.ball).with_context(|| task.to_string())?;
     Ok(TIMES.map(|time| {

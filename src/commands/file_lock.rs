@@ -1,24 +1,26 @@
-//! One process at a time: a file that is held cannot be held by another process, until the first one ends.
+//! A file lock: while one process holds it, any other that asks for it is refused.
 
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::path::Path;
 
 use anyhow::{Context, bail};
 
-/// Opens a file to append to, made if it is not there, and holds it as long as the handle lives.
+/// Opens a file for reading and writing, creates it if it is missing, and locks it until the handle is dropped.
+///
+/// The caller must read and write through this handle only: on Windows the lock also excludes other handles.
 ///
 /// # Errors
-/// If another process holds it, or it cannot be opened.
-pub fn hold(path: &Path) -> anyhow::Result<File> {
+/// If another process holds the lock, or the file cannot be opened.
+pub fn lock(path: &Path) -> anyhow::Result<File> {
     let name = path.display();
     if let Some(folder) = path.parent() {
-        fs::create_dir_all(folder).with_context(|| format!("cannot make the folder of {name}"))?;
+        fs::create_dir_all(folder).with_context(|| format!("cannot create the folder of {name}"))?;
     }
-    let file = OpenOptions::new().append(true).create(true).open(path);
+    let file = OpenOptions::new().read(true).write(true).create(true).truncate(false).open(path);
     let file = file.with_context(|| format!("cannot write {name}"))?;
     match file.try_lock() {
-        Err(TryLockError::WouldBlock) => bail!("another process works on {name}: wait until it has ended"),
-        // Some network file systems know no locks; there it is left to the people.
+        Err(TryLockError::WouldBlock) => bail!("another process uses {name}: wait until it has ended"),
+        // Some network file systems do not support locking; there the user must avoid concurrent runs.
         Ok(()) | Err(TryLockError::Error(_)) => Ok(file),
     }
 }

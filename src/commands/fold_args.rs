@@ -1,44 +1,55 @@
-//! Which fold of which setup a command is about; part of the arguments of others.
+//! The arguments that name a fold of a setup.
 
 use std::fmt;
 use std::path::PathBuf;
 
-use pathlight::benchmark::folds::{Fold, Setup};
+use clap::ValueEnum;
+use clap::builder::{EnumValueParser, TypedValueParser};
+use pathlight::benchmark::folds::{FOLDS, Fold, Setup};
 
-#[derive(clap::Args)]
-pub struct Which {
-    /// within: new tasks of known templates; cross: new templates
-    #[arg(long, value_parser = setup, default_value = "within")]
+/// A fold of the benchmark; part of the arguments of other commands.
+#[derive(Clone, Copy, clap::Args)]
+pub struct FoldArgs {
+    /// What the model has to generalise to
+    #[arg(long, value_parser = setup(), default_value = "within")]
     pub setup: Setup,
 
     /// Fold of the benchmark
-    #[arg(long, default_value_t = 0, value_parser = clap::value_parser!(u8).range(0..10))]
+    #[arg(long, default_value_t = 0, value_parser = clap::value_parser!(u8).range(0..i64::from(FOLDS)))]
     pub fold: u8,
 }
 
-impl Which {
+impl FoldArgs {
     /// The tasks of the fold.
     pub fn tasks(&self) -> Fold {
         Fold::new(self.setup, self.fold)
     }
 
-    /// Where its training runs live, if nothing else is said.
+    /// Default folder of its training runs.
     pub fn folder(&self) -> PathBuf {
         format!("target/train/{self}").into()
     }
 }
 
-impl fmt::Display for Which {
+impl fmt::Display for FoldArgs {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}-{}", self.setup, self.fold)
     }
 }
 
-/// `within` or `cross`.
-pub fn setup(text: &str) -> Result<Setup, String> {
-    match text {
-        "within" => Ok(Setup::Within),
-        "cross" => Ok(Setup::Cross),
-        _ => Err("the setups are within and cross".to_string()),
-    }
+/// The names of the setups on the command line; the library does not know clap.
+#[derive(Clone, Copy, ValueEnum)]
+enum SetupName {
+    /// New tasks of known templates
+    Within,
+    /// New templates
+    Cross,
+}
+
+/// Parses the name of a setup.
+pub fn setup() -> impl TypedValueParser<Value = Setup> {
+    EnumValueParser::<SetupName>::new().map(|name| match name {
+        SetupName::Within => Setup::Within,
+        SetupName::Cross => Setup::Cross,
+    })
 }

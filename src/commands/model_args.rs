@@ -6,11 +6,11 @@ use std::path::PathBuf;
 use anyhow::{Context, ensure};
 use pathlight::nets::{Card, PathNet, device};
 
-use super::fold_args::Which;
+use super::fold_args::FoldArgs;
 
 /// Where a fold's weights come from, and what they run on; part of the arguments of other commands.
 #[derive(clap::Args)]
-pub struct Weights {
+pub struct ModelArgs {
     /// Weights of the model [default: assets/SETUP-FOLD.safetensors]
     #[arg(long)]
     weights: Option<PathBuf>,
@@ -20,9 +20,9 @@ pub struct Weights {
     device: String,
 }
 
-impl Weights {
+impl ModelArgs {
     /// The nets of a fold. Weights of another fold have seen its test tasks, so they are refused.
-    pub fn load(&self, &Which { setup, fold }: &Which) -> anyhow::Result<(PathNet, Card)> {
+    pub fn load(&self, &FoldArgs { setup, fold }: &FoldArgs) -> anyhow::Result<(PathNet, Card)> {
         let path = self.weights.clone().unwrap_or_else(|| format!("assets/{setup}-{fold}.safetensors").into());
         let name = path.display();
         let bytes = fs::read(&path)

@@ -12,16 +12,16 @@ use pathlight::puzzle::task::TaskId;
 use rayon::prelude::*;
 use serde::Serialize;
 
-use super::fold_args::Which;
-use super::model_args::Weights;
+use super::fold_args::FoldArgs;
+use super::model_args::ModelArgs;
 use super::progress::Progress;
-use super::scene_cache::Scenes;
+use super::scene_cache::SceneCache;
 
 /// Write the model's attempts as JSON lines, best guess first, without simulating
 #[derive(clap::Args)]
 pub struct Args {
     #[command(flatten)]
-    which: Which,
+    which: FoldArgs,
 
     /// Tasks to propose for, like 00007:008; without it, all test tasks of the fold
     #[arg(long = "task", value_name = "TASK")]
@@ -40,7 +40,7 @@ pub struct Args {
     out: PathBuf,
 
     #[command(flatten)]
-    weights: Weights,
+    weights: ModelArgs,
 }
 
 /// A line: valid balls in the order of the attempts, px.
@@ -54,7 +54,7 @@ impl Args {
     pub fn run(self) -> anyhow::Result<()> {
         let (nets, _) = self.weights.load(&self.which)?;
         let tasks = if self.tasks.is_empty() { self.which.tasks().test } else { self.tasks };
-        let scenes = Scenes::new();
+        let scenes = SceneCache::new();
         let mut out: Box<dyn Write> = if self.out.as_os_str() == "-" {
             Box::new(io::stdout().lock())
         } else {

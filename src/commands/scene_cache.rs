@@ -11,11 +11,11 @@ use pathlight::puzzle::task::{Task, TaskError, TaskId};
 use pathlight::puzzle::templates::TEMPLATES;
 
 /// For each template, the scenes of its tasks by number, once somebody has asked.
-pub struct Scenes(Vec<OnceLock<BTreeMap<u16, Scene>>>);
+pub struct SceneCache(Vec<OnceLock<BTreeMap<u16, Scene>>>);
 
-impl Scenes {
-    pub fn new() -> Scenes {
-        Scenes(TEMPLATES.iter().map(|_| OnceLock::new()).collect())
+impl SceneCache {
+    pub fn new() -> SceneCache {
+        SceneCache(TEMPLATES.iter().map(|_| OnceLock::new()).collect())
     }
 
     /// The scene of a task.

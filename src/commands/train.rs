@@ -20,19 +20,19 @@ use rayon::prelude::*;
 
 use super::collect::{Collected, read_solutions};
 use super::digest;
-use super::fold_args::Which;
+use super::fold_args::FoldArgs;
 use super::progress::Progress;
-use super::scene_cache::Scenes;
-use super::training_run::Run;
+use super::scene_cache::SceneCache;
+use super::training_run::TrainingRun;
 
 /// Train the four nets on the training tasks of a fold
 #[derive(clap::Args)]
 pub struct Args {
     #[command(flatten)]
-    which: Which,
+    which: FoldArgs,
 
     /// Solutions to train on, from `pathlight collect`
-    #[arg(long, default_value = "target/solutions.jsonl")]
+    #[arg(long, default_value = "assets/solutions.jsonl")]
     solutions: PathBuf,
 
     /// Folder of the run: checkpoint, losses.csv, weights.safetensors [default: target/train/SETUP-FOLD]
@@ -87,7 +87,7 @@ impl Args {
         let device = device(&self.device).map_err(anyhow::Error::msg)?;
         let trainer = Trainer::<PathNet>::new(device, self.seed);
         let data = digest(&self.solutions)?;
-        let mut run = Run::open(folder, card, data, &["base", "target", "action", "placement"], trainer)?;
+        let mut run = TrainingRun::open(folder, card, data, &["base", "target", "action", "placement"], trainer)?;
         let batches = samples.len().div_ceil(self.batch.into());
         let total = batches * self.epochs;
         let mut progress = Progress::new(Some(total as u64));
@@ -161,7 +161,7 @@ impl Args {
             solutions.into_iter().filter(|solution| tasks.binary_search(&solution.task).is_ok()).collect();
         ensure!(!chosen.is_empty(), "{} holds no solutions of this fold", self.solutions.display());
         chosen.sort_by_key(|solution| solution.task);
-        let scenes = Scenes::new();
+        let scenes = SceneCache::new();
         eprintln!("drawing {} solutions", chosen.len());
         let samples = chosen
             .par_iter()

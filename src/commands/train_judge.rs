@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use anyhow::ensure;
-use pathlight::dataset::labels::Labels;
+use pathlight::dataset::labels::LabelledBalls;
 use pathlight::nets::training::{Trainer, Trials};
 use pathlight::nets::{Judge, JudgeCard, device};
 use pathlight::puzzle::action::Ball;
@@ -18,12 +18,12 @@ use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
 use super::digest;
-use super::fold_args::Which;
-use super::label::read_labels;
-use super::model_args::Weights;
+use super::fold_args::FoldArgs;
+use super::label::{Labelled, read_labels};
+use super::model_args::ModelArgs;
 use super::progress::Progress;
-use super::scene_cache::Scenes;
-use super::training_run::Run;
+use super::scene_cache::SceneCache;
+use super::training_run::TrainingRun;
 
 /// Batches over which the learning rate rises.
 const RISE: f64 = 200.0;
@@ -32,10 +32,10 @@ const RISE: f64 = 200.0;
 #[derive(clap::Args)]
 pub struct Args {
     #[command(flatten)]
-    which: Which,
+    which: FoldArgs,
 
     #[command(flatten)]
-    weights: Weights,
+    weights: ModelArgs,
 
     /// Balls with their outcome, from `pathlight label`
     #[arg(long, default_value = "target/labels.jsonl")]
@@ -50,7 +50,7 @@ pub struct Args {
     #[arg(long, default_value_t = 100)]
     epochs: usize,
 
-    /// Scenes in a batch
+    /// SceneCache in a batch
     #[arg(long, default_value_t = 32, value_parser = clap::value_parser!(u16).range(1..))]
     batch: u16,
 
@@ -90,7 +90,7 @@ impl Args {
         let (mut nets, mut card) = self.weights.load(&self.which)?;
         let fold = self.which.tasks();
         let tasks = if self.without_dev { fold.train } else { fold.all_train() };
-        let tried = tried(&self.labels, &tasks)?;
+        let tried = tried(&self.labels, &tasks, &self.which)?;
         card.judge = Some(JudgeCard {
             seed: self.seed,
             epochs: self.epochs,
@@ -102,7 +102,7 @@ impl Args {
         let device = device("flex").map_err(anyhow::Error::msg)?;
         let folder = self.out.clone().unwrap_or_else(|| self.which.folder().join("judge"));
         let trainer = Trainer::<Judge>::new(device, self.seed);
-        let mut run = Run::open(folder, card, digest(&self.labels)?, &["judge"], trainer)?;
+        let mut run = TrainingRun::open(folder, card, digest(&self.labels)?, &["judge"], trainer)?;
         let batches = tried.len().div_ceil(self.batch.into());
         let total = batches * self.epochs;
         let mut progress = Progress::new(Some(total as u64));
@@ -154,10 +154,20 @@ impl Args {
 }
 
 /// The balls of some tasks, scene by scene.
-fn tried(path: &Path, tasks: &[TaskId]) -> anyhow::Result<Vec<Tried>> {
-    let scenes = Scenes::new();
+fn tried(path: &Path, tasks: &[TaskId], fold: &FoldArgs) -> anyhow::Result<Vec<Tried>> {
+    let Labelled { lines, training_tasks_of, .. } = read_labels(path)?;
+    if let Some((setup, number)) = training_tasks_of {
+        ensure!(
+            (setup, number) == (fold.setup, fold.fold),
+            "{} holds balls of the training tasks of {setup} {number} only: label those of {} {}",
+            path.display(),
+            fold.setup,
+            fold.fold
+        );
+    }
+    let scenes = SceneCache::new();
     let mut tried: BTreeMap<TaskId, Tried> = BTreeMap::new();
-    for Labels { task, solved, failed } in read_labels(path)? {
+    for LabelledBalls { task, solved, failed } in lines {
         if tasks.binary_search(&task).is_err() {
             continue;
         }

@@ -11,7 +11,7 @@ use pathlight::nets::training::{Module, Trainer};
 use pathlight::nets::{Card, PathNet};
 use serde::{Deserialize, Serialize};
 
-use super::file_lock::hold;
+use super::file_lock::lock;
 
 const NETS: &str = "checkpoint-nets.bpk";
 const OPTIMISER: &str = "checkpoint-adam.bpk";
@@ -19,7 +19,7 @@ const STATE: &str = "checkpoint.json";
 const LOCK: &str = "lock";
 
 /// A trainer, and how far it is.
-pub struct Run<M> {
+pub struct TrainingRun<M> {
     folder: PathBuf,
     pub trainer: Trainer<M>,
     state: State,
@@ -45,7 +45,7 @@ pub struct State {
     pub log: Vec<(usize, usize, Vec<f32>)>,
 }
 
-impl<M: Module> Run<M> {
+impl<M: Module> TrainingRun<M> {
     /// The run of a folder: from its checkpoint, or with the fresh trainer. `data` is the digest of what it is
     /// trained on, `losses` are the names of what a step gives.
     ///
@@ -57,8 +57,8 @@ impl<M: Module> Run<M> {
         data: String,
         losses: &[&str],
         trainer: Trainer<M>,
-    ) -> anyhow::Result<Run<M>> {
-        let held = hold(&folder.join(LOCK))?;
+    ) -> anyhow::Result<TrainingRun<M>> {
+        let held = lock(&folder.join(LOCK))?;
         let losses = losses.iter().map(ToString::to_string).collect();
         let fresh = State { card, data, done: 0, seconds: 0.0, losses, log: Vec::new() };
         let name = folder.display();
@@ -78,7 +78,7 @@ impl<M: Module> Run<M> {
             }
         };
         let before = state.seconds;
-        Ok(Run { folder, trainer, state, started: Instant::now(), before, _held: held })
+        Ok(TrainingRun { folder, trainer, state, started: Instant::now(), before, _held: held })
     }
 
     /// Batches trained on, up to the last checkpoint.

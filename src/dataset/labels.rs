@@ -1,7 +1,7 @@
-//! Balls with their outcome, solved or not: what a net learns from that judges balls.
+//! Balls labelled with their outcome, solved or not: the training data of the judge.
 //!
-//! Half of the balls are drawn uniformly; the others lie about balls that solve the task or a sister, so that
-//! near misses are among them. Used by `pathlight label`.
+//! Half of the balls are sampled uniformly; the rest are sampled around known solutions of this task or of others of
+//! its template (its siblings), so that near misses are among them. Used by `pathlight label`.
 
 use rand::seq::IndexedRandom;
 use rand::{RngExt, SeedableRng};
@@ -13,12 +13,13 @@ use crate::puzzle::action::Ball;
 use crate::puzzle::task::{Task, TaskId};
 use crate::simulator::outcome;
 
-/// Standard deviation of the noise on a ball that solves, as a share of the action space: 5 to 40 px.
+/// Standard deviations of the noise added to a known solution, one chosen at random per ball, as a fraction of the
+/// action space: 5 to 40 px in x and y.
 const NOISE: [f64; 4] = [0.02, 0.04, 0.08, 0.16];
 
-/// Some balls of a task, by their outcome.
+/// Some balls of one task, by their outcome.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Labels {
+pub struct LabelledBalls {
     pub task: TaskId,
     /// Balls that solve the task, px.
     pub solved: Vec<Ball>,
@@ -26,17 +27,24 @@ pub struct Labels {
     pub failed: Vec<Ball>,
 }
 
-impl Labels {
-    /// Tries so many valid balls. `own` solve the task, `sisters` solve tasks of the template; every `round`
-    /// draws others.
-    pub fn draw(task: &Task, own: &[Ball], sisters: &[Ball], balls: usize, seed: u64, round: usize) -> Labels {
-        let mut labels = Labels { task: task.id, solved: Vec::new(), failed: Vec::new() };
+impl LabelledBalls {
+    /// Samples and simulates `count` valid balls. `own_solutions` solve this task, `sibling_solutions` solve tasks of
+    /// its template; each `round` samples other balls.
+    pub fn sample(
+        task: &Task,
+        own_solutions: &[Ball],
+        sibling_solutions: &[Ball],
+        count: usize,
+        seed: u64,
+        round: usize,
+    ) -> LabelledBalls {
+        let mut labelled = LabelledBalls { task: task.id, solved: Vec::new(), failed: Vec::new() };
         let mut rng = Pcg64Mcg::seed_from_u64(task.id.seed(seed).wrapping_add(round as u64));
-        for turn in 0..balls {
-            let known = match turn % 4 {
+        for index in 0..count {
+            let known = match index % 4 {
                 0 | 1 => None,
-                2 => own.choose(&mut rng).or_else(|| sisters.choose(&mut rng)),
-                _ => sisters.choose(&mut rng),
+                2 => own_solutions.choose(&mut rng).or_else(|| sibling_solutions.choose(&mut rng)),
+                _ => sibling_solutions.choose(&mut rng),
             };
             let near = known.and_then(|ball| {
                 let deviation = NOISE[rng.random_range(0..NOISE.len())];
@@ -44,8 +52,8 @@ impl Labels {
             });
             let Some(ball) = near.or_else(|| random_ball(&task.scene, &mut rng)) else { break };
             let solved = outcome(&task.scene, Some(ball)).is_ok_and(|outcome| outcome.solved);
-            if solved { &mut labels.solved } else { &mut labels.failed }.push(ball);
+            if solved { &mut labelled.solved } else { &mut labelled.failed }.push(ball);
         }
-        labels
+        labelled
     }
 }

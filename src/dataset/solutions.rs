@@ -1,9 +1,9 @@
-//! Finding balls that solve tasks, many for each, by simulation.
+//! A random search for balls that solve tasks, several per task, by simulation; used by `pathlight collect`.
 //!
-//! Uniform draws alone would need millions of rollouts: few balls solve a hard task. But what solves one task
-//! of a template often solves its sisters, so tasks of a template share what they find. Work goes in rounds;
-//! within a round a task sees only what earlier rounds found, so the result hangs on the seed alone and not on
-//! the number of cores. Used by `pathlight collect`.
+//! Uniform sampling alone would need millions of rollouts, because few balls solve a hard task. A ball that solves
+//! one task of a template often solves others of it (its siblings), so the tasks of a template share what they
+//! find. The search goes in rounds; within a round a task sees only what earlier rounds found, so the result
+//! depends only on the seed and not on the number of cores.
 
 use rand::seq::IndexedRandom;
 use rand::{RngExt, SeedableRng};
@@ -16,14 +16,14 @@ use crate::puzzle::scene::Scene;
 use crate::puzzle::task::{Task, TaskId};
 use crate::simulator::outcome;
 
-/// Balls that a task tries in a round.
-pub const DRAWS: usize = 32;
+/// Balls that a task samples per round.
+pub const SAMPLES_PER_ROUND: usize = 32;
 
-/// Two solutions of a task differ by at least this in x, y or radius, px.
-pub const SPREAD: f64 = 4.0;
+/// Two solutions of a task differ by at least this much in x, y or radius, px.
+pub const MIN_DISTANCE: f64 = 4.0;
 
-/// Standard deviation of the noise on a ball that has solved this task or a sister, as a share of the action
-/// space: from a few px to a good part of the scene.
+/// Standard deviations of the noise added to a known solution, one chosen at random per sample, as a fraction of
+/// the action space: 0.02 is 5 px in x and y, 0.08 is 20 px.
 const NOISE: [f64; 3] = [0.0, 0.02, 0.08];
 
 /// A ball that solves a task.
@@ -35,37 +35,38 @@ pub struct Solution {
 }
 
 /// The search for solutions of one task.
-pub struct Hunt {
+pub struct Search {
     pub task: TaskId,
     scene: Scene,
-    /// Found so far, in the order found.
+    /// Solutions found so far, in the order found.
     pub found: Vec<Ball>,
 }
 
-/// What one task did in one round.
-pub struct Catch {
+/// What one round of the search for one task found.
+pub struct RoundResult {
     pub found: Vec<Ball>,
+    /// Balls simulated.
     pub rollouts: usize,
 }
 
-impl Hunt {
-    pub fn new(task: Task) -> Hunt {
-        Hunt { task: task.id, scene: task.scene, found: Vec::new() }
+impl Search {
+    pub fn new(task: Task) -> Search {
+        Search { task: task.id, scene: task.scene, found: Vec::new() }
     }
 
-    /// One round: tries balls until `wanted` are known in all or the draws are used up. A third of the balls is
-    /// uniform, a third comes from the `sisters`, a third from what is known of this task itself.
-    pub fn round(&self, sisters: &[Ball], wanted: usize, seed: u64, round: usize) -> Catch {
-        let mut catch = Catch { found: Vec::new(), rollouts: 0 };
+    /// Samples balls until `per_task` solutions are known in total or the samples of a round are used up. A third of
+    /// the balls is uniform, a third lies around solutions of siblings, a third around solutions of this task.
+    pub fn round(&self, sibling_solutions: &[Ball], per_task: usize, seed: u64, round: usize) -> RoundResult {
+        let mut result = RoundResult { found: Vec::new(), rollouts: 0 };
         let mut rng = Pcg64Mcg::seed_from_u64(self.task.seed(seed).wrapping_add(round as u64));
-        for draw in 0..DRAWS {
-            if self.found.len() + catch.found.len() >= wanted {
+        for sample in 0..SAMPLES_PER_ROUND {
+            if self.found.len() + result.found.len() >= per_task {
                 break;
             }
-            let known = match draw % 3 {
+            let known = match sample % 3 {
                 0 => None,
-                1 => sisters.choose(&mut rng),
-                _ => self.found.choose(&mut rng).or_else(|| sisters.choose(&mut rng)),
+                1 => sibling_solutions.choose(&mut rng),
+                _ => self.found.choose(&mut rng).or_else(|| sibling_solutions.choose(&mut rng)),
             };
             let ball = match known {
                 None => match random_ball(&self.scene, &mut rng) {
@@ -80,28 +81,28 @@ impl Hunt {
                     }
                 }
             };
-            if self.found.iter().chain(&catch.found).any(|other| near(*other, ball)) {
+            if self.found.iter().chain(&result.found).any(|&other| is_duplicate(other, ball)) {
                 continue;
             }
-            catch.rollouts += 1;
+            result.rollouts += 1;
             if outcome(&self.scene, Some(ball)).is_ok_and(|outcome| outcome.solved) {
-                catch.found.push(ball);
+                result.found.push(ball);
             }
         }
-        catch
+        result
     }
 
-    /// Which of these balls solve the task, still or again; invalid ones do not.
-    pub fn retry(&self, balls: impl Iterator<Item = Ball>) -> Catch {
+    /// Tries given balls and keeps those that solve the task. Invalid balls do not.
+    pub fn retry(&self, balls: impl Iterator<Item = Ball>) -> RoundResult {
         let mut rollouts = 0;
         let solves = |ball: &Ball| {
             rollouts += 1;
             outcome(&self.scene, Some(*ball)).is_ok_and(|outcome| outcome.solved)
         };
-        Catch { found: balls.filter(solves).collect(), rollouts }
+        RoundResult { found: balls.filter(solves).collect(), rollouts }
     }
 }
 
-fn near(a: Ball, b: Ball) -> bool {
-    [a.x - b.x, a.y - b.y, a.r - b.r].iter().all(|apart| apart.abs() < SPREAD)
+fn is_duplicate(a: Ball, b: Ball) -> bool {
+    [a.x - b.x, a.y - b.y, a.r - b.r].iter().all(|difference| difference.abs() < MIN_DISTANCE)
 }

@@ -1,4 +1,4 @@
-//! `pathlight collect`: the same file on any number of cores, cut off or not, and nothing in it that does not solve.
+//! `pathlight collect`: the same file on any number of cores, interrupted or not, holding only balls that solve.
 
 use std::fs;
 use std::path::Path;
@@ -9,11 +9,11 @@ use pathlight::simulator::outcome;
 use serde_json::Value;
 use tempfile::tempdir;
 
-use super::{assert_refused, pathlight};
+use super::{assert_refused, output_of, pathlight};
 
-/// A small search, on so many cores.
+/// A small search on this many cores; returns the text of the file.
 fn collect(out: &Path, cores: &str, more: &[&str]) -> String {
-    let few = ["--template", "2", "--limit", "6", "--rounds", "3", "--wanted", "4"];
+    let few = ["--template", "2", "--limit", "6", "--rounds", "3", "--per-task", "4"];
     let run =
         pathlight().arg("collect").args(few).args(more).arg("--out").arg(out).env("RAYON_NUM_THREADS", cores).output();
     let run = run.expect("the binary runs");
@@ -22,7 +22,7 @@ fn collect(out: &Path, cores: &str, more: &[&str]) -> String {
 }
 
 #[test]
-fn the_file_hangs_on_the_seed_alone_and_every_ball_in_it_solves() {
+fn the_file_depends_only_on_the_seed_and_every_ball_in_it_solves() {
     let folder = tempdir().expect("a folder");
     let file = |name: &str| folder.path().join(name);
     let one = collect(&file("one"), "1", &[]);
@@ -45,20 +45,76 @@ fn the_file_hangs_on_the_seed_alone_and_every_ball_in_it_solves() {
     // Cut off in the middle of a line of the last round.
     let cut = file("cut");
     fs::write(&cut, &one[..one.len() - 60]).expect("written");
-    assert_eq!(one, collect(&cut, "2", &[]), "cut off and gone on with");
+    assert_eq!(one, collect(&cut, "2", &[]), "interrupted and continued");
+}
 
-    // What solved once solves again.
-    let from = file("one").display().to_string();
-    let again = collect(&file("again"), "2", &["--from", &from]);
-    let known = |text: &str| text.lines().filter(|line| line.contains("ball")).count();
-    assert!(known(&again) >= known(&one));
+#[test]
+fn a_new_file_takes_over_what_still_solves() {
+    let folder = tempdir().expect("a folder");
+    let file = |name: &str| folder.path().join(name);
+    let known = |text: &str| {
+        let mut lines: Vec<String> = text.lines().filter(|line| line.contains("ball")).map(String::from).collect();
+        lines.sort();
+        lines
+    };
+    let one = collect(&file("one"), "2", &[]);
+    // A ball that solves nothing, before those that do.
+    let (settings, lines) = one.split_once('\n').expect("settings and more");
+    let task = lines.lines().next().and_then(|line| line.split('"').nth(3)).expect("a task");
+    let bad = format!(r#"{{"task":"{task}","ball":[1.0,1.0,2.0]}}"#);
+    fs::write(file("bad"), format!("{settings}\n{bad}\n{lines}")).expect("written");
+    let from = file("bad").display().to_string();
+    let out = file("again").display().to_string();
+    let take_over = ["collect", "--template", "2", "--limit", "6", "--rounds", "1", "--persist", "0", "--from", &from];
+    output_of(&[&take_over[..], &["--out", &out]].concat());
+    // In the only round nothing is searched, so all solutions are those of the other file.
+    let again = fs::read_to_string(&out).expect("the file is there");
+    assert!(!known(&again).contains(&bad));
+    assert_eq!(known(&again), known(&one));
+    assert_refused(&[&take_over[..], &["--out", &out]].concat(), "--from is only for a new file");
+}
+
+#[test]
+fn a_missing_last_newline_loses_nothing() {
+    let folder = tempdir().expect("a folder");
+    let file = |name: &str| folder.path().join(name);
+    // Of one round of the search for first solutions, and of many.
+    let search = |out: &Path, persist: &str| {
+        let few = ["--template", "2", "--limit", "6", "--rounds", "0", "--persist", persist];
+        let out = out.display().to_string();
+        output_of(&[&["collect", "--out", &out], &few[..]].concat());
+        fs::read_to_string(out).expect("the file is there")
+    };
+    let whole = search(&file("whole"), "500");
+    let begun = search(&file("cut"), "1");
+    assert!(whole.len() > begun.len());
+    fs::write(file("cut"), begun.trim_end()).expect("written");
+    assert_eq!(search(&file("cut"), "500"), whole);
+}
+
+#[test]
+fn a_damaged_line_is_named_and_nothing_is_changed() {
+    let folder = tempdir().expect("a folder");
+    let path = folder.path().join("solutions");
+    let text = collect(&path, "2", &[]);
+    let damaged: Vec<&str> =
+        text.lines().enumerate().map(|(index, line)| if index == 4 { &line[..9] } else { line }).collect();
+    let damaged = damaged.join("\n") + "\n";
+    fs::write(&path, &damaged).expect("written");
+    let name = path.display().to_string();
+    let few = ["--template", "2", "--limit", "6", "--rounds", "3", "--per-task", "4"];
+    assert_refused(&[&["collect", "--out", &name], &few[..]].concat(), "line 5 of ");
+    let run = folder.path().join("run").display().to_string();
+    assert_refused(&["train", "--solutions", &name, "--out", &run], "line 5 of ");
+    assert_refused(&["label", "--solutions", &name, "--out", &run], "line 5 of ");
+    assert_eq!(fs::read_to_string(&path).expect("still there"), damaged);
 }
 
 #[test]
 fn tasks_without_a_solution_are_searched_until_they_have_one() {
     let folder = tempdir().expect("a folder");
     let out = folder.path().join("solutions.jsonl");
-    let few = ["--template", "2", "--limit", "6", "--rounds", "0", "--wanted", "4"];
+    let few = ["--template", "2", "--limit", "6", "--rounds", "0", "--per-task", "4"];
     let search = |persist: &str| {
         let run = pathlight().arg("collect").args(few).args(["--persist", persist]).arg("--out").arg(&out).output();
         let text = fs::read_to_string(&out).expect("the file is there");
@@ -73,7 +129,7 @@ fn tasks_without_a_solution_are_searched_until_they_have_one() {
     assert!(said.contains("0 have none"), "{said}");
     let mut once = tasks.clone();
     once.dedup();
-    assert_eq!((tasks.len(), once.len()), (6, 6), "one solution each, then they rest");
+    assert_eq!((tasks.len(), once.len()), (6, 6), "each task stops at its first solution");
 }
 
 #[test]
@@ -82,9 +138,15 @@ fn files_that_are_not_its_own_are_refused_and_left_alone() {
     let path = folder.path().join("letter");
     fs::write(&path, "Dear all,\n").expect("written");
     let name = path.display().to_string();
-    assert_refused(&["collect", "--out", &name], "is no file of `pathlight collect`");
+    assert_refused(&["collect", "--out", &name], "is not a file of `pathlight collect`");
     assert_eq!(fs::read_to_string(&path).expect("still there"), "Dear all,\n");
     collect(&folder.path().join("own"), "2", &[]);
     let own = folder.path().join("own").display().to_string();
-    assert_refused(&["collect", "--out", &own, "--seed", "5"], "name another file with --out");
+    let refused = |more: &[&str], words: &str| {
+        let few = ["collect", "--template", "2", "--limit", "6", "--rounds", "3", "--per-task", "4", "--out", &own];
+        assert_refused(&[&few[..], more].concat(), words);
+    };
+    refused(&["--seed", "5"], "`seed` is 0 there and 5 now): write to another file with --out");
+    let other = ["collect", "--rounds", "3", "--per-task", "4", "--out", &own];
+    assert_refused(&other, "`limit` is 6 there and 100 now, `template` is 2 there and not set now");
 }

@@ -7,12 +7,13 @@ use std::io::Write;
 use std::process::{Command, Output, Stdio};
 
 mod collect;
-mod judge;
+mod label;
 mod serve;
 mod simulate;
 mod table;
 mod tasks;
 mod train;
+mod train_judge;
 
 /// The binary, ready to be given arguments.
 fn pathlight() -> Command {

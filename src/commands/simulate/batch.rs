@@ -14,7 +14,7 @@ use rayon::prelude::*;
 use super::Answer;
 use super::start::Request;
 use crate::commands::progress::Progress;
-use crate::commands::scene_cache::Scenes;
+use crate::commands::scene_cache::SceneCache;
 
 /// Lines a core gets in one chunk: enough that cores seldom wait for one another.
 const LINES_PER_CORE: usize = 64;
@@ -34,7 +34,7 @@ pub fn run(file: &str) -> anyhow::Result<()> {
     let mut source = BufReader::with_capacity(1 << 16, source);
     let mut out = BufWriter::new(io::stdout().lock());
     let mut progress = Progress::new(bytes);
-    let scenes = Scenes::new();
+    let scenes = SceneCache::new();
     let (mut first, mut answered, mut bad) = (1, 0, 0);
     loop {
         let lines = next_lines(&mut source).with_context(|| format!("cannot read {file}"))?;
@@ -85,7 +85,7 @@ fn next_lines(source: &mut BufReader<impl Read>) -> io::Result<Vec<Vec<u8>>> {
 }
 
 /// The answer to a line, nothing to a blank one, or what is wrong with it.
-fn answer(scenes: &Scenes, line: &[u8]) -> Result<Option<Answer>, anyhow::Error> {
+fn answer(scenes: &SceneCache, line: &[u8]) -> Result<Option<Answer>, anyhow::Error> {
     if line.trim_ascii().is_empty() {
         return Ok(None);
     }

@@ -11,7 +11,7 @@ use anyhow::{Context, ensure};
 use clap::ValueEnum;
 use pathlight::benchmark::folds::{FOLDS, Setup};
 
-use super::fold_args::{Which, setup};
+use super::fold_args::{FoldArgs, setup};
 use super::run_words;
 use row::{Data, Recipe, Row};
 
@@ -27,7 +27,7 @@ pub struct Args {
     only: Option<Part>,
 
     /// Rows of this setup alone
-    #[arg(long, value_parser = setup)]
+    #[arg(long, value_parser = setup())]
     setup: Option<Setup>,
 
     /// Rows of this fold alone; can be given several times [default: all ten]
@@ -80,7 +80,7 @@ impl Args {
             for fold in folds {
                 for setup in [Setup::Within, Setup::Cross] {
                     if self.setup.is_none_or(|one| one == setup) {
-                        self.row(&Which { setup, fold }, &data)?;
+                        self.row(&FoldArgs { setup, fold }, &data)?;
                     }
                 }
             }
@@ -92,7 +92,7 @@ impl Args {
     }
 
     /// Makes a row, unless it is there.
-    fn row(&self, which: &Which, data: &Data) -> anyhow::Result<()> {
+    fn row(&self, which: &FoldArgs, data: &Data) -> anyhow::Result<()> {
         let path = self.results.join(format!("{which}.json"));
         let name = path.display();
         if let Some(row) = Row::load(&path)? {

@@ -8,7 +8,7 @@ use std::{fs, io};
 
 use anyhow::Context;
 use pathlight::benchmark::folds::{FOLDS, Setup};
-use pathlight::dataset::solutions::SPREAD;
+use pathlight::dataset::solutions::MIN_DISTANCE;
 use pathlight::puzzle::task::{TaskId, ids};
 use pathlight::puzzle::templates::TEMPLATES;
 
@@ -169,7 +169,7 @@ fn data(text: &mut String, rows: &[Row], path: &Path) -> anyhow::Result<()> {
     writeln!(
         text,
         "\n## Data\n\n{} solutions of {} tasks, found in {rollouts} rollouts. {} tasks have {most}, {} have fewer, {} \
-         have none. Those of a task are at least {SPREAD} px apart in x, y or radius; fewer are known where few balls \
+         have none. Those of a task are at least {MIN_DISTANCE} px apart in x, y or radius; fewer are known where few balls \
          solve it. A task without a known solution stays in the count.\n",
         solutions.len(),
         known.len(),

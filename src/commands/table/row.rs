@@ -13,7 +13,7 @@ use pathlight::simulator;
 use serde::{Deserialize, Serialize};
 
 use crate::commands::evaluate::{Agent, Report};
-use crate::commands::fold_args::Which;
+use crate::commands::fold_args::FoldArgs;
 use crate::commands::training_run::{State, state};
 use crate::commands::{digest, label, run_words};
 
@@ -72,8 +72,8 @@ impl Row {
     ///
     /// # Errors
     /// If the labelled balls are not those of the recipe, and those of the commands.
-    pub fn make(which: &Which, recipe: &Recipe, data: &Data, folder: &Path) -> anyhow::Result<Row> {
-        let rounds = label::rounds(&data.labels)?;
+    pub fn make(which: &FoldArgs, recipe: &Recipe, data: &Data, folder: &Path) -> anyhow::Result<Row> {
+        let rounds = label::read_labels(&data.labels)?.rounds();
         ensure!(
             rounds == Some(recipe.label_rounds.into()),
             "{} does not hold the balls of {} rounds: run `pathlight table --only data`, or say --label-rounds",
@@ -187,7 +187,7 @@ pub fn read(folder: &Path) -> anyhow::Result<Vec<Row>> {
     let mut rows: Vec<Row> = Vec::new();
     for setup in [Setup::Within, Setup::Cross] {
         for fold in 0..FOLDS {
-            let path = folder.join(format!("{}.json", Which { setup, fold }));
+            let path = folder.join(format!("{}.json", FoldArgs { setup, fold }));
             let Some(row) = Row::load(&path)? else { continue };
             ensure!(
                 rows.first().is_none_or(|first| first.goes_with(&row)),

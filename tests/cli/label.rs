@@ -1,22 +1,19 @@
-//! `pathlight label` and `judge`: balls with their outcome, and the net that learns from them.
+//! `pathlight label`: true outcomes, the same file whether interrupted or not, and no use of test tasks if asked.
 
 use std::fs;
 use std::path::Path;
 
 use pathlight::benchmark::folds::{Fold, Setup};
-use pathlight::dataset::labels::Labels;
+use pathlight::dataset::labels::LabelledBalls;
 use pathlight::dataset::solutions::Solution;
-use pathlight::nets::{PathNet, device};
 use pathlight::puzzle::task::Task;
 use pathlight::simulator::outcome;
 use tempfile::tempdir;
 
 use super::{assert_refused, output_of};
 
-const WEIGHTS: &str = "assets/within-0.safetensors";
-
-/// Balls of the first tasks of a template.
-fn label(folder: &Path, rounds: &str) -> String {
+/// Labels balls of the first tasks of a template; returns the file.
+pub fn label(folder: &Path, rounds: &str) -> String {
     let out = folder.join("labels.jsonl").display().to_string();
     output_of(&["label", "--template", "2", "--limit", "6", "--rounds", rounds, "--out", &out]);
     out
@@ -33,7 +30,7 @@ fn labels_are_true_and_the_same_after_a_cut() {
 
     let (mut solved, mut failed) = (0, 0);
     for line in whole.lines().skip(1).take(3) {
-        let labels: Labels = serde_json::from_str(line).expect("a line of labels");
+        let labels: LabelledBalls = serde_json::from_str(line).expect("a line of labels");
         let scene = Task::load(labels.task).expect("a task").scene;
         let solves = |ball| outcome(&scene, Some(ball)).expect("a valid ball").solved;
         assert!(labels.solved.iter().all(|&ball| solves(ball)));
@@ -41,7 +38,7 @@ fn labels_are_true_and_the_same_after_a_cut() {
         (solved, failed) = (solved + labels.solved.len(), failed + labels.failed.len());
     }
     assert!(solved > 0 && failed > 0 && solved + failed == 3 * 64);
-    assert_refused(&["label", "--out", &half], "name another file with --out");
+    assert_refused(&["label", "--out", &half], "write to another file with --out");
 }
 
 #[test]
@@ -61,44 +58,50 @@ fn labels_of_a_fold_use_its_training_tasks_and_their_solutions_only() {
         let words = ["label", "--template", "2", "--limit", "12", "--rounds", "1"];
         output_of(&[&words[..], &["--solutions", solutions, "--out", &file(out)], more].concat());
         let text = fs::read_to_string(file(out)).expect("labels");
-        text.lines().skip(1).map(|line| serde_json::from_str(line).expect("labels")).collect::<Vec<Labels>>()
+        text.lines().skip(1).map(|line| serde_json::from_str(line).expect("labels")).collect::<Vec<LabelledBalls>>()
     };
     let of_fold = label("assets/solutions.jsonl", "fold", &["--setup", "within", "--fold", "0"]);
     assert!(of_fold.len() > 3 && of_fold.len() < 12, "{} of 12 tasks", of_fold.len());
     assert!(of_fold.iter().all(|labels| fold.all_train().contains(&labels.task)));
     let all = label(&file("training.jsonl"), "all", &[]);
-    let same: Vec<&Labels> = all.iter().filter(|labels| fold.test.binary_search(&labels.task).is_err()).collect();
+    let same: Vec<&LabelledBalls> =
+        all.iter().filter(|labels| fold.test.binary_search(&labels.task).is_err()).collect();
     assert_eq!(of_fold.iter().collect::<Vec<_>>(), same, "solutions of test tasks were used");
-    assert_refused(&["label", "--out", &file("fold")], "name another file with --out");
+    assert_refused(&["label", "--out", &file("fold")], "write to another file with --out");
     assert_refused(&["label", "--fold", "0", "--out", &file("half")], "--setup");
 }
 
 #[test]
-fn a_judge_joins_the_weights_and_orders_the_attempts() {
+fn files_that_name_unknown_tasks_or_impossible_balls_are_refused() {
     let folder = tempdir().expect("a folder");
-    let labels = label(folder.path(), "1");
-    let judge = |run: &str, more: &[&str]| {
-        let out = folder.path().join(run);
-        let words = ["judge", "--weights", WEIGHTS, "--labels", &labels, "--epochs", "4", "--batch", "3"];
-        output_of(&[&words[..], &["--checkpoint", "2", "--out", &out.display().to_string()], more].concat());
-        out
+    let write = |name: &str, lines: &[&str]| {
+        let path = folder.path().join(name);
+        fs::write(&path, lines.join("\n") + "\n").expect("written");
+        path.display().to_string()
     };
-    let whole = judge("whole", &[]);
-    let out = whole.join("weights.safetensors").display().to_string();
-    let bytes = fs::read(&out).expect("weights");
-    let (nets, card) = PathNet::load(&bytes, &device("flex").expect("a device")).expect("weights that fit");
-    assert!(nets.judge.is_some());
-    assert!(card.judge.expect("a card").balls > 64);
+    let settings = r#"{"seed":0,"per_task":1,"simulator":3}"#;
+    let solutions = write("solutions", &[settings, r#"{"task":"00099:000","ball":[100,100,10]}"#]);
+    let out = folder.path().join("out").display().to_string();
+    let label = ["label", "--solutions", &solutions, "--out", &out];
+    assert_refused(&label, "line 2 of ");
+    assert_refused(&label, "the benchmark has no task 00099:000");
 
-    let cut = judge("cut", &["--stop-after", "3"]);
-    assert!(!cut.join("weights.safetensors").exists(), "it was to stop before the end");
-    judge("cut", &[]);
-    assert_eq!(fs::read(cut.join("weights.safetensors")).expect("weights"), bytes, "cut off or not, the same judge");
-    let losses = |run: &Path| fs::read_to_string(run.join("losses.csv")).expect("losses");
-    assert_eq!(losses(&cut), losses(&whole));
+    let labels = fs::read_to_string(label_file(folder.path())).expect("labels");
+    let (settings, line) = labels.split_once('\n').expect("two lines");
+    let judge = |labels: &str, words: &str| {
+        assert_refused(&["judge", "--weights", "assets/within-0.safetensors", "--labels", labels], words);
+    };
+    let task = serde_json::from_str::<LabelledBalls>(line.lines().next().expect("a line")).expect("labels").task;
+    let ball = format!(r#"{{"task":"{task}","solved":[[100,100,64]],"failed":[]}}"#);
+    judge(&write("ball", &[settings, line.trim_end(), &ball]), "is not a ball of the action space");
+    judge(&write("none", &[&settings.replace("\"tasks\":2", "\"tasks\":0")]), "is not a file of `pathlight label`");
+    let of_fold = settings.replace("\"tasks\"", "\"training_tasks_of\":[\"cross\",1],\"tasks\"");
+    judge(&write("fold", &[&of_fold, line.trim_end()]), "holds balls of the training tasks of cross 1");
+}
 
-    let propose =
-        |weights: &str| output_of(&["propose", "--weights", weights, "--task", "00002:007", "--attempts", "9"]);
-    assert_ne!(propose(&out), propose(WEIGHTS));
-    assert_refused(&["judge", "--weights", WEIGHTS, "--labels", "Cargo.toml"], "no file of `pathlight label`");
+/// Balls of two tasks.
+fn label_file(folder: &Path) -> String {
+    let out = folder.join("two").display().to_string();
+    output_of(&["label", "--template", "2", "--limit", "2", "--rounds", "1", "--out", &out]);
+    out
 }

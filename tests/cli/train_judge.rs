@@ -1,0 +1,42 @@
+//! `pathlight train-judge`: the net that learns from labelled balls.
+
+use std::fs;
+use std::path::Path;
+
+use pathlight::nets::{PathNet, device};
+use tempfile::tempdir;
+
+use super::label::label;
+use super::{assert_refused, output_of};
+
+const WEIGHTS: &str = "assets/within-0.safetensors";
+
+#[test]
+fn a_judge_joins_the_weights_and_orders_the_attempts() {
+    let folder = tempdir().expect("a folder");
+    let labels = label(folder.path(), "1");
+    let judge = |run: &str, more: &[&str]| {
+        let out = folder.path().join(run);
+        let words = ["judge", "--weights", WEIGHTS, "--labels", &labels, "--epochs", "4", "--batch", "3"];
+        output_of(&[&words[..], &["--checkpoint", "2", "--out", &out.display().to_string()], more].concat());
+        out
+    };
+    let whole = judge("whole", &[]);
+    let out = whole.join("weights.safetensors").display().to_string();
+    let bytes = fs::read(&out).expect("weights");
+    let (nets, card) = PathNet::load(&bytes, &device("flex").expect("a device")).expect("weights that fit");
+    assert!(nets.judge.is_some());
+    assert!(card.judge.expect("a card").balls > 64);
+
+    let cut = judge("cut", &["--stop-after", "3"]);
+    assert!(!cut.join("weights.safetensors").exists(), "it was to stop before the end");
+    judge("cut", &[]);
+    assert_eq!(fs::read(cut.join("weights.safetensors")).expect("weights"), bytes, "cut off or not, the same judge");
+    let losses = |run: &Path| fs::read_to_string(run.join("losses.csv")).expect("losses");
+    assert_eq!(losses(&cut), losses(&whole));
+
+    let propose =
+        |weights: &str| output_of(&["propose", "--weights", weights, "--task", "00002:007", "--attempts", "9"]);
+    assert_ne!(propose(&out), propose(WEIGHTS));
+    assert_refused(&["judge", "--weights", WEIGHTS, "--labels", "Cargo.toml"], "not a file of `pathlight label`");
+}
