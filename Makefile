@@ -28,7 +28,7 @@ build: $(PACKAGE)
 	cargo build --release --bin pathlight
 
 timings pictures: build
-	scripts/install-tools packages chromium
+	scripts/install-tools browser-tests chromium
 	node tests/browser/$@.mjs
 
 $(PACKAGE): $(PACKAGED)
@@ -36,4 +36,4 @@ $(PACKAGE): $(PACKAGED)
 
 clean:
 	cargo clean
-	rm -rf www/pkg tests/browser/node_modules
+	rm -rf www/pkg scripts/node_modules tests/browser/node_modules
