@@ -6,7 +6,7 @@
 
 use crate::puzzle::action::Ball;
 use crate::puzzle::rollout::{Pose, Rollout};
-use crate::puzzle::scene::{Body, Part, Role, SIZE, Scene};
+use crate::puzzle::scene::{Body, Role, SIZE, Scene, Shape};
 
 /// Width and height of an image, cells.
 pub const SIDE: usize = 64;
@@ -61,10 +61,10 @@ impl Bitmap {
     /// Draws a body at a pose.
     fn draw(&mut self, body: &Body, [x, y, angle]: Pose) {
         let placed = Body { x: x.into(), y: y.into(), angle: angle.into(), ..body.clone() };
-        for part in &placed.parts {
-            match part {
-                Part::Circle(radius) => self.disc(placed.x, placed.y, *radius),
-                Part::Polygon(corners) => {
+        for shape in &placed.shapes {
+            match shape {
+                Shape::Circle(radius) => self.disc(placed.x, placed.y, *radius),
+                Shape::Polygon(corners) => {
                     let corners: Vec<_> = corners.iter().map(|&corner| placed.to_scene(corner)).collect();
                     self.polygon(&corners);
                 }
@@ -177,7 +177,7 @@ pub fn trail_image(body: &Body, points: &[[f64; 2]]) -> Bitmap {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::puzzle::scene::Shape;
+    use crate::puzzle::scene::ShapeType;
 
     fn area_px(ball: Ball) -> f64 {
         f64::from(ball_image(ball).count()) * (PX_PER_CELL * PX_PER_CELL) as f64
@@ -221,8 +221,16 @@ mod tests {
 
     #[test]
     fn a_trail_is_the_body_all_along_the_line_and_at_the_start() {
-        let parts = vec![Part::Circle(6.0)];
-        let body = Body { x: 20.0, y: 20.0, angle: 0.0, dynamic: true, shape: Shape::Ball, role: Role::Green, parts };
+        let shapes = vec![Shape::Circle(6.0)];
+        let body = Body {
+            x: 20.0,
+            y: 20.0,
+            angle: 0.0,
+            dynamic: true,
+            shape_type: ShapeType::Ball,
+            role: Role::Green,
+            shapes,
+        };
         let ball = |x, y| ball_image(Ball { x, y, r: 6.0 });
         assert_eq!(trail_image(&body, &[]), ball(20.0, 20.0));
         let mut wanted = ball(20.0, 20.0);

@@ -30,11 +30,11 @@ fn there_are_2500_ids() {
 
 #[test]
 fn what_is_no_task_is_said_in_words() {
-    assert_eq!(said("7:13"), "`7:13` is no task id: write template and number like 00007:008");
+    assert_eq!(said("7:13"), "`7:13` is not a task id: write template and number like 00007:008");
     assert_eq!(said("00025:000"), "there is no template `00025`: they run from 00000 to 00024");
     assert_eq!(
         said("00007:000"),
-        "the benchmark keeps no task 00007:000: `pathlight tasks --template 00007` lists those of the template"
+        "task 00007:000 is not in the benchmark: `pathlight tasks --template 00007` lists the tasks of this template"
     );
 }
 

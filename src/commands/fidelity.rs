@@ -146,7 +146,7 @@ impl Args {
 
     /// Is it one of the first tasks of its template?
     fn wants(&self, task: TaskId) -> bool {
-        let selected = TEMPLATES.get(task.template).map_or(&[][..], |template| &template.selected);
+        let selected = TEMPLATES.get(task.template).map_or(&[][..], |template| &template.task_numbers);
         selected.iter().take(self.limit).any(|&number| number == task.number) || !selected.contains(&task.number)
     }
 }

@@ -27,6 +27,6 @@ impl SceneCache {
             return Err(TaskError::NoTemplate(format!("{:05}", id.template)));
         };
         let scenes = kept.get_or_init(|| Task::of(template).map(|task| (task.id.number, task.scene)).collect());
-        scenes.get(&id.number).ok_or(TaskError::NotKept(id))
+        scenes.get(&id.number).ok_or(TaskError::NotInBenchmark(id))
     }
 }

@@ -8,7 +8,7 @@ use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
-use crate::puzzle::scene::{Body, Part, Role, SIZE, Scene, Shape};
+use crate::puzzle::scene::{Body, Role, SIZE, Scene, Shape, ShapeType};
 
 /// Smallest and largest radius of the action ball, px.
 pub const RADIUS: std::ops::RangeInclusive<f64> = 2.0..=32.0;
@@ -92,8 +92,8 @@ impl Ball {
 
     /// Returns the ball as a body at rest.
     pub fn body(&self) -> Body {
-        let parts = vec![Part::Circle(self.r)];
-        Body { x: self.x, y: self.y, angle: 0.0, dynamic: true, shape: Shape::Ball, role: Role::Red, parts }
+        let shapes = vec![Shape::Circle(self.r)];
+        Body { x: self.x, y: self.y, angle: 0.0, dynamic: true, shape_type: ShapeType::Ball, role: Role::Red, shapes }
     }
 
     /// Returns the action that places this ball, before rounding.
@@ -111,38 +111,32 @@ impl Ball {
     }
 }
 
-/// What a ball may not overlap: the bodies of a scene, prepared once so that many balls can be checked quickly.
-pub struct Obstacles {
-    shapes: Vec<Obstacle>,
-}
+/// The shapes of a scene that a ball may not overlap, prepared once so that many balls can be checked quickly.
+pub struct Obstacles(Vec<Obstacle>);
 
-/// One convex part of a body, in scene coordinates (px).
+/// A shape in scene coordinates (px).
 struct Obstacle {
-    /// The index of the body in the scene.
+    /// The index of its body in the scene.
     body: usize,
-    outline: Outline,
-}
-
-enum Outline {
-    Circle { centre: [f64; 2], radius: f64 },
-    Polygon(Vec<[f64; 2]>),
+    origin: [f64; 2],
+    shape: Shape,
 }
 
 impl Obstacles {
-    /// The obstacles of a scene. The walls begin where the scene ends, so a ball inside the scene does not overlap them.
+    /// Returns the obstacles of a scene. The walls are not among them: a ball inside the scene cannot overlap them.
     pub fn new(scene: &Scene) -> Obstacles {
-        let parts = scene.bodies.iter().enumerate().flat_map(|(index, body)| {
-            body.parts.iter().map(move |part| {
-                let outline = match part {
-                    Part::Circle(radius) => Outline::Circle { centre: [body.x, body.y], radius: *radius },
-                    Part::Polygon(corners) => {
-                        Outline::Polygon(corners.iter().map(|&corner| body.to_scene(corner)).collect())
+        let shapes = scene.bodies.iter().enumerate().flat_map(|(index, body)| {
+            body.shapes.iter().map(move |shape| {
+                let shape = match shape {
+                    Shape::Circle(radius) => Shape::Circle(*radius),
+                    Shape::Polygon(corners) => {
+                        Shape::Polygon(corners.iter().map(|&corner| body.to_scene(corner)).collect())
                     }
                 };
-                Obstacle { body: index, outline }
+                Obstacle { body: index, origin: [body.x, body.y], shape }
             })
         });
-        Obstacles { shapes: parts.collect() }
+        Obstacles(shapes.collect())
     }
 
     /// Returns the ball that an action places among these obstacles.
@@ -170,26 +164,26 @@ impl Obstacles {
             return Err(Invalid::Radius);
         }
         ball.check_inside_scene()?;
-        match self.shapes.iter().find(|shape| shape.outline.overlaps(ball)) {
-            Some(shape) => Err(Invalid::Overlaps(shape.body)),
+        match self.0.iter().find(|obstacle| obstacle.overlaps(ball)) {
+            Some(obstacle) => Err(Invalid::Overlaps(obstacle.body)),
             None => Ok(()),
         }
     }
 }
 
-impl Outline {
+impl Obstacle {
     /// Touching is not overlapping.
     fn overlaps(&self, ball: &Ball) -> bool {
-        match self {
-            Outline::Circle { centre: [x, y], radius } => {
-                libm::hypot(ball.x - x, ball.y - y) + TOLERANCE < ball.r + radius
+        match &self.shape {
+            Shape::Circle(radius) => {
+                libm::hypot(ball.x - self.origin[0], ball.y - self.origin[1]) + TOLERANCE < ball.r + radius
             }
-            Outline::Polygon(corners) => distance_to_polygon([ball.x, ball.y], corners) + TOLERANCE < ball.r,
+            Shape::Polygon(corners) => distance_to_polygon([ball.x, ball.y], corners) + TOLERANCE < ball.r,
         }
     }
 }
 
-/// Distance from a point to a convex, counter-clockwise polygon; 0 inside. Any length unit.
+/// Returns the distance from a point to a convex, counter-clockwise polygon; 0 inside. Any unit of length.
 fn distance_to_polygon([x, y]: [f64; 2], corners: &[[f64; 2]]) -> f64 {
     let edges = || corners.iter().zip(corners.iter().cycle().skip(1));
     let left_of = |a: &[f64; 2], b: &[f64; 2]| (b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0]) >= 0.0;

@@ -1,55 +1,56 @@
 //! A scene as plain data: bodies with their roles, and which two of them must touch.
 //!
 //! The scene is 256 x 256 px, origin at the bottom left, y up; angles are radians, counter-clockwise.
-//! Everyone reads scenes; only `layout` makes them. Knows nothing of engines, pixels or nets.
+//! Made by `layout`, read by everything else. Depends on nothing. `ShapeType` and `Shape` are PHYRE's names; the JSON
+//! keys are those of `pathlight tasks --json`.
 
 use serde::{Deserialize, Serialize};
 
 /// Width and height of every scene, px.
 pub const SIZE: f64 = 256.0;
 
-/// Thickness of the four walls that stand just outside the scene, px.
+/// Thickness of the four walls just outside the scene, px.
 const WALL: f64 = 5.0;
 
-/// What a body is made as.
+/// The kind of a body, by its shape.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Shape {
+pub enum ShapeType {
     Ball,
     Bar,
     Jar,
     StandingSticks,
 }
 
-/// What a body is for, named by PHYRE's colour for it.
+/// The role of a body, named by PHYRE's colour for it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Role {
-    /// The dynamic body that has to reach the goal: body1 of every task.
+    /// The dynamic body that has to touch the goal: body1 of every task.
     Green,
-    /// A goal that moves.
+    /// A dynamic goal.
     Blue,
-    /// A goal that stands still.
+    /// A static goal.
     Purple,
-    /// Dynamic, no part of the goal.
+    /// Dynamic, not part of the goal.
     Gray,
-    /// Static, no part of the goal; the walls too.
+    /// Static, not part of the goal; also the walls.
     Black,
-    /// The action ball. It is no part of a scene.
+    /// The action ball, which is not part of a scene.
     Red,
 }
 
-/// One convex part of a body, in body coordinates (px).
+/// One convex shape of a body, in body coordinates (px).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
-pub enum Part {
-    /// A circle of this radius round the body's origin.
+pub enum Shape {
+    /// A circle of this radius around the body's origin.
     Circle(f64),
     /// A convex polygon, counter-clockwise.
     Polygon(Vec<[f64; 2]>),
 }
 
-/// One rigid body: a position, an angle, and one or more convex parts.
+/// One rigid body: position, angle, and one or more convex shapes.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Body {
     /// Position of the origin, px.
@@ -59,19 +60,21 @@ pub struct Body {
     /// Radians, counter-clockwise, not wrapped.
     pub angle: f64,
     pub dynamic: bool,
-    pub shape: Shape,
+    #[serde(rename = "shape")]
+    pub shape_type: ShapeType,
     pub role: Role,
-    pub parts: Vec<Part>,
+    #[serde(rename = "parts")]
+    pub shapes: Vec<Shape>,
 }
 
 impl Body {
-    /// Where a point in body coordinates lies in the scene, px.
+    /// Transforms a point from body to scene coordinates, px.
     pub fn to_scene(&self, [a, b]: [f64; 2]) -> [f64; 2] {
         let (sin, cos) = (libm::sin(self.angle), libm::cos(self.angle));
         [self.x + a * cos - b * sin, self.y + a * sin + b * cos]
     }
 
-    /// Colour and shape in words: "green ball".
+    /// Returns colour and shape in words: "green ball".
     pub fn name(&self) -> String {
         let colour = match self.role {
             Role::Green => "green",
@@ -81,19 +84,19 @@ impl Body {
             Role::Black => "black",
             Role::Red => "red",
         };
-        let shape = match self.shape {
-            Shape::Ball => "ball",
-            Shape::Bar => "bar",
-            Shape::Jar => "jar",
-            Shape::StandingSticks => "standing sticks",
+        let shape = match self.shape_type {
+            ShapeType::Ball => "ball",
+            ShapeType::Bar => "bar",
+            ShapeType::Jar => "jar",
+            ShapeType::StandingSticks => "standing sticks",
         };
         format!("{colour} {shape}")
     }
 
-    /// The radius, if the body is a single ball.
+    /// Returns the radius if the body is a single circle, px.
     pub fn ball_radius(&self) -> Option<f64> {
-        match self.parts.as_slice() {
-            [Part::Circle(radius)] => Some(*radius),
+        match self.shapes.as_slice() {
+            [Shape::Circle(radius)] => Some(*radius),
             _ => None,
         }
     }
@@ -109,16 +112,16 @@ pub struct Scene {
     pub bodies: Vec<Body>,
 }
 
-/// The four static walls just outside every scene: bottom, left, top, right.
+/// Returns the four static walls just outside every scene: bottom, left, top, right.
 pub fn walls() -> [Body; 4] {
     let wall = |x, y, width: f64, height: f64| Body {
         x,
         y,
         angle: 0.0,
         dynamic: false,
-        shape: Shape::Bar,
+        shape_type: ShapeType::Bar,
         role: Role::Black,
-        parts: vec![rectangle(width, height)],
+        shapes: vec![rectangle(width, height)],
     };
     let (middle, outside) = (SIZE / 2.0, SIZE + WALL / 2.0);
     [
@@ -129,8 +132,8 @@ pub fn walls() -> [Body; 4] {
     ]
 }
 
-/// A rectangle round the origin, `width` x `height` px.
-pub fn rectangle(width: f64, height: f64) -> Part {
+/// Returns a rectangle centred on the origin, `width` x `height` px.
+pub fn rectangle(width: f64, height: f64) -> Shape {
     let (w, h) = (width / 2.0, height / 2.0);
-    Part::Polygon(vec![[w, h], [-w, h], [-w, -h], [w, -h]])
+    Shape::Polygon(vec![[w, h], [-w, h], [-w, -h], [w, -h]])
 }

@@ -1,6 +1,6 @@
 //! Tasks: one numbered scene of a template, with its id, its parameters and its goal in words.
 //!
-//! The way from an id that someone typed to a scene. Used by everything above the templates.
+//! Parses the ids that people type and loads their tasks. Used by everything above the templates.
 
 use std::{fmt, str::FromStr};
 
@@ -8,30 +8,30 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
 use crate::puzzle::scene::{Body, Scene};
-use crate::puzzle::templates::{TEMPLATES, Template, grid::Params};
+use crate::puzzle::templates::{TEMPLATES, Template};
 
-/// Template and number of a task: `00007:008`.
+/// Template and number of a task, written `00007:008`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(into = "String", try_from = "String")]
 pub struct TaskId {
-    /// 0..=24
+    /// Index into `TEMPLATES`.
     pub template: usize,
-    /// 0..=998; which 100 there are differs from template to template.
+    /// 0..=999. Each template has its own list of numbers that are in the benchmark.
     pub number: u16,
 }
 
-/// Why something is no task id.
+/// Why a task cannot be loaded.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum TaskError {
-    #[error("`{0}` is no task id: write template and number like 00007:008")]
+    #[error("`{0}` is not a task id: write template and number like 00007:008")]
     Malformed(String),
-    #[error("there is no template `{0}`: they run from 00000 to 00024")]
+    #[error("there is no template `{0}`: they run from 00000 to {last:05}", last = TEMPLATES.len() - 1)]
     NoTemplate(String),
-    #[error("the benchmark keeps no task {0}: `pathlight tasks --template {template:05}` lists those of the template", template = .0.template)]
-    NotKept(TaskId),
+    #[error("task {0} is not in the benchmark: `pathlight tasks --template {template:05}` lists the tasks of this template", template = .0.template)]
+    NotInBenchmark(TaskId),
 }
 
-/// One of the 2,500 tasks of the benchmark. Its JSON is one line of `pathlight tasks --json`.
+/// One of the benchmark's tasks. Its JSON is one line of `pathlight tasks --json`.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Task {
     pub id: TaskId,
@@ -44,34 +44,28 @@ pub struct Task {
 }
 
 impl Task {
-    /// The task of this id.
+    /// Returns the task of this id.
     ///
     /// # Errors
-    /// `NoTemplate` or `NotKept` if the benchmark has no such task.
+    /// `NoTemplate` or `NotInBenchmark` if the benchmark has no such task.
     pub fn load(id: TaskId) -> Result<Task, TaskError> {
         let template =
             TEMPLATES.get(id.template).ok_or_else(|| TaskError::NoTemplate(format!("{:05}", id.template)))?;
-        let (params, scene) = template.task(id.number).ok_or(TaskError::NotKept(id))?;
-        Ok(Task::new(id, params, scene))
-    }
-
-    /// The 100 tasks of a template, ascending.
-    pub fn of(template: &'static Template) -> impl Iterator<Item = Task> {
-        template
-            .tasks()
-            .map(|(number, params, scene)| Task::new(TaskId { template: template.number, number }, params, scene))
-    }
-
-    fn new(id: TaskId, params: Params, scene: Scene) -> Task {
+        let (params, scene) = template.task(id.number).ok_or(TaskError::NotInBenchmark(id))?;
         let goal = goal_sentence(&scene.bodies[scene.body1], &scene.bodies[scene.body2]);
-        Task { id, params: params.into_json(), goal, scene }
+        Ok(Task { id, params: params.into_json(), goal, scene })
+    }
+
+    /// Returns the tasks of a template, ascending.
+    pub fn of(template: &'static Template) -> impl Iterator<Item = Task> {
+        ids(template).map(|id| Task::load(id).expect("a template lists its own tasks"))
     }
 }
 
-/// The ids of a template's 100 tasks, ascending.
+/// Returns the ids of a template's tasks, ascending.
 pub fn ids(template: &Template) -> impl Iterator<Item = TaskId> {
     let number = template.number;
-    template.selected.iter().map(move |&task| TaskId { template: number, number: task })
+    template.task_numbers.iter().map(move |&task| TaskId { template: number, number: task })
 }
 
 fn goal_sentence(object: &Body, target: &Body) -> String {
@@ -79,11 +73,11 @@ fn goal_sentence(object: &Body, target: &Body) -> String {
 }
 
 impl TaskId {
-    /// The seed of what is drawn at random for this task in a run with a seed of its own: the page, `propose`
-    /// and `evaluate` draw the same.
-    pub fn seed(self, run: u64) -> u64 {
-        // An odd constant spreads the runs over the 64 bits (Knuth's multiplicative hashing).
-        run.wrapping_mul(0x9E37_79B9_7F4A_7C15) ^ ((self.template as u64) << 32 | u64::from(self.number) << 16)
+    /// Returns the seed of the random draws for this task, given the seed of the whole command or page: the page,
+    /// `propose` and `evaluate` draw the same.
+    pub fn seed(self, global_seed: u64) -> u64 {
+        // An odd constant spreads the seeds over the 64 bits (Knuth's multiplicative hashing).
+        global_seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) ^ ((self.template as u64) << 32 | u64::from(self.number) << 16)
     }
 }
 

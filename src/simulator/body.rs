@@ -9,7 +9,7 @@ use rapier2d::parry::bounding_volume::BoundingVolume;
 use rapier2d::parry::mass_properties::MassProperties;
 
 use super::constants::{BOX_AHEAD, BOX_MARGIN, DENSITY, SCALE, SKIN};
-use crate::puzzle::scene::{Body, Part};
+use crate::puzzle::scene::{Body, Shape};
 
 /// Where a body's centre of mass is, m, and its angle, radians, not wrapped.
 #[derive(Clone, Copy, Debug)]
@@ -53,7 +53,7 @@ pub struct Rigid {
 impl Rigid {
     /// The body of a scene, at rest, and its fixtures, which will have the numbers from `first` on.
     pub fn new(body: &Body, number: usize, first: usize) -> (Rigid, Motion, Vec<Fixture>) {
-        let mut fixtures: Vec<Fixture> = body.parts.iter().map(|part| Fixture::new(part, number)).collect();
+        let mut fixtures: Vec<Fixture> = body.shapes.iter().map(|shape| Fixture::new(shape, number)).collect();
         let mass = |fixture: &Fixture| {
             let collider = ColliderBuilder::new(fixture.shape.clone()).density(DENSITY).build();
             collider.mass_properties().transform_by(&fixture.local)
@@ -193,13 +193,13 @@ pub struct Fixture {
 }
 
 impl Fixture {
-    fn new(part: &Part, body: usize) -> Fixture {
-        let (shape, local, ball) = match part {
-            Part::Circle(r) => {
+    fn new(shape: &Shape, body: usize) -> Fixture {
+        let (shape, local, ball) = match shape {
+            Shape::Circle(r) => {
                 let radius = (r / SCALE) as f32;
                 (SharedShape::ball(radius), Pose::IDENTITY, Some(radius))
             }
-            Part::Polygon(corners) => {
+            Shape::Polygon(corners) => {
                 let corners: Vec<Vector> = corners.iter().copied().map(metres).collect();
                 let (shape, local) = polygon(corners);
                 (shape, local, None)

@@ -13,7 +13,7 @@ use super::colour::{Palette, palette};
 use super::error::{Code, error};
 use crate::puzzle::action::Ball;
 use crate::puzzle::rollout::Pose;
-use crate::puzzle::scene::{Body, Part, Role, SIZE};
+use crate::puzzle::scene::{Body, Role, SIZE, Shape};
 
 /// Distance between the lines of a hatched goal, and their width, px.
 const HATCH: (f64, f64) = (4.5, 1.2);
@@ -245,13 +245,13 @@ impl<'a> Painter<'a> {
 /// All parts of a body as one path, in body coordinates.
 fn outline(body: &Body) -> Result<Path2d, JsValue> {
     let path = Path2d::new()?;
-    for part in &body.parts {
-        match part {
-            Part::Circle(radius) => {
+    for shape in &body.shapes {
+        match shape {
+            Shape::Circle(radius) => {
                 path.move_to(*radius, 0.0);
                 path.arc(0.0, 0.0, *radius, 0.0, TAU)?;
             }
-            Part::Polygon(corners) => {
+            Shape::Polygon(corners) => {
                 for (index, &[x, y]) in corners.iter().enumerate() {
                     if index == 0 { path.move_to(x, y) } else { path.line_to(x, y) }
                 }
@@ -264,9 +264,9 @@ fn outline(body: &Body) -> Result<Path2d, JsValue> {
 
 /// How far a body reaches from its origin, px.
 pub fn reach(body: &Body) -> f64 {
-    let part = |part: &Part| match part {
-        Part::Circle(radius) => *radius,
-        Part::Polygon(corners) => corners.iter().map(|[x, y]| libm::hypot(*x, *y)).fold(0.0, f64::max),
+    let extent = |shape: &Shape| match shape {
+        Shape::Circle(radius) => *radius,
+        Shape::Polygon(corners) => corners.iter().map(|[x, y]| libm::hypot(*x, *y)).fold(0.0, f64::max),
     };
-    body.parts.iter().map(part).fold(0.0, f64::max)
+    body.shapes.iter().map(extent).fold(0.0, f64::max)
 }

@@ -1,7 +1,7 @@
-//! The parameters of a template: the values that each takes, and one combination of them.
+//! The parameter grid of a template: the values of each parameter, and one combination of them.
 //!
-//! Used by the template scripts. How a value is computed is part of what a task id means, down to the last
-//! bit: some rules of the scripts are met with equality.
+//! Used by the template scripts. A task id depends on every bit of these values: some rules of the scripts compare
+//! them for equality.
 
 use serde_json::{Map, Value};
 
@@ -22,7 +22,7 @@ pub enum Grid {
 }
 
 impl Grid {
-    /// How many values there are.
+    /// Returns the number of values.
     pub(super) fn len(&self) -> usize {
         match self {
             Grid::Lin(_, _, n) => *n,
@@ -33,7 +33,7 @@ impl Grid {
         }
     }
 
-    /// One of them, counted from 0.
+    /// Returns one of the values, counted from 0.
     pub(super) fn value(&self, index: usize) -> Value {
         match *self {
             Grid::Lin(a, b, n) => evenly(a, b, n, index).into(),
@@ -46,7 +46,7 @@ impl Grid {
     }
 }
 
-/// Value `index` of `n` evenly spaced ones from a to b; the last is b itself, not what rounding makes of it.
+/// Returns value `index` of `n` evenly spaced ones from a to b (NumPy's `linspace`); the last is exactly b.
 pub fn evenly(a: f64, b: f64, n: usize, index: usize) -> f64 {
     match (n, index) {
         (1, _) => a,
@@ -59,7 +59,7 @@ pub fn evenly(a: f64, b: f64, n: usize, index: usize) -> f64 {
 pub struct Params(Map<String, Value>);
 
 impl Params {
-    /// The digits of a combination's number are the indices into the grids, the last name the lowest digit.
+    /// Decodes the number of a combination: its digits are the indices into the grid, the last parameter the lowest.
     pub(super) fn of(grid: &[(&str, Grid)], mut combination: usize) -> Params {
         let mut params = Map::new();
         for (name, values) in grid.iter().rev() {
@@ -69,28 +69,28 @@ impl Params {
         Params(params)
     }
 
-    /// A number; integers too. Panics if the template has no such number: that is a slip in its script.
+    /// Returns a number (integers too). Panics if the template has no such number: its script is wrong.
     pub fn num(&self, name: &str) -> f64 {
         self.0.get(name).and_then(Value::as_f64).unwrap_or_else(|| panic!("no number named {name}"))
     }
 
-    /// An integer. Panics like `num`.
+    /// Returns an integer. Panics like `num`.
     pub fn int(&self, name: &str) -> usize {
         let value = self.0.get(name).and_then(Value::as_u64);
         value.and_then(|value| value.try_into().ok()).unwrap_or_else(|| panic!("no integer named {name}"))
     }
 
-    /// A truth value. Panics like `num`.
+    /// Returns a boolean. Panics like `num`.
     pub fn flag(&self, name: &str) -> bool {
         self.0.get(name).and_then(Value::as_bool).unwrap_or_else(|| panic!("no flag named {name}"))
     }
 
-    /// A quoted word. Panics like `num`.
+    /// Returns a word. Panics like `num`.
     pub fn word(&self, name: &str) -> &str {
         self.0.get(name).and_then(Value::as_str).unwrap_or_else(|| panic!("no word named {name}"))
     }
 
-    /// Name and value of each parameter, as JSON.
+    /// Returns name and value of each parameter as JSON.
     pub fn into_json(self) -> Map<String, Value> {
         self.0
     }

@@ -1,19 +1,17 @@
-//! The 25 ball templates: each a story, a grid of parameters, and a short script.
+//! The 25 ball templates of PHYRE v0.2.2: each a story, a grid of parameters, and a short script.
 //!
-//! A template's combinations are shuffled by the MD5 of their number, laid out in that order, and numbered
-//! as they come, those that the script skips left out; the benchmark keeps 100 of the numbers (`selected`).
-//! So a task id means the same as in PHYRE v0.2.2. `task` is the way in for everyone else.
-
-use md5::{Digest, Md5};
+//! A task number is the position of a combination of parameters among the valid ones, in the order of PHYRE's
+//! `stable_shuffle` of all combinations. The benchmark keeps 100 of a template's tasks. A template lists their numbers and
+//! their combinations, so that a task is laid out at once; the test below derives the combinations again.
+//! `task` is the entry point for the other modules.
 
 use crate::puzzle::scene::Scene;
 use grid::Grid::{self, Flag, Ints, Lin, List, Mul, Words};
 use grid::{Params, evenly};
-use selection::kept;
+use task_numbers::task_numbers;
 
 pub mod grid;
 mod numpy;
-mod selection;
 mod t00_two_drops;
 mod t01_tray_with_lips;
 mod t02_awning;
@@ -39,6 +37,7 @@ mod t21_teeter_gap;
 mod t22_tip_into_the_jar;
 mod t23_rolling_bridge;
 mod t24_hole_and_plug;
+mod task_numbers;
 
 /// All templates, in the order of their numbers.
 pub static TEMPLATES: [&Template; 25] = [
@@ -69,21 +68,26 @@ pub static TEMPLATES: [&Template; 25] = [
     &t24_hole_and_plug::TEMPLATE,
 ];
 
-/// One template of tasks.
+/// One template: the tasks that differ only in their parameters.
 pub struct Template {
     /// 0..=24; `00000`..`00024` when written.
     pub number: usize,
     /// Our own short name.
     pub name: &'static str,
-    /// What happens and what is wanted, in one sentence.
+    /// What happens and what the goal is, in one sentence.
     pub story: &'static str,
     /// Name and values of each parameter, sorted by name; the last varies fastest.
     pub grid: &'static [(&'static str, Grid)],
-    /// Lays out one combination; `None` if it is skipped.
+    /// Lays out one combination of parameters; `None` if one of PHYRE's rules skips it.
     pub script: fn(&Params) -> Option<Scene>,
-    /// The 100 task numbers that the benchmark keeps, ascending.
-    pub selected: [u16; 100],
+    /// The numbers of the benchmark's 100 tasks, ascending.
+    pub task_numbers: [u16; TASKS],
+    /// The combination of each of these tasks: its digits are the indices into the grid, the last parameter the lowest.
+    pub combinations: [u16; TASKS],
 }
+
+/// Tasks of the benchmark in each template.
+pub const TASKS: usize = 100;
 
 /// Leaves the combination out if the rule holds; a script says `skip(rule)?`.
 fn skip(rule: bool) -> Option<()> {
@@ -91,47 +95,24 @@ fn skip(rule: bool) -> Option<()> {
 }
 
 impl Template {
-    /// The benchmark's tasks of this template, ascending: number, parameters and scene of each.
-    pub fn tasks(&self) -> impl Iterator<Item = (u16, Params, Scene)> {
-        self.numbered().filter(|(number, ..)| self.selected.binary_search(number).is_ok()).take(self.selected.len())
-    }
-
-    /// One of the benchmark's tasks, by its number.
+    /// Returns parameters and scene of one of the benchmark's tasks, by its number; `None` if it is not among them.
     pub fn task(&self, number: u16) -> Option<(Params, Scene)> {
-        self.selected.binary_search(&number).ok()?;
-        self.numbered().nth(number.into()).map(|(_, params, scene)| (params, scene))
+        let index = self.task_numbers.binary_search(&number).ok()?;
+        self.lay_out(self.combinations[index].into())
     }
 
-    /// The valid combinations with their task numbers. Endless numbering would outgrow 16 bits; nobody asks
-    /// for more than the last task that is kept.
-    fn numbered(&self) -> impl Iterator<Item = (u16, Params, Scene)> {
-        (0..).zip(self.valid()).map(|(number, (_, params, scene))| (number, params, scene))
+    /// Lays out one combination; `None` if a rule skips it.
+    fn lay_out(&self, combination: usize) -> Option<(Params, Scene)> {
+        let params = Params::of(self.grid, combination);
+        let scene = (self.script)(&params)?;
+        Some((params, scene))
     }
-
-    /// Every combination that no rule skips, in shuffled order: its number, its parameters and its scene.
-    fn valid(&self) -> impl Iterator<Item = (usize, Params, Scene)> {
-        shuffled(self.combinations()).into_iter().filter_map(|combination| {
-            let params = Params::of(self.grid, combination);
-            let scene = (self.script)(&params)?;
-            Some((combination, params, scene))
-        })
-    }
-
-    fn combinations(&self) -> usize {
-        self.grid.iter().map(|(_, values)| values.len()).product()
-    }
-}
-
-/// 0..count in the order of the MD5 of their decimal digits.
-fn shuffled(count: usize) -> Vec<usize> {
-    let mut numbers: Vec<usize> = (0..count).collect();
-    numbers.sort_by_cached_key(|number| <[u8; 16]>::from(Md5::digest(number.to_string())));
-    numbers
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::puzzle::stable_shuffle::stable_shuffle;
 
     #[test]
     fn the_table_is_in_order() {
@@ -139,12 +120,6 @@ mod tests {
             assert_eq!(template.number, number, "{}", template.name);
             assert!(template.grid.is_sorted_by_key(|(name, _)| *name), "the parameters of {}", template.name);
         }
-    }
-
-    #[test]
-    fn the_shuffle_is_by_md5_of_the_digits() {
-        assert_eq!(shuffled(10), [6, 9, 7, 4, 1, 2, 8, 0, 5, 3]);
-        assert_eq!(shuffled(20), [6, 19, 9, 11, 18, 17, 7, 15, 4, 14, 12, 1, 13, 16, 2, 8, 0, 10, 5, 3]);
     }
 
     /// Of each template: combinations, how many are valid, and the combination that is task 000; in PHYRE.
@@ -176,12 +151,16 @@ mod tests {
         (960, 696, 363),
     ];
 
+    /// PHYRE's numbering: task n is the n-th combination, in the order of the shuffle, that no rule skips.
     #[test]
-    fn as_many_combinations_are_valid_as_in_phyre() {
-        for (template, expected) in TEMPLATES.iter().zip(FIGURES) {
-            let mut valid = template.valid().map(|(combination, ..)| combination);
-            let first = valid.next().expect("a template has tasks");
-            assert_eq!((template.combinations(), 1 + valid.count(), first), expected, "{}", template.name);
+    fn numbers_and_combinations_of_tasks_follow_from_the_shuffle() {
+        for (template, (combinations, valid, first)) in TEMPLATES.iter().zip(FIGURES) {
+            let count: usize = template.grid.iter().map(|(_, values)| values.len()).product();
+            let mut numbered = stable_shuffle((0..count).collect(), "");
+            numbered.retain(|&combination| template.lay_out(combination).is_some());
+            assert_eq!((count, numbered.len(), numbered[0]), (combinations, valid, first), "{}", template.name);
+            let derived = template.task_numbers.map(|number| numbered[usize::from(number)]);
+            assert_eq!(template.combinations.map(usize::from), derived, "the combinations of {}", template.name);
         }
     }
 }

@@ -1,14 +1,14 @@
-//! The draws of NumPy's legacy `RandomState`, of which the templates 00012 and 00013 are made.
+//! NumPy's legacy `RandomState`, from which the pegs of templates 00012 and 00013 are drawn.
 //!
-//! NumPy wraps the 32-bit Mersenne Twister MT19937 and has its own ways from its words to numbers; both have
-//! to be met to the bit, as which peg lies where follows from them. The results below were drawn by NumPy.
+//! NumPy wraps the 32-bit Mersenne Twister MT19937 and converts its words to numbers in its own way; both must agree to
+//! the bit, because the positions of the pegs depend on them. The expected values in the tests were drawn by NumPy.
 
 use rand_mt::Mt;
 
 /// One stream of draws.
 pub struct RandomState {
     words: Mt,
-    /// The second number of a pair of normal ones; it outlives the draws in between.
+    /// The second of a pair of normal draws; other draws in between do not discard it.
     spare: Option<f64>,
 }
 
@@ -17,19 +17,19 @@ impl RandomState {
         RandomState { words: Mt::new(seed.try_into().expect("a seed has 32 bits")), spare: None }
     }
 
-    /// A number in [0, 1), from 53 bits of two words.
+    /// Draws a number in [0, 1) from 53 bits of two words (`random_sample`).
     pub fn unit(&mut self) -> f64 {
         let high = f64::from(self.words.next_u32() >> 5);
         let low = f64::from(self.words.next_u32() >> 6);
         (high * 67_108_864.0 + low) / 9_007_199_254_740_992.0
     }
 
-    /// A number in [low, high).
+    /// Draws a number in [low, high).
     pub fn uniform(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.unit()
     }
 
-    /// A normal number, mean 0, deviation 1, by Marsaglia's polar method.
+    /// Draws from the standard normal distribution, by Marsaglia's polar method (`randn`).
     pub fn normal(&mut self) -> f64 {
         if let Some(spare) = self.spare.take() {
             return spare;
@@ -46,7 +46,7 @@ impl RandomState {
         }
     }
 
-    /// An integer in low..high. A single choice draws nothing.
+    /// Draws an integer in low..high by masked rejection sampling. A single choice draws nothing.
     pub fn randint(&mut self, low: usize, high: usize) -> usize {
         let range = (high - 1 - low) as u32;
         if range == 0 {

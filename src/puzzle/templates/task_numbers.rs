@@ -1,12 +1,14 @@
-//! Which 100 task numbers of a template the benchmark keeps.
+//! The numbers of the tasks that the benchmark keeps of a template.
 //!
-//! PHYRE chose them by measuring which tasks can be solved, so they cannot be derived from the layout: each
-//! template lists them, as runs like "0-11 13 15-17". Read at compile time; a slip in a list does not compile.
+//! PHYRE chose them by measuring which tasks can be solved, so they cannot be derived from the layout: each template
+//! lists them as runs like "0-11 13 15-17". Parsed at compile time; a wrong list does not compile.
 
-/// The numbers of the runs. There must be 100, ascending.
-pub const fn kept(runs: &str) -> [u16; 100] {
+use super::TASKS;
+
+/// Returns the numbers of the runs. There must be `TASKS` of them, ascending.
+pub const fn task_numbers(runs: &str) -> [u16; TASKS] {
     let text = runs.as_bytes();
-    let mut numbers = [0; 100];
+    let mut numbers = [0; TASKS];
     let (mut count, mut at) = (0, 0);
     while at < text.len() {
         let (first, after) = number(text, at);
@@ -27,7 +29,7 @@ pub const fn kept(runs: &str) -> [u16; 100] {
     numbers
 }
 
-/// The number that starts here, and where it ends.
+/// Returns the number that starts here, and where it ends.
 const fn number(text: &[u8], mut at: usize) -> (u16, usize) {
     let start = at;
     let mut value = 0;
@@ -41,11 +43,11 @@ const fn number(text: &[u8], mut at: usize) -> (u16, usize) {
 
 #[cfg(test)]
 mod tests {
-    use super::kept;
+    use super::task_numbers;
 
     #[test]
     fn runs_and_single_numbers_are_read() {
-        let numbers = kept("3 5-7 100-194 999");
+        let numbers = task_numbers("3 5-7 100-194 999");
         assert_eq!(numbers[..5], [3, 5, 6, 7, 100]);
         assert_eq!(numbers[98..], [194, 999]);
     }
@@ -53,12 +55,12 @@ mod tests {
     #[test]
     #[should_panic(expected = "the numbers ascend")]
     fn a_list_out_of_order_is_refused() {
-        kept("5 0-98");
+        task_numbers("5 0-98");
     }
 
     #[test]
     #[should_panic(expected = "keeps 100 tasks")]
     fn a_short_list_is_refused() {
-        kept("0-98");
+        task_numbers("0-98");
     }
 }
