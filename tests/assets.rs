@@ -4,7 +4,7 @@
 use std::fs;
 use std::path::Path;
 
-use pathlight::nets::{PathNet, device};
+use pathlight::nets::{PathNet, flex};
 use pathlight::simulator;
 use serde_json::Value;
 use sha2::{Digest, Sha256};
@@ -24,7 +24,7 @@ fn every_model_of_the_list_is_there_whole_and_up_to_date() {
         let bytes = fs::read(assets.join(text("file"))).unwrap_or_else(|error| panic!("{}: {error}", text("file")));
         let digest: String = Sha256::digest(&bytes).iter().map(|byte| format!("{byte:02x}")).collect();
         assert_eq!(digest, text("sha256"), "run `pathlight publish` again");
-        let (_, card) = PathNet::load(&bytes, &device("flex").expect("a device")).expect("weights that fit");
+        let (_, card) = PathNet::load(&bytes, &flex()).expect("weights that fit");
         assert_eq!(text("name"), format!("{}-{}", card.setup, card.fold));
         assert_eq!(card.simulator, simulator::VERSION, "trained on rollouts of another simulator");
         assert!(bytes.len() < MOST, "{} is {} bytes", text("name"), bytes.len());

@@ -2,8 +2,9 @@
 //! written here for the purpose, agrees with them to rounding, and so does the second backend.
 #![cfg(not(target_arch = "wasm32"))]
 
+use burn::tensor::Device;
 use pathlight::benchmark::folds::Setup;
-use pathlight::nets::{Card, Imagined, PathNet, WeightsError, device};
+use pathlight::nets::{Card, Imagined, PathNet, WeightsError, flex};
 use pathlight::puzzle::scene::Scene;
 use pathlight::puzzle::task::Task;
 use pathlight::raster::CELLS;
@@ -20,8 +21,8 @@ fn card() -> Card {
         seed: 1,
         epochs: 0,
         batch: 32,
-        rate: 3e-3,
-        cool: 1,
+        learning_rate: 3e-3,
+        decay_epochs: 1,
         mirror: false,
         samples: 0,
         tasks: 0,
@@ -32,17 +33,17 @@ fn card() -> Card {
 
 /// Fresh weights, as a file. One file serves all tests: what a file says is what all implementations compute.
 fn weights() -> Vec<u8> {
-    let device = device("flex").expect("flex is always there");
+    let device = flex();
     device.seed(7);
-    PathNet::new(&device).save(&card())
+    PathNet::new(&device).save(&card()).expect("fresh weights are finite")
 }
 
 fn scene() -> Scene {
     Task::load("00012:002".parse().expect("an id")).expect("a task").scene
 }
 
-fn imagine(bytes: &[u8], name: &str) -> Imagined {
-    let (nets, _) = PathNet::load(bytes, &device(name).expect("a device")).expect("our own weights");
+fn imagine(bytes: &[u8], device: &Device) -> Imagined {
+    let (nets, _) = PathNet::load(bytes, device).expect("our own weights");
     nets.imagine(&scene())
 }
 
@@ -51,7 +52,7 @@ fn the_nets_agree_with_plain_loops() {
     let bytes = weights();
     let file = SafeTensors::deserialize(&bytes).expect("a safetensors file");
     let [base, target, action, placement] = plain::imagine(&file, &scene());
-    let maps = imagine(&bytes, "flex");
+    let maps = imagine(&bytes, &flex());
     for (name, map, plain) in [
         ("base", &maps.base, base),
         ("target", &maps.target, target),
@@ -68,7 +69,7 @@ fn the_nets_agree_with_plain_loops() {
 #[test]
 fn flex_agrees_with_ndarray() {
     let bytes = weights();
-    let (flex, ndarray) = (imagine(&bytes, "flex"), imagine(&bytes, "ndarray"));
+    let (flex, ndarray) = (imagine(&bytes, &flex()), imagine(&bytes, &pathlight::nets::ndarray()));
     assert_close("base", &flex.base, &ndarray.base);
     assert_close("target", &flex.target, &ndarray.target);
     assert_close("action", &flex.action, &ndarray.action);
@@ -108,15 +109,14 @@ fn nominal(channels: usize) -> usize {
 #[test]
 fn weights_survive_saving_and_loading() {
     let bytes = weights();
-    let (nets, found) = PathNet::load(&bytes, &device("flex").expect("a device")).expect("our own weights");
+    let (nets, found) = PathNet::load(&bytes, &flex()).expect("our own weights");
     assert_eq!(found, card());
-    assert_eq!(nets.save(&found), bytes);
+    assert_eq!(nets.save(&found).expect("what was loaded is finite"), bytes);
 }
 
 #[test]
 fn files_that_do_not_fit_are_refused_in_words() {
-    let flex = device("flex").expect("a device");
-    let refusal = |bytes: &[u8]| PathNet::load(bytes, &flex).expect_err("not weights");
+    let refusal = |bytes: &[u8]| PathNet::load(bytes, &flex()).expect_err("not weights");
     assert!(matches!(refusal(b"nothing like it"), WeightsError::NotSafetensors(_)));
     let whole = weights();
     assert!(matches!(refusal(&whole[..whole.len() / 2]), WeightsError::NotSafetensors(_)));
@@ -128,11 +128,6 @@ fn files_that_do_not_fit_are_refused_in_words() {
     let foreign = safetensors::serialize([("base.down.0.bias", view())], Some(metadata.into())).expect("a file");
     let sentence = refusal(&foreign).to_string();
     assert!(sentence.contains("other nets"), "{sentence}");
-}
-
-#[test]
-fn an_unknown_device_is_refused_in_words() {
-    assert!(device("abacus").expect_err("no device").contains("flex or ndarray"));
 }
 
 fn assert_close(name: &str, a: &[f32], b: &[f32]) {

@@ -1,7 +1,7 @@
 //! The shipped weights imagine what plain nested loops make of them, natively and, by the loops that only wasm
 //! runs, in Node.
 
-use pathlight::nets::{Imagined, PathNet, device};
+use pathlight::nets::{Imagined, PathNet, flex};
 use pathlight::puzzle::task::Task;
 use safetensors::SafeTensors;
 
@@ -12,7 +12,7 @@ const WEIGHTS: &[u8] = include_bytes!("../assets/within-0.safetensors");
 #[cfg_attr(not(target_arch = "wasm32"), test)]
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
 fn shipped_nets_imagine_what_plain_loops_say() {
-    let (nets, _) = PathNet::load(WEIGHTS, &device("flex").expect("flex is always there")).expect("our own weights");
+    let (nets, _) = PathNet::load(WEIGHTS, &flex()).expect("our own weights");
     let file = SafeTensors::deserialize(WEIGHTS).expect("a safetensors file");
     for id in ["00002:007", "00012:002", "00024:006"] {
         let task = Task::load(id.parse().expect("an id")).expect("a task");

@@ -9,11 +9,10 @@ use std::path::Path;
 use std::time::Instant;
 use std::{env, fs};
 
-use burn::tensor::Device;
 use pathlight::dataset::samples::Sample;
 use pathlight::dataset::solutions::Solution;
 use pathlight::nets::training::{Batch, Trainer};
-use pathlight::nets::{Imagined, PathNet, device};
+use pathlight::nets::{Imagined, PathNet, flex};
 use pathlight::puzzle::task::Task;
 use pathlight::raster::{Bitmap, scene_channels};
 
@@ -38,7 +37,7 @@ fn main() {
             println!("ours also lays out the task and draws its scene, which takes {milliseconds:.3} ms natively");
         }
         ["forward", task] => {
-            let (nets, task) = (nets(&device("flex").expect("built in")), load(task));
+            let (nets, task) = (nets(), load(task));
             let imagine = || nets.imagine(&task.scene);
             let Imagined { base, target, action, placement } = imagine();
             repeat(&[base, target, action, placement].concat(), imagine);
@@ -56,9 +55,9 @@ fn load(task: &str) -> Task {
     Task::load(task.parse().expect("a task's id")).expect("a task")
 }
 
-fn nets(device: &Device) -> PathNet {
+fn nets() -> PathNet {
     let bytes = fs::read(WEIGHTS).expect("the weights are in assets");
-    PathNet::load(&bytes, device).expect("the weights fit").0
+    PathNet::load(&bytes, &flex()).expect("the weights fit").0
 }
 
 /// Answers with the result to compare, then times on demand.
@@ -78,14 +77,14 @@ fn repeat<T>(result: &[f32], mut work: impl FnMut() -> T) {
     }
 }
 
-/// Writes the scene `[5, 64, 64]` and the batch `[32, 9, 64, 64]`, scenes before what is to be imagined.
+/// Writes the scene `[5, 64, 64]` and the batch `[32, 9, 64, 64]`, scenes before targets.
 fn inputs(task: &Task, folder: &Path) {
     let write = |name: &str, pictures: &mut dyn Iterator<Item = Bitmap>| {
         let bytes: Vec<u8> = pictures.flat_map(|picture| picture.to_f32()).flat_map(f32::to_le_bytes).collect();
         fs::write(folder.join(name), bytes).expect("the folder can be written");
     };
     write("scene.f32", &mut scene_channels(&task.scene).into_iter());
-    write("batch.f32", &mut batch().into_iter().flat_map(|sample| sample.scene.into_iter().chain(sample.imagined)));
+    write("batch.f32", &mut batch().into_iter().flat_map(|sample| sample.scene.into_iter().chain(sample.targets)));
 }
 
 /// Solutions from all over the templates.
@@ -100,10 +99,10 @@ fn batch() -> Vec<Sample> {
     samples.collect()
 }
 
-/// The step of `pathlight train`, on one batch over and over; gives the sum of the losses.
+/// The step of `pathlight train`, on one batch over and over; returns the sum of the losses.
 fn training() -> impl FnMut() -> f32 {
-    let device = device("flex").expect("built in");
-    let mut trainer = Trainer::<PathNet>::new(device.clone(), 0).with(nets(&device));
+    // The shipped weights, because the peers start from the same file.
+    let mut trainer = Trainer::from_nets(nets(), flex());
     let samples = batch();
     move || {
         let batch = Batch::new(samples.iter().map(|sample| (sample, false)));

@@ -1,8 +1,8 @@
-//! The agents that propose balls by themselves: the model, and chance.
+//! The agents that propose balls: the model and the random agent.
 //!
-//! The page, `propose` and `evaluate` ask here, so that with the same seed an agent makes the same attempts
-//! everywhere. Neither calls the simulator. All balls are valid, in the order of the attempts; `run` is the seed
-//! of the whole run, from which every task draws its own.
+//! The page, `propose` and `evaluate` ask here, so that with the same seed an agent makes the same attempts everywhere.
+//! No agent calls the simulator. All balls are valid and in the order of the attempts. `seed` is that of the whole run;
+//! each task derives its own from it.
 
 pub mod placement;
 mod proposal;
@@ -13,32 +13,30 @@ pub use proposal::{Origin, Proposal};
 use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
 
-use placement::proposals;
-use ranking::ranked;
-
 use crate::dataset::sampling::random_ball;
 use crate::nets::PathNet;
 use crate::puzzle::action::Ball;
 use crate::puzzle::scene::Scene;
 use crate::puzzle::task::TaskId;
 
-/// The model proposes what its judge thinks likely; without a judge, what its placement map shows.
-pub fn model(nets: &PathNet, task: TaskId, scene: &Scene, run: u64, count: usize) -> Vec<Ball> {
-    traced(nets, task, scene, run, count).into_iter().map(|proposal| proposal.ball).collect()
-}
+/// Version of the proposals, as `simulator::VERSION` is of the rollouts. Raise it whenever the same weights or the same
+/// seed make an agent propose other balls or another order: results record it, and those of other versions are not
+/// comparable. `tests/proposals_golden.rs` fails when proposals change.
+pub const VERSION: u32 = 1;
 
-/// The same balls as `model`, each with where it comes from.
-pub fn traced(nets: &PathNet, task: TaskId, scene: &Scene, run: u64, count: usize) -> Vec<Proposal> {
-    let judged = nets.judged(scene).map(|logits| ranked(&logits, scene, count)).unwrap_or_default();
-    // Damaged weights may make a judge whose logits are no numbers.
+/// Returns up to `count` proposals of the model: the balls that its judge finds most probable, or, from weights without
+/// a judge, the balls that its placement map suggests.
+pub fn propose(nets: &PathNet, task: TaskId, scene: &Scene, seed: u64, count: usize) -> Vec<Proposal> {
+    let judged = nets.judge_logits(scene).map(|logits| ranking::ranked(&logits, scene, count)).unwrap_or_default();
+    // Damaged weights may have a judge whose logits are NaN; it ranks nothing.
     if !judged.is_empty() {
         return judged;
     }
-    proposals(&nets.imagine(scene).placement, scene, task.seed(run), count)
+    placement::proposals(&nets.imagine(scene).placement, scene, task.seed(seed), count)
 }
 
-/// Chance draws uniformly from the action space.
-pub fn random(task: TaskId, scene: &Scene, run: u64, count: usize) -> Vec<Ball> {
-    let mut rng = Pcg64Mcg::seed_from_u64(task.seed(run));
+/// Returns `count` balls drawn uniformly from the action space; none if the scene has no room for a ball.
+pub fn random(task: TaskId, scene: &Scene, seed: u64, count: usize) -> Vec<Ball> {
+    let mut rng = Pcg64Mcg::seed_from_u64(task.seed(seed));
     std::iter::repeat_with(|| random_ball(scene, &mut rng)).map_while(|ball| ball).take(count).collect()
 }

@@ -1,8 +1,8 @@
-//! From the placement map to balls: step 5 of Harter et al. (2020), without a single call of the simulator.
+//! From the placement map to balls: step 5 of Harter et al. (2020), without calling the simulator.
 //!
-//! Cells of the map over a threshold seed five balls of random radius; each is improved five times by looking
-//! at its neighbours for a better overlap with the map. These are the first attempts. The others are the same
-//! five with Gaussian noise that slowly grows. Only valid balls that differ from all before are proposed.
+//! Up to five balls are placed on cells of the map above a threshold, with random radii, and each is improved in five
+//! rounds of hill climbing on how well it fits the map. These are the first attempts. The others are the same balls
+//! with Gaussian noise that slowly grows. Proposals are valid and differ from all before.
 
 use rand::{Rng, RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
@@ -19,38 +19,38 @@ const STARTS: usize = 5;
 /// Rounds of improvement of each.
 const IMPROVEMENTS: usize = 5;
 
-/// How far a neighbour lies in x, y or radius in the first round, px; it halves from round to round.
-const REACH: f64 = 16.0;
+/// Distance of a neighbour in x, y or radius in the first round, px; it halves from round to round.
+const INITIAL_STEP: f64 = 16.0;
 
-/// A cell may seed a ball if its value is above this share of the highest.
+/// A ball may start on a cell whose value is above this fraction of the highest.
 const THRESHOLD: f32 = 0.5;
 
-/// Standard deviation of the noise on an action, as a share of the action space: of the first noisy one, and the
-/// growth with each. Chosen on the dev tasks of fold 0, the best mean of both setups.
+/// Standard deviation of the noise of the first perturbed action, as a fraction of the action space, and its growth
+/// with each. Chosen on the dev tasks of fold 0, the best mean of both setups.
 const NOISE: f64 = 0.08;
 const NOISE_GROWTH: f64 = 0.004;
 
-/// Draws for one proposal before the search widens: the map then lies where no ball may be.
-const PATIENCE: usize = 200;
+/// Draws per proposal before the noise is doubled, because the map lies where no ball may be.
+const MAX_REJECTIONS: usize = 200;
 
-/// Up to `attempts` valid, distinct balls, best guess first. `map` holds 64 x 64 values in 0..=1, row 0 at the
-/// bottom. The same seed gives the same balls.
+/// Returns up to `attempts` valid, distinct balls, best guess first. `map` holds 64 x 64 values in 0..=1, row 0 at the
+/// bottom. The same seed returns the same balls.
 pub fn proposals(map: &[f32], scene: &Scene, seed: u64, attempts: usize) -> Vec<Proposal> {
     let mut rng = Pcg64Mcg::seed_from_u64(seed);
     let highest = map.iter().copied().fold(0.0, f32::max);
-    let seeds: Vec<usize> = (0..map.len()).filter(|&cell| map[cell] > THRESHOLD * highest).collect();
+    let cells: Vec<usize> = (0..map.len()).filter(|&cell| map[cell] > THRESHOLD * highest).collect();
     let mut found: Vec<Proposal> = Vec::with_capacity(attempts);
     for _ in 0..STARTS.min(attempts) {
-        let fresh = (0..PATIENCE).find_map(|passed| {
-            let (ball, [x, y]) = seeded(map, scene, &seeds, &mut rng)?;
-            new(ball, &found).then_some(Proposal { ball, origin: Origin::Map { x, y }, passed })
+        let proposal = (0..MAX_REJECTIONS).find_map(|rejected| {
+            let (ball, [x, y]) = improved_start(map, scene, &cells, &mut rng)?;
+            is_new(ball, &found).then_some(Proposal { ball, origin: Origin::Map { x, y }, rejected })
         });
-        found.extend(fresh);
+        found.extend(proposal);
     }
     let starts: Vec<Action> = found.iter().map(|start| start.ball.action()).collect();
     if starts.is_empty() {
         let blind = std::iter::repeat_with(|| random_ball(scene, &mut rng)).map_while(|ball| ball).take(attempts);
-        return blind.map(|ball| Proposal { ball, origin: Origin::Chance, passed: 0 }).collect();
+        return blind.map(|ball| Proposal { ball, origin: Origin::Uniform, rejected: 0 }).collect();
     }
     for turn in 0.. {
         if found.len() >= attempts {
@@ -59,41 +59,42 @@ pub fn proposals(map: &[f32], scene: &Scene, seed: u64, attempts: usize) -> Vec<
         let number = turn % starts.len();
         // Noise that finds no free place grows until it covers the whole scene.
         let mut deviation = NOISE + NOISE_GROWTH * turn as f64;
-        let fresh = (0..).find_map(|passed| {
-            if passed % PATIENCE == PATIENCE - 1 {
+        let proposal = (0..).find_map(|rejected| {
+            if rejected % MAX_REJECTIONS == MAX_REJECTIONS - 1 {
                 deviation = (deviation * 2.0).min(1.0);
             }
             let ball = perturbed(starts[number], deviation, &mut rng).place(scene).ok()?;
-            let origin = Origin::Near { number: number + 1 };
-            new(ball, &found).then_some(Proposal { ball, origin, passed })
+            let origin = Origin::Perturbed { number: number + 1 };
+            is_new(ball, &found).then_some(Proposal { ball, origin, rejected })
         });
-        found.extend(fresh);
+        found.extend(proposal);
     }
     found
 }
 
-fn new(ball: Ball, found: &[Proposal]) -> bool {
+fn is_new(ball: Ball, found: &[Proposal]) -> bool {
     found.iter().all(|before| before.ball != ball)
 }
 
-/// A ball on one of the cells, of random radius, improved, and the middle of that cell; `None` if it is not valid.
-fn seeded(map: &[f32], scene: &Scene, seeds: &[usize], rng: &mut impl Rng) -> Option<(Ball, [f64; 2])> {
-    let cell = *seeds.get(rng.random_range(0..seeds.len().max(1)))?;
+/// A ball on one of the cells, of random radius, improved, and the centre of that cell, px; `None` if the ball is
+/// invalid or there is no cell.
+fn improved_start(map: &[f32], scene: &Scene, cells: &[usize], rng: &mut impl Rng) -> Option<(Ball, [f64; 2])> {
+    let cell = *cells.get(rng.random_range(0..cells.len().max(1)))?;
     let [x, y] = cell_centre(cell);
     let start = Ball { x, y, r: rng.random_range(2.0..32.0) };
     let mut ball = start.snapped(scene).ok()?;
-    let mut best = overlap(map, ball);
-    let mut reach = REACH;
+    let mut best = fit(map, ball);
+    let mut step = INITIAL_STEP;
     for _ in 0..IMPROVEMENTS {
         for (dx, dy, dr) in NEIGHBOURS {
-            let near = Ball { x: ball.x + dx * reach, y: ball.y + dy * reach, r: ball.r + dr * reach };
+            let near = Ball { x: ball.x + dx * step, y: ball.y + dy * step, r: ball.r + dr * step };
             let Ok(near) = near.snapped(scene) else { continue };
-            let score = overlap(map, near);
+            let score = fit(map, near);
             if score > best {
                 (ball, best) = (near, score);
             }
         }
-        reach = (reach / 2.0).max(1.0);
+        step = (step / 2.0).max(1.0);
     }
     Some((ball, [start.x, start.y]))
 }
@@ -101,9 +102,9 @@ fn seeded(map: &[f32], scene: &Scene, seeds: &[usize], rng: &mut impl Rng) -> Op
 const NEIGHBOURS: [(f64, f64, f64); 6] =
     [(-1.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, -1.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, -1.0), (0.0, 0.0, 1.0)];
 
-/// How well a drawn ball fits the map: the sum of the map under it by the root of its area. A larger ball
-/// gains as long as it takes in cells that are more than half as high as its mean.
-fn overlap(map: &[f32], ball: Ball) -> f32 {
+/// How well a ball fits the map: the sum of the map under it divided by the root of its area. A larger ball gains as
+/// long as it takes in cells that are more than half as high as its mean.
+fn fit(map: &[f32], ball: Ball) -> f32 {
     let image = ball_image(ball);
     let under: f32 = map.iter().zip(image.to_f32()).map(|(value, inside)| value * inside).sum();
     under / (image.count().max(1) as f32).sqrt()
@@ -119,8 +120,8 @@ mod tests {
         Task::load("00002:007".parse().expect("an id")).expect("a task").scene
     }
 
-    /// The map that nets would draw if they were sure of one ball.
-    fn sure_of(ball: Ball) -> Vec<f32> {
+    /// The map of nets that are certain of one ball.
+    fn certain_of(ball: Ball) -> Vec<f32> {
         ball_image(ball).to_f32().collect()
     }
 
@@ -129,10 +130,10 @@ mod tests {
         let scene = scene();
         let mut rng = Pcg64Mcg::seed_from_u64(3);
         for _ in 0..20 {
-            let wanted = random_ball(&scene, &mut rng).expect("the scene has room");
-            let first = proposals(&sure_of(wanted), &scene, 0, 1)[0].ball;
-            assert!((first.x - wanted.x).abs() <= 8.0 && (first.y - wanted.y).abs() <= 8.0, "{wanted}: {first}");
-            assert!((first.r - wanted.r).abs() <= 8.0, "{wanted}: {first}");
+            let expected = random_ball(&scene, &mut rng).expect("the scene has room");
+            let first = proposals(&certain_of(expected), &scene, 0, 1)[0].ball;
+            assert!((first.x - expected.x).abs() <= 8.0 && (first.y - expected.y).abs() <= 8.0, "{expected}: {first}");
+            assert!((first.r - expected.r).abs() <= 8.0, "{expected}: {first}");
         }
     }
 
@@ -140,9 +141,9 @@ mod tests {
     fn a_hundred_valid_balls_and_no_two_alike_whatever_the_map() {
         let scene = scene();
         let everywhere = vec![1.0; CELLS];
-        // A map that is sure of a place where the scene has a body.
+        // A map that is certain of a place where the scene has a body.
         let body = &scene.bodies[scene.body1];
-        let blocked = sure_of(Ball { x: body.x, y: body.y, r: 4.0 });
+        let blocked = certain_of(Ball { x: body.x, y: body.y, r: 4.0 });
         for map in [vec![0.0; CELLS], everywhere, blocked, vec![f32::NAN; CELLS]] {
             let found = proposals(&map, &scene, 5, 100);
             let balls: Vec<Ball> = found.iter().map(|proposal| proposal.ball).collect();
@@ -156,18 +157,21 @@ mod tests {
     }
 
     #[test]
-    fn a_proposal_says_where_it_comes_from() {
+    fn every_proposal_has_its_origin() {
         let scene = scene();
-        let wanted = random_ball(&scene, &mut Pcg64Mcg::seed_from_u64(3)).expect("the scene has room");
-        let found = proposals(&sure_of(wanted), &scene, 0, 20);
+        let expected = random_ball(&scene, &mut Pcg64Mcg::seed_from_u64(3)).expect("the scene has room");
+        let found = proposals(&certain_of(expected), &scene, 0, 20);
         let origins: Vec<Origin> = found.iter().map(|proposal| proposal.origin).collect();
         for origin in &origins[..STARTS] {
             let Origin::Map { x, y } = *origin else { panic!("{origin:?} is a start") };
-            assert!(libm::hypot(x - wanted.x, y - wanted.y) < wanted.r + 4.0, "{x}, {y} is not a cell of the map");
+            assert!(
+                libm::hypot(x - expected.x, y - expected.y) < expected.r + 4.0,
+                "{x}, {y} is not a cell of the map"
+            );
         }
         for (turn, origin) in origins[STARTS..].iter().enumerate() {
-            assert_eq!(*origin, Origin::Near { number: turn % STARTS + 1 });
+            assert_eq!(*origin, Origin::Perturbed { number: turn % STARTS + 1 });
         }
-        assert_eq!(proposals(&[0.0; CELLS], &scene, 0, 1)[0].origin, Origin::Chance);
+        assert_eq!(proposals(&[0.0; CELLS], &scene, 0, 1)[0].origin, Origin::Uniform);
     }
 }

@@ -133,7 +133,10 @@ impl Args {
                 card.judge = None;
             }
             report.card = Some(card);
-            let model = |nets: &PathNet, task, scene: &Scene| agents::model(nets, task, scene, self.seed, MAX_ATTEMPTS);
+            let model = |nets: &PathNet, task, scene: &Scene| {
+                let proposals = agents::propose(nets, task, scene, self.seed, MAX_ATTEMPTS);
+                proposals.into_iter().map(|proposal| proposal.ball).collect()
+            };
             if nets.judge.is_some() && plays(Agent::Judge) {
                 report.agents.push(score(Agent::Judge, |task, scene| model(&nets, task, scene), &tasks)?);
             }

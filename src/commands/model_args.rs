@@ -4,20 +4,16 @@ use std::fs;
 use std::path::PathBuf;
 
 use anyhow::{Context, ensure};
-use pathlight::nets::{Card, PathNet, device};
+use pathlight::nets::{Card, PathNet, flex};
 
 use super::fold_args::FoldArgs;
 
-/// Where a fold's weights come from, and what they run on; part of the arguments of other commands.
+/// Where a fold's weights come from; part of the arguments of other commands.
 #[derive(clap::Args)]
 pub struct ModelArgs {
     /// Weights of the model [default: assets/SETUP-FOLD.safetensors]
     #[arg(long)]
     weights: Option<PathBuf>,
-
-    /// What the nets run on: flex or ndarray
-    #[arg(long, default_value = "flex")]
-    device: String,
 }
 
 impl ModelArgs {
@@ -27,8 +23,7 @@ impl ModelArgs {
         let name = path.display();
         let bytes = fs::read(&path)
             .with_context(|| format!("no weights in {name}: run `pathlight train`, or name a file with --weights"))?;
-        let device = device(&self.device).map_err(anyhow::Error::msg)?;
-        let (nets, card) = PathNet::load(&bytes, &device).with_context(|| format!("{name} does not fit"))?;
+        let (nets, card) = PathNet::load(&bytes, &flex()).with_context(|| format!("{name} does not fit"))?;
         ensure!(
             card.setup == setup && card.fold == fold,
             "{name} was trained on {} {}, so it may have seen the test tasks of {setup} {fold}: name other weights",

@@ -66,8 +66,8 @@ impl Args {
             let lines: Vec<Line> = tasks
                 .par_iter()
                 .map(|&task| {
-                    let balls = agents::model(&nets, task, scenes.get(task)?, self.seed, self.attempts.into());
-                    Ok(Line { task, balls })
+                    let proposals = agents::propose(&nets, task, scenes.get(task)?, self.seed, self.attempts.into());
+                    Ok(Line { task, balls: proposals.into_iter().map(|proposal| proposal.ball).collect() })
                 })
                 .collect::<anyhow::Result<_>>()?;
             for line in lines {

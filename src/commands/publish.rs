@@ -7,7 +7,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, ensure};
-use pathlight::nets::{PathNet, device};
+use pathlight::nets::{PathNet, flex};
 use serde::Serialize;
 
 use super::digest;
@@ -41,8 +41,8 @@ impl Args {
         fs::create_dir_all(&self.assets).with_context(|| format!("cannot make {}", self.assets.display()))?;
         for path in &self.weights {
             let bytes = fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
-            let flex = device("flex").map_err(anyhow::Error::msg)?;
-            let (_, card) = PathNet::load(&bytes, &flex).with_context(|| format!("{} does not fit", path.display()))?;
+            let (_, card) =
+                PathNet::load(&bytes, &flex()).with_context(|| format!("{} does not fit", path.display()))?;
             let copy = self.assets.join(format!("{}-{}.safetensors", card.setup, card.fold));
             fs::write(&copy, bytes).with_context(|| format!("cannot write {}", copy.display()))?;
             println!("{}", copy.display());

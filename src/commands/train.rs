@@ -11,7 +11,7 @@ use anyhow::ensure;
 use pathlight::dataset::samples::Sample;
 use pathlight::dataset::solutions::Solution;
 use pathlight::nets::training::{Batch, Trainer};
-use pathlight::nets::{Card, PathNet, device};
+use pathlight::nets::{Card, PathNet, flex};
 use pathlight::simulator;
 use rand::seq::SliceRandom;
 use rand::{RngExt, SeedableRng};
@@ -74,18 +74,13 @@ pub struct Args {
     /// Seed of the initial weights and of the order of the samples
     #[arg(long, default_value_t = 0)]
     seed: u64,
-
-    /// What the nets run on: flex or ndarray
-    #[arg(long, default_value = "flex")]
-    device: String,
 }
 
 impl Args {
     pub fn run(self) -> anyhow::Result<()> {
         let folder = self.out.clone().unwrap_or_else(|| self.which.folder());
         let (samples, card) = self.samples()?;
-        let device = device(&self.device).map_err(anyhow::Error::msg)?;
-        let trainer = Trainer::<PathNet>::new(device, self.seed);
+        let trainer = Trainer::<PathNet>::new(flex(), self.seed);
         let data = digest(&self.solutions)?;
         let mut run = TrainingRun::open(folder, card, data, &["base", "target", "action", "placement"], trainer)?;
         let batches = samples.len().div_ceil(self.batch.into());
@@ -173,8 +168,8 @@ impl Args {
             seed: self.seed,
             epochs: self.epochs,
             batch: self.batch,
-            rate: self.rate,
-            cool: self.cool,
+            learning_rate: self.rate,
+            decay_epochs: self.cool,
             mirror: self.mirror,
             samples: samples.len(),
             tasks: chosen.chunk_by(|a, b| a.task == b.task).count(),

@@ -8,8 +8,8 @@ use std::path::{Path, PathBuf};
 
 use anyhow::ensure;
 use pathlight::dataset::labels::LabelledBalls;
-use pathlight::nets::training::{Trainer, Trials};
-use pathlight::nets::{Judge, JudgeCard, device};
+use pathlight::nets::training::{JudgeBatch, Trainer};
+use pathlight::nets::{Judge, JudgeCard, flex};
 use pathlight::puzzle::action::Ball;
 use pathlight::puzzle::task::TaskId;
 use pathlight::raster::{Bitmap, CHANNELS, scene_channels};
@@ -50,7 +50,7 @@ pub struct Args {
     #[arg(long, default_value_t = 100)]
     epochs: usize,
 
-    /// SceneCache in a batch
+    /// Scenes in a batch
     #[arg(long, default_value_t = 32, value_parser = clap::value_parser!(u16).range(1..))]
     batch: u16,
 
@@ -95,13 +95,12 @@ impl Args {
             seed: self.seed,
             epochs: self.epochs,
             batch: self.batch,
-            drawn: self.balls,
-            rate: self.rate,
+            balls_per_scene: self.balls,
+            learning_rate: self.rate,
             balls: tried.iter().map(|tried| tried.balls.len()).sum(),
         });
-        let device = device("flex").map_err(anyhow::Error::msg)?;
         let folder = self.out.clone().unwrap_or_else(|| self.which.folder().join("judge"));
-        let trainer = Trainer::<Judge>::new(device, self.seed);
+        let trainer = Trainer::<Judge>::new(flex(), self.seed);
         let mut run = TrainingRun::open(folder, card, digest(&self.labels)?, &["judge"], trainer)?;
         let batches = tried.len().div_ceil(self.batch.into());
         let total = batches * self.epochs;
@@ -111,7 +110,7 @@ impl Args {
         let stop = self.stop_after.map_or(usize::MAX, |batches| done + batches);
         let (mut sum, mut summed) = (0.0, 0);
         while done < total {
-            let trials = self.draw(&tried, done);
+            let trials = self.draw(&tried, done)?;
             let rise = ((done + 1) as f64 / RISE).min(1.0);
             sum += run.trainer.step(trials, self.rate * rise * (1.0 - done as f64 / total as f64));
             done += 1;
@@ -137,19 +136,19 @@ impl Args {
     }
 
     /// The scenes and balls of one batch of the run; they follow from the seed and its number alone.
-    fn draw(&self, tried: &[Tried], number: usize) -> Trials {
+    fn draw(&self, tried: &[Tried], number: usize) -> anyhow::Result<JudgeBatch> {
         let (size, batches) = (usize::from(self.batch), tried.len().div_ceil(self.batch.into()));
         let (epoch, batch) = (number / batches, number % batches);
         let seed = self.seed.wrapping_mul(1_000_000);
         let mut order: Vec<&Tried> = tried.iter().collect();
         order.shuffle(&mut Pcg64Mcg::seed_from_u64(seed.wrapping_add(epoch as u64)));
         let mut rng = Pcg64Mcg::seed_from_u64(!seed.wrapping_add(number as u64));
-        let mut trials = Trials::default();
+        let mut trials = JudgeBatch::default();
         for Tried { scene, balls } in order.into_iter().skip(batch * size).take(size) {
             let chosen: Vec<(Ball, bool)> = balls.sample(&mut rng, self.balls.into()).copied().collect();
-            trials.add(scene, &chosen, rng.random());
+            trials.add(scene, &chosen, rng.random())?;
         }
-        trials
+        Ok(trials)
     }
 }
 

@@ -131,7 +131,7 @@ impl<M: Module> TrainingRun<M> {
     /// If the folder cannot be written.
     pub fn finish(&self, nets: &PathNet) -> anyhow::Result<PathBuf> {
         let weights = self.folder.join("weights.safetensors");
-        fs::write(&weights, nets.save(&self.state.card))
+        fs::write(&weights, nets.save(&self.state.card)?)
             .with_context(|| format!("cannot write {}", weights.display()))?;
         Ok(weights)
     }

@@ -1,4 +1,4 @@
-//! Random balls: uniform over the action space, and Gaussian noise around a known one.
+//! Random balls: uniform over the action space, and with Gaussian noise around a known one.
 //!
 //! All draws come from the caller's generator, so that they depend only on its seed.
 

@@ -1,19 +1,21 @@
-//! One hourglass net: a stack of pictures in, one 64 x 64 map out.
+//! One hourglass net: a stack of 64 x 64 images in, one 64 x 64 map of logits out.
 //!
-//! Six strided convolutions squeeze 64 x 64 cells to a code of 256 numbers, six transposed ones unfold it
-//! again (Harter et al. 2020). Two layers meet at the code: there only the centre 2 x 2 of each 4 x 4 kernel
-//! ever meets data, the rest falls on padding, so only the centre is kept; that changes no result.
+//! An encoder-decoder without skip connections (Harter et al. 2020): six stride-2 convolutions encode 64 x 64 cells
+//! as a code of 256 values, six transposed ones decode it. At the code, the paper's 4 x 4 kernels meet data only with
+//! their centre 2 x 2, the other taps only padding; so just the centre is kept, which changes no result.
 
 use burn::module::Module;
 use burn::nn::conv::{Conv2d, ConvTranspose2d};
 use burn::tensor::{Device, Tensor};
 
-use super::conv::{double, doubling, halve, halving};
+use super::conv::{conv_down, conv_up, fit_tiles, new_conv_down, new_conv_up};
 
 /// Channels after each of the six convolutions; the last is the length of the code.
 const WIDTHS: [usize; 6] = [8, 16, 32, 64, 128, 256];
 
-/// An hourglass net. Its numbers are those of the paper's layers of 4 x 4 kernels, the dead taps left out.
+const _: () = assert!(fit_tiles(&WIDTHS), "a width is not a multiple of conv::matmul::TILE_ROWS");
+
+/// An hourglass net. Its parameters are those of the paper's layers of 4 x 4 kernels without the dead taps.
 #[derive(Module, Debug)]
 pub struct Hourglass {
     down: Vec<Conv2d>,
@@ -21,29 +23,29 @@ pub struct Hourglass {
 }
 
 impl Hourglass {
-    /// A fresh net for so many input channels.
+    /// Returns a fresh net for this number of input channels.
     pub fn new(channels: usize, device: &Device) -> Hourglass {
         let down = (0..6).map(|layer| {
             let input = if layer == 0 { channels } else { WIDTHS[layer - 1] };
-            halving(input, WIDTHS[layer], kernel(layer), device)
+            new_conv_down(input, WIDTHS[layer], kernel(layer), device)
         });
         let up = (0..6).rev().map(|layer| {
             let output = if layer == 0 { 1 } else { WIDTHS[layer - 1] };
-            doubling(WIDTHS[layer], output, kernel(layer), device)
+            new_conv_up(WIDTHS[layer], output, kernel(layer), device)
         });
         Hourglass { down: down.collect(), up: up.collect() }
     }
 
-    /// Logits of the map. `[batch, channels, 64, 64]` in, `[batch, 1, 64, 64]` out.
-    pub fn forward(&self, pictures: Tensor<4>) -> Tensor<4> {
-        let code = self.down.iter().fold(pictures, |x, layer| halve(layer, x));
+    /// `[batch, channels, 64, 64]` in, logits `[batch, 1, 64, 64]` out.
+    pub fn forward(&self, images: Tensor<4>) -> Tensor<4> {
+        let code = self.down.iter().fold(images, |x, layer| conv_down(layer, x)); // [batch, 256, 1, 1]
         let (last, hidden) = self.up.split_last().expect("six layers");
-        let wide = hidden.iter().fold(code, |x, layer| double(layer, x, true));
-        double(last, wide, false)
+        let x = hidden.iter().fold(code, |x, layer| conv_up(layer, x, true)); // [batch, 8, 32, 32]
+        conv_up(last, x, false)
     }
 }
 
-/// How wide the kernel of a layer and of its mirror is.
+/// Width of the kernel of a convolution and of the transposed one that mirrors it.
 fn kernel(layer: usize) -> usize {
     if layer == 5 { 2 } else { 4 }
 }

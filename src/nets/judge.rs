@@ -1,23 +1,26 @@
-//! The judge: how likely a ball of any radius at any place solves the scene, for all of them at once.
+//! The judge: scores every action at once, how likely a ball of any radius at any place solves the scene.
 //!
-//! An hourglass with skip connections: what each halving saw is handed to the doubling of the same size, so that
-//! the answer is sharp where the scene is. Out come maps of logits, one for each of a few radii. It learns from balls
-//! with their outcome (`labels`); the paper has no such net. Ordered by it, proposals need fewer attempts.
+//! A U-Net (Ronneberger et al. 2015): the decoder layer of each size also sees the encoder's output of that size, so
+//! that the maps are as sharp as the scene. It returns one map of logits for each of a few radii, and learns from
+//! balls with their outcome (`dataset::labels`). The paper has no such net. Agents that order balls by it need fewer
+//! attempts.
 
 use burn::module::Module;
 use burn::nn::conv::{Conv2d, ConvTranspose2d};
 use burn::tensor::{Device, Tensor};
 
-use super::conv::{double, doubling, halve, halving};
-use crate::puzzle::action::{Ball, RADIUS};
+use super::conv::{conv_down, conv_up, fit_tiles, new_conv_down, new_conv_up};
+use crate::puzzle::action::{Ball, Invalid, RADIUS};
 use crate::puzzle::scene::SIZE;
-use crate::raster::{CELLS, CHANNELS, SIDE, cell_centre};
+use crate::raster::{self, CELLS, CHANNELS, SIDE};
 
 /// Radii that the judge has a map for, evenly spaced from the smallest to the largest.
 pub const RADII: usize = 8;
 
 /// Channels after each of the five convolutions.
 const WIDTHS: [usize; 5] = [16, 32, 64, 64, 96];
+
+const _: () = assert!(fit_tiles(&WIDTHS), "a width is not a multiple of conv::matmul::TILE_ROWS");
 
 /// A net from the channels of a scene to `RADII` maps of logits.
 #[derive(Module, Debug)]
@@ -27,51 +30,95 @@ pub struct Judge {
 }
 
 impl Judge {
-    /// A fresh judge.
+    /// Returns a fresh judge.
     pub fn new(device: &Device) -> Judge {
         let down = (0..WIDTHS.len()).map(|layer| {
             let input = if layer == 0 { CHANNELS } else { WIDTHS[layer - 1] };
-            halving(input, WIDTHS[layer], 4, device)
+            new_conv_down(input, WIDTHS[layer], 4, device)
         });
         let up = (0..WIDTHS.len()).rev().map(|layer| {
-            // But for the innermost, a doubling sees the one before and what was seen at its size on the way down.
+            // All but the innermost see the layer before and, over the skip connection, the encoder's output.
             let input = if layer == WIDTHS.len() - 1 { WIDTHS[layer] } else { 2 * WIDTHS[layer] };
-            doubling(input, if layer == 0 { RADII } else { WIDTHS[layer - 1] }, 4, device)
+            new_conv_up(input, if layer == 0 { RADII } else { WIDTHS[layer - 1] }, 4, device)
         });
         Judge { down: down.collect(), up: up.collect() }
     }
 
-    /// Logits of the maps. `[batch, 5, 64, 64]` in, `[batch, RADII, 64, 64]` out.
+    /// `[batch, 5, 64, 64]` in, logits `[batch, RADII, 64, 64]` out.
     pub fn forward(&self, scene: Tensor<4>) -> Tensor<4> {
-        let mut seen = Vec::with_capacity(self.down.len());
+        let mut skips = Vec::with_capacity(self.down.len());
         let mut x = scene;
         for layer in &self.down {
-            x = halve(layer, x);
-            seen.push(x.clone());
+            x = conv_down(layer, x);
+            skips.push(x.clone());
         }
-        seen.pop();
+        skips.pop();
         for layer in &self.up {
-            x = double(layer, x, !seen.is_empty());
-            if let Some(before) = seen.pop() {
-                x = Tensor::cat(vec![x, before], 1);
+            x = conv_up(layer, x, !skips.is_empty());
+            if let Some(skip) = skips.pop() {
+                x = Tensor::cat(vec![x, skip], 1);
             }
         }
         x
     }
 }
 
-/// Where a ball is judged: its index among the numbers of a `[RADII, 64, 64]` picture.
-pub fn index(ball: Ball) -> usize {
+/// Returns the cell that scores a ball: its index among the values of `[RADII, 64, 64]` logits.
+///
+/// # Errors
+/// If no cell does: the radius is not in `RADIUS`, or the centre is outside the scene.
+pub fn cell_of(ball: Ball) -> Result<usize, Invalid> {
+    if !RADIUS.contains(&ball.r) {
+        return Err(Invalid::Radius);
+    }
+    if !(0.0..SIZE).contains(&ball.x) || !(0.0..SIZE).contains(&ball.y) {
+        return Err(Invalid::Outside);
+    }
     let cell = |at: f64| (at * SIDE as f64 / SIZE) as usize;
-    let share = (ball.r - RADIUS.start()) / (RADIUS.end() - RADIUS.start());
-    let radius = (share * (RADII - 1) as f64).round() as usize;
-    radius * CELLS + cell(ball.y) * SIDE + cell(ball.x)
+    let fraction = (ball.r - RADIUS.start()) / (RADIUS.end() - RADIUS.start());
+    let radius = (fraction * (RADII - 1) as f64).round() as usize;
+    Ok(radius * CELLS + cell(ball.y) * SIDE + cell(ball.x))
 }
 
-/// The ball in the middle of those that are judged by this number.
-pub fn ball(index: usize) -> Ball {
-    let [x, y] = cell_centre(index % CELLS);
-    let share = (index / CELLS) as f64 / (RADII - 1) as f64;
-    let r = RADIUS.start() + share * (RADIUS.end() - RADIUS.start());
+/// Returns the ball at the centre of a cell of `[RADII, 64, 64]` logits; the inverse of `cell_of` on these balls.
+pub fn cell_centre(index: usize) -> Ball {
+    let [x, y] = raster::cell_centre(index % CELLS);
+    let fraction = (index / CELLS) as f64 / (RADII - 1) as f64;
+    let r = RADIUS.start() + fraction * (RADIUS.end() - RADIUS.start());
     Ball { x, y, r }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_cell_holds_its_centre() {
+        for index in 0..RADII * CELLS {
+            assert_eq!(cell_of(cell_centre(index)), Ok(index));
+        }
+    }
+
+    #[test]
+    fn a_ball_belongs_to_the_nearest_centre() {
+        let spacing = (RADIUS.end() - RADIUS.start()) / (RADII - 1) as f64;
+        for (x, y, r) in [(2.0, 2.0, 2.0), (253.0, 254.0, 32.0), (100.0, 31.0, 7.0), (4.0, 99.0, 20.0)] {
+            let centre = cell_centre(cell_of(Ball { x, y, r }).expect("a ball in the scene"));
+            assert!((centre.x - x).abs() <= 2.0 && (centre.y - y).abs() <= 2.0, "{x}, {y}: {centre}");
+            assert!((centre.r - r).abs() <= spacing / 2.0, "{r}: {centre}");
+        }
+    }
+
+    /// A radius of 64 px would otherwise be the cell of another scene of the batch.
+    #[test]
+    fn a_ball_that_no_cell_scores_is_refused() {
+        let ball = Ball { x: 100.0, y: 100.0, r: 10.0 };
+        for r in [64.0, 32.1, 1.9, -1.0, f64::NAN, f64::INFINITY] {
+            assert_eq!(cell_of(Ball { r, ..ball }), Err(Invalid::Radius), "{r}");
+        }
+        for at in [-1.0, SIZE, 300.0, f64::NAN] {
+            assert_eq!(cell_of(Ball { x: at, ..ball }), Err(Invalid::Outside), "{at}");
+            assert_eq!(cell_of(Ball { y: at, ..ball }), Err(Invalid::Outside), "{at}");
+        }
+    }
 }

@@ -1,7 +1,8 @@
-//! The four nets, wired as in Harter et al. (2020): each imagines one stage of a solution from the ones before.
+//! The four nets of Harter et al. (2020): each predicts one stage of a solution from the stages before it.
 //!
-//! Base path and target path come from the scene alone; the action path from those three; the placement of
-//! the ball from scene, target path and action path. A fifth net judges balls. This folder is the only user of burn.
+//! Base path and target path come from the scene alone; the action path from the scene and both; the placement of
+//! the ball from scene, target path and action path. A fifth net, the judge, scores balls. This folder is the only
+//! user of burn; it knows nothing of files, agents and the simulator.
 
 use burn::module::Module;
 use burn::tensor::activation::sigmoid;
@@ -28,7 +29,7 @@ pub struct PathNet {
     target: Hourglass,
     action: Hourglass,
     placement: Hourglass,
-    /// Not the paper's; some weights come without it.
+    /// Not part of the paper; weights may come without it.
     pub judge: Option<Judge>,
 }
 
@@ -36,14 +37,14 @@ pub struct PathNet {
 pub type Logits = [Tensor<4>; 4];
 
 impl PathNet {
-    /// Fresh nets.
+    /// Returns fresh nets without a judge.
     pub fn new(device: &Device) -> PathNet {
         let net = |channels| Hourglass::new(channels, device);
         let (base, target) = (net(CHANNELS), net(CHANNELS));
         PathNet { base, target, action: net(CHANNELS + 2), placement: net(CHANNELS + 2), judge: None }
     }
 
-    /// `[batch, 5, 64, 64]` in; gradients flow through the whole chain.
+    /// Scenes `[batch, 5, 64, 64]` in, logits out; gradients flow through the whole chain.
     pub fn forward(&self, scene: Tensor<4>) -> Logits {
         let base = self.base.forward(scene.clone());
         let target = self.target.forward(scene.clone());
@@ -53,59 +54,54 @@ impl PathNet {
         [base, target, action, placement]
     }
 
-    /// What the nets imagine of a scene.
+    /// Returns the maps that the nets predict for a scene.
     pub fn imagine(&self, scene: &Scene) -> Imagined {
-        let [base, target, action, placement] = self.forward(self.tensor(scene)).map(|logits| {
+        let [base, target, action, placement] = self.forward(self.encode(scene)).map(|logits| {
             let map = sigmoid(logits).into_data();
             map.iter::<f32>().collect()
         });
         Imagined { base, target, action, placement }
     }
 
-    /// The judge's logits for a scene, `[RADII, 64, 64]`; `None` if the weights came without a judge. PHYRE's world
-    /// is symmetric, so the mean of what it says of the scene and of its mirror image is the better opinion.
-    pub fn judged(&self, scene: &Scene) -> Option<Vec<f32>> {
+    /// Returns the judge's logits for a scene, `[RADII, 64, 64]`, or `None` if the weights have no judge. PHYRE's world
+    /// is symmetric, so the logits of the scene and of its mirror image are averaged, which is more accurate than one.
+    pub fn judge_logits(&self, scene: &Scene) -> Option<Vec<f32>> {
         let judge = self.judge.as_ref()?;
-        let scene = self.tensor(scene);
+        let scene = self.encode(scene);
         let logits = judge.forward(Tensor::cat(vec![scene.clone(), scene.flip([3])], 0)); // [2, RADII, 64, 64]
-        let [one, other] = logits.chunk(2, 0).try_into().expect("two scenes");
-        Some(((one + other.flip([3])) / 2.0).into_data().iter::<f32>().collect())
+        let [logits, mirrored] = logits.chunk(2, 0).try_into().expect("two scenes");
+        Some(((logits + mirrored.flip([3])) / 2.0).into_data().iter::<f32>().collect())
     }
 
-    /// A scene as the nets see it, `[1, 5, 64, 64]`.
-    fn tensor(&self, scene: &Scene) -> Tensor<4> {
+    /// The input of the nets for a scene, `[1, 5, 64, 64]`.
+    fn encode(&self, scene: &Scene) -> Tensor<4> {
         let channels: Vec<f32> = scene_channels(scene).iter().flat_map(Bitmap::to_f32).collect();
         let device = self.devices().into_iter().next().expect("the nets have parameters");
         Tensor::from_data(TensorData::new(channels, [1, CHANNELS, SIDE, SIDE]), &device)
     }
 }
 
-/// The four maps of a scene: 64 x 64 values in 0..=1 each, row 0 at the bottom.
+/// The predicted maps of a scene: 64 x 64 values in 0..=1 each, row 0 at the bottom.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Imagined {
-    /// Where the green object goes if nothing is done.
+    /// Where the green object goes without an action.
     pub base: Vec<f32>,
-    /// Where it should go.
+    /// Where it goes in a solution.
     pub target: Vec<f32>,
-    /// Where the action ball should go.
+    /// Where the action ball goes in a solution.
     pub action: Vec<f32>,
-    /// Where the action ball should start.
+    /// Where the action ball starts in a solution.
     pub placement: Vec<f32>,
 }
 
-/// The device of this name that nets run on: `flex`, or `ndarray` where the feature is built in.
-///
-/// # Errors
-/// Names the devices there are.
-// ndarray is deprecated upstream; it stays as long as it is there to disagree with flex.
-#[cfg_attr(feature = "ndarray", allow(deprecated))]
-pub fn device(name: &str) -> Result<Device, String> {
-    match name {
-        "flex" => Ok(Device::flex()),
-        #[cfg(feature = "ndarray")]
-        "ndarray" => Ok(Device::ndarray()),
-        #[cfg(not(feature = "ndarray"))]
-        "ndarray" => Err("this build has no ndarray: build it with `--features ndarray`, or use flex".to_string()),
-        _ => Err(format!("there is no device `{name}`: use flex or ndarray")),
-    }
+/// Returns the device that all nets run on: burn's flex backend on the CPU.
+pub fn flex() -> Device {
+    Device::flex()
+}
+
+/// Returns burn's ndarray backend, which it has deprecated: the second opinion of the differential test.
+#[cfg(feature = "ndarray")]
+#[allow(deprecated)]
+pub fn ndarray() -> Device {
+    Device::ndarray()
 }

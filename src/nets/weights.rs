@@ -1,7 +1,10 @@
-//! Bytes to nets and back: half-precision safetensors whose metadata is a card of the settings that made them.
+//! Weights files: half-precision safetensors whose metadata is a card with the settings of the training.
 //!
-//! The names of the tensors are the paths of the parameters in `PathNet` (`base.down.0.weight`). A file that
-//! does not fit is refused in words. Knows neither files nor the network.
+//! The names of the tensors are the paths of the parameters in `PathNet` (`base.down.0.weight`). A file that does not
+//! fit is refused with the name of the tensor. Knows neither files nor the network.
+//!
+//! burn-store's `SafetensorsStore` writes the same names, but converts to half precision without a check of the range
+//! and accepts any type of number; here a file that a person names has to fit exactly.
 
 use std::collections::{BTreeMap, HashMap};
 
@@ -17,23 +20,25 @@ use crate::benchmark::folds::Setup;
 /// The key of the card in the file's metadata.
 const CARD: &str = "pathlight";
 
-/// How weights came to be.
+/// The settings that the weights were trained with. The aliases are the names in files written before.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Card {
     pub setup: Setup,
     /// 0..=9; the nets have seen only this fold's training tasks.
     pub fold: u8,
-    /// Of the initial weights and the order of the samples.
+    /// Seed of the initial weights and of the order of the samples.
     pub seed: u64,
     /// Passes over the samples.
     pub epochs: usize,
-    /// Samples in a batch.
+    /// Samples per batch.
     pub batch: u16,
-    /// Learning rate of Adam.
-    pub rate: f64,
-    /// Of the passes, the last ones in which the rate fell to nothing.
-    pub cool: usize,
-    /// Half of the samples were shown mirrored left to right.
+    /// Learning rate of Adam before it decays.
+    #[serde(alias = "rate")]
+    pub learning_rate: f64,
+    /// Number of final epochs over which the learning rate decays linearly to zero.
+    #[serde(alias = "cool")]
+    pub decay_epochs: usize,
+    /// Half of the samples were mirrored left to right.
     pub mirror: bool,
     /// Solutions trained on.
     pub samples: usize,
@@ -41,87 +46,99 @@ pub struct Card {
     pub tasks: usize,
     /// `simulator::VERSION` of the rollouts trained on.
     pub simulator: u32,
-    /// How the judge came to be, if there is one.
+    /// The settings of the judge's training, if there is a judge.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub judge: Option<JudgeCard>,
 }
 
-/// How a judge came to be. It has seen the same tasks as the nets.
+/// The settings that a judge was trained with. It has seen the same tasks as the nets.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct JudgeCard {
-    /// Of the initial weights and the order of the scenes.
+    /// Seed of the initial weights and of the order of the scenes.
     pub seed: u64,
     /// Passes over the scenes.
     pub epochs: usize,
-    /// Scenes in a batch.
+    /// Scenes per batch.
     pub batch: u16,
-    /// Balls of each scene in a batch.
-    pub drawn: u16,
+    /// Balls drawn per scene in a batch.
+    #[serde(alias = "drawn")]
+    pub balls_per_scene: u16,
     /// Highest learning rate of Adam.
-    pub rate: f64,
-    /// Balls with their outcome that these are drawn from.
+    #[serde(alias = "rate")]
+    pub learning_rate: f64,
+    /// Labelled balls that these are drawn from.
     pub balls: usize,
 }
 
-/// Why bytes are no weights.
+/// Why weights cannot be loaded or saved.
 #[derive(Debug, thiserror::Error)]
 pub enum WeightsError {
     #[error("not a safetensors file ({0}): download or train the weights again")]
     NotSafetensors(#[from] safetensors::SafeTensorError),
-    #[error("the file says nothing of how it was trained: write weights with `pathlight train`")]
+    #[error("the file does not record how it was trained: write weights with `pathlight train`")]
     NoCard,
     #[error("the card of the weights cannot be read ({0}): write weights with `pathlight train`")]
     BadCard(#[from] serde_json::Error),
-    #[error("the weights have no `{0}`: they belong to other nets")]
+    #[error("the weights lack `{0}`: they belong to other nets")]
     Missing(String),
     #[error(
-        "`{name}` is {found:?} of type {dtype:?} where the nets have {wanted:?} in half precision: the weights belong to other nets"
+        "`{name}` has shape {found:?} and type {dtype:?}, but the nets expect {expected:?} in half precision: the weights belong to other nets"
     )]
-    Misfit { name: String, found: Vec<usize>, wanted: Vec<usize>, dtype: Dtype },
-    #[error("the weights have {0} tensors that the nets have not: they belong to other nets")]
+    ShapeMismatch { name: String, found: Vec<usize>, expected: Vec<usize>, dtype: Dtype },
+    #[error("the weights have {0} tensors that the nets lack: they belong to other nets")]
     Extra(usize),
+    #[error(
+        "`{name}` holds {value}, which half precision cannot represent: the training diverged, repeat it with a lower learning rate"
+    )]
+    Unrepresentable { name: String, value: f32 },
 }
 
 impl PathNet {
-    /// The nets of a weights file, and its card.
+    /// Returns the nets of a weights file, and its card.
     ///
     /// # Errors
-    /// Says what does not fit.
+    /// If the bytes are not a weights file of these nets.
     pub fn load(bytes: &[u8], device: &Device) -> Result<(PathNet, Card), WeightsError> {
         let card = read_card(bytes)?;
         let file = SafeTensors::deserialize(bytes)?;
-        let mut filler = Filler { file: &file, device, path: Vec::new(), filled: 0, error: None };
+        let mut loader = Loader { file: &file, device, path: Vec::new(), loaded: 0, error: None };
         let mut nets = PathNet::new(device);
         if file.names().iter().any(|name| name.starts_with("judge.")) {
             nets.judge = Some(Judge::new(device));
         }
-        let nets = nets.map(&mut filler);
-        let extra = file.len().saturating_sub(filler.filled);
-        match filler.error {
+        let nets = nets.map(&mut loader);
+        let extra = file.len().saturating_sub(loader.loaded);
+        match loader.error {
             Some(error) => Err(error),
             None if extra > 0 => Err(WeightsError::Extra(extra)),
             None => Ok((nets, card)),
         }
     }
 
-    /// A weights file of these nets.
-    pub fn save(&self, card: &Card) -> Vec<u8> {
-        let mut lister = Lister::default();
-        self.visit(&mut lister);
-        let tensors = lister.tensors.iter().map(|(name, (shape, bytes))| {
-            let view = TensorView::new(Dtype::F16, shape.clone(), bytes).expect("two bytes a number");
+    /// Returns the bytes of a weights file of these nets.
+    ///
+    /// # Errors
+    /// If a parameter is NaN, infinite or beyond the range of half precision.
+    pub fn save(&self, card: &Card) -> Result<Vec<u8>, WeightsError> {
+        let mut exporter = Exporter::default();
+        self.visit(&mut exporter);
+        if let Some(error) = exporter.error {
+            return Err(error);
+        }
+        let tensors = exporter.tensors.iter().map(|(name, (shape, bytes))| {
+            let view = TensorView::new(Dtype::F16, shape.clone(), bytes).expect("two bytes per value");
             (name.as_str(), view)
         });
         let card = serde_json::to_string(card).expect("a card is plain data");
-        safetensors::serialize(tensors, Some(HashMap::from([(CARD.to_string(), card)])))
-            .expect("names and sizes come from the nets")
+        Ok(safetensors::serialize(tensors, Some(HashMap::from([(CARD.to_string(), card)])))
+            .expect("names and sizes come from the nets"))
     }
 }
 
-/// The card of a weights file, without its nets.
+/// Returns the card of a weights file without loading its nets.
 ///
 /// # Errors
-/// Says why there is none.
+/// If the bytes are not a weights file.
 pub fn read_card(bytes: &[u8]) -> Result<Card, WeightsError> {
     let (_, header) = SafeTensors::read_metadata(bytes)?;
     let card = header.metadata().as_ref().and_then(|metadata| metadata.get(CARD)).ok_or(WeightsError::NoCard)?;
@@ -130,12 +147,13 @@ pub fn read_card(bytes: &[u8]) -> Result<Card, WeightsError> {
 
 /// Collects every parameter, in half precision.
 #[derive(Default)]
-struct Lister {
+struct Exporter {
     path: Vec<String>,
     tensors: BTreeMap<String, (Vec<usize>, Vec<u8>)>,
+    error: Option<WeightsError>,
 }
 
-impl ModuleVisitor for Lister {
+impl ModuleVisitor for Exporter {
     fn enter_module(&mut self, name: &str, _: &str) {
         self.path.push(name.to_string());
     }
@@ -145,36 +163,40 @@ impl ModuleVisitor for Lister {
     }
 
     fn visit_float<const D: usize>(&mut self, param: &Param<Tensor<D>>) {
+        let name = self.path.join(".");
         let data = param.val().into_data();
-        let numbers: Vec<f32> = data.iter::<f32>().collect();
-        let bytes = numbers.iter().flat_map(|&number| f16::from_f32(number).to_le_bytes()).collect();
-        self.tensors.insert(self.path.join("."), (param.val().dims().to_vec(), bytes));
+        let values: Vec<f32> = data.iter::<f32>().collect();
+        if let Some(&value) = values.iter().find(|&&value| !f16::from_f32(value).is_finite()) {
+            self.error.get_or_insert(WeightsError::Unrepresentable { name: name.clone(), value });
+        }
+        let bytes = values.iter().flat_map(|&value| f16::from_f32(value).to_le_bytes()).collect();
+        self.tensors.insert(name, (param.val().dims().to_vec(), bytes));
     }
 }
 
-/// Replaces every parameter by the file's.
-struct Filler<'a> {
+/// Replaces every parameter by that of the file.
+struct Loader<'a> {
     file: &'a SafeTensors<'a>,
     device: &'a Device,
     path: Vec<String>,
-    filled: usize,
+    loaded: usize,
     error: Option<WeightsError>,
 }
 
-impl Filler<'_> {
-    fn read(&self, wanted: &[usize]) -> Result<Vec<f32>, WeightsError> {
+impl Loader<'_> {
+    fn read(&self, expected: &[usize]) -> Result<Vec<f32>, WeightsError> {
         let name = self.path.join(".");
         let view = self.file.tensor(&name).map_err(|_| WeightsError::Missing(name.clone()))?;
-        if view.dtype() != Dtype::F16 || view.shape() != wanted {
+        if view.dtype() != Dtype::F16 || view.shape() != expected {
             let (found, dtype) = (view.shape().to_vec(), view.dtype());
-            return Err(WeightsError::Misfit { name, found, wanted: wanted.to_vec(), dtype });
+            return Err(WeightsError::ShapeMismatch { name, found, expected: expected.to_vec(), dtype });
         }
-        let numbers = view.data().as_chunks().0.iter().map(|&pair| f16::from_le_bytes(pair).to_f32());
-        Ok(numbers.collect())
+        let values = view.data().as_chunks().0.iter().map(|&pair| f16::from_le_bytes(pair).to_f32());
+        Ok(values.collect())
     }
 }
 
-impl ModuleMapper for Filler<'_> {
+impl ModuleMapper for Loader<'_> {
     fn enter_module(&mut self, name: &str, _: &str) {
         self.path.push(name.to_string());
     }
@@ -186,15 +208,55 @@ impl ModuleMapper for Filler<'_> {
     fn map_float<const D: usize>(&mut self, param: Param<Tensor<D>>) -> Param<Tensor<D>> {
         let shape = param.val().dims();
         match self.read(&shape) {
-            Ok(numbers) => {
-                self.filled += 1;
-                let data = TensorData::new(numbers, shape);
+            Ok(values) => {
+                self.loaded += 1;
+                let data = TensorData::new(values, shape);
                 param.map(|_| Tensor::from_data(data, self.device))
             }
             Err(error) => {
                 self.error.get_or_insert(error);
                 param
             }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::nets::flex;
+
+    /// Sets the biases, the parameters of one dimension, to a value.
+    struct SetBiases(f32);
+
+    impl ModuleMapper for SetBiases {
+        fn map_float<const D: usize>(&mut self, param: Param<Tensor<D>>) -> Param<Tensor<D>> {
+            if D == 1 { param.map(|tensor| tensor.zeros_like() + self.0) } else { param }
+        }
+    }
+
+    #[test]
+    fn parameters_beyond_half_precision_are_not_saved() {
+        let card = Card {
+            setup: Setup::Within,
+            fold: 0,
+            seed: 0,
+            epochs: 1,
+            batch: 1,
+            learning_rate: 1.0,
+            decay_epochs: 0,
+            mirror: false,
+            samples: 1,
+            tasks: 1,
+            simulator: 0,
+            judge: None,
+        };
+        let saved = |value: f32| PathNet::new(&flex()).map(&mut SetBiases(value)).save(&card);
+        assert!(saved(f16::MAX.to_f32()).is_ok());
+        for value in [1e5, -1e5, f32::INFINITY, f32::NAN] {
+            let error = saved(value).expect_err("half precision has no such number");
+            assert!(matches!(error, WeightsError::Unrepresentable { .. }), "{error}");
+            assert!(error.to_string().contains("`base.down.0.bias` holds"), "{error}");
         }
     }
 }

@@ -8,9 +8,9 @@ use wasm_bindgen::prelude::*;
 use super::error::{Code, error, plain};
 use super::load;
 use crate::agents;
-use crate::agents::ranking::chances;
+use crate::agents::ranking::probability_map;
 use crate::benchmark::folds::Fold;
-use crate::nets::{Card, PathNet, device};
+use crate::nets::{Card, PathNet, flex};
 use crate::play::game::ATTEMPT_LIMIT;
 use crate::play::game::{Attempt, Ending};
 use crate::puzzle::action::Ball;
@@ -43,8 +43,7 @@ impl Model {
     /// `bad_weights` if the file is damaged or belongs to other nets.
     #[wasm_bindgen(constructor)]
     pub fn new(bytes: &[u8]) -> Result<Model, JsValue> {
-        let device = device("flex").map_err(|why| error(Code::BadWeights, why))?;
-        let (net, card) = PathNet::load(bytes, &device).map_err(|why| error(Code::BadWeights, why))?;
+        let (net, card) = PathNet::load(bytes, &flex()).map_err(|why| error(Code::BadWeights, why))?;
         let seen = Fold::new(card.setup, card.fold).all_train();
         Ok(Model { net, card, seen })
     }
@@ -70,7 +69,7 @@ impl Model {
     pub fn imagine(&self, id: &str) -> Result<JsValue, JsValue> {
         let scene = load(id)?.scene;
         let imagined = self.net.imagine(&scene);
-        let judge = self.net.judged(&scene).and_then(|logits| chances(&logits, &scene));
+        let judge = self.net.judge_logits(&scene).and_then(|logits| probability_map(&logits, &scene));
         let maps = js_sys::Object::new();
         let stages = [
             ("base", Some(imagined.base)),
@@ -87,15 +86,15 @@ impl Model {
     }
 
     /// The balls that the model would try, in order, and where each comes from:
-    /// `[{ ball, origin: { kind: "judge", chance } | { kind: "map", x, y } | { kind: "near", number } |
-    /// { kind: "chance" }, passed }, …]`;
-    /// `passed` counts the draws before it that may not be placed, or had been proposed.
+    /// `[{ ball, origin: { kind: "judge", probability } | { kind: "map", x, y } | { kind: "perturbed", number } |
+    /// { kind: "uniform" }, rejected }, …]`;
+    /// `rejected` counts the draws before it that were invalid or proposed already.
     ///
     /// # Errors
     /// `bad_task` if there is no such task.
     pub fn propose(&self, id: &str, seed: u32) -> Result<JsValue, JsValue> {
         let Task { id, scene, .. } = load(id)?;
-        plain(&agents::traced(&self.net, id, &scene, seed.into(), ATTEMPT_LIMIT))
+        plain(&agents::propose(&self.net, id, &scene, seed.into(), ATTEMPT_LIMIT))
     }
 
     /// Begins the model's turn on a task. The same seed gives the same attempts.
@@ -104,8 +103,9 @@ impl Model {
     /// `bad_task` if there is no such task.
     pub fn turn(&self, id: &str, seed: u32) -> Result<Turn, JsValue> {
         let Task { id, scene, .. } = load(id)?;
-        let balls = agents::model(&self.net, id, &scene, seed.into(), ATTEMPT_LIMIT).into_iter();
-        Ok(Turn { scene, balls, solved: false })
+        let proposals = agents::propose(&self.net, id, &scene, seed.into(), ATTEMPT_LIMIT);
+        let balls: Vec<Ball> = proposals.into_iter().map(|proposal| proposal.ball).collect();
+        Ok(Turn { scene, balls: balls.into_iter(), solved: false })
     }
 }
 

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use pathlight::nets::{PathNet, device};
+use pathlight::nets::{PathNet, flex};
 use tempfile::tempdir;
 
 use super::label::label;
@@ -24,7 +24,7 @@ fn a_judge_joins_the_weights_and_orders_the_attempts() {
     let whole = judge("whole", &[]);
     let out = whole.join("weights.safetensors").display().to_string();
     let bytes = fs::read(&out).expect("weights");
-    let (nets, card) = PathNet::load(&bytes, &device("flex").expect("a device")).expect("weights that fit");
+    let (nets, card) = PathNet::load(&bytes, &flex()).expect("weights that fit");
     assert!(nets.judge.is_some());
     assert!(card.judge.expect("a card").balls > 64);
 

@@ -11,7 +11,7 @@ export class Stack extends EventTarget {
   #model;
   #imagine;
   #session = null;
-  /** The model's balls, [{ ball, origin, passed }, …], or null until it has proposed them. */
+  /** The model's balls, [{ ball, origin, rejected }, …], or null until it has proposed them. */
   #proposals = null;
   /** The number of the ball that is asked for, from 1, or null. */
   #number = null;
@@ -121,15 +121,15 @@ export class Stack extends EventTarget {
     const { ending, words, tried } = this.#session.shown;
     const [x, y, r] = proposal.ball;
     at("stack-ball").textContent = `x ${x}, y ${y}, radius ${r}`;
-    at("stack-valid").textContent = passed(proposal);
+    at("stack-valid").textContent = rejected(proposal);
     at("stack-outcome").textContent = `${ending.solved ? "✓" : "×"} ${sentence(words)} ${tried ? "" : "It was not tried in its turn."}`;
     at("stack-origin").textContent = this.#origin(proposal);
   }
 
   #origin({ origin }) {
-    if (origin.kind === "near") return `Ball ${origin.number}, moved by chance.`;
-    if (origin.kind === "judge") return `The judge, a fifth net: after what was tried before, it gives this ball the best chance, ${Math.round(100 * origin.chance)} %.`;
-    if (origin.kind === "chance") return "Chance: the placement map shows no place where a ball may be.";
+    if (origin.kind === "perturbed") return `Ball ${origin.number}, moved by chance.`;
+    if (origin.kind === "judge") return `The judge, a fifth net: after what was tried before, it gives this ball the best chance, ${Math.round(100 * origin.probability)} %.`;
+    if (origin.kind === "uniform") return "Chance: the placement map shows no place where a ball may be.";
     const value = valueAt(this.#imagine.values.placement, [origin.x, origin.y]).toFixed(2);
     return `The placement map: it is ${value} at x ${origin.x}, y ${origin.y}. From there the ball was moved to cover more of the map.`;
   }
@@ -137,12 +137,12 @@ export class Stack extends EventTarget {
   /** The place that a ball comes from, px, or null. */
   #source({ origin }) {
     if (origin.kind === "map") return [origin.x, origin.y];
-    if (origin.kind === "near") return this.#proposals[origin.number - 1].ball.slice(0, 2);
+    if (origin.kind === "perturbed") return this.#proposals[origin.number - 1].ball.slice(0, 2);
     return null;
   }
 }
 
-function passed({ passed }) {
-  if (passed === 0) return "Yes.";
-  return `Yes. ${passed} ${passed === 1 ? "draw" : "draws"} before it ${passed === 1 ? "was" : "were"} passed over: not allowed, or a ball that it had already. They do not count.`;
+function rejected({ rejected }) {
+  if (rejected === 0) return "Yes.";
+  return `Yes. ${rejected} ${rejected === 1 ? "draw" : "draws"} before it ${rejected === 1 ? "was" : "were"} passed over: not allowed, or a ball that it had already. They do not count.`;
 }

@@ -111,7 +111,7 @@ fn folds(text: &mut String, rows: &[Row]) -> anyhow::Result<()> {
 }
 
 fn training(text: &mut String, rows: &[Row]) -> anyhow::Result<()> {
-    let course = match rows.first().map_or(0, |row| row.nets.card.cool) {
+    let course = match rows.first().map_or(0, |row| row.nets.card.decay_epochs) {
         0 => "is the same all the time".to_string(),
         1 => "falls to nothing in the last epoch".to_string(),
         epochs => format!("falls to nothing in the last {epochs} epochs"),
@@ -140,14 +140,14 @@ fn training(text: &mut String, rows: &[Row]) -> anyhow::Result<()> {
             card.tasks,
             card.epochs,
             card.batch,
-            card.rate,
+            card.learning_rate,
             last(nets),
             nets.seconds / 60.0,
             judged.balls,
             judged.epochs,
             judged.batch,
-            judged.drawn,
-            judged.rate,
+            judged.balls_per_scene,
+            judged.learning_rate,
             last(judge),
             judge.seconds / 60.0,
             *weights as f64 / 1e6,

@@ -1,21 +1,21 @@
-//! One layer on plain slices: what it makes of a batch of pictures.
+//! The forward pass of one layer on plain slices.
 //!
-//! The batch goes in groups of samples, small enough for their patches to stay in the cache. Pictures are
-//! `[batch, channels, side, side]`; within a group they become matrices `[channels, group x cells]`.
+//! The batch is divided into groups of samples, small enough for their columns to stay in the cache. Images are
+//! `[samples, channels, side, side]`; within a group the coarse ones become a matrix `[channels, samples * cells]`.
 
 #[cfg(not(target_arch = "wasm32"))]
 use rayon::prelude::*;
 
 use super::im2col::Geometry;
-use super::matmul::{Matrix, product};
+use super::matmul::{Matrix, matmul};
 
-/// Numbers in the patches of a group: what the second level of a cache holds.
-const GROUP: usize = 1 << 16;
+/// Values in the columns of a group: 256 KiB, what a second-level cache holds.
+const GROUP_LEN: usize = 1 << 16;
 
-/// Samples in a group at most, so that a batch of 32 keeps two cores busy.
-const LARGEST: usize = 16;
+/// Most samples in a group, so that a batch of 32 keeps two cores busy.
+const MAX_GROUP: usize = 16;
 
-/// A layer with its weights, `[narrow, wide, kernel, kernel]`: a matrix of a row for each narrow channel.
+/// A layer with its weights, `[coarse_channels, fine_channels, kernel, kernel]`.
 #[derive(Clone, Copy)]
 pub struct Layer<'a> {
     pub geometry: Geometry,
@@ -23,18 +23,18 @@ pub struct Layer<'a> {
 }
 
 impl Layer<'_> {
-    /// Convolution, bias and relu. `[batch, wide, 2 side, 2 side]` to `[batch, narrow, side, side]`.
-    pub fn halve(&self, x: &[f32], bias: &[f32]) -> Vec<f32> {
-        let Geometry { narrow, .. } = self.geometry;
-        let cells = self.geometry.cells();
-        let batch = x.len() / self.geometry.wide_picture();
-        let mut y = vec![0.0; batch * self.geometry.narrow_picture()];
-        self.each_group(&mut y, self.geometry.narrow_picture(), |group, y| {
-            let columns = Columns::gathered(&self.geometry, &x[group.wide(&self.geometry)], group.samples);
-            let mut sums = vec![0.0; narrow * columns.count];
-            product(&mut sums, columns.count, self.matrix(), columns.matrix(&self.geometry));
+    /// Convolution, bias and ReLU: `[batch, fine_channels, 2 n, 2 n]` to `[batch, coarse_channels, n, n]`.
+    pub fn conv_down(&self, x: &[f32], bias: &[f32]) -> Vec<f32> {
+        let geometry = &self.geometry;
+        let (channels, cells) = (geometry.coarse_channels, geometry.coarse_cells());
+        let batch = x.len() / geometry.fine_len();
+        let mut y = vec![0.0; batch * geometry.coarse_len()];
+        self.for_each_group(&mut y, geometry.coarse_len(), |group, y| {
+            let columns = Columns::im2col(geometry, &x[group.fine(geometry)], group.samples);
+            let mut sums = vec![0.0; channels * columns.count];
+            matmul(&mut sums, columns.count, self.matrix(), columns.matrix(geometry));
             for (index, y) in y.chunks_exact_mut(cells).enumerate() {
-                let (sample, channel) = (index / narrow, index % narrow);
+                let (sample, channel) = (index / channels, index % channels);
                 let sums = &sums[channel * columns.count + sample * cells..][..cells];
                 for (y, sum) in y.iter_mut().zip(sums) {
                     *y = (sum + bias[channel]).max(0.0);
@@ -44,19 +44,20 @@ impl Layer<'_> {
         y
     }
 
-    /// Transposed convolution, bias, and relu if `positive`. `[batch, narrow, side, side]` to
-    /// `[batch, wide, 2 side, 2 side]`.
-    pub fn double(&self, x: &[f32], bias: &[f32], positive: bool) -> Vec<f32> {
-        let batch = x.len() / self.geometry.narrow_picture();
-        let mut y = vec![0.0; batch * self.geometry.wide_picture()];
-        self.each_group(&mut y, self.geometry.wide_picture(), |group, y| {
-            let x = self.channels_first(&x[group.narrow(&self.geometry)], group.samples);
-            let mut columns = Columns::new(&self.geometry, group.samples);
-            let x = Matrix::new(&x, self.geometry.narrow, columns.count, columns.count);
-            product(&mut columns.data, columns.stride, self.matrix().transposed(), x);
-            columns.scatter(&self.geometry, y);
-            for (index, y) in y.chunks_exact_mut(self.geometry.wide_cells()).enumerate() {
-                let (bias, least) = (bias[index % self.geometry.wide], if positive { 0.0 } else { f32::NEG_INFINITY });
+    /// Transposed convolution, bias, and ReLU if `relu`: `[batch, coarse_channels, n, n]` to
+    /// `[batch, fine_channels, 2 n, 2 n]`.
+    pub fn conv_up(&self, x: &[f32], bias: &[f32], relu: bool) -> Vec<f32> {
+        let geometry = &self.geometry;
+        let batch = x.len() / geometry.coarse_len();
+        let mut y = vec![0.0; batch * geometry.fine_len()];
+        self.for_each_group(&mut y, geometry.fine_len(), |group, y| {
+            let x = self.channels_first(&x[group.coarse(geometry)], group.samples);
+            let mut columns = Columns::zeros(geometry, group.samples);
+            let x = Matrix::new(&x, geometry.coarse_channels, columns.count, columns.count);
+            matmul(&mut columns.data, columns.stride, self.matrix().transposed(), x);
+            columns.col2im(geometry, y);
+            for (index, y) in y.chunks_exact_mut(geometry.fine_cells()).enumerate() {
+                let (bias, least) = (bias[index % geometry.fine_channels], if relu { 0.0 } else { f32::NEG_INFINITY });
                 for y in y {
                     *y = (*y + bias).max(least);
                 }
@@ -65,45 +66,45 @@ impl Layer<'_> {
         y
     }
 
-    /// The weights, `[narrow, patch]`.
+    /// The weights as a matrix `[coarse_channels, patch_len]`.
     pub fn matrix(&self) -> Matrix<'_> {
-        let patch = self.geometry.patch();
-        Matrix::new(self.weight, self.geometry.narrow, patch, patch)
+        let patch = self.geometry.patch_len();
+        Matrix::new(self.weight, self.geometry.coarse_channels, patch, patch)
     }
 
-    /// Narrow pictures `[samples, narrow, cells]` as `[narrow, samples x cells]`.
-    pub fn channels_first(&self, pictures: &[f32], samples: usize) -> Vec<f32> {
-        let cells = self.geometry.cells();
-        let mut turned = Vec::with_capacity(pictures.len());
-        for channel in 0..self.geometry.narrow {
+    /// Coarse images `[samples, coarse_channels, coarse_cells]` as `[coarse_channels, samples * coarse_cells]`.
+    pub fn channels_first(&self, images: &[f32], samples: usize) -> Vec<f32> {
+        let cells = self.geometry.coarse_cells();
+        let mut transposed = Vec::with_capacity(images.len());
+        for channel in 0..self.geometry.coarse_channels {
             for sample in 0..samples {
-                turned.extend_from_slice(&pictures[(sample * self.geometry.narrow + channel) * cells..][..cells]);
+                transposed
+                    .extend_from_slice(&images[(sample * self.geometry.coarse_channels + channel) * cells..][..cells]);
             }
         }
-        turned
+        transposed
     }
 
-    /// Calls `work` for every group of samples with its part of `out`, of `size` numbers a sample.
-    pub fn each_group(&self, out: &mut [f32], size: usize, work: impl Fn(Group, &mut [f32]) + Sync) {
-        let samples = self.group();
+    /// Calls `work` for every group of samples with its part of `out`, which has `len` values per sample.
+    pub fn for_each_group(&self, out: &mut [f32], len: usize, work: impl Fn(Group, &mut [f32]) + Sync) {
+        let samples = self.group_samples();
         let work = |(index, out): (usize, &mut [f32])| {
-            work(Group { first: index * samples, samples: out.len() / size }, out);
+            work(Group { first: index * samples, samples: out.len() / len }, out);
         };
         #[cfg(not(target_arch = "wasm32"))]
-        if out.len() > samples * size {
-            out.par_chunks_mut(samples * size).enumerate().for_each(work);
+        if out.len() > samples * len {
+            out.par_chunks_mut(samples * len).enumerate().for_each(work);
             return;
         }
-        out.chunks_mut(samples * size).enumerate().for_each(work);
+        out.chunks_mut(samples * len).enumerate().for_each(work);
     }
 
-    /// Samples in a group.
-    fn group(&self) -> usize {
-        (GROUP / (self.geometry.patch() * self.geometry.cells())).clamp(1, LARGEST)
+    fn group_samples(&self) -> usize {
+        (GROUP_LEN / (self.geometry.patch_len() * self.geometry.coarse_cells())).clamp(1, MAX_GROUP)
     }
 }
 
-/// Some samples of a batch, one after another.
+/// Consecutive samples of a batch.
 #[derive(Clone, Copy)]
 pub struct Group {
     pub first: usize,
@@ -111,52 +112,54 @@ pub struct Group {
 }
 
 impl Group {
-    /// Where their wide pictures lie.
-    pub fn wide(&self, geometry: &Geometry) -> std::ops::Range<usize> {
-        self.range(geometry.wide_picture())
+    /// Where their fine images lie in the batch.
+    pub fn fine(&self, geometry: &Geometry) -> std::ops::Range<usize> {
+        self.range(geometry.fine_len())
     }
 
-    /// Where their narrow pictures lie.
-    pub fn narrow(&self, geometry: &Geometry) -> std::ops::Range<usize> {
-        self.range(geometry.narrow_picture())
+    /// Where their coarse images lie in the batch.
+    pub fn coarse(&self, geometry: &Geometry) -> std::ops::Range<usize> {
+        self.range(geometry.coarse_len())
     }
 
-    fn range(&self, size: usize) -> std::ops::Range<usize> {
-        self.first * size..(self.first + self.samples) * size
+    fn range(&self, len: usize) -> std::ops::Range<usize> {
+        self.first * len..(self.first + self.samples) * len
     }
 }
 
-/// The patches of a group's wide pictures, `[patch, samples x cells]`.
+/// The im2col matrix of a group's fine images, `[patch_len, samples * coarse_cells]`.
 pub struct Columns {
     pub data: Vec<f32>,
+    /// Columns: `samples * coarse_cells`.
     pub count: usize,
+    /// Values from one row to the next.
     pub stride: usize,
     samples: usize,
 }
 
 impl Columns {
-    pub fn new(geometry: &Geometry, samples: usize) -> Columns {
-        let count = samples * geometry.cells();
-        // Rows a power of two apart would all fall on the same lines of the cache.
+    pub fn zeros(geometry: &Geometry, samples: usize) -> Columns {
+        let count = samples * geometry.coarse_cells();
+        // Rows whose distance is a power of two would all fall on the same cache lines.
         let stride = if count >= 64 { count + 16 } else { count };
-        Columns { data: vec![0.0; geometry.patch() * stride], count, stride, samples }
+        Columns { data: vec![0.0; geometry.patch_len() * stride], count, stride, samples }
     }
 
-    pub fn gathered(geometry: &Geometry, pictures: &[f32], samples: usize) -> Columns {
-        let mut columns = Columns::new(geometry, samples);
-        for (sample, picture) in pictures.chunks_exact(geometry.wide_picture()).enumerate() {
-            geometry.gather(picture, &mut columns.data[sample * geometry.cells()..], columns.stride);
+    pub fn im2col(geometry: &Geometry, images: &[f32], samples: usize) -> Columns {
+        let mut columns = Columns::zeros(geometry, samples);
+        for (sample, image) in images.chunks_exact(geometry.fine_len()).enumerate() {
+            geometry.im2col(image, &mut columns.data[sample * geometry.coarse_cells()..], columns.stride);
         }
         columns
     }
 
-    pub fn scatter(&self, geometry: &Geometry, pictures: &mut [f32]) {
-        for (sample, picture) in pictures.chunks_exact_mut(geometry.wide_picture()).enumerate().take(self.samples) {
-            geometry.scatter(&self.data[sample * geometry.cells()..], self.stride, picture);
+    pub fn col2im(&self, geometry: &Geometry, images: &mut [f32]) {
+        for (sample, image) in images.chunks_exact_mut(geometry.fine_len()).enumerate().take(self.samples) {
+            geometry.col2im(&self.data[sample * geometry.coarse_cells()..], self.stride, image);
         }
     }
 
     pub fn matrix(&self, geometry: &Geometry) -> Matrix<'_> {
-        Matrix::new(&self.data, geometry.patch(), self.count, self.stride)
+        Matrix::new(&self.data, geometry.patch_len(), self.count, self.stride)
     }
 }

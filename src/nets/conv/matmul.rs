@@ -1,43 +1,48 @@
-//! The matrix product under the convolutions: the gemm crate natively, our own loops in wasm.
+//! The matrix product under both layers: the gemm crate natively, our own loops in wasm.
 //!
-//! gemm copies both matrices into tiles first, which pays for batches. For the one scene that a browser
-//! imagines the weights are read once, and copying them costs more than the sums: `small` reads them where they
-//! lie. Used by the layers alone.
+//! gemm packs both matrices into tiles first, which pays off for batches. For the single scene that a browser
+//! evaluates, each weight is read only once, and packing costs more than the sums: `wasm_matmul` reads the
+//! weights where they lie. Used by `forward` and `backward` only.
 
-/// A matrix in a slice. Element (row, column) lies at `row * row_stride + column * column_stride`.
+/// Rows of `a` that `wasm_matmul` takes at once: their number must be a multiple of this, unless `b` is one column.
+pub const TILE_ROWS: usize = 8;
+
+/// A matrix in a slice. Element (row, column) is `data[row * row_stride + column * column_stride]`, and every element
+/// lies within the slice: only the constructor sets the fields, and the unsafe call below relies on it.
 #[derive(Clone, Copy)]
 pub struct Matrix<'a> {
-    pub data: &'a [f32],
-    pub rows: usize,
-    pub columns: usize,
-    pub row_stride: usize,
-    pub column_stride: usize,
+    data: &'a [f32],
+    rows: usize,
+    columns: usize,
+    row_stride: usize,
+    column_stride: usize,
 }
 
 impl<'a> Matrix<'a> {
-    /// Row after row, `stride` numbers from one to the next.
+    /// Returns a row-major matrix whose rows begin `stride` values apart. Panics if it does not fit the slice.
     pub fn new(data: &'a [f32], rows: usize, columns: usize, stride: usize) -> Matrix<'a> {
         let matrix = Matrix { data, rows, columns, row_stride: stride, column_stride: 1 };
         assert!(rows > 0 && columns > 0 && (rows - 1) * stride + columns <= data.len(), "the matrix fits its slice");
         matrix
     }
 
-    /// Rows as columns.
+    /// Returns the transpose, without copying.
     pub fn transposed(self) -> Matrix<'a> {
         let Matrix { data, rows, columns, row_stride, column_stride } = self;
         Matrix { data, rows: columns, columns: rows, row_stride: column_stride, column_stride: row_stride }
     }
 }
 
-/// `out = a b`; the rows of `out` begin `stride` numbers apart.
-pub fn product(out: &mut [f32], stride: usize, a: Matrix, b: Matrix) {
-    assert!(a.columns == b.rows && (a.rows - 1) * stride + b.columns <= out.len(), "the product fits");
+/// `out = a b`; the rows of `out` begin `stride` values apart.
+pub fn matmul(out: &mut [f32], stride: usize, a: Matrix, b: Matrix) {
+    assert!(a.columns == b.rows && (a.rows - 1) * stride + b.columns <= out.len(), "the product fits its slice");
     #[cfg(target_arch = "wasm32")]
     {
-        small::product(out, stride, a, b);
+        wasm_matmul::matmul(out, stride, a, b);
     }
     #[cfg(not(target_arch = "wasm32"))]
-    // SAFETY: both matrices lie within their slices by construction, and the assertion above holds for `out`.
+    // SAFETY: every element of `a` and `b` lies within its slice (`Matrix::new`), and by the assertion above so does
+    // every element of the product in `out`.
     unsafe {
         gemm::gemm(
             a.rows,
@@ -63,25 +68,25 @@ pub fn product(out: &mut [f32], stride: usize, a: Matrix, b: Matrix) {
     }
 }
 
-/// Products that read their matrices where they lie, four numbers at a time.
+/// A product that reads its matrices where they lie, in tiles that stay in wasm's vector registers.
 #[cfg(any(target_arch = "wasm32", test))]
-mod small {
-    use super::Matrix;
+mod wasm_matmul {
+    use super::{Matrix, TILE_ROWS};
 
-    /// What a vector register of wasm holds.
+    /// The values of a 128-bit register.
     type Vector = [f32; 4];
 
-    /// `out = a b` for a `b` of contiguous rows.
-    pub fn product(out: &mut [f32], stride: usize, a: Matrix, b: Matrix) {
+    /// `out = a b` for a `b` of contiguous rows: one column, or a multiple of four.
+    pub fn matmul(out: &mut [f32], stride: usize, a: Matrix, b: Matrix) {
         assert!(b.column_stride == 1, "rows of b are contiguous");
         match b.columns {
-            1 => vector(out, stride, a, b),
-            4 => tiles::<8, 1>(out, stride, a, b),
-            _ => tiles::<4, 2>(out, stride, a, b),
+            1 => matvec(out, stride, a, b),
+            4 => tiles::<TILE_ROWS, 1>(out, stride, a, b),
+            _ => tiles::<{ TILE_ROWS / 2 }, 2>(out, stride, a, b),
         }
     }
 
-    /// Tiles of `ROWS` rows by `4 VECTORS` columns, summed up in registers.
+    /// Tiles of `ROWS` rows by `4 * VECTORS` columns, accumulated in registers.
     fn tiles<const ROWS: usize, const VECTORS: usize>(out: &mut [f32], stride: usize, a: Matrix, b: Matrix) {
         assert!(a.rows.is_multiple_of(ROWS) && b.columns.is_multiple_of(4 * VECTORS), "whole tiles");
         for row in (0..a.rows).step_by(ROWS) {
@@ -90,7 +95,7 @@ mod small {
                 for k in 0..a.columns {
                     let right: [Vector; VECTORS] = std::array::from_fn(|vector| {
                         let at = k * b.row_stride + column + 4 * vector;
-                        b.data[at..at + 4].try_into().expect("four numbers")
+                        b.data[at..at + 4].try_into().expect("four values")
                     });
                     for (i, sums) in sums.iter_mut().enumerate() {
                         let left = a.data[(row + i) * a.row_stride + k * a.column_stride];
@@ -110,7 +115,7 @@ mod small {
     }
 
     /// A matrix times one column.
-    fn vector(out: &mut [f32], stride: usize, a: Matrix, b: Matrix) {
+    fn matvec(out: &mut [f32], stride: usize, a: Matrix, b: Matrix) {
         if a.column_stride == 1 {
             let right: Vec<f32> = (0..b.rows).map(|k| b.data[k * b.row_stride]).collect();
             for row in 0..a.rows {
@@ -132,7 +137,7 @@ mod small {
         }
     }
 
-    /// Sixteen sums at once, so that none waits for the one before.
+    /// Sixteen partial sums, so that no addition waits for the previous one.
     fn dot(left: &[f32], right: &[f32]) -> f32 {
         let mut sums = [0.0; 16];
         let ((left, left_rest), (right, right_rest)) = (left.as_chunks::<16>(), right.as_chunks::<16>());
@@ -150,18 +155,17 @@ mod small {
 mod tests {
     use super::*;
 
-    /// The products that a scene meets: tiles, four columns, one column, and weights read either way.
+    /// The shapes of one scene: tiles, four columns, one column; weights as they are and transposed.
     #[test]
-    fn our_own_loops_agree_with_gemm() {
-        let numbers =
-            |count: usize| -> Vec<f32> { (0..count).map(|i| ((i * 37 % 101) as f32 - 50.0) / 50.0).collect() };
+    fn the_loops_of_wasm_agree_with_gemm() {
+        let values = |count: usize| -> Vec<f32> { (0..count).map(|i| ((i * 37 % 101) as f32 - 50.0) / 50.0).collect() };
         for (rows, depth, columns) in [(8, 80, 1024), (64, 512, 16), (128, 1024, 4), (256, 512, 1)] {
-            let (a, b) = (numbers(rows * depth), numbers(depth * (columns + 16)));
+            let (a, b) = (values(rows * depth), values(depth * (columns + 16)));
             let b = Matrix::new(&b, depth, columns, columns + 16);
             for a in [Matrix::new(&a, rows, depth, depth), Matrix::new(&a, depth, rows, rows).transposed()] {
                 let (mut ours, mut gemm) = (vec![0.0; rows * columns], vec![0.0; rows * columns]);
-                small::product(&mut ours, columns, a, b);
-                product(&mut gemm, columns, a, b);
+                wasm_matmul::matmul(&mut ours, columns, a, b);
+                matmul(&mut gemm, columns, a, b);
                 let worst = ours.iter().zip(&gemm).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
                 assert!(worst < 1e-3 && gemm.iter().any(|x| x.abs() > 1.0), "{rows} x {depth} x {columns}: {worst}");
             }

@@ -1,10 +1,17 @@
-//! Convolutions of stride two, halving a picture, and their transposes, doubling it, fast on the CPU.
+//! The two layers of all nets: a stride-2 convolution and a stride-2 transposed convolution, fast on the CPU.
 //!
-//! burn's own convolutions define what is computed: they are the default bodies below, which ndarray runs. On
-//! flex both kinds are one matrix product on gathered patches, bias and relu in the same pass, several times as
-//! fast. Used by `hourglass` and `judge`.
+//! burn's own `conv2d` and `conv_transpose2d` define the result: they are the default bodies of `StridedConv`,
+//! which ndarray runs. On flex both layers are one matrix product by im2col (Chellapilla et al. 2006), with bias
+//! and ReLU in the same pass. The columns `[fine channels * kernel^2, samples * coarse cells]` hold, for each
+//! coarse cell, the patch of the fine image that its kernel covers. With weights `W` `[coarse channels, fine
+//! channels * kernel^2]`, `conv_down` is `W * im2col(x)` and `conv_up` is `col2im(W^T * x)`.
+//!
+//! A direct convolution loads every input again for each output channel. The copy costs `kernel^2 / 4` writes per
+//! input, once for all output channels, and the product then works on tiles that stay in registers: several times
+//! as fast here as burn's general layers, which also support the strides, dilations and groups that no net of ours
+//! has. Used by `hourglass` and `judge`.
 
-// burn names its ndarray backend deprecated; it stays as long as it is there to disagree with flex.
+// burn has deprecated its ndarray backend; it is kept as the second opinion of the differential test.
 #![allow(deprecated)]
 
 use burn::backend::ops::{ConvOptions, ConvTransposeOptions};
@@ -23,105 +30,117 @@ mod matmul;
 use forward::Layer;
 use im2col::Geometry;
 
-/// A fresh layer for `halve`, from so many channels to so many; the kernel is 4 wide, or 2.
-pub fn halving(from: usize, to: usize, kernel: usize, device: &Device) -> Conv2d {
+/// Whether layers of these output channels divide into whole tiles of the matrix product that wasm runs. A net
+/// asserts it of its widths at compile time, because natively any width works.
+pub const fn fit_tiles(widths: &[usize]) -> bool {
+    let mut index = 0;
+    while index < widths.len() {
+        if !widths[index].is_multiple_of(matmul::TILE_ROWS) {
+            return false;
+        }
+        index += 1;
+    }
+    true
+}
+
+/// Returns a fresh layer for `conv_down`, from `input` to `output` channels; the kernel is 4 or 2 cells wide.
+pub fn new_conv_down(input: usize, output: usize, kernel: usize, device: &Device) -> Conv2d {
     let padding = (kernel - 2) / 2;
-    Conv2dConfig::new([from, to], [kernel; 2])
+    Conv2dConfig::new([input, output], [kernel; 2])
         .with_stride([2; 2])
         .with_padding(PaddingConfig2d::Explicit(padding, padding, padding, padding))
         .init(device)
 }
 
-/// A fresh layer for `double`, from so many channels to so many; the kernel is 4 wide, or 2.
-pub fn doubling(from: usize, to: usize, kernel: usize, device: &Device) -> ConvTranspose2d {
+/// Returns a fresh layer for `conv_up`, from `input` to `output` channels; the kernel is 4 or 2 cells wide.
+pub fn new_conv_up(input: usize, output: usize, kernel: usize, device: &Device) -> ConvTranspose2d {
     let padding = (kernel - 2) / 2;
-    ConvTranspose2dConfig::new([from, to], [kernel; 2]).with_stride([2; 2]).with_padding([padding; 2]).init(device)
+    ConvTranspose2dConfig::new([input, output], [kernel; 2]).with_stride([2; 2]).with_padding([padding; 2]).init(device)
 }
 
-/// Half as wide: `[batch, wide, 2 n, 2 n]` to `[batch, narrow, n, n]`, below zero cut off.
-pub fn halve(convolution: &Conv2d, x: Tensor<4>) -> Tensor<4> {
-    let bias = convolution.bias.as_ref().expect("every layer has a bias").val();
-    Tensor::from_dispatch(Dispatch::halve(
+/// Stride-2 convolution followed by ReLU: `[batch, fine channels, 2 n, 2 n]` to `[batch, coarse channels, n, n]`.
+pub fn conv_down(layer: &Conv2d, x: Tensor<4>) -> Tensor<4> {
+    let bias = layer.bias.as_ref().expect("every layer has a bias").val();
+    Tensor::from_dispatch(Dispatch::conv_down(
         x.into_dispatch(),
-        convolution.weight.val().into_dispatch(),
+        layer.weight.val().into_dispatch(),
         bias.into_dispatch(),
     ))
 }
 
-/// Twice as wide: `[batch, narrow, n, n]` to `[batch, wide, 2 n, 2 n]`, below zero cut off if `positive`.
-pub fn double(convolution: &ConvTranspose2d, x: Tensor<4>, positive: bool) -> Tensor<4> {
-    let bias = convolution.bias.as_ref().expect("every layer has a bias").val();
-    Tensor::from_dispatch(Dispatch::double(
+/// Stride-2 transposed convolution, followed by ReLU if `relu`: `[batch, coarse channels, n, n]` to
+/// `[batch, fine channels, 2 n, 2 n]`.
+pub fn conv_up(layer: &ConvTranspose2d, x: Tensor<4>, relu: bool) -> Tensor<4> {
+    let bias = layer.bias.as_ref().expect("every layer has a bias").val();
+    Tensor::from_dispatch(Dispatch::conv_up(
         x.into_dispatch(),
-        convolution.weight.val().into_dispatch(),
+        layer.weight.val().into_dispatch(),
         bias.into_dispatch(),
-        positive,
+        relu,
     ))
 }
 
-/// The two operations on the tensors of a backend. Stride 2; kernel 4 and padding 1, or kernel 2 and none.
+/// The two layers on the tensors of a backend. Stride 2; kernel 4 with padding 1, or kernel 2 without padding.
+/// Weights: `[coarse channels, fine channels, kernel, kernel]`.
 #[backend_extension(Flex, NdArray: cfg(feature = "ndarray"), Autodiff: cfg(not(target_arch = "wasm32")))]
-pub trait StridedOps: Backend {
-    /// A convolution and relu. Weights: `[narrow, wide, kernel, kernel]`.
-    fn halve(x: FloatTensor<Self>, weight: FloatTensor<Self>, bias: FloatTensor<Self>) -> FloatTensor<Self> {
+pub trait StridedConv: Backend {
+    /// See `conv_down`.
+    fn conv_down(x: FloatTensor<Self>, weight: FloatTensor<Self>, bias: FloatTensor<Self>) -> FloatTensor<Self> {
         let padding = (weight.shape()[2] - 2) / 2;
         let options = ConvOptions::new([2; 2], [padding; 2], [1; 2], 1);
         Self::relu(Self::conv2d(x, weight, Some(bias), options))
     }
 
-    /// A transposed convolution, and relu if `positive`. Weights: `[narrow, wide, kernel, kernel]`.
-    fn double(
+    /// See `conv_up`.
+    fn conv_up(
         x: FloatTensor<Self>,
         weight: FloatTensor<Self>,
         bias: FloatTensor<Self>,
-        positive: bool,
+        relu: bool,
     ) -> FloatTensor<Self> {
         let padding = (weight.shape()[2] - 2) / 2;
         let options = ConvTransposeOptions::new([2; 2], [padding; 2], [0; 2], [1; 2], 1);
         let y = Self::conv_transpose2d(x, weight, Some(bias), options);
-        if positive { Self::relu(y) } else { y }
+        if relu { Self::relu(y) } else { y }
     }
 }
 
 #[cfg(feature = "ndarray")]
-impl StridedOps for burn::backend::NdArray {}
+impl StridedConv for burn::backend::NdArray {}
 
-impl StridedOps for Flex {
-    fn halve(x: FloatTensor<Flex>, weight: FloatTensor<Flex>, bias: FloatTensor<Flex>) -> FloatTensor<Flex> {
+impl StridedConv for Flex {
+    fn conv_down(x: FloatTensor<Flex>, weight: FloatTensor<Flex>, bias: FloatTensor<Flex>) -> FloatTensor<Flex> {
         let geometry = geometry(&weight, x.shape()[2] / 2);
-        let y = numbers(&weight, |weight| {
-            numbers(&bias, |bias| numbers(&x, |x| Layer { geometry, weight }.halve(x, bias)))
-        });
-        picture(y, geometry.narrow, geometry.side)
+        let [x, weight, bias] = [x, weight, bias].map(|tensor| tensor.to_contiguous());
+        let y = Layer { geometry, weight: slice(&weight) }.conv_down(slice(&x), slice(&bias));
+        images(y, geometry.coarse_channels, geometry.coarse_side)
     }
 
-    fn double(
+    fn conv_up(
         x: FloatTensor<Flex>,
         weight: FloatTensor<Flex>,
         bias: FloatTensor<Flex>,
-        positive: bool,
+        relu: bool,
     ) -> FloatTensor<Flex> {
         let geometry = geometry(&weight, x.shape()[2]);
-        let y = numbers(&weight, |weight| {
-            numbers(&bias, |bias| numbers(&x, |x| Layer { geometry, weight }.double(x, bias, positive)))
-        });
-        picture(y, geometry.wide, 2 * geometry.side)
+        let [x, weight, bias] = [x, weight, bias].map(|tensor| tensor.to_contiguous());
+        let y = Layer { geometry, weight: slice(&weight) }.conv_up(slice(&x), slice(&bias), relu);
+        images(y, geometry.fine_channels, 2 * geometry.coarse_side)
     }
 }
 
-fn geometry(weight: &FloatTensor<Flex>, side: usize) -> Geometry {
+fn geometry(weight: &FloatTensor<Flex>, coarse_side: usize) -> Geometry {
     let shape = weight.shape();
-    Geometry { narrow: shape[0], wide: shape[1], side, kernel: shape[2] }
+    Geometry { coarse_channels: shape[0], fine_channels: shape[1], coarse_side, kernel: shape[2] }
 }
 
-/// Lends the numbers of a tensor, in order.
-fn numbers<T>(tensor: &FloatTensor<Flex>, use_them: impl FnOnce(&[f32]) -> T) -> T {
-    let tensor = tensor.to_contiguous();
-    use_them(tensor.as_slice().expect("a contiguous tensor of f32"))
+/// The values of a contiguous tensor.
+fn slice(tensor: &FloatTensor<Flex>) -> &[f32] {
+    tensor.as_slice().expect("a contiguous tensor of f32")
 }
 
-/// A tensor `[batch, channels, side, side]` of its numbers.
-fn picture(numbers: Vec<f32>, channels: usize, side: usize) -> FloatTensor<Flex> {
-    let shape = [numbers.len() / (channels * side * side), channels, side, side];
-    FloatTensor::<Flex>::from_data(TensorData::new(numbers, shape))
+/// The tensor `[batch, channels, side, side]` of these values.
+fn images(values: Vec<f32>, channels: usize, side: usize) -> FloatTensor<Flex> {
+    let shape = [values.len() / (channels * side * side), channels, side, side];
+    FloatTensor::<Flex>::from_data(TensorData::new(values, shape))
 }

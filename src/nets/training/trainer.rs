@@ -1,8 +1,9 @@
-//! Training the four nets jointly: one optimiser, one loss, a batch at a time.
+//! One optimiser step per batch: the four nets jointly, or the judge.
 //!
-//! The loss is the sum of the four maps' per-pixel cross-entropies, with gradients through the whole chain (Harter
-//! et al. 2020). A trainer can be saved between two batches and goes on with the same result. Used by `train`
-//! and the benchmark; native only.
+//! The loss of the four nets is the sum of the per-pixel binary cross-entropies of their maps, with gradients through
+//! the whole chain (Harter et al. 2020). The judge's is the mean binary cross-entropy of the balls. A trainer can be
+//! saved between two batches and resumed with the same result. Used by the commands that train and by the benches;
+//! native only. The learning rate of each step is the caller's.
 
 use std::path::Path;
 
@@ -15,9 +16,9 @@ use burn::tensor::{Device, Int, Tensor, TensorData};
 
 use super::adam::FusedAdam;
 use crate::dataset::samples::Sample;
-use crate::nets::judge::{self, RADII};
+use crate::nets::judge::{RADII, cell_of};
 use crate::nets::{Judge, PathNet};
-use crate::puzzle::action::Ball;
+use crate::puzzle::action::{Ball, Invalid};
 use crate::puzzle::scene::SIZE;
 use crate::raster::{Bitmap, CELLS, CHANNELS, SIDE};
 
@@ -28,115 +29,120 @@ pub struct Trainer<M> {
     device: Device,
 }
 
-/// Some samples as tensors' numbers: `[samples, 5, 64, 64]` of scenes and `[samples, 4, 64, 64]` of pictures to
-/// imagine.
+/// Samples as tensor data: scenes `[samples, 5, 64, 64]` and target maps `[samples, 4, 64, 64]`.
 pub struct Batch {
     samples: usize,
-    scene: Vec<f32>,
-    imagined: Vec<f32>,
+    scenes: Vec<f32>,
+    targets: Vec<f32>,
 }
 
 impl Batch {
-    /// The samples, each as it is or mirrored left to right.
+    /// Collects the samples, each as it is or mirrored left to right.
     pub fn new<'a>(samples: impl Iterator<Item = (&'a Sample, bool)>) -> Batch {
-        let mut batch = Batch { samples: 0, scene: Vec::new(), imagined: Vec::new() };
-        let numbers = |pictures: &[Bitmap], mirrored: bool, out: &mut Vec<f32>| {
-            out.extend(pictures.iter().flat_map(|picture| flipped(picture, mirrored).to_f32()));
-        };
+        let mut batch = Batch { samples: 0, scenes: Vec::new(), targets: Vec::new() };
         for (sample, mirrored) in samples {
-            numbers(&sample.scene, mirrored, &mut batch.scene);
-            numbers(&sample.imagined, mirrored, &mut batch.imagined);
+            extend(&mut batch.scenes, &sample.scene, mirrored);
+            extend(&mut batch.targets, &sample.targets, mirrored);
             batch.samples += 1;
         }
         batch
     }
 }
 
-/// Some scenes with balls that were tried: `[scenes, 5, 64, 64]`, and for each ball its index among the logits
-/// `[scenes, RADII, 64, 64]` and 1 if it solved, else 0.
+/// Scenes with labelled balls as tensor data: scenes `[scenes, 5, 64, 64]`; for each ball the index of its cell among
+/// the logits `[scenes, RADII, 64, 64]`, and its label, 1 if it solved and 0 if not.
 #[derive(Default)]
-pub struct Trials {
-    scenes: usize,
-    scene: Vec<f32>,
-    indices: Vec<i64>,
-    solved: Vec<f32>,
+pub struct JudgeBatch {
+    count: usize,
+    scenes: Vec<f32>,
+    cells: Vec<i64>,
+    labels: Vec<f32>,
 }
 
-impl Trials {
-    /// Adds a scene and balls that were tried in it, as they are or mirrored left to right.
-    pub fn add(&mut self, scene: &[Bitmap; CHANNELS], balls: &[(Ball, bool)], mirrored: bool) {
-        self.scene.extend(scene.iter().flat_map(|picture| flipped(picture, mirrored).to_f32()));
+impl JudgeBatch {
+    /// Adds a scene and labelled balls of it, as they are or mirrored left to right.
+    ///
+    /// # Errors
+    /// If the judge does not score a ball (`judge::cell_of`); the batch is then of no use.
+    pub fn add(&mut self, scene: &[Bitmap; CHANNELS], balls: &[(Ball, bool)], mirrored: bool) -> Result<(), Invalid> {
+        extend(&mut self.scenes, scene, mirrored);
         for &(ball, solved) in balls {
-            let mirror = Ball { x: SIZE - ball.x, ..ball };
-            let index = judge::index(if mirrored { mirror } else { ball });
-            self.indices.push((self.scenes * RADII * CELLS + index) as i64);
-            self.solved.push(if solved { 1.0 } else { 0.0 });
+            let x = if mirrored { SIZE - ball.x } else { ball.x };
+            let cell = cell_of(Ball { x, ..ball })?;
+            self.cells.push((self.count * RADII * CELLS + cell) as i64);
+            self.labels.push(if solved { 1.0 } else { 0.0 });
         }
-        self.scenes += 1;
+        self.count += 1;
+        Ok(())
     }
 }
 
-fn flipped(image: &Bitmap, mirrored: bool) -> Bitmap {
-    if mirrored { image.mirrored() } else { *image }
+/// Appends images as values of 0 and 1.
+fn extend(values: &mut Vec<f32>, images: &[Bitmap], mirrored: bool) {
+    let flipped = |image: &Bitmap| if mirrored { image.mirrored() } else { *image };
+    values.extend(images.iter().flat_map(|image| flipped(image).to_f32()));
 }
 
 impl Trainer<PathNet> {
-    /// Fresh nets on a device, their weights drawn from the seed.
+    /// Returns a trainer of fresh nets, whose weights depend only on the seed.
     pub fn new(device: Device, seed: u64) -> Trainer<PathNet> {
-        Trainer::begin(device, seed, PathNet::new)
+        Trainer::fresh(device, seed, PathNet::new)
     }
 
-    /// One step on a batch at a learning rate; gives the losses of the four maps.
-    pub fn step(&mut self, batch: Batch, rate: f64) -> [f32; 4] {
-        let tensor = |numbers: Vec<f32>, channels: usize| {
-            Tensor::<4>::from_data(TensorData::new(numbers, [batch.samples, channels, SIDE, SIDE]), &self.device)
+    /// One optimiser step on a batch; returns the losses of the four maps.
+    pub fn step(&mut self, batch: Batch, learning_rate: f64) -> [f32; 4] {
+        let tensor = |values: Vec<f32>, channels: usize| {
+            Tensor::<4>::from_data(TensorData::new(values, [batch.samples, channels, SIDE, SIDE]), &self.device)
         };
-        let maps = self.nets.forward(tensor(batch.scene, CHANNELS));
-        let wanted = tensor(batch.imagined, 4).chunk(4, 1);
-        let losses: Vec<Tensor<1>> =
-            maps.into_iter().zip(wanted).map(|(map, wanted)| cross_entropy(map, wanted)).collect();
-        self.descend(Tensor::cat(losses, 0), rate).try_into().expect("four maps")
+        let logits = self.nets.forward(tensor(batch.scenes, CHANNELS));
+        let targets = tensor(batch.targets, 4).chunk(4, 1);
+        let losses: Vec<Tensor<1>> = logits
+            .into_iter()
+            .zip(targets)
+            .map(|(map, target)| binary_cross_entropy_with_logits(map, target))
+            .collect();
+        self.backward_step(Tensor::cat(losses, 0), learning_rate).try_into().expect("four maps")
     }
 }
 
 impl Trainer<Judge> {
-    /// A fresh judge on a device, its weights drawn from the seed.
+    /// Returns a trainer of a fresh judge, whose weights depend only on the seed.
     pub fn new(device: Device, seed: u64) -> Trainer<Judge> {
-        Trainer::begin(device, seed, Judge::new)
+        Trainer::fresh(device, seed, Judge::new)
     }
 
-    /// One step on some scenes and their balls at a learning rate; gives the mean cross-entropy of a ball.
-    pub fn step(&mut self, trials: Trials, rate: f64) -> f32 {
-        let shape = [trials.scenes, CHANNELS, SIDE, SIDE];
-        let logits = self.nets.forward(Tensor::from_data(TensorData::new(trials.scene, shape), &self.device));
-        let balls = trials.indices.len();
-        let indices = Tensor::<1, Int>::from_data(TensorData::new(trials.indices, [balls]), &self.device);
-        let logits = logits.reshape([-1]).select(0, indices);
-        let solved = Tensor::<1>::from_data(TensorData::new(trials.solved, [balls]), &self.device);
-        self.descend(cross_entropy(logits, solved), rate)[0]
+    /// One optimiser step on a batch; returns the mean loss of a ball.
+    pub fn step(&mut self, batch: JudgeBatch, learning_rate: f64) -> f32 {
+        let shape = [batch.count, CHANNELS, SIDE, SIDE];
+        let logits = self.nets.forward(Tensor::from_data(TensorData::new(batch.scenes, shape), &self.device));
+        let balls = batch.cells.len();
+        let cells = Tensor::<1, Int>::from_data(TensorData::new(batch.cells, [balls]), &self.device);
+        let logits = logits.reshape([-1]).select(0, cells); // [balls]
+        let labels = Tensor::<1>::from_data(TensorData::new(batch.labels, [balls]), &self.device);
+        self.backward_step(binary_cross_entropy_with_logits(logits, labels), learning_rate)[0]
     }
 }
 
 impl<M: Module> Trainer<M> {
-    fn begin(device: Device, seed: u64, fresh: impl FnOnce(&Device) -> M) -> Trainer<M> {
+    /// Returns a trainer that starts from these nets, with a fresh optimiser.
+    pub fn from_nets(nets: M, device: Device) -> Trainer<M> {
+        Trainer { nets: nets.train(), optimiser: FusedAdam.into(), device: device.autodiff() }
+    }
+
+    fn fresh(device: Device, seed: u64, new: impl FnOnce(&Device) -> M) -> Trainer<M> {
         let device = device.autodiff();
         device.seed(seed);
-        Trainer { nets: fresh(&device), optimiser: FusedAdam.into(), device }
+        Trainer { nets: new(&device), optimiser: FusedAdam.into(), device }
     }
 
-    /// Goes on with these nets instead.
-    pub fn with(self, nets: M) -> Trainer<M> {
-        Trainer { nets: nets.train(), ..self }
-    }
-
-    /// A step down the sum of the losses, which it gives.
-    fn descend(&mut self, losses: Tensor<1>, rate: f64) -> Vec<f32> {
+    /// One optimiser step on the sum of the losses; returns the separate losses.
+    fn backward_step(&mut self, losses: Tensor<1>, learning_rate: f64) -> Vec<f32> {
         let gradients = GradientsParams::from_grads(losses.clone().sum().backward(), &self.nets);
-        self.nets = self.optimiser.step(rate, self.nets.clone(), gradients);
+        self.nets = self.optimiser.step(learning_rate, self.nets.clone(), gradients);
         losses.into_data().iter::<f32>().collect()
     }
 
-    /// The nets as they are now, ready to imagine.
+    /// Returns the nets as they are now, without autodiff.
     pub fn nets(&self) -> M {
         self.nets.valid()
     }
@@ -144,25 +150,25 @@ impl<M: Module> Trainer<M> {
     /// Writes nets and optimiser to two files.
     ///
     /// # Errors
-    /// Says which file cannot be written.
+    /// If a file cannot be written.
     pub fn save(&self, nets: &Path, optimiser: &Path) -> Result<(), RecordError> {
         self.nets.clone().save_file(nets)?;
         self.optimiser.save(optimiser)
     }
 
-    /// Goes on from what `save` wrote.
+    /// Replaces nets and optimiser by those that `save` wrote.
     ///
     /// # Errors
-    /// Says what is wrong with the files.
+    /// If a file cannot be read or does not fit.
     pub fn restore(self, nets: &Path, optimiser: &Path) -> Result<Trainer<M>, RecordError> {
         let Trainer { nets: fresh, optimiser: idle, device } = self;
         Ok(Trainer { nets: fresh.try_load_file(nets)?, optimiser: idle.load(optimiser)?, device })
     }
 }
 
-/// Mean cross-entropy between logits and numbers of 0 and 1 of the same shape. `[1]` out.
-fn cross_entropy<const D: usize>(logits: Tensor<D>, wanted: Tensor<D>) -> Tensor<1> {
-    // ln(1 + e^x) written so that no x overflows.
+/// Mean binary cross-entropy between the sigmoid of logits and targets in 0..=1 of the same shape. `[1]` out.
+fn binary_cross_entropy_with_logits<const D: usize>(logits: Tensor<D>, targets: Tensor<D>) -> Tensor<1> {
+    // softplus(x) = ln(1 + e^x), written so that no x overflows.
     let softplus = relu(logits.clone()) + logits.clone().abs().neg().exp().log1p();
-    (softplus - logits * wanted).mean()
+    (softplus - logits * targets).mean()
 }
