@@ -24,6 +24,7 @@ fn card() -> Card {
         learning_rate: 3e-3,
         decay_epochs: 1,
         mirror: false,
+        without_dev: false,
         samples: 0,
         tasks: 0,
         simulator: 0,

@@ -126,8 +126,13 @@ impl Args {
         if plays(Agent::Judge) || plays(Agent::Paper) {
             let (mut nets, mut card) = self.weights.load(&self.which)?;
             ensure!(
+                !self.dev || card.without_dev,
+                "these weights were trained on the dev tasks too, so --dev would measure nothing new: train with \
+                 `pathlight train --without-dev`"
+            );
+            ensure!(
                 nets.judge.is_some() || !self.agents.contains(&Agent::Judge),
-                "the weights have no judge: train one with `pathlight judge`, or leave --agent judge out"
+                "the weights have no judge: train one with `pathlight train-judge`, or leave --agent judge out"
             );
             if !plays(Agent::Judge) {
                 card.judge = None;

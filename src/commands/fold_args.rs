@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use clap::ValueEnum;
 use clap::builder::{EnumValueParser, TypedValueParser};
 use pathlight::benchmark::folds::{FOLDS, Fold, Setup};
+use pathlight::puzzle::task::TaskId;
 
 /// A fold of the benchmark; part of the arguments of other commands.
 #[derive(Clone, Copy, clap::Args)]
@@ -23,6 +24,12 @@ impl FoldArgs {
     /// The tasks of the fold.
     pub fn tasks(&self) -> Fold {
         Fold::new(self.setup, self.fold)
+    }
+
+    /// The tasks to train on, ascending: PHYRE's training tasks, with or without its dev tasks.
+    pub fn training_tasks(&self, without_dev: bool) -> Vec<TaskId> {
+        let fold = self.tasks();
+        if without_dev { fold.train } else { fold.all_train() }
     }
 
     /// Default folder of its training runs.

@@ -92,10 +92,13 @@ impl journal::Entry for LabelledBalls {
     fn check(&self) -> Result<(), String> {
         check_task(self.task)?;
         let inside = |ball: &&Ball| {
-            RADIUS.contains(&ball.r) && [ball.x, ball.y].iter().all(|value| (0.0..=SIZE).contains(value))
+            let span = ball.r..=SIZE - ball.r;
+            RADIUS.contains(&ball.r) && span.contains(&ball.x) && span.contains(&ball.y)
         };
         match self.solved.iter().chain(&self.failed).find(|ball| !inside(ball)) {
-            Some(ball) => Err(format!("the ball {ball} of {} is not a ball of the action space", self.task)),
+            Some(ball) => {
+                Err(format!("the ball {ball} of {} has a wrong radius or is not inside the scene", self.task))
+            }
             None => Ok(()),
         }
     }

@@ -34,6 +34,7 @@ mod task_selection;
 mod tasks;
 mod train;
 mod train_judge;
+mod training_args;
 mod training_run;
 
 /// Physics puzzles, and the paths that four small nets imagine for them.
@@ -49,7 +50,7 @@ enum Command {
     Tasks(tasks::Args),
     Collect(collect::Args),
     Label(label::Args),
-    Judge(train_judge::Args),
+    TrainJudge(train_judge::Args),
     Train(train::Args),
     Publish(publish::Args),
     Propose(propose::Args),
@@ -67,7 +68,7 @@ impl Command {
             Command::Tasks(args) => args.run(),
             Command::Collect(args) => args.run(),
             Command::Label(args) => args.run(),
-            Command::Judge(args) => args.run(),
+            Command::TrainJudge(args) => args.run(),
             Command::Train(args) => args.run(),
             Command::Publish(args) => args.run(),
             Command::Propose(args) => args.run(),

@@ -1,4 +1,4 @@
-//! Weights files on disk: which one belongs to a fold, and whether it may be used there.
+//! The arguments that name a model's weights, and the check that a fold may use them.
 
 use std::fs;
 use std::path::PathBuf;
@@ -8,25 +8,29 @@ use pathlight::nets::{Card, PathNet, flex};
 
 use super::fold_args::FoldArgs;
 
-/// Where a fold's weights come from; part of the arguments of other commands.
+/// A file of weights; part of the arguments of other commands.
 #[derive(clap::Args)]
 pub struct ModelArgs {
     /// Weights of the model [default: assets/SETUP-FOLD.safetensors]
     #[arg(long)]
-    weights: Option<PathBuf>,
+    pub weights: Option<PathBuf>,
 }
 
 impl ModelArgs {
-    /// The nets of a fold. Weights of another fold have seen its test tasks, so they are refused.
+    /// The nets of a fold, and how they were trained.
+    ///
+    /// # Errors
+    /// If the file cannot be read, or its nets were trained on another fold and so may know the test tasks of this.
     pub fn load(&self, &FoldArgs { setup, fold }: &FoldArgs) -> anyhow::Result<(PathNet, Card)> {
         let path = self.weights.clone().unwrap_or_else(|| format!("assets/{setup}-{fold}.safetensors").into());
         let name = path.display();
-        let bytes = fs::read(&path)
-            .with_context(|| format!("no weights in {name}: run `pathlight train`, or name a file with --weights"))?;
-        let (nets, card) = PathNet::load(&bytes, &flex()).with_context(|| format!("{name} does not fit"))?;
+        let bytes = fs::read(&path).with_context(|| {
+            format!("cannot read the weights in {name}: run `pathlight train`, or name a file with --weights")
+        })?;
+        let (nets, card) = PathNet::load(&bytes, &flex()).with_context(|| format!("cannot use {name}"))?;
         ensure!(
             card.setup == setup && card.fold == fold,
-            "{name} was trained on {} {}, so it may have seen the test tasks of {setup} {fold}: name other weights",
+            "{name} was trained on {} {}, so it may have seen the test tasks of {setup} {fold}: use other weights",
             card.setup,
             card.fold
         );

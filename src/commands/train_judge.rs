@@ -1,14 +1,14 @@
-//! `pathlight judge`: trains the net that judges balls, and puts it into a weights file beside the other four.
+//! `pathlight train-judge`: trains the net that judges balls, and adds it to the weights of the four nets.
 //!
-//! It learns from the training tasks of the weights' own fold, so that it has seen no other tasks than they. The
-//! learning rate rises over the first batches and then falls to nothing. The run lives in a folder (`run`).
+//! It learns from labelled balls of the tasks that the four nets were trained on, so that the weights as a whole have
+//! seen no other tasks. `training_run` keeps the run in a folder.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use anyhow::ensure;
 use pathlight::dataset::labels::LabelledBalls;
-use pathlight::nets::training::{JudgeBatch, Trainer};
+use pathlight::nets::training::{JudgeBatch, Schedule, Trainer};
 use pathlight::nets::{Judge, JudgeCard, flex};
 use pathlight::puzzle::action::Ball;
 use pathlight::puzzle::task::TaskId;
@@ -21,160 +21,120 @@ use super::digest;
 use super::fold_args::FoldArgs;
 use super::label::{Labelled, read_labels};
 use super::model_args::ModelArgs;
-use super::progress::Progress;
+use super::progress::say;
 use super::scene_cache::SceneCache;
-use super::training_run::TrainingRun;
+use super::training_args::TrainingArgs;
+use super::training_run::{Plan, TrainingRun};
 
 /// Batches over which the learning rate rises.
-const RISE: f64 = 200.0;
+const WARMUP_BATCHES: usize = 200;
 
-/// Train a net that judges balls, and add it to weights
+/// Train the net that judges balls, and add it to the weights of the four nets
 #[derive(clap::Args)]
 pub struct Args {
     #[command(flatten)]
-    which: FoldArgs,
+    pub fold: FoldArgs,
 
     #[command(flatten)]
-    weights: ModelArgs,
+    pub model: ModelArgs,
 
     /// Balls with their outcome, from `pathlight label`
     #[arg(long, default_value = "target/labels.jsonl")]
-    labels: PathBuf,
-
-    /// Folder of the run: checkpoint, losses.csv, weights.safetensors of all five nets
-    /// [default: target/train/SETUP-FOLD/judge]
-    #[arg(long)]
-    out: Option<PathBuf>,
+    pub labels: PathBuf,
 
     /// Passes over the scenes
     #[arg(long, default_value_t = 100)]
-    epochs: usize,
+    pub epochs: usize,
 
-    /// Scenes in a batch
-    #[arg(long, default_value_t = 32, value_parser = clap::value_parser!(u16).range(1..))]
-    batch: u16,
+    /// Balls of each scene in a batch, sampled anew each time
+    #[arg(long, value_name = "N", default_value_t = 256, value_parser = clap::value_parser!(u16).range(1..))]
+    pub balls_per_scene: u16,
 
-    /// Balls of each scene in a batch, drawn anew each time
-    #[arg(long, default_value_t = 256, value_parser = clap::value_parser!(u16).range(1..))]
-    balls: u16,
-
-    /// Highest learning rate of Adam
-    #[arg(long, default_value_t = 3e-3)]
-    rate: f64,
-
-    /// Batches between two checkpoints, and between two lines of losses
-    #[arg(long, value_name = "BATCHES", default_value_t = 100, value_parser = clap::value_parser!(u16).range(1..))]
-    checkpoint: u16,
-
-    /// End this run after so many batches, at a checkpoint; the same command goes on from there
-    #[arg(long, value_name = "BATCHES")]
-    stop_after: Option<usize>,
-
-    /// Leave the dev tasks out, to choose settings by them
-    #[arg(long)]
-    without_dev: bool,
-
-    /// Seed of the initial weights and of the order of the scenes
-    #[arg(long, default_value_t = 0)]
-    seed: u64,
+    #[command(flatten)]
+    pub training: TrainingArgs,
 }
 
-/// A scene and the balls that were tried in it.
-struct Tried {
+/// A scene and its labelled balls.
+struct LabelledScene {
     scene: [Bitmap; CHANNELS],
+    /// Each with whether it solves the task.
     balls: Vec<(Ball, bool)>,
 }
 
 impl Args {
     pub fn run(self) -> anyhow::Result<()> {
-        let (mut nets, mut card) = self.weights.load(&self.which)?;
-        let fold = self.which.tasks();
-        let tasks = if self.without_dev { fold.train } else { fold.all_train() };
-        let tried = tried(&self.labels, &tasks, &self.which)?;
+        let (mut nets, mut card) = self.model.load(&self.fold)?;
+        let scenes = labelled_scenes(&self.labels, &self.fold, card.without_dev)?;
         card.judge = Some(JudgeCard {
-            seed: self.seed,
+            seed: self.training.seed,
             epochs: self.epochs,
-            batch: self.batch,
-            balls_per_scene: self.balls,
-            learning_rate: self.rate,
-            balls: tried.iter().map(|tried| tried.balls.len()).sum(),
+            batch: self.training.batch,
+            balls_per_scene: self.balls_per_scene,
+            learning_rate: self.training.learning_rate,
+            balls: scenes.iter().map(|scene| scene.balls.len()).sum(),
         });
-        let folder = self.out.clone().unwrap_or_else(|| self.which.folder().join("judge"));
-        let trainer = Trainer::<Judge>::new(flex(), self.seed);
+        let folder = self.training.out.clone().unwrap_or_else(|| self.fold.folder().join("judge"));
+        let trainer = Trainer::<Judge>::new(flex(), self.training.seed);
         let mut run = TrainingRun::open(folder, card, digest(&self.labels)?, &["judge"], trainer)?;
-        let batches = tried.len().div_ceil(self.batch.into());
-        let total = batches * self.epochs;
-        let mut progress = Progress::new(Some(total as u64));
-        let mut done = run.done();
-        progress.advance(done as u64, format!("batch {done}"));
-        let stop = self.stop_after.map_or(usize::MAX, |batches| done + batches);
-        let (mut sum, mut summed) = (0.0, 0);
-        while done < total {
-            let trials = self.draw(&tried, done)?;
-            let rise = ((done + 1) as f64 / RISE).min(1.0);
-            sum += run.trainer.step(trials, self.rate * rise * (1.0 - done as f64 / total as f64));
-            done += 1;
-            summed += 1;
-            if done.is_multiple_of(self.checkpoint.into()) || done == total {
-                let loss = sum / summed as f32;
-                run.save((done - 1) / batches, done, &[loss])?;
-                progress.advance(summed, format!("batch {done} of {total}, loss {loss:.4}"));
-                (sum, summed) = (0.0, 0);
-                if done >= stop {
-                    break;
-                }
-            }
+        let schedule = Schedule::WarmupLinear { peak: self.training.learning_rate, warmup_steps: WARMUP_BATCHES };
+        let batches_per_epoch = scenes.len().div_ceil(self.training.batch.into());
+        let plan = Plan { epochs: self.epochs, batches_per_epoch, schedule };
+        let complete = run.train(
+            &plan,
+            &self.training,
+            |number| self.batch(&scenes, number),
+            |trainer, batch, learning_rate| vec![trainer.step(batch, learning_rate)],
+        )?;
+        if complete {
+            nets.judge = Some(run.trainer.nets());
+            say(&format!("the weights of all five nets are in {}", run.write_weights(&nets)?.display()));
         }
-        if done < total {
-            progress.finish(&format!("batch {done} of {total}: stopped as told"));
-            return Ok(());
-        }
-        nets.judge = Some(run.trainer.nets());
-        let weights = run.finish(&nets)?;
-        progress.finish(&format!("{total} batches; weights are in {},", weights.display()));
         Ok(())
     }
 
-    /// The scenes and balls of one batch of the run; they follow from the seed and its number alone.
-    fn draw(&self, tried: &[Tried], number: usize) -> anyhow::Result<JudgeBatch> {
-        let (size, batches) = (usize::from(self.batch), tried.len().div_ceil(self.batch.into()));
-        let (epoch, batch) = (number / batches, number % batches);
-        let seed = self.seed.wrapping_mul(1_000_000);
-        let mut order: Vec<&Tried> = tried.iter().collect();
+    /// A batch of the run; it depends only on the seed and its number.
+    fn batch(&self, scenes: &[LabelledScene], number: usize) -> JudgeBatch {
+        let size = usize::from(self.training.batch);
+        let batches_per_epoch = scenes.len().div_ceil(size);
+        let (epoch, batch) = (number / batches_per_epoch, number % batches_per_epoch);
+        let seed = self.training.seed.wrapping_mul(1_000_000);
+        let mut order: Vec<&LabelledScene> = scenes.iter().collect();
         order.shuffle(&mut Pcg64Mcg::seed_from_u64(seed.wrapping_add(epoch as u64)));
         let mut rng = Pcg64Mcg::seed_from_u64(!seed.wrapping_add(number as u64));
-        let mut trials = JudgeBatch::default();
-        for Tried { scene, balls } in order.into_iter().skip(batch * size).take(size) {
-            let chosen: Vec<(Ball, bool)> = balls.sample(&mut rng, self.balls.into()).copied().collect();
-            trials.add(scene, &chosen, rng.random())?;
+        let mut judge_batch = JudgeBatch::default();
+        for LabelledScene { scene, balls } in order.into_iter().skip(batch * size).take(size) {
+            let chosen: Vec<(Ball, bool)> = balls.sample(&mut rng, self.balls_per_scene.into()).copied().collect();
+            judge_batch.add(scene, &chosen, rng.random()).expect("the balls were checked when they were read");
         }
-        Ok(trials)
+        judge_batch
     }
 }
 
-/// The balls of some tasks, scene by scene.
-fn tried(path: &Path, tasks: &[TaskId], fold: &FoldArgs) -> anyhow::Result<Vec<Tried>> {
+/// The labelled balls of the fold's training tasks, by scene.
+fn labelled_scenes(path: &Path, fold: &FoldArgs, without_dev: bool) -> anyhow::Result<Vec<LabelledScene>> {
+    let tasks = fold.training_tasks(without_dev);
     let Labelled { lines, training_tasks_of, .. } = read_labels(path)?;
+    let name = path.display();
     if let Some((setup, number)) = training_tasks_of {
         ensure!(
             (setup, number) == (fold.setup, fold.fold),
-            "{} holds balls of the training tasks of {setup} {number} only: label those of {} {}",
-            path.display(),
+            "{name} holds balls of the training tasks of {setup} {number} only: label those of {} {}",
             fold.setup,
             fold.fold
         );
     }
-    let scenes = SceneCache::new();
-    let mut tried: BTreeMap<TaskId, Tried> = BTreeMap::new();
+    let cache = SceneCache::new();
+    let mut scenes: BTreeMap<TaskId, LabelledScene> = BTreeMap::new();
     for LabelledBalls { task, solved, failed } in lines {
         if tasks.binary_search(&task).is_err() {
             continue;
         }
-        let scene = scenes.get(task)?;
-        let entry = tried.entry(task).or_insert_with(|| Tried { scene: scene_channels(scene), balls: Vec::new() });
+        let scene = cache.get(task)?;
+        let fresh = || LabelledScene { scene: scene_channels(scene), balls: Vec::new() };
+        let entry = scenes.entry(task).or_insert_with(fresh);
         entry.balls.extend(solved.into_iter().map(|ball| (ball, true)));
         entry.balls.extend(failed.into_iter().map(|ball| (ball, false)));
     }
-    ensure!(!tried.is_empty(), "{} holds no balls of this fold: label all templates", path.display());
-    Ok(tried.into_values().collect())
+    ensure!(!scenes.is_empty(), "{name} holds no balls of the training tasks of {fold}: label all templates");
+    Ok(scenes.into_values().collect())
 }

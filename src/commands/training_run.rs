@@ -1,39 +1,46 @@
-//! A training run in a folder: checkpoint, losses, weights. A run that was cut off goes on there with the same
-//! result; settings or data that are not the run's own are refused.
+//! A training run in a folder: checkpoint, losses, weights; used by `train` and `train-judge`.
+//!
+//! An interrupted run continues from its last checkpoint with the same result as an uninterrupted one. A folder whose
+//! run has other settings or data is refused.
 
 use std::fs::{self, File};
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
+use std::sync::mpsc::sync_channel;
+use std::thread;
 use std::time::Instant;
 
 use anyhow::{Context, bail, ensure};
-use pathlight::nets::training::{Module, Trainer};
+use pathlight::nets::training::{Module, Schedule, Trainer};
 use pathlight::nets::{Card, PathNet};
 use serde::{Deserialize, Serialize};
 
+use super::differences::differences;
 use super::file_lock::lock;
+use super::progress::Progress;
+use super::training_args::TrainingArgs;
 
-const NETS: &str = "checkpoint-nets.bpk";
-const OPTIMISER: &str = "checkpoint-adam.bpk";
+const NETS: &str = "-checkpoint-nets.bpk";
+const OPTIMISER: &str = "-checkpoint-adam.bpk";
 const STATE: &str = "checkpoint.json";
 const LOCK: &str = "lock";
 
-/// A trainer, and how far it is.
+/// A trainer, and the folder that its progress is saved in.
 pub struct TrainingRun<M> {
     folder: PathBuf,
     pub trainer: Trainer<M>,
     state: State,
     started: Instant,
     /// Time that earlier processes have spent on it, s.
-    before: f64,
-    _held: File,
+    seconds_before: f64,
+    _lock: File,
 }
 
-/// What a checkpoint says of its run.
+/// What `checkpoint.json` holds.
 #[derive(Serialize, Deserialize)]
 pub struct State {
     pub card: Card,
-    /// SHA-256 of the file that is trained on.
+    /// SHA-256 of the file of training data.
     pub data: String,
     /// Batches trained on.
     pub done: usize,
@@ -45,9 +52,16 @@ pub struct State {
     pub log: Vec<(usize, usize, Vec<f32>)>,
 }
 
+/// How long to train, and at which learning rates.
+pub struct Plan {
+    pub epochs: usize,
+    pub batches_per_epoch: usize,
+    pub schedule: Schedule,
+}
+
 impl<M: Module> TrainingRun<M> {
-    /// The run of a folder: from its checkpoint, or with the fresh trainer. `data` is the digest of what it is
-    /// trained on, `losses` are the names of what a step gives.
+    /// Opens the run of a folder: from its checkpoint, or with the fresh trainer. `data` is the digest of the training
+    /// data, `losses` are the names of the losses of a step.
     ///
     /// # Errors
     /// If the folder holds another run, is used by another process, or cannot be written.
@@ -58,78 +72,128 @@ impl<M: Module> TrainingRun<M> {
         losses: &[&str],
         trainer: Trainer<M>,
     ) -> anyhow::Result<TrainingRun<M>> {
-        let held = lock(&folder.join(LOCK))?;
+        let lock = lock(&folder.join(LOCK))?;
         let losses = losses.iter().map(ToString::to_string).collect();
         let fresh = State { card, data, done: 0, seconds: 0.0, losses, log: Vec::new() };
         let name = folder.display();
         let (trainer, state) = match state(&folder)? {
             None => (trainer, fresh),
             Some(found) if found.card != fresh.card => bail!(
-                "{name} holds a run with {:?}, now it is {:?}: name another folder with --out",
-                found.card,
-                fresh.card
+                "{name} holds a run with other settings ({}): use another folder, or remove this one",
+                differences(&found.card, &fresh.card)
             ),
             Some(found) if found.data != fresh.data => {
-                bail!("{name} holds a run on other data: name another folder with --out")
+                bail!("{name} holds a run on other data: use another folder, or remove this one")
             }
             Some(found) => {
                 let [nets, optimiser] = files(&folder, found.done);
-                (trainer.restore(&nets, &optimiser).with_context(|| format!("{name} is damaged: remove it"))?, found)
+                let restored = trainer.restore(&nets, &optimiser);
+                (restored.with_context(|| format!("the checkpoint in {name} is damaged: remove the folder"))?, found)
             }
         };
-        let before = state.seconds;
-        Ok(TrainingRun { folder, trainer, state, started: Instant::now(), before, _held: held })
+        let seconds_before = state.seconds;
+        Ok(TrainingRun { folder, trainer, state, started: Instant::now(), seconds_before, _lock: lock })
     }
 
-    /// Batches trained on, up to the last checkpoint.
-    pub fn done(&self) -> usize {
-        self.state.done
-    }
-
-    /// Writes the checkpoint after so many batches. The state is written last and names the files, so that a run
-    /// cut off in between goes on from the checkpoint before.
+    /// Trains to the end of the plan, or to the stop that the arguments ask for, and saves checkpoints. `batch`
+    /// makes a batch from its number in the run, on another thread while the one before is trained on; `step` takes
+    /// an optimiser step on a batch at a learning rate, and returns the losses. Returns whether the run is complete.
     ///
     /// # Errors
-    /// If the losses are no numbers any more, or the folder cannot be written.
-    pub fn save(&mut self, epoch: usize, done: usize, losses: &[f32]) -> anyhow::Result<()> {
+    /// If a loss is not finite, or the folder cannot be written.
+    pub fn train<B: Send>(
+        &mut self,
+        plan: &Plan,
+        args: &TrainingArgs,
+        batch: impl Fn(usize) -> B + Sync,
+        mut step: impl FnMut(&mut Trainer<M>, B, f64) -> Vec<f32>,
+    ) -> anyhow::Result<bool> {
+        let total = plan.batches_per_epoch * plan.epochs;
+        let first = self.state.done;
+        let stop = args.stop_after.map_or(usize::MAX, |batches| first.saturating_add(batches));
+        let mut progress = Progress::new(Some(total as u64));
+        progress.advance(first as u64, format!("batch {first}"));
+        let (mut sums, mut summed) = (vec![0.0; self.state.losses.len()], 0);
+        thread::scope(|scope| {
+            let (sender, batches) = sync_channel(1);
+            let batch = &batch;
+            scope.spawn(move || {
+                for number in first..total {
+                    // The receiver is gone once the run has stopped.
+                    if sender.send(batch(number)).is_err() {
+                        return;
+                    }
+                }
+            });
+            for (number, batch) in (first..).zip(batches) {
+                let losses = step(&mut self.trainer, batch, plan.schedule.learning_rate(number, total));
+                let done = number + 1;
+                summed += 1;
+                for (sum, loss) in sums.iter_mut().zip(losses) {
+                    *sum += loss;
+                }
+                if done.is_multiple_of(args.checkpoint.into()) || done == total {
+                    let means: Vec<f32> = sums.iter().map(|sum| sum / summed as f32).collect();
+                    self.save(number / plan.batches_per_epoch, done, &means)?;
+                    let (name, loss) = (self.state.losses.last(), means.last());
+                    let (name, loss) = name.zip(loss).context("a step has losses")?;
+                    progress.advance(summed, format!("batch {done} of {total}, {name} loss {loss:.4}"));
+                    (sums, summed) = (vec![0.0; means.len()], 0);
+                    if done >= stop {
+                        break;
+                    }
+                }
+            }
+            anyhow::Ok(())
+        })?;
+        let done = self.state.done;
+        progress.finish(&match done == total {
+            true => format!("{total} batches"),
+            false => format!("stopped at batch {done} of {total}, as asked,"),
+        });
+        Ok(done == total)
+    }
+
+    /// Saves a checkpoint after so many batches. The state is written last and names the other files, so that a run
+    /// interrupted in between continues from the checkpoint before.
+    fn save(&mut self, epoch: usize, done: usize, losses: &[f32]) -> anyhow::Result<()> {
         let name = self.folder.display().to_string();
         ensure!(
             losses.iter().all(|loss| loss.is_finite()),
-            "the losses of {name} are no numbers any more after {done} batches: lower --rate or change --seed"
+            "the loss became NaN or infinite after {done} batches in {name}: lower --learning-rate or change --seed"
         );
         let [nets, optimiser] = files(&self.folder, done);
         self.trainer.save(&nets, &optimiser)?;
         self.state.done = done;
-        self.state.seconds = self.before + self.started.elapsed().as_secs_f64();
+        self.state.seconds = self.seconds_before + self.started.elapsed().as_secs_f64();
         self.state.log.push((epoch, done, losses.to_vec()));
         self.write_state(&[&nets, &optimiser]).with_context(|| format!("cannot write to {name}"))
     }
 
-    /// Replaces the state, writes the losses for people, and removes checkpoints but the newest.
+    /// Replaces the state, writes the losses as CSV, and removes the run's older checkpoints.
     fn write_state(&self, newest: &[&PathBuf]) -> anyhow::Result<()> {
         fs::write(self.folder.join("next.json"), serde_json::to_vec(&self.state)?)?;
         fs::rename(self.folder.join("next.json"), self.folder.join(STATE))?;
         let mut losses = format!("epoch,batch,{}\n", self.state.losses.join(","));
-        for (epoch, done, numbers) in &self.state.log {
-            let numbers: Vec<String> = numbers.iter().map(|loss| format!("{loss:.5}")).collect();
-            losses.push_str(&format!("{epoch},{done},{}\n", numbers.join(",")));
+        for (epoch, done, means) in &self.state.log {
+            let means: Vec<String> = means.iter().map(|loss| format!("{loss:.5}")).collect();
+            losses.push_str(&format!("{epoch},{done},{}\n", means.join(",")));
         }
         fs::write(self.folder.join("losses.csv"), losses)?;
         for file in fs::read_dir(&self.folder)? {
             let file = file?.path();
-            let is_checkpoint = file.extension().is_some_and(|extension| extension == "bpk");
-            if is_checkpoint && !newest.contains(&&file) {
+            if is_checkpoint(&file) && !newest.contains(&&file) {
                 fs::remove_file(file)?;
             }
         }
         Ok(())
     }
 
-    /// Writes the weights of the nets, once the run has ended; gives their file.
+    /// Writes the weights of a complete run; returns their file.
     ///
     /// # Errors
     /// If the folder cannot be written.
-    pub fn finish(&self, nets: &PathNet) -> anyhow::Result<PathBuf> {
+    pub fn write_weights(&self, nets: &PathNet) -> anyhow::Result<PathBuf> {
         let weights = self.folder.join("weights.safetensors");
         fs::write(&weights, nets.save(&self.state.card)?)
             .with_context(|| format!("cannot write {}", weights.display()))?;
@@ -139,10 +203,17 @@ impl<M: Module> TrainingRun<M> {
 
 /// The files of the checkpoint after so many batches.
 fn files(folder: &Path, done: usize) -> [PathBuf; 2] {
-    [NETS, OPTIMISER].map(|name| folder.join(format!("{done}-{name}")))
+    [NETS, OPTIMISER].map(|suffix| folder.join(format!("{done}{suffix}")))
 }
 
-/// What the checkpoint in a folder says, if there is one.
+/// Is it a file that `files` names? Other files in the folder are left alone.
+fn is_checkpoint(file: &Path) -> bool {
+    let name = file.file_name().unwrap_or_default().to_string_lossy();
+    let number = [NETS, OPTIMISER].iter().find_map(|suffix| name.strip_suffix(suffix));
+    number.is_some_and(|number| number.parse::<usize>().is_ok())
+}
+
+/// What the checkpoint in a folder holds, if there is one.
 ///
 /// # Errors
 /// If it cannot be read.
@@ -153,7 +224,7 @@ pub fn state(folder: &Path) -> anyhow::Result<Option<State>> {
         read => {
             let bytes = read.with_context(|| format!("cannot read {}", path.display()))?;
             let state = serde_json::from_slice(&bytes);
-            state.map(Some).with_context(|| format!("{} is damaged: remove it", folder.display()))
+            state.map(Some).with_context(|| format!("{} is damaged: remove its folder", path.display()))
         }
     }
 }

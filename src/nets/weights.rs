@@ -40,6 +40,10 @@ pub struct Card {
     pub decay_epochs: usize,
     /// Half of the samples were mirrored left to right.
     pub mirror: bool,
+    /// The fold's dev tasks were left out of training, so that settings may be chosen on them. Weights from before
+    /// this was recorded were trained on them.
+    #[serde(default)]
+    pub without_dev: bool,
     /// Solutions trained on.
     pub samples: usize,
     /// Tasks that the solutions belong to.
@@ -246,6 +250,7 @@ mod tests {
             learning_rate: 1.0,
             decay_epochs: 0,
             mirror: false,
+            without_dev: false,
             samples: 1,
             tasks: 1,
             simulator: 0,

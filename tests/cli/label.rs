@@ -89,11 +89,11 @@ fn files_that_name_unknown_tasks_or_impossible_balls_are_refused() {
     let labels = fs::read_to_string(label_file(folder.path())).expect("labels");
     let (settings, line) = labels.split_once('\n').expect("two lines");
     let judge = |labels: &str, words: &str| {
-        assert_refused(&["judge", "--weights", "assets/within-0.safetensors", "--labels", labels], words);
+        assert_refused(&["train-judge", "--weights", "assets/within-0.safetensors", "--labels", labels], words);
     };
     let task = serde_json::from_str::<LabelledBalls>(line.lines().next().expect("a line")).expect("labels").task;
     let ball = format!(r#"{{"task":"{task}","solved":[[100,100,64]],"failed":[]}}"#);
-    judge(&write("ball", &[settings, line.trim_end(), &ball]), "is not a ball of the action space");
+    judge(&write("ball", &[settings, line.trim_end(), &ball]), "has a wrong radius or is not inside the scene");
     judge(&write("none", &[&settings.replace("\"tasks\":2", "\"tasks\":0")]), "is not a file of `pathlight label`");
     let of_fold = settings.replace("\"tasks\"", "\"training_tasks_of\":[\"cross\",1],\"tasks\"");
     judge(&write("fold", &[&of_fold, line.trim_end()]), "holds balls of the training tasks of cross 1");

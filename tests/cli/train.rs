@@ -4,6 +4,10 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
+use pathlight::benchmark::folds::{Fold, Setup};
+use pathlight::dataset::labels::LabelledBalls;
+use pathlight::dataset::solutions::Solution;
+use pathlight::nets::read_card;
 use pathlight::puzzle::action::Ball;
 use pathlight::puzzle::task::{Task, TaskId};
 use serde_json::Value;
@@ -11,7 +15,7 @@ use tempfile::{TempDir, tempdir};
 
 use super::{assert_refused, output_of};
 
-/// A few solutions, collected once for all tests here.
+/// A few solutions, collected once for all tests of this file.
 fn solutions() -> &'static str {
     static FILE: OnceLock<(TempDir, String)> = OnceLock::new();
     let (_, file) = FILE.get_or_init(|| {
@@ -23,7 +27,7 @@ fn solutions() -> &'static str {
     file
 }
 
-/// Trains very small, in a folder; gives the path of the weights.
+/// A very small training run in a folder; returns the path of the weights.
 fn train(folder: &Path, more: &[&str]) -> PathBuf {
     let small = ["--epochs", "2", "--batch", "4", "--checkpoint", "2", "--mirror"];
     let place = ["train", "--solutions", solutions(), "--out", &text(folder)];
@@ -49,13 +53,85 @@ fn a_run_that_was_cut_off_ends_with_the_same_weights() {
 }
 
 #[test]
+fn only_its_own_checkpoints_are_removed() {
+    let folder = tempdir().expect("a folder");
+    let others = ["other.bpk", "best-checkpoint-nets.bpk"].map(|name| folder.path().join(name));
+    for file in &others {
+        fs::write(file, "of another program").expect("written");
+    }
+    train(folder.path(), &[]);
+    assert!(others.iter().all(|file| file.exists()));
+    let bpk = |file: &fs::DirEntry| file.path().extension().is_some_and(|extension| extension == "bpk");
+    let left =
+        fs::read_dir(folder.path()).expect("a folder").filter(|file| bpk(file.as_ref().expect("a file"))).count();
+    assert_eq!(left, others.len() + 2, "and the two files of the newest checkpoint");
+}
+
+#[test]
+fn the_decay_is_recorded_and_changes_the_weights() {
+    let folder = tempdir().expect("a folder");
+    let weights = |name: &str, more: &[&str]| fs::read(train(&folder.path().join(name), more)).expect("weights");
+    let (constant, decayed) =
+        (weights("constant", &["--decay-epochs", "0"]), weights("decayed", &["--decay-epochs", "2"]));
+    let decay = |bytes: &[u8]| read_card(bytes).expect("a card").decay_epochs;
+    assert_eq!((decay(&constant), decay(&decayed)), (0, 2));
+    let losses = |name: &str| fs::read_to_string(folder.path().join(name).join("losses.csv")).expect("losses");
+    assert_ne!(losses("constant"), losses("decayed"));
+}
+
+#[test]
+fn the_dev_tasks_are_for_weights_that_have_not_seen_them() {
+    let folder = tempdir().expect("a folder");
+    let card = |weights: &Path| read_card(&fs::read(weights).expect("weights")).expect("a card");
+    let (all, without) =
+        (train(&folder.path().join("all"), &[]), train(&folder.path().join("dev"), &["--without-dev"]));
+    assert!(!card(&all).without_dev && card(&without).without_dev);
+    let dev = Fold::new(Setup::Within, 0).dev;
+    let known = fs::read_to_string(solutions()).expect("solutions");
+    let mut tasks: Vec<TaskId> =
+        known.lines().filter_map(|line| Some(serde_json::from_str::<Solution>(line).ok()?.task)).collect();
+    tasks.dedup();
+    let of_dev = tasks.iter().filter(|task| dev.contains(task)).count();
+    assert!(of_dev > 0, "the check needs solutions of dev tasks");
+    assert_eq!(card(&all).tasks - card(&without).tasks, of_dev);
+
+    // The judge learns from the same tasks.
+    let labels = text(&folder.path().join("labels"));
+    output_of(&["label", "--template", "2", "--limit", "10", "--rounds", "1", "--out", &labels]);
+    let balls = |weights: &Path| {
+        let out = folder.path().join("judge");
+        let judge = ["train-judge", "--weights", &text(weights), "--labels", &labels, "--epochs", "1"];
+        output_of(&[&judge[..], &["--out", &text(&out)]].concat());
+        let card = card(&out.join("weights.safetensors"));
+        fs::remove_dir_all(out).expect("removed");
+        card.judge.expect("a judge").balls
+    };
+    let of_label: Vec<LabelledBalls> = fs::read_to_string(&labels)
+        .expect("labels")
+        .lines()
+        .filter_map(|line| serde_json::from_str(line).ok())
+        .collect();
+    let of_dev = of_label.iter().filter(|labelled| dev.contains(&labelled.task)).count();
+    assert_eq!(balls(&all) - balls(&without), 64 * of_dev);
+
+    let evaluate = |weights: &Path| {
+        ["evaluate", "--dev", "--limit", "1", "--agent", "paper", "--weights", &text(weights)].map(String::from)
+    };
+    let words = evaluate(&without);
+    let table = output_of(&words.each_ref().map(String::as_str));
+    assert!(table.starts_with("within, fold 0, 25 dev tasks"), "{table}");
+    let words = evaluate(&all);
+    assert_refused(&words.each_ref().map(String::as_str), "trained on the dev tasks too");
+}
+
+#[test]
 fn another_seed_gives_other_weights_and_needs_another_folder() {
     let folder = tempdir().expect("a folder");
     let (one, two) = (folder.path().join("one"), folder.path().join("two"));
     let (first, second) = (train(&one, &[]), train(&two, &["--seed", "1"]));
     assert_ne!(fs::read(first).expect("weights"), fs::read(second).expect("weights"));
     let again = ["train", "--solutions", solutions(), "--out", &text(&one), "--seed", "1"];
-    assert_refused(&again, "name another folder with --out");
+    assert_refused(&again, "use another folder");
 }
 
 #[test]

@@ -17,7 +17,7 @@ fn a_judge_joins_the_weights_and_orders_the_attempts() {
     let labels = label(folder.path(), "1");
     let judge = |run: &str, more: &[&str]| {
         let out = folder.path().join(run);
-        let words = ["judge", "--weights", WEIGHTS, "--labels", &labels, "--epochs", "4", "--batch", "3"];
+        let words = ["train-judge", "--weights", WEIGHTS, "--labels", &labels, "--epochs", "4", "--batch", "3"];
         output_of(&[&words[..], &["--checkpoint", "2", "--out", &out.display().to_string()], more].concat());
         out
     };
@@ -38,5 +38,5 @@ fn a_judge_joins_the_weights_and_orders_the_attempts() {
     let propose =
         |weights: &str| output_of(&["propose", "--weights", weights, "--task", "00002:007", "--attempts", "9"]);
     assert_ne!(propose(&out), propose(WEIGHTS));
-    assert_refused(&["judge", "--weights", WEIGHTS, "--labels", "Cargo.toml"], "not a file of `pathlight label`");
+    assert_refused(&["train-judge", "--weights", WEIGHTS, "--labels", "Cargo.toml"], "not a file of `pathlight label`");
 }

@@ -51,7 +51,7 @@ pub fn run(file: &str) -> anyhow::Result<()> {
                 }
                 Ok(None) => {}
                 Err(error) => {
-                    progress.say(&format!("error: line {number}: {error}"));
+                    progress.print(&format!("error: line {number}: {error}"));
                     bad += 1;
                 }
             }

@@ -102,7 +102,7 @@ impl Row {
             ("epochs", &judge_epochs),
             ("out", &of_judge.display()),
         ];
-        command("judge", &judge)?;
+        command("train-judge", &judge)?;
         let started = Instant::now();
         let (weights, json) = (judged.display(), evaluation.display());
         command("evaluate", &[("weights", &weights), ("limit", &recipe.limit), ("json", &json)])?;

@@ -1,6 +1,8 @@
 //! Training of the nets; native only. Used by the commands that train and by the benches.
 
 mod adam;
+mod schedule;
 mod trainer;
 
+pub use schedule::Schedule;
 pub use trainer::{Batch, JudgeBatch, Module, Trainer};

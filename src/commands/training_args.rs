@@ -1,0 +1,32 @@
+//! The arguments that `train` and `train-judge` share.
+
+use std::path::PathBuf;
+
+/// How to train, and where the run is kept; part of the arguments of other commands.
+#[derive(clap::Args)]
+pub struct TrainingArgs {
+    /// Folder of the run: checkpoint, losses.csv, weights.safetensors [default: target/train/SETUP-FOLD for train,
+    /// and judge in it for train-judge]
+    #[arg(long)]
+    pub out: Option<PathBuf>,
+
+    /// Samples per batch for train, scenes per batch for train-judge
+    #[arg(long, default_value_t = 32, value_parser = clap::value_parser!(u16).range(1..))]
+    pub batch: u16,
+
+    /// Highest learning rate of Adam
+    #[arg(long, default_value_t = 3e-3)]
+    pub learning_rate: f64,
+
+    /// Batches between two checkpoints, and between two lines of losses.csv
+    #[arg(long, value_name = "BATCHES", default_value_t = 100, value_parser = clap::value_parser!(u16).range(1..))]
+    pub checkpoint: u16,
+
+    /// Stop at the first checkpoint after this many batches; the same command continues from there
+    #[arg(long, value_name = "BATCHES")]
+    pub stop_after: Option<usize>,
+
+    /// Seed of the initial weights, and of the order of the samples or scenes
+    #[arg(long, default_value_t = 0)]
+    pub seed: u64,
+}
