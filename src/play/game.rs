@@ -1,68 +1,55 @@
 //! One session on one puzzle: the player's attempts and the model's, under the same rules, compared.
 //!
-//! Only valid balls count, at most 100 for each agent, and the same ball twice counts once. An attempt keeps
-//! its ball and how it ended; its rollout is simulated again when it is replayed. Used by `web` on the page
-//! and in the worker. Knows nothing of canvases, nets or links.
-
-use std::fmt;
+//! Only valid balls count, at most `ATTEMPT_LIMIT` for each of the two, and the same ball twice counts once. An attempt
+//! keeps its ball and its ending; its rollout is simulated again to replay it. Used by `web`, on the page and in the
+//! worker. Must not depend on canvases, nets or links.
 
 use serde::{Deserialize, Serialize};
 
+use super::ending::Ending;
 use crate::benchmark::auccess::MAX_ATTEMPTS;
 use crate::puzzle::action::{Ball, Invalid};
-use crate::puzzle::rollout::{GOAL_STEPS, Rollout, STEPS_PER_SECOND};
+use crate::puzzle::rollout::Rollout;
 use crate::puzzle::scene::Scene;
 use crate::simulator::simulate;
 
-/// Most attempts of each agent at one puzzle: as many as PHYRE's metric counts.
+/// Most attempts of each contender at one puzzle: as many as PHYRE's metric counts.
 pub const ATTEMPT_LIMIT: usize = MAX_ATTEMPTS;
 
 /// Who places the ball.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Agent {
+pub enum Contender {
     Player,
     Model,
 }
 
-/// How a rollout ended, in brief. Its `Display` is the result in words.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Ending {
-    pub solved: bool,
-    /// Steps simulated.
-    pub steps: usize,
-    /// The longest that the green object touched the goal without a break, steps.
-    pub longest: usize,
-    /// How long it had been touching when the rollout ended, steps; 0 if it was not.
-    pub last: usize,
-}
-
-/// One valid ball and what came of it.
+/// A valid ball and the ending of its rollout.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Attempt {
     pub ball: Ball,
     pub ending: Ending,
 }
 
-/// Why a ball is no attempt.
+/// Why a ball is not accepted as an attempt.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum Refused {
     #[error(transparent)]
     Invalid(#[from] Invalid),
     #[error("all {ATTEMPT_LIMIT} attempts are used: clear them to begin again")]
-    Spent,
+    AttemptLimit,
 }
 
-/// Where an agent stands.
+/// How a contender is doing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Score {
+pub struct Standing {
     /// Attempts made.
     pub used: usize,
     /// The number of the first attempt that solved the puzzle, from 1.
     pub solved_at: Option<usize>,
 }
 
-/// The attempts of both agents on one scene.
+/// The attempts of both contenders on one scene.
 pub struct Game {
     scene: Scene,
     player: Vec<Attempt>,
@@ -78,37 +65,38 @@ impl Game {
         &self.scene
     }
 
-    /// Lets an agent try a ball: its number (from 1) and the rollout. A ball tried before keeps its number.
+    /// Simulates a ball for a contender. Returns the number of the attempt (from 1) and the rollout; a ball that was
+    /// tried before keeps its number.
     ///
     /// # Errors
-    /// Refuses an invalid ball, and any new one after the hundredth.
-    pub fn play(&mut self, agent: Agent, ball: Ball) -> Result<(usize, Rollout), Refused> {
+    /// Refuses an invalid ball, and a new one when all attempts are used.
+    pub fn play(&mut self, who: Contender, ball: Ball) -> Result<(usize, Rollout), Refused> {
         ball.check(&self.scene)?;
-        let before = self.number_of(agent, ball);
-        if before.is_none() && self.attempts(agent).len() == ATTEMPT_LIMIT {
-            return Err(Refused::Spent);
+        let before = self.number_of(who, ball);
+        if before.is_none() && self.attempts(who).len() == ATTEMPT_LIMIT {
+            return Err(Refused::AttemptLimit);
         }
         let rollout = simulate(&self.scene, Some(ball))?;
-        let number = before.unwrap_or_else(|| self.push(agent, Attempt { ball, ending: Ending::of(&rollout) }));
+        let number = before.unwrap_or_else(|| self.push(who, Attempt { ball, ending: Ending::of(&rollout) }));
         Ok((number, rollout))
     }
 
-    /// Adds an attempt that was simulated elsewhere, by the same simulator: the number it gets, from 1.
+    /// Adds an attempt that was simulated elsewhere by the same simulator. Returns its number, from 1.
     ///
     /// # Errors
     /// Refuses like `play`.
-    pub fn record(&mut self, agent: Agent, attempt: Attempt) -> Result<usize, Refused> {
+    pub fn record(&mut self, who: Contender, attempt: Attempt) -> Result<usize, Refused> {
         attempt.ball.check(&self.scene)?;
-        match self.number_of(agent, attempt.ball) {
+        match self.number_of(who, attempt.ball) {
             Some(number) => Ok(number),
-            None if self.attempts(agent).len() == ATTEMPT_LIMIT => Err(Refused::Spent),
-            None => Ok(self.push(agent, attempt)),
+            None if self.attempts(who).len() == ATTEMPT_LIMIT => Err(Refused::AttemptLimit),
+            None => Ok(self.push(who, attempt)),
         }
     }
 
-    /// Forgets one attempt of an agent's; those after it move up by one. Says whether there was such a number.
-    pub fn remove(&mut self, agent: Agent, number: usize) -> bool {
-        let attempts = self.list(agent);
+    /// Removes one attempt of a contender; later ones move up by one. Returns whether there was an attempt of this number.
+    pub fn remove(&mut self, who: Contender, number: usize) -> bool {
+        let attempts = self.list(who);
         let there = (1..=attempts.len()).contains(&number);
         if there {
             attempts.remove(number - 1);
@@ -116,36 +104,38 @@ impl Game {
         there
     }
 
-    /// Forgets an agent's attempts.
-    pub fn clear(&mut self, agent: Agent) {
-        self.list(agent).clear();
+    /// Removes all attempts of a contender.
+    pub fn clear(&mut self, who: Contender) {
+        self.list(who).clear();
     }
 
-    /// An agent's attempts, in order.
-    pub fn attempts(&self, agent: Agent) -> &[Attempt] {
-        match agent {
-            Agent::Player => &self.player,
-            Agent::Model => &self.model,
+    /// Returns the attempts of a contender, in order.
+    pub fn attempts(&self, who: Contender) -> &[Attempt] {
+        match who {
+            Contender::Player => &self.player,
+            Contender::Model => &self.model,
         }
     }
 
-    pub fn score(&self, agent: Agent) -> Score {
-        let attempts = self.attempts(agent);
+    /// Returns how a contender is doing.
+    pub fn standing(&self, who: Contender) -> Standing {
+        let attempts = self.attempts(who);
         let solved_at = attempts.iter().position(|attempt| attempt.ending.solved).map(|index| index + 1);
-        Score { used: attempts.len(), solved_at }
+        Standing { used: attempts.len(), solved_at }
     }
 
-    /// The attempt to show for an agent: the first that solved, else the first of those that touched longest.
-    pub fn best(&self, agent: Agent) -> Option<(usize, Attempt)> {
-        let longest = |&(_, attempt): &(usize, &Attempt)| (attempt.ending.solved, attempt.ending.longest);
-        // `max_by_key` keeps the last of equals; the list is walked backwards to keep the first.
-        let best = self.attempts(agent).iter().enumerate().rev().max_by_key(longest);
+    /// Returns the best attempt of a contender with its number: the first that solved, else the first with the longest
+    /// touch.
+    pub fn best(&self, who: Contender) -> Option<(usize, Attempt)> {
+        let key = |&(_, attempt): &(usize, &Attempt)| (attempt.ending.solved, attempt.ending.longest_touch);
+        // `max_by_key` returns the last of equals; in reverse order that is the first.
+        let best = self.attempts(who).iter().enumerate().rev().max_by_key(key);
         best.map(|(index, attempt)| (index + 1, *attempt))
     }
 
-    /// Player and model against each other, in words.
+    /// Compares player and model in words.
     pub fn verdict(&self) -> String {
-        let (player, model) = (self.score(Agent::Player), self.score(Agent::Model));
+        let (player, model) = (self.standing(Contender::Player), self.standing(Contender::Model));
         match (player.solved_at, model.solved_at) {
             (Some(you), Some(it)) if you < it => {
                 format!("You solved it on attempt {you}, the model on attempt {it}. You were quicker.")
@@ -169,46 +159,19 @@ impl Game {
         }
     }
 
-    fn number_of(&self, agent: Agent, ball: Ball) -> Option<usize> {
-        self.attempts(agent).iter().position(|attempt| attempt.ball == ball).map(|index| index + 1)
+    fn number_of(&self, who: Contender, ball: Ball) -> Option<usize> {
+        self.attempts(who).iter().position(|attempt| attempt.ball == ball).map(|index| index + 1)
     }
 
-    fn push(&mut self, agent: Agent, attempt: Attempt) -> usize {
-        self.list(agent).push(attempt);
-        self.attempts(agent).len()
+    fn push(&mut self, who: Contender, attempt: Attempt) -> usize {
+        self.list(who).push(attempt);
+        self.attempts(who).len()
     }
 
-    fn list(&mut self, agent: Agent) -> &mut Vec<Attempt> {
-        match agent {
-            Agent::Player => &mut self.player,
-            Agent::Model => &mut self.model,
-        }
-    }
-}
-
-impl Ending {
-    pub fn of(rollout: &Rollout) -> Ending {
-        let longest = (0..=rollout.steps).map(|step| held(rollout, step)).max().unwrap_or(0);
-        Ending { solved: rollout.solved, steps: rollout.steps, longest, last: held(rollout, rollout.steps) }
-    }
-}
-
-/// How many steps the green object has touched the goal without a break, up to and with this one; at most 180.
-pub fn held(rollout: &Rollout, step: usize) -> usize {
-    rollout.touching[..=step.min(rollout.steps)].iter().rev().take(GOAL_STEPS).take_while(|&&touches| touches).count()
-}
-
-impl fmt::Display for Ending {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let seconds = |steps: usize| match steps as f64 / STEPS_PER_SECOND as f64 {
-            short if short < 0.05 => "a moment".to_string(),
-            long => format!("{long:.1} s"),
-        };
-        match self {
-            Ending { solved: true, steps, .. } => write!(f, "solved after {}", seconds(*steps)),
-            Ending { longest: 0, .. } => write!(f, "never touched"),
-            Ending { last, .. } if *last > 0 => write!(f, "touching for {} when time ran out", seconds(*last)),
-            Ending { longest, .. } => write!(f, "touched for {}, then lost", seconds(*longest)),
+    fn list(&mut self, who: Contender) -> &mut Vec<Attempt> {
+        match who {
+            Contender::Player => &mut self.player,
+            Contender::Model => &mut self.model,
         }
     }
 }
@@ -220,6 +183,7 @@ fn tries(count: usize) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::puzzle::rollout::{GOAL_STEPS, MAX_STEPS};
     use crate::puzzle::task::Task;
 
     /// A game on the first task, where the sky is free and the floor is not.
@@ -233,101 +197,79 @@ mod tests {
         Ball { x: (10 + number) as f64, y: 250.0, r: 3.0 }
     }
 
-    fn attempt(number: usize, solved: bool, longest: usize) -> Attempt {
-        Attempt { ball: ball(number), ending: Ending { solved, steps: 1000, longest, last: 0 } }
-    }
-
-    fn rollout(touching: &[bool], solved: bool) -> Rollout {
-        let steps = touching.len() - 1;
-        Rollout { solved, steps, bodies: Vec::new(), poses: Vec::new(), touching: touching.to_vec() }
+    fn attempt(number: usize, solved: bool, longest_touch: usize) -> Attempt {
+        let ending = Ending { solved, steps: MAX_STEPS, longest_touch, final_touch: 0 };
+        Attempt { ball: ball(number), ending }
     }
 
     #[test]
     fn an_invalid_ball_is_refused_and_does_not_count() {
         let mut game = game();
         let outside = Ball { x: 1.0, y: 1.0, r: 10.0 };
-        assert_eq!(game.play(Agent::Player, outside).unwrap_err(), Refused::Invalid(Invalid::Outside));
-        assert_eq!(game.score(Agent::Player), Score { used: 0, solved_at: None });
+        assert_eq!(game.play(Contender::Player, outside).unwrap_err(), Refused::Invalid(Invalid::Outside));
+        assert_eq!(game.standing(Contender::Player), Standing { used: 0, solved_at: None });
     }
 
     #[test]
-    fn the_same_ball_twice_counts_once_and_the_agents_count_apart() {
+    fn the_same_ball_twice_counts_once_and_each_contender_has_its_own_count() {
         let mut game = game();
-        let (first, rollout) = game.play(Agent::Player, ball(0)).expect("valid");
-        assert_eq!(game.play(Agent::Player, ball(1)).expect("valid").0, 2);
-        assert_eq!(game.play(Agent::Player, ball(0)).expect("valid"), (first, rollout));
-        assert_eq!(game.score(Agent::Player).used, 2);
-        assert_eq!(game.play(Agent::Model, ball(1)).expect("valid").0, 1);
+        let (first, rollout) = game.play(Contender::Player, ball(0)).expect("valid");
+        assert_eq!(game.play(Contender::Player, ball(1)).expect("valid").0, 2);
+        assert_eq!(game.play(Contender::Player, ball(0)).expect("valid"), (first, rollout));
+        assert_eq!(game.standing(Contender::Player).used, 2);
+        assert_eq!(game.play(Contender::Model, ball(1)).expect("valid").0, 1);
     }
 
     #[test]
-    fn the_hundredth_attempt_is_the_last() {
+    fn no_new_attempt_after_the_limit() {
         let mut game = game();
         for number in 0..ATTEMPT_LIMIT {
-            game.record(Agent::Model, attempt(number, false, 0)).expect("within the hundred");
+            game.record(Contender::Model, attempt(number, false, 0)).expect("within the limit");
         }
-        assert_eq!(game.record(Agent::Model, attempt(ATTEMPT_LIMIT, true, 180)), Err(Refused::Spent));
-        assert_eq!(game.play(Agent::Model, ball(ATTEMPT_LIMIT)).unwrap_err(), Refused::Spent);
-        // One of the hundred can still be looked at.
-        assert_eq!(game.play(Agent::Model, ball(4)).expect("made before").0, 5);
-        game.clear(Agent::Model);
-        assert_eq!(game.record(Agent::Model, attempt(0, true, 180)), Ok(1));
+        assert_eq!(game.record(Contender::Model, attempt(ATTEMPT_LIMIT, true, GOAL_STEPS)), Err(Refused::AttemptLimit));
+        assert_eq!(game.play(Contender::Model, ball(ATTEMPT_LIMIT)).unwrap_err(), Refused::AttemptLimit);
+        // An attempt that was made before can still be replayed.
+        assert_eq!(game.play(Contender::Model, ball(4)).expect("made before").0, 5);
+        game.clear(Contender::Model);
+        assert_eq!(game.record(Contender::Model, attempt(0, true, GOAL_STEPS)), Ok(1));
     }
 
     #[test]
     fn the_best_attempt_is_the_first_that_solved_or_else_touched_longest() {
         let mut game = game();
-        assert_eq!(game.best(Agent::Player), None);
+        assert_eq!(game.best(Contender::Player), None);
         for (number, longest) in [3, 60, 60].into_iter().enumerate() {
-            game.record(Agent::Player, attempt(number, false, longest)).expect("valid");
+            game.record(Contender::Player, attempt(number, false, longest)).expect("valid");
         }
-        assert_eq!(game.best(Agent::Player).expect("three").0, 2);
-        game.record(Agent::Player, attempt(3, true, 180)).expect("valid");
-        game.record(Agent::Player, attempt(4, true, 180)).expect("valid");
-        assert_eq!(game.best(Agent::Player).expect("five").0, 4);
-        assert_eq!(game.score(Agent::Player), Score { used: 5, solved_at: Some(4) });
+        assert_eq!(game.best(Contender::Player).expect("three").0, 2);
+        game.record(Contender::Player, attempt(3, true, GOAL_STEPS)).expect("valid");
+        game.record(Contender::Player, attempt(4, true, GOAL_STEPS)).expect("valid");
+        assert_eq!(game.best(Contender::Player).expect("five").0, 4);
+        assert_eq!(game.standing(Contender::Player), Standing { used: 5, solved_at: Some(4) });
     }
 
     #[test]
-    fn an_attempt_that_is_removed_makes_room_and_the_later_ones_move_up() {
+    fn a_removed_attempt_makes_room_and_later_ones_move_up() {
         let mut game = game();
         for number in 0..ATTEMPT_LIMIT {
-            game.record(Agent::Player, attempt(number, number == 2, 0)).expect("within the hundred");
+            game.record(Contender::Player, attempt(number, number == 2, 0)).expect("within the limit");
         }
-        assert!(!game.remove(Agent::Player, 0) && !game.remove(Agent::Player, ATTEMPT_LIMIT + 1));
-        assert!(!game.remove(Agent::Model, 1));
-        assert!(game.remove(Agent::Player, 2));
-        assert_eq!(game.score(Agent::Player), Score { used: ATTEMPT_LIMIT - 1, solved_at: Some(2) });
-        assert_eq!(game.record(Agent::Player, attempt(1, false, 0)), Ok(ATTEMPT_LIMIT));
+        assert!(!game.remove(Contender::Player, 0) && !game.remove(Contender::Player, ATTEMPT_LIMIT + 1));
+        assert!(!game.remove(Contender::Model, 1));
+        assert!(game.remove(Contender::Player, 2));
+        assert_eq!(game.standing(Contender::Player), Standing { used: ATTEMPT_LIMIT - 1, solved_at: Some(2) });
+        assert_eq!(game.record(Contender::Player, attempt(1, false, 0)), Ok(ATTEMPT_LIMIT));
     }
 
     #[test]
     fn the_verdict_names_the_quicker() {
         let mut game = game();
         assert_eq!(game.verdict(), "Nobody has tried yet.");
-        game.record(Agent::Player, attempt(0, false, 0)).expect("valid");
+        game.record(Contender::Player, attempt(0, false, 0)).expect("valid");
         assert_eq!(game.verdict(), "Not solved yet: 1 attempt by you, 0 attempts by the model.");
-        game.record(Agent::Model, attempt(0, true, 180)).expect("valid");
+        game.record(Contender::Model, attempt(0, true, GOAL_STEPS)).expect("valid");
         assert_eq!(game.verdict(), "The model solved it on attempt 1. You have not yet, in 1.");
-        game.record(Agent::Player, attempt(1, true, 180)).expect("valid");
+        game.record(Contender::Player, attempt(1, true, GOAL_STEPS)).expect("valid");
         assert_eq!(game.verdict(), "The model solved it on attempt 1, you on attempt 2. The model was quicker.");
-    }
-
-    #[test]
-    fn the_ending_is_told_in_words() {
-        let words = |touching: &[bool], solved| Ending::of(&rollout(touching, solved)).to_string();
-        let (yes, no) = ([true; 84], [false; 10]);
-        assert_eq!(words(&no, false), "never touched");
-        assert_eq!(words(&[&no[..], &yes, &no, &yes[..6], &no].concat(), false), "touched for 1.4 s, then lost");
-        assert_eq!(words(&[&no[..], &yes[..1], &no].concat(), false), "touched for a moment, then lost");
-        assert_eq!(words(&[&no[..], &yes].concat(), false), "touching for 1.4 s when time ran out");
-        assert_eq!(words(&[&[false; 133][..], &[true; 180]].concat(), true), "solved after 5.2 s");
-    }
-
-    #[test]
-    fn the_hold_starts_again_after_a_break() {
-        let rollout = rollout(&[true, true, false, true, true, true], false);
-        let held: Vec<_> = (0..=5).map(|step| held(&rollout, step)).collect();
-        assert_eq!(held, [1, 2, 0, 1, 2, 3]);
     }
 }

@@ -1,5 +1,6 @@
-//! One session on one puzzle: the game, the map of all solutions, and how well imagined paths agree with real ones.
+//! One session on one puzzle: the game, the map of all solutions, and the agreement of predicted with simulated paths.
 
+pub mod ending;
 pub mod game;
 pub mod soft_iou;
 pub mod solve_map;

@@ -1,22 +1,22 @@
-//! Where a ball of one radius solves a scene: one rollout for each of 64 x 64 cells, coarse to fine.
+//! The solve map: where a ball of one radius solves a scene, by one rollout for each of 64 x 64 cells, coarse to fine.
 //!
-//! First every eighth cell across and up is tried, then every fourth, every second and every one, so that a
-//! rough picture is there at once and grows sharper. A cell that has not been tried yet shows what is known of
-//! the coarser block it lies in. Used by the page's worker, which asks for one cell after another and may stop
+//! First every eighth cell across and up is tried, then every fourth, every second and every one, so that a coarse map is
+//! there at once and becomes finer (progressive refinement). A cell that has not been tried yet has the outcome of the
+//! smallest block around it that was. Used by the page's worker, which asks for one cell after another and may stop
 //! between any two.
 
 use crate::puzzle::action::{Ball, Invalid, RADIUS};
-use crate::puzzle::scene::{SIZE, Scene};
-use crate::raster::{CELLS, SIDE};
-use crate::simulator::simulate;
+use crate::puzzle::scene::Scene;
+use crate::raster::{CELLS, SIDE, cell_centre};
+use crate::simulator::outcome;
 
-/// Cells between two that are tried, from the coarsest round to the finest.
+/// Side of the blocks of which one cell is tried, cells: from the coarsest round to the finest.
 const STRIDES: [usize; 4] = [8, 4, 2, 1];
 
-/// What a ball that starts in a cell comes to. The numbers are those that the page is told.
+/// The outcome of a ball at the centre of a cell. The page receives these numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]
-pub enum Outcome {
+pub enum CellOutcome {
     Untried = 0,
     Invalid = 1,
     NotSolved = 2,
@@ -26,17 +26,17 @@ pub enum Outcome {
 pub struct SolveMap {
     scene: Scene,
     radius: f64,
-    cells: Vec<Outcome>,
+    cells: Vec<CellOutcome>,
     /// All cells in the order in which they are tried.
     order: Vec<usize>,
     tried: usize,
 }
 
 impl SolveMap {
-    /// A map on which nothing has been tried.
+    /// Returns a map of which no cell has been tried.
     ///
     /// # Errors
-    /// Refuses a radius that no ball has.
+    /// Refuses a radius outside of `RADIUS`.
     pub fn new(scene: Scene, radius: f64) -> Result<SolveMap, Invalid> {
         if !RADIUS.contains(&radius) {
             return Err(Invalid::Radius);
@@ -46,43 +46,43 @@ impl SolveMap {
             let done = |cell: usize| round > 0 && block(cell, STRIDES[round - 1]) == cell;
             order.extend((0..CELLS).filter(|&cell| block(cell, stride) == cell && !done(cell)));
         }
-        Ok(SolveMap { scene, radius, cells: vec![Outcome::Untried; CELLS], order, tried: 0 })
+        Ok(SolveMap { scene, radius, cells: vec![CellOutcome::Untried; CELLS], order, tried: 0 })
     }
 
-    /// The ball that is tried in a cell: at its middle, in px.
+    /// Returns the ball that is tried in a cell: at its centre, px.
     pub fn ball(&self, cell: usize) -> Ball {
-        let middle = |index: usize| (index as f64 + 0.5) * SIZE / SIDE as f64;
-        Ball { x: middle(cell % SIDE), y: middle(cell / SIDE), r: self.radius }
+        let [x, y] = cell_centre(cell);
+        Ball { x, y, r: self.radius }
     }
 
-    /// Tries the next cell; `false` once all have been tried.
+    /// Tries the next cell. Returns `false` if all have been tried.
     pub fn advance(&mut self) -> bool {
         let Some(&cell) = self.order.get(self.tried) else { return false };
-        self.cells[cell] = match simulate(&self.scene, Some(self.ball(cell))) {
-            Err(_) => Outcome::Invalid,
-            Ok(rollout) if rollout.solved => Outcome::Solved,
-            Ok(_) => Outcome::NotSolved,
+        self.cells[cell] = match outcome(&self.scene, Some(self.ball(cell))) {
+            Err(_) => CellOutcome::Invalid,
+            Ok(outcome) if outcome.solved => CellOutcome::Solved,
+            Ok(_) => CellOutcome::NotSolved,
         };
         self.tried += 1;
         true
     }
 
-    /// Share of the cells that have been tried, 0..=1.
+    /// Returns the fraction of the cells that have been tried, 0..=1.
     pub fn progress(&self) -> f64 {
         self.tried as f64 / CELLS as f64
     }
 
-    /// What is known so far: an outcome for each cell, row 0 at the bottom; coarse where not tried yet.
-    pub fn picture(&self) -> Vec<Outcome> {
+    /// Returns the outcome of each cell as far as it is known, row 0 at the bottom; coarse where not tried yet.
+    pub fn outcomes(&self) -> Vec<CellOutcome> {
         let known = |cell| {
             let blocks = STRIDES.iter().rev().map(|&stride| self.cells[block(cell, stride)]);
-            blocks.into_iter().find(|&outcome| outcome != Outcome::Untried).unwrap_or(Outcome::Untried)
+            blocks.into_iter().find(|&outcome| outcome != CellOutcome::Untried).unwrap_or(CellOutcome::Untried)
         };
         (0..CELLS).map(known).collect()
     }
 }
 
-/// The lower left cell of the block of so many cells across that a cell lies in.
+/// Returns the lower left cell of the block around a cell; `stride` is the side of the block, cells.
 fn block(cell: usize, stride: usize) -> usize {
     let corner = |index: usize| index - index % stride;
     corner(cell / SIDE) * SIDE + corner(cell % SIDE)
@@ -92,6 +92,7 @@ fn block(cell: usize, stride: usize) -> usize {
 mod tests {
     use super::*;
     use crate::puzzle::task::Task;
+    use crate::simulator::simulate;
 
     fn map(radius: f64) -> SolveMap {
         let task = Task::load("00000:000".parse().expect("an id")).expect("a task");
@@ -109,21 +110,24 @@ mod tests {
     }
 
     #[test]
-    fn a_cell_says_what_its_ball_comes_to() {
+    fn a_cell_has_the_outcome_of_its_ball() {
         let mut map = map(30.0);
-        assert!(map.picture().iter().all(|&outcome| outcome == Outcome::Untried));
+        assert!(map.outcomes().iter().all(|&outcome| outcome == CellOutcome::Untried));
         while map.tried < 256 {
             assert!(map.advance());
         }
         assert_eq!(map.progress(), 256.0 / CELLS as f64);
-        let picture = map.picture();
-        assert!(!picture.contains(&Outcome::Untried), "coarse blocks cover the scene");
+        let outcomes = map.outcomes();
+        assert!(!outcomes.contains(&CellOutcome::Untried), "coarse blocks cover the scene");
         // A ball of radius 30 in a corner sticks out.
-        assert_eq!(picture[0], Outcome::Invalid);
+        assert_eq!(outcomes[0], CellOutcome::Invalid);
         for &cell in &map.order[..256] {
-            let solved = simulate(&map.scene, Some(map.ball(cell))).map(|rollout| rollout.solved);
-            let told = [Outcome::Invalid, Outcome::NotSolved, Outcome::Solved][solved.map_or(0, |s| 1 + s as usize)];
-            assert_eq!(picture[cell], told, "cell {cell}");
+            let expected = match simulate(&map.scene, Some(map.ball(cell))).map(|rollout| rollout.solved) {
+                Err(_) => CellOutcome::Invalid,
+                Ok(false) => CellOutcome::NotSolved,
+                Ok(true) => CellOutcome::Solved,
+            };
+            assert_eq!(outcomes[cell], expected, "cell {cell}");
         }
     }
 
@@ -138,7 +142,7 @@ mod tests {
     }
 
     #[test]
-    fn a_radius_that_no_ball_has_is_refused() {
+    fn a_radius_out_of_range_is_refused() {
         for radius in [0.0, 1.9, 33.0, f64::NAN, f64::INFINITY] {
             let task = Task::load("00000:000".parse().expect("an id")).expect("a task");
             assert_eq!(SolveMap::new(task.scene, radius).err(), Some(Invalid::Radius), "{radius}");

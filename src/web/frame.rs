@@ -10,7 +10,7 @@ use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 
 use super::paint::{Painter, reach};
 use super::recording::Take;
-use crate::play::game::held;
+use crate::play::ending::touch_streak;
 use crate::puzzle::action::Ball;
 use crate::puzzle::rollout::GOAL_STEPS;
 use crate::puzzle::scene::{Role, Scene};
@@ -121,7 +121,7 @@ fn ball(painter: &Painter, scene: &Scene, take: &Take, step: f64, outlined: bool
 
 /// The ring round the green object while it touches the goal.
 fn ring(painter: &Painter, scene: &Scene, take: &Take, step: f64) -> Result<(), JsValue> {
-    let held = held(&take.rollout, step as usize);
+    let held = touch_streak(&take.rollout, step as usize);
     match take.pose(step, scene.body1) {
         Some([x, y, _]) if held > 0 => {
             let radius = reach(&scene.bodies[scene.body1]).min(24.0) + 5.0;

@@ -12,7 +12,7 @@ use crate::raster::CELLS;
 #[wasm_bindgen]
 pub fn overlap(one: &[f32], other: &[f32]) -> Result<f64, JsValue> {
     match [one.len(), other.len()] {
-        [CELLS, CELLS] => Ok(crate::play::soft_iou::overlap(one, other)),
+        [CELLS, CELLS] => Ok(crate::play::soft_iou::soft_iou(one, other)),
         [a, b] => Err(error(Code::BadMap, format!("a picture holds {CELLS} values, not {a} or {b}"))),
     }
 }

@@ -12,7 +12,8 @@ use super::error::{Code, error, from_plain, plain};
 use super::frame::{self, View};
 use super::paint::Line;
 use super::recording::Take;
-use crate::play::game::{Agent, Attempt, Ending, Game, Refused};
+use crate::play::ending::Ending;
+use crate::play::game::{Attempt, Contender, Game, Refused};
 use crate::puzzle::action::Ball;
 use crate::puzzle::scene::Body;
 use crate::puzzle::task::Task;
@@ -89,9 +90,9 @@ impl Puzzle {
     /// `invalid_ball`, or `spent` after a hundred attempts.
     pub fn attempt(&mut self, x: f64, y: f64, r: f64) -> Result<JsValue, JsValue> {
         let ball = Ball { x, y, r };
-        let (number, rollout) = self.game.play(Agent::Player, ball).map_err(|why| self.refusal(why))?;
-        self.takes = vec![Take { attempt: Some((Agent::Player, ball)), rollout, line: Line::Solid }];
-        plain(&Listed::new(number, self.game.attempts(Agent::Player)[number - 1]))
+        let (number, rollout) = self.game.play(Contender::Player, ball).map_err(|why| self.refusal(why))?;
+        self.takes = vec![Take { attempt: Some((Contender::Player, ball)), rollout, line: Line::Solid }];
+        plain(&Listed::new(number, self.game.attempts(Contender::Player)[number - 1]))
     }
 
     /// Shows what happens without a ball.
@@ -129,7 +130,7 @@ impl Puzzle {
         let ball = Ball { x, y, r };
         let rollout = simulate(&self.task.scene, Some(ball)).map_err(|why| self.refusal(why.into()))?;
         let attempt = Attempt { ball, ending: Ending::of(&rollout) };
-        self.takes = vec![Take { attempt: Some((Agent::Model, ball)), rollout, line: Line::Dashed }];
+        self.takes = vec![Take { attempt: Some((Contender::Model, ball)), rollout, line: Line::Dashed }];
         plain(&Listed::new(0, attempt))
     }
 
@@ -152,7 +153,7 @@ impl Puzzle {
 
     /// Shows the best attempts of player and model over each other: `[player, model]`, each as in `replay` or null.
     pub fn compare(&mut self) -> Result<JsValue, JsValue> {
-        let best = [Agent::Player, Agent::Model].map(|agent| (agent, self.game.best(agent)));
+        let best = [Contender::Player, Contender::Model].map(|agent| (agent, self.game.best(agent)));
         let takes = best.iter().filter_map(|&(agent, best)| best.map(|(_, attempt)| self.take(agent, attempt)));
         self.takes = takes.collect::<Result<_, _>>()?;
         plain(&best.map(|(_, best)| best.map(|(number, attempt)| Listed::new(number, attempt))))
@@ -169,7 +170,7 @@ impl Puzzle {
     /// `invalid_ball`, or `spent` after a hundred attempts.
     pub fn record(&mut self, attempt: JsValue) -> Result<JsValue, JsValue> {
         let attempt: Attempt = from_plain(attempt)?;
-        let number = self.game.record(Agent::Model, attempt).map_err(|why| self.refusal(why))?;
+        let number = self.game.record(Contender::Model, attempt).map_err(|why| self.refusal(why))?;
         plain(&Listed::new(number, attempt))
     }
 
@@ -182,7 +183,7 @@ impl Puzzle {
 
     /// `{ used, solved_at }` of an agent; `solved_at` is null as long as no attempt solved the puzzle.
     pub fn score(&self, agent: &str) -> Result<JsValue, JsValue> {
-        plain(&self.game.score(agent_named(agent)?))
+        plain(&self.game.standing(agent_named(agent)?))
     }
 
     /// Player and model against each other, in words.
@@ -249,9 +250,9 @@ impl Puzzle {
         &self.task.scene.bodies[self.task.scene.body1]
     }
 
-    fn take(&self, agent: Agent, attempt: Attempt) -> Result<Take, JsValue> {
+    fn take(&self, agent: Contender, attempt: Attempt) -> Result<Take, JsValue> {
         let rollout = simulate(&self.task.scene, Some(attempt.ball)).map_err(|why| self.refusal(why.into()))?;
-        let line = if agent == Agent::Model { Line::Dashed } else { Line::Solid };
+        let line = if agent == Contender::Model { Line::Dashed } else { Line::Solid };
         Ok(Take { attempt: Some((agent, attempt.ball)), rollout, line })
     }
 
@@ -266,7 +267,7 @@ impl Puzzle {
     fn refusal(&self, why: Refused) -> JsValue {
         match why {
             Refused::Invalid(why) => error(Code::InvalidBall, reason(why, &self.task.scene)),
-            Refused::Spent => error(Code::Spent, why),
+            Refused::AttemptLimit => error(Code::Spent, why),
         }
     }
 }
@@ -275,10 +276,10 @@ fn none(number: usize) -> JsValue {
     error(Code::NoAttempt, format!("there is no attempt {number}"))
 }
 
-fn agent_named(name: &str) -> Result<Agent, JsValue> {
+fn agent_named(name: &str) -> Result<Contender, JsValue> {
     match name {
-        "player" => Ok(Agent::Player),
-        "model" => Ok(Agent::Model),
+        "player" => Ok(Contender::Player),
+        "model" => Ok(Contender::Model),
         _ => Err(error(Code::BadData, format!("there is no agent `{name}`: they are player and model"))),
     }
 }

@@ -5,7 +5,7 @@ use js_sys::{Float32Array, Object, Reflect};
 use wasm_bindgen::JsValue;
 
 use super::paint::Line;
-use crate::play::game::Agent;
+use crate::play::game::Contender;
 use crate::puzzle::action::Ball;
 use crate::puzzle::rollout::{Pose, Rollout};
 use crate::puzzle::scene::Scene;
@@ -14,7 +14,7 @@ use crate::raster::{Bitmap, path_image};
 /// One rollout being shown.
 pub struct Take {
     /// `None` if the scene runs without a ball.
-    pub attempt: Option<(Agent, Ball)>,
+    pub attempt: Option<(Contender, Ball)>,
     pub rollout: Rollout,
     /// How its paths are drawn.
     pub line: Line,

@@ -34,6 +34,6 @@ impl SolveMap {
 
     /// What is known so far, row 0 at the bottom: 0 untried, 1 invalid, 2 not solved, 3 solved.
     pub fn picture(&self) -> Vec<u8> {
-        self.0.picture().into_iter().map(|outcome| outcome as u8).collect()
+        self.0.outcomes().into_iter().map(|outcome| outcome as u8).collect()
     }
 }
