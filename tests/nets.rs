@@ -1,10 +1,10 @@
-//! The nets compute what the paper's layers compute: a plain nested-loop implementation of 4 x 4 convolutions,
-//! written here for the purpose, agrees with them to rounding, and so does the second backend.
+//! Fresh nets compute what their layers are defined to compute: plain nested loops of 4 x 4 convolutions agree with
+//! them to rounding, and so does burn's second backend. Their weights files hold what they should.
 #![cfg(not(target_arch = "wasm32"))]
 
 use burn::tensor::Device;
 use pathlight::benchmark::folds::Setup;
-use pathlight::nets::{Card, Imagined, PathNet, WeightsError, flex};
+use pathlight::nets::{Card, Imagined, Judge, PathNet, WeightsError, flex};
 use pathlight::puzzle::scene::Scene;
 use pathlight::puzzle::task::Task;
 use pathlight::raster::CELLS;
@@ -32,20 +32,25 @@ fn card() -> Card {
     }
 }
 
-/// Fresh weights, as a file. One file serves all tests: what a file says is what all implementations compute.
+/// Fresh weights of all five nets, as a file: all implementations compute from the same bytes.
 fn weights() -> Vec<u8> {
     let device = flex();
     device.seed(7);
-    PathNet::new(&device).save(&card()).expect("fresh weights are finite")
+    let mut nets = PathNet::new(&device);
+    nets.judge = Some(Judge::new(&device));
+    nets.save(&card()).expect("fresh weights are finite")
 }
 
 fn scene() -> Scene {
     Task::load("00012:002".parse().expect("an id")).expect("a task").scene
 }
 
-fn imagine(bytes: &[u8], device: &Device) -> Imagined {
+/// The four maps and the judge's logits, by name.
+fn maps(bytes: &[u8], device: &Device) -> [(&'static str, Vec<f32>); 5] {
     let (nets, _) = PathNet::load(bytes, device).expect("our own weights");
-    nets.imagine(&scene())
+    let Imagined { base, target, action, placement } = nets.imagine(&scene());
+    let judge = nets.judge_logits(&scene()).expect("the weights have a judge");
+    [("base", base), ("target", target), ("action", action), ("placement", placement), ("judge", judge)]
 }
 
 #[test]
@@ -53,15 +58,10 @@ fn the_nets_agree_with_plain_loops() {
     let bytes = weights();
     let file = SafeTensors::deserialize(&bytes).expect("a safetensors file");
     let [base, target, action, placement] = plain::imagine(&file, &scene());
-    let maps = imagine(&bytes, &flex());
-    for (name, map, plain) in [
-        ("base", &maps.base, base),
-        ("target", &maps.target, target),
-        ("action", &maps.action, action),
-        ("placement", &maps.placement, placement),
-    ] {
-        assert_close(name, map, &plain);
-        let (low, high) = map.iter().fold((1.0_f32, 0.0_f32), |(low, high), &x| (low.min(x), high.max(x)));
+    let plain = [base, target, action, placement, plain::judge_logits(&file, &scene())];
+    for ((name, map), plain) in maps(&bytes, &flex()).iter().zip(&plain) {
+        assert_close(name, map, plain);
+        let (low, high) = map.iter().fold((f32::MAX, f32::MIN), |(low, high), &x| (low.min(x), high.max(x)));
         assert!(high - low > 1e-4, "{name} is flat, so that nothing was compared");
     }
 }
@@ -70,17 +70,15 @@ fn the_nets_agree_with_plain_loops() {
 #[test]
 fn flex_agrees_with_ndarray() {
     let bytes = weights();
-    let (flex, ndarray) = (imagine(&bytes, &flex()), imagine(&bytes, &pathlight::nets::ndarray()));
-    assert_close("base", &flex.base, &ndarray.base);
-    assert_close("target", &flex.target, &ndarray.target);
-    assert_close("action", &flex.action, &ndarray.action);
-    assert_close("placement", &flex.placement, &ndarray.placement);
+    for ((name, flex), (_, ndarray)) in maps(&bytes, &flex()).iter().zip(&maps(&bytes, &pathlight::nets::ndarray())) {
+        assert_close(name, flex, ndarray);
+    }
 }
 
-/// The paper's layers have 1,398,257 numbers with 5 channels in and 1,398,513 with 7. The file leaves out the
-/// twelve taps of each kernel beside the code that only ever meet padding.
+/// The paper's layers have 1,398,257 parameters with 5 input channels and 1,398,513 with 7. The file leaves out the
+/// twelve taps of each kernel next to the code that meet only padding.
 #[test]
-fn the_file_holds_every_number_of_the_papers_layers_that_meets_data() {
+fn the_file_holds_every_parameter_of_the_papers_layers_that_meets_data() {
     let dead = 2 * 12 * WIDTHS[4] * WIDTHS[5];
     let bytes = weights();
     let file = SafeTensors::deserialize(&bytes).expect("a safetensors file");
@@ -97,7 +95,7 @@ fn the_file_holds_every_number_of_the_papers_layers_that_meets_data() {
     }
 }
 
-/// Numbers in an hourglass of 4 x 4 kernels.
+/// Parameters of an hourglass of 4 x 4 kernels.
 fn nominal(channels: usize) -> usize {
     let layer = |a: usize, b: usize| a * b * 16;
     let inputs = [channels, 8, 16, 32, 64, 128];
@@ -115,14 +113,25 @@ fn weights_survive_saving_and_loading() {
     assert_eq!(nets.save(&found).expect("what was loaded is finite"), bytes);
 }
 
+/// The files in assets and results were written with these names.
 #[test]
-fn files_that_do_not_fit_are_refused_in_words() {
+fn cards_with_the_old_names_are_read() {
+    let old = r#"{"setup":"cross","fold":3,"seed":0,"epochs":10,"batch":32,"rate":0.003,"cool":1,"mirror":false,"samples":5,
+        "tasks":4,"simulator":3,"judge":{"seed":0,"epochs":60,"batch":32,"drawn":256,"rate":0.001,"balls":9}}"#;
+    let card: Card = serde_json::from_str(old).expect("a card");
+    assert_eq!((card.learning_rate, card.decay_epochs), (3e-3, 1));
+    let judge = card.judge.expect("a judge's card");
+    assert_eq!((judge.learning_rate, judge.balls_per_scene), (1e-3, 256));
+}
+
+#[test]
+fn files_that_do_not_fit_are_refused() {
     let refusal = |bytes: &[u8]| PathNet::load(bytes, &flex()).expect_err("not weights");
     assert!(matches!(refusal(b"nothing like it"), WeightsError::NotSafetensors(_)));
     let whole = weights();
     assert!(matches!(refusal(&whole[..whole.len() / 2]), WeightsError::NotSafetensors(_)));
     let one = [0u8; 4];
-    let view = || safetensors::tensor::TensorView::new(safetensors::Dtype::F16, vec![2], &one).expect("two numbers");
+    let view = || safetensors::tensor::TensorView::new(safetensors::Dtype::F16, vec![2], &one).expect("two values");
     let bare = safetensors::serialize([("base.down.0.bias", view())], None).expect("a file");
     assert!(matches!(refusal(&bare), WeightsError::NoCard));
     let metadata = [("pathlight".to_string(), serde_json::to_string(&card()).expect("JSON"))];
@@ -132,7 +141,8 @@ fn files_that_do_not_fit_are_refused_in_words() {
 }
 
 fn assert_close(name: &str, a: &[f32], b: &[f32]) {
-    assert_eq!((a.len(), b.len()), (CELLS, CELLS), "{name}");
+    assert_eq!(a.len(), b.len(), "{name}");
+    assert!(a.len().is_multiple_of(CELLS), "{name}");
     let worst = a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
     assert!(worst < 1e-5, "{name} differs by {worst}");
 }

@@ -1,7 +1,7 @@
-//! The shipped weights imagine what plain nested loops make of them, natively and, by the loops that only wasm
-//! runs, in Node.
+//! The shipped weights compute what plain nested loops compute, natively and, by the loops that only wasm runs, in Node.
 
 use pathlight::nets::{Imagined, PathNet, flex};
+use pathlight::puzzle::scene::Scene;
 use pathlight::puzzle::task::Task;
 use safetensors::SafeTensors;
 
@@ -9,22 +9,50 @@ mod plain;
 
 const WEIGHTS: &[u8] = include_bytes!("../assets/within-0.safetensors");
 
+fn nets() -> PathNet {
+    PathNet::load(WEIGHTS, &flex()).expect("our own weights").0
+}
+
+fn file() -> SafeTensors<'static> {
+    SafeTensors::deserialize(WEIGHTS).expect("a safetensors file")
+}
+
+fn scenes() -> impl Iterator<Item = (&'static str, Scene)> {
+    let load = |id: &str| Task::load(id.parse().expect("an id")).expect("a task").scene;
+    ["00002:007", "00012:002", "00024:006"].into_iter().map(move |id| (id, load(id)))
+}
+
+/// Asserts that two maps agree, and that there is something to agree on.
+fn assert_close(name: &str, map: &[f32], expected: &[f32], tolerance: f32, contrast: f32) {
+    assert_eq!(map.len(), expected.len(), "{name}");
+    let worst = map.iter().zip(expected).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
+    assert!(worst < tolerance, "{name} differs by {worst}");
+    let (low, high) = map.iter().fold((f32::MAX, f32::MIN), |(low, high), &x| (low.min(x), high.max(x)));
+    assert!(high - low > contrast, "{name} is flat, so that nothing was compared");
+}
+
 #[cfg_attr(not(target_arch = "wasm32"), test)]
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
-fn shipped_nets_imagine_what_plain_loops_say() {
-    let (nets, _) = PathNet::load(WEIGHTS, &flex()).expect("our own weights");
-    let file = SafeTensors::deserialize(WEIGHTS).expect("a safetensors file");
-    for id in ["00002:007", "00012:002", "00024:006"] {
-        let task = Task::load(id.parse().expect("an id")).expect("a task");
-        let Imagined { base, target, action, placement } = nets.imagine(&task.scene);
-        let maps = [base, target, action, placement];
-        for ((name, map), wanted) in
-            ["base", "target", "action", "placement"].iter().zip(maps).zip(plain::imagine(&file, &task.scene))
+fn the_shipped_nets_agree_with_plain_loops() {
+    let (nets, file) = (nets(), file());
+    for (id, scene) in scenes() {
+        let Imagined { base, target, action, placement } = nets.imagine(&scene);
+        let names = ["base", "target", "action", "placement"];
+        for ((name, map), plain) in
+            names.iter().zip([base, target, action, placement]).zip(plain::imagine(&file, &scene))
         {
-            let worst = map.iter().zip(&wanted).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
-            assert!(worst < 1e-4, "{id}: {name} differs by {worst}");
-            let (low, high) = map.iter().fold((1.0_f32, 0.0_f32), |(low, high), &x| (low.min(x), high.max(x)));
-            assert!(high - low > 0.01, "{id}: {name} shows nothing, so nothing was compared");
+            assert_close(&format!("{id}: {name}"), &map, &plain, 1e-4, 0.01);
         }
+    }
+}
+
+/// Logits of the shipped judge span some tens, and are sums of up to a thousand products.
+#[cfg_attr(not(target_arch = "wasm32"), test)]
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
+fn the_shipped_judge_agrees_with_plain_loops() {
+    let (nets, file) = (nets(), file());
+    for (id, scene) in scenes() {
+        let logits = nets.judge_logits(&scene).expect("the shipped weights have a judge");
+        assert_close(&format!("{id}: judge"), &logits, &plain::judge_logits(&file, &scene), 1e-3, 1.0);
     }
 }

@@ -2,14 +2,14 @@
 //!
 //! Up to five balls are placed on cells of the map above a threshold, with random radii, and each is improved in five
 //! rounds of hill climbing on how well it fits the map. These are the first attempts. The others are the same balls
-//! with Gaussian noise that slowly grows. Proposals are valid and differ from all before.
+//! with Gaussian noise that slowly grows. Proposals are valid, and no two are equal.
 
 use rand::{Rng, RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
 use super::proposal::{Origin, Proposal};
 use crate::dataset::sampling::{perturbed, random_ball};
-use crate::puzzle::action::{Action, Ball};
+use crate::puzzle::action::{Action, Ball, Obstacles};
 use crate::puzzle::scene::Scene;
 use crate::raster::{ball_image, cell_centre};
 
@@ -30,44 +30,50 @@ const THRESHOLD: f32 = 0.5;
 const NOISE: f64 = 0.08;
 const NOISE_GROWTH: f64 = 0.004;
 
-/// Draws per proposal before the noise is doubled, because the map lies where no ball may be.
+/// Rejected draws for one proposal before the noise is doubled, because the map lies where no ball may be.
 const MAX_REJECTIONS: usize = 200;
 
-/// Returns up to `attempts` valid, distinct balls, best guess first. `map` holds 64 x 64 values in 0..=1, row 0 at the
-/// bottom. The same seed returns the same balls.
+/// Draws for one proposal before the search ends, because the scene has no room for another ball.
+const MAX_DRAWS: usize = 100_000;
+
+/// Returns `attempts` valid, distinct balls, best guess first, or fewer if the scene has no room for as many. `map`
+/// holds 64 x 64 values in 0..=1, row 0 at the bottom. The same seed returns the same balls.
 pub fn proposals(map: &[f32], scene: &Scene, seed: u64, attempts: usize) -> Vec<Proposal> {
     let mut rng = Pcg64Mcg::seed_from_u64(seed);
+    let obstacles = Obstacles::new(scene);
     let highest = map.iter().copied().fold(0.0, f32::max);
     let cells: Vec<usize> = (0..map.len()).filter(|&cell| map[cell] > THRESHOLD * highest).collect();
     let mut found: Vec<Proposal> = Vec::with_capacity(attempts);
     for _ in 0..STARTS.min(attempts) {
         let proposal = (0..MAX_REJECTIONS).find_map(|rejected| {
-            let (ball, [x, y]) = improved_start(map, scene, &cells, &mut rng)?;
+            let (ball, [x, y]) = improved_start(map, &obstacles, &cells, &mut rng)?;
             is_new(ball, &found).then_some(Proposal { ball, origin: Origin::Map { x, y }, rejected })
         });
         found.extend(proposal);
     }
     let starts: Vec<Action> = found.iter().map(|start| start.ball.action()).collect();
-    if starts.is_empty() {
-        let blind = std::iter::repeat_with(|| random_ball(scene, &mut rng)).map_while(|ball| ball).take(attempts);
-        return blind.map(|ball| Proposal { ball, origin: Origin::Uniform, rejected: 0 }).collect();
-    }
-    for turn in 0.. {
-        if found.len() >= attempts {
-            break;
-        }
-        let number = turn % starts.len();
-        // Noise that finds no free place grows until it covers the whole scene.
-        let mut deviation = NOISE + NOISE_GROWTH * turn as f64;
-        let proposal = (0..).find_map(|rejected| {
-            if rejected % MAX_REJECTIONS == MAX_REJECTIONS - 1 {
-                deviation = (deviation * 2.0).min(1.0);
-            }
-            let ball = perturbed(starts[number], deviation, &mut rng).place(scene).ok()?;
-            let origin = Origin::Perturbed { number: number + 1 };
-            is_new(ball, &found).then_some(Proposal { ball, origin, rejected })
-        });
-        found.extend(proposal);
+    for turn in 0..attempts - found.len() {
+        let proposal = if starts.is_empty() {
+            let mut draws = (0..MAX_DRAWS).map_while(|rejected| Some((rejected, random_ball(scene, &mut rng)?)));
+            draws.find(|&(_, ball)| is_new(ball, &found)).map(|(rejected, ball)| Proposal {
+                ball,
+                origin: Origin::Uniform,
+                rejected,
+            })
+        } else {
+            let start = turn % starts.len();
+            let mut deviation = NOISE + NOISE_GROWTH * turn as f64;
+            (0..MAX_DRAWS).find_map(|rejected| {
+                if rejected % MAX_REJECTIONS == MAX_REJECTIONS - 1 {
+                    deviation = (deviation * 2.0).min(1.0);
+                }
+                let ball = obstacles.place(perturbed(starts[start], deviation, &mut rng)).ok()?;
+                let origin = Origin::Perturbed { number: start + 1 };
+                is_new(ball, &found).then_some(Proposal { ball, origin, rejected })
+            })
+        };
+        let Some(proposal) = proposal else { break };
+        found.push(proposal);
     }
     found
 }
@@ -78,17 +84,17 @@ fn is_new(ball: Ball, found: &[Proposal]) -> bool {
 
 /// A ball on one of the cells, of random radius, improved, and the centre of that cell, px; `None` if the ball is
 /// invalid or there is no cell.
-fn improved_start(map: &[f32], scene: &Scene, cells: &[usize], rng: &mut impl Rng) -> Option<(Ball, [f64; 2])> {
+fn improved_start(map: &[f32], obstacles: &Obstacles, cells: &[usize], rng: &mut impl Rng) -> Option<(Ball, [f64; 2])> {
     let cell = *cells.get(rng.random_range(0..cells.len().max(1)))?;
     let [x, y] = cell_centre(cell);
     let start = Ball { x, y, r: rng.random_range(2.0..32.0) };
-    let mut ball = start.snapped(scene).ok()?;
+    let mut ball = obstacles.place(start.action()).ok()?;
     let mut best = fit(map, ball);
     let mut step = INITIAL_STEP;
     for _ in 0..IMPROVEMENTS {
         for (dx, dy, dr) in NEIGHBOURS {
             let near = Ball { x: ball.x + dx * step, y: ball.y + dy * step, r: ball.r + dr * step };
-            let Ok(near) = near.snapped(scene) else { continue };
+            let Ok(near) = obstacles.place(near.action()) else { continue };
             let score = fit(map, near);
             if score > best {
                 (ball, best) = (near, score);
@@ -113,6 +119,7 @@ fn fit(map: &[f32], ball: Ball) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::puzzle::scene::{Body, Role, SIZE, Shape, ShapeType};
     use crate::puzzle::task::Task;
     use crate::raster::CELLS;
 
@@ -154,6 +161,35 @@ mod tests {
             }
             assert_eq!(found, proposals(&map, &scene, 5, 100), "the same seed gives the same balls");
         }
+    }
+
+    /// The scene with a wall over all of it but the cells left of `right` and below `top`, px.
+    fn walled(right: f64, top: f64) -> Scene {
+        let mut scene = scene();
+        let wall = |left: f64, bottom: f64| Body {
+            x: left,
+            y: bottom,
+            angle: 0.0,
+            dynamic: false,
+            shape_type: ShapeType::Bar,
+            role: Role::Black,
+            shapes: vec![Shape::Polygon(vec![[0.0, 0.0], [SIZE, 0.0], [SIZE, SIZE], [0.0, SIZE]])],
+        };
+        scene.bodies = vec![wall(right, 0.0), wall(0.0, top)];
+        scene
+    }
+
+    #[test]
+    fn a_scene_without_room_gets_as_many_balls_as_fit() {
+        let (scene, full) = (walled(12.0, 6.0), walled(3.0, 3.0));
+        let in_the_corner = certain_of(Ball { x: 6.0, y: 3.0, r: 2.0 });
+        // 9 x 3 places for a radius of 2 px and 7 for one of 3 px; luck decides how many of them are drawn.
+        let found = proposals(&in_the_corner, &scene, 0, 100);
+        assert!((1..=34).contains(&found.len()), "{}", found.len());
+        assert!(found.iter().all(|proposal| proposal.ball.check(&scene).is_ok()));
+        assert!(proposals(&[0.0; CELLS], &scene, 0, 100).len() <= 34);
+        assert_eq!(proposals(&in_the_corner, &full, 0, 100), []);
+        assert_eq!(proposals(&[0.0; CELLS], &full, 0, 100), []);
     }
 
     #[test]

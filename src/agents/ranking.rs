@@ -7,7 +7,7 @@
 
 use super::proposal::{Origin, Proposal};
 use crate::nets::judge::{RADII, cell_centre};
-use crate::puzzle::action::Ball;
+use crate::puzzle::action::{Ball, Obstacles};
 use crate::puzzle::scene::Scene;
 use crate::raster::CELLS;
 
@@ -56,17 +56,18 @@ pub fn probability_map(logits: &[f32], scene: &Scene) -> Option<Vec<f32>> {
 fn candidates(logits: &[f32], scene: &Scene) -> impl Iterator<Item = (usize, Ball)> {
     // Where a ball fits, every smaller one fits too, so a binary search over the radii needs few checks: for each cell
     // the number of radii that fit, and the largest such ball.
+    let obstacles = Obstacles::new(scene);
     let radii: [usize; RADII] = std::array::from_fn(|radius| radius);
     let fitting: Vec<(usize, Option<Ball>)> = (0..CELLS.min(logits.len()))
         .map(|cell| {
-            let placed = |radius: usize| cell_centre(radius * CELLS + cell).action().place(scene).ok();
+            let placed = |radius: usize| obstacles.place(cell_centre(radius * CELLS + cell).action()).ok();
             let count = radii.partition_point(|&radius| placed(radius).is_some());
             (count, count.checked_sub(1).and_then(placed))
         })
         .collect();
     (0..logits.len()).filter(|&index| logits[index].is_finite()).filter_map(move |index| {
         let (count, largest) = fitting[index % CELLS];
-        let r = cell_centre(index).r.round_ties_even();
+        let r = cell_centre(index).rounded().r;
         (index / CELLS < count).then_some((index, Ball { r, ..largest? }))
     })
 }

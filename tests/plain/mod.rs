@@ -1,38 +1,91 @@
-//! The paper's layers, written to be read and not to be fast. Pictures are channel by channel, row by row.
+//! The nets as plain nested loops, written to be read and not to be fast. Images are channel by channel, row by row.
 
 use half::f16;
 use pathlight::puzzle::scene::Scene;
-use pathlight::raster::{CHANNELS, scene_channels};
+use pathlight::raster::{CHANNELS, SIDE, scene_channels};
 use safetensors::SafeTensors;
 
-fn hourglass(file: &SafeTensors, net: &str, picture: &[f32], channels: usize) -> Vec<f32> {
-    let (mut x, mut inputs, mut side) = (picture.to_vec(), channels, 64);
+/// The four maps of a scene, in the order base, target, action, placement.
+pub fn imagine(file: &SafeTensors, scene: &Scene) -> [Vec<f32>; 4] {
+    let scene = channels(scene);
+    let base = hourglass(file, "base", &scene, CHANNELS);
+    let target = hourglass(file, "target", &scene, CHANNELS);
+    let with = |map: &[f32]| [&scene[..], &target, map].concat();
+    let action = hourglass(file, "action", &with(&base), CHANNELS + 2);
+    let placement = hourglass(file, "placement", &with(&action), CHANNELS + 2);
+    [base, target, action, placement]
+}
+
+/// The judge's logits: the mean over the scene and its mirror image.
+pub fn judge_logits(file: &SafeTensors, scene: &Scene) -> Vec<f32> {
+    let mirror = |image: &[f32]| -> Vec<f32> { image.chunks(SIDE).flat_map(|row| row.iter().rev()).copied().collect() };
+    let scene = channels(scene);
+    let mirrored = mirror(&u_net(file, &mirror(&scene)));
+    u_net(file, &scene).iter().zip(mirrored).map(|(a, b)| (a + b) / 2.0).collect()
+}
+
+fn channels(scene: &Scene) -> Vec<f32> {
+    scene_channels(scene).iter().flat_map(|channel| channel.to_f32()).collect()
+}
+
+/// Six convolutions, six transposed ones, a sigmoid.
+fn hourglass(file: &SafeTensors, net: &str, images: &[f32], channels: usize) -> Vec<f32> {
+    let (mut x, mut inputs, mut side) = (images.to_vec(), channels, SIDE);
     for layer in 0..6 {
         let (weight, bias) = layer_of(file, &format!("{net}.down.{layer}"));
-        x = convolve(&x, inputs, side, &weight, &bias);
+        x = relu(convolve(&x, inputs, side, &weight, &bias));
         (inputs, side) = (bias.len(), side / 2);
-        x.iter_mut().for_each(|value| *value = value.max(0.0));
     }
     for layer in 0..6 {
         let (weight, bias) = layer_of(file, &format!("{net}.up.{layer}"));
         x = convolve_transposed(&x, inputs, side, &weight, &bias);
         (inputs, side) = (bias.len(), side * 2);
         if layer < 5 {
-            x.iter_mut().for_each(|value| *value = value.max(0.0));
+            x = relu(x);
         }
     }
     x.iter().map(|&logit| 1.0 / (1.0 + (-logit).exp())).collect()
 }
 
-/// Weight and bias; a kernel of which only the centre is kept becomes the 4 x 4 kernel that it stands for.
+/// Five convolutions; five transposed ones, each but the first on the one before and the encoder's output of its size.
+fn u_net(file: &SafeTensors, images: &[f32]) -> Vec<f32> {
+    let (mut x, mut inputs, mut side) = (images.to_vec(), CHANNELS, SIDE);
+    let mut encoded = Vec::new();
+    for layer in 0..5 {
+        let (weight, bias) = layer_of(file, &format!("judge.down.{layer}"));
+        x = relu(convolve(&x, inputs, side, &weight, &bias));
+        (inputs, side) = (bias.len(), side / 2);
+        encoded.push(x.clone());
+    }
+    for layer in 0..5 {
+        if layer > 0 {
+            let skip = &encoded[4 - layer];
+            x.extend_from_slice(skip);
+            inputs += skip.len() / (side * side);
+        }
+        let (weight, bias) = layer_of(file, &format!("judge.up.{layer}"));
+        x = convolve_transposed(&x, inputs, side, &weight, &bias);
+        (inputs, side) = (bias.len(), side * 2);
+        if layer < 4 {
+            x = relu(x);
+        }
+    }
+    x
+}
+
+fn relu(x: Vec<f32>) -> Vec<f32> {
+    x.into_iter().map(|value| value.max(0.0)).collect()
+}
+
+/// Weight and bias; a 2 x 2 kernel becomes the 4 x 4 kernel whose centre it is.
 fn layer_of(file: &SafeTensors, layer: &str) -> (Vec<f32>, Vec<f32>) {
-    let numbers = |name: &str| -> (Vec<usize>, Vec<f32>) {
+    let values = |name: &str| -> (Vec<usize>, Vec<f32>) {
         let view = file.tensor(&format!("{layer}.{name}")).expect("every layer has weight and bias");
         let pairs = view.data().chunks_exact(2).map(|pair| f16::from_le_bytes([pair[0], pair[1]]).to_f32());
         (view.shape().to_vec(), pairs.collect())
     };
-    let (shape, weight) = numbers("weight");
-    let (_, bias) = numbers("bias");
+    let (shape, weight) = values("weight");
+    let (_, bias) = values("bias");
     if shape[2] == 4 {
         return (weight, bias);
     }
@@ -68,7 +121,7 @@ fn convolve(x: &[f32], inputs: usize, side: usize, weight: &[f32], bias: &[f32])
     out
 }
 
-/// The mirror of `convolve`. Weight: in, out, row, column.
+/// The adjoint of `convolve`. Weight: in, out, row, column.
 fn convolve_transposed(x: &[f32], inputs: usize, side: usize, weight: &[f32], bias: &[f32]) -> Vec<f32> {
     let (outputs, double) = (bias.len(), side * 2);
     let mut out: Vec<f32> = bias.iter().flat_map(|&bias| vec![bias; double * double]).collect();
@@ -88,15 +141,4 @@ fn convolve_transposed(x: &[f32], inputs: usize, side: usize, weight: &[f32], bi
         }
     }
     out
-}
-
-/// The four maps of a scene, in the order base, target, action, placement.
-pub fn imagine(file: &SafeTensors, scene: &Scene) -> [Vec<f32>; 4] {
-    let seen: Vec<f32> = scene_channels(scene).iter().flat_map(|channel| channel.to_f32()).collect();
-    let base = hourglass(file, "base", &seen, CHANNELS);
-    let target = hourglass(file, "target", &seen, CHANNELS);
-    let with = |map: &[f32]| [&seen[..], &target, map].concat();
-    let action = hourglass(file, "action", &with(&base), CHANNELS + 2);
-    let placement = hourglass(file, "placement", &with(&action), CHANNELS + 2);
-    [base, target, action, placement]
 }
