@@ -6,7 +6,7 @@ import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { after, before, test } from 'node:test';
 import { start } from './harness.mjs';
-import { openPuzzle } from './playing.mjs';
+import { openPuzzle } from './page-actions.mjs';
 
 const ASSETS = join(dirname(fileURLToPath(import.meta.url)), '..', '..', 'assets');
 
@@ -30,8 +30,8 @@ test('the sheet names the paper, the benchmark and what the model learned from',
   const page = await openPuzzle(session, { more: '&panel=imagine' });
   const [entry] = await page.evaluate(async () => (await (await fetch('assets/model.json')).json()).models);
   const { samples, tasks, epochs } = await card(entry.file);
-  await page.locator('#imagine [data-opens=about]').click();
-  const about = page.locator('#about[open]');
+  await page.locator('#imagine [data-opens=about-dialog]').click();
+  const about = page.locator('#about-dialog[open]');
   const text = await about.textContent();
   for (const said of ['Solving Physics Puzzles by Reasoning about Paths', 'Harter', '2020', 'PHYRE']) assert.ok(text.includes(said), said);
   await about.locator('#card').filter({ hasText: entry.name }).waitFor();
@@ -43,14 +43,14 @@ test('the sheet names the paper, the benchmark and what the model learned from',
   await about.waitFor({ state: 'hidden' });
 });
 
-for (const [what, viewport] of [['a desktop', { width: 1280, height: 800 }], ['a phone', { width: 360, height: 640 }]]) {
+for (const [what, viewport] of Object.entries({ 'a desktop': { width: 1280, height: 800 }, 'a phone': { width: 360, height: 640 } })) {
   test(`it opens from the grid on ${what} and closes by key`, async () => {
     const page = await session.open('/', { viewport });
-    await page.locator('#behind').click();
-    const box = await page.locator('#about[open]').boundingBox();
-    assert.ok(box.x >= 0 && box.x + box.width <= viewport.width && box.height <= viewport.height, JSON.stringify(box));
-    assert.ok((await page.locator('#about').evaluate((about) => about.scrollTop)) === 0, 'it begins at its beginning');
+    await page.locator('#about-button').click();
+    const box = await page.locator('#about-dialog[open]').boundingBox();
+    assert.ok(box && box.x >= 0 && box.x + box.width <= viewport.width && box.height <= viewport.height, JSON.stringify(box));
+    assert.ok((await page.locator('#about-dialog').evaluate((about) => about.scrollTop)) === 0, 'it begins at its beginning');
     await page.keyboard.press('Escape');
-    await page.locator('#about').waitFor({ state: 'hidden' });
+    await page.locator('#about-dialog').waitFor({ state: 'hidden' });
   });
 }

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { start } from './harness.mjs';
-import { attempts, known, openPuzzle, palette, picture, pixels, says, type } from './playing.mjs';
+import { attempts, known, openPuzzle, palette, picture, pixels, says, type } from './page-actions.mjs';
 
 let session;
 before(async () => (session = await start()));
@@ -15,7 +15,7 @@ const row = (page, number) => page.locator(`#play-attempts li[data-number="${num
 async function tried(options = {}) {
   const page = await openPuzzle(session, { still: true, ...options });
   const { missing, solving } = await known(page);
-  for (const [ball, words] of [[missing, /^Not solved\. Your attempt 1/], [solving, /^Solved! Your attempt 2/]]) {
+  for (const { ball, words } of [{ ball: missing, words: /^Not solved\. Your attempt 1/ }, { ball: solving, words: /^Solved! Your attempt 2/ }]) {
     await type(page, ball);
     await page.locator('#run').click();
     await says(page, words);
@@ -65,7 +65,7 @@ test('an attempt is deleted, by key too, and the list closes up', async () => {
   assert.equal(await page.locator('#play-count').textContent(), 'solved on attempt 1');
   // What was shown is gone, so the ball can be placed; the focus stays in the list.
   await says(page, /may start here/);
-  assert.equal(await page.evaluate(() => document.activeElement.getAttribute('aria-label')), 'Delete attempt 1');
+  assert.equal(await page.evaluate(() => document.activeElement?.getAttribute('aria-label')), 'Delete attempt 1');
   await page.keyboard.press('Enter');
   assert.equal(await attempts(page), 0);
   assert.equal(await page.locator('#play-empty').isVisible(), true);

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { start } from './harness.mjs';
-import { palette, pixels } from './playing.mjs';
+import { palette, pixels } from './page-actions.mjs';
 
 let session;
 before(async () => (session = await start()));
@@ -29,7 +29,7 @@ test('every template opens from the grid with its scene and its goal', async () 
     const name = await links.nth(index).locator('strong').textContent();
     await links.nth(index).click();
     await page.locator('#scene').waitFor();
-    assert.equal(await page.locator('#name').textContent(), name);
+    assert.equal(await page.locator('#puzzle-name').textContent(), name);
     const goal = await page.locator('#goal').textContent();
     const [, target] = goal.match(/^Make sure the green \w+ is touching the (blue|purple) [\w ]+\.$/) ?? [];
     assert.ok(target, `${name}: ${goal}`);

@@ -27,7 +27,10 @@ const flags = [
   '--no-first-run',
 ];
 
-/** Starts a server and a browser. `serve` are further arguments of `pathlight serve`. */
+/**
+ * Starts a server and a browser.
+ * @param {{ serve?: string[] }} [options] further arguments of `pathlight serve`
+ */
 export async function start({ serve = [] } = {}) {
   const server = await startServer(serve);
   return new Session(server, await launch());

@@ -3,13 +3,13 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { start } from './harness.mjs';
-import { ball, known, openPuzzle, says } from './playing.mjs';
+import { ball, known, openPuzzle, says, waitForValue } from './page-actions.mjs';
 
 let session;
 before(async () => (session = await start()));
 after(() => session.stop());
 
-const focused = (page) => page.evaluate(() => document.activeElement.id);
+const focused = (page) => page.evaluate(() => document.activeElement?.id);
 
 /** Presses Tab until the element of this id has the focus. */
 async function tabTo(page, id) {
@@ -27,7 +27,7 @@ async function press(page, key, times) {
 /** Moves the ball from where it is by arrows, Shift and arrows, + and -. */
 async function moveTo(page, [x, y, r]) {
   const [fromX, fromY, fromR] = await ball(page);
-  for (const [by, less, more] of [[x - fromX, 'ArrowLeft', 'ArrowRight'], [y - fromY, 'ArrowDown', 'ArrowUp']]) {
+  for (const { by, less, more } of [{ by: x - fromX, less: 'ArrowLeft', more: 'ArrowRight' }, { by: y - fromY, less: 'ArrowDown', more: 'ArrowUp' }]) {
     const key = by < 0 ? less : more;
     await press(page, `Shift+${key}`, Math.floor(Math.abs(by) / 10));
     await press(page, key, Math.abs(by) % 10);
@@ -39,7 +39,7 @@ test('a puzzle is opened, solved and compared by keys alone', async () => {
   const page = await session.open('/', { reducedMotion: 'reduce' });
   await page.locator('#templates a').first().waitFor();
   const { solving } = await known(page);
-  while (!(await page.evaluate(() => document.activeElement.matches('#templates a')))) await page.keyboard.press('Tab');
+  while (!(await page.evaluate(() => document.activeElement?.matches('#templates a')))) await page.keyboard.press('Tab');
   await page.keyboard.press('Enter');
   await page.locator('#scene').waitFor();
   assert.equal(await focused(page), 'scene', 'the scene is ready for the arrows');
@@ -51,10 +51,10 @@ test('a puzzle is opened, solved and compared by keys alone', async () => {
   await says(page, /^Solved! Your attempt 1/);
 
   await page.keyboard.press('3');
-  await tabTo(page, 'turn');
-  await page.locator('#turn:enabled').waitFor();
+  await tabTo(page, 'model-turn');
+  await page.locator('#model-turn:enabled').waitFor();
   await page.keyboard.press('Enter');
-  await page.locator('#turn').filter({ hasText: 'The model has played' }).waitFor({ timeout: 120_000 });
+  await page.locator('#model-turn').filter({ hasText: 'The model has played' }).waitFor({ timeout: 120_000 });
 });
 
 test('keys step, pause, reset, change the puzzle and the panel', async () => {
@@ -70,7 +70,7 @@ test('keys step, pause, reset, change the puzzle and the panel', async () => {
   await page.keyboard.press(',');
   assert.equal(await time.inputValue(), '3');
   await page.keyboard.press('Space');
-  await page.waitForFunction(() => Number(document.querySelector('#time').value) > 10);
+  await waitForValue(page, '#time', (value) => Number(value) > 10);
   await page.keyboard.press('Space');
   const paused = await time.inputValue();
   await page.waitForTimeout(200);
@@ -90,9 +90,9 @@ test('keys step, pause, reset, change the puzzle and the panel', async () => {
   await page.keyboard.press('ArrowRight');
   assert.equal(await focused(page), 'tab-compare');
   await page.keyboard.press('?');
-  await page.locator('#keys[open]').waitFor();
+  await page.locator('#keys-dialog[open]').waitFor();
   await page.keyboard.press('Escape');
-  await page.locator('#keys[open]').waitFor({ state: 'detached' });
+  await page.locator('#keys-dialog[open]').waitFor({ state: 'detached' });
 });
 
 test('what has the focus can be seen', async () => {
@@ -106,7 +106,7 @@ test('what has the focus can be seen', async () => {
 
 test('where nothing has the focus, the arrows move the ball', async () => {
   const page = await openPuzzle(session);
-  await page.evaluate(() => document.activeElement.blur());
+  await page.evaluate(() => /** @type {HTMLElement} */ (document.activeElement).blur());
   await page.keyboard.press('Shift+ArrowUp');
   const [x, y, r] = await ball(page);
   await page.keyboard.press('Shift+ArrowLeft');

@@ -6,13 +6,13 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { start } from './harness.mjs';
-import { EASY, attempts, ball, known, openPuzzle, says, type } from './playing.mjs';
+import { EASY, attempts, ball, click, known, openPuzzle, says, type } from './page-actions.mjs';
 
 let session;
 before(async () => (session = await start()));
 after(() => session.stop());
 
-const notice = (page) => page.locator('#notice:visible #problem');
+const notice = (page) => page.locator('#notice:visible #notice-text');
 
 test('a link opens the same puzzle, panel, layers and ball', async () => {
   const page = await openPuzzle(session, { more: '&panel=imagine&layers=target,placement&opacity=0.5&ball=100,200,10' });
@@ -69,6 +69,49 @@ test('a link can hold on to one puzzle', async () => {
   await page.locator('#next').waitFor();
 });
 
+test('a link that holds on to one puzzle offers no other, by no way', async () => {
+  const name = (await (await fetch(`${session.origin}/assets/model.json`)).json()).models[0].name;
+  const both = JSON.stringify({ tasks: { '00001:001': { attempts: 1, solved: 1 } } });
+  const localStorage = [{ name: 'pathlight.progress', value: both }, { name: `pathlight.model.${name}`, value: both }];
+  const storageState = { cookies: [], origins: [{ origin: session.origin, localStorage }] };
+  const page = await openPuzzle(session, { more: '&panel=compare&hide=puzzles', storageState });
+  await page.locator('#score-rows th', { hasText: '00001:001' }).waitFor();
+  assert.equal(await page.locator('#score-rows a').count(), 0, 'the scoreboard leads nowhere');
+  for (const link of ['task=00007:999&hide=puzzles', 'layers=soup&hide=puzzles', 'hide=puzzles']) {
+    await page.goto(`${session.origin}/#${link}`);
+    await notice(page).waitFor();
+    assert.equal(await page.locator('a:visible').filter({ hasNotText: /Pathlight|Skip/ }).count(), 0, link);
+    assert.ok(await page.locator('#gallery').isHidden(), link);
+  }
+  // Other links keep what is hidden, and the model.
+  await page.goto(`${session.origin}/#task=${EASY}&panel=compare&hide=story,map&model=${name}`);
+  const link = page.locator('#score-rows a', { hasText: '00001:001' });
+  await link.waitFor();
+  assert.equal(await link.getAttribute('href'), `#task=00001:001&model=${name}&panel=compare&hide=story,map`);
+});
+
+test('a panel that the link hides does nothing, although the link names it', async () => {
+  const page = await openPuzzle(session, { more: '&panel=predict&hide=predict' });
+  assert.ok(await page.locator('#play').isVisible());
+  await says(page, /place the red ball/);
+  await click(page, 100, 240);
+  assert.deepEqual((await ball(page)).slice(0, 2), [100, 240], 'the scene takes no pen');
+
+  await page.goto(`${session.origin}/#task=00007:008&panel=compare&proposal=1&hide=compare`);
+  await page.locator('#task option:checked', { hasText: '00007:008' }).waitFor({ state: 'attached' });
+  await page.locator('#imagined-in').filter({ hasText: 'Imagined' }).waitFor({ state: 'attached' });
+  // Time for the model to propose, if it were asked.
+  await page.waitForTimeout(1500);
+  await says(page, /place the red ball/);
+});
+
+test('a link that hides what the model does hides the sheet about it too', async () => {
+  const page = await openPuzzle(session, { more: '&hide=imagine,compare' });
+  assert.ok(await page.locator('#about-button').isHidden());
+  await page.goto(`${session.origin}/#task=${EASY}&hide=compare`);
+  await page.locator('#about-button').waitFor();
+});
+
 test('a model that is named in the link is the one that imagines', async () => {
   const page = await openPuzzle(session, { more: '&panel=imagine&model=nobody' });
   await page.locator('#imagine-trouble:visible').filter({ hasText: 'There is no model “nobody” here. There is: ' }).waitFor();
@@ -92,7 +135,7 @@ for (const [link, words] of [
   test(`a bad link (${link}) is a sentence with a way on`, async () => {
     const page = await session.open(`/#${link}`);
     await notice(page).filter({ hasText: words }).waitFor();
-    await page.locator('#ways a', { hasText: 'All puzzles' }).click();
+    await page.locator('#notice-actions a', { hasText: 'All puzzles' }).click();
     await page.locator('#gallery').waitFor();
     await page.locator('#notice').waitFor({ state: 'hidden' });
   });
@@ -100,14 +143,14 @@ for (const [link, words] of [
 
 test('a number that a template has not leads to its first puzzle', async () => {
   const page = await session.open('/#task=00007:999');
-  await page.locator('#ways a').first().click();
+  await page.locator('#notice-actions a').first().click();
   await page.locator('#scene').waitFor();
   assert.match(await page.locator('#task').inputValue(), /^00007:/);
 });
 
 test('without WebAssembly the page says what it needs', async () => {
   const page = await session.open('/icon.svg');
-  await page.addInitScript(() => delete globalThis.WebAssembly);
+  await page.addInitScript(() => Reflect.deleteProperty(globalThis, 'WebAssembly'));
   await page.goto(session.origin);
   await notice(page).filter({ hasText: 'no WebAssembly' }).waitFor();
 });
@@ -115,8 +158,12 @@ test('without WebAssembly the page says what it needs', async () => {
 test('without the wasm package the page says so', async () => {
   const page = await session.open('/icon.svg');
   await page.route('**/*.wasm', (route) => route.fulfill({ status: 404 }));
-  await page.goto(session.origin);
+  await page.goto(`${session.origin}/#task=${EASY}&panel=map`);
   await notice(page).filter({ hasText: 'the server answered 404' }).waitFor();
+  await page.unroute('**/*.wasm');
+  await page.locator('#notice-actions').getByText('Try again').click();
+  await page.locator('#map').waitFor();
+  assert.match(page.url(), new RegExp(`#task=${EASY}&panel=map$`), 'trying again keeps the link');
   const problems = session.takeProblems();
   assert.ok(problems.every((problem) => /404|preload/.test(problem)), problems.join('\n'));
 });
@@ -146,7 +193,7 @@ test('without weights a person can still play', async () => {
     await page.locator('#imagine-trouble:visible').filter({ hasText: 'The model’s weights are missing here' }).waitFor();
     await page.locator('#tab-compare').click();
     await page.locator('#compare-trouble:visible').filter({ hasText: 'weights are missing' }).waitFor();
-    assert.ok(await page.locator('#turn').isDisabled());
+    assert.ok(await page.locator('#model-turn').isDisabled());
     await page.locator('#tab-play').click();
     const { solving } = await known(page);
     await type(page, solving);

@@ -5,7 +5,7 @@ import { mkdir } from 'node:fs/promises';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { start } from './harness.mjs';
-import { known, openPuzzle, says, type } from './playing.mjs';
+import { known, openPuzzle, says, type } from './page-actions.mjs';
 
 const TASK = process.argv[2] ?? '00007:008';
 const folder = join(dirname(fileURLToPath(import.meta.url)), '..', '..', 'target', 'pictures');
@@ -17,12 +17,13 @@ const SCREENS = {
 
 await mkdir(folder, { recursive: true });
 const session = await start();
-let balls = null;
+/** @type {Awaited<ReturnType<typeof known>> | undefined} */
+let knownBalls;
 
 for (const [screen, size] of Object.entries(SCREENS)) {
-  for (const colorScheme of ['light', 'dark']) {
+  for (const colorScheme of /** @type {const} */ (['light', 'dark'])) {
     const page = await openPuzzle(session, { ...size, task: TASK, still: true, colorScheme });
-    balls ??= await known(page, TASK);
+    const balls = (knownBalls ??= await known(page, TASK));
     const take = async (view) => {
       await page.waitForTimeout(400);
       await page.screenshot({ path: join(folder, `${view}-${screen}-${colorScheme}.png`) });
@@ -52,7 +53,7 @@ for (const [screen, size] of Object.entries(SCREENS)) {
     await time.fill(await time.getAttribute('max'));
     await says(page, /^Solved/);
     await take('solved');
-    await page.locator('#play-attempts [data-act=lay]').first().click();
+    await page.locator('#play-attempts [data-act=overlay]').first().click();
     await take('overlaid');
 
     await page.locator('#reset').click();
@@ -61,24 +62,24 @@ for (const [screen, size] of Object.entries(SCREENS)) {
     await page.locator('[data-stage=target] input').check();
     await page.locator('[data-stage=placement] input').check();
     await take('imagine');
-    await page.locator('#imagine [data-opens=about]').click();
+    await page.locator('#imagine [data-opens=about-dialog]').click();
     await take('about');
     await page.keyboard.press('Escape');
 
     await page.locator('#tab-compare').click();
-    await page.locator('#turn:enabled').click();
-    await page.locator('#turn').filter({ hasText: 'The model has played' }).waitFor({ timeout: 120_000 });
+    await page.locator('#model-turn:enabled').click();
+    await page.locator('#model-turn').filter({ hasText: 'The model has played' }).waitFor({ timeout: 120_000 });
     await take('compare');
 
-    await page.locator('#stack').fill('8');
+    await page.locator('#proposal-slider').fill('8');
     await page.locator('#score-title').scrollIntoViewIfNeeded();
     await take('ball-by-ball');
-    await page.locator('#stack-close').click();
+    await page.locator('#proposal-close').click();
 
     await page.locator('#tab-imagine').click();
-    await page.locator('#actual-how').scrollIntoViewIfNeeded();
+    await page.locator('#overlap-how').scrollIntoViewIfNeeded();
     await take('imagined-and-real');
-    await page.locator('#story-next').click();
+    await page.locator('#walkthrough-next').click();
     await take('story');
 
     await page.locator('#tab-predict').click();
@@ -87,9 +88,9 @@ for (const [screen, size] of Object.entries(SCREENS)) {
     await take('predict');
 
     await page.locator('#tab-map').click();
-    await page.locator('#search').click();
-    await page.locator('#map-words').filter({ hasText: 'Every place tried' }).waitFor({ timeout: 120_000 });
-    await page.locator('#map-placement').check();
+    await page.locator('#solve-map-search').click();
+    await page.locator('#solve-map-words').filter({ hasText: 'Every place tried' }).waitFor({ timeout: 120_000 });
+    await page.locator('#solve-map-placement').check();
     await take('map');
 
     await page.keyboard.press('?');

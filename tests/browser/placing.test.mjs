@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { start } from './harness.mjs';
-import { attempts, ball, click, known, openPuzzle, palette, pixels, says, spot, type } from './playing.mjs';
+import { attempts, ball, click, known, openPuzzle, palette, pixels, says, spot, type, waitForValue } from './page-actions.mjs';
 
 let session;
 before(async () => (session = await start()));
@@ -42,7 +42,7 @@ test('a drag moves the ball, the knob and the wheel change its radius', async ()
   await page.mouse.wheel(0, -100);
   await page.mouse.wheel(0, -100);
   await page.mouse.wheel(0, 100);
-  await page.waitForFunction((wanted) => document.querySelector('#ball-r').value === wanted, String(before + 1));
+  await waitForValue(page, '#ball-r', (value) => value === String(before + 1));
   await page.locator('#radius').fill('9');
   assert.deepEqual(await ball(page), [x, y, 9]);
 });
@@ -82,7 +82,7 @@ test('however many moves a drag makes, a frame is drawn once, and in time for th
   await page.mouse.move(x, y);
   await page.mouse.down();
   const painted = await page.evaluate(async ([x, y]) => {
-    const scene = document.querySelector('#scene');
+    const scene = /** @type {HTMLElement} */ (document.querySelector('#scene'));
     const next = () => new Promise((resume) => requestAnimationFrame(resume));
     await next();
     globalThis.painted.length = 0;

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { start } from './harness.mjs';
-import { attempts, ball, known, openPuzzle, picture, says, spot, type } from './playing.mjs';
+import { attempts, ball, dragTo, known, openPuzzle, picture, says, spot, type } from './page-actions.mjs';
 
 let session;
 before(async () => (session = await start()));
@@ -11,15 +11,13 @@ after(() => session.stop());
 
 async function predict(options) {
   const page = await openPuzzle(session, { more: '&panel=predict', still: true, ...options });
-  await page.waitForFunction(() => /Imagined/.test(document.querySelector('#imagined-in').textContent));
+  await page.locator('#imagined-in').filter({ hasText: 'Imagined' }).waitFor({ state: 'attached' });
   return page;
 }
 
 /** Draws a line through points of the scene with the mouse. */
 async function draw(page, points) {
-  await page.mouse.move(...(await spot(page, ...points[0])));
-  await page.mouse.down();
-  for (const point of points) await page.mouse.move(...(await spot(page, ...point)), { steps: 5 });
+  await dragTo(page, points);
   await page.mouse.up();
 }
 
@@ -35,7 +33,7 @@ const VERDICT = /^(You were closer: \d+ %, the net \d+ %|The net was closer: \d+
 
 async function verdict(page) {
   await page.locator('#predict-words').filter({ hasText: VERDICT }).waitFor();
-  const shares = await page.locator('#predict-plates b').allTextContents();
+  const shares = await page.locator('#predict-cards b').allTextContents();
   return shares.map((share) => Number(share.match(/^(\d+) %$/)[1]));
 }
 
@@ -83,8 +81,12 @@ test('a finger draws, and nothing scrolls', async () => {
   const page = await predict({ hasTouch: true, isMobile: true, viewport: { width: 390, height: 844 } });
   const client = await page.context().newCDPSession(page);
   const touch = async (type, point) => {
-    const [x, y] = point ? await spot(page, ...point) : [];
-    await client.send('Input.dispatchTouchEvent', { type, touchPoints: point ? [{ x, y }] : [] });
+    const points = [];
+    if (point) {
+      const [x, y] = await spot(page, point[0], point[1]);
+      points.push({ x, y });
+    }
+    await client.send('Input.dispatchTouchEvent', { type, touchPoints: points });
   };
   await touch('touchStart', [40, 200]);
   for (const y of [170, 140, 110, 80]) await touch('touchMove', [60, y]);
@@ -116,4 +118,26 @@ test('on another panel the scene places the ball again', async () => {
   await page.locator('#tab-play').click();
   await page.mouse.click(...(await spot(page, 100, 240)));
   assert.deepEqual((await ball(page)).slice(0, 2), [100, 240]);
+});
+
+test('a line that is wiped while the pen is down begins again where the pen goes on', async () => {
+  const page = await predict();
+  await dragTo(page, [[40, 200]]);
+  await page.keyboard.press('Backspace');
+  assert.equal(await page.locator('#predict-words').textContent(), 'Nothing drawn yet.');
+  await page.mouse.move(...(await spot(page, 80, 150)), { steps: 5 });
+  await page.mouse.up();
+  await page.locator('#predict-words').filter({ hasText: /^Your line ends at x (79|80|81), y (149|150|151)\.$/ }).waitFor();
+  assert.ok(await page.locator('#notice').isHidden());
+});
+
+test('maps that are switched on do not tell the answer here', async () => {
+  const page = await predict();
+  const bare = await picture(page);
+  await page.goto(`${session.origin}/#task=00000:000&panel=predict&layers=base,target`);
+  await page.waitForTimeout(300);
+  assert.equal(await picture(page), bare);
+  await page.locator('#tab-imagine').click();
+  await page.waitForTimeout(300);
+  assert.notEqual(await picture(page), bare, 'they lie over the scene where they are switched on');
 });

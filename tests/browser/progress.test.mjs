@@ -5,7 +5,7 @@ import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { after, before, test } from 'node:test';
 import { start } from './harness.mjs';
-import { EASY, known, openPuzzle, says, type } from './playing.mjs';
+import { EASY, known, openPuzzle, says, type } from './page-actions.mjs';
 
 let session;
 before(async () => (session = await start()));
@@ -37,7 +37,7 @@ test('progress is told on the grid and in the picker, and outlasts the page', as
   await page.locator('#home').click();
   assert.equal(await mark(page).textContent(), '✓ 1 of 100 solved, in 2 attempts');
   await page.reload();
-  await page.locator('#record:visible').filter({ hasText: 'So far you have tried 1 puzzle and solved 1, in 2 attempts.' }).waitFor();
+  await page.locator('#progress:visible').filter({ hasText: 'So far you have tried 1 puzzle and solved 1, in 2 attempts.' }).waitFor();
   assert.equal(await mark(page).textContent(), '✓ 1 of 100 solved, in 2 attempts');
   await page.locator('#templates a').first().click();
   assert.equal(await label(page), `${EASY} ✓ in 2`);
@@ -59,7 +59,7 @@ test('another tab’s attempts are seen, and added to', async () => {
   await other.goto(page.url());
   const { missing, solving } = await known(page);
   await run(page, missing, /^Not solved/);
-  await other.waitForFunction((task) => document.querySelector('#task').selectedOptions[0].textContent === `${task} × 1`, EASY);
+  await other.locator('#task option:checked').filter({ hasText: `${EASY} × 1` }).waitFor({ state: 'attached' });
   await other.emulateMedia({ reducedMotion: 'reduce' });
   await run(other, solving, /^Solved/);
   assert.equal(await label(other), `${EASY} ✓ in 2`);
@@ -69,19 +69,19 @@ test('progress is saved to a file, and forgotten only when the person is sure', 
   const page = await openPuzzle(session, { still: true });
   await played(page);
   await page.locator('#home').click();
-  const [file] = await Promise.all([page.waitForEvent('download'), page.locator('#save').click()]);
+  const [file] = await Promise.all([page.waitForEvent('download'), page.locator('#progress-save').click()]);
   assert.equal(file.suggestedFilename(), 'pathlight-progress.json');
   assert.deepEqual(JSON.parse(await readFile(await file.path(), 'utf8')), { tasks: { [EASY]: { attempts: 2, solved: 2 } } });
 
-  await page.locator('#forget').click();
+  await page.locator('#progress-forget').click();
   await page.keyboard.press('Escape');
-  assert.ok(await page.locator('#record').isVisible());
-  await page.locator('#forget').click();
-  await page.locator('#forgetting button[value=keep]').click();
-  assert.ok(await page.locator('#record').isVisible());
-  await page.locator('#forget').click();
-  await page.locator('#forgetting button[value=forget]').click();
-  await page.locator('#record').waitFor({ state: 'hidden' });
+  assert.ok(await page.locator('#progress').isVisible());
+  await page.locator('#progress-forget').click();
+  await page.locator('#forget-dialog button[value=keep]').click();
+  assert.ok(await page.locator('#progress').isVisible());
+  await page.locator('#progress-forget').click();
+  await page.locator('#forget-dialog button[value=forget]').click();
+  await page.locator('#progress').waitFor({ state: 'hidden' });
   assert.equal(await mark(page).textContent(), '');
   assert.equal(await page.evaluate((key) => localStorage.getItem(key), KEY), null);
 });
@@ -116,7 +116,7 @@ for (const [what, forbid] of [
     await page.locator('#scene').waitFor();
     await played(page);
     await page.locator('#home').click();
-    await page.locator('#record:visible').filter({ hasText: 'keeps nothing for the page' }).waitFor();
+    await page.locator('#progress:visible').filter({ hasText: 'keeps nothing for the page' }).waitFor();
     assert.equal(await mark(page).textContent(), '✓ 1 of 100 solved, in 2 attempts');
     assert.ok(await page.locator('#notice').isHidden());
   });

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { start } from './harness.mjs';
-import { attempts, known, openPuzzle, palette, picture, pixels, says, type } from './playing.mjs';
+import { attempts, known, openPuzzle, palette, picture, pixels, says, type, waitForValue } from './page-actions.mjs';
 
 let session;
 before(async () => (session = await start()));
@@ -40,7 +40,7 @@ test('pause, step, scrub and go on', async () => {
   const { missing } = await known(page);
   await type(page, missing);
   await page.locator('#run').click();
-  await page.waitForFunction(() => Number(document.querySelector('#time').value) > 20);
+  await waitForValue(page, '#time', (value) => Number(value) > 20);
   await page.locator('#run').click();
   const time = page.locator('#time');
   const paused = Number(await time.inputValue());
@@ -53,7 +53,7 @@ test('pause, step, scrub and go on', async () => {
   await page.waitForTimeout(100);
   assert.notEqual(await picture(page), scene);
   await page.locator('#run').click();
-  await page.waitForFunction(() => Number(document.querySelector('#time').value) > 5);
+  await waitForValue(page, '#time', (value) => Number(value) > 5);
   await page.locator('#reset').click();
   assert.equal(await seconds(page), 0);
   await says(page, /may start here/);
@@ -106,7 +106,7 @@ test('the scene runs without a ball too, and that is no attempt', async () => {
 test('the ring tells how long the goal has held, of the three seconds', async () => {
   const page = await openPuzzle(session, { still: true });
   const { solving } = await known(page);
-  const hold = page.locator('#hold');
+  const hold = page.locator('#goal-meter');
   assert.ok(await hold.isHidden());
   await type(page, solving);
   await page.locator('#run').click();

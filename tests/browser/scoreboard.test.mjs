@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { start } from './harness.mjs';
-import { known, openPuzzle, says, type } from './playing.mjs';
+import { known, openPuzzle, says, type } from './page-actions.mjs';
 
 let session;
 before(async () => (session = await start()));
@@ -21,8 +21,8 @@ async function playBoth(page) {
     await says(page, /olved/);
   }
   await page.locator('#tab-compare').click();
-  await page.locator('#turn:enabled').click();
-  await page.locator('#turn').filter({ hasText: 'The model has played' }).waitFor({ timeout: 120_000 });
+  await page.locator('#model-turn:enabled').click();
+  await page.locator('#model-turn').filter({ hasText: 'The model has played' }).waitFor({ timeout: 120_000 });
 }
 
 test('a puzzle counts once both have played, by the same measure, and is kept', async () => {
@@ -31,10 +31,10 @@ test('a puzzle counts once both have played, by the same measure, and is kept', 
   await playBoth(page);
   assert.equal(await rows(page).count(), 1);
   assert.equal(await rows(page).locator('td').first().textContent(), '✓ on attempt 2');
-  const made = await page.locator('#it-attempts li').count();
+  const made = await page.locator('#model-attempts li').count();
   assert.match(await rows(page).locator('td').last().textContent(), new RegExp(`^(✓ on attempt|× in) ${made}$`));
   // PHYRE's value for one task that is solved on the second attempt.
-  assert.equal(Number(await page.locator('#score-you').textContent()).toFixed(0), '85');
+  assert.equal(Number(await page.locator('#score-player').textContent()).toFixed(0), '85');
   // The link follows a moment later.
   await page.waitForURL(/panel=compare/);
   const kept = await page.locator('#score-table').innerText();
@@ -48,7 +48,7 @@ async function remembering(entries) {
   const localStorage = Object.entries(entries).map(([name, value]) => ({ name, value }));
   const storageState = { cookies: [], origins: [{ origin: session.origin, localStorage }] };
   const page = await openPuzzle(session, { more: '&panel=compare', storageState });
-  await page.locator('#turn:enabled').waitFor();
+  await page.locator('#model-turn:enabled').waitFor();
   return page;
 }
 
@@ -70,8 +70,8 @@ test('what one has not solved counts nothing for it, and what only one has playe
   });
   await page.locator('#score-table:visible').waitFor();
   assert.deepEqual(await rows(page).locator('th').allTextContents(), ['00001:001', '00001:002']);
-  assert.equal(await page.locator('#score-you').textContent(), '50.0');
-  assert.equal(await page.locator('#score-it').textContent(), '50.0');
+  assert.equal(await page.locator('#score-player').textContent(), '50.0');
+  assert.equal(await page.locator('#score-model').textContent(), '50.0');
   assert.deepEqual(await rows(page).first().locator('td').allTextContents(), ['✓ on attempt 1', '× in 100']);
 });
 
@@ -88,7 +88,7 @@ test('a store that is forbidden does not stop anybody', async () => {
   const page = await openPuzzle(session, { more: '&panel=compare', still: true });
   await page.addInitScript(() => Object.defineProperty(window, 'localStorage', { get() { throw new DOMException('no', 'SecurityError'); } }));
   await page.reload();
-  await page.locator('#turn:enabled').waitFor();
+  await page.locator('#model-turn:enabled').waitFor();
   await playBoth(page);
   assert.equal(await rows(page).count(), 1);
 });

@@ -14,9 +14,9 @@ const page = await session.open(`/#task=${task}&layers=target,placement`, {
   reducedMotion: 'reduce',
 });
 await page.locator('#tab-compare').click();
-await page.locator('#turn:enabled').click();
-await page.locator('#turn').filter({ hasText: 'The model has played' }).waitFor({ timeout: 120_000 });
-await page.locator('#it-attempts [data-act=replay]').last().click();
+await page.locator('#model-turn:enabled').click();
+await page.locator('#model-turn').filter({ hasText: 'The model has played' }).waitFor({ timeout: 120_000 });
+await page.locator('#model-attempts [data-act=replay]').last().click();
 const time = page.locator('#time');
 const last = Number(await time.getAttribute('max'));
 await time.fill(String(Math.round(last * 0.93)));

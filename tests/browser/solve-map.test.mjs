@@ -3,35 +3,26 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { start } from './harness.mjs';
-import { known, openPuzzle, picture } from './playing.mjs';
+import { known, openPuzzle, picture, watchFrames } from './page-actions.mjs';
 
 let session;
 before(async () => (session = await start()));
 after(() => session.stop());
 
-const words = (page) => page.locator('#map-words');
-const search = (page) => page.locator('#search');
+const words = (page) => page.locator('#solve-map-words');
+const search = (page) => page.locator('#solve-map-search');
 
 test('the map grows while the page stays alive, and ends when it is told to', async () => {
   const page = await openPuzzle(session, { more: '&panel=map' });
   const bare = await picture(page);
-  await page.evaluate(() => {
-    window.gap = 0;
-    let then = performance.now();
-    const frame = (now) => {
-      window.gap = Math.max(window.gap, now - then);
-      then = now;
-      requestAnimationFrame(frame);
-    };
-    requestAnimationFrame(frame);
-  });
+  const longestGap = await watchFrames(page);
   await search(page).click();
-  await page.locator('#search-progress:visible').waitFor();
+  await page.locator('#solve-map-progress:visible').waitFor();
   await words(page).filter({ hasText: /^[1-9]\d? % tried so far: about .+ of the places solve it with radius 12/ }).waitFor();
   assert.notEqual(await picture(page), bare, 'what is known is in the scene');
-  assert.ok((await page.evaluate(() => window.gap)) < 1000, 'the page does not freeze');
-  const first = Number((await words(page).textContent()).match(/^\d+/));
-  await page.waitForFunction((first) => parseInt(document.querySelector('#map-words').textContent, 10) > first, first);
+  assert.ok((await longestGap()) < 1000, 'the page does not freeze');
+  const first = parseInt((await words(page).textContent()) ?? '', 10);
+  await page.waitForFunction((first) => parseInt(document.querySelector('#solve-map-words')?.textContent ?? '', 10) > first, first);
   await search(page).filter({ hasText: 'Stop' }).click();
   await search(page).filter({ hasText: 'Try every place' }).waitFor();
   await page.waitForTimeout(300);
@@ -43,8 +34,7 @@ test('the map grows while the page stays alive, and ends when it is told to', as
 test('it says of a ball what its simulation says', async () => {
   const page = await openPuzzle(session);
   const { solving } = await known(page);
-  const [x, y, r] = solving;
-  const outcomes = await page.evaluate(async ([x, y, r]) => {
+  const outcomes = await page.evaluate(async (r) => {
     const { Puzzle, SolveMap } = await import('/pkg/pathlight.js');
     const map = new SolveMap('00000:000', r);
     // The coarsest round: every eighth place.
@@ -54,13 +44,13 @@ test('it says of a ball what its simulation says', async () => {
     const wrong = [];
     for (let row = 0; row < 64; row += 8) {
       for (let column = 0; column < 64; column += 8) {
-        const ball = [column * 4 + 2, row * 4 + 2, r];
-        const expected = puzzle.whyInvalid(...ball) ? 1 : puzzle.attempt(...ball).ending.solved ? 3 : 2;
-        if (picture[row * 64 + column] !== expected) wrong.push(ball);
+        const [x, y] = [column * 4 + 2, row * 4 + 2];
+        const expected = puzzle.whyInvalid(x, y, r) ? 1 : puzzle.attempt(x, y, r).ending.solved ? 3 : 2;
+        if (picture[row * 64 + column] !== expected) wrong.push([x, y]);
       }
     }
     return { wrong, kinds: new Set(picture).size };
-  }, [x, y, r]);
+  }, solving[2]);
   assert.deepEqual(outcomes.wrong, []);
   assert.ok(outcomes.kinds >= 2);
 });
@@ -71,14 +61,14 @@ test('every place is tried in the end, for the ball’s own radius, and the plac
   assert.equal(await search(page).textContent(), 'Try every place with radius 32');
   await search(page).click();
   await words(page).filter({ hasText: /^Every place tried: .+ of the places solve it with radius 32, and at \d+ % no ball may be\./ }).waitFor({ timeout: 120_000 });
-  await page.locator('#search-progress').waitFor({ state: 'hidden' });
+  await page.locator('#solve-map-progress').waitFor({ state: 'hidden' });
   const alone = await picture(page);
-  await page.locator('#map-placement').check();
+  await page.locator('#solve-map-placement').check();
   await page.waitForFunction(() => /layers=placement/.test(location.hash));
   await page.waitForTimeout(100);
   assert.notEqual(await picture(page), alone);
   await page.locator('#tab-play').click();
-  await page.locator('#map-placement').waitFor({ state: 'hidden' });
+  await page.locator('#solve-map-placement').waitFor({ state: 'hidden' });
 });
 
 test('keys start and stop it; another puzzle ends it', async () => {
@@ -92,4 +82,16 @@ test('keys start and stop it; another puzzle ends it', async () => {
   await page.locator('#next').click();
   await search(page).filter({ hasText: 'Try every place' }).waitFor();
   assert.equal(await words(page).textContent(), '');
+});
+
+test('a search that is stopped and started again at once goes to its end', async () => {
+  const page = await openPuzzle(session, { more: '&panel=map&ball=128,200,32' });
+  await search(page).click();
+  await words(page).filter({ hasText: 'tried so far' }).waitFor();
+  await search(page).evaluate((button) => {
+    button.click();
+    button.click();
+  });
+  await search(page).filter({ hasText: 'Stop' }).waitFor();
+  await words(page).filter({ hasText: 'Every place tried' }).waitFor({ timeout: 120_000 });
 });

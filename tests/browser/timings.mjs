@@ -9,7 +9,7 @@
 // Each is taken several times; the median is printed with the worst. What it should be is printed beside it.
 
 import { start } from './harness.mjs';
-import { openPuzzle, spot } from './playing.mjs';
+import { openPuzzle, spot } from './page-actions.mjs';
 
 const TIMES = 7;
 /** Of these templates the first task is opened. */
@@ -65,23 +65,24 @@ await page.locator('#imagined-in').filter({ hasText: 'Imagined' }).waitFor();
 async function drag() {
   await page.mouse.move(...(await spot(page, 128, 200)));
   await page.mouse.down();
-  await page.evaluate(() => {
-    globalThis.frames = [];
-    globalThis.dragging = true;
-    const frame = (now) => {
-      globalThis.frames.push(now);
-      if (globalThis.dragging) requestAnimationFrame(frame);
+  const frames = await page.evaluateHandle(() => {
+    /** @type {{ times: number[], on: boolean }} */
+    const recorded = { times: [], on: true };
+    const onFrame = (now) => {
+      recorded.times.push(now);
+      if (recorded.on) requestAnimationFrame(onFrame);
     };
-    requestAnimationFrame(frame);
+    requestAnimationFrame(onFrame);
+    return recorded;
   });
   const end = Date.now() + 2000;
   for (let turn = 0; Date.now() < end; turn += 0.12) {
     await page.mouse.move(...(await spot(page, 128 + 60 * Math.cos(turn), 190 + 40 * Math.sin(turn))));
   }
   await page.mouse.up();
-  return page.evaluate(() => {
-    globalThis.dragging = false;
-    return globalThis.frames.slice(1).map((now, index) => now - globalThis.frames[index]);
+  return frames.evaluate((recorded) => {
+    recorded.on = false;
+    return recorded.times.slice(1).map((now, index) => now - recorded.times[index]);
   });
 }
 
@@ -93,7 +94,7 @@ rows.push({ what: 'drag, frames a second', median: (gaps.length / seconds).toFix
 /** Opens a task by its link and waits for all maps. */
 const maps = (task) =>
   page.evaluate(async (task) => {
-    const named = () => [...document.querySelectorAll('#stages canvas[role=img]')].map((map) => map.getAttribute('aria-label'));
+    const named = () => [...document.querySelectorAll('#stages canvas[role=img]')].map((map) => map.getAttribute('aria-label') ?? '');
     const start = performance.now();
     location.hash = `task=${task}&panel=imagine`;
     // First the maps of the puzzle before go, then the new ones come.

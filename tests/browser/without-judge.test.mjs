@@ -7,7 +7,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { binary, start } from './harness.mjs';
-import { openPuzzle } from './playing.mjs';
+import { openPuzzle } from './page-actions.mjs';
 
 let session, folder;
 before(async () => {
@@ -35,13 +35,13 @@ test('four maps are drawn, and the fifth says that there is none', async () => {
   assert.equal(await judge.locator('.summary').textContent(), 'This model has no such map.');
   const box = await page.locator('#scene').boundingBox();
   await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
-  assert.match(await page.locator('#reading').textContent(), /Placement \d\.\d\dJudge none/);
+  assert.match(await page.locator('#probe').textContent(), /Placement \d\.\d\dJudge none/);
   assert.match(await judge.locator('.value').textContent(), /^none at x/);
-  await page.locator('#story-dots button').last().click();
-  assert.match(await page.locator('#told').textContent(), /^Judge\. Where .+\. $/);
+  await page.locator('#walkthrough-dots button').last().click();
+  assert.match(await page.locator('#announcement').textContent(), /^Judge\. Where .+\. $/);
 });
 
 test('its balls come from the placement map', async () => {
   const page = await openPuzzle(session, { more: '&panel=compare&proposal=1' });
-  await page.locator('#stack-origin').filter({ hasText: /placement map/ }).waitFor();
+  await page.locator('#proposal-origin').filter({ hasText: /placement map/ }).waitFor();
 });

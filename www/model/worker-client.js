@@ -1,110 +1,173 @@
-// The page's side of the worker: the model as an object with promises. It is loading, ready or failed; "change"
-// says when that changes. A worker that dies fails what was asked of it, in words, and can be started again.
+// The page's side of the worker: each call is a promise, and takes an AbortSignal as its token. Once the signal is aborted
+// the promise rejects with its reason and no news of the call arrives any more, however late the worker answers. A worker
+// that dies rejects every open call with a sentence, and can be started again.
 
-/** The turn of a puzzle is the same each time. */
+/** @typedef {import("./messages.js").Calls} Calls */
+/** @typedef {import("./messages.js").Failure} Failure */
+/** @typedef {import("./messages.js").News} News */
+
+/** A fixed seed, so that the model's turn on a puzzle is the same each time. */
 const SEED = 0;
 
-export class Model extends EventTarget {
-  /** "off", "loading", "ready" or "failed". */
+export class WorkerClient extends EventTarget {
+  /**
+   * Of the weights; solve maps need only a worker.
+   * @type {"off" | "loading" | "ready" | "failed"}
+   */
   status = "off";
-  /** While loading: the share of the weights that is here, 0..1, or null if unknown. */
+  /**
+   * While loading: the fraction of the weights that has arrived, 0..1, or null if unknown.
+   * @type {number | null}
+   */
   progress = null;
-  /** After a failure: what went wrong, in a sentence. */
-  trouble = null;
-  /** After a failure: its code; "no_model" if the name asked for is not there. */
-  code = null;
-  /** Once ready: { name, names, card }. */
+  /**
+   * After a failure: what went wrong.
+   * @type {Failure | null}
+   */
+  failure = null;
+  /**
+   * Once ready.
+   * @type {import("./messages.js").LoadedModel | null}
+   */
   loaded = null;
   #module;
+  /** @type {Worker | null} */
   #worker = null;
-  #waiting = new Map();
-  #next = 1;
+  /** @type {Map<number, { resolve: (value: any) => void, reject: (reason: any) => void, onNews: (news: News) => void }>} */
+  #pending = new Map();
+  #nextId = 1;
 
-  /** `module`: the compiled WebAssembly.Module, which page and worker share. */
+  /**
+   * Fires "change" when its status or its progress changes.
+   * @param {WebAssembly.Module} module shared by page and worker
+   */
   constructor(module) {
     super();
     this.#module = module;
   }
 
-  /** Starts the worker and loads weights: those of a name, or the first. Never throws; see `status`. */
+  /** Is there a worker that can be called? */
+  get alive() {
+    return this.#worker !== null;
+  }
+
+  /**
+   * Starts a new worker in place of the present one, and loads weights: those of a name, or the first. Never rejects; see
+   * `status`.
+   * @param {string | null} name
+   */
   async start(name) {
-    this.#end("The model was started again.");
-    this.#set("loading");
+    this.#terminate("The model was started again.");
+    this.#set({ status: "loading" });
     const worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
     this.#worker = worker;
-    worker.addEventListener("message", ({ data }) => this.#answer(data));
+    worker.addEventListener("message", ({ data }) => worker === this.#worker && this.#onMessage(data));
     worker.addEventListener("error", (event) => {
       event.preventDefault();
-      if (worker === this.#worker) this.#died(event.message);
+      if (worker === this.#worker) this.#onDeath(event.message);
     });
     try {
-      await this.#ask("start", { module: this.#module });
-      const loaded = await this.#ask("load", { name }, ({ progress }) => this.#set("loading", { progress }));
-      this.#set("ready", { loaded });
+      await this.#call("start", { module: this.#module });
+      const loaded = await this.#call("load", { name }, undefined, ({ progress }) => this.#set({ status: "loading", progress }));
+      this.#set({ status: "ready", loaded });
     } catch (error) {
-      if (worker === this.#worker) this.#set("failed", { trouble: error.message, code: error.code });
+      const { code = "broken", message } = /** @type {Error & { code?: string }} */ (error);
+      if (worker === this.#worker) this.#set({ status: "failed", failure: { code, message } });
     }
   }
 
-  /** The maps of a task: { maps: { base, target, action, placement, judge }, saw, milliseconds }; weights may have no judge. */
-  imagine(task) {
-    return this.#ask("imagine", { task });
+  /**
+   * @param {string} task
+   * @param {AbortSignal} signal
+   */
+  imagine(task, signal) {
+    return this.#call("imagine", { task }, signal);
   }
 
-  /** The model's turn: calls `each` with every attempt; resolves to { finished }. */
-  turn(task, each) {
-    return this.#ask("turn", { task, seed: SEED }, ({ attempt }) => each(attempt));
+  /**
+   * Plays the model's turn: tries its balls in order until one solves the task.
+   * @param {string} task
+   * @param {AbortSignal} signal
+   * @param {(attempt: import("./messages.js").Attempt) => void} onAttempt
+   */
+  turn(task, signal, onAttempt) {
+    return this.#call("turn", { task, seed: SEED }, signal, ({ attempt }) => attempt && onAttempt(attempt));
   }
 
-  /** The balls of that turn, untried: [{ ball, origin, passed }, …]. */
-  propose(task) {
-    return this.#ask("propose", { task, seed: SEED });
+  /**
+   * The balls of that turn, untried.
+   * @param {string} task
+   * @param {AbortSignal} signal
+   */
+  propose(task, signal) {
+    return this.#call("propose", { task, seed: SEED }, signal);
   }
 
-  /** Where a ball of a radius solves a task: calls `each` with { picture, progress }; resolves to { finished }. Needs no
-   * weights. */
-  solve(task, radius, each) {
-    return this.#ask("solve", { task, radius }, ({ map }) => each(map));
+  /**
+   * Maps where a ball of a radius (px) solves a task. Needs a worker, but no weights.
+   * @param {string} task
+   * @param {number} radius
+   * @param {AbortSignal} signal
+   * @param {(map: import("./messages.js").SolveMapNews) => void} onMap
+   */
+  solve(task, radius, signal, onMap) {
+    return this.#call("solve", { task, radius }, signal, ({ map }) => map && onMap(map));
   }
 
-  /** Ends the "turn" or the "solve" that is on, after what it is at. */
-  stop(what) {
-    this.#worker?.postMessage({ call: "stop", what });
-  }
-
-  #ask(call, rest, news = () => {}) {
-    const id = this.#next++;
+  /**
+   * @template {keyof Calls} Name
+   * @param {Name} call
+   * @param {Calls[Name]["args"]} args
+   * @param {AbortSignal} [signal]
+   * @param {(news: News) => void} [onNews]
+   * @returns {Promise<Calls[Name]["value"]>}
+   */
+  #call(call, args, signal, onNews = () => {}) {
+    const worker = this.#worker;
+    if (signal?.aborted) return Promise.reject(signal.reason);
+    if (!worker) return Promise.reject(new Error(this.failure?.message ?? "The model has not been started."));
+    const id = this.#nextId++;
+    worker.postMessage({ id, call, args });
     return new Promise((resolve, reject) => {
-      if (!this.#worker) return reject(new Error(this.trouble ?? "The model has not been started."));
-      this.#waiting.set(id, { resolve, reject, news });
-      this.#worker.postMessage({ id, call, ...rest });
+      this.#pending.set(id, { resolve, reject, onNews });
+      signal?.addEventListener("abort", () => {
+        if (!this.#pending.delete(id)) return;
+        worker.postMessage({ cancel: id });
+        reject(signal.reason);
+      });
     });
   }
 
-  #answer({ id, ...news }) {
-    const waiting = this.#waiting.get(id);
-    if (!waiting) return;
-    if ("error" in news || "value" in news) this.#waiting.delete(id);
-    if ("error" in news) waiting.reject(Object.assign(new Error(news.error.message), { code: news.error.code }));
-    else if ("value" in news) waiting.resolve(news.value);
-    else waiting.news(news);
+  /** @param {import("./messages.js").Response} response */
+  #onMessage({ id, value, error, news }) {
+    if (error?.code === "crashed") return this.#onDeath(error.message);
+    const call = this.#pending.get(id);
+    if (!call) return;
+    if (news) return call.onNews(news);
+    this.#pending.delete(id);
+    if (error) call.reject(Object.assign(new Error(error.message), { code: error.code }));
+    else call.resolve(value);
   }
 
-  #died(message) {
-    const trouble = `The model’s worker has stopped${message ? ` (${message})` : ""}.`;
-    this.#end(trouble);
-    this.#set("failed", { trouble });
+  /** @param {string} reason */
+  #onDeath(reason) {
+    const message = `The model’s worker has stopped${reason ? ` (${reason})` : ""}.`;
+    this.#terminate(message);
+    this.#set({ status: "failed", failure: { code: "crashed", message } });
   }
 
-  #end(why) {
+  /** @param {string} reason */
+  #terminate(reason) {
     this.#worker?.terminate();
     this.#worker = null;
-    for (const { reject } of this.#waiting.values()) reject(new Error(why));
-    this.#waiting.clear();
+    const calls = [...this.#pending.values()];
+    this.#pending.clear();
+    for (const { reject } of calls) reject(new Error(reason));
   }
 
-  #set(status, { progress = null, trouble = null, code = null, loaded = null } = {}) {
-    Object.assign(this, { status, progress, trouble, code, loaded });
+  /** @param {Partial<Pick<WorkerClient, "status" | "progress" | "failure" | "loaded">>} values */
+  #set({ status = "off", progress = null, failure = null, loaded = null }) {
+    Object.assign(this, { status, progress, failure, loaded });
     this.dispatchEvent(new Event("change"));
   }
 }

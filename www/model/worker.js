@@ -1,77 +1,109 @@
 // The worker: fetches the weights, imagines, plays the model's turn, and searches for all solutions, off the page's
-// thread.
-//
-// In:   { id, call: "start", module }           the compiled WebAssembly.Module
-//       { id, call: "load", name }              weights by their name in assets/model.json; null for the first
-//       { id, call: "imagine", task }
-//       { id, call: "propose", task, seed }     the balls of a turn, without trying them
-//       { id, call: "turn", task, seed }        one turn at a time
-//       { id, call: "solve", task, radius }     one map of all solutions at a time
-//       { call: "stop", what }                  ends the "turn" or the "solve" that is on
-// Out:  { id, value } or { id, error: { code, message } }; on the way { id, progress }, { id, attempt } and { id, map }
+// thread. messages.js describes what it is sent and what it answers.
 //
 // assets/model.json lists the weights beside it: { "models": [{ "name", "file", "sha256" }, …] }.
 
 import { initSync, Model, SolveMap } from "../pkg/pathlight.js";
 
+/** @typedef {import("./messages.js").Calls} Calls */
+/** @typedef {{ name: string, file: string, sha256?: string }} ModelEntry */
+/** @typedef {(news: import("./messages.js").News) => void} SendNews */
+/** @typedef {() => boolean} IsCancelled */
+
 /** Where the weights and their list are. */
 const ASSETS = new URL("../assets/", import.meta.url);
-
-const calls = { start, load, imagine, propose, turn, solve };
-
-/** How long a search goes on before it tells what it has found and lets messages in, ms. */
+/** How long a search runs before it sends what it has found and lets messages in, ms. */
 const SLICE = 100;
 
-let model = null;
-/** A token for the turn and for the search that is on; who finds that it is no longer theirs ends. */
-const on = { turn: null, solve: null };
+/** @type {{ [Name in keyof Calls]: (args: Calls[Name]["args"], sendNews: SendNews, isCancelled: IsCancelled) => Calls[Name]["value"] | Promise<Calls[Name]["value"]> }} */
+const calls = { start, load, imagine, propose, turn, solve };
 
-self.addEventListener("message", async ({ data: { id, call, ...rest } }) => {
-  if (call === "stop") {
-    on[rest.what] = null;
+/** @type {Model | null} */
+let model = null;
+/** The requests that run and have not been cancelled. */
+const running = new Set();
+
+addEventListener("message", async ({ data }) => {
+  const { id, call, args, cancel } = /** @type {import("./messages.js").Request & import("./messages.js").Cancel} */ (data);
+  if (cancel !== undefined) {
+    running.delete(cancel);
     return;
   }
+  running.add(id);
   try {
-    const value = await calls[call](rest, (news) => self.postMessage({ id, ...news }));
-    self.postMessage({ id, value });
+    const value = await calls[call](args, (news) => postMessage({ id, news }), () => !running.has(id));
+    postMessage({ id, value });
   } catch (error) {
-    self.postMessage({ id, error: { code: error.code ?? "broken", message: error.message ?? String(error) } });
+    postMessage({ id, error: failureOf(error) });
+  } finally {
+    running.delete(id);
   }
 });
 
-function start({ module }) {
-  initSync({ module });
+/**
+ * @param {any} error
+ * @returns {import("./messages.js").Failure}
+ */
+function failureOf(error) {
+  // After a trap (a panic in Rust) the memory of the instance is in no known state.
+  const code = error instanceof WebAssembly.RuntimeError ? "crashed" : (error?.code ?? "broken");
+  return { code, message: error?.message ?? String(error) };
 }
 
-async function load({ name }, tell) {
-  const list = await models();
+/** @param {Calls["start"]["args"]} args */
+function start({ module }) {
+  initSync({ module });
+  return undefined;
+}
+
+/**
+ * @param {Calls["load"]["args"]} args
+ * @param {SendNews} sendNews
+ */
+async function load({ name }, sendNews) {
+  const list = await fetchModelList();
   const entry = name === null ? list[0] : list.find((one) => one.name === name);
   const names = list.map((one) => one.name);
   if (!entry) throw failure("no_model", `There is no model “${name}” here. There is: ${names.join(", ")}.`);
-  const bytes = await fetched(entry.file, tell);
-  await check(bytes, entry);
+  const bytes = await fetchWeights(entry.file, sendNews);
+  await checkHash(bytes, entry);
   const fresh = new Model(bytes);
   model?.free();
   model = fresh;
   return { name: entry.name, names, card: model.card() };
 }
 
-function imagine({ task }) {
-  const saw = model.saw(task);
-  const start = performance.now();
-  const maps = model.imagine(task);
-  return { maps, saw, milliseconds: performance.now() - start };
+function loadedModel() {
+  if (!model) throw failure("no_weights", "No model is loaded.");
+  return model;
 }
 
-/** Tries the model's balls in order, and tells each attempt. Says whether it came to its end. */
-async function turn({ task, seed }, tell) {
-  const token = (on.turn = {});
-  const turn = model.turn(task, seed);
+/** @param {Calls["imagine"]["args"]} args */
+function imagine({ task }) {
+  const seen = loadedModel().saw(task);
+  const begin = performance.now();
+  const maps = loadedModel().imagine(task);
+  return { maps, seen, milliseconds: performance.now() - begin };
+}
+
+/** @param {Calls["propose"]["args"]} args */
+function propose({ task, seed }) {
+  return loadedModel().propose(task, seed);
+}
+
+/**
+ * Tries the model's balls in order, and sends each attempt.
+ * @param {Calls["turn"]["args"]} args
+ * @param {SendNews} sendNews
+ * @param {IsCancelled} isCancelled
+ */
+async function turn({ task, seed }, sendNews, isCancelled) {
+  const turn = loadedModel().turn(task, seed);
   try {
     for (let attempt = turn.attempt(); attempt; attempt = turn.attempt()) {
-      tell({ attempt });
-      await breath();
-      if (on.turn !== token) return { finished: false };
+      sendNews({ attempt });
+      await yieldToMessages();
+      if (isCancelled()) return { finished: false };
     }
     return { finished: true };
   } finally {
@@ -79,21 +111,21 @@ async function turn({ task, seed }, tell) {
   }
 }
 
-function propose({ task, seed }) {
-  return model.propose(task, seed);
-}
-
-/** Maps where a ball of a radius solves a task, and tells the map as it grows. Says whether it came to its end. */
-async function solve({ task, radius }, tell) {
-  const token = (on.solve = {});
+/**
+ * Maps where a ball of a radius solves a task, and sends the map as it grows.
+ * @param {Calls["solve"]["args"]} args
+ * @param {SendNews} sendNews
+ * @param {IsCancelled} isCancelled
+ */
+async function solve({ task, radius }, sendNews, isCancelled) {
   const map = new SolveMap(task, radius);
   try {
     for (let more = true; more; ) {
       const end = performance.now() + SLICE;
       while (more && performance.now() < end) more = map.advance();
-      tell({ map: { picture: map.picture(), progress: map.progress() } });
-      await breath();
-      if (on.solve !== token) return { finished: false };
+      sendNews({ map: { outcomes: map.picture(), progress: map.progress() } });
+      await yieldToMessages();
+      if (isCancelled()) return { finished: false };
     }
     return { finished: true };
   } finally {
@@ -101,38 +133,51 @@ async function solve({ task, radius }, tell) {
   }
 }
 
-/** Lets waiting messages in. */
-function breath() {
-  return new Promise((resume) => setTimeout(resume));
+const channel = new MessageChannel();
+/** @type {(() => void)[]} Those that wait for a message to the channel, in order. */
+const waiting = [];
+channel.port1.onmessage = () => waiting.shift()?.();
+
+/** Lets waiting messages in. Sends a message to itself, because browsers delay nested timeouts by 4 ms. */
+function yieldToMessages() {
+  return new Promise((/** @type {(value: void) => void} */ resolve) => {
+    waiting.push(resolve);
+    channel.port2.postMessage(null);
+  });
 }
 
-async function models() {
-  const answer = await fetch(new URL("model.json", ASSETS));
-  if (answer.status === 404) {
+/** @returns {Promise<ModelEntry[]>} */
+async function fetchModelList() {
+  const response = await fetch(new URL("model.json", ASSETS));
+  if (response.status === 404) {
     throw failure("no_weights", "The model’s weights are missing here: there is no assets/model.json. It can neither imagine nor play; you can.");
   }
-  if (!answer.ok) throw failure("no_weights", `The list of models did not come: the server answered ${answer.status}.`);
-  const list = await answer.json().then((text) => text.models, () => null);
+  if (!response.ok) throw failure("no_weights", `The list of models could not be loaded: the server answered ${response.status}.`);
+  const list = await response.json().then((json) => json.models, () => null);
   if (!Array.isArray(list) || list.length === 0) {
-    throw failure("no_weights", "The list of models, assets/model.json, names none. It has to be written again.");
+    throw failure("no_weights", "The list of models, assets/model.json, names none. Write it again by “pathlight publish”.");
   }
   return list;
 }
 
-/** The bytes of a file in assets, with their share of the whole on the way. */
-async function fetched(file, tell) {
-  const answer = await fetch(new URL(file, ASSETS));
-  if (!answer.ok) throw failure("no_weights", `The model’s weights are missing here: assets/${file} did not come (${answer.status}).`);
-  const size = Number(answer.headers.get("content-length")) || null;
+/**
+ * The bytes of a file in assets; sends the fraction that has arrived.
+ * @param {string} file
+ * @param {SendNews} sendNews
+ */
+async function fetchWeights(file, sendNews) {
+  const response = await fetch(new URL(file, ASSETS));
+  if (!response.ok || !response.body) throw failure("no_weights", `The model’s weights are missing here: the server answered ${response.status} for assets/${file}.`);
+  const size = Number(response.headers.get("content-length")) || null;
   const chunks = [];
   let length = 0;
-  for (const reader = answer.body.getReader(); ; ) {
+  for (const reader = response.body.getReader(); ; ) {
     const { done, value } = await reader.read();
     if (done) break;
     chunks.push(value);
     length += value.length;
-    // A compressed file may come out longer than the server said.
-    tell({ progress: size && Math.min(length / size, 1) });
+    // A compressed file may become longer than the server said.
+    sendNews({ progress: size && Math.min(length / size, 1) });
   }
   const bytes = new Uint8Array(length);
   let end = 0;
@@ -143,14 +188,22 @@ async function fetched(file, tell) {
   return bytes;
 }
 
-/** Refuses weights that are not those that the list names. Browsers hash only on secure and local addresses. */
-async function check(bytes, { file, sha256 }) {
-  if (!sha256 || !self.crypto.subtle) return;
-  const digest = new Uint8Array(await self.crypto.subtle.digest("SHA-256", bytes));
+/**
+ * Refuses weights that are not those that the list names. Browsers hash only on secure and local addresses.
+ * @param {Uint8Array<ArrayBuffer>} bytes
+ * @param {ModelEntry} entry
+ */
+async function checkHash(bytes, { file, sha256 }) {
+  if (!sha256 || !crypto.subtle) return;
+  const digest = new Uint8Array(await crypto.subtle.digest("SHA-256", bytes));
   const hex = Array.from(digest, (byte) => byte.toString(16).padStart(2, "0")).join("");
   if (hex !== sha256) throw failure("bad_weights", `assets/${file} is not the file that assets/model.json names: it is damaged or old.`);
 }
 
+/**
+ * @param {string} code
+ * @param {string} message
+ */
 function failure(code, message) {
   return Object.assign(new Error(message), { code });
 }

@@ -1,85 +1,113 @@
 // The Compare panel: the model's turn, and the attempts of player and model side by side.
 
-const at = (id) => document.getElementById(id);
+import { Component } from "../shell/component.js";
+import { ATTEMPT_LIMIT } from "../shell/constants.js";
+import { byId, setText } from "../shell/dom.js";
+import { TroubleBox } from "./trouble-box.js";
 
-export class Compare extends EventTarget {
-  #model;
-  #session = null;
-  /** The session whose turn the model is playing, or null. */
-  #turning = null;
+/** @typedef {import("../play/session.js").Session} Session */
 
-  /** Fires "again" when the person wants a model that failed to be started once more. */
-  constructor(model) {
+const turnButton = byId("model-turn", HTMLButtonElement);
+
+export class Compare extends Component {
+  #client;
+  #trouble = new TroubleBox(byId("compare-trouble"));
+  /** @type {import("../shell/url-state.js").Panel | null} */
+  #panel = null;
+  /**
+   * The turn that the model is playing.
+   * @type {AbortController | null}
+   */
+  #turn = null;
+  /** @type {string | null} */
+  #callFailure = null;
+
+  /** @param {import("../model/worker-client.js").WorkerClient} client */
+  constructor(client) {
     super();
-    this.#model = model;
-    at("turn").addEventListener("click", () => (this.#turning ? this.#stop() : this.#turn()));
-    at("both").addEventListener("click", () => this.#session.compare(true));
-    at("clear").addEventListener("click", () => {
-      this.#stop();
-      this.#session.clear();
+    this.#client = client;
+    turnButton.addEventListener("click", () => (this.#turn ? this.#stopTurn() : this.#playTurn()));
+    byId("compare-both").addEventListener("click", () => this.session?.compare(true));
+    byId("clear-attempts").addEventListener("click", () => {
+      this.#stopTurn();
+      this.session?.clear();
     });
-    at("compare-trouble").querySelector("button").addEventListener("click", () => this.dispatchEvent(new Event("again")));
-    model.addEventListener("change", () => this.#update());
+    client.addEventListener("change", () => this.#onClientChange());
   }
 
-  show(session) {
-    this.#session = session;
-    session.addEventListener("change", () => this.#update());
+  /** @param {Session} session */
+  open(session) {
+    super.open(session);
+    this.listen("change", () => this.#update());
     this.#update();
   }
 
-  /** The puzzle is being left: its turn ends, and nothing is shown until the next. */
-  leave() {
-    this.#stop();
-    this.#session = null;
+  close() {
+    super.close();
+    this.#turn?.abort();
+    this.#turn = null;
+    this.#callFailure = null;
+    this.#panel = null;
   }
 
-  /** The panel has come into sight: shows both paths over each other if there is something to show. */
-  open() {
-    const { placing, playback } = this.#session;
-    if (placing || !playback.playing) this.#session.compare(false);
+  /**
+   * When the person comes to this panel, both paths are shown over each other if there is something to show.
+   * @param {import("../shell/url-state.js").View} view
+   */
+  setState({ panel, proposal }) {
+    const arrived = panel === "compare" && this.#panel !== null && this.#panel !== "compare";
+    this.#panel = panel;
+    if (!arrived || proposal || !this.session) return;
+    const { placing, playback } = this.session;
+    if (placing || !playback.playing) this.session.compare(false);
   }
 
-  async #turn() {
-    const session = this.#session;
-    this.#turning = session;
+  /** Ends the turn that is being played; the worker's late attempts are dropped. */
+  #stopTurn() {
+    this.#turn?.abort();
+    this.#turn = null;
+    this.#update();
+  }
+
+  async #playTurn() {
+    const { session } = this;
+    const name = this.#client.loaded?.name;
+    if (!session || name === undefined) return;
+    const turn = (this.#turn = new AbortController());
+    this.#callFailure = null;
     this.#update();
     try {
-      await this.#model.turn(session.about.id, (attempt) => {
-        if (session === this.#turning) session.record(attempt);
-      });
+      await this.#client.turn(session.about.id, turn.signal, (attempt) => session.recordModelAttempt(attempt, name));
       // Who is watching something else meanwhile goes on watching it.
-      const busy = session.playback.playing || session.shown?.rehearsed;
-      if (session === this.#turning && !busy) session.compare(true);
-    } catch {
-      // The model tells its own trouble; `#update` shows it.
+      if (!turn.signal.aborted && !session.playback.playing && !session.shown?.preview) session.compare(true);
+    } catch (error) {
+      if (!turn.signal.aborted) this.#callFailure = /** @type {Error} */ (error).message;
     } finally {
-      if (session === this.#turning) this.#turning = null;
-      this.#update();
+      if (this.#turn === turn) {
+        this.#turn = null;
+        this.#update();
+      }
     }
   }
 
-  #stop() {
-    if (!this.#turning) return;
-    this.#turning = null;
-    this.#model.stop("turn");
+  #onClientChange() {
+    // Another model is being loaded: a turn of the old one ends.
+    if (this.#client.status !== "ready") {
+      this.#turn?.abort();
+      this.#turn = null;
+      this.#callFailure = null;
+    }
+    this.#update();
   }
 
   #update() {
-    const { status, trouble } = this.#model;
-    at("compare-trouble").hidden = status !== "failed";
-    at("compare-trouble").querySelector("p").textContent = trouble ?? "";
-    at("compare-trouble").querySelector("button").textContent = this.#model.code === "no_model" ? "Use the model that is here" : "Try again";
-    if (!this.#session) return;
-    const { puzzle } = this.#session;
-    const [player, model] = ["player", "model"].map((agent) => puzzle.score(agent));
-    const over = model.solved_at !== null || model.used === 100;
-    const turn = at("turn");
-    turn.disabled = status !== "ready" || over;
-    turn.textContent = this.#turning ? "Stop the model" : over ? "The model has played" : "Let the model play";
-    at("both").disabled = player.used + model.used === 0;
-    at("clear").disabled = player.used + model.used === 0;
-    const verdict = this.#session.unseen ? "Your attempt is running." : puzzle.verdict();
-    if (at("verdict").textContent !== verdict) at("verdict").textContent = verdict;
+    this.#trouble.update(this.#client, this.#callFailure, { restartModel: () => this.requestModel(), repeatCall: () => this.#playTurn() });
+    if (!this.session) return;
+    const [player, model] = [this.session.score("player"), this.session.score("model")];
+    const over = model.solved_at !== null || model.used === ATTEMPT_LIMIT;
+    turnButton.disabled = this.#client.status !== "ready" || over;
+    setText(turnButton, this.#turn ? "Stop the model" : over ? "The model has played" : "Let the model play");
+    for (const id of ["compare-both", "clear-attempts"]) byId(id, HTMLButtonElement).disabled = player.used + model.used === 0;
+    setText(byId("verdict"), this.session.resultHidden ? "Your attempt is running." : this.session.puzzle.verdict());
   }
 }

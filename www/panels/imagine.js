@@ -1,171 +1,214 @@
-// The Imagine panel: small maps, each with a sentence, a legend and a switch that lays it over the scene.
-// Maps and legends are drawn by the wasm, from one colour scale a stage.
+// The Imagine panel: the maps of the open puzzle, each with a sentence, a legend and a switch that lays it over the scene.
+// Other components read the maps here; "maps" is fired when they have come or gone.
 
-import { STAGES } from "../shell/url-state.js";
-import { SIDE, WORDS, summary } from "../model/stages.js";
+import { paintLegend, paintMap, paintOutline } from "../pkg/pathlight.js";
+import { Component } from "../shell/component.js";
+import { GRID_SIDE, STAGES } from "../shell/constants.js";
+import { byId, contextOf, find, fromTemplate, setText } from "../shell/dom.js";
+import { STAGE_TEXT, summary } from "../model/stages.js";
+import { TroubleBox } from "./trouble-box.js";
 
-/** Pixels across a canvas of lines, which is laid over the whole scene. */
-const LINES = 1024;
+/** @typedef {import("../shell/constants.js").Stage} Stage */
+/** @typedef {import("../model/messages.js").Imagined} Imagined */
 
-const at = (id) => document.getElementById(id);
+/** Width of the canvas of an outline, which is laid over the whole scene. */
+const OUTLINE_SIDE = 1024;
 
-export class Imagine extends EventTarget {
-  /** Stage -> its canvas of 64 x 64, to be laid over the scene. */
-  maps = {};
-  #wasm;
-  #model;
-  #session = null;
-  #rows = {};
+const opacity = byId("opacity", HTMLInputElement);
+const modelSelect = byId("model-select", HTMLSelectElement);
+
+export class Imagine extends Component {
+  #client;
+  #scenePicture;
+  /** @type {Record<Stage, ReturnType<Imagine["createRow"]>>} */
+  #rows;
+  /** @type {Imagined | null} */
   #imagined = null;
-  #dark = false;
+  #trouble = new TroubleBox(byId("imagine-trouble"));
+  /**
+   * The call to the worker that counts.
+   * @type {AbortController | null}
+   */
+  #call = null;
+  /** @type {string | null} */
+  #callFailure = null;
 
-  /** Fires "layers", "opacity" and "model", with { layers } and so on, when the person asks for others, and
-   * "again" when a model that failed is to be started once more. */
-  constructor(wasm, model) {
+  /**
+   * @param {import("../model/worker-client.js").WorkerClient} client
+   * @param {import("./scene-picture.js").ScenePicture} scenePicture
+   */
+  constructor(client, scenePicture) {
     super();
-    this.#wasm = wasm;
-    this.#model = model;
-    at("stages").replaceChildren(...STAGES.map((stage) => this.#row(stage)));
-    at("opacity").addEventListener("input", () => this.#ask("opacity", { opacity: Number(at("opacity").value) }));
-    at("model").addEventListener("change", () => this.#ask("model", { model: at("model").value }));
-    at("imagine-trouble").querySelector("button").addEventListener("click", () => this.#ask("again", {}));
-    model.addEventListener("change", () => this.#progress());
+    this.#client = client;
+    this.#scenePicture = scenePicture;
+    const rows = STAGES.map((stage) => /** @type {const} */ ([stage, this.createRow(stage)]));
+    this.#rows = /** @type {Record<Stage, ReturnType<Imagine["createRow"]>>} */ (Object.fromEntries(rows));
+    byId("stages").replaceChildren(...STAGES.map((stage) => this.#rows[stage].element));
+    opacity.addEventListener("input", () => this.requestState({ opacity: Number(opacity.value) }));
+    modelSelect.addEventListener("change", () => this.requestState({ model: modelSelect.value }));
+    client.addEventListener("change", () => this.#onClientChange());
   }
 
-  /** Imagines another puzzle, as soon as the model can. */
-  show(session) {
-    this.#session = session;
-    this.#imagined = null;
+  /** @param {import("../play/session.js").Session} session */
+  open(session) {
+    super.open(session);
     // Asked for first: the worker imagines while the page draws.
-    this.#imagine();
-    this.#scenes();
+    this.#request();
+    this.#paintScenes();
     this.#paint();
   }
 
-  set({ layers, opacity }) {
-    at("opacity").value = opacity;
-    for (const stage of STAGES) this.#rows[stage].box.checked = layers.includes(stage);
+  close() {
+    super.close();
+    this.#call?.abort();
+    this.#setImagined(null);
   }
 
-  set dark(dark) {
-    this.#dark = dark;
-    for (const stage of STAGES) this.#wasm.paintLegend(this.#rows[stage].legend.getContext("2d"), stage, dark);
-    this.#scenes();
+  /** @param {import("../shell/url-state.js").View} view */
+  setState(view) {
+    opacity.value = String(view.opacity);
+    for (const stage of STAGES) this.#rows[stage].box.checked = view.checkedLayers.includes(stage);
+  }
+
+  /** @param {boolean} dark */
+  setTheme(dark) {
+    super.setTheme(dark);
+    for (const stage of STAGES) paintLegend(this.#rows[stage].legend, stage, dark);
+    this.#paintScenes();
     this.#paint();
   }
 
-  /** What to draw over the scene for some stages: their maps, and lines round what is strong in them; nothing until
-   * they are imagined. */
-  laid(stages) {
-    return this.#imagined ? stages.flatMap((stage) => [this.maps[stage], this.#rows[stage].line]) : [];
-  }
-
-  /** Stage -> its map, 64 x 64 numbers; null until they are imagined. */
-  get values() {
+  /** The maps of the open puzzle; null until they have been imagined. */
+  get maps() {
     return this.#imagined?.maps ?? null;
   }
 
-  /** Shows one stage alone, or all for null. */
-  set alone(stage) {
-    at("stages").classList.toggle("alone", stage !== null);
-    for (const one of STAGES) this.#rows[one].row.hidden = stage !== null && one !== stage;
+  /**
+   * The canvases to lay over the scene for some stages: their maps, and outlines of what is strong in them.
+   * @param {Stage[]} stages
+   */
+  canvasesOf(stages) {
+    return this.#imagined ? stages.flatMap((stage) => [this.#rows[stage].map.canvas, this.#rows[stage].outline.canvas]) : [];
   }
 
-  #ask(what, detail) {
-    this.dispatchEvent(new CustomEvent(what, { detail }));
+  /**
+   * Shows one stage alone, or all for null.
+   * @param {Stage | null} stage
+   */
+  showOnly(stage) {
+    byId("stages").classList.toggle("alone", stage !== null);
+    for (const one of STAGES) this.#rows[one].element.hidden = stage !== null && one !== stage;
   }
 
-  #row(stage) {
-    const { name, means, how } = WORDS[stage];
-    const row = at("stage-row").content.firstElementChild.cloneNode(true);
-    const box = row.querySelector("input");
-    const [scene, map] = row.querySelectorAll(".map canvas");
-    const legend = row.querySelector(".legend");
-    row.dataset.stage = stage;
-    row.querySelector("b").textContent = name;
-    row.querySelector(".means").textContent = means;
-    row.querySelector("details p").textContent = how;
-    map.setAttribute("aria-label", `${name}: not imagined yet`);
-    box.addEventListener("change", () => {
-      this.#ask("layers", { layers: STAGES.filter((stage) => this.#rows[stage].box.checked) });
-    });
-    this.maps[stage] = map;
-    const said = row.querySelector(".summary");
-    const line = document.createElement("canvas");
-    line.width = line.height = LINES;
-    this.#rows[stage] = { row, box, scene, map, legend, most: legend.nextElementSibling, said, line };
-    return row;
+  /** @param {Stage} stage */
+  createRow(stage) {
+    const { name, meaning, how } = STAGE_TEXT[stage];
+    const element = fromTemplate("stage-row");
+    element.dataset.stage = stage;
+    find(element, "b").textContent = name;
+    find(element, ".meaning").textContent = meaning;
+    find(element, "details p").textContent = how;
+    const box = find(element, "input", HTMLInputElement);
+    box.addEventListener("change", () => this.requestState({ layers: STAGES.filter((one) => this.#rows[one].box.checked) }));
+    const outline = document.createElement("canvas");
+    outline.width = outline.height = OUTLINE_SIDE;
+    return {
+      element,
+      box,
+      scene: find(element, ".scene-layer", HTMLCanvasElement),
+      map: contextOf(find(element, ".shade-layer", HTMLCanvasElement)),
+      outline: contextOf(outline),
+      legend: contextOf(find(element, ".legend", HTMLCanvasElement)),
+      peak: find(element, ".peak"),
+      summary: find(element, ".summary"),
+    };
   }
 
-  #progress() {
-    const { status, progress, trouble, loaded } = this.#model;
-    at("imagine-trouble").hidden = status !== "failed";
-    at("imagine-trouble").querySelector("p").textContent = trouble ?? "";
-    at("imagine-trouble").querySelector("button").textContent = this.#model.code === "no_model" ? "Use the model that is here" : "Try again";
-    at("imagine-body").hidden = status === "failed";
-    at("imagine-progress").hidden = status !== "loading";
-    const bar = at("imagine-progress").querySelector("progress");
+  #onClientChange() {
+    const { status, progress, loaded } = this.#client;
+    byId("imagine-body").hidden = status === "failed";
+    byId("imagine-loading").hidden = status !== "loading";
+    const bar = find(byId("imagine-loading"), "progress", HTMLProgressElement);
     if (progress === null) bar.removeAttribute("value");
     else bar.value = progress;
-    if (loaded) this.#choice(loaded);
-    if (status === "ready") this.#imagine();
-    else {
-      this.#imagined = null;
-      this.#paint();
+    if (status === "ready") {
+      if (loaded) this.#offerModels(loaded);
+      this.#request();
+    } else {
+      this.#call?.abort();
+      this.#callFailure = null;
+      this.#setImagined(null);
+      this.#updateTrouble();
     }
   }
 
-  /** The models that there are, where there are several. */
-  #choice({ name, names }) {
-    at("models").hidden = names.length < 2;
-    at("model").replaceChildren(...names.map((one) => new Option(one, one, one === name, one === name)));
+  /**
+   * The models to choose from, where there are several.
+   * @param {import("../model/messages.js").LoadedModel} loaded
+   */
+  #offerModels({ name, names }) {
+    byId("model-choice").hidden = names.length < 2;
+    modelSelect.replaceChildren(...names.map((one) => new Option(one, one, one === name, one === name)));
   }
 
-  async #imagine() {
-    const session = this.#session;
-    if (!session || this.#model.status !== "ready") return;
+  async #request() {
+    this.#call?.abort();
+    if (!this.session || this.#client.status !== "ready") return;
+    const call = (this.#call = new AbortController());
+    this.#callFailure = null;
+    this.#updateTrouble();
     try {
-      const imagined = await this.#model.imagine(session.about.id);
-      if (session !== this.#session) return;
-      this.#imagined = imagined;
-      this.#paint();
-    } catch {
-      // The model tells its own trouble; `#progress` shows it.
+      const imagined = await this.#client.imagine(this.session.about.id, call.signal);
+      if (!call.signal.aborted) this.#setImagined(imagined);
+    } catch (error) {
+      if (call.signal.aborted) return;
+      this.#callFailure = /** @type {Error} */ (error).message;
+      this.#updateTrouble();
     }
   }
 
-  /** Draws the scene that lies under each small map. */
-  #scenes() {
-    if (!this.#session) return;
-    for (const stage of STAGES) this.#wasm.paintThumbnail(this.#rows[stage].scene.getContext("2d"), this.#session.about.id, this.#dark);
+  #updateTrouble() {
+    this.#trouble.update(this.#client, this.#callFailure, { restartModel: () => this.requestModel(), repeatCall: () => this.#request() });
   }
 
-  /** Draws the small maps: what is imagined. */
+  /** @param {Imagined | null} imagined */
+  #setImagined(imagined) {
+    if (imagined === this.#imagined) return;
+    this.#imagined = imagined;
+    this.#paint();
+    this.dispatchEvent(new Event("maps"));
+  }
+
+  /** Draws the scene that lies under each map. */
+  #paintScenes() {
+    for (const stage of STAGES) this.#scenePicture.drawOn(this.#rows[stage].scene);
+  }
+
   #paint() {
     const imagined = this.#imagined;
     for (const stage of STAGES) {
-      const { map, line, most, said } = this.#rows[stage];
+      const { map, outline, peak, summary: said } = this.#rows[stage];
       const values = imagined?.maps[stage];
+      map.clearRect(0, 0, GRID_SIDE, GRID_SIDE);
+      outline.clearRect(0, 0, OUTLINE_SIDE, OUTLINE_SIDE);
       // Each map is drawn up to its own peak, which the legend names.
-      const peak = values ? Math.max(...values) : 0;
-      most.textContent = values ? peak.toFixed(2) : "";
-      const context = map.getContext("2d");
-      if (values) this.#wasm.paintMap(context, stage, values, peak, this.#dark);
-      else context.clearRect(0, 0, SIDE, SIDE);
-      const round = line.getContext("2d");
-      round.clearRect(0, 0, LINES, LINES);
-      if (values) this.#wasm.paintOutline(round, stage, values.map((value) => value / peak), this.#dark);
+      const most = values ? Math.max(...values) : 0;
+      if (values) {
+        paintMap(map, stage, values, most, this.dark);
+        paintOutline(outline, stage, values.map((value) => value / most), this.dark);
+      }
+      setText(peak, values ? most.toFixed(2) : "");
       // Weights may come without a judge.
       const words = values ? summary(values) : imagined ? "this model has no such map" : "not imagined yet";
-      map.setAttribute("aria-label", `${WORDS[stage].name}: ${words}`);
-      said.textContent = `${words[0].toUpperCase()}${words.slice(1)}.`;
+      map.canvas.setAttribute("aria-label", `${STAGE_TEXT[stage].name}: ${words}`);
+      setText(said, `${words[0].toUpperCase()}${words.slice(1)}.`);
     }
-    at("imagined-in").textContent = imagined ? timed(imagined) : "";
-    this.dispatchEvent(new Event("imagined"));
+    setText(byId("imagined-in"), imagined ? timing(imagined) : "");
   }
 }
 
-function timed({ milliseconds, saw }) {
-  const before = saw ? "The model has seen this puzzle in training." : "The model has never seen this puzzle before.";
-  return `Imagined in ${Math.max(1, Math.round(milliseconds))} ms. ${before}`;
+/** @param {Imagined} imagined */
+function timing({ milliseconds, seen }) {
+  const training = seen ? "The model has seen this puzzle in training." : "The model has never seen this puzzle before.";
+  return `Imagined in ${Math.max(1, Math.round(milliseconds))} ms. ${training}`;
 }

@@ -1,87 +1,137 @@
 // Imagined against real: after a run, the real paths of the green object and of the ball over those that the nets
-// imagined, with their overlap. The last run of the player, of the model and of the scene alone stay beside each
-// other, so that their numbers can be compared.
+// imagined, with their overlap. The last run of the player, of the model and of the scene alone stay beside each other, so
+// that their numbers can be compared.
 
-import { Plate, percent } from "./overlap-card.js";
+import { Component } from "../shell/component.js";
+import { byId, find, fromTemplate, setText } from "../shell/dom.js";
+import { OverlapCard, percent } from "./overlap-card.js";
 
-const at = (id) => document.getElementById(id);
+/** @typedef {import("../shell/constants.js").Stage} Stage */
+/** @typedef {import("../play/session.js").Session} Session */
+/** @typedef {import("../play/session.js").Paths} Paths */
+/** @typedef {"player" | "model" | "alone"} Runner */
+/** @typedef {Paths & { title: string, number?: number }} Run `number`: of the attempt, if it is one */
 
-/** Whose runs there are, in the order in which they stand, and the stage that the green object's path is held against. */
-const RUNS = { player: "target", model: "target", alone: "base" };
+/**
+ * Who runs, in the order shown, with the stage that imagined the green object's path.
+ * @type {[Runner, Stage][]}
+ */
+const RUNNERS = [["player", "target"], ["model", "target"], ["alone", "base"]];
 
-export class Actual {
-  #wasm;
+export class ImaginedVsReal extends Component {
   #imagine;
-  #session = null;
-  /** Whose -> { title, number, object, ball }: the real paths. */
-  #runs = {};
-  /** What the session showed when the runs were last read. */
-  #read = null;
-  #dark = false;
+  #scenePicture;
+  /** @type {Map<Runner, Run>} */
+  #runs = new Map();
+  /**
+   * What the session showed when its paths were last read.
+   * @type {unknown}
+   */
+  #lastRead = null;
 
-  constructor(wasm, imagine) {
-    this.#wasm = wasm;
+  /**
+   * @param {import("./imagine.js").Imagine} imagine
+   * @param {import("./scene-picture.js").ScenePicture} scenePicture
+   */
+  constructor(imagine, scenePicture) {
+    super();
     this.#imagine = imagine;
-    imagine.addEventListener("imagined", () => this.#paint());
+    this.#scenePicture = scenePicture;
+    imagine.addEventListener("maps", () => {
+      // The maps go when another model is loaded, and with them the runs of the old one.
+      if (!imagine.maps) this.#runs.delete("model");
+      this.#paint();
+    });
   }
 
-  show(session) {
-    this.#session = session;
-    this.#runs = {};
-    this.#read = null;
-    session.addEventListener("change", () => this.#update());
+  /** @param {Session} session */
+  open(session) {
+    super.open(session);
+    this.listen("change", () => this.#update(session));
+  }
+
+  close() {
+    super.close();
+    this.#runs.clear();
+    this.#lastRead = null;
     this.#paint();
   }
 
-  set dark(dark) {
-    this.#dark = dark;
+  /** @param {boolean} dark */
+  setTheme(dark) {
+    super.setTheme(dark);
     this.#paint();
   }
 
-  #update() {
-    const { puzzle, phase, finished, placing, shown, pair } = this.#session;
-    if (placing) this.#read = null;
-    const gone = Object.keys(this.#runs).filter((who) => who !== "alone" && this.#runs[who].number > puzzle.score(who).used);
-    for (const who of gone) delete this.#runs[who];
-    const what = phase === "compare" ? pair : (shown ?? phase);
-    const fresh = finished && !placing && what !== this.#read;
-    if (fresh) {
-      this.#read = what;
-      const paths = puzzle.paths();
-      const whose = phase === "watch" ? [{ agent: "alone" }] : phase === "compare" ? pair : [shown];
-      whose.forEach((attempt, index) => (this.#runs[attempt.agent] = { ...paths[index], ...titled(attempt) }));
+  /** @param {Session} session */
+  #update(session) {
+    const { puzzle, phase, finished, placing, shown, pair } = session;
+    if (placing) this.#lastRead = null;
+    let changed = false;
+    for (const agent of /** @type {const} */ (["player", "model"])) {
+      // The attempt may have been deleted meanwhile.
+      const number = this.#runs.get(agent)?.number;
+      if (number !== undefined && number > session.score(agent).used) changed = this.#runs.delete(agent);
     }
-    if (fresh || gone.length) this.#paint();
+    const current = phase === "compare" ? pair : (shown ?? phase);
+    if (finished && !placing && current !== this.#lastRead) {
+      this.#lastRead = current;
+      const runs = phase === "watch" ? [watchedRun] : (phase === "compare" ? pair : [shown]).map(runOf);
+      const paths = /** @type {Paths[]} */ (puzzle.paths());
+      runs.forEach(({ runner, ...run }, index) => this.#runs.set(runner, { ...run, ...paths[index] }));
+      changed = true;
+    }
+    if (changed) this.#paint();
   }
 
   #paint() {
-    const maps = this.#imagine.values;
-    const whose = maps && this.#session ? Object.keys(RUNS).filter((who) => this.#runs[who]) : [];
-    at("actual-empty").hidden = whose.length > 0;
-    at("actual-how").hidden = whose.length === 0;
+    const maps = this.session && this.#imagine.maps;
     const words = [];
-    at("runs").replaceChildren(...whose.map((who) => {
-      const { title, object, ball } = this.#runs[who];
-      const row = at("run-row").content.firstElementChild.cloneNode(true);
-      row.dataset.who = who;
-      row.querySelector("h3").textContent = title;
-      const plate = (name, stage, real) => {
-        const one = new Plate(this.#wasm);
-        row.querySelector(".plates").append(one.element);
-        return one.draw({ task: this.#session.about.id, name, stage, values: maps[stage], real, dark: this.#dark });
-      };
-      const green = plate("Green object", RUNS[who], object);
-      const red = ball && plate("Red ball", "action", ball);
-      words.push(`${title}: green object ${percent(green)}${ball ? `, red ball ${percent(red)}` : ""}`);
-      return row;
-    }));
-    const said = words.length ? `As imagined – ${words.join("; ")}.` : "";
-    if (at("actual-words").textContent !== said) at("actual-words").textContent = said;
+    const rows = [];
+    for (const [runner, stage] of RUNNERS) {
+      const run = this.#runs.get(runner);
+      if (!maps || !run) continue;
+      const { title, object, ball } = run;
+      const row = fromTemplate("run-row");
+      row.dataset.runner = runner;
+      find(row, "h3").textContent = title;
+      const green = this.#addCard(row, "Green object", stage, maps[stage], object);
+      const red = ball && this.#addCard(row, "Red ball", "action", maps.action, ball);
+      words.push(`${title}: green object ${green}${red ? `, red ball ${red}` : ""}`);
+      rows.push(row);
+    }
+    byId("runs").replaceChildren(...rows);
+    byId("overlap-empty").hidden = rows.length > 0;
+    byId("overlap-how").hidden = rows.length === 0;
+    setText(byId("overlap-words"), words.length ? `As imagined – ${words.join("; ")}.` : "");
+  }
+
+  /**
+   * Returns the overlap in words.
+   * @param {HTMLElement} row
+   * @param {string} name
+   * @param {Stage} stage
+   * @param {Float32Array | undefined} values
+   * @param {Float32Array} real
+   */
+  #addCard(row, name, stage, values, real) {
+    if (!values) return "unknown";
+    const card = new OverlapCard(this.#scenePicture);
+    find(row, ".overlap-cards").append(card.element);
+    return percent(card.draw({ name, stage, values, real, dark: this.dark }));
   }
 }
 
-function titled({ agent, number, rehearsed }) {
-  if (agent === "alone") return { title: "Without a ball" };
-  if (agent === "player") return { title: `Your attempt ${number}`, number };
-  return rehearsed ? { title: `The model’s ball ${number}` } : { title: `The model’s attempt ${number}`, number };
+/** @type {{ runner: Runner, title: string }} */
+const watchedRun = { runner: "alone", title: "Without a ball" };
+
+/**
+ * @param {import("../play/session.js").ShownAttempt | null} attempt
+ * @returns {{ runner: Runner, title: string, number?: number }}
+ */
+function runOf(attempt) {
+  if (!attempt) return watchedRun;
+  const { agent, number, preview } = attempt;
+  if (agent === "player") return { runner: agent, title: `Your attempt ${number}`, number };
+  return preview ? { runner: agent, title: `The model’s ball ${number}` } : { runner: agent, title: `The model’s attempt ${number}`, number };
 }

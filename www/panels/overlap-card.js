@@ -1,33 +1,46 @@
-// A small picture of the scene with a shade over it, imagined or drawn, and a line round the path that was real;
-// below it what it is and how well the two overlap. Drawn by the wasm.
+// A small picture of the scene with a shade over it, predicted or drawn, and a line round the real path; below it what it
+// is and how well the two overlap.
 
-const percent = (share) => `${Math.round(100 * share)} %`;
+import { overlap, paintMap, paintOutline } from "../pkg/pathlight.js";
+import { contextOf, find, fromTemplate } from "../shell/dom.js";
 
-export class Plate {
-  element;
-  #wasm;
-  #layers;
+/** @param {number} fraction */
+export const percent = (fraction) => `${Math.round(100 * fraction)} %`;
 
-  constructor(wasm) {
-    this.#wasm = wasm;
-    this.element = document.getElementById("plate").content.firstElementChild.cloneNode(true);
-    this.#layers = [...this.element.querySelectorAll("canvas")].map((canvas) => canvas.getContext("2d"));
+export class OverlapCard {
+  element = fromTemplate("overlap-card");
+  #scene;
+  #scenePicture;
+  #shade;
+  #outline;
+
+  /** @param {import("./scene-picture.js").ScenePicture} scenePicture */
+  constructor(scenePicture) {
+    this.#scenePicture = scenePicture;
+    this.#scene = find(this.element, ".scene-layer", HTMLCanvasElement);
+    this.#shade = contextOf(find(this.element, ".shade-layer", HTMLCanvasElement));
+    this.#outline = contextOf(find(this.element, ".outline-layer", HTMLCanvasElement));
   }
 
-  /** Draws `values` in the colours of `stage`, with the line round `real`; returns their overlap, 0..1. `name` says
-   * what is shaded. */
-  draw({ task, name, stage, values, real, dark }) {
-    const [scene, shade, line] = this.#layers;
-    this.#wasm.paintThumbnail(scene, task, dark);
-    this.#wasm.paintMap(shade, stage, values, Math.max(...values), dark);
-    line.clearRect(0, 0, line.canvas.width, line.canvas.height);
-    this.#wasm.paintOutline(line, "real", real, dark);
-    const share = this.#wasm.overlap(values, real);
-    this.element.querySelector("b").textContent = percent(share);
-    this.element.querySelector("span").textContent = name;
-    line.canvas.setAttribute("aria-label", `${name}, and a line round the real path: they overlap by ${percent(share)}`);
-    return share;
+  /**
+   * Draws a map in the colours of its stage and the outline of the real path; returns their overlap, 0..1.
+   * @param {object} what
+   * @param {string} what.name what is shaded
+   * @param {import("../shell/constants.js").Stage} what.stage
+   * @param {Float32Array} what.values
+   * @param {Float32Array} what.real
+   * @param {boolean} what.dark
+   */
+  draw({ name, stage, values, real, dark }) {
+    const { canvas } = this.#outline;
+    this.#scenePicture.drawOn(this.#scene);
+    paintMap(this.#shade, stage, values, Math.max(...values), dark);
+    this.#outline.clearRect(0, 0, canvas.width, canvas.height);
+    paintOutline(this.#outline, "real", real, dark);
+    const fraction = overlap(values, real);
+    find(this.element, "b").textContent = percent(fraction);
+    find(this.element, "span").textContent = name;
+    canvas.setAttribute("aria-label", `${name}, and a line round the real path: they overlap by ${percent(fraction)}`);
+    return fraction;
   }
 }
-
-export { percent };

@@ -1,139 +1,172 @@
-// Predict first: the person draws the path that they think the green object will take, runs, and is measured beside
-// the net, both against the real path. Without a ball the net's word is its base path, with the ball its target
-// path. The scene's canvas hands over pointer and keys while this panel is on.
+// The Predict panel: the person draws the path that they expect the green object to take, runs, and is compared with the
+// net, both against the real path. Without a ball the net's prediction is its base path, with the ball its target path.
+// The canvas of the scene passes pointer and keys on while this panel is shown.
 
-import { Plate, percent } from "./overlap-card.js";
-import { say } from "../shell/announce.js";
+import { announce } from "../shell/announce.js";
+import { Component } from "../shell/component.js";
+import { SCENE_SIZE } from "../shell/constants.js";
+import { byId } from "../shell/dom.js";
+import { ARROW_KEYS } from "../play/canvas.js";
+import { OverlapCard, percent } from "./overlap-card.js";
 
-const at = (id) => document.getElementById(id);
-const SIZE = 256;
-/** The shortest piece of a line worth keeping, px; and the most points of one, which a whole day of drawing ends at. */
-const PIECE = 2;
-const MOST = 4000;
-const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+/** @typedef {import("../play/canvas.js").Point} Point */
+/** @typedef {import("../play/session.js").Session} Session */
 
-export class Predict extends EventTarget {
-  /** The line, [[x, y], …] in px. */
+/** The shortest segment of a line worth keeping, px. */
+const MIN_SEGMENT = 2;
+/** The most points of a line: more than a day of drawing needs. */
+const MAX_POINTS = 4000;
+/** How far an arrow key draws, without and with Shift, px. */
+const KEY_STEP = 6;
+const LARGE_KEY_STEP = 24;
+
+export class Predict extends Component {
+  /**
+   * The line that is drawn, px. Fires "sketch" when it has changed.
+   * @type {Point[]}
+   */
   sketch = [];
-  #wasm;
   #imagine;
-  #session = null;
-  /** Is this panel on? */
-  #on = false;
-  #dark = false;
-  #plates;
+  #visible = false;
+  #playerCard;
+  #netCard;
 
-  /** Fires "sketch" when the line has changed. */
-  constructor(wasm, imagine) {
+  /**
+   * @param {import("./imagine.js").Imagine} imagine
+   * @param {import("./scene-picture.js").ScenePicture} scenePicture
+   */
+  constructor(imagine, scenePicture) {
     super();
-    this.#wasm = wasm;
     this.#imagine = imagine;
-    this.#plates = [new Plate(wasm), new Plate(wasm)];
-    at("predict-plates").append(...this.#plates.map(({ element }) => element));
-    at("predict-watch").addEventListener("click", () => this.#session.watch());
-    at("predict-run").addEventListener("click", () => {
-      this.#session.reset();
-      this.#session.run();
+    this.#playerCard = new OverlapCard(scenePicture);
+    this.#netCard = new OverlapCard(scenePicture);
+    byId("predict-cards").append(this.#playerCard.element, this.#netCard.element);
+    byId("predict-watch").addEventListener("click", () => this.session?.watch());
+    byId("predict-run").addEventListener("click", () => {
+      this.session?.reset();
+      this.session?.run();
     });
-    at("predict-wipe").addEventListener("click", () => this.#draw([]));
-    imagine.addEventListener("imagined", () => this.#update());
+    byId("predict-wipe").addEventListener("click", () => this.#setSketch([]));
+    imagine.addEventListener("maps", () => this.#update());
   }
 
-  show(session) {
-    this.#session = session;
-    session.addEventListener("change", () => this.#update());
-    session.drawing = this.#on;
-    this.#draw([]);
+  /** @param {Session} session */
+  open(session) {
+    super.open(session);
+    this.listen("change", () => this.#update());
+    session.drawing = this.#visible;
+    this.#update();
   }
 
-  set({ panel }) {
-    this.#on = panel === "predict";
-    if (this.#session) this.#session.drawing = this.#on;
+  close() {
+    super.close();
+    this.#setSketch([]);
   }
 
-  set dark(dark) {
-    this.#dark = dark;
-    if (this.#session) this.#update();
+  /** @param {import("../shell/url-state.js").View} view */
+  setState({ panel }) {
+    this.#visible = panel === "predict";
+    if (this.session) this.session.drawing = this.#visible;
   }
 
-  /** A pointer goes down: a new line begins. */
+  /** @param {boolean} dark */
+  setTheme(dark) {
+    super.setTheme(dark);
+    this.#update();
+  }
+
+  /**
+   * A pointer goes down: a new line begins.
+   * @param {Point} point
+   */
   begin(point) {
-    this.#fresh();
-    this.#draw([inside(point)]);
+    this.#leaveRun();
+    this.#setSketch([inside(point)]);
   }
 
-  /** The pointer goes on. */
+  /**
+   * The pointer moves. The line may have been wiped meanwhile; then it begins here.
+   * @param {Point} point
+   */
   draw(point) {
     const next = inside(point);
     const last = this.sketch.at(-1);
-    if (Math.hypot(next[0] - last[0], next[1] - last[1]) >= PIECE && this.sketch.length < MOST) this.#draw([...this.sketch, next]);
+    if (!last) this.#setSketch([next]);
+    else if (Math.hypot(next[0] - last[0], next[1] - last[1]) >= MIN_SEGMENT && this.sketch.length < MAX_POINTS) this.#setSketch([...this.sketch, next]);
   }
 
-  /** A key in the scene: arrows go on from the end of the line, or from the green object. Says whether it was one. */
-  key({ key, shiftKey }) {
-    const by = ARROWS[key];
-    if (by) {
-      this.#fresh();
-      const line = this.sketch.length ? this.sketch : [[...this.#session.puzzle.start()]];
-      const far = shiftKey ? 24 : 6;
-      this.#draw([...line, inside(line.at(-1).map((value, axis) => value + by[axis] * far))]);
-    } else if (key === "Backspace") {
-      this.#fresh();
-      this.#draw(this.sketch.slice(0, -1));
+  /**
+   * A key in the scene: arrows extend the line, or begin it at the green object; Backspace shortens it. Returns whether it
+   * was one of these.
+   * @param {KeyboardEvent} event
+   */
+  onKeydown({ key, shiftKey }) {
+    const direction = ARROW_KEYS[key];
+    if (!this.session || (!direction && key !== "Backspace")) return false;
+    this.#leaveRun();
+    if (direction) {
+      const [startX, startY] = this.session.puzzle.start();
+      const [x, y] = this.sketch.at(-1) ?? [startX, startY];
+      const line = this.sketch.length ? this.sketch : [/** @type {Point} */ ([x, y])];
+      const distance = shiftKey ? LARGE_KEY_STEP : KEY_STEP;
+      this.#setSketch([...line, inside([x + direction[0] * distance, y + direction[1] * distance])]);
+    } else {
+      this.#setSketch(this.sketch.slice(0, -1));
     }
-    return Boolean(by) || key === "Backspace";
+    return true;
   }
 
-  /** What has been run is over: a prediction is about what comes. */
-  #fresh() {
-    if (!this.#session.placing) this.#session.reset();
+  /** A prediction is about what comes: a run that is shown is left. */
+  #leaveRun() {
+    if (this.session && !this.session.placing) this.session.reset();
   }
 
-  #draw(line) {
+  /** @param {Point[]} line */
+  #setSketch(line) {
     this.sketch = line;
     this.#update();
     this.dispatchEvent(new Event("sketch"));
   }
 
   #update() {
-    const session = this.#session;
+    const session = this.session;
     if (!session) return;
-    const none = this.sketch.length === 0;
-    at("predict-watch").disabled = none;
-    at("predict-run").disabled = none || !session.ball || Boolean(session.reason);
-    at("predict-wipe").disabled = none;
-    const own = session.phase === "watch" || session.shown?.agent === "player";
-    const over = !none && session.finished && own && !session.placing;
-    at("predict-result").hidden = !over;
-    const words = over ? this.#score() : none ? "Nothing drawn yet." : `Your line ends at ${spoken(this.sketch.at(-1))}.`;
-    if (at("predict-words").textContent === words) return;
-    at("predict-words").textContent = words;
-    if (this.#on) say(words);
+    const end = this.sketch.at(-1);
+    byId("predict-watch", HTMLButtonElement).disabled = !end;
+    byId("predict-run", HTMLButtonElement).disabled = !end || !session.ball || session.invalidReason !== null;
+    byId("predict-wipe", HTMLButtonElement).disabled = !end;
+    const measurable = session.phase === "watch" || session.shown?.agent === "player";
+    const measured = Boolean(end) && session.finished && measurable && !session.placing;
+    byId("predict-result").hidden = !measured;
+    const words = measured ? this.#measure(session) : end ? `Your line ends at x ${Math.round(end[0])}, y ${Math.round(end[1])}.` : "Nothing drawn yet.";
+    if (byId("predict-words").textContent === words) return;
+    byId("predict-words").textContent = words;
+    if (this.#visible) announce(words);
   }
 
-  /** Measures both against the real path and says who was closer. */
-  #score() {
-    const { puzzle, phase, about } = this.#session;
+  /**
+   * Measures both lines against the real path and says who was closer.
+   * @param {Session} session
+   */
+  #measure({ puzzle, phase }) {
     const stage = phase === "watch" ? "base" : "target";
     const real = puzzle.paths()[0].object;
-    const net = this.#imagine.values?.[stage];
-    const [mine, its] = this.#plates;
-    const shared = { task: about.id, stage, real, dark: this.#dark };
-    const you = mine.draw({ ...shared, name: "You", values: puzzle.sketch(new Float64Array(this.sketch.flat())) });
-    its.element.hidden = !net;
-    if (!net) return `You were right by ${percent(you)}.`;
-    const it = its.draw({ ...shared, name: "The net", values: net });
-    const [first, second] = [percent(you), percent(it)];
-    if (first === second) return `A draw: both were right by ${first}.`;
-    return you > it ? `You were closer: ${first}, the net ${second}.` : `The net was closer: ${second}, you ${first}.`;
+    const netMap = this.#imagine.maps?.[stage];
+    const shared = { stage: /** @type {import("../shell/constants.js").Stage} */ (stage), real, dark: this.dark };
+    const player = this.#playerCard.draw({ ...shared, name: "You", values: puzzle.sketch(new Float64Array(this.sketch.flat())) });
+    this.#netCard.element.hidden = !netMap;
+    if (!netMap) return `You were right by ${percent(player)}.`;
+    const net = this.#netCard.draw({ ...shared, name: "The net", values: netMap });
+    const [playerWords, netWords] = [percent(player), percent(net)];
+    if (playerWords === netWords) return `A draw: both were right by ${playerWords}.`;
+    return player > net ? `You were closer: ${playerWords}, the net ${netWords}.` : `The net was closer: ${netWords}, you ${playerWords}.`;
   }
 }
 
-function inside(point) {
-  return point.map((value) => Math.min(Math.max(value, 0), SIZE));
-}
-
-function spoken(point) {
-  const [x, y] = point.map(Math.round);
-  return `x ${x}, y ${y}`;
+/**
+ * @param {Point} point
+ * @returns {Point}
+ */
+function inside([x, y]) {
+  return [Math.min(Math.max(x, 0), SCENE_SIZE), Math.min(Math.max(y, 0), SCENE_SIZE)];
 }

@@ -1,95 +1,133 @@
-// The value under the pointer: one point of the scene, read from all maps at once. The point comes from the
-// mouse or a finger over the scene or a small map, or from the arrow keys on a small map. Each small map marks
-// it and says its value; a note in the corner of the scene says those of the maps that lie over it.
+// The probe: reads all maps at one point of the scene. The point comes from the mouse or a finger over the scene or a
+// small map, or from the arrow keys on a small map. Each small map marks it and shows its value; a note in the corner of
+// the scene shows the values of the maps that lie over it.
 
-import { say } from "../shell/announce.js";
-import { STAGES } from "../shell/url-state.js";
-import { WORDS, valueAt } from "../model/stages.js";
+import { announce } from "../shell/announce.js";
+import { Component } from "../shell/component.js";
+import { CELL_SIZE, SCENE_SIZE, STAGES } from "../shell/constants.js";
+import { byId, find, setText } from "../shell/dom.js";
+import { STAGE_TEXT, valueAt } from "../model/stages.js";
+import { ARROW_KEYS } from "../play/canvas.js";
 
-const at = (id) => document.getElementById(id);
-const SIZE = 256;
-const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+/** @typedef {import("../shell/constants.js").Stage} Stage */
 
-export class Reading {
+/** How far an arrow key moves the point: a cell, with Shift eight. px */
+const KEY_STEP = CELL_SIZE;
+const LARGE_KEY_STEP = 8 * CELL_SIZE;
+/** The largest coordinate inside the scene, px. */
+const LAST_COORDINATE = SCENE_SIZE - 0.01;
+
+export class Probe extends Component {
   #imagine;
+  /** @type {Stage[]} */
   #layers = [];
-  /** [x, y] in px of the scene, or null. */
+  /**
+   * px of the scene, or null.
+   * @type {number[] | null}
+   */
   #point = null;
   #rows;
 
+  /** @param {import("./imagine.js").Imagine} imagine */
   constructor(imagine) {
+    super();
     this.#imagine = imagine;
     this.#rows = STAGES.map((stage) => {
-      const row = document.querySelector(`[data-stage=${stage}]`);
-      const map = row.querySelector(".map");
-      map.setAttribute("aria-label", `${WORDS[stage].name}: arrow keys read its values`);
-      map.addEventListener("keydown", (event) => this.#key(event, stage));
-      this.#listen(map);
-      return { stage, map, value: row.querySelector(".value") };
+      const row = find(document, `[data-stage=${stage}]`);
+      const map = find(row, ".map");
+      map.setAttribute("aria-label", `${STAGE_TEXT[stage].name}: arrow keys read its values`);
+      map.addEventListener("keydown", (event) => this.#onKeydown(event, stage));
+      this.#followPointer(map);
+      return { stage, map, value: find(row, ".value") };
     });
-    this.#listen(at("scene"));
-    imagine.addEventListener("imagined", () => this.#show());
+    this.#followPointer(byId("scene"));
+    imagine.addEventListener("maps", () => this.#update());
   }
 
-  /** Another puzzle is on: no point is read. */
-  clear() {
-    this.#point = null;
-    this.#show();
+  close() {
+    super.close();
+    this.#clear();
   }
 
-  set({ layers }) {
+  /** @param {import("../shell/url-state.js").View} view */
+  setState({ layers }) {
     this.#layers = layers;
-    this.#show();
+    this.#update();
   }
 
-  #listen(element) {
-    for (const what of ["pointerdown", "pointermove"]) element.addEventListener(what, (event) => this.#move(event, element));
-    // A finger covers what it points at: its reading stays when it is lifted.
-    element.addEventListener("pointerleave", ({ pointerType }) => pointerType === "mouse" && this.clear());
+  #clear() {
+    this.#point = null;
+    this.#update();
   }
 
-  #move({ clientX, clientY }, element) {
+  /** @param {HTMLElement} element */
+  #followPointer(element) {
+    /** @param {PointerEvent} event */
+    const onPointer = (event) => this.#onPointer(event, element);
+    element.addEventListener("pointerdown", onPointer);
+    element.addEventListener("pointermove", onPointer);
+    // A finger covers what it points at: the values stay when it is lifted.
+    element.addEventListener("pointerleave", ({ pointerType }) => pointerType === "mouse" && this.#clear());
+  }
+
+  /**
+   * @param {PointerEvent} event
+   * @param {HTMLElement} element
+   */
+  #onPointer({ clientX, clientY }, element) {
     const box = element.getBoundingClientRect();
-    const inside = (share) => Math.min(Math.max(share, 0), 1) * (SIZE - 0.01);
-    this.#point = [inside((clientX - box.left) / box.width), inside((box.bottom - clientY) / box.height)];
-    this.#show();
+    /** @param {number} fraction */
+    const toScene = (fraction) => Math.min(Math.max(fraction, 0), 1) * LAST_COORDINATE;
+    this.#point = [toScene((clientX - box.left) / box.width), toScene((box.bottom - clientY) / box.height)];
+    this.#update();
   }
 
-  #key(event, stage) {
-    const by = ARROWS[event.key];
-    if (!by || event.ctrlKey || event.metaKey || event.altKey) return;
+  /**
+   * @param {KeyboardEvent} event
+   * @param {Stage} stage
+   */
+  #onKeydown(event, stage) {
+    const direction = ARROW_KEYS[event.key];
+    if (!direction || event.ctrlKey || event.metaKey || event.altKey) return;
     event.preventDefault();
-    const far = event.shiftKey ? 32 : 4;
-    const from = this.#point ?? [SIZE / 2, SIZE / 2];
-    this.#point = from.map((value, axis) => Math.min(Math.max(value + by[axis] * far, 2), SIZE - 2));
-    this.#show();
-    say(`${this.#place()}: ${this.#value(stage)}`);
+    const distance = event.shiftKey ? LARGE_KEY_STEP : KEY_STEP;
+    const from = this.#point ?? [SCENE_SIZE / 2, SCENE_SIZE / 2];
+    const margin = CELL_SIZE / 2;
+    this.#point = from.map((value, axis) => Math.min(Math.max(value + direction[axis] * distance, margin), SCENE_SIZE - margin));
+    this.#update();
+    announce(`${placeOf(this.#point)}: ${this.#valueOf(stage, this.#point)}`);
   }
 
-  #place() {
-    const [x, y] = this.#point.map(Math.round);
-    return `x ${x}, y ${y}`;
+  /**
+   * @param {Stage} stage
+   * @param {number[]} point
+   */
+  #valueOf(stage, point) {
+    const map = this.#imagine.maps?.[stage];
+    return map ? valueAt(map, point).toFixed(2) : "none";
   }
 
-  #value(stage) {
-    const map = this.#imagine.values[stage];
-    return map ? valueAt(map, this.#point).toFixed(2) : "none";
-  }
-
-  #show() {
-    const point = this.#imagine.values && this.#point;
+  #update() {
+    const point = this.#imagine.maps && this.#point;
     for (const { stage, map, value } of this.#rows) {
-      value.textContent = point ? `${this.#value(stage)} at ${this.#place()}` : "";
-      map.toggleAttribute("data-read", Boolean(point));
+      setText(value, point ? `${this.#valueOf(stage, point)} at ${placeOf(point)}` : "");
+      map.toggleAttribute("data-probed", Boolean(point));
       if (!point) continue;
-      map.style.setProperty("--x", point[0] / SIZE);
-      map.style.setProperty("--y", 1 - point[1] / SIZE);
+      map.style.setProperty("--x", String(point[0] / SCENE_SIZE));
+      map.style.setProperty("--y", String(1 - point[1] / SCENE_SIZE));
     }
-    const note = at("reading");
+    const note = byId("probe");
     note.hidden = !point || this.#layers.length === 0;
-    if (note.hidden) return;
+    if (!point || note.hidden) return;
     // In the corner where the pointer is not.
-    note.dataset.side = point[0] < SIZE / 2 ? "right" : "left";
-    note.replaceChildren(...this.#layers.flatMap((stage) => [`${WORDS[stage].name} ${this.#value(stage)}`, document.createElement("br")]), this.#place());
+    note.dataset.side = point[0] < SCENE_SIZE / 2 ? "right" : "left";
+    const lines = this.#layers.flatMap((stage) => [`${STAGE_TEXT[stage].name} ${this.#valueOf(stage, point)}`, document.createElement("br")]);
+    note.replaceChildren(...lines, placeOf(point));
   }
+}
+
+/** @param {number[]} point */
+function placeOf(point) {
+  const [x, y] = point.map(Math.round);
+  return `x ${x}, y ${y}`;
 }

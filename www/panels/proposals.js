@@ -1,148 +1,214 @@
-// The model's hundred balls as a stack, one by one, tried in its turn or not: what came of each, whether it may be
-// placed, and where on the placement map it comes from. The one that is looked at runs to its end at once, with its
-// paths over the scene and the balls before it marked. Which one it is stands in the link.
+// The model's proposals, one by one, whether it has tried them or not: the outcome of each, whether it may be placed, and
+// which map it comes from. The one that is looked at is shown at its end at once, with its paths over the scene and the
+// balls before it marked. Its number is in the address.
 
-import { sentence } from "../play/session.js";
+import { Component } from "../shell/component.js";
+import { byId, setText } from "../shell/dom.js";
 import { valueAt } from "../model/stages.js";
+import { sentence } from "../play/session.js";
+import { TroubleBox } from "./trouble-box.js";
 
-const at = (id) => document.getElementById(id);
+/** @typedef {import("../model/messages.js").Proposal} Proposal */
+/** @typedef {import("../play/session.js").Session} Session */
 
-export class Stack extends EventTarget {
-  #model;
+const slider = byId("proposal-slider", HTMLInputElement);
+
+export class Proposals extends Component {
+  #client;
   #imagine;
-  #session = null;
-  /** The model's balls, [{ ball, origin, rejected }, …], or null until it has proposed them. */
+  /**
+   * Null until the model has proposed them.
+   * @type {Proposal[] | null}
+   */
   #proposals = null;
-  /** The number of the ball that is asked for, from 1, or null. */
-  #number = null;
-  /** Is this panel on? */
-  #on = false;
-  /** The number of the ball that runs in the scene, or null. */
+  /**
+   * The number of the ball that the address asks for, from 1.
+   * @type {number | null}
+   */
+  #requested = null;
+  /**
+   * The number of the ball that is shown in the scene.
+   * @type {number | null}
+   */
   #shown = null;
+  #visible = false;
+  #trouble = new TroubleBox(byId("proposals-trouble"));
+  /**
+   * The call to the worker that counts.
+   * @type {AbortController | null}
+   */
+  #call = null;
+  /** @type {string | null} */
+  #callFailure = null;
 
-  /** Fires "set" to ask for another ball. */
-  constructor(model, imagine) {
+  /**
+   * @param {import("../model/worker-client.js").WorkerClient} client
+   * @param {import("./imagine.js").Imagine} imagine
+   */
+  constructor(client, imagine) {
     super();
-    this.#model = model;
+    this.#client = client;
     this.#imagine = imagine;
-    at("stack").addEventListener("input", () => this.#ask(Number(at("stack").value)));
-    at("stack-back").addEventListener("click", () => this.#ask((this.#number ?? 2) - 1));
-    at("stack-next").addEventListener("click", () => this.#ask((this.#number ?? 0) + 1));
-    at("stack-close").addEventListener("click", () => this.#session.reset());
-    // The placement map is there as soon as the model can propose.
-    imagine.addEventListener("imagined", () => this.#propose());
+    slider.addEventListener("input", () => this.#request(Number(slider.value)));
+    byId("proposal-back").addEventListener("click", () => this.#request((this.#requested ?? 2) - 1));
+    byId("proposal-next").addEventListener("click", () => this.#request((this.#requested ?? 0) + 1));
+    byId("proposal-close").addEventListener("click", () => this.session?.reset());
+    // The maps come as soon as the model can propose, and go when another is loaded.
+    imagine.addEventListener("maps", () => {
+      if (!imagine.maps) this.#drop();
+      this.#load();
+    });
   }
 
-  show(session) {
-    this.#session = session;
-    this.#proposals = null;
-    this.#shown = null;
-    session.addEventListener("change", () => this.#follow());
+  /** @param {Session} session */
+  open(session) {
+    super.open(session);
+    this.listen("change", () => this.#onSessionChange(session));
     this.#update();
   }
 
-  set({ panel, proposal }) {
-    this.#on = panel === "compare";
-    this.#number = proposal;
-    this.#propose();
+  close() {
+    super.close();
+    this.#drop();
+    this.#shown = null;
+  }
+
+  /** @param {import("../shell/url-state.js").View} view */
+  setState({ panel, proposal }) {
+    this.#visible = panel === "compare";
+    this.#requested = proposal;
+    this.#load();
     this.#update();
   }
 
   /** Is one of the balls being looked at? */
-  get open() {
-    return this.#on && this.#shown !== null;
+  get active() {
+    return this.#visible && this.#shown !== null && this.#proposals !== null;
   }
 
-  /** The balls to mark over the scene. */
+  /**
+   * The balls to mark over the scene.
+   * @returns {import("../play/canvas.js").Mark[]}
+   */
   get marks() {
-    if (!this.open) return [];
-    return this.#proposals.slice(0, this.#shown).map((proposal, index) => {
+    if (!this.active) return [];
+    return (this.#proposals ?? []).slice(0, this.#shown ?? 0).map((proposal, index) => {
       const chosen = index + 1 === this.#shown;
-      return { ball: proposal.ball, from: chosen ? this.#source(proposal) : null, chosen };
+      return { ball: proposal.ball, from: chosen ? this.#sourceOf(proposal) : null, chosen };
     });
   }
 
-  #ask(number) {
-    const most = this.#proposals?.length ?? 0;
-    if (number >= 1 && number <= most) this.#set(number);
+  /** @param {number} number */
+  #request(number) {
+    if (number >= 1 && number <= (this.#proposals?.length ?? 0)) this.requestState({ proposal: number });
   }
 
-  #set(proposal) {
-    this.dispatchEvent(new CustomEvent("set", { detail: { proposal } }));
-  }
-
-  async #propose() {
-    const session = this.#session;
-    if (!this.#on || this.#proposals || !session || !this.#imagine.values) return;
-    try {
-      const proposals = await this.#model.propose(session.about.id);
-      if (session !== this.#session || this.#proposals) return;
-      this.#proposals = proposals;
-      this.#update();
-    } catch {
-      // The model tells its own trouble; the panel shows it.
-    }
-  }
-
-  /** Runs the ball that is asked for, if it does not run yet. */
-  #update() {
-    const here = this.#session && this.#proposals;
-    const most = this.#proposals?.length ?? 0;
-    at("stack-part").hidden = !here;
-    if (!here) return;
-    at("stack").max = most;
-    const proposal = this.#on && this.#number !== null ? this.#proposals[this.#number - 1] : null;
-    if (proposal && this.#shown !== this.#number) {
-      this.#shown = this.#number;
-      const tried = this.#session.puzzle.attempts("model").some(({ ball }) => String(ball) === String(proposal.ball));
-      this.#session.rehearse(this.#number, proposal.ball, tried);
-    }
-    this.#tell();
-  }
-
-  /** Something else is shown than the ball that was asked for: it is no longer looked at. */
-  #follow() {
-    if (this.#shown === null || this.#session.shown?.rehearsed === this.#shown) return;
+  /** Forgets the proposals: they are another puzzle's or another model's. */
+  #drop() {
+    this.#call?.abort();
+    this.#call = null;
+    this.#callFailure = null;
+    this.#proposals = null;
+    // What is shown of them is left too.
+    if (this.#shown !== null && this.session?.shown?.preview) this.session.reset();
     this.#shown = null;
-    this.#tell();
-    this.#set(null);
+    this.#update();
   }
 
-  #tell() {
+  async #load() {
+    if (!this.#visible || this.#proposals || this.#call || this.#callFailure || !this.session || !this.#imagine.maps) return;
+    const call = (this.#call = new AbortController());
+    try {
+      const proposals = await this.#client.propose(this.session.about.id, call.signal);
+      if (!call.signal.aborted) this.#proposals = proposals;
+    } catch (error) {
+      if (!call.signal.aborted) this.#callFailure = /** @type {Error} */ (error).message;
+    } finally {
+      if (this.#call === call) {
+        this.#call = null;
+        this.#update();
+      }
+    }
+  }
+
+  #retry() {
+    this.#callFailure = null;
+    this.#load();
+    this.#update();
+  }
+
+  #update() {
+    const { session } = this;
+    const proposals = this.#proposals;
+    // The panel's own box tells of a model that could not be loaded.
+    byId("proposals-failure").hidden = this.#client.failure !== null;
+    this.#trouble.update(this.#client, this.#callFailure, { restartModel: () => this.requestModel(), repeatCall: () => this.#retry() });
+    byId("proposals").hidden = !proposals || proposals.length === 0;
+    if (!session || !proposals?.length) return;
+    slider.max = String(proposals.length);
+    const number = this.#visible ? this.#requested : null;
+    const proposal = number === null ? null : proposals[number - 1];
+    if (number !== null && proposal && this.#shown !== number) {
+      this.#shown = number;
+      const tried = session.attempts("model").some(({ ball }) => String(ball) === String(proposal.ball));
+      session.preview(number, proposal.ball, tried);
+    }
+    this.#updateFacts(proposals);
+  }
+
+  /**
+   * Something else is shown than the ball that was looked at: the address forgets it.
+   * @param {Session} session
+   */
+  #onSessionChange({ shown }) {
+    if (this.#shown === null || (shown?.preview && shown.number === this.#shown)) return;
+    this.#shown = null;
+    if (this.#proposals) this.#updateFacts(this.#proposals);
+    this.requestState({ proposal: null });
+  }
+
+  /** @param {Proposal[]} proposals */
+  #updateFacts(proposals) {
     const number = this.#shown;
-    at("stack-facts").hidden = number === null;
-    at("stack-close").hidden = number === null;
-    at("stack-hint").hidden = number !== null;
-    at("stack-number").textContent = number === null ? "–" : `${number} of ${this.#proposals.length}`;
-    at("stack").value = number ?? 1;
-    at("stack").setAttribute("aria-valuetext", number === null ? "none" : `${number}`);
-    if (number === null) return;
-    const proposal = this.#proposals[number - 1];
-    const { ending, words, tried } = this.#session.shown;
+    const shown = this.session?.shown;
+    byId("proposal-facts").hidden = number === null;
+    byId("proposal-close").hidden = number === null;
+    byId("proposal-hint").hidden = number !== null;
+    setText(byId("proposal-number"), number === null ? "–" : `${number} of ${proposals.length}`);
+    slider.value = String(number ?? 1);
+    slider.setAttribute("aria-valuetext", number === null ? "none" : `${number}`);
+    if (number === null || !shown) return;
+    const proposal = proposals[number - 1];
     const [x, y, r] = proposal.ball;
-    at("stack-ball").textContent = `x ${x}, y ${y}, radius ${r}`;
-    at("stack-valid").textContent = rejected(proposal);
-    at("stack-outcome").textContent = `${ending.solved ? "✓" : "×"} ${sentence(words)} ${tried ? "" : "It was not tried in its turn."}`;
-    at("stack-origin").textContent = this.#origin(proposal);
+    setText(byId("proposal-ball"), `x ${x}, y ${y}, radius ${r}`);
+    setText(byId("proposal-valid"), rejectedWords(proposal));
+    setText(byId("proposal-outcome"), `${shown.ending.solved ? "✓" : "×"} ${sentence(shown.words)} ${shown.tried ? "" : "It was not tried in its turn."}`);
+    setText(byId("proposal-origin"), this.#originWords(proposal));
   }
 
-  #origin({ origin }) {
+  /** @param {Proposal} proposal */
+  #originWords({ origin }) {
     if (origin.kind === "perturbed") return `Ball ${origin.number}, moved by chance.`;
     if (origin.kind === "judge") return `The judge, a fifth net: after what was tried before, it gives this ball the best chance, ${Math.round(100 * origin.probability)} %.`;
     if (origin.kind === "uniform") return "Chance: the placement map shows no place where a ball may be.";
-    const value = valueAt(this.#imagine.values.placement, [origin.x, origin.y]).toFixed(2);
-    return `The placement map: it is ${value} at x ${origin.x}, y ${origin.y}. From there the ball was moved to cover more of the map.`;
+    const map = this.#imagine.maps?.placement;
+    const value = map ? ` it is ${valueAt(map, [origin.x, origin.y]).toFixed(2)} at x ${origin.x}, y ${origin.y}.` : "";
+    return `The placement map:${value} From there the ball was moved to cover more of the map.`;
   }
 
-  /** The place that a ball comes from, px, or null. */
-  #source({ origin }) {
+  /**
+   * The place that a ball comes from, px, or null.
+   * @param {Proposal} proposal
+   */
+  #sourceOf({ origin }) {
     if (origin.kind === "map") return [origin.x, origin.y];
-    if (origin.kind === "perturbed") return this.#proposals[origin.number - 1].ball.slice(0, 2);
+    if (origin.kind === "perturbed") return this.#proposals?.[origin.number - 1].ball.slice(0, 2) ?? null;
     return null;
   }
 }
 
-function rejected({ rejected }) {
+/** @param {Proposal} proposal */
+function rejectedWords({ rejected }) {
   if (rejected === 0) return "Yes.";
   return `Yes. ${rejected} ${rejected === 1 ? "draw" : "draws"} before it ${rejected === 1 ? "was" : "were"} passed over: not allowed, or a ball that it had already. They do not count.`;
 }

@@ -1,158 +1,181 @@
-// The Map panel: where a ball of this radius solves the puzzle, found by simulating it at every place, roughly at
-// first and then finer. The worker does it, tells how far it is, and can be stopped. The model's placement map can
-// be laid over it.
+// The Map panel: where a ball of this radius solves the puzzle, found by simulating it at every place, coarsely at first
+// and then finer. The worker does it, sends its progress, and can be stopped. The model's placement map can be laid over it.
 
-import { CELL, SIDE, sides } from "../model/stages.js";
+import { paintOutcomes } from "../pkg/pathlight.js";
+import { announce } from "../shell/announce.js";
+import { Component } from "../shell/component.js";
+import { FIRST_RADIUS, GRID_SIDE, SCENE_SIZE } from "../shell/constants.js";
+import { byId, contextOf, find, setText } from "../shell/dom.js";
+import { sides } from "../model/stages.js";
 import { percent } from "./overlap-card.js";
-import { say } from "../shell/announce.js";
 
-const at = (id) => document.getElementById(id);
-
-/** The radius for which a map is made while there is no ball, px. */
-const FIRST_RADIUS = 12;
+/** The outcomes of a place that are counted, as the wasm numbers them. */
 const [INVALID, SOLVED] = [1, 3];
 
-export class SolveMap extends EventTarget {
-  #wasm;
-  #model;
+const placementBox = byId("solve-map-placement", HTMLInputElement);
+
+export class SolveMapPanel extends Component {
+  #client;
   #imagine;
-  #session = null;
-  #canvas = document.createElement("canvas");
-  #dark = false;
-  /** Is this panel on? */
-  #on = false;
-  #layers = [];
-  /** Outcomes of 64 x 64 places, or null. */
-  #picture = null;
-  /** The radius that the map is for, and the share of the places that has been tried. */
-  #radius = null;
+  #context;
+  #visible = false;
+  /** @type {import("../shell/constants.js").Stage[]} */
+  #checkedLayers = [];
+  /**
+   * Outcomes of GRID_SIDE x GRID_SIDE places, row 0 at the bottom.
+   * @type {Uint8Array | null}
+   */
+  #outcomes = null;
+  /** The radius of the map, px. */
+  #radius = FIRST_RADIUS;
+  /** The fraction of the places that has been tried. */
   #progress = 0;
-  /** The session for which a search is on, or null. */
-  #searching = null;
-  #trouble = null;
+  /**
+   * The search that runs.
+   * @type {AbortController | null}
+   */
+  #search = null;
+  /** @type {string | null} */
+  #callFailure = null;
 
-  /** Fires "lay" when there is more to see, "set" when the placement map is to be laid over it or not. */
-  constructor(wasm, model, imagine) {
+  /**
+   * Fires "map" when there is more to see.
+   * @param {import("../model/worker-client.js").WorkerClient} client
+   * @param {import("./imagine.js").Imagine} imagine
+   */
+  constructor(client, imagine) {
     super();
-    this.#wasm = wasm;
-    this.#model = model;
+    this.#client = client;
     this.#imagine = imagine;
-    this.#canvas.width = this.#canvas.height = SIDE * CELL;
-    at("search").addEventListener("click", () => (this.#searching ? this.#stop() : this.#search()));
-    at("map-placement").addEventListener("change", () => {
-      const others = this.#layers.filter((stage) => stage !== "placement");
-      const layers = at("map-placement").checked ? [...others, "placement"] : others;
-      this.dispatchEvent(new CustomEvent("set", { detail: { layers } }));
+    const canvas = document.createElement("canvas");
+    canvas.width = canvas.height = SCENE_SIZE;
+    this.#context = contextOf(canvas);
+    byId("solve-map-search").addEventListener("click", () => (this.#search ? this.#stop() : this.#start()));
+    placementBox.addEventListener("change", () => {
+      const others = this.#checkedLayers.filter((stage) => stage !== "placement");
+      this.requestState({ layers: placementBox.checked ? [...others, "placement"] : others });
     });
-    imagine.addEventListener("imagined", () => this.#tell());
+    imagine.addEventListener("maps", () => this.#update());
   }
 
-  show(session) {
-    this.leave();
-    this.#session = session;
-    session.addEventListener("change", () => this.#tell());
-    this.#tell();
+  /** @param {import("../play/session.js").Session} session */
+  open(session) {
+    super.open(session);
+    this.listen("change", () => this.#update());
+    this.#update();
   }
 
-  /** The puzzle is being left. */
-  leave() {
-    this.#stop();
-    this.#picture = null;
-    this.#trouble = null;
-    this.#session = null;
+  close() {
+    super.close();
+    this.#search?.abort();
+    this.#search = null;
+    this.#outcomes = null;
+    this.#callFailure = null;
   }
 
-  set({ panel, layers }) {
-    this.#on = panel === "map";
-    this.#layers = layers;
-    at("map-placement").checked = layers.includes("placement");
+  /** @param {import("../shell/url-state.js").View} view */
+  setState({ panel, checkedLayers }) {
+    this.#visible = panel === "map";
+    this.#checkedLayers = checkedLayers;
+    placementBox.checked = checkedLayers.includes("placement");
   }
 
-  set dark(dark) {
-    this.#dark = dark;
-    for (const sample of document.querySelectorAll("#map canvas[data-outcome]")) {
-      this.#wasm.paintOutcomes(sample.getContext("2d"), new Uint8Array(SIDE * SIDE).fill(sample.dataset.outcome), dark);
+  /** @param {boolean} dark */
+  setTheme(dark) {
+    super.setTheme(dark);
+    for (const sample of byId("map").querySelectorAll("canvas")) {
+      paintOutcomes(contextOf(sample), new Uint8Array(GRID_SIDE * GRID_SIDE).fill(Number(sample.dataset.outcome)), dark);
     }
     this.#paint();
   }
 
-  /** The map to lay over the scene, if there is one. */
-  get maps() {
-    return this.#on && this.#picture ? [this.#canvas] : [];
+  /** The canvases to lay over the scene. */
+  get canvases() {
+    return this.#visible && this.#outcomes ? [this.#context.canvas] : [];
   }
 
-  get #wanted() {
-    return this.#session?.ball?.[2] ?? FIRST_RADIUS;
+  /** The radius that the next search is for, px. */
+  get #nextRadius() {
+    return this.session?.ball?.[2] ?? FIRST_RADIUS;
   }
 
-  async #search() {
-    const session = this.#session;
-    this.#searching = session;
-    this.#radius = this.#wanted;
-    this.#picture = null;
-    this.#trouble = null;
+  async #start() {
+    if (!this.session) return;
+    // A search needs a worker but no weights: it goes on without a model, but not after a crash.
+    if (!this.#client.alive) this.requestModel();
+    const search = (this.#search = new AbortController());
+    this.#radius = this.#nextRadius;
+    this.#outcomes = null;
+    this.#callFailure = null;
     this.#progress = 0;
     this.#paint();
     try {
-      await this.#model.solve(session.about.id, this.#radius, ({ picture, progress }) => {
-        if (session !== this.#searching) return;
-        this.#picture = picture;
+      await this.#client.solve(this.session.about.id, this.#radius, search.signal, ({ outcomes, progress }) => {
+        this.#outcomes = outcomes;
         this.#progress = progress;
         this.#paint();
       });
     } catch (error) {
-      if (session === this.#searching) this.#trouble = error.message;
-    } finally {
-      if (session === this.#searching) this.#searching = null;
-      this.#tell();
-      // Not on the way: who listens would never hear the end.
-      if (session === this.#session) say(at("map-words").textContent);
+      if (!search.signal.aborted) this.#callFailure = `The search failed: ${/** @type {Error} */ (error).message} Press the button to try again.`;
     }
+    if (search !== this.#search) return;
+    this.#search = null;
+    this.#update();
+    // Announced only now: during the search each announcement would replace the one before.
+    announce(byId("solve-map-words").textContent ?? "");
   }
 
   #stop() {
-    if (!this.#searching) return;
-    this.#searching = null;
-    this.#model.stop("solve");
-    this.#tell();
+    if (!this.#search) return;
+    this.#search.abort();
+    this.#search = null;
+    this.#update();
+    announce(byId("solve-map-words").textContent ?? "");
   }
 
   #paint() {
-    if (this.#picture) this.#wasm.paintOutcomes(this.#canvas.getContext("2d"), this.#picture, this.#dark);
-    this.#tell();
-    this.dispatchEvent(new Event("lay"));
+    if (this.#outcomes) paintOutcomes(this.#context, this.#outcomes, this.dark);
+    this.#update();
+    this.dispatchEvent(new Event("map"));
   }
 
-  #tell() {
-    if (!this.#session) return;
-    const label = this.#searching ? "Stop" : `Try every place with radius ${this.#wanted}`;
-    if (at("search").textContent !== label) at("search").textContent = label;
-    at("search-progress").hidden = !this.#searching;
-    at("search-progress").querySelector("progress").value = this.#progress;
-    const words = this.#trouble ?? (this.#picture ? this.#words() : "");
-    if (at("map-words").textContent !== words) at("map-words").textContent = words;
+  #update() {
+    if (!this.session) return;
+    setText(byId("solve-map-search"), this.#search ? "Stop" : `Try every place with radius ${this.#nextRadius}`);
+    byId("solve-map-progress").hidden = !this.#search;
+    find(byId("solve-map-progress"), "progress", HTMLProgressElement).value = this.#progress;
+    setText(byId("solve-map-words"), this.#callFailure ?? (this.#outcomes ? this.#words(this.#outcomes) : ""));
   }
 
-  #words() {
-    const places = this.#picture.length;
-    const solved = Float32Array.from(this.#picture, (outcome) => Number(outcome === SOLVED));
-    const count = (which) => this.#picture.reduce((sum, outcome) => sum + Number(outcome === which), 0);
-    const [yes, no] = [count(SOLVED), count(INVALID)];
-    const tried = this.#progress < 1 ? `${percent(this.#progress)} tried so far: about ` : "Every place tried: ";
-    const all = `${tried}${share(yes / places)} of the places solve it with radius ${this.#radius}, and at ${share(no / places)} no ball may be.`;
-    if (yes === 0) return all;
+  /** @param {Uint8Array} outcomes */
+  #words(outcomes) {
+    const solved = Float32Array.from(outcomes, (outcome) => Number(outcome === SOLVED));
+    /** @param {number} which */
+    const count = (which) => outcomes.reduce((sum, outcome) => sum + Number(outcome === which), 0);
+    const [solving, invalid] = [count(SOLVED), count(INVALID)].map((places) => places / outcomes.length);
+    const { tried, least } = this.#progress < 1 ? { tried: `${percent(this.#progress)} tried so far: `, least: "about " } : { tried: "Every place tried: ", least: "" };
+    const all = `${tried}${roughPercent(solving, least)} of the places solve it with radius ${this.#radius}, and at ${roughPercent(invalid)} no ball may be.`;
+    if (solving === 0) return all;
     return `${all} Those that solve it: ${sides(solved)}.${this.#agreement(solved)}`;
   }
 
-  /** How much of the placement map lies where a ball solves the puzzle. */
+  /**
+   * How much of the placement map lies where a ball solves the puzzle.
+   * @param {Float32Array} solved
+   */
   #agreement(solved) {
-    const map = this.#imagine.values?.placement;
+    const map = this.#imagine.maps?.placement;
     if (!map) return "";
-    const [all, right] = [map.reduce((sum, value) => sum + value, 0), map.reduce((sum, value, cell) => sum + value * solved[cell], 0)];
-    return all ? ` The model lays ${percent(right / all)} of its placement map on such places.` : "";
+    const total = map.reduce((sum, value) => sum + value, 0);
+    const right = map.reduce((sum, value, cell) => sum + value * solved[cell], 0);
+    return total ? ` The model lays ${percent(right / total)} of its placement map on such places.` : "";
   }
 }
 
-function share(value) {
-  return value > 0 && value < 0.01 ? "less than 1 %" : percent(value);
+/**
+ * @param {number} fraction
+ * @param {string} [qualifier] before a rounded number
+ */
+function roughPercent(fraction, qualifier = "") {
+  return fraction > 0 && fraction < 0.01 ? "less than 1 %" : `${qualifier}${percent(fraction)}`;
 }

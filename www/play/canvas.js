@@ -1,86 +1,152 @@
-// The scene on its canvas: drawn by the wasm at the screen's own resolution, and played with mouse, touch, pen,
-// wheel and keys. Turns gestures into px of the scene and asks the session; decides nothing itself.
+// The scene on its canvas: drawn by the wasm at the screen's own resolution, and played with mouse, touch, pen, wheel and
+// keys. Turns gestures into px of the scene and calls the session; decides nothing itself.
+
+import { Component } from "../shell/component.js";
+import { FIRST_RADIUS, SCENE_SIZE } from "../shell/constants.js";
+import { contextOf } from "../shell/dom.js";
+
+/** @typedef {import("../shell/constants.js").Ball} Ball */
+/** @typedef {[x: number, y: number]} Point px of the scene, from its lower left corner */
+
+/**
+ * Takes pointer and keys while the scene is drawn on.
+ * @typedef {object} Pen
+ * @property {(point: Point) => void} begin the pointer goes down
+ * @property {(point: Point) => void} draw the pointer moves
+ * @property {(event: KeyboardEvent) => boolean} onKeydown returns whether the key was the pen's
+ */
+
+/**
+ * A ball to mark; `from` is the place that it comes from, or null.
+ * @typedef {{ ball: Ball, from: number[] | null, chosen: boolean }} Mark
+ */
+
+/**
+ * What lies over the scene.
+ * @typedef {object} Overlay
+ * @property {HTMLCanvasElement[]} maps
+ * @property {number} opacity of the maps, 0..1
+ * @property {Mark[]} marks
+ * @property {Point[]} sketch a line that the person has drawn
+ */
 
 /** How near a pointer has to come to grab the knob, CSS px. */
-const REACH = { mouse: 10, pen: 14, touch: 22 };
-/** The smallest thing that a finger can drag, CSS px from the middle of the ball. */
-const FINGER = 22;
-const FIRST_RADIUS = 12;
+const GRAB_DISTANCE = { mouse: 10, pen: 14, touch: 22 };
+/** The smallest target for a finger, CSS px from the middle of the ball. */
+const FINGER_RADIUS = 22;
 /** Radius of the knob, CSS px. */
-const KNOB = 6;
-const SIZE = 256;
+const KNOB_RADIUS = 6;
 
-export class SceneCanvas {
+/**
+ * The arrow keys as directions, y upwards.
+ * @type {Record<string, Point>}
+ */
+export const ARROW_KEYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+/**
+ * The keys that change the radius.
+ * @type {Record<string, number>}
+ */
+const RADIUS_KEYS = { "+": 1, "=": 1, "-": -1, "−": -1 };
+
+/**
+ * What the pointer does between down and up. A drag of the ball keeps the offset of its centre from the pointer, and the
+ * ball as the drag left it.
+ * @typedef {{ kind: "pen" } | { kind: "move", dx: number, dy: number, ball: Ball } | { kind: "resize", ball: Ball }} Drag
+ */
+
+export class SceneCanvas extends Component {
   #canvas;
   #context;
-  #session = null;
-  #waiting = false;
-  /** What the pointer holds: { kind: "ball", dx, dy } or { kind: "radius" }, or null. Each is a gesture of its own. */
-  #held = null;
-  /** The gesture of the key that was pressed last. */
-  #press = null;
-  /** Maps to lay over the scene, canvases of 64 x 64. */
-  maps = [];
-  opacity = 0.8;
-  /** Balls to mark, [{ ball, from, chosen }, …]: `from` is the place that one comes from, or null. */
-  marks = [];
-  /** A line that the person has drawn, [[x, y], …]. */
-  sketch = [];
-  /** Who takes pointer and keys while the scene is drawn on, { begin(point), draw(point), key(event) }; null while
-   * the ball is placed. */
-  pen = null;
-  dark = false;
+  #drawScheduled = false;
+  /** @type {Drag | null} */
+  #drag = null;
+  /**
+   * The key press that is held: one gesture, undone at once.
+   * @type {object | null}
+   */
+  #keyGesture = null;
+  /** @type {Overlay} */
+  #overlay = { maps: [], opacity: 1, marks: [], sketch: [] };
+  /** @type {Pen | null} */
+  #pen = null;
 
+  /** @param {HTMLCanvasElement} canvas */
   constructor(canvas) {
+    super();
     this.#canvas = canvas;
-    this.#context = canvas.getContext("2d");
-    new ResizeObserver(([entry]) => this.#resize(entry)).observe(canvas);
-    canvas.addEventListener("pointerdown", (event) => this.#down(event));
-    canvas.addEventListener("pointermove", (event) => this.#move(event));
-    for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, () => (this.#held = null));
-    canvas.addEventListener("wheel", (event) => this.#wheel(event), { passive: false });
-    canvas.addEventListener("keydown", (event) => this.key(event));
+    this.#context = contextOf(canvas);
+    new ResizeObserver(([entry]) => this.#onResize(entry)).observe(canvas);
+    canvas.addEventListener("pointerdown", (event) => this.#onPointerDown(event));
+    canvas.addEventListener("pointermove", (event) => this.#onPointerMove(event));
+    for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, () => (this.#drag = null));
+    canvas.addEventListener("wheel", (event) => this.#onWheel(event), { passive: false });
+    canvas.addEventListener("keydown", (event) => this.onKeydown(event));
   }
 
-  /** Shows another session, or none. */
-  show(session) {
-    this.#session = session;
-    this.#held = null;
-    for (const what of ["change", "draw"]) session?.addEventListener(what, () => this.draw());
+  /** @param {import("./session.js").Session} session */
+  open(session) {
+    super.open(session);
+    this.#drag = null;
+    this.listen("change", () => this.draw());
+    this.listen("draw", () => this.draw());
     this.draw();
   }
 
-  /** Draws before the next frame of the screen, once however often it is asked. */
+  close() {
+    super.close();
+    this.#drag = null;
+  }
+
+  /** @param {boolean} dark */
+  setTheme(dark) {
+    super.setTheme(dark);
+    this.draw();
+  }
+
+  /**
+   * Sets what lies over the scene, and who takes pointer and keys (null: the ball is placed).
+   * @param {Overlay} overlay
+   * @param {Pen | null} pen
+   */
+  setOverlay(overlay, pen) {
+    this.#overlay = overlay;
+    this.#pen = pen;
+    this.draw();
+  }
+
+  /** Draws before the next frame of the screen, once however often it is called. */
   draw() {
-    if (this.#waiting) return;
-    this.#waiting = true;
+    if (this.#drawScheduled) return;
+    this.#drawScheduled = true;
     requestAnimationFrame(() => {
-      this.#waiting = false;
+      this.#drawScheduled = false;
       this.#paint();
     });
   }
 
   #paint() {
-    const session = this.#session;
+    const session = this.session;
     if (!session || this.#canvas.width < 2) return;
+    const { maps, opacity, marks, sketch } = this.#overlay;
     const view = {
       step: session.playback.step,
       ball: session.ball,
-      knob: KNOB / this.#scale,
+      knob: KNOB_RADIUS / this.#scale,
       whole: session.phase === "compare",
-      opacity: this.opacity,
-      marks: this.marks,
-      sketch: this.sketch,
+      opacity,
+      marks,
+      sketch,
       dark: this.dark,
     };
-    session.puzzle.paint(this.#context, view, this.maps);
+    session.puzzle.paint(this.#context, view, maps);
   }
 
-  #resize(entry) {
-    const near = entry.contentRect.width * devicePixelRatio;
+  /** @param {ResizeObserverEntry} entry */
+  #onResize(entry) {
+    const rounded = entry.contentRect.width * devicePixelRatio;
     const exact = entry.devicePixelContentBoxSize?.[0].inlineSize;
-    // The exact size spares a blur where the ratio is no whole number; an emulated screen tells it wrong.
-    const side = Math.max(1, Math.round(Math.abs(exact - near) < 2 ? exact : near));
+    // The exact size avoids a blur where the ratio is no integer; emulated screens report it wrongly.
+    const side = Math.max(1, Math.round(Math.abs(exact - rounded) < 2 ? exact : rounded));
     if (side === this.#canvas.width) return;
     this.#canvas.width = side;
     this.#canvas.height = side;
@@ -88,83 +154,120 @@ export class SceneCanvas {
     this.#paint();
   }
 
-  /** CSS px in one px of the scene. */
+  /** CSS px per px of the scene. */
   get #scale() {
-    return this.#canvas.clientWidth / SIZE;
+    return this.#canvas.clientWidth / SCENE_SIZE;
   }
 
-  #point(event) {
+  /**
+   * @param {MouseEvent} event
+   * @returns {Point}
+   */
+  #pointOf({ clientX, clientY }) {
     const box = this.#canvas.getBoundingClientRect();
-    return [((event.clientX - box.left) / box.width) * SIZE, ((box.bottom - event.clientY) / box.height) * SIZE];
+    return [((clientX - box.left) / box.width) * SCENE_SIZE, ((box.bottom - clientY) / box.height) * SCENE_SIZE];
   }
 
-  #down(event) {
-    if (!this.#session || event.button !== 0 || !event.isPrimary) return;
+  /** @param {PointerEvent} event */
+  #onPointerDown(event) {
+    const session = this.session;
+    if (!session || event.button !== 0 || !event.isPrimary) return;
     event.preventDefault();
     this.#canvas.focus({ preventScroll: true });
     this.#canvas.setPointerCapture(event.pointerId);
-    if (this.pen) {
-      this.#held = { kind: "pen" };
-      return this.pen.begin(this.#point(event));
-    }
-    const session = this.#session;
-    const [x, y] = this.#point(event);
-    const [ballX, ballY, r] = session.ball ?? [Infinity, Infinity, FIRST_RADIUS];
-    const fromMiddle = Math.hypot(x - ballX, y - ballY);
-    const fromKnob = Math.hypot(x - ballX - r, y - ballY);
-    const reach = (REACH[event.pointerType] ?? REACH.mouse) / this.#scale;
-    const grip = event.pointerType === "touch" ? Math.max(r, FINGER / this.#scale) : r;
-    if (!session.placing) session.reset();
-    if (fromKnob < reach && fromKnob < fromMiddle) {
-      this.#held = { kind: "radius" };
-    } else if (fromMiddle <= grip) {
-      this.#held = { kind: "ball", dx: ballX - x, dy: ballY - y };
+    const point = this.#pointOf(event);
+    if (this.#pen) {
+      this.#drag = { kind: "pen" };
+      this.#pen.begin(point);
     } else {
-      this.#held = { kind: "ball", dx: 0, dy: 0 };
-      session.place([x, y, r], this.#held);
+      this.#beginDrag(session, point, event.pointerType);
     }
   }
 
-  #move(event) {
-    const held = this.#held;
-    if (!held || !event.isPrimary) return;
-    // A pen that has been taken away in the middle of a line ends it.
-    if (held.kind === "pen") return this.pen?.draw(this.#point(event));
-    const [x, y] = this.#point(event);
-    const [ballX, ballY, r] = this.#session.ball;
-    if (held.kind === "radius") this.#session.place([ballX, ballY, Math.hypot(x - ballX, y - ballY)], held);
-    else this.#session.place([x + held.dx, y + held.dy, r], held);
+  /**
+   * Grabs the knob or the ball, or places the ball under the pointer and grabs it there.
+   * @param {import("./session.js").Session} session
+   * @param {Point} point
+   * @param {string} pointerType
+   */
+  #beginDrag(session, [x, y], pointerType) {
+    if (!session.placing) session.reset();
+    const { ball } = session;
+    if (ball) {
+      const [ballX, ballY, r] = ball;
+      const centreDistance = Math.hypot(x - ballX, y - ballY);
+      const knobDistance = Math.hypot(x - ballX - r, y - ballY);
+      const isTouch = pointerType === "touch";
+      const grabDistance = (isTouch ? GRAB_DISTANCE.touch : pointerType === "pen" ? GRAB_DISTANCE.pen : GRAB_DISTANCE.mouse) / this.#scale;
+      if (knobDistance < grabDistance && knobDistance < centreDistance) {
+        this.#drag = { kind: "resize", ball };
+        return;
+      }
+      if (centreDistance <= (isTouch ? Math.max(r, FINGER_RADIUS / this.#scale) : r)) {
+        this.#drag = { kind: "move", dx: ballX - x, dy: ballY - y, ball };
+        return;
+      }
+    }
+    /** @type {Drag} */
+    const drag = { kind: "move", dx: 0, dy: 0, ball: [x, y, ball?.[2] ?? FIRST_RADIUS] };
+    session.place(drag.ball, drag);
+    drag.ball = session.ball ?? drag.ball;
+    this.#drag = drag;
   }
 
-  #wheel(event) {
-    const session = this.#session;
+  /** @param {PointerEvent} event */
+  #onPointerMove(event) {
+    const drag = this.#drag;
+    const session = this.session;
+    if (!drag || !session || !event.isPrimary) return;
+    const [x, y] = this.#pointOf(event);
+    if (drag.kind === "pen") {
+      // A pen that was taken away in the middle of a line ends it.
+      this.#pen?.draw([x, y]);
+      return;
+    }
+    // Undo, redo, keys and fields take the ball out of the drag.
+    if (String(session.ball) !== String(drag.ball)) {
+      this.#drag = null;
+      return;
+    }
+    const [ballX, ballY, r] = drag.ball;
+    if (drag.kind === "resize") session.place([ballX, ballY, Math.hypot(x - ballX, y - ballY)], drag);
+    else session.place([x + drag.dx, y + drag.dy, r], drag);
+    drag.ball = session.ball ?? drag.ball;
+  }
+
+  /** @param {WheelEvent} event */
+  #onWheel(event) {
+    const session = this.session;
     if (!session?.placing || !session.ball || event.ctrlKey || event.deltaY === 0) return;
     event.preventDefault();
     session.nudge(0, 0, event.deltaY < 0 ? 1 : -1, "wheel");
+    // A drag goes on with the ball of another size.
+    if (this.#drag && this.#drag.kind !== "pen") this.#drag.ball = session.ball;
   }
 
-  /** Arrows, + and −, Enter. */
-  key(event) {
-    if (!this.#session || event.ctrlKey || event.metaKey || event.altKey) return;
-    if (this.pen?.key(event)) return event.preventDefault();
-    const far = event.shiftKey ? 10 : 1;
-    const nudges = {
-      ArrowLeft: [-far, 0, 0],
-      ArrowRight: [far, 0, 0],
-      ArrowUp: [0, far, 0],
-      ArrowDown: [0, -far, 0],
-      "+": [0, 0, 1],
-      "=": [0, 0, 1],
-      "-": [0, 0, -1],
-      "−": [0, 0, -1],
-    };
-    if (Object.hasOwn(nudges, event.key)) {
-      // A key that is held down is one gesture, undone at once.
-      if (!event.repeat) this.#press = {};
-      this.#session.nudge(...nudges[event.key], this.#press);
+  /**
+   * Arrows, + and −, Enter; the pen's own keys while the scene is drawn on.
+   * @param {KeyboardEvent} event
+   */
+  onKeydown(event) {
+    const session = this.session;
+    if (!session || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (this.#pen?.onKeydown(event)) {
+      event.preventDefault();
+      return;
+    }
+    const distance = event.shiftKey ? 10 : 1;
+    const [dx, dy] = ARROW_KEYS[event.key] ?? [0, 0];
+    const dr = RADIUS_KEYS[event.key] ?? 0;
+    if (dx || dy || dr) {
+      // A key that is held down is one gesture.
+      if (!event.repeat) this.#keyGesture = {};
+      session.nudge(dx * distance, dy * distance, dr, this.#keyGesture);
       event.preventDefault();
     } else if (event.key === "Enter") {
-      this.#session.run();
+      session.run();
       event.preventDefault();
     }
   }

@@ -1,23 +1,30 @@
-// The clock of a rollout: play, pause, step, scrub, speed. It counts steps, and says when there is a new
-// moment to draw; it knows nothing of what is drawn.
+// The clock of a rollout: play, pause, step, seek, speed. It counts steps, and fires "tick" when there is a new moment to
+// draw; it knows nothing of what is drawn.
 
-const STEPS_PER_SECOND = 60;
+import { STEPS_PER_SECOND } from "../shell/constants.js";
+
+/** A tab that slept goes on where it was: one frame advances the clock by no more than this, ms. */
+const MAX_FRAME = 100;
 
 export class Playback extends EventTarget {
   /** Steps since the start; between two of them while it plays. */
   step = 0;
   /** The last step. */
   last = 0;
-  /** How many times faster than life. */
+  /** How many times faster than real time. */
   speed = 1;
   playing = false;
-  #then = 0;
+  #lastFrame = 0;
 
-  /** Puts a rollout of so many steps on, at its start or its end. */
+  /**
+   * Loads a rollout of so many steps, paused at a step.
+   * @param {number} last
+   * @param {number} [step]
+   */
   load(last, step = 0) {
-    this.pause();
+    this.playing = false;
     this.last = last;
-    this.#move(step);
+    this.#moveTo(step);
   }
 
   get ended() {
@@ -28,41 +35,50 @@ export class Playback extends EventTarget {
     return this.step / STEPS_PER_SECOND;
   }
 
-  /** Plays on, or from the start when it is over. */
+  /** Plays on, or from the start if it has ended. */
   play() {
     if (this.playing || this.last === 0) return;
     if (this.ended) this.step = 0;
     this.playing = true;
-    this.#then = performance.now();
-    requestAnimationFrame(this.#tick);
-    this.#move(this.step);
+    this.#lastFrame = performance.now();
+    requestAnimationFrame(this.#onFrame);
+    this.#moveTo(this.step);
   }
 
   pause() {
     if (!this.playing) return;
     this.playing = false;
-    this.#move(Math.floor(this.step));
+    this.#moveTo(Math.floor(this.step));
   }
 
-  /** Stops at a step. */
+  /**
+   * Pauses at a step.
+   * @param {number} step
+   */
   seek(step) {
     this.playing = false;
-    this.#move(Math.round(step));
+    this.#moveTo(Math.round(step));
   }
 
-  #tick = (now) => {
+  /** Stops for good, without a tick. */
+  stop() {
+    this.playing = false;
+  }
+
+  /** @param {number} now */
+  #onFrame = (now) => {
     if (!this.playing) return;
-    // A tab that slept goes on where it was.
-    const passed = Math.min(now - this.#then, 100) / 1000;
-    this.#then = now;
-    const step = this.step + Math.max(passed, 0) * STEPS_PER_SECOND * this.speed;
+    const elapsed = Math.min(now - this.#lastFrame, MAX_FRAME) / 1000;
+    this.#lastFrame = now;
+    const step = this.step + Math.max(elapsed, 0) * STEPS_PER_SECOND * this.speed;
     if (step >= this.last) this.playing = false;
-    else requestAnimationFrame(this.#tick);
-    this.#move(step);
+    else requestAnimationFrame(this.#onFrame);
+    this.#moveTo(step);
   };
 
-  #move(step) {
+  /** @param {number} step */
+  #moveTo(step) {
     this.step = Math.min(Math.max(step, 0), this.last);
-    this.dispatchEvent(new Event("moment"));
+    this.dispatchEvent(new Event("tick"));
   }
 }

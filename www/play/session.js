@@ -1,112 +1,179 @@
-// One puzzle being played: the ball being placed, the rollout being shown, the attempts of player and model.
-// Wraps the wasm's Puzzle and the clock; the parts of the page ask it to do things and listen:
-//   "change" something to read has changed      "draw" only the picture has
-//   "attempt" an attempt of the player's that was new is over, with { solved }
+// One puzzle being played: the ball being placed, the rollout being shown, the attempts of player and model. Wraps the
+// wasm's Puzzle and the clock; the components ask it to do things and listen:
+//   "change"     something to read has changed
+//   "draw"       only the picture has changed
+//   "attempted"  a new attempt of the player's has run to its end, or was left; `shown` holds it
 // Knows nothing of the document.
 
-import { History } from "./undo-stack.js";
+import { Puzzle } from "../pkg/pathlight.js";
+import { FIRST_RADIUS, MAX_RADIUS, MIN_RADIUS, SCENE_SIZE } from "../shell/constants.js";
 import { Playback } from "./playback.js";
+import { UndoStack } from "./undo-stack.js";
 
-/** Where a ball starts that is first moved by keys, px. */
-const MIDDLE = 128;
-const FIRST_RADIUS = 12;
+/** @typedef {import("../shell/constants.js").Ball} Ball */
+/** @typedef {"player" | "model"} Agent */
+/** @typedef {import("../model/messages.js").Attempt} Attempt */
+
+/**
+ * An attempt as it is listed: its number (from 1) and its result in words.
+ * @typedef {Attempt & { number: number, words: string }} ListedAttempt
+ */
+
+/**
+ * An attempt that is shown. `preview`: it is a proposal of the model's that is only looked at; `tried` says whether the
+ * model has tried it too.
+ * @typedef {ListedAttempt & { agent: Agent, preview?: boolean, tried?: boolean }} ShownAttempt
+ */
+
+/** @typedef {{ used: number, solved_at: number | null }} Score */
+/** @typedef {{ id: string, name: string, story: string, goal: string, description: string }} PuzzleText */
+/** @typedef {{ object: Float32Array, ball?: Float32Array }} Paths the real paths of a rollout, as GRID_SIDE x GRID_SIDE images */
+
+const MIDDLE = SCENE_SIZE / 2;
 
 export class Session extends EventTarget {
-  /** The wasm's Puzzle. */
+  /** The wasm's Puzzle; freed by `close`. */
   puzzle;
+  /** @type {PuzzleText} */
   about;
   playback = new Playback();
-  /** [x, y, r] in whole px, or null. */
+  /** @type {Ball | null} */
   ball = null;
-  /** Why the ball may not be placed, or null. */
-  reason = null;
-  /** What is on: "placing", "attempt", "watch", "compare". */
+  /**
+   * Why the ball may not be placed, or null.
+   * @type {string | null}
+   */
+  invalidReason = null;
+  /** @type {"placing" | "attempt" | "watch" | "compare"} */
   phase = "placing";
-  /** The attempt that is shown: { agent, number, words, ball, ending }; only while phase is "attempt". */
+  /**
+   * Only while phase is "attempt".
+   * @type {ShownAttempt | null}
+   */
   shown = null;
-  /** Is the player's last attempt running for the first time? Then nothing tells yet how it ends. */
-  unseen = false;
-  /** The one or two attempts that lie over each other, the player's first; only while phase is "compare". */
+  /** True while a new attempt of the player's plays for the first time; its result stays hidden until then. */
+  resultHidden = false;
+  /**
+   * The one or two attempts over each other, the player's first; only while phase is "compare".
+   * @type {ShownAttempt[]}
+   */
   pair = [];
-  /** The last refusal in words, or null. */
-  refused = null;
+  /**
+   * Why the last request was refused, or null.
+   * @type {string | null}
+   */
+  refusal = null;
   /** Has what is shown come to its end at least once? */
   finished = false;
+  /**
+   * The name of the model that made the model's attempts, or null while there are none.
+   * @type {string | null}
+   */
+  modelName = null;
   #drawing = false;
-  #still;
-  #history = new History(null);
+  #prefersReducedMotion;
+  /** @type {UndoStack<Ball | null>} */
+  #placements = new UndoStack(/** @type {Ball | null} */ (null));
 
-  /** `still`: says whether motion is unwanted; then a run goes straight to its end. */
-  constructor(puzzle, still) {
+  /**
+   * @param {string} task
+   * @param {() => boolean} prefersReducedMotion asked before each run; if so, it goes straight to its end
+   */
+  constructor(task, prefersReducedMotion) {
     super();
-    this.puzzle = puzzle;
-    this.about = puzzle.about();
-    this.#still = still;
-    this.playback.addEventListener("moment", () => this.#moment());
+    this.puzzle = new Puzzle(task);
+    this.about = this.puzzle.about();
+    this.#prefersReducedMotion = prefersReducedMotion;
+    this.playback.addEventListener("tick", () => this.#onTick());
   }
 
   get placing() {
     return this.phase === "placing";
   }
 
-  /** Puts the ball being placed somewhere, in px; it is rounded and kept inside the square. Placements of one
-   * `gesture` (a drag, say) are undone together. */
+  /**
+   * Places the ball, in px; it is rounded and kept inside the scene. Placements of one `gesture` (a drag, say) are undone
+   * together.
+   * @param {Ball} ball
+   * @param {unknown} [gesture]
+   */
   place([x, y, r], gesture = null) {
-    const between = (value, low, high) => Math.min(Math.max(Math.round(value), low), high);
-    const ball = [between(x, 0, 255), between(y, 0, 255), between(r, 2, 32)];
-    this.#history.put(ball, gesture);
-    this.#take(ball);
+    /** @type {(value: number, low: number, high: number) => number} */
+    const clamped = (value, low, high) => Math.min(Math.max(Math.round(value), low), high);
+    /** @type {Ball} */
+    const ball = [clamped(x, 0, SCENE_SIZE - 1), clamped(y, 0, SCENE_SIZE - 1), clamped(r, MIN_RADIUS, MAX_RADIUS)];
+    this.#placements.push(ball, gesture);
+    this.#setBall(ball);
   }
 
-  /** Moves the ball and changes its radius by so many px; a first ball appears in the middle. */
+  /**
+   * Moves the ball and changes its radius by so many px; a first ball appears in the middle.
+   * @param {number} dx
+   * @param {number} dy
+   * @param {number} dr
+   * @param {unknown} [gesture]
+   */
   nudge(dx, dy, dr, gesture = null) {
     const [x, y, r] = this.ball ?? [MIDDLE - dx, MIDDLE - dy, FIRST_RADIUS - dr];
     this.place([x + dx, y + dy, r + dr], gesture);
   }
 
+  /**
+   * Changes the radius; a first ball appears in the middle.
+   * @param {number} r
+   * @param {unknown} [gesture]
+   */
+  resize(r, gesture = null) {
+    const [x, y] = this.ball ?? [MIDDLE, MIDDLE];
+    this.place([x, y, r], gesture);
+  }
+
   get canUndo() {
-    return this.#history.canUndo;
+    return this.#placements.canUndo;
   }
 
   get canRedo() {
-    return this.#history.canRedo;
+    return this.#placements.canRedo;
   }
 
   undo() {
-    if (this.canUndo) this.#take(this.#history.undo());
+    if (this.canUndo) this.#setBall(this.#placements.undo());
   }
 
   redo() {
-    if (this.canRedo) this.#take(this.#history.redo());
+    if (this.canRedo) this.#setBall(this.#placements.redo());
   }
 
-  #take(ball) {
+  /** @param {Ball | null} ball */
+  #setBall(ball) {
     this.ball = ball;
-    this.reason = (ball && this.puzzle.whyInvalid(...ball)) ?? null;
-    this.refused = null;
-    if (this.placing) this.#changed("change");
+    this.invalidReason = (ball && this.puzzle.whyInvalid(...ball)) ?? null;
+    this.refusal = null;
+    if (this.placing) this.#emit("change");
     else this.reset();
   }
 
-  /** What the run button does now: run the ball, pause, or go on. */
+  /** What the run button does: runs the ball, pauses, or plays on. */
   run() {
     if (!this.placing) {
       if (this.playback.playing) this.playback.pause();
       else this.playback.play();
-      this.#changed("change");
-    } else if (!this.ball) {
-      this.#refuse("Place the ball first: click or tap in the scene, or press an arrow key there.");
+      this.#emit("change");
+    } else if (this.ball) {
+      this.#attempt(this.ball);
     } else {
-      this.#try();
+      this.#refuse("Place the ball first: click or tap in the scene, or press an arrow key there.");
     }
   }
 
-  #try() {
+  /** @param {Ball} ball */
+  #attempt(ball) {
     try {
-      const before = this.puzzle.score("player").used;
-      const attempt = this.puzzle.attempt(...this.ball);
-      this.#show("attempt", { agent: "player", ...attempt }, true, attempt.number > before);
-    } catch (error) {
+      const before = this.score("player").used;
+      const attempt = this.puzzle.attempt(...ball);
+      this.#show("attempt", { shown: { agent: "player", ...attempt }, resultHidden: attempt.number > before });
+    } catch (caught) {
+      const error = /** @type {Error & { code?: string }} */ (caught);
       if (!error.code) throw error;
       this.#refuse(`${sentence(error.message)} That does not count as an attempt.`);
     }
@@ -115,24 +182,34 @@ export class Session extends EventTarget {
   /** Shows the scene without a ball. */
   watch() {
     this.puzzle.watch();
-    this.#show("watch", null);
+    this.#show("watch");
   }
 
-  /** Shows an attempt again; it does not count once more. */
+  /**
+   * Shows an attempt again; it does not count once more.
+   * @param {Agent} agent
+   * @param {number} number
+   */
   replay(agent, number) {
+    /** @type {ListedAttempt} */
     const attempt = this.puzzle.replay(agent, number);
     if (agent === "player") {
       this.ball = attempt.ball;
-      this.reason = null;
-      this.#history.put(attempt.ball);
+      this.invalidReason = null;
+      this.#placements.push(attempt.ball);
     }
-    this.#show("attempt", { agent, ...attempt });
+    this.#show("attempt", { shown: { agent, ...attempt } });
   }
 
-  /** Shows at its end what the model's ball of this number comes to; it does not count. `tried`: has it been an attempt? */
-  rehearse(number, ball, tried) {
+  /**
+   * Shows at its end how a proposal of the model's does; it does not count. `tried`: has it been an attempt?
+   * @param {number} number
+   * @param {Ball} ball
+   * @param {boolean} tried
+   */
+  preview(number, ball, tried) {
     const attempt = this.puzzle.rehearse(...ball);
-    this.#show("attempt", { ...attempt, agent: "model", number, tried, rehearsed: number }, false);
+    this.#show("attempt", { shown: { ...attempt, agent: "model", number, tried, preview: true }, play: false });
   }
 
   /** Is the scene drawn on, instead of a ball placed in it? */
@@ -143,63 +220,99 @@ export class Session extends EventTarget {
   set drawing(drawing) {
     if (drawing === this.#drawing) return;
     this.#drawing = drawing;
-    this.#changed("change");
+    this.#emit("change");
   }
 
-  /** Shows the best attempts of both over each other: at their end, or from the start. */
+  /**
+   * Shows the best attempts of both over each other: played from the start, or at their end.
+   * @param {boolean} play
+   */
   compare(play) {
     const [player, model] = this.puzzle.compare();
-    this.pair = [player && { agent: "player", ...player }, model && { agent: "model", ...model }].filter(Boolean);
-    if (this.pair.length === 0) return this.reset();
-    this.#show("compare", null, play);
+    /** @type {ShownAttempt[]} */
+    const pair = [player && { agent: "player", ...player }, model && { agent: "model", ...model }].filter(Boolean);
+    if (pair.length === 0) this.reset();
+    else this.#show("compare", { pair, play });
   }
 
-  /** Lays an attempt over another: over the one that is shown, else over the other agent's last, else its neighbour. */
+  /**
+   * Shows an attempt over another: over the one that is shown, else over the other agent's last, else its neighbour.
+   * @param {Agent} agent
+   * @param {number} number
+   */
   overlay(agent, number) {
-    const self = { agent, number };
-    const other = this.#partner(self);
+    const chosen = { agent, number };
+    const other = this.#overlayPartner(chosen);
     if (!other) return this.replay(agent, number);
-    const pair = agent === "model" && other.agent === "player" ? [other, self] : [self, other];
-    const laid = this.puzzle.overlay(pair[0].agent, pair[0].number, pair[1].agent, pair[1].number);
-    this.pair = laid.map((attempt, index) => ({ agent: pair[index].agent, ...attempt }));
-    this.#show("compare", null);
+    const [first, second] = agent === "model" && other.agent === "player" ? [other, chosen] : [chosen, other];
+    /** @type {ListedAttempt[]} */
+    const attempts = this.puzzle.overlay(first.agent, first.number, second.agent, second.number);
+    this.#show("compare", { pair: attempts.map((attempt, index) => ({ agent: [first, second][index].agent, ...attempt })) });
   }
 
-  #partner({ agent, number }) {
-    const another = (one) => one.agent !== agent || one.number !== number;
-    if (this.onShow.length === 1 && another(this.onShow[0])) return this.onShow[0];
-    const rival = agent === "player" ? "model" : "player";
-    const { used } = this.puzzle.score(rival);
-    if (used > 0) return { agent: rival, number: used };
+  /**
+   * @param {{ agent: Agent, number: number }} chosen
+   * @returns {{ agent: Agent, number: number } | null}
+   */
+  #overlayPartner({ agent, number }) {
+    const [only, ...others] = this.visibleAttempts;
+    if (only && others.length === 0 && (only.agent !== agent || only.number !== number)) return only;
+    const opponent = agent === "player" ? "model" : "player";
+    const { used } = this.score(opponent);
+    if (used > 0) return { agent: opponent, number: used };
     const neighbour = number > 1 ? number - 1 : 2;
-    return neighbour <= this.puzzle.score(agent).used ? { agent, number: neighbour } : null;
+    return neighbour <= this.score(agent).used ? { agent, number: neighbour } : null;
   }
 
   /** The attempts that are being shown. */
-  get onShow() {
+  get visibleAttempts() {
     if (this.phase === "compare") return this.pair;
-    return this.shown && !this.shown.rehearsed ? [this.shown] : [];
+    return this.shown && !this.shown.preview ? [this.shown] : [];
   }
 
-  /** Deletes an attempt; those after it move up by one. */
+  /**
+   * @param {Agent} agent
+   * @returns {Score}
+   */
+  score(agent) {
+    return this.puzzle.score(agent);
+  }
+
+  /**
+   * @param {Agent} agent
+   * @returns {ListedAttempt[]}
+   */
+  attempts(agent) {
+    return this.puzzle.attempts(agent);
+  }
+
+  /**
+   * Deletes an attempt; those after it move up by one.
+   * @param {Agent} agent
+   * @param {number} number
+   */
   remove(agent, number) {
     this.puzzle.remove(agent, number);
     // What is shown may be the one that is gone, or have another number now.
-    if (this.placing) this.#changed("change");
+    if (this.placing) this.#emit("change");
     else this.reset();
   }
 
-  /** Back to placing, with the ball where it was. */
+  /** Returns to placing, with the ball where it was. */
   reset() {
-    this.#settle();
+    this.#revealResult();
     this.puzzle.reset();
     this.phase = "placing";
     this.shown = null;
+    this.pair = [];
     this.playback.load(0);
-    this.#changed("change");
+    this.#emit("change");
   }
 
-  /** Steps by one, forward or back; while placing, it first runs the ball. */
+  /**
+   * Steps forward or back; while placing, it first runs the ball.
+   * @param {number} by
+   */
   step(by) {
     if (this.placing) {
       this.run();
@@ -207,75 +320,98 @@ export class Session extends EventTarget {
       this.playback.seek(0);
     }
     this.playback.seek(Math.floor(this.playback.step) + by);
-    this.#changed("change");
+    this.#emit("change");
   }
 
+  /** @param {number} step */
   seek(step) {
     this.playback.seek(step);
-    this.#changed("change");
+    this.#emit("change");
   }
 
-  /** Adds an attempt of the model's that the worker has simulated. */
-  record(attempt) {
+  /**
+   * Adds an attempt that the worker has simulated for a model.
+   * @param {Attempt} attempt
+   * @param {string} modelName
+   */
+  recordModelAttempt(attempt, modelName) {
     this.puzzle.record(attempt);
-    this.#changed("change");
+    this.modelName = modelName;
+    this.#emit("change");
   }
 
+  /** Forgets the model's attempts; what is shown of them is shown no longer. */
+  clearModel() {
+    const visible = this.shown?.agent === "model" || this.pair.some(({ agent }) => agent === "model");
+    this.puzzle.clear("model");
+    this.modelName = null;
+    if (visible) this.reset();
+    else this.#emit("change");
+  }
+
+  /** Forgets the attempts of both. */
   clear() {
     this.puzzle.clear("player");
     this.puzzle.clear("model");
+    this.modelName = null;
     this.reset();
   }
 
-  /** Stops the clock and gives the wasm's memory back. */
+  /** Stops the clock and frees the wasm's memory. The session must not be used afterwards. */
   close() {
-    this.#settle();
-    this.playback.pause();
+    this.playback.stop();
+    this.#revealResult();
     this.puzzle.free();
   }
 
-  #show(phase, attempt, play = true, unseen = false) {
-    this.#settle();
-    this.phase = phase;
-    this.shown = attempt;
-    this.refused = null;
-    this.finished = false;
-    this.unseen = unseen;
+  /**
+   * Shows the rollouts that the puzzle has been told to show.
+   * @param {"attempt" | "watch" | "compare"} phase
+   * @param {{ shown?: ShownAttempt | null, pair?: ShownAttempt[], play?: boolean, resultHidden?: boolean }} [what]
+   */
+  #show(phase, { shown = null, pair = [], play = true, resultHidden = false } = {}) {
+    this.#revealResult();
+    Object.assign(this, { phase, shown, pair, resultHidden, refusal: null, finished: false });
     const last = this.puzzle.steps();
-    const still = !play || this.#still();
-    this.playback.load(last, still ? last : 0);
-    if (!still) this.playback.play();
-    this.#changed("change");
+    const atEnd = !play || this.#prefersReducedMotion();
+    this.playback.load(last, atEnd ? last : 0);
+    if (!atEnd) this.playback.play();
+    this.#emit("change");
   }
 
-  #moment() {
+  #onTick() {
     const { playing, ended } = this.playback;
     if (!this.placing && ended && !playing && !this.finished) {
       this.finished = true;
-      this.#settle();
-      this.#changed("change");
+      this.#revealResult();
+      this.#emit("change");
     }
-    this.#changed("draw");
+    this.#emit("draw");
   }
 
-  /** The player's new attempt has run to its end, or the player has turned from it: now it may be told. */
-  #settle() {
-    if (!this.unseen) return;
-    this.unseen = false;
-    this.dispatchEvent(new CustomEvent("attempt", { detail: { solved: this.shown.ending.solved } }));
+  /** The player's new attempt has run to its end, or the player has left it: its result may be shown. */
+  #revealResult() {
+    if (!this.resultHidden) return;
+    this.resultHidden = false;
+    this.#emit("attempted");
   }
 
+  /** @param {string} words */
   #refuse(words) {
-    this.refused = words;
-    this.#changed("change");
+    this.refusal = words;
+    this.#emit("change");
   }
 
-  #changed(what) {
-    this.dispatchEvent(new Event(what));
+  /** @param {"change" | "draw" | "attempted"} event */
+  #emit(event) {
+    this.dispatchEvent(new Event(event));
   }
 }
 
-/** Words as a sentence: "the ball …" becomes "The ball ….". */
+/**
+ * Words as a sentence: "the ball …" becomes "The ball ….".
+ * @param {string} words
+ */
 export function sentence(words) {
   return words[0].toUpperCase() + words.slice(1) + (/[.!?]$/.test(words) ? "" : ".");
 }

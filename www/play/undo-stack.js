@@ -1,46 +1,57 @@
-// The placements of one puzzle in the order they were made, to undo and redo them. Knows nothing of what a
-// placement is: it keeps values and gives them back.
+// The placements of one puzzle in order, to undo and redo them. Knows nothing of what a placement is.
 
-export class History {
+/** @template Value */
+export class UndoStack {
+  /** @type {Value[]} */
   #values;
-  #at = 0;
-  /** The gesture that the newest value belongs to, or null. */
+  #index = 0;
+  /**
+   * The gesture that the newest value belongs to, or null.
+   * @type {unknown}
+   */
   #gesture = null;
 
+  /** @param {Value} first */
   constructor(first) {
     this.#values = [first];
   }
 
-  /** Takes a new value; what had been undone is forgotten. Values of one gesture (anything but null) are one step. */
-  put(value, gesture = null) {
-    if (String(value) === String(this.#values[this.#at])) return;
+  /**
+   * Adds a value; values that had been undone are forgotten. Values of one gesture (anything but null) are one step.
+   * @param {Value} value
+   * @param {unknown} [gesture]
+   */
+  push(value, gesture = null) {
+    if (String(value) === String(this.#values[this.#index])) return;
     const same = gesture !== null && gesture === this.#gesture;
-    this.#values.length = this.#at + 1;
-    if (same) this.#values[this.#at] = value;
-    else this.#at = this.#values.push(value) - 1;
+    this.#values.length = this.#index + 1;
+    if (same) this.#values[this.#index] = value;
+    else this.#index = this.#values.push(value) - 1;
     this.#gesture = gesture;
   }
 
   get canUndo() {
-    return this.#at > 0;
+    return this.#index > 0;
   }
 
   get canRedo() {
-    return this.#at < this.#values.length - 1;
+    return this.#index < this.#values.length - 1;
   }
 
-  /** The value before the present one; the first has none before it and stays. */
+  /** Returns the value before the present one; the first stays. */
   undo() {
     return this.#move(-1);
   }
 
+  /** Returns the value after the present one; the last stays. */
   redo() {
     return this.#move(1);
   }
 
+  /** @param {number} by */
   #move(by) {
     this.#gesture = null;
-    this.#at = Math.min(Math.max(this.#at + by, 0), this.#values.length - 1);
-    return this.#values[this.#at];
+    this.#index = Math.min(Math.max(this.#index + by, 0), this.#values.length - 1);
+    return this.#values[this.#index];
   }
 }

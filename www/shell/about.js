@@ -1,47 +1,63 @@
-// What stands behind the page, one click away: how the model that is loaded was trained, as its card tells.
+// The sheet “About Pathlight”: how the loaded model was trained, as its card says.
 
-const at = (id) => document.getElementById(id);
+import { Component } from "./component.js";
+import { byId } from "./dom.js";
+
+/** @typedef {Record<string, any>} Card what the weights file says of its training */
+
+/** @param {number} value */
 const number = (value) => value.toLocaleString("en");
 
-/** What an entry of the card is called, and how it is said, in order; others follow as they stand. */
-const ENTRIES = {
-  samples: ["Learned from", (samples, { tasks }) => `${number(samples)} solutions of ${number(tasks)} puzzles`],
-  epochs: ["Looked at each", (epochs) => `${epochs} times`],
-  setup: ["Kinds of puzzles", (setup) => (setup === "within" ? "the same kinds that it is tested on, but other puzzles (“within”)" : "other kinds than those that it is tested on (“cross”)")],
-  fold: ["Fold", (fold) => `${fold}, one of ten ways to part the puzzles into those to learn from and those to test on`],
-  batch: ["At a time (batch)", number],
-  learning_rate: ["Learning rate (Adam)", String],
-  decay_epochs: ["Rate falling to nothing in the last", (cool) => `${cool} of the passes`],
-  mirror: ["Mirrored", (mirror) => (mirror ? "half of the time, left to right" : "never")],
-  judge: ["The judge learned from", ({ balls, epochs }) => `${number(balls)} balls with their outcome, ${epochs} times over`],
-  simulator: ["Version of the simulator", String],
-  seed: ["Seed of all chance", String],
-};
+/**
+ * The entries of a card in the order shown: key, term, and the value in words. Other keys follow as they are.
+ * @type {[key: string, term: string, words: (value: any, card: Card) => string][]}
+ */
+const ENTRIES = [
+  ["samples", "Learned from", (samples, { tasks }) => `${number(samples)} solutions of ${number(tasks)} puzzles`],
+  ["epochs", "Looked at each", (epochs) => `${epochs} times`],
+  ["setup", "Kinds of puzzles", (setup) => (setup === "within" ? "the same kinds that it is tested on, but other puzzles (“within”)" : "other kinds than those that it is tested on (“cross”)")],
+  ["fold", "Fold", (fold) => `${fold}, one of ten ways to part the puzzles into those to learn from and those to test on`],
+  ["batch", "Batch size", number],
+  ["learning_rate", "Learning rate (Adam)", String],
+  ["decay_epochs", "Learning rate decays to zero over the last", (epochs) => `${epochs} epochs`],
+  ["mirror", "Mirrored", (mirror) => (mirror ? "half of the time, left to right" : "never")],
+  ["judge", "The judge learned from", ({ balls, epochs }) => `${number(balls)} balls with their outcome, ${epochs} times over`],
+  ["simulator", "Version of the simulator", String],
+  ["seed", "Random seed", String],
+];
+/** Keys that stand within another entry. */
+const MENTIONED = ["tasks"];
 
-export class About {
-  #model;
+export class About extends Component {
+  #client;
 
-  constructor(model) {
-    this.#model = model;
-    model.addEventListener("change", () => this.#update());
+  /** @param {import("../model/worker-client.js").WorkerClient} client */
+  constructor(client) {
+    super();
+    this.#client = client;
+    client.addEventListener("change", () => this.#update());
   }
 
   #update() {
-    const { loaded } = this.#model;
-    at("card").textContent = loaded ? `The model “${loaded.name}”:` : "No model is loaded.";
-    at("card-entries").replaceChildren(...(loaded ? entries(loaded.card) : []));
+    const { loaded } = this.#client;
+    byId("card").textContent = loaded ? `The model “${loaded.name}”:` : "No model is loaded.";
+    byId("card-entries").replaceChildren(...(loaded ? entriesOf(loaded.card) : []));
   }
 }
 
-/** The card as terms and what they are. */
-function entries(card) {
-  const known = Object.keys(ENTRIES).filter((key) => key in card);
-  const others = Object.keys(card).filter((key) => !(key in ENTRIES) && key !== "tasks");
-  return [...known, ...others].flatMap((key) => {
-    const [name, say] = ENTRIES[key] ?? [key, String];
-    const [term, said] = [document.createElement("dt"), document.createElement("dd")];
-    term.textContent = name;
-    said.textContent = say(card[key], card);
-    return [term, said];
+/**
+ * The card as terms and descriptions.
+ * @param {Card} card
+ */
+function entriesOf(card) {
+  const known = ENTRIES.filter(([key]) => key in card);
+  const shown = [...MENTIONED, ...known.map(([key]) => key)];
+  const others = Object.keys(card).filter((key) => !shown.includes(key));
+  const rows = [...known.map(([key, term, words]) => [term, words(card[key], card)]), ...others.map((key) => [key, String(card[key])])];
+  return rows.flatMap(([term, words]) => {
+    const [name, description] = [document.createElement("dt"), document.createElement("dd")];
+    name.textContent = term;
+    description.textContent = words;
+    return [name, description];
   });
 }

@@ -1,8 +1,11 @@
-// The page's one voice for those who listen: what is said here is read out as soon as there is time, and the last
-// thing said replaces what has not been read yet.
+// The page's only live region: a screen reader reads what is announced as soon as there is time, and a later announcement
+// replaces one that has not been read yet.
 
-const told = document.getElementById("told");
+import { byId, setText } from "./dom.js";
 
-export function say(words) {
-  if (told.textContent !== words) told.textContent = words;
+const region = byId("announcement");
+
+/** @param {string} sentence */
+export function announce(sentence) {
+  setText(region, sentence);
 }

@@ -1,50 +1,65 @@
 // The grid of templates, each with the scene of its first puzzle and what has been solved of it.
 
-import { Pictures } from "./lazy-thumbnails.js";
+import { paintThumbnail } from "../pkg/pathlight.js";
+import { Component } from "./component.js";
+import { LazyThumbnails } from "./lazy-thumbnails.js";
+import { hrefOf } from "./url-state.js";
+
+/** @typedef {{ id: string, name: string, story: string, tasks: string[] }} Template */
 
 /** Width of a picture, CSS px; the style sheet may show it smaller. */
 const SIDE = 176;
 
-export class Gallery {
-  #pictures;
-  #marks = {};
+export class Gallery extends Component {
+  #thumbnails = new LazyThumbnails((context, { dataset }) => paintThumbnail(context, dataset.task ?? "", this.dark));
+  /** @type {Map<string, HTMLElement>} */
+  #marks = new Map();
+  /** @type {{ link: HTMLAnchorElement, task: string }[]} */
   #links = [];
-  #dark = false;
 
-  /** `templates`: as the wasm lists them. */
-  constructor(list, wasm, templates) {
-    this.#pictures = new Pictures((canvas) => wasm.paintThumbnail(canvas.getContext("2d"), canvas.dataset.task, this.#dark));
+  /**
+   * @param {HTMLElement} list
+   * @param {Template[]} templates
+   */
+  constructor(list, templates) {
+    super();
     list.replaceChildren(...templates.map((template) => this.#item(template)));
   }
 
-  set dark(dark) {
-    this.#dark = dark;
-    this.#pictures.redraw();
+  /** @param {boolean} dark */
+  setTheme(dark) {
+    super.setTheme(dark);
+    this.#thumbnails.redraw();
   }
 
-  /** Leads to the first puzzle of each template. `address`: that of a task. */
-  link(address) {
-    for (const link of this.#links) link.href = address(link.dataset.task);
+  /** @param {import("./url-state.js").View} view */
+  setState(view) {
+    for (const { link, task } of this.#links) link.href = hrefOf(view, task) ?? "#";
   }
 
-  /** Says under a template what has been solved of it. */
-  mark(id, words) {
-    this.#marks[id].textContent = words;
+  /**
+   * Shows under a template what has been solved of it.
+   * @param {string} id
+   * @param {string} text
+   */
+  mark(id, text) {
+    const mark = this.#marks.get(id);
+    if (mark) mark.textContent = text;
   }
 
+  /** @param {Template} template */
   #item({ id, name, story, tasks: [first] }) {
-    const link = document.createElement("a");
-    link.dataset.task = first;
-    this.#links.push(link);
-    const canvas = this.#pictures.add(SIDE);
+    const canvas = this.#thumbnails.add(SIDE);
     canvas.dataset.task = first;
     const title = document.createElement("strong");
     title.textContent = name;
     const text = document.createElement("span");
     text.textContent = story;
     const mark = document.createElement("em");
-    this.#marks[id] = mark;
+    this.#marks.set(id, mark);
+    const link = document.createElement("a");
     link.append(canvas, title, text, mark);
+    this.#links.push({ link, task: first });
     const item = document.createElement("li");
     item.append(link);
     return item;

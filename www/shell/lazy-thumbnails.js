@@ -1,63 +1,84 @@
-// Small pictures that are drawn when they come into sight, a few at a time, so that a long list is there at once.
-// What a picture shows is up to whoever adds it.
+// Small canvases that are drawn when they scroll into sight, a few in each frame, so that a long list is there at once.
+// What a canvas shows is up to whoever adds it.
+
+import { contextOf } from "./dom.js";
 
 /** How long one frame may draw, ms. */
-const SLICE = 8;
+const FRAME_BUDGET = 8;
+/** More device pixels per CSS px than this cannot be told apart in a small picture. */
+const MAX_PIXEL_RATIO = 3;
 
-export class Pictures {
+export class LazyThumbnails {
   #draw;
-  #all = new Set();
-  #seen = new IntersectionObserver((entries) => this.#look(entries), { rootMargin: "200px" });
+  /** @type {Set<HTMLCanvasElement>} */
+  #canvases = new Set();
+  #observer = new IntersectionObserver((entries) => this.#onVisible(entries), { rootMargin: "200px" });
+  /** @type {Set<HTMLCanvasElement>} */
   #queue = new Set();
+  #scheduled = false;
 
-  /** `draw`: draws what belongs on a canvas. */
+  /** @param {(context: CanvasRenderingContext2D, canvas: HTMLCanvasElement) => void} draw */
   constructor(draw) {
     this.#draw = draw;
   }
 
-  /** A canvas as sharp as the screen, `side` CSS px wide, which is drawn as soon as it can be seen. */
+  /**
+   * A canvas of `side` CSS px as sharp as the screen, which is drawn as soon as it can be seen.
+   * @param {number} side
+   */
   add(side) {
     const canvas = document.createElement("canvas");
-    canvas.width = canvas.height = Math.round(side * Math.min(devicePixelRatio, 3));
+    canvas.width = canvas.height = Math.round(side * Math.min(devicePixelRatio, MAX_PIXEL_RATIO));
     canvas.setAttribute("aria-hidden", "true");
-    this.#all.add(canvas);
-    this.#seen.observe(canvas);
+    this.#canvases.add(canvas);
+    this.#observer.observe(canvas);
     return canvas;
   }
 
-  /** Forgets all pictures. */
+  /** Forgets all canvases: none of them is drawn any more. */
   clear() {
-    this.#seen.disconnect();
+    this.#observer.disconnect();
     this.#queue.clear();
-    this.#all.clear();
+    this.#canvases.clear();
   }
 
-  /** Draws all afresh, as they come into sight. */
+  /** Draws all canvases again, as they come into sight. */
   redraw() {
-    for (const canvas of this.#all) {
-      this.#seen.unobserve(canvas);
-      this.#seen.observe(canvas);
+    for (const canvas of this.#canvases) {
+      this.#observer.unobserve(canvas);
+      this.#observer.observe(canvas);
     }
   }
 
-  #look(entries) {
-    const waiting = this.#queue.size > 0;
+  /** @param {IntersectionObserverEntry[]} entries */
+  #onVisible(entries) {
     for (const { isIntersecting, target } of entries) {
-      if (!isIntersecting) continue;
-      this.#seen.unobserve(target);
-      this.#queue.add(target);
+      const canvas = /** @type {HTMLCanvasElement} */ (target);
+      // An entry may be delivered after `clear`.
+      if (!isIntersecting || !this.#canvases.has(canvas)) continue;
+      this.#observer.unobserve(canvas);
+      this.#queue.add(canvas);
     }
-    if (!waiting && this.#queue.size > 0) this.#some();
+    this.#schedule();
   }
 
-  #some = () => {
-    const end = performance.now() + SLICE;
+  #schedule() {
+    if (this.#scheduled || this.#queue.size === 0) return;
+    this.#scheduled = true;
+    requestAnimationFrame(() => {
+      this.#scheduled = false;
+      this.#drawSome();
+    });
+  }
+
+  #drawSome() {
+    const end = performance.now() + FRAME_BUDGET;
     for (const canvas of this.#queue) {
       this.#queue.delete(canvas);
-      this.#draw(canvas);
+      this.#draw(contextOf(canvas), canvas);
       canvas.classList.add("drawn");
       if (performance.now() > end) break;
     }
-    if (this.#queue.size > 0) requestAnimationFrame(this.#some);
-  };
+    this.#schedule();
+  }
 }

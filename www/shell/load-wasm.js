@@ -1,22 +1,25 @@
-// Fetches the wasm and compiles it once, for the page and its worker. It begins as soon as this file is here, while the
-// other modules are still on their way: nothing takes longer on the way to the first picture.
+// Fetches the wasm and compiles it once, for the page and its worker. It starts as soon as this file has arrived, while
+// the other modules are still on their way, because the first picture waits for nothing longer.
 
-/** Resolves to { wasm, module }: the exports, ready to be called, and the compiled module. Rejects with a sentence for
- * the person. */
-export const engine = start();
+/**
+ * Resolves to the compiled module once the exports of pkg/pathlight.js can be called. Rejects with a sentence for the
+ * person.
+ */
+export const wasmLoaded = load();
 
-// Whoever waits for it hears of a failure; nobody may do so yet.
-engine.catch(() => {});
+// main.js handles the rejection, but may attach its handler only later.
+wasmLoaded.catch(() => {});
 
-async function start() {
+/** @returns {Promise<WebAssembly.Module>} */
+async function load() {
   if (typeof WebAssembly !== "object") {
     throw new Error("This browser has no WebAssembly, or it is switched off. Pathlight needs it: try a current browser.");
   }
-  const [answer, wasm] = await Promise.all([fetch("pkg/pathlight_bg.wasm"), import("../pkg/pathlight.js")]);
-  if (!answer.ok) {
-    throw new Error(`Pathlight’s engine did not come: the server answered ${answer.status} for pkg/pathlight_bg.wasm. Build it with “make play”.`);
+  const [response, { default: initialise }] = await Promise.all([fetch("pkg/pathlight_bg.wasm"), import("../pkg/pathlight.js")]);
+  if (!response.ok) {
+    throw new Error(`Pathlight’s wasm could not be loaded: the server answered ${response.status} for pkg/pathlight_bg.wasm. Build it with “make play”.`);
   }
-  const module = await WebAssembly.compileStreaming(answer);
-  await wasm.default({ module_or_path: module });
-  return { wasm, module };
+  const module = await WebAssembly.compileStreaming(response);
+  await initialise({ module_or_path: module });
+  return module;
 }

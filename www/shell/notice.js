@@ -1,25 +1,44 @@
-// One sentence above everything else, when something has to be said: what is wrong, and the ways on.
+// One sentence above everything else: what is wrong, and what the person can do about it.
 
-const bar = document.getElementById("notice");
+import { byId } from "./dom.js";
 
-/** Says a sentence; `ways` are [label, address] pairs. */
-export function notice(sentence, ways = []) {
-  document.getElementById("problem").textContent = sentence;
-  const links = ways.map(([label, address]) => {
-    const link = document.createElement("a");
-    link.href = address;
-    link.textContent = label;
-    return link;
-  });
-  const close = document.createElement("button");
-  close.type = "button";
-  close.textContent = "Close";
-  close.addEventListener("click", quiet);
-  document.getElementById("ways").replaceChildren(...links, close);
+const bar = byId("notice");
+
+/**
+ * Shows a sentence with links and buttons.
+ * @param {string} sentence
+ * @param {[label: string, action: string | (() => void)][]} [actions] an address to follow, or what a button does
+ */
+export function showNotice(sentence, actions = []) {
+  byId("notice-text").textContent = sentence;
+  const controls = actions.map(([label, action]) => (typeof action === "string" ? link(label, action) : button(label, action)));
+  byId("notice-actions").replaceChildren(...controls, button("Close", dismissNotice));
   bar.hidden = false;
 }
 
-/** Takes the sentence away. */
-export function quiet() {
+export function dismissNotice() {
   bar.hidden = true;
+}
+
+/**
+ * @param {string} label
+ * @param {string} href
+ */
+function link(label, href) {
+  const element = document.createElement("a");
+  element.href = href;
+  element.textContent = label;
+  return element;
+}
+
+/**
+ * @param {string} label
+ * @param {() => void} act
+ */
+function button(label, act) {
+  const element = document.createElement("button");
+  element.type = "button";
+  element.textContent = label;
+  element.addEventListener("click", act);
+  return element;
 }

@@ -1,92 +1,123 @@
-// What this device remembers of the person's own attempts: for each puzzle how many there were, and which solved it
-// first. Kept in the browser's storage as JSON. A store that is forbidden, full or damaged costs the memory, never
-// the page. Knows nothing of the document.
+// What this device remembers of an agent's attempts: for each puzzle how many there were, and which solved it first. Kept
+// in localStorage as JSON. A store that is forbidden, full or damaged costs the memory, never the page. Knows nothing of
+// the document.
 //
-// { "tasks": { "00007:013": { "attempts": 4, "solved": 3 } } }   "solved" is null as long as none did
+// { "tasks": { "00007:013": { "attempts": 4, "solved": 3 } } }   "solved" is null as long as no attempt solved it
 
-const KEY = "pathlight.progress";
+/** @typedef {{ attempts: number, solved: number | null }} TaskProgress */
+
+const PLAYER_KEY = "pathlight.progress";
 const TASK = /^\d{5}:\d{3}$/;
+/** More attempts than a person can make: a stored number above it is damage. */
+const MAX_ATTEMPTS = 1e6;
 
-export class Progress extends EventTarget {
+export class ProgressStore extends EventTarget {
   /** Does it outlast the page? */
-  kept = true;
+  persistent = true;
   #key;
+  /** @type {Record<string, TaskProgress>} */
   #tasks = {};
 
-  /** Fires "change" whenever there is something else to tell, also when another tab has noted it. */
-  constructor(key = KEY) {
+  /**
+   * The player's store. Fires "change" whenever it holds something else, also when another tab has written it.
+   * @param {string} [key]
+   */
+  constructor(key = PLAYER_KEY) {
     super();
     this.#key = key;
     this.#read();
-    addEventListener("storage", ({ key }) => {
-      if (key !== this.#key && key !== null) return;
+    addEventListener("storage", (event) => {
+      if (event.key !== this.#key && event.key !== null) return;
       this.#read();
       this.#changed();
     });
   }
 
-  /** { attempts, solved } of a task; no attempts if it was never tried. */
+  /**
+   * The store for a model's own turns.
+   * @param {string} name
+   */
+  static ofModel(name) {
+    return new ProgressStore(`pathlight.model.${name}`);
+  }
+
+  /**
+   * The progress on a task; no attempts if it was never tried.
+   * @param {string} task
+   * @returns {TaskProgress}
+   */
   of(task) {
     return Object.hasOwn(this.#tasks, task) ? this.#tasks[task] : { attempts: 0, solved: null };
   }
 
-  /** The tasks that were tried. */
+  /** The tasks that were tried, sorted. */
   get tasks() {
     return Object.keys(this.#tasks).sort();
   }
 
-  /** Of some tasks: how many were tried, how many are solved, and how many attempts that took in all. */
+  /**
+   * Of some tasks: how many were tried, how many are solved, and the attempts on all of them.
+   * @param {string[]} tasks
+   */
   sum(tasks) {
     const tried = tasks.map((task) => this.of(task)).filter(({ attempts }) => attempts > 0);
     const attempts = tried.reduce((sum, one) => sum + one.attempts, 0);
     return { tried: tried.length, solved: tried.filter(({ solved }) => solved !== null).length, attempts };
   }
 
-  /** Takes note of one more attempt at a task. */
-  note(task, solves) {
-    // Another tab may have noted something meanwhile.
-    if (this.kept) this.#read();
+  /**
+   * Adds one attempt at a task.
+   * @param {string} task
+   * @param {boolean} solves
+   */
+  add(task, solves) {
+    // Another tab may have written meanwhile.
+    if (this.persistent) this.#read();
     const { attempts, solved } = this.of(task);
     this.#tasks[task] = { attempts: attempts + 1, solved: solved ?? (solves ? attempts + 1 : null) };
-    this.#keep();
+    this.#write();
   }
 
-  /** Takes note of how far someone has come at a task. */
-  keep(task, attempts, solved) {
-    if (this.kept) this.#read();
+  /**
+   * Replaces the progress on a task.
+   * @param {string} task
+   * @param {TaskProgress} progress
+   */
+  set(task, { attempts, solved }) {
+    if (this.persistent) this.#read();
     this.#tasks[task] = { attempts, solved };
-    this.#keep();
+    this.#write();
   }
 
   clear() {
     this.#tasks = {};
-    this.#write((store) => store.removeItem(this.#key));
+    this.#store((storage) => storage.removeItem(this.#key));
   }
 
-  /** All of it as JSON. */
-  text() {
+  toJson() {
     return JSON.stringify({ tasks: this.#tasks }, null, 1);
   }
 
   #read() {
     try {
-      this.#tasks = sound(JSON.parse(localStorage.getItem(this.#key) ?? "null"));
+      this.#tasks = validTasks(JSON.parse(localStorage.getItem(this.#key) ?? "null"));
     } catch (error) {
-      // What is no JSON is forgotten; a store that may not even be asked is never asked again.
+      // Text that is not JSON is ignored; a store that may not be read is not asked again.
       this.#tasks = {};
-      if (!(error instanceof SyntaxError)) this.kept = false;
+      if (!(error instanceof SyntaxError)) this.persistent = false;
     }
   }
 
-  #keep() {
-    this.#write((store) => store.setItem(this.#key, this.text()));
+  #write() {
+    this.#store((storage) => storage.setItem(this.#key, this.toJson()));
   }
 
-  #write(change) {
+  /** @param {(storage: Storage) => void} change */
+  #store(change) {
     try {
-      if (this.kept) change(localStorage);
+      if (this.persistent) change(localStorage);
     } catch {
-      this.kept = false;
+      this.persistent = false;
     }
     this.#changed();
   }
@@ -96,11 +127,16 @@ export class Progress extends EventTarget {
   }
 }
 
-/** What makes sense of what was kept. */
-function sound(kept) {
-  const counts = (value, most) => Number.isSafeInteger(value) && value >= 1 && value <= most;
-  const entries = Object.entries(kept?.tasks ?? {}).filter(
-    ([task, one]) => TASK.test(task) && counts(one?.attempts, 1e6) && (one.solved === null || counts(one.solved, one.attempts)),
+/**
+ * The entries of stored JSON that make sense.
+ * @param {any} stored
+ * @returns {Record<string, TaskProgress>}
+ */
+function validTasks(stored) {
+  /** @type {(value: unknown, most: number) => boolean} */
+  const isCount = (value, most) => Number.isSafeInteger(value) && Number(value) >= 1 && Number(value) <= most;
+  const entries = Object.entries(/** @type {Record<string, any>} */ (stored?.tasks ?? {})).filter(
+    ([task, one]) => TASK.test(task) && isCount(one?.attempts, MAX_ATTEMPTS) && (one.solved === null || isCount(one.solved, one.attempts)),
   );
   return Object.fromEntries(entries.map(([task, { attempts, solved }]) => [task, { attempts, solved }]));
 }

@@ -1,99 +1,182 @@
-// What the page shows, as one object, and its two-way translation to the part of the address after `#`.
-// A link carries the task, the model, the panel, the layers and the ball, so it opens the same view elsewhere; for
-// teaching it may hide parts of the page.
-// Knows nothing of the document.
+// The state of the page as one object, and its two-way translation to the fragment of the address (what follows `#`).
+// A link carries the task, the model, the panel, the layers and the ball, so that it opens the same view elsewhere; for
+// teaching it may hide parts of the page. Knows nothing of the document.
 
-/** What the nets imagine, in their order: the paper's four maps, and the judge's. */
-export const STAGES = ["base", "target", "action", "placement", "judge"];
-export const PANELS = ["play", "imagine", "compare", "predict", "map"];
-/** What a link can hide: the panels but Play, and what the document marks with data-part. */
-export const PARTS = ["puzzles", "story", "fields", "watch", "attempts", "imagine", "compare", "predict", "map"];
+import { ATTEMPT_LIMIT, MAX_RADIUS, MIN_RADIUS, SCENE_SIZE, STAGES } from "./constants.js";
 
-/** What is shown when the address says nothing: the grid of templates. */
-export const START = Object.freeze({
-  /** "00007:008", or null for the grid. */
+/** @typedef {import("./constants.js").Ball} Ball */
+/** @typedef {import("./constants.js").Stage} Stage */
+
+export const PANELS = /** @type {const} */ (["play", "imagine", "compare", "predict", "map"]);
+/** What a link can hide: every panel but Play, and what the document marks with data-hideable. */
+export const HIDEABLE = /** @type {const} */ (["puzzles", "story", "fields", "watch", "attempts", "imagine", "compare", "predict", "map"]);
+/** @typedef {typeof PANELS[number]} Panel */
+/** @typedef {typeof HIDEABLE[number]} Hideable */
+
+/**
+ * @typedef {object} State
+ * @property {string | null} task "00007:008", or null for the grid
+ * @property {string | null} model a name in assets/model.json, or null for the first
+ * @property {Panel} panel as the address names it; it may be hidden, see `viewOf`
+ * @property {Stage | null} stage the stage that the walkthrough is at, or null for all together
+ * @property {number | null} proposal the number of the model's ball that is looked at, from 1, or null
+ * @property {Stage[]} layers the maps to lay over the scene, in the order of STAGES
+ * @property {number} opacity how much the maps cover, 0..1
+ * @property {Ball | null} ball the ball being placed
+ * @property {Hideable[]} hide the parts of the page that are hidden, in the order of HIDEABLE
+ */
+
+/**
+ * What is on the page: the state, but `panel` is the one that is shown, which is never hidden, and `layers` are those
+ * that lie over the scene there; `checkedLayers` are those that the address names.
+ * @typedef {State & { checkedLayers: Stage[] }} View
+ */
+
+/**
+ * What is shown when the address says nothing: the grid of templates.
+ * @type {Readonly<State>}
+ */
+export const INITIAL_STATE = Object.freeze({
   task: null,
-  /** A name in assets/model.json, or null for the first. */
   model: null,
   panel: "play",
-  /** The stage that the story of the model is at, or null for all together. */
   stage: null,
-  /** The number of the model's ball that is looked at, from 1, or null. */
   proposal: null,
-  /** The maps laid over the scene, in the order of STAGES. */
   layers: [],
-  /** How much the maps cover, 0..1. */
   opacity: 0.8,
-  /** [x, y, r] in whole px, or null. */
   ball: null,
-  /** The parts of the page that are hidden, in the order of PARTS. */
   hide: [],
 });
 
-const WHOLE = /^\d{1,3}$/;
+/** @typedef {{ format: (value: any) => string, parse: (text: string) => any }} Codec */
 
-/** Each key of a link: its text for a value, and the value of a text; undefined says that it is none. */
-const KEYS = {
-  task: { text: (id) => id, value: (text) => (/^\d{5}:\d{3}$/.test(text) ? text : undefined) },
-  model: { text: (name) => name, value: (text) => (/^[\w.-]+$/.test(text) ? text : undefined) },
-  panel: { text: (name) => name, value: (text) => (PANELS.includes(text) ? text : undefined) },
-  stage: { text: (name) => name, value: (text) => (STAGES.includes(text) ? text : undefined) },
-  proposal: { text: String, value: (text) => (/^([1-9]\d?|100)$/.test(text) ? Number(text) : undefined) },
-  layers: some(STAGES),
+const INTEGER = /^\d{1,3}$/;
+
+/**
+ * The keys of a link. `parse` returns undefined for text that it does not understand.
+ * @type {Record<string, Codec>}
+ */
+const CODECS = {
+  task: { format: String, parse: (text) => (/^\d{5}:\d{3}$/.test(text) ? text : undefined) },
+  model: { format: String, parse: (text) => (/^[\w.-]+$/.test(text) ? text : undefined) },
+  panel: oneOf(PANELS),
+  stage: oneOf(STAGES),
+  proposal: {
+    format: String,
+    parse: (text) => (INTEGER.test(text) && !text.startsWith("0") && Number(text) <= ATTEMPT_LIMIT ? Number(text) : undefined),
+  },
+  layers: someOf(STAGES),
   opacity: {
-    text: String,
-    value: (text) => (/^(0|1|0?\.\d+)$/.test(text) ? Number(text) : undefined),
+    format: String,
+    parse: (text) => (/^(0|1|0?\.\d+)$/.test(text) ? Number(text) : undefined),
   },
   ball: {
-    text: (ball) => ball.join(","),
-    value: (text) => {
+    format: (ball) => ball.join(","),
+    parse: (text) => {
       const parts = text.split(",");
-      if (parts.length !== 3 || !parts.every((part) => WHOLE.test(part))) return undefined;
+      if (parts.length !== 3 || !parts.every((part) => INTEGER.test(part))) return undefined;
       const [x, y, r] = parts.map(Number);
-      return x <= 255 && y <= 255 && r >= 2 && r <= 32 ? [x, y, r] : undefined;
+      return x < SCENE_SIZE && y < SCENE_SIZE && r >= MIN_RADIUS && r <= MAX_RADIUS ? [x, y, r] : undefined;
     },
   },
-  hide: some(PARTS),
+  hide: someOf(HIDEABLE),
 };
 
-/** A key whose value is some of these names. */
-function some(all) {
+/**
+ * @param {readonly string[]} names
+ * @returns {Codec}
+ */
+function oneOf(names) {
+  return { format: String, parse: (text) => (names.includes(text) ? text : undefined) };
+}
+
+/**
+ * @param {readonly string[]} names
+ * @returns {Codec}
+ */
+function someOf(names) {
   return {
-    text: (names) => names.join(","),
-    value: (text) => {
-      const names = text.split(",").filter(Boolean);
-      return names.every((name) => all.includes(name)) ? all.filter((name) => names.includes(name)) : undefined;
+    format: (chosen) => chosen.join(","),
+    parse: (text) => {
+      const chosen = text.split(",").filter(Boolean);
+      return chosen.every((name) => names.includes(name)) ? names.filter((name) => chosen.includes(name)) : undefined;
     },
   };
 }
 
-/** The part of the address after `#` for a state; what is as at the start is left out. */
-export function write(state) {
-  const parts = Object.entries(KEYS)
-    .filter(([key]) => JSON.stringify(state[key]) !== JSON.stringify(START[key]))
-    .map(([key, { text }]) => `${key}=${text(state[key])}`);
-  return parts.join("&");
+/**
+ * The fragment for a state, without `#`; what equals the initial state is left out.
+ * @param {State} state
+ */
+export function formatFragment(state) {
+  /** @type {Record<string, unknown>} */
+  const values = { ...state };
+  /** @type {Record<string, unknown>} */
+  const initial = { ...INITIAL_STATE };
+  return Object.entries(CODECS)
+    .filter(([key]) => JSON.stringify(values[key]) !== JSON.stringify(initial[key]))
+    .map(([key, { format }]) => `${key}=${format(values[key])}`)
+    .join("&");
 }
 
-/** The state that a link asks for, and a sentence about what in it cannot be read (or null). */
-export function read(hash) {
-  const state = { ...START };
+/**
+ * The state that a link asks for, and a sentence about what in it cannot be read (or null).
+ * @param {string} hash
+ * @returns {{ state: State, problem: string | null }}
+ */
+export function parseFragment(hash) {
+  /** @type {Record<string, unknown>} */
+  const parsed = {};
   const problems = [];
   for (const part of hash.replace(/^#/, "").split("&").filter(Boolean)) {
     const [key, ...rest] = part.split("=");
-    const text = decoded(rest.join("="));
-    const value = Object.hasOwn(KEYS, key) ? KEYS[key].value(text) : undefined;
+    const value = Object.hasOwn(CODECS, key) ? CODECS[key].parse(decoded(rest.join("="))) : undefined;
     if (value === undefined) problems.push(`“${decoded(part)}”`);
-    else state[key] = value;
+    else parsed[key] = value;
   }
   const problem = problems.length ? `This link says ${problems.join(" and ")}, which Pathlight does not understand.` : null;
-  return { state, problem };
+  return { state: { ...INITIAL_STATE, ...parsed }, problem };
 }
 
+/** @param {string} text */
 function decoded(text) {
   try {
     return decodeURIComponent(text);
   } catch {
     return text;
   }
+}
+
+/**
+ * The panels that are not hidden; Play always is among them.
+ * @param {State} state
+ * @returns {Panel[]}
+ */
+export function visiblePanels({ hide }) {
+  return PANELS.filter((name) => name === "play" || !hide.includes(name));
+}
+
+/**
+ * What the page shows for a state. Maps lie over the scene only where they are switched on: elsewhere they would tell
+ * the answer to who draws a prediction, or cover what the panel is about.
+ * @param {State} state
+ * @returns {View}
+ */
+export function viewOf(state) {
+  const panel = visiblePanels(state).includes(state.panel) ? state.panel : "play";
+  const { hide, layers: checkedLayers } = state;
+  const placement = hide.includes("imagine") ? [] : checkedLayers.filter((stage) => stage === "placement");
+  const layers = panel === "imagine" ? checkedLayers : panel === "map" ? placement : [];
+  return { ...state, panel, layers, checkedLayers };
+}
+
+/**
+ * The address of another puzzle (null: the grid) that keeps the model and what is hidden. Null if the link that the
+ * person came by hides the ways to other puzzles.
+ * @param {State} state
+ * @param {string | null} task
+ * @param {Panel} [panel]
+ */
+export function hrefOf({ model, hide }, task, panel = "play") {
+  return hide.includes("puzzles") ? null : `#${formatFragment({ ...INITIAL_STATE, task, panel, model, hide })}`;
 }

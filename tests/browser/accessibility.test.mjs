@@ -5,7 +5,7 @@ import AxeBuilder from '@axe-core/playwright';
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { start } from './harness.mjs';
-import { EASY, known, openPuzzle, says, type } from './playing.mjs';
+import { EASY, known, openPuzzle, says, type } from './page-actions.mjs';
 
 let session;
 before(async () => (session = await start()));
@@ -24,16 +24,16 @@ async function check(page, view) {
 }
 
 for (const [screen, size] of Object.entries(SCREENS)) {
-  for (const colorScheme of ['light', 'dark']) {
+  for (const colorScheme of /** @type {const} */ (['light', 'dark'])) {
     test(`the grid, a bad link and all sheets on ${screen}, ${colorScheme}`, async () => {
       const page = await session.open('/#task=00007:999', { ...size, colorScheme });
       await page.locator('#templates canvas.drawn').first().waitFor();
       await page.evaluate((task) => localStorage.setItem('pathlight.progress', JSON.stringify({ tasks: { [task]: { attempts: 3, solved: 2 } } })), EASY);
       await check(page, 'bad link');
       await page.reload();
-      await page.locator('#record:visible').waitFor();
+      await page.locator('#progress:visible').waitFor();
       await check(page, 'grid');
-      for (const sheet of ['keys', 'about', 'forgetting']) {
+      for (const sheet of ['keys-dialog', 'about-dialog', 'forget-dialog']) {
         await page.locator(`#${sheet}`).evaluate((dialog) => dialog.showModal());
         await check(page, sheet);
         await page.keyboard.press('Escape');
@@ -51,13 +51,13 @@ for (const [screen, size] of Object.entries(SCREENS)) {
       await check(page, 'running');
       await page.locator('#reset').click();
       await page.emulateMedia({ reducedMotion: 'reduce' });
-      for (const [one, words] of [[missing, /^Not solved/], [solving, /^Solved/], [invalid, /does not count/]]) {
+      for (const { one, words } of [{ one: missing, words: /^Not solved/ }, { one: solving, words: /^Solved/ }, { one: invalid, words: /does not count/ }]) {
         await type(page, one);
         await page.locator('#run').click();
         await says(page, words);
         await check(page, String(words));
       }
-      await page.locator('#play-attempts [data-act=lay]').first().click();
+      await page.locator('#play-attempts [data-act=overlay]').first().click();
       await says(page, /over each other/);
       await check(page, 'overlaid');
     });
@@ -68,8 +68,8 @@ for (const [screen, size] of Object.entries(SCREENS)) {
       await check(page, 'imagine');
       await page.locator('#tab-compare').click();
       await check(page, 'compare, before');
-      await page.locator('#turn:enabled').click();
-      await page.locator('#turn').filter({ hasText: 'The model has played' }).waitFor({ timeout: 120_000 });
+      await page.locator('#model-turn:enabled').click();
+      await page.locator('#model-turn').filter({ hasText: 'The model has played' }).waitFor({ timeout: 120_000 });
       await check(page, 'compare, after');
     });
 
@@ -77,7 +77,7 @@ for (const [screen, size] of Object.entries(SCREENS)) {
       const page = await openPuzzle(session, { ...size, colorScheme, more: '&panel=imagine', still: true });
       await page.locator('#imagined-in').filter({ hasText: 'Imagined' }).waitFor();
       const tab = (name) => page.locator(`#tab-${name}`).click();
-      await page.locator('#story-next').click();
+      await page.locator('#walkthrough-next').click();
       await page.locator('[data-stage=base] .map').press('ArrowUp');
       for (const sum of await page.locator('#imagine summary:visible').all()) await sum.click();
       await check(page, 'a step of the story, read');
@@ -88,23 +88,23 @@ for (const [screen, size] of Object.entries(SCREENS)) {
       await page.locator('#predict-result:visible').waitFor();
       await check(page, 'predict, measured');
       await tab('imagine');
-      await page.locator('#story-all').click();
+      await page.locator('#walkthrough-all').click();
       await page.locator('#runs li').first().waitFor();
       await check(page, 'imagined and real');
       await tab('compare');
       await page.waitForFunction(() => /panel=compare/.test(location.hash));
       await page.evaluate((task) => localStorage.setItem('pathlight.progress', JSON.stringify({ tasks: { [task]: { attempts: 3, solved: 2 } } })), EASY);
       await page.reload();
-      await page.locator('#turn:enabled').click();
+      await page.locator('#model-turn:enabled').click();
       await page.locator('#score-table:visible').waitFor({ timeout: 120_000 });
-      await page.locator('#stack-next').click();
-      await page.locator('#stack-facts:visible').waitFor();
+      await page.locator('#proposal-next').click();
+      await page.locator('#proposal-facts:visible').waitFor();
       for (const sum of await page.locator('#compare summary:visible').all()) await sum.click();
       await check(page, 'a ball of the model’s, and the score');
       await tab('map');
-      await page.locator('#search').click();
-      await page.locator('#map-words').filter({ hasText: 'tried so far' }).waitFor();
-      await page.locator('#map-placement').check();
+      await page.locator('#solve-map-search').click();
+      await page.locator('#solve-map-words').filter({ hasText: 'tried so far' }).waitFor();
+      await page.locator('#solve-map-placement').check();
       await check(page, 'map');
     });
   }

@@ -3,17 +3,17 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { start } from './harness.mjs';
-import { known, openPuzzle, picture, says, type } from './playing.mjs';
+import { known, openPuzzle, picture, says, type } from './page-actions.mjs';
 
 let session;
 before(async () => (session = await start()));
 after(() => session.stop());
 
-const run = (page, who) => page.locator(`#runs [data-who=${who}]`);
+const run = (page, who) => page.locator(`#runs [data-runner=${who}]`);
 
 /** The overlaps of a run, in percent: of the green object, and of the ball if there is one. */
 async function numbers(page, who) {
-  const texts = await run(page, who).locator('.plates b').allTextContents();
+  const texts = await run(page, who).locator('.overlap-cards b').allTextContents();
   return texts.map((text) => Number(text.match(/^(\d+) %$/)[1]));
 }
 
@@ -22,15 +22,15 @@ test('runs of the player, of the model and without a ball stand beside each othe
   const { solving } = await known(page);
   await page.locator('#watch').click();
   await page.locator('#tab-imagine').click();
-  await page.locator('#actual-words').filter({ hasText: 'Without a ball: green object' }).waitFor({ state: 'attached' });
+  await page.locator('#overlap-words').filter({ hasText: 'Without a ball: green object' }).waitFor({ state: 'attached' });
   assert.equal((await numbers(page, 'alone')).length, 1, 'there is no ball to measure');
 
   await type(await tab(page, 'play'), solving);
   await page.locator('#run').click();
   await says(page, /^Solved!/);
   await tab(page, 'compare');
-  await page.locator('#turn:enabled').click();
-  await page.locator('#turn').filter({ hasText: 'The model has played' }).waitFor({ timeout: 120_000 });
+  await page.locator('#model-turn:enabled').click();
+  await page.locator('#model-turn').filter({ hasText: 'The model has played' }).waitFor({ timeout: 120_000 });
   await tab(page, 'imagine');
   assert.equal(await run(page, 'player').locator('h3').textContent(), 'Your attempt 1');
   assert.match(await run(page, 'model').locator('h3').textContent(), /^The model’s attempt \d+$/);
@@ -39,7 +39,7 @@ test('runs of the player, of the model and without a ball stand beside each othe
     assert.equal(shares.length, 2);
     assert.ok(shares.every((share) => share > 0 && share <= 100), `${who}: ${shares}`);
   }
-  assert.match(await page.locator('#actual-words').textContent(), /Your attempt 1: green object \d+ %, red ball \d+ %; The model’s attempt \d+: green object/);
+  assert.match(await page.locator('#overlap-words').textContent(), /Your attempt 1: green object \d+ %, red ball \d+ %; The model’s attempt \d+: green object/);
 });
 
 test('the line goes round the path of this run, and goes with its attempt', async () => {
@@ -52,14 +52,14 @@ test('the line goes round the path of this run, and goes with its attempt', asyn
     await says(page, /olved/);
     await tab(page, 'imagine');
     await run(page, 'player').waitFor();
-    pictures.push(await picture(page, '#runs [data-who=player] .plates li:last-child canvas[role=img]'));
+    pictures.push(await picture(page, '#runs [data-runner=player] .overlap-cards li:last-child canvas[role=img]'));
   }
   assert.notEqual(pictures[0], pictures[1]);
   await tab(page, 'compare');
-  await page.locator('#clear').click();
+  await page.locator('#clear-attempts').click();
   await tab(page, 'imagine');
   assert.equal(await run(page, 'player').count(), 0);
-  await page.locator('#actual-empty:visible').waitFor();
+  await page.locator('#overlap-empty:visible').waitFor();
 });
 
 async function tab(page, name) {

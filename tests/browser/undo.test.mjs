@@ -3,14 +3,17 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { start } from './harness.mjs';
-import { ball, click, openPuzzle, says, spot, type } from './playing.mjs';
+import { ball, click, dragTo, openPuzzle, says, spot, type, waitForValue } from './page-actions.mjs';
 
 let session;
 before(async () => (session = await start()));
 after(() => session.stop());
 
-const shows = (page, wanted) =>
-  page.waitForFunction((wanted) => ['x', 'y', 'r'].map((name) => document.querySelector(`#ball-${name}`).value).join() === wanted, wanted);
+/** Waits until the fields hold these numbers, "x,y,r". */
+async function shows(page, wanted) {
+  const values = wanted.split(',');
+  for (const [index, name] of ['x', 'y', 'r'].entries()) await waitForValue(page, `#ball-${name}`, (value) => value === values[index]);
+}
 
 test('a drag is undone in one step, back to no ball at all, and redone', async () => {
   const page = await openPuzzle(session);
@@ -88,4 +91,22 @@ test('in a field, Ctrl+Z takes back the placement and what was being typed', asy
   await page.locator('#ball-x').fill('7');
   await page.keyboard.press('Control+z');
   await shows(page, '100,200,10');
+});
+
+test('undo in the middle of a drag ends the drag', async () => {
+  const page = await openPuzzle(session);
+  // Pressed in an empty scene: undone, there is no ball to drag.
+  await dragTo(page, [[60, 220], [90, 210]]);
+  await page.keyboard.press('Control+z');
+  await page.mouse.move(...(await spot(page, 120, 200)), { steps: 5 });
+  await page.mouse.up();
+  await shows(page, ',,');
+
+  await type(page, [100, 200, 10]);
+  await dragTo(page, [[100, 200], [130, 210]]);
+  await page.keyboard.press('Control+z');
+  await page.mouse.move(...(await spot(page, 150, 220)), { steps: 5 });
+  await page.mouse.up();
+  await shows(page, '100,200,10');
+  assert.ok(await page.locator('#notice').isHidden());
 });

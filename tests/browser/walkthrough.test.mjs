@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { start } from './harness.mjs';
-import { openPuzzle, spot } from './playing.mjs';
+import { openPuzzle, spot } from './page-actions.mjs';
 
 const STAGES = ['base', 'target', 'action', 'placement', 'judge'];
 
@@ -28,30 +28,30 @@ test('each step shows one stage alone, forward and back, and all again', async (
   const page = await imagine();
   assert.deepEqual((await shown(page)).rows, STAGES);
   for (const stage of STAGES) {
-    await page.locator('#story-next').click();
+    await page.locator('#walkthrough-next').click();
     assert.deepEqual(await shown(page), { rows: [stage], laid: [stage] });
     const row = page.locator(`[data-stage=${stage}]`);
-    assert.match(await row.locator('.means').textContent(), /^Where .+\.$/);
+    assert.match(await row.locator('.meaning').textContent(), /^Where .+\.$/);
     assert.match(await row.locator('.summary').textContent(), /^Strongest at x \d+, y \d+; \d+ percent on the left, \d+ on the right\.$/);
-    assert.match(await page.locator('#told').textContent(), /Where .+ It is strongest at x/, 'it is said aloud');
+    assert.match(await page.locator('#announcement').textContent(), /Where .+ It is strongest at x/, 'it is said aloud');
   }
-  await page.locator('#story-next').press('Enter');
+  await page.locator('#walkthrough-next').press('Enter');
   assert.deepEqual((await shown(page)).rows, ['judge'], 'there is no sixth');
-  await page.locator('#story-back').click();
+  await page.locator('#walkthrough-back').click();
   assert.deepEqual((await shown(page)).rows, ['placement']);
-  await page.locator('#story-dots button').first().click();
+  await page.locator('#walkthrough-dots button').first().click();
   assert.deepEqual((await shown(page)).rows, ['base']);
-  await page.locator('#story-all').click();
+  await page.locator('#walkthrough-all').click();
   assert.deepEqual((await shown(page)).rows, STAGES);
 });
 
 test('it plays by itself to the end, and a step is in the link', async () => {
   const page = await imagine();
-  await page.locator('#story-play').click();
+  await page.locator('#walkthrough-play').click();
   for (const stage of STAGES) {
     await page.waitForFunction((stage) => location.hash.includes(`stage=${stage}`), stage, { timeout: 8000 });
   }
-  await page.locator('#story-play-label', { hasText: 'Play' }).waitFor();
+  await page.locator('#walkthrough-play-label', { hasText: 'Play' }).waitFor();
   await page.reload();
   await page.locator('#imagined-in').filter({ hasText: 'Imagined' }).waitFor();
   assert.deepEqual(await shown(page), { rows: ['judge'], laid: ['judge'] });
@@ -59,7 +59,7 @@ test('it plays by itself to the end, and a step is in the link', async () => {
 
 test('keys go through the story', async () => {
   const page = await imagine();
-  await page.locator('#story-next').focus();
+  await page.locator('#walkthrough-next').focus();
   for (const stage of STAGES) {
     await page.keyboard.press('Enter');
     assert.deepEqual((await shown(page)).rows, [stage]);
@@ -73,19 +73,19 @@ test('the mouse reads the maps that lie over the scene', async () => {
   const [, x, y] = summary.match(/x (\d+), y (\d+)/).map(Number);
   await page.mouse.move(...(await spot(page, x, y)));
   const peak = await page.locator('[data-stage=base] .scale span').last().textContent();
-  const note = await page.locator('#reading').textContent();
+  const note = await page.locator('#probe').textContent();
   assert.ok(note.startsWith(`Base path ${peak}`), `${note}: its peak is ${peak}`);
   assert.match(await page.locator('[data-stage=base] .value').textContent(), new RegExp(`^${peak} at x ${x}, y `));
   assert.match(await page.locator('[data-stage=placement] .value').textContent(), /^\d\.\d\d at/, 'all are read');
   await page.mouse.move(2, 2);
-  await page.locator('#reading').waitFor({ state: 'hidden' });
+  await page.locator('#probe').waitFor({ state: 'hidden' });
 });
 
 test('a finger reads too, and its reading stays', async () => {
   const page = await imagine({ hasTouch: true, viewport: { width: 390, height: 844 } });
-  await page.locator('#story-next').tap();
+  await page.locator('#walkthrough-next').tap();
   await page.touchscreen.tap(...(await spot(page, 100, 200)));
-  assert.match(await page.locator('#reading:visible').textContent(), /^Base path \d\.\d\dx (99|100|101), y (199|200|201)$/);
+  assert.match(await page.locator('#probe:visible').textContent(), /^Base path \d\.\d\dx (99|100|101), y (199|200|201)$/);
 });
 
 test('arrow keys on a small map read it', async () => {
@@ -93,6 +93,6 @@ test('arrow keys on a small map read it', async () => {
   await page.locator('[data-stage=target] .map').focus();
   await page.keyboard.press('ArrowRight');
   await page.keyboard.press('Shift+ArrowUp');
-  assert.match(await page.locator('#told').textContent(), /^x 132, y 160: \d\.\d\d$/);
+  assert.match(await page.locator('#announcement').textContent(), /^x 132, y 160: \d\.\d\d$/);
   assert.match(await page.locator('[data-stage=target] .value').textContent(), /^\d\.\d\d at x 132, y 160$/);
 });

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { start } from './harness.mjs';
-import { openPuzzle, picture, says, spot } from './playing.mjs';
+import { openPuzzle, picture, says, spot } from './page-actions.mjs';
 
 let session;
 before(async () => (session = await start()));
@@ -11,17 +11,17 @@ after(() => session.stop());
 
 async function compare(more = '') {
   const page = await openPuzzle(session, { more: `&panel=compare${more}`, still: true });
-  await page.locator('#stack-part:visible').waitFor();
+  await page.locator('#proposals:visible').waitFor();
   return page;
 }
 
-const fact = (page, name) => page.locator(`#stack-${name}`).textContent();
+const fact = (page, name) => page.locator(`#proposal-${name}`).textContent();
 
 test('every ball from 1 to 100 can be looked at: where it is, whether it is allowed, its outcome, where it comes from', async () => {
   const page = await compare();
   const bare = await picture(page);
   const balls = new Set();
-  await page.locator('#stack-next').click();
+  await page.locator('#proposal-next').click();
   for (let number = 1; number <= 8; number += 1) {
     assert.equal(await fact(page, 'number'), `${number} of 100`);
     balls.add(await fact(page, 'ball'));
@@ -30,26 +30,26 @@ test('every ball from 1 to 100 can be looked at: where it is, whether it is allo
     assert.match(await fact(page, 'outcome'), /^[✓×] .+\. It was not tried in its turn\.$/);
     assert.match(await fact(page, 'origin'), /^The judge, a fifth net: .+ the best chance, \d+ %\.$/);
     await says(page, new RegExp(`The model’s ball ${number}:`));
-    await page.locator('#stack-next').click();
+    await page.locator('#proposal-next').click();
   }
   assert.equal(balls.size, 8, 'no two are alike');
   await page.waitForTimeout(150);
   assert.notEqual(await picture(page), bare, 'its paths, the marks and the map are in the scene');
-  await page.locator('#stack').fill('100');
+  await page.locator('#proposal-slider').fill('100');
   assert.equal(await fact(page, 'number'), '100 of 100');
-  await page.locator('#stack-next').click();
+  await page.locator('#proposal-next').click();
   assert.equal(await fact(page, 'number'), '100 of 100', 'there is no more');
-  assert.equal(await page.locator('#it-attempts li').count(), 0, 'looking is no attempt');
+  assert.equal(await page.locator('#model-attempts li').count(), 0, 'looking is no attempt');
 });
 
 test('a ball of the turn is the same ball with the same outcome', async () => {
   const page = await compare();
-  await page.locator('#turn:enabled').click();
-  await page.locator('#turn').filter({ hasText: 'The model has played' }).waitFor({ timeout: 120_000 });
-  const title = await page.locator('#it-attempts li').first().locator('button').first().getAttribute('title');
-  const words = await page.locator('#it-attempts li').first().locator('.words').textContent();
-  await page.locator('#stack-next').click();
-  await page.locator('#stack-facts:visible').waitFor();
+  await page.locator('#model-turn:enabled').click();
+  await page.locator('#model-turn').filter({ hasText: 'The model has played' }).waitFor({ timeout: 120_000 });
+  const title = await page.locator('#model-attempts li').first().locator('button').first().getAttribute('title');
+  const words = await page.locator('#model-attempts li').first().locator('.words').textContent();
+  await page.locator('#proposal-next').click();
+  await page.locator('#proposal-facts:visible').waitFor();
   assert.equal(title, `Replay: ball at ${await fact(page, 'ball')}`);
   const outcome = await fact(page, 'outcome');
   assert.ok(outcome.toLowerCase().includes(words.toLowerCase()) && !/not tried/.test(outcome), outcome);
@@ -57,18 +57,28 @@ test('a ball of the turn is the same ball with the same outcome', async () => {
 
 test('it is in the link, goes by keys, and ends when something else is done', async () => {
   const page = await compare('&proposal=7');
-  await page.locator('#stack-number', { hasText: '7 of 100' }).waitFor();
-  await page.locator('#stack').focus();
+  await page.locator('#proposal-number', { hasText: '7 of 100' }).waitFor();
+  await page.locator('#proposal-slider').focus();
   await page.keyboard.press('ArrowRight');
-  await page.locator('#stack-number', { hasText: '8 of 100' }).waitFor();
+  await page.locator('#proposal-number', { hasText: '8 of 100' }).waitFor();
   await page.waitForFunction(() => /proposal=8/.test(location.hash));
   await page.mouse.click(...(await spot(page, 30, 240)));
-  await page.locator('#stack-facts').waitFor({ state: 'hidden' });
+  await page.locator('#proposal-facts').waitFor({ state: 'hidden' });
   await page.waitForFunction(() => !/proposal=/.test(location.hash));
   await says(page, /Press Run|Not here/);
 });
 
+test('another puzzle opens without a ball of the model’s', async () => {
+  const page = await compare('&proposal=2');
+  await page.locator('#proposal-number', { hasText: '2 of 100' }).waitFor();
+  await page.locator('#next').click();
+  await says(page, /place the red ball/);
+  await page.locator('#proposals:visible').waitFor();
+  assert.equal(await fact(page, 'number'), '–');
+  assert.doesNotMatch(page.url(), /proposal=/);
+});
+
 test('a number that is none is a sentence', async () => {
   const page = await session.open('/#task=00000:000&proposal=101');
-  await page.locator('#problem').filter({ hasText: '“proposal=101”' }).waitFor();
+  await page.locator('#notice-text').filter({ hasText: '“proposal=101”' }).waitFor();
 });

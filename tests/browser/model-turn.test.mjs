@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { start } from './harness.mjs';
-import { known, openPuzzle, picture, says, type } from './playing.mjs';
+import { known, openPuzzle, picture, playModelTurn, says, type, unsolvedTask } from './page-actions.mjs';
 
 let session;
 before(async () => (session = await start()));
@@ -11,43 +11,51 @@ after(() => session.stop());
 
 async function compare(options) {
   const page = await openPuzzle(session, { more: '&panel=compare', still: true, ...options });
-  await page.locator('#turn:enabled').waitFor();
+  await page.locator('#model-turn:enabled').waitFor();
   return page;
 }
 
-const made = (page) => page.locator('#it-attempts li').count();
-
-async function played(page) {
-  await page.locator('#turn').click();
-  await page.locator('#turn').filter({ hasText: 'The model has played' }).waitFor({ timeout: 120_000 });
-}
+const made = (page) => page.locator('#model-attempts li').count();
 
 test('the model plays until it has solved, or a hundred times', async () => {
   const page = await compare();
-  await played(page);
-  const results = await page.locator('#it-attempts [data-act=replay]').allTextContents();
+  await playModelTurn(page);
+  const results = await page.locator('#model-attempts [data-act=replay]').allTextContents();
   const solved = results.map((text) => /solved after/.test(text));
   assert.ok(results.length >= 1 && results.length <= 100);
   if (solved.includes(true)) assert.equal(solved.indexOf(true), results.length - 1, 'it stops when solved');
   else assert.equal(results.length, 100);
-  await page.locator('#it-attempts [data-act=replay]').first().click();
+  await page.locator('#model-attempts [data-act=replay]').first().click();
   await says(page, /The model’s attempt 1:/);
   assert.equal(await page.locator('#play-attempts li').count(), 0, 'the player has made none');
 });
 
 test('its turn can be stopped, and taken up again with the same balls', async () => {
-  const page = await compare();
-  await page.locator('#turn').click();
-  await page.locator('#it-attempts li').first().waitFor();
-  // An easy puzzle may be solved before the button is reached.
-  if ((await page.locator('#turn').textContent()) === 'Stop the model') await page.locator('#turn').click({ timeout: 2000 }).catch(() => {});
-  await page.waitForTimeout(300);
-  const [first, count] = [await page.locator('#it-attempts [data-act=replay]').first().getAttribute('title'), await made(page)];
+  const page = await compare({ task: await unsolvedTask() });
+  const turn = page.locator('#model-turn');
+  await turn.click();
+  await page.locator('#model-attempts li').first().waitFor();
+  await turn.filter({ hasText: 'Stop the model' }).click();
+  assert.equal(await turn.textContent(), 'Let the model play');
+  const [first, count] = [await page.locator('#model-attempts [data-act=replay]').first().getAttribute('title'), await made(page)];
+  assert.ok(count >= 1 && count < 100, `${count} attempts`);
   await page.waitForTimeout(500);
   assert.equal(await made(page), count, 'a stopped model makes no more attempts');
-  if ((await page.locator('#turn').textContent()) === 'Let the model play') await played(page);
-  assert.ok((await made(page)) >= count);
-  assert.equal(await page.locator('#it-attempts [data-act=replay]').first().getAttribute('title'), first);
+  await playModelTurn(page);
+  assert.equal(await made(page), 100);
+  assert.equal(await page.locator('#model-attempts [data-act=replay]').first().getAttribute('title'), first);
+});
+
+test('a turn that is stopped and started again at once is played to its end', async () => {
+  const page = await compare({ task: await unsolvedTask() });
+  await page.locator('#model-turn').click();
+  await page.locator('#model-attempts li').first().waitFor();
+  await page.locator('#model-turn').evaluate((button) => {
+    button.click();
+    button.click();
+  });
+  await page.locator('#model-turn').filter({ hasText: 'The model has played' }).waitFor({ timeout: 120_000 });
+  assert.equal(await made(page), 100);
 });
 
 test('player and model side by side, both paths over each other', async () => {
@@ -63,12 +71,12 @@ test('player and model side by side, both paths over each other', async () => {
   await says(page, /Your attempt 1; the model has made none/);
   await page.waitForTimeout(150);
   const alone = await picture(page);
-  await played(page);
+  await playModelTurn(page);
   await says(page, /Your attempt 1 and the model’s attempt \d+, over each other/);
   await page.waitForTimeout(150);
   assert.notEqual(await picture(page), alone, 'the model’s path is drawn too');
   assert.match(await page.locator('#verdict').textContent(), /^You (solved|and the model)/);
-  await page.locator('#clear').click();
+  await page.locator('#clear-attempts').click();
   assert.equal(await page.locator('#verdict').textContent(), 'Nobody has tried yet.');
   assert.equal(await made(page), 0);
 });

@@ -1,0 +1,48 @@
+// A puzzle is left while something of it is still to be drawn: nothing of it is used any more.
+
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { start } from './harness.mjs';
+import { openPuzzle, unsolvedTask } from './page-actions.mjs';
+
+let session;
+before(async () => (session = await start()));
+after(() => session.stop());
+
+test('while pictures of attempts wait to be drawn', async () => {
+  const page = await openPuzzle(session, { task: await unsolvedTask(), more: '&panel=compare', still: true });
+  // So slow that pictures are left over.
+  await page.evaluate(async () => {
+    const { Puzzle } = await import('/pkg/pathlight.js');
+    const paintAttempt = Puzzle.prototype.paintAttempt;
+    Puzzle.prototype.paintAttempt = function (...args) {
+      const end = performance.now() + 100;
+      while (performance.now() < end);
+      paintAttempt.apply(this, args);
+    };
+  });
+  await page.locator('#model-turn:enabled').click();
+  await page.locator('#model-attempts canvas.drawn').first().waitFor();
+  assert.ok((await page.locator('#model-attempts canvas:not(.drawn)').count()) > 0, 'some are not drawn yet');
+  await page.locator('#home').click();
+  await page.locator('#templates canvas.drawn').first().waitFor();
+  await page.waitForTimeout(400);
+  assert.ok(await page.locator('#notice').isHidden());
+  // The pictures of another puzzle are drawn as ever.
+  await page.goBack();
+  await page.locator('#model-turn:enabled').click();
+  await page.locator('#model-attempts canvas.drawn').nth(1).waitFor();
+});
+
+test('and then the colour scheme changes', async () => {
+  const page = await openPuzzle(session, { more: '&panel=predict', still: true });
+  await page.locator('#imagined-in').filter({ hasText: 'Imagined' }).waitFor({ state: 'attached' });
+  await page.locator('#scene').press('Shift+ArrowDown');
+  await page.locator('#predict-watch').click();
+  await page.locator('#predict-result:visible').waitFor();
+  await page.locator('#home').click();
+  await page.locator('#templates canvas.drawn').first().waitFor();
+  await page.emulateMedia({ colorScheme: 'dark', reducedMotion: 'reduce' });
+  await page.waitForTimeout(300);
+  assert.ok(await page.locator('#notice').isHidden());
+});

@@ -1,0 +1,194 @@
+// What tests do on the page as a person would: open a puzzle, point at px of the scene, read the status line.
+// It also finds a solving ball by simulation, through the page's own wasm, so that no solution is written down.
+
+import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+const RESULTS = join(dirname(fileURLToPath(import.meta.url)), '..', '..', 'results');
+
+/** A puzzle that many balls solve. */
+export const EASY = '00000:000';
+
+/** @typedef {import('playwright-core').Page} Page */
+/** @typedef {[x: number, y: number, r: number]} Ball */
+
+/**
+ * Opens a puzzle by its link, which ends in `more`. `still` asks for reduced motion: a run then shows its end at once.
+ * @param {Awaited<ReturnType<typeof import('./harness.mjs').start>>} session
+ * @param {{ task?: string, more?: string, still?: boolean } & import('playwright-core').BrowserContextOptions} [options]
+ */
+export async function openPuzzle(session, { task = EASY, more = '', still = false, ...options } = {}) {
+  const page = await session.open(`/#task=${task}${more}`, { reducedMotion: still ? 'reduce' : 'no-preference', ...options });
+  await page.locator('#scene').waitFor();
+  return page;
+}
+
+/**
+ * Waits until the value of a field passes a test.
+ * @param {Page} page
+ * @param {string} selector
+ * @param {(value: string) => boolean} passes
+ */
+export async function waitForValue(page, selector, passes) {
+  const end = Date.now() + 30_000;
+  for (;;) {
+    const value = await page.locator(selector).inputValue();
+    if (passes(value)) return;
+    assert.ok(Date.now() < end, `${selector} stays ${value}`);
+    await page.waitForTimeout(10);
+  }
+}
+
+/**
+ * Watches the frames of the page; returns how to ask for the longest time between two of them, ms.
+ * @param {Page} page
+ */
+export async function watchFrames(page) {
+  const frames = await page.evaluateHandle(() => {
+    const watched = { longest: 0, last: performance.now() };
+    const onFrame = (now) => {
+      watched.longest = Math.max(watched.longest, now - watched.last);
+      watched.last = now;
+      requestAnimationFrame(onFrame);
+    };
+    requestAnimationFrame(onFrame);
+    return watched;
+  });
+  return () => frames.evaluate(({ longest }) => longest);
+}
+
+/**
+ * Presses and moves the mouse over points of the scene, and leaves its button down.
+ * @param {Page} page
+ * @param {[number, number][]} points
+ */
+export async function dragTo(page, points) {
+  await page.mouse.move(...(await spot(page, ...points[0])));
+  await page.mouse.down();
+  for (const point of points) await page.mouse.move(...(await spot(page, ...point)), { steps: 5 });
+}
+
+/**
+ * The place on the screen of a point of the scene, px.
+ * @param {Page} page
+ * @param {number} x
+ * @param {number} y
+ * @returns {Promise<[number, number]>}
+ */
+export async function spot(page, x, y) {
+  const box = await page.locator('#scene').boundingBox();
+  assert.ok(box, 'the scene is visible');
+  return [box.x + (x / 256) * box.width, box.y + box.height - (y / 256) * box.height];
+}
+
+export async function click(page, x, y) {
+  await page.mouse.click(...(await spot(page, x, y)));
+}
+
+/** Waits until the status line says so, and returns it. */
+export async function says(page, pattern, timeout = 30_000) {
+  const status = page.locator('#status');
+  await status.filter({ hasText: pattern }).waitFor({ timeout }).catch(async () => {
+    assert.match(await status.textContent(), pattern);
+  });
+  return status.textContent();
+}
+
+/**
+ * The ball in the fields; zeros if there is none.
+ * @param {Page} page
+ * @returns {Promise<Ball>}
+ */
+export async function ball(page) {
+  const value = async (name) => Number(await page.locator(`#ball-${name}`).inputValue());
+  return [await value('x'), await value('y'), await value('r')];
+}
+
+/** Waits until the model of the page is loaded, whatever panel is shown. */
+export async function modelLoaded(page, name = '') {
+  await page.locator('#card').filter({ hasText: `model “${name}` }).waitFor({ state: 'attached' });
+}
+
+/** Lets the model play its turn to its end, in the panel Compare. */
+export async function playModelTurn(page) {
+  await page.locator('#model-turn:enabled').click();
+  await page.locator('#model-turn').filter({ hasText: 'The model has played' }).waitFor({ timeout: 120_000 });
+}
+
+/** How many attempts the player has made. */
+export function attempts(page) {
+  return page.locator('#play-attempts li').count();
+}
+
+/**
+ * Balls of a puzzle, found by simulation: one that solves it, one that does not, one that may not be placed.
+ * @param {Page} page
+ * @param {string} [task]
+ * @returns {Promise<{ solving: Ball, missing: Ball, invalid: Ball }>}
+ */
+export async function known(page, task = EASY) {
+  return page.evaluate(async (task) => {
+    const { Puzzle } = await import('/pkg/pathlight.js');
+    const puzzle = new Puzzle(task);
+    /** @type {{ solving?: Ball, missing?: Ball, invalid?: Ball }} */
+    const found = {};
+    for (let r = 8; r <= 24; r += 8) {
+      for (let y = 250; y > 0; y -= 12) {
+        for (let x = 4; x < 256; x += 8) {
+          if (puzzle.whyInvalid(x, y, r)) {
+            found.invalid ??= [x, y, r];
+            continue;
+          }
+          const { number, ending } = puzzle.attempt(x, y, r);
+          found[ending.solved ? 'solving' : 'missing'] ??= [x, y, r];
+          if (number === 100) puzzle.clear('player');
+          const { solving, missing, invalid } = found;
+          if (solving && missing && invalid) return { solving, missing, invalid };
+        }
+      }
+    }
+    throw new Error(`no ball of the grid solves ${task}`);
+  }, task);
+}
+
+/** Places a ball of any radius by the fields, as it lies. */
+export async function type(page, [x, y, r]) {
+  for (const [name, value] of Object.entries({ x, y, r })) {
+    await page.locator(`#ball-${name}`).fill(String(value));
+    await page.locator(`#ball-${name}`).press('Tab');
+  }
+  // The first number alone makes no ball: all three have to be there.
+  assert.deepEqual(await ball(page), [x, y, r]);
+}
+
+/** How many pixels of the scene are nearly of this colour, "#rrggbb". */
+export async function pixels(page, colour, selector = '#scene') {
+  return page.locator(selector).evaluate((canvas, colour) => {
+    const wanted = [1, 3, 5].map((at) => parseInt(colour.slice(at, at + 2), 16));
+    const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+    let count = 0;
+    for (let at = 0; at < data.length; at += 4) {
+      if (data[at + 3] > 200 && wanted.every((value, channel) => Math.abs(data[at + channel] - value) < 12)) count += 1;
+    }
+    return count;
+  }, colour);
+}
+
+/** The colours of the roles, as the wasm draws them on light paper. */
+export async function palette(page) {
+  return page.evaluate(async () => (await import('/pkg/pathlight.js')).palette(false));
+}
+
+/** A picture of the scene, to see whether it has changed. */
+export async function picture(page, selector = '#scene') {
+  return page.locator(selector).evaluate((canvas) => canvas.toDataURL());
+}
+
+/** A puzzle that the first model does not solve within its hundred attempts, as the results of its evaluation say. */
+export async function unsolvedTask() {
+  const { report } = JSON.parse(await readFile(join(RESULTS, 'within-0.json'), 'utf8'));
+  const { first_solved: solved } = report.agents.find(({ agent }) => agent === 'judge');
+  return solved.find(([, attempt]) => attempt === null)[0];
+}

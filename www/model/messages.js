@@ -1,0 +1,73 @@
+// The messages between the page and its worker, as types. There is no code in this file.
+//
+// The page sends a Request, and the worker answers it by any number of news (`progress`, `attempt`, `map`) and then by one
+// `value` or one `error`. A Cancel ends a request that is still running; nobody waits for its answer.
+
+/** @typedef {import("../shell/constants.js").Ball} Ball */
+
+/**
+ * How a rollout ended; lengths in steps.
+ * @typedef {{ solved: boolean, steps: number, longest: number, last: number }} Ending
+ */
+
+/**
+ * A ball that was simulated.
+ * @typedef {{ ball: Ball, ending: Ending }} Attempt
+ */
+
+/**
+ * Where a proposed ball comes from.
+ * @typedef {{ kind: "judge", probability: number } | { kind: "map", x: number, y: number } | { kind: "perturbed", number: number } | { kind: "uniform" }} Origin
+ */
+
+/**
+ * A ball that the model would try; `rejected` counts the draws before it that were invalid or had been proposed.
+ * @typedef {{ ball: Ball, origin: Origin, rejected: number }} Proposal
+ */
+
+/**
+ * The model in the worker: its name, the names of all models there are, and how it was trained.
+ * @typedef {{ name: string, names: string[], card: Record<string, any> }} LoadedModel
+ */
+
+/**
+ * What the nets imagine of a task. `seen`: was the model trained on it?
+ * @typedef {{ maps: import("./stages.js").Maps, seen: boolean, milliseconds: number }} Imagined
+ */
+
+/**
+ * A part of a map of all solutions: an outcome for each cell, and the fraction of the cells that has been tried.
+ * @typedef {{ outcomes: Uint8Array, progress: number }} SolveMapNews
+ */
+
+/** @typedef {{ finished: boolean }} Finished */
+
+/**
+ * The calls of the worker: their arguments and their values.
+ * `start` takes the compiled wasm; `load` the name of weights in assets/model.json (null: the first); `propose` returns the
+ * balls of a turn without trying them; `turn` tries them in order; `solve` maps where a ball of a radius (px) solves.
+ * @typedef {object} Calls
+ * @property {{ args: { module: WebAssembly.Module }, value: undefined }} start
+ * @property {{ args: { name: string | null }, value: LoadedModel }} load
+ * @property {{ args: { task: string }, value: Imagined }} imagine
+ * @property {{ args: { task: string, seed: number }, value: Proposal[] }} propose
+ * @property {{ args: { task: string, seed: number }, value: Finished }} turn
+ * @property {{ args: { task: string, radius: number }, value: Finished }} solve
+ */
+
+/**
+ * What a request says on its way: the fraction of the weights that has arrived (null if unknown), an attempt, or a map.
+ * @typedef {{ progress?: number | null, attempt?: Attempt, map?: SolveMapNews }} News
+ */
+
+/**
+ * An error for the person. Codes that the page knows: "no_model" (no model of this name), "crashed" (the wasm trapped, so
+ * the worker must not be used again). Others come from the wasm exports and are only shown.
+ * @typedef {{ code: string, message: string }} Failure
+ */
+
+/** @typedef {{ id: number, call: keyof Calls, args: any }} Request */
+/** @typedef {{ cancel: number }} Cancel */
+/** @typedef {{ id: number, value?: any, error?: Failure, news?: News }} Response */
+
+export {};

@@ -1,0 +1,64 @@
+// What lies over the scene: the maps that are switched on, the map of all solutions, the marks of the model's proposals and
+// the line of a prediction. Collects them from the panels and hands them to the canvas of the scene.
+
+import { Component } from "../shell/component.js";
+
+export class Overlays extends Component {
+  #canvas;
+  #imagine;
+  #predict;
+  #proposals;
+  #solveMap;
+  /** @type {import("../shell/url-state.js").View | null} */
+  #view = null;
+
+  /**
+   * @param {import("../play/canvas.js").SceneCanvas} canvas
+   * @param {object} panels
+   * @param {import("./imagine.js").Imagine} panels.imagine
+   * @param {import("./predict.js").Predict} panels.predict
+   * @param {import("./proposals.js").Proposals} panels.proposals
+   * @param {import("./solve-map.js").SolveMapPanel} panels.solveMap
+   */
+  constructor(canvas, { imagine, predict, proposals, solveMap }) {
+    super();
+    this.#canvas = canvas;
+    this.#imagine = imagine;
+    this.#predict = predict;
+    this.#proposals = proposals;
+    this.#solveMap = solveMap;
+    imagine.addEventListener("maps", () => this.#update());
+    predict.addEventListener("sketch", () => this.#update());
+    solveMap.addEventListener("map", () => this.#update());
+  }
+
+  /** @param {import("../play/session.js").Session} session */
+  open(session) {
+    super.open(session);
+    this.listen("change", () => this.#update());
+  }
+
+  /** @param {import("../shell/url-state.js").View} view */
+  setState(view) {
+    this.#view = view;
+    this.#update();
+  }
+
+  #update() {
+    if (!this.#view) return;
+    const { panel, opacity, layers } = this.#view;
+    // The origin of a proposal is seen on the map that orders the proposals.
+    const source = this.#imagine.maps?.judge ? "judge" : "placement";
+    const stages = this.#proposals.active ? [source] : layers;
+    const drawing = panel === "predict";
+    this.#canvas.setOverlay(
+      {
+        maps: [...this.#solveMap.canvases, ...this.#imagine.canvasesOf(/** @type {import("../shell/constants.js").Stage[]} */ (stages))],
+        opacity,
+        marks: this.#proposals.marks,
+        sketch: drawing ? this.#predict.sketch : [],
+      },
+      drawing ? this.#predict : null,
+    );
+  }
+}

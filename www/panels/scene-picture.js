@@ -1,0 +1,46 @@
+// The scene of the open puzzle as a small picture, which lies under the maps. It is drawn once for each puzzle and theme,
+// and copied from there.
+
+import { Component } from "../shell/component.js";
+import { SCENE_SIZE } from "../shell/constants.js";
+import { contextOf } from "../shell/dom.js";
+import { paintThumbnail } from "../pkg/pathlight.js";
+
+export class ScenePicture extends Component {
+  #canvas = document.createElement("canvas");
+  #fresh = false;
+
+  constructor() {
+    super();
+    this.#canvas.width = this.#canvas.height = SCENE_SIZE;
+  }
+
+  /** @param {import("../play/session.js").Session} session */
+  open(session) {
+    super.open(session);
+    this.#fresh = false;
+  }
+
+  /** @param {boolean} dark */
+  setTheme(dark) {
+    super.setTheme(dark);
+    this.#fresh = false;
+  }
+
+  /**
+   * Copies the picture over a whole canvas.
+   * @param {HTMLCanvasElement} canvas
+   */
+  drawOn(canvas) {
+    if (!this.session) return;
+    if (!this.#fresh) {
+      const context = contextOf(this.#canvas);
+      context.clearRect(0, 0, SCENE_SIZE, SCENE_SIZE);
+      paintThumbnail(context, this.session.about.id, this.dark);
+      this.#fresh = true;
+    }
+    const context = contextOf(canvas);
+    context.clearRect(0, 0, canvas.width, canvas.height);
+    context.drawImage(this.#canvas, 0, 0, canvas.width, canvas.height);
+  }
+}

@@ -1,0 +1,35 @@
+// The box in a panel that says what went wrong with the model, with a button that tries again. Used by all panels that
+// call the worker.
+
+import { find, setText } from "../shell/dom.js";
+
+/** @typedef {import("../model/worker-client.js").WorkerClient} WorkerClient */
+
+export class TroubleBox {
+  #box;
+  #button;
+  /** @type {() => void} */
+  #onRetry = () => {};
+
+  /** @param {HTMLElement} box */
+  constructor(box) {
+    this.#box = box;
+    this.#button = find(box, "button");
+    this.#button.addEventListener("click", () => this.#onRetry());
+  }
+
+  /**
+   * Shows why the model could not be loaded, if so, else why a call failed, else nothing.
+   * @param {WorkerClient} client
+   * @param {string | null} callFailure
+   * @param {{ restartModel: () => void, repeatCall: () => void }} actions
+   */
+  update(client, callFailure, { restartModel, repeatCall }) {
+    const { failure } = client;
+    const message = failure?.message ?? callFailure;
+    this.#box.hidden = message === null;
+    setText(find(this.#box, "p"), message ?? "");
+    setText(this.#button, failure?.code === "no_model" ? "Use the model that is here" : "Try again");
+    this.#onRetry = failure ? restartModel : repeatCall;
+  }
+}

@@ -1,0 +1,65 @@
+// Looks elements of index.html up, and changes text only where it differs: a screen reader and the layout hear of every
+// assignment. An element that is missing is a bug of ours, so it throws at once, with its name.
+
+/**
+ * The element of this id, checked to be of a class.
+ * @template {Element} [T=HTMLElement]
+ * @param {string} id
+ * @param {new () => T} [type] HTMLElement if left out
+ * @returns {T}
+ */
+export function byId(id, type) {
+  return checked(document.getElementById(id), `#${id}`, type);
+}
+
+/**
+ * The first descendant that matches, checked to be of a class.
+ * @template {Element} [T=HTMLElement]
+ * @param {ParentNode} parent
+ * @param {string} selector
+ * @param {new () => T} [type] HTMLElement if left out
+ * @returns {T}
+ */
+export function find(parent, selector, type) {
+  return checked(parent.querySelector(selector), selector, type);
+}
+
+/**
+ * A copy of what a <template> holds.
+ * @param {string} id
+ * @returns {HTMLElement}
+ */
+export function fromTemplate(id) {
+  const content = byId(id, HTMLTemplateElement).content.firstElementChild;
+  return /** @type {HTMLElement} */ (checked(content, `#${id} > *`, HTMLElement).cloneNode(true));
+}
+
+/**
+ * @param {HTMLCanvasElement} canvas
+ * @returns {CanvasRenderingContext2D}
+ */
+export function contextOf(canvas) {
+  const context = canvas.getContext("2d");
+  if (!context) throw new Error("This browser has no 2D canvas.");
+  return context;
+}
+
+/**
+ * @param {Element} element
+ * @param {string} text
+ */
+export function setText(element, text) {
+  if (element.textContent !== text) element.textContent = text;
+}
+
+/**
+ * @template {Element} T
+ * @param {Element | null} element
+ * @param {string} selector
+ * @param {(new () => T) | undefined} type
+ * @returns {T}
+ */
+function checked(element, selector, type) {
+  if (!(element instanceof (type ?? HTMLElement))) throw new Error(`index.html has no ${selector} of the class ${(type ?? HTMLElement).name}`);
+  return /** @type {T} */ (element);
+}
