@@ -1,98 +1,114 @@
-//! The simulator: a scene and perhaps a ball in, the whole rollout out. The only user of rapier2d.
+//! The simulator: a port of Box2D 2.3's step, the engine of PHYRE, on rapier2d's geometry.
 //!
-//! rapier supplies shapes, mass properties, contact points and distances; the step around them (`world`) keeps
-//! the order of Box2D 2.3, on which PHYRE runs. Bit for bit the same natively and in wasm: f32 throughout, libm
-//! for the trigonometry, and no order that hangs on a hash. Page, wasm, collection and evaluation all come here.
-//! Knows nothing of tasks, pixels or nets.
+//! A scene and perhaps a ball in, the complete rollout out. The only user of rapier2d, which supplies shapes, mass
+//! properties, contact manifolds and distances; each file names the class or function of Box2D that it ports. Results are
+//! bit-identical natively and in wasm: f32 throughout, libm for the trigonometry, and no order that depends on a hash.
+//! Used by the page, the wasm exports and the commands. Must not depend on tasks, images or nets.
+//!
+//! | file | ports |
+//! | --- | --- |
+//! | `constants` | b2Settings.h, and PHYRE's parameters |
+//! | `body` | b2Body, b2Fixture, b2Sweep |
+//! | `contact` | b2Contact, b2WorldManifold |
+//! | `contact_solver` | b2ContactSolver |
+//! | `time_of_impact` | b2TimeOfImpact |
+//! | `world` | b2World::Step, b2ContactManager |
+//! | `island` | b2World::Solve, b2Island::Solve |
+//! | `toi_solver` | b2World::SolveTOI, b2Island::SolveTOI |
 
 use crate::puzzle::action::{Ball, Invalid};
 use crate::puzzle::rollout::{GOAL_STEPS, MAX_STEPS, Pose, Rollout};
 use crate::puzzle::scene::{Scene, walls};
-use constants::{SCALE, TOUCHING_BALLS};
+use constants::{BALL_TOUCH_DISTANCE, PX_PER_METRE};
 use world::World;
 
 mod body;
 mod constants;
 mod contact;
 mod contact_solver;
+mod island;
 mod time_of_impact;
+mod toi_solver;
 mod world;
 
-/// Raised whenever any rollout changes; stored in weights and collected data.
+/// Raised whenever any rollout changes. Stored in weights and collected data.
 pub const VERSION: u32 = 3;
 
 /// How a rollout ended, without its poses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Outcome {
     pub solved: bool,
-    /// Steps simulated: at most 1000, and fewer if solved.
+    /// Number of simulated steps: `MAX_STEPS`, or fewer if solved.
     pub steps: usize,
 }
 
-/// The whole rollout of a scene, with a ball or without, with the pose of every moving body at every step.
+/// Simulates a scene, with or without a ball. Returns the complete rollout: the pose of every dynamic body at every step.
 ///
 /// # Errors
-/// Says why the ball may not be there.
+/// The reason why the ball is invalid in this scene.
 pub fn simulate(scene: &Scene, ball: Option<Ball>) -> Result<Rollout, Invalid> {
-    let setup = Setup::new(scene, ball)?;
-    let bodies = setup.moving.iter().map(|&(index, _)| index).collect();
+    let simulation = Simulation::new(scene, ball)?;
+    let bodies = simulation.dynamic_bodies.iter().map(|&(index, _)| index).collect();
     let (mut poses, mut touching) = (Vec::new(), Vec::new());
-    let Outcome { solved, steps } = setup.run(|setup, touches| {
-        poses.extend(setup.poses());
+    let Outcome { solved, steps } = simulation.run(|simulation, touches| {
+        poses.extend(simulation.poses());
         touching.push(touches);
     });
     Ok(Rollout { solved, steps, bodies, poses, touching })
 }
 
-/// The same rollout without keeping the poses: for bulk work.
+/// Simulates like `simulate`, but keeps no poses: for bulk work.
 ///
 /// # Errors
-/// Says why the ball may not be there.
+/// The reason why the ball is invalid in this scene.
 pub fn outcome(scene: &Scene, ball: Option<Ball>) -> Result<Outcome, Invalid> {
-    Ok(Setup::new(scene, ball)?.run(|_, _| ()))
+    Ok(Simulation::new(scene, ball)?.run(|_, _| ()))
 }
 
-/// A scene in the world.
-struct Setup {
+/// The world of a scene, and what decides whether its goal is reached.
+struct Simulation {
     world: World,
-    /// The moving bodies: index in the scene, and number in the world.
-    moving: Vec<(usize, usize)>,
-    /// The green object and its goal, by their numbers in the world.
-    pair: [usize; 2],
+    /// The dynamic bodies: index in the scene and index in the world.
+    dynamic_bodies: Vec<(usize, usize)>,
+    /// The green object and its goal: indices in the world.
+    goal: [usize; 2],
     /// If both are balls: they touch when their centres are nearer than this, px.
-    reach: Option<f64>,
+    touch_distance: Option<f64>,
 }
 
-impl Setup {
-    fn new(scene: &Scene, ball: Option<Ball>) -> Result<Setup, Invalid> {
+impl Simulation {
+    fn new(scene: &Scene, ball: Option<Ball>) -> Result<Simulation, Invalid> {
         let mut world = World::default();
         for wall in walls() {
             world.add(&wall);
         }
-        let numbers: Vec<usize> = scene.bodies.iter().map(|body| world.add(body)).collect();
-        let mut moving: Vec<_> = (0..).zip(numbers.iter().copied()).filter(|&(i, _)| scene.bodies[i].dynamic).collect();
+        let indices: Vec<usize> = scene.bodies.iter().map(|body| world.add(body)).collect();
+        let all = indices.iter().copied().enumerate();
+        let mut dynamic_bodies: Vec<_> = all.filter(|&(body, _)| scene.bodies[body].dynamic).collect();
         if let Some(ball) = ball {
             ball.check(scene)?;
-            moving.push((scene.bodies.len(), world.add(&ball.body())));
+            dynamic_bodies.push((scene.bodies.len(), world.add(&ball.body())));
         }
         let [object, target] = [scene.body1, scene.body2].map(|body| scene.bodies[body].ball_radius());
-        let reach = object.zip(target).map(|(r1, r2)| r1 + r2 + TOUCHING_BALLS);
-        Ok(Setup { world, moving, pair: [numbers[scene.body1], numbers[scene.body2]], reach })
+        let touch_distance = object.zip(target).map(|(r1, r2)| r1 + r2 + BALL_TOUCH_DISTANCE);
+        let goal = [indices[scene.body1], indices[scene.body2]];
+        Ok(Simulation { world, dynamic_bodies, goal, touch_distance })
     }
 
-    /// Steps until solved or out of steps; `see` gets the setup and whether it touches, start included.
-    fn run(mut self, mut see: impl FnMut(&Setup, bool)) -> Outcome {
-        see(&self, self.touches());
-        let mut held = 0;
+    /// Steps until the task is solved or `MAX_STEPS` are over. Calls `on_step` for the start and after each step, with
+    /// whether the object touches the goal.
+    fn run(mut self, mut on_step: impl FnMut(&Simulation, bool)) -> Outcome {
+        on_step(&self, self.touches());
+        let mut touch_steps = 0;
         for steps in 1..=MAX_STEPS {
-            // Once everything sleeps, nothing moves and no contact changes any more.
+            // When all bodies sleep, nothing moves and no contact changes.
             if self.world.is_awake() {
                 self.world.step();
             }
             let touches = self.touches();
-            see(&self, touches);
-            held = if touches { held + 1 } else { 0 };
-            if held == GOAL_STEPS {
+            on_step(&self, touches);
+            touch_steps = if touches { touch_steps + 1 } else { 0 };
+            if touch_steps == GOAL_STEPS {
                 return Outcome { solved: true, steps };
             }
         }
@@ -100,22 +116,22 @@ impl Setup {
     }
 
     fn touches(&self) -> bool {
-        let [a, b] = self.pair;
-        match self.reach {
-            Some(reach) => {
-                let apart = self.world.bodies[a].origin() - self.world.bodies[b].origin();
-                libm::hypot(f64::from(apart.x), f64::from(apart.y)) * SCALE < reach
+        let [a, b] = self.goal;
+        match self.touch_distance {
+            Some(touch_distance) => {
+                let delta = self.world.bodies[a].origin() - self.world.bodies[b].origin();
+                libm::hypot(f64::from(delta.x), f64::from(delta.y)) * PX_PER_METRE < touch_distance
             }
-            None => self.world.touch(a, b),
+            None => self.world.has_touching_contact(a, b),
         }
     }
 
-    /// The pose of every moving body, in px.
+    /// Returns the pose of every dynamic body, px and radians.
     fn poses(&self) -> impl Iterator<Item = Pose> {
-        self.moving.iter().map(|&(_, number)| {
-            let body = &self.world.bodies[number];
-            let origin = body.origin() * SCALE as f32;
-            [origin.x, origin.y, body.now.angle]
+        self.dynamic_bodies.iter().map(|&(_, index)| {
+            let body = &self.world.bodies[index];
+            let origin = body.origin() * PX_PER_METRE as f32;
+            [origin.x, origin.y, body.sweep.position.angle]
         })
     }
 }

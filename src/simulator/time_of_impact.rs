@@ -1,43 +1,50 @@
-//! The moment of impact: when, within a step, two moving fixtures first come close.
+//! Time of impact by conservative advancement (b2TimeOfImpact of Box2D 2.3, with another root finder).
 //!
-//! Advances by steps that can never jump past it: the gap to go over the fastest that any point can close it.
-//! Distances are rapier's. Without it, fast bodies would sink into the static ones, or pass through thin bars.
+//! Conservative advancement (Mirtich 1996) moves time forward by the distance over an upper bound of the approach speed,
+//! so that it can never step past the impact. Box2D 2.3 finds the same time by root finding along separating axes.
+//! Distances are rapier's. Without it fast bodies would sink into static ones, or tunnel through thin bars.
 
 use rapier2d::math::{Pose, Vector};
 use rapier2d::parry::query::{ClosestPoints, closest_points};
 
-use super::body::{Fixture, Rigid, Stance};
-use super::constants::SLOP;
+use super::body::{Fixture, RigidBody};
+use super::constants::LINEAR_SLOP;
 
-/// The share of the rest of the step after which `a` and `b` meet; `None` if they do not, or overlap from the start.
-pub fn moment(fixtures: [&Fixture; 2], bodies: [&Rigid; 2]) -> Option<f32> {
-    // Box2D's target: the margins may overlap by three slops, and a quarter of a slop is near enough.
-    let margins: f32 = fixtures.iter().map(|fixture| fixture.ball.unwrap_or(fixture.skin())).sum();
-    let balls: f32 = fixtures.iter().filter_map(|fixture| fixture.ball).sum();
-    let target = (margins - 3.0 * SLOP).max(SLOP) - balls;
-    let near = target + 0.25 * SLOP;
+/// Enough for a long bar that rotates fast; a ball needs two or three.
+const MAX_ITERATIONS: usize = 40;
 
-    let [way_a, way_b] = bodies.map(|body| body.now.com - body.start.com);
-    let turn = |i: usize| (bodies[i].now.angle - bodies[i].start.angle).abs() * fixtures[i].reach;
-    let turns = turn(0) + turn(1);
-    let fastest = (way_b - way_a).length() + turns;
+/// Returns the fraction of the rest of the sweeps after which two fixtures meet; `None` if they do not meet, or overlap
+/// from the start.
+pub fn time_of_impact(fixtures: [&Fixture; 2], bodies: [&RigidBody; 2]) -> Option<f32> {
+    // Box2D's target: the radii overlap by three slops, to within a quarter of a slop.
+    let radii: f32 = fixtures.iter().map(|fixture| fixture.radius()).sum();
+    let circle_radii: f32 = fixtures.iter().filter_map(|fixture| fixture.circle_radius).sum();
+    let target = (radii - 3.0 * LINEAR_SLOP).max(LINEAR_SLOP) - circle_radii;
+    let met = target + 0.25 * LINEAR_SLOP;
+
+    let sweeps = bodies.map(|body| &body.sweep);
+    let [displacement_a, displacement_b] = sweeps.map(|sweep| sweep.position.centre - sweep.position0.centre);
+    let angular_bound =
+        |i: usize| (sweeps[i].position.angle - sweeps[i].position0.angle).abs() * fixtures[i].bounding_radius;
+    let angular_bound = angular_bound(0) + angular_bound(1);
+    let speed_bound = (displacement_b - displacement_a).length() + angular_bound;
     let mut time = 0.0;
-    for _ in 0..MAX_ADVANCES {
-        let poses = [0, 1].map(|i| frame(bodies[i].start.towards(&bodies[i].now, time)) * fixtures[i].local);
-        // Farther than this they cannot meet any more.
-        let far = near + fastest * (1.0 - time);
-        let (gap, normal) = gap(fixtures, poses, far)?;
-        if gap + balls <= 0.0 {
+    for _ in 0..MAX_ITERATIONS {
+        let poses = [0, 1].map(|i| sweeps[i].position_at(time).pose() * fixtures[i].local);
+        // From farther away they cannot meet in the rest of the step.
+        let max_distance = met + speed_bound * (1.0 - time);
+        let (distance, normal) = distance(fixtures, poses, max_distance)?;
+        if distance + circle_radii <= 0.0 {
             return None;
         }
-        if gap < near {
+        if distance < met {
             return Some(time);
         }
-        let closing = (way_a - way_b).dot(normal) + turns;
-        if closing <= 0.0 {
+        let approach_bound = (displacement_a - displacement_b).dot(normal) + angular_bound;
+        if approach_bound <= 0.0 {
             return None;
         }
-        time += (gap - target) / closing;
+        time += (distance - target) / approach_bound;
         if time >= 1.0 {
             return None;
         }
@@ -45,34 +52,26 @@ pub fn moment(fixtures: [&Fixture; 2], bodies: [&Rigid; 2]) -> Option<f32> {
     None
 }
 
-/// Enough for a long bar that turns fast; a ball needs two or three.
-const MAX_ADVANCES: usize = 40;
-
-fn frame(stance: Stance) -> Pose {
-    Pose::from_parts(stance.com, stance.rotation())
-}
-
-/// Distance between two shapes and the direction from the first to the second; `None` beyond `far`.
-fn gap([a, b]: [&Fixture; 2], [pose_a, pose_b]: [Pose; 2], far: f32) -> Option<(f32, Vector)> {
-    // Balls may overlap by then, so they count from their centres.
-    if let Some(radius) = b.ball {
-        let nearest = match a.ball {
+/// Returns the distance between two shapes and the direction from the first to the second; `None` beyond `max_distance`.
+fn distance([a, b]: [&Fixture; 2], [pose_a, pose_b]: [Pose; 2], max_distance: f32) -> Option<(f32, Vector)> {
+    // Circles are measured from their centres, because they may overlap by the target.
+    if let Some(radius) = b.circle_radius {
+        let nearest = match a.circle_radius {
             Some(_) => pose_a.translation,
             None => a.shape.project_point(&pose_a, pose_b.translation, true).point,
         };
-        let way = pose_b.translation - nearest;
-        let distance = way.length();
-        let gap = distance - radius - a.ball.unwrap_or(0.0);
-        return Some((gap, if distance > 0.0 { way / distance } else { Vector::ZERO }));
+        let (length, normal) = length_and_direction(pose_b.translation - nearest);
+        return Some((length - radius - a.circle_radius.unwrap_or(0.0), normal));
     }
-    match closest_points(&pose_a, &*a.shape, &pose_b, &*b.shape, far.max(0.0)) {
-        Ok(ClosestPoints::WithinMargin(p, q)) => {
-            let way = q - p;
-            let distance = way.length();
-            Some((distance, if distance > 0.0 { way / distance } else { Vector::ZERO }))
-        }
+    match closest_points(&pose_a, &*a.shape, &pose_b, &*b.shape, max_distance.max(0.0)) {
+        Ok(ClosestPoints::WithinMargin(p, q)) => Some(length_and_direction(q - p)),
         Ok(ClosestPoints::Intersecting) => Some((f32::MIN, Vector::ZERO)),
         Ok(ClosestPoints::Disjoint) => None,
-        Err(_) => unreachable!("rapier knows balls and convex polygons"),
+        Err(_) => unreachable!("rapier supports balls and convex polygons"),
     }
+}
+
+fn length_and_direction(delta: Vector) -> (f32, Vector) {
+    let length = delta.length();
+    (length, if length > 0.0 { delta / length } else { Vector::ZERO })
 }
