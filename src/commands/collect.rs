@@ -29,27 +29,27 @@ pub struct Args {
 
     /// Solutions to find per task
     #[arg(long, value_name = "N", default_value_t = 10)]
-    per_task: usize,
+    pub per_task: usize,
 
     /// Rounds in which all unfinished tasks are searched; a task tries 32 balls per round
     #[arg(long, default_value_t = 200)]
-    rounds: usize,
+    pub rounds: usize,
 
     /// Extra rounds for tasks still unsolved; in these, a task stops at its first solution
     #[arg(long, value_name = "ROUNDS", default_value_t = 1500)]
-    persist: usize,
+    pub persist: usize,
 
     #[command(flatten)]
-    selection: TaskSelection,
+    pub selection: TaskSelection,
 
     /// Begin a new file with those solutions of another file that still solve their tasks, for example of an older
     /// simulator
     #[arg(long, value_name = "FILE")]
-    from: Option<PathBuf>,
+    pub from: Option<PathBuf>,
 
     /// Seed of all random draws
     #[arg(long, default_value_t = 0)]
-    seed: u64,
+    pub seed: u64,
 }
 
 /// What decides the content of a file. Files from before the last three fields existed were collected with their

@@ -1,26 +1,28 @@
 //! Names the fields in which two values differ, for errors about settings that do not match.
 
-use serde::Serialize;
-use serde_json::Value;
+use std::collections::BTreeSet;
 
-/// Lists the differing fields with both values: "`seed` is 0 there and 5 now". Empty if there are none.
-pub fn differences<T: Serialize>(there: &T, now: &T) -> String {
+use serde::Serialize;
+use serde_json::{Map, Value};
+
+/// Lists the differing fields with both values: "`seed` is 0 instead of 5". Empty if there are none.
+pub fn differences<T: Serialize>(found: &T, expected: &T) -> String {
     let fields = |value: &T| match serde_json::to_value(value).expect("settings are plain data") {
         Value::Object(fields) => fields,
         other => [("value".to_string(), other)].into_iter().collect(),
     };
-    let (there, now) = (fields(there), fields(now));
+    let (found, expected) = (fields(found), fields(expected));
     // An absent field is an `Option` that is not written when it is `None`.
-    let names: std::collections::BTreeSet<&String> = there.keys().chain(now.keys()).collect();
-    let value = |fields: &serde_json::Map<String, Value>, name: &str| match fields.get(name) {
-        None | Some(Value::Null) => "not set".to_string(),
+    let names: BTreeSet<&String> = found.keys().chain(expected.keys()).collect();
+    let value = |fields: &Map<String, Value>, name: &str| match fields.get(name) {
+        None | Some(Value::Null) => "none".to_string(),
         Some(value) => value.to_string(),
     };
     names
         .into_iter()
-        .map(|name| (name, value(&there, name), value(&now, name)))
-        .filter(|(_, there, now)| there != now)
-        .map(|(name, there, now)| format!("`{name}` is {there} there and {now} now"))
+        .map(|name| (name, value(&found, name), value(&expected, name)))
+        .filter(|(_, found, expected)| found != expected)
+        .map(|(name, found, expected)| format!("`{name}` is {found} instead of {expected}"))
         .collect::<Vec<_>>()
         .join(", ")
 }

@@ -1,7 +1,7 @@
-//! `pathlight evaluate`: how well agents do on a fold's test tasks, beside chance, as a table and as JSON.
+//! `pathlight evaluate`: auccess of agents on a fold's test tasks, beside the random agent, as a table and as JSON.
 //!
-//! The simulator is called for the counted attempts alone: an agent proposes first, then its balls are tried
-//! in order until one solves the task.
+//! Only counted attempts are simulated: an agent proposes all its balls first, then they are tried in order until
+//! one solves the task.
 
 use std::fmt::Write as _;
 use std::io::Write as _;
@@ -16,7 +16,7 @@ use pathlight::benchmark::folds::Setup;
 use pathlight::nets::{Card, PathNet};
 use pathlight::puzzle::action::Ball;
 use pathlight::puzzle::scene::Scene;
-use pathlight::puzzle::task::TaskId;
+use pathlight::puzzle::task::{Task, TaskId};
 use pathlight::puzzle::templates::TEMPLATES;
 use pathlight::simulator::{self, outcome};
 use rayon::prelude::*;
@@ -25,61 +25,56 @@ use serde::{Deserialize, Serialize};
 use super::fold_args::FoldArgs;
 use super::model_args::ModelArgs;
 use super::progress::Progress;
-use super::scene_cache::SceneCache;
 
 /// Measure agents on the test tasks of a fold
 #[derive(clap::Args)]
 pub struct Args {
-    /// Who plays; can be given several times, and the random agent always plays too [default: all that the weights allow]
+    /// Agent to measure; can be repeated. The random agent is always measured too [default: all that the weights allow]
     #[arg(long = "agent", value_enum)]
-    agents: Vec<Agent>,
+    pub agents: Vec<Agent>,
 
     #[command(flatten)]
-    which: FoldArgs,
+    pub fold: FoldArgs,
 
-    /// Play the dev tasks, to choose settings by, instead of the test tasks
+    /// Use the dev tasks, to choose settings on, instead of the test tasks
     #[arg(long)]
-    dev: bool,
+    pub dev: bool,
 
-    /// Tasks of each template to play at most
+    /// Use at most the first N of these tasks of each template
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
-    limit: Option<u16>,
+    pub limit: Option<u16>,
 
-    /// Seed of all that is drawn
+    /// Seed of all random draws
     #[arg(long, default_value_t = 0)]
-    seed: u64,
+    pub seed: u64,
 
-    /// Write settings and the first solved attempt of every task to this file
+    /// Write the settings and the first solving attempt of every task to this file, as JSON
     #[arg(long, value_name = "FILE")]
-    json: Option<PathBuf>,
+    pub json: Option<PathBuf>,
 
     #[command(flatten)]
-    weights: ModelArgs,
+    pub model: ModelArgs,
 }
 
-/// Who proposes balls.
+/// What proposes balls.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Agent {
-    /// The model, its judge ordering the balls
+    /// The model with its judge, which orders the balls
     Judge,
-    /// The model without a judge: balls from its placement map, as in the paper
+    /// The model without the judge: balls from its placement map, as in the paper
     Paper,
-    /// Chance: uniform balls
+    /// Uniformly random balls
     Random,
 }
 
 impl fmt::Display for Agent {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Agent::Judge => "judge",
-            Agent::Paper => "paper",
-            Agent::Random => "random",
-        })
+        f.write_str(self.to_possible_value().expect("no agent is hidden").get_name())
     }
 }
 
-/// What was measured, and how.
+/// What was measured, and how. The `--json` file.
 #[derive(Serialize, Deserialize)]
 pub struct Report {
     pub setup: Setup,
@@ -87,44 +82,70 @@ pub struct Report {
     /// `test` or `dev`.
     pub tasks_of: String,
     pub seed: u64,
+    /// `simulator::VERSION`
     pub simulator: u32,
-    /// The weights of the model, if it played.
+    /// `agents::VERSION`. Reports from before it was recorded are of version 1.
+    #[serde(default = "first_version")]
+    pub agents_version: u32,
+    /// How the model was trained, if it was measured.
     pub card: Option<Card>,
     pub agents: Vec<Score>,
 }
 
-/// How an agent did.
+/// The results of an agent.
 #[derive(Serialize, Deserialize)]
 pub struct Score {
     pub agent: Agent,
+    /// 0..=100
     pub auccess: f64,
+    /// Fraction of the tasks solved at the first attempt.
     pub solved_at_once: f64,
     pub solved_within_10: f64,
     pub solved_within_100: f64,
-    /// The attempt that solved each task first, from 1; null if none of 100 did.
+    /// The first attempt that solved each task, counted from 1; null if none did.
     pub first_solved: Vec<(TaskId, Option<usize>)>,
+}
+
+fn first_version() -> u32 {
+    1
 }
 
 impl Args {
     pub fn run(self) -> anyhow::Result<()> {
-        let fold = self.which.tasks();
+        let report = self.measure()?;
+        // The file comes first, so that a closed pipe does not lose it.
+        if let Some(path) = &self.json {
+            let json = serde_json::to_vec(&report)?;
+            fs::write(path, json).with_context(|| format!("cannot write {}", path.display()))?;
+        }
+        io::stdout().write_all(report.table()?.as_bytes())?;
+        Ok(())
+    }
+
+    /// Measures the agents.
+    ///
+    /// # Errors
+    /// If the weights cannot be used for it.
+    pub fn measure(&self) -> anyhow::Result<Report> {
+        let fold = self.fold.tasks();
         let (tasks, tasks_of) = if self.dev { (fold.dev, "dev") } else { (fold.test, "test") };
         let tasks: Vec<TaskId> = tasks
             .chunk_by(|a, b| a.template == b.template)
-            .flat_map(|sisters| sisters.iter().copied().take(self.limit.map_or(usize::MAX, usize::from)))
+            .flat_map(|of_template| of_template.iter().copied().take(self.limit.map_or(usize::MAX, usize::from)))
             .collect();
         let mut report = Report {
-            setup: self.which.setup,
-            fold: self.which.fold,
+            setup: self.fold.setup,
+            fold: self.fold.fold,
             tasks_of: tasks_of.to_string(),
             seed: self.seed,
             simulator: simulator::VERSION,
+            agents_version: agents::VERSION,
             card: None,
             agents: Vec::new(),
         };
-        let plays = |agent| self.agents.is_empty() || self.agents.contains(&agent);
-        if plays(Agent::Judge) || plays(Agent::Paper) {
-            let (mut nets, mut card) = self.weights.load(&self.which)?;
+        let measures = |agent| self.agents.is_empty() || self.agents.contains(&agent);
+        if measures(Agent::Judge) || measures(Agent::Paper) {
+            let (mut nets, mut card) = self.model.load(&self.fold)?;
             ensure!(
                 !self.dev || card.without_dev,
                 "these weights were trained on the dev tasks too, so --dev would measure nothing new: train with \
@@ -134,7 +155,7 @@ impl Args {
                 nets.judge.is_some() || !self.agents.contains(&Agent::Judge),
                 "the weights have no judge: train one with `pathlight train-judge`, or leave --agent judge out"
             );
-            if !plays(Agent::Judge) {
+            if !measures(Agent::Judge) {
                 card.judge = None;
             }
             report.card = Some(card);
@@ -142,46 +163,39 @@ impl Args {
                 let proposals = agents::propose(nets, task, scene, self.seed, MAX_ATTEMPTS);
                 proposals.into_iter().map(|proposal| proposal.ball).collect()
             };
-            if nets.judge.is_some() && plays(Agent::Judge) {
+            if nets.judge.is_some() && measures(Agent::Judge) {
                 report.agents.push(score(Agent::Judge, |task, scene| model(&nets, task, scene), &tasks)?);
             }
             nets.judge = None;
-            if plays(Agent::Paper) {
+            if measures(Agent::Paper) {
                 report.agents.push(score(Agent::Paper, |task, scene| model(&nets, task, scene), &tasks)?);
             }
         }
         let random = |task, scene: &Scene| agents::random(task, scene, self.seed, MAX_ATTEMPTS);
         report.agents.push(score(Agent::Random, random, &tasks)?);
-        // The file first: who reads the table may stop reading.
-        if let Some(path) = &self.json {
-            let json = serde_json::to_vec(&report)?;
-            fs::write(path, json).with_context(|| format!("cannot write {}", path.display()))?;
-        }
-        io::stdout().write_all(report.table(&tasks)?.as_bytes())?;
-        Ok(())
+        Ok(report)
     }
 }
 
-/// Lets an agent play tasks.
+/// Measures an agent on some tasks.
 fn score(
     agent: Agent,
     propose: impl Fn(TaskId, &Scene) -> Vec<Ball> + Sync,
     tasks: &[TaskId],
 ) -> anyhow::Result<Score> {
-    let scenes = SceneCache::new();
     let mut progress = Progress::new(Some(tasks.len() as u64));
     let mut first_solved = Vec::with_capacity(tasks.len());
     for chunk in tasks.chunks(20) {
         let played = chunk.par_iter().map(|&task| {
-            let scene = scenes.get(task)?;
+            let scene = &Task::load(task)?.scene;
             let balls = propose(task, scene);
             let solves = |&ball| outcome(scene, Some(ball)).expect("agents propose valid balls").solved;
             Ok((task, balls.iter().position(solves).map(|index| index + 1)))
         });
         first_solved.extend(played.collect::<anyhow::Result<Vec<_>>>()?);
-        progress.advance(chunk.len() as u64, format!("tasks played by {agent}"));
+        progress.advance(chunk.len() as u64, format!("tasks attempted by {agent}"));
     }
-    progress.finish(&format!("{} tasks played by {agent}", tasks.len()));
+    progress.finish(&format!("{} tasks attempted by {agent}", tasks.len()));
     let firsts: Vec<_> = first_solved.iter().map(|&(_, first)| first).collect();
     Ok(Score {
         agent,
@@ -194,8 +208,11 @@ fn score(
 }
 
 impl Report {
-    /// What was measured, for people.
-    fn table(&self, tasks: &[TaskId]) -> Result<String, fmt::Error> {
+    /// The results as a table for people: a row per template and one for all.
+    pub fn table(&self) -> Result<String, fmt::Error> {
+        // All agents attempt the same tasks.
+        let attempted = self.agents.first().map_or(&[][..], |score| &score.first_solved);
+        let tasks: Vec<TaskId> = attempted.iter().map(|&(task, _)| task).collect();
         let Report { setup, fold, tasks_of, seed, simulator, .. } = self;
         let mut text = String::new();
         writeln!(text, "{setup}, fold {fold}, {} {tasks_of} tasks, seed {seed}, simulator {simulator}", tasks.len())?;
@@ -211,10 +228,10 @@ impl Report {
             write!(text, "  {:>15} {:>6} {:>6} {:>6}", format!("{agent}: auccess"), "1st", "<= 10", "<= 100")?;
         }
         writeln!(text)?;
-        for sisters in tasks.chunk_by(|a, b| a.template == b.template) {
-            let template = TEMPLATES[sisters[0].template];
-            let of_template = |task: &TaskId| task.template == template.number;
-            self.row(&mut text, &format!("{:05} {}", template.number, template.name), of_template)?;
+        for of_template in tasks.chunk_by(|a, b| a.template == b.template) {
+            let template = TEMPLATES[of_template[0].template];
+            let name = format!("{:05} {}", template.number, template.name);
+            self.row(&mut text, &name, |task| task.template == template.number)?;
         }
         self.row(&mut text, "all", |_| true)?;
         Ok(text)

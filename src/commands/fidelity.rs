@@ -1,24 +1,25 @@
-//! `pathlight fidelity`: how near the simulator is to PHYRE's own.
+//! `pathlight fidelity`: how well the simulator agrees with PHYRE's own.
 //!
-//! The reference folder has outcomes.jsonl (task, ball, kind, solved) and trajectories.jsonl (poses of rollouts);
-//! it is no part of the project. Even and odd task numbers stand beside each other: whoever tunes looks at the
-//! even ones only, and the odd ones tell whether it holds.
+//! The reference folder has outcomes.jsonl (task, ball, kind, solved) and trajectories.jsonl (poses of rollouts); it is
+//! not part of the project. The tables have columns for even and for odd task numbers: tune the simulator on the even
+//! ones, the odd ones are held out.
 
 use std::fs;
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use anyhow::{Context, bail};
 use pathlight::puzzle::action::Ball;
 use pathlight::puzzle::rollout::STEPS_PER_SECOND;
-use pathlight::puzzle::task::TaskId;
+use pathlight::puzzle::task::{Task, TaskId};
 use pathlight::puzzle::templates::TEMPLATES;
 use pathlight::simulator::{outcome, simulate};
 use rayon::prelude::*;
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 
-use super::scene_cache::SceneCache;
+use super::progress::say;
 
 /// Compare the simulator with PHYRE's outcomes and trajectories
 #[derive(clap::Args)]
@@ -27,7 +28,7 @@ pub struct Args {
     #[arg(long, value_name = "DIR")]
     reference: PathBuf,
 
-    /// Only the first N tasks of each template, for a quick look
+    /// Use only the first N tasks of each template, for a quick look
     #[arg(long, value_name = "N", default_value_t = 100)]
     limit: usize,
 }
@@ -41,11 +42,11 @@ struct Recorded {
     solved: bool,
 }
 
-/// Where a recorded ball comes from.
+/// How a recorded ball was found.
 #[derive(Clone, Copy, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "lowercase")]
 enum Kind {
-    /// A solution that survives small shifts on PHYRE's own engine.
+    /// A solution that still solves after small shifts, on PHYRE's own engine.
     Stable,
     /// A solution that does not.
     Unstable,
@@ -64,7 +65,7 @@ struct Trajectory {
     poses: Vec<Vec<[f64; 3]>>,
 }
 
-/// What is compared of the outcomes, in the order of the columns.
+/// The columns of the table of outcomes: name, kind of ball, and recorded outcome.
 const COLUMNS: [(&str, Kind, bool); 4] = [
     ("stable", Kind::Stable, true),
     ("unstable", Kind::Unstable, true),
@@ -72,12 +73,12 @@ const COLUMNS: [(&str, Kind, bool); 4] = [
     ("random solves", Kind::Random, true),
 ];
 
-/// At which times poses are compared, s.
+/// Times at which poses are compared, s.
 const TIMES: [usize; 4] = [1, 2, 4, 7];
 
-/// How many agree, and of how many.
+/// How many outcomes agree, of how many.
 #[derive(Clone, Copy, Default)]
-struct Share {
+struct Agreement {
     agree: usize,
     all: usize,
 }
@@ -85,48 +86,55 @@ struct Share {
 impl Args {
     pub fn run(self) -> anyhow::Result<()> {
         let started = Instant::now();
-        let scenes = SceneCache::new();
-        self.outcomes(&scenes)?;
-        self.trajectories(&scenes)?;
-        eprintln!("took {:.1} s", started.elapsed().as_secs_f64());
+        let mut out = io::stdout().lock();
+        self.outcomes(&mut out)?;
+        self.trajectories(&mut out)?;
+        say(&format!("took {:.1} s", started.elapsed().as_secs_f64()));
         Ok(())
     }
 
-    fn outcomes(&self, scenes: &SceneCache) -> anyhow::Result<()> {
+    fn outcomes(&self, out: &mut impl Write) -> anyhow::Result<()> {
         let lines: Vec<Recorded> = read_lines(&self.reference.join("outcomes.jsonl"))?;
         let lines: Vec<Recorded> = lines.into_iter().filter(|line| self.wants(line.task)).collect();
         let solved: Vec<bool> = lines
             .par_iter()
-            .map(|line| Ok(outcome(scenes.get(line.task)?, Some(line.ball)).with_context(|| at(line))?.solved))
+            .map(|line| {
+                let scene = Task::load(line.task)?.scene;
+                Ok(outcome(&scene, Some(line.ball)).with_context(|| description(line))?.solved)
+            })
             .collect::<anyhow::Result<_>>()?;
 
         // [template, or all][column][even or odd]
-        let mut shares = vec![[[Share::default(); 2]; COLUMNS.len()]; TEMPLATES.len() + 1];
+        let mut agreements = vec![[[Agreement::default(); 2]; COLUMNS.len()]; TEMPLATES.len() + 1];
         for (line, solved) in lines.iter().zip(solved) {
             let column = COLUMNS.iter().position(|&(_, kind, wanted)| kind == line.kind && wanted == line.solved);
-            let Some(column) = column else { bail!("{}: a recorded solution that does not solve", at(line)) };
+            let Some(column) = column else {
+                bail!("{} is recorded as a solution that does not solve: correct outcomes.jsonl", description(line))
+            };
             for row in [line.task.template, TEMPLATES.len()] {
-                let share = &mut shares[row][column][usize::from(line.task.number % 2)];
-                share.agree += usize::from(solved == line.solved);
-                share.all += 1;
+                let agreement = &mut agreements[row][column][usize::from(line.task.number % 2)];
+                agreement.agree += usize::from(solved == line.solved);
+                agreement.all += 1;
             }
         }
-        println!("Outcomes that agree, %: even task numbers, odd ones, both (of how many)");
-        println!("{:9}{}", "", COLUMNS.map(|(name, ..)| format!("{name:^30}")).concat());
-        for (template, columns) in shares.iter().enumerate() {
+        writeln!(out, "Outcomes that agree, %: even task numbers, odd ones, both (of how many)")?;
+        writeln!(out, "{:9}{}", "", COLUMNS.map(|(name, ..)| format!("{name:^30}")).concat())?;
+        for (template, columns) in agreements.iter().enumerate() {
             let name = if template < TEMPLATES.len() { format!("{template:05}") } else { "all".into() };
-            println!("{name:9}{}", columns.map(cell).concat());
+            writeln!(out, "{name:9}{}", columns.map(cell).concat())?;
         }
         Ok(())
     }
 
-    fn trajectories(&self, scenes: &SceneCache) -> anyhow::Result<()> {
+    fn trajectories(&self, out: &mut impl Write) -> anyhow::Result<()> {
         let lines: Vec<Trajectory> = read_lines(&self.reference.join("trajectories.jsonl"))?;
         let lines: Vec<Trajectory> = lines.into_iter().filter(|line| self.wants(line.task)).collect();
-        let errors: Vec<[Vec<f64>; TIMES.len()]> =
-            lines.par_iter().map(|line| errors(line, scenes)).collect::<anyhow::Result<_>>()?;
-        println!("\nDistance from the reference position of each moving body, px: median, 90th percentile (bodies)");
-        println!("{:14}{}", "", TIMES.map(|time| format!("{:^26}", format!("{time} s"))).concat());
+        let errors: Vec<[Vec<f64>; TIMES.len()]> = lines.par_iter().map(errors).collect::<anyhow::Result<_>>()?;
+        writeln!(
+            out,
+            "\nDistance from the reference position of each moving body, px: median, 90th percentile (bodies)"
+        )?;
+        writeln!(out, "{:14}{}", "", TIMES.map(|time| format!("{:^26}", format!("{time} s"))).concat())?;
         for (name, with_ball) in [("without a ball", false), ("with a ball", true)] {
             let cells = [0, 1, 2, 3].map(|time| {
                 let of_kind = lines.iter().zip(&errors).filter(|(line, _)| line.ball.is_some() == with_ball);
@@ -139,22 +147,23 @@ impl Args {
                     format!("({})", errors.len())
                 )
             });
-            println!("{name:14}{}", cells.concat());
+            writeln!(out, "{name:14}{}", cells.concat())?;
         }
         Ok(())
     }
 
-    /// Is it one of the first tasks of its template?
+    /// Is it one of the first tasks of its template? Unknown tasks are kept, so that loading them names them.
     fn wants(&self, task: TaskId) -> bool {
         let selected = TEMPLATES.get(task.template).map_or(&[][..], |template| &template.task_numbers);
         selected.iter().take(self.limit).any(|&number| number == task.number) || !selected.contains(&task.number)
     }
 }
 
-/// How far each body is from where it should be at each of the times, px; nothing where either rollout has ended.
-fn errors(line: &Trajectory, scenes: &SceneCache) -> anyhow::Result<[Vec<f64>; TIMES.len()]> {
+/// Distances of the bodies from their reference positions at each of the times, px; empty where either rollout has
+/// ended.
+fn errors(line: &Trajectory) -> anyhow::Result<[Vec<f64>; TIMES.len()]> {
     let Trajectory { task, every, first_step, .. } = *line;
-    let rollout = simulate(scenes.get(task)?, line.ball).with_context(|| task.to_string())?;
+    let rollout = simulate(&Task::load(task)?.scene, line.ball).with_context(|| task.to_string())?;
     Ok(TIMES.map(|time| {
         // The first row at this time or after it.
         let row = (time * STEPS_PER_SECOND).saturating_sub(first_step).div_ceil(every.max(1));
@@ -174,24 +183,24 @@ fn read_lines<T: DeserializeOwned>(path: &Path) -> anyhow::Result<Vec<T>> {
     text.lines().enumerate().map(parse).collect()
 }
 
-fn at(line: &Recorded) -> String {
+fn description(line: &Recorded) -> String {
     format!("task {}, ball {}", line.task, line.ball)
 }
 
-/// Even, odd and both as percentages, and how many there are in all.
-fn cell([even, odd]: [Share; 2]) -> String {
-    let both = Share { agree: even.agree + odd.agree, all: even.all + odd.all };
-    let percent = |share: Share| match share.all {
+/// Formats even, odd and both as percentages, and how many there are.
+fn cell([even, odd]: [Agreement; 2]) -> String {
+    let both = Agreement { agree: even.agree + odd.agree, all: even.all + odd.all };
+    let percent = |agreement: Agreement| match agreement.all {
         0 => "-".to_string(),
-        all => format!("{:.1}", 100.0 * share.agree as f64 / all as f64),
+        all => format!("{:.1}", 100.0 * agreement.agree as f64 / all as f64),
     };
     format!("{:>7}{:>7}{:>7}{:>9}", percent(even), percent(odd), percent(both), format!("({})", both.all))
 }
 
-/// The nearest-rank quantile of sorted values.
-fn quantile(sorted: &[f64], share: f64) -> String {
+/// Formats the nearest-rank quantile of ascending values.
+fn quantile(sorted: &[f64], fraction: f64) -> String {
     match sorted.len() {
         0 => "-".into(),
-        count => format!("{:.2}", sorted[((share * count as f64).ceil() as usize).clamp(1, count) - 1]),
+        count => format!("{:.2}", sorted[((fraction * count as f64).ceil() as usize).clamp(1, count) - 1]),
     }
 }

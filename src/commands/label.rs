@@ -47,20 +47,20 @@ pub struct Args {
     pub rounds: usize,
 
     #[command(flatten)]
-    selection: TaskSelection,
+    pub selection: TaskSelection,
 
     /// Use only the training tasks of one fold of this setup: only they are labelled, and only their solutions are
     /// sampled around
     #[arg(long, value_parser = setup(), requires = "fold")]
-    setup: Option<Setup>,
+    pub setup: Option<Setup>,
 
     /// The fold of --setup
     #[arg(long, requires = "setup", value_parser = clap::value_parser!(u8).range(0..i64::from(FOLDS)))]
-    fold: Option<u8>,
+    pub fold: Option<u8>,
 
     /// Seed of all random draws
     #[arg(long, default_value_t = 0)]
-    seed: u64,
+    pub seed: u64,
 }
 
 /// What decides the content of a file. Files from before `template` and `limit` existed are taken to be of all tasks.

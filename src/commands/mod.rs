@@ -1,7 +1,9 @@
-//! The command line, one module for each command; used by `main` alone.
+//! The command line, one module per command; used by `main` only.
 //!
-//! A command is an `Args` with a `run`. What it prints for programs goes to standard output, what it says to
-//! people while it works goes to standard error. Bad input is an error: one sentence after `error:`, exit code 2.
+//! A command is an `Args` with a `run`. Its results go to standard output, its progress and messages to standard
+//! error. Bad input is an error: one sentence after `error:`, exit code 2. If the reader of standard output closes
+//! it (`pathlight tasks | head`), the command ends quietly with success; so commands write with `writeln!`, because
+//! `println!` panics then.
 
 use std::path::Path;
 use std::process::ExitCode;
@@ -25,11 +27,10 @@ mod model_args;
 mod progress;
 mod propose;
 mod publish;
-mod scene_cache;
+mod reproduce;
 mod serve;
 mod simulate;
 mod solve_rates;
-mod table;
 mod task_selection;
 mod tasks;
 mod train;
@@ -55,7 +56,7 @@ enum Command {
     Publish(publish::Args),
     Propose(propose::Args),
     Evaluate(evaluate::Args),
-    Table(table::Args),
+    Reproduce(reproduce::Args),
     Simulate(simulate::Args),
     Serve(serve::Args),
     Fidelity(fidelity::Args),
@@ -73,7 +74,7 @@ impl Command {
             Command::Publish(args) => args.run(),
             Command::Propose(args) => args.run(),
             Command::Evaluate(args) => args.run(),
-            Command::Table(args) => args.run(),
+            Command::Reproduce(args) => args.run(),
             Command::Simulate(args) => args.run(),
             Command::Serve(args) => args.run(),
             Command::Fidelity(args) => args.run(),
@@ -82,37 +83,41 @@ impl Command {
     }
 }
 
-/// Runs another command in this process, as if these words had been typed after `pathlight`; says so.
-fn run_words(words: &[String]) -> anyhow::Result<()> {
-    eprintln!("$ pathlight {}", words.join(" "));
-    CommandLine::try_parse_from([&["pathlight".to_string()], words].concat())?.command.run()
-}
-
 /// Runs the command that the process was started with.
 pub fn run() -> ExitCode {
     let result = CommandLine::parse().command.run();
     match result {
         Ok(()) => ExitCode::SUCCESS,
-        // Whoever read the output has enough of it: `pathlight tasks | head`.
         Err(error) if is_broken_pipe(&error) => ExitCode::SUCCESS,
         Err(error) => {
-            eprintln!("error: {error:#}");
+            progress::say(&format!("error: {error:#}"));
             ExitCode::from(2)
         }
     }
 }
 
 fn is_broken_pipe(error: &anyhow::Error) -> bool {
-    error.downcast_ref::<io::Error>().is_some_and(|error| error.kind() == io::ErrorKind::BrokenPipe)
+    let kind = |cause: &(dyn std::error::Error + 'static)| match cause.downcast_ref::<serde_json::Error>() {
+        Some(error) => error.io_error_kind(),
+        None => cause.downcast_ref::<io::Error>().map(io::Error::kind),
+    };
+    error.chain().any(|cause| kind(cause) == Some(io::ErrorKind::BrokenPipe))
 }
 
-/// SHA-256 of a file, in hexadecimal digits.
+/// The arguments of a command or a part of one as if none had been typed: their defaults.
+fn defaults<A: clap::Args>() -> A {
+    let command = A::augment_args(clap::Command::new("defaults").no_binary_name(true));
+    let matches = command.get_matches_from(std::iter::empty::<&str>());
+    A::from_arg_matches(&matches).expect("every argument is optional or has a default")
+}
+
+/// SHA-256 of a file, in hexadecimal.
 fn digest(path: &Path) -> anyhow::Result<String> {
     let bytes = fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
     Ok(Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect())
 }
 
-/// The template of a number like `00007` or `7`.
+/// Parses the number of a template, like `00007` or `7`.
 fn template(text: &str) -> Result<&'static Template, TaskError> {
     let number = text.bytes().all(|byte| byte.is_ascii_digit()).then(|| text.parse::<usize>().ok()).flatten();
     let template = number.and_then(|number| TEMPLATES.get(number));

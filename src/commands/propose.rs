@@ -1,5 +1,5 @@
-//! `pathlight propose`: the model's attempts at a fold's test tasks, as JSON lines, with no simulation at all,
-//! so that they can be judged elsewhere.
+//! `pathlight propose`: the model's proposals for a fold's test tasks, as JSON lines, without any simulation, so that
+//! they can be evaluated elsewhere, for example on PHYRE's own engine.
 
 use std::fs::File;
 use std::io::{self, BufWriter, Write};
@@ -8,30 +8,29 @@ use std::path::PathBuf;
 use anyhow::Context;
 use pathlight::agents;
 use pathlight::puzzle::action::Ball;
-use pathlight::puzzle::task::TaskId;
+use pathlight::puzzle::task::{Task, TaskId};
 use rayon::prelude::*;
 use serde::Serialize;
 
 use super::fold_args::FoldArgs;
 use super::model_args::ModelArgs;
 use super::progress::Progress;
-use super::scene_cache::SceneCache;
 
-/// Write the model's attempts as JSON lines, best guess first, without simulating
+/// Write the model's proposals as JSON lines, best first, without simulating
 #[derive(clap::Args)]
 pub struct Args {
     #[command(flatten)]
-    which: FoldArgs,
+    fold: FoldArgs,
 
-    /// Tasks to propose for, like 00007:008; without it, all test tasks of the fold
+    /// Task to propose for, like 00007:008; can be repeated [default: all test tasks of the fold]
     #[arg(long = "task", value_name = "TASK")]
     tasks: Vec<TaskId>,
 
-    /// Attempts for each task
+    /// Proposals per task
     #[arg(long, default_value_t = 100, value_parser = clap::value_parser!(u16).range(1..=1000))]
     attempts: u16,
 
-    /// Seed of all that is drawn
+    /// Seed of all random draws
     #[arg(long, default_value_t = 0)]
     seed: u64,
 
@@ -40,10 +39,10 @@ pub struct Args {
     out: PathBuf,
 
     #[command(flatten)]
-    weights: ModelArgs,
+    model: ModelArgs,
 }
 
-/// A line: valid balls in the order of the attempts, px.
+/// A line: valid balls in px, best first.
 #[derive(Serialize)]
 struct Line {
     task: TaskId,
@@ -52,9 +51,8 @@ struct Line {
 
 impl Args {
     pub fn run(self) -> anyhow::Result<()> {
-        let (nets, _) = self.weights.load(&self.which)?;
-        let tasks = if self.tasks.is_empty() { self.which.tasks().test } else { self.tasks };
-        let scenes = SceneCache::new();
+        let (nets, _) = self.model.load(&self.fold)?;
+        let tasks = if self.tasks.is_empty() { self.fold.tasks().test } else { self.tasks };
         let mut out: Box<dyn Write> = if self.out.as_os_str() == "-" {
             Box::new(io::stdout().lock())
         } else {
@@ -66,7 +64,8 @@ impl Args {
             let lines: Vec<Line> = tasks
                 .par_iter()
                 .map(|&task| {
-                    let proposals = agents::propose(&nets, task, scenes.get(task)?, self.seed, self.attempts.into());
+                    let proposals =
+                        agents::propose(&nets, task, &Task::load(task)?.scene, self.seed, self.attempts.into());
                     Ok(Line { task, balls: proposals.into_iter().map(|proposal| proposal.ball).collect() })
                 })
                 .collect::<anyhow::Result<_>>()?;

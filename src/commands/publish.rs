@@ -1,9 +1,10 @@
-//! `pathlight publish`: puts trained weights where the page finds them.
+//! `pathlight publish`: copies trained weights to where the page loads them from.
 //!
-//! Copies them to the assets folder under the name of their setup and fold, and writes the list of all weights
-//! there, with the hash by which the page checks what it downloads.
+//! They are named by their setup and fold. The list of all weights beside them has the hash by which the page checks
+//! a download.
 
 use std::fs;
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, ensure};
@@ -12,10 +13,10 @@ use serde::Serialize;
 
 use super::digest;
 
-/// Put trained weights into assets, where the page finds them
+/// Copy trained weights to the assets, where the page loads them from
 #[derive(clap::Args)]
 pub struct Args {
-    /// Weights files of `pathlight train`; without any, only the list is written anew
+    /// Weights files of `pathlight train` or `train-judge`; without any, only the list is rewritten
     weights: Vec<PathBuf>,
 
     /// The folder that the page loads weights from
@@ -38,14 +39,14 @@ struct Entry {
 
 impl Args {
     pub fn run(self) -> anyhow::Result<()> {
-        fs::create_dir_all(&self.assets).with_context(|| format!("cannot make {}", self.assets.display()))?;
+        fs::create_dir_all(&self.assets).with_context(|| format!("cannot create {}", self.assets.display()))?;
+        let mut written = Vec::new();
         for path in &self.weights {
             let bytes = fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
-            let (_, card) =
-                PathNet::load(&bytes, &flex()).with_context(|| format!("{} does not fit", path.display()))?;
+            let (_, card) = PathNet::load(&bytes, &flex()).with_context(|| format!("cannot use {}", path.display()))?;
             let copy = self.assets.join(format!("{}-{}.safetensors", card.setup, card.fold));
             fs::write(&copy, bytes).with_context(|| format!("cannot write {}", copy.display()))?;
-            println!("{}", copy.display());
+            written.push(copy);
         }
         let list = List { models: entries(&self.assets)? };
         ensure!(!list.models.is_empty(), "{} holds no weights: name a file to publish", self.assets.display());
@@ -53,12 +54,17 @@ impl Args {
         let mut json = serde_json::to_vec_pretty(&list)?;
         json.push(b'\n');
         fs::write(&path, json).with_context(|| format!("cannot write {}", path.display()))?;
-        println!("{}", path.display());
+        written.push(path);
+        // All is written before anything is printed, so that a closed pipe does not stop halfway.
+        let mut out = io::stdout().lock();
+        for path in written {
+            writeln!(out, "{}", path.display())?;
+        }
         Ok(())
     }
 }
 
-/// All weights in a folder, within before cross, folds ascending.
+/// Lists all weights in a folder, within before cross, folds ascending.
 fn entries(folder: &Path) -> anyhow::Result<Vec<Entry>> {
     let mut entries = Vec::new();
     for file in fs::read_dir(folder)? {

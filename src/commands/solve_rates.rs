@@ -1,15 +1,17 @@
-//! `pathlight solve-rates`: how often chance solves a task, here and in PHYRE.
+//! `pathlight solve-rates`: how often uniformly random actions solve a task, here and in PHYRE.
 //!
-//! The reference folder has solve_rates.json: for each task how many of at least 10,000 uniform actions were
-//! valid, and how many of those solved it. Actions that stick out of the scene were never counted there, so they
-//! are drawn again here. The file is no part of the project.
+//! The reference folder has solve_rates.json: for each task how many of at least 10,000 uniform actions were valid,
+//! and how many of those solved it. It is not part of the project. PHYRE did not count actions whose ball, before it is
+//! rounded, sticks out of the scene, so other actions are drawn for them here too. A ball that sticks out only after
+//! rounding overlaps a wall, which PHYRE counts as invalid.
 
 use std::collections::BTreeMap;
 use std::fs;
+use std::io::{self, Write};
 use std::path::PathBuf;
 
 use anyhow::Context;
-use pathlight::puzzle::action::{Action, Invalid};
+use pathlight::puzzle::action::{Action, Invalid, Obstacles};
 use pathlight::puzzle::task::{Task, TaskId};
 use pathlight::puzzle::templates::{TEMPLATES, Template};
 use pathlight::simulator::outcome;
@@ -27,20 +29,20 @@ pub struct Args {
     #[arg(long, value_name = "DIR")]
     reference: PathBuf,
 
-    /// Random actions inside the scene for each task
+    /// Random actions inside the scene per task
     #[arg(long, value_name = "N", default_value_t = 100)]
     actions: u32,
 
-    /// Only the first N tasks of each template, for a quick look
+    /// Use only the first N tasks of each template, for a quick look
     #[arg(long, value_name = "N", default_value_t = 100)]
     limit: usize,
 
-    /// The same seed draws the same actions
+    /// Seed of the random actions
     #[arg(long, default_value_t = 0)]
     seed: u64,
 }
 
-/// What came of the actions of a task, or of several.
+/// The outcomes of the actions of a task.
 #[derive(Clone, Copy, Default, Deserialize)]
 struct Counts {
     valid: u32,
@@ -57,19 +59,21 @@ impl Args {
             serde_json::from_str(&text).with_context(|| format!("in {}", path.display()))?;
 
         let mut progress = Progress::new(Some(TEMPLATES.len() as u64));
-        println!(
+        let mut out = io::stdout().lock();
+        writeln!(
+            out,
             "Random actions inside the scene, %: valid of all, and solving of the valid; mean over the tasks of a template"
-        );
-        println!("{:8}{:^18}{:^18}", "", "valid", "solving");
-        println!("{:8}{:>9}{:>9}{:>9}{:>9}", "", "here", "PHYRE", "here", "PHYRE");
+        )?;
+        writeln!(out, "{:8}{:^18}{:^18}", "", "valid", "solving")?;
+        writeln!(out, "{:8}{:>9}{:>9}{:>9}{:>9}", "", "here", "PHYRE", "here", "PHYRE")?;
         let mut all = Vec::new();
         for template in TEMPLATES {
             let rows = self.rates(template, &reference)?;
-            println!("{:05}   {}", template.number, means(&rows));
+            writeln!(out, "{:05}   {}", template.number, means(&rows))?;
             all.extend(rows);
             progress.advance(1, format!("template {:05}", template.number));
         }
-        println!("{:8}{}", "all", means(&all));
+        writeln!(out, "{:8}{}", "all", means(&all))?;
         progress.finish(&format!("{} tasks", all.len()));
         Ok(())
     }
@@ -84,24 +88,25 @@ impl Args {
         let rates = |task: &Task| {
             let theirs =
                 reference.get(&task.id).with_context(|| format!("solve_rates.json has no task {}", task.id))?;
-            let [valid, solving] = self.try_out(task).shares();
-            let [their_valid, their_solving] = theirs.shares();
+            let [valid, solving] = self.try_actions(task).rates();
+            let [their_valid, their_solving] = theirs.rates();
             Ok([valid, their_valid, solving, their_solving])
         };
         tasks.par_iter().map(rates).collect()
     }
 
-    fn try_out(&self, task: &Task) -> Counts {
+    fn try_actions(&self, task: &Task) -> Counts {
+        let obstacles = Obstacles::new(&task.scene);
         let mut random = Pcg64Mcg::seed_from_u64(task.id.seed(self.seed));
         let mut counts = Counts::default();
         while counts.valid + counts.invalid < self.actions {
             let action = Action { x: random.random(), y: random.random(), r: random.random() };
-            match action.place(&task.scene).and_then(|ball| outcome(&task.scene, Some(ball))) {
+            match obstacles.place(action).and_then(|ball| outcome(&task.scene, Some(ball))) {
                 Ok(outcome) => {
                     counts.valid += 1;
                     counts.solved += u32::from(outcome.solved);
                 }
-                Err(Invalid::Outside) => {}
+                Err(_) if obstacles.check(&action.unrounded()) == Err(Invalid::Outside) => {}
                 Err(_) => counts.invalid += 1,
             }
         }
@@ -110,13 +115,14 @@ impl Args {
 }
 
 impl Counts {
-    /// Valid of all, solving of the valid.
-    fn shares(self) -> [f64; 2] {
-        let share = |part: u32, whole: u32| f64::from(part) / f64::from(whole.max(1));
-        [share(self.valid, self.valid + self.invalid), share(self.solved, self.valid)]
+    /// Fraction of valid actions, and fraction of solving ones among the valid.
+    fn rates(self) -> [f64; 2] {
+        let rate = |part: u32, whole: u32| f64::from(part) / f64::from(whole.max(1));
+        [rate(self.valid, self.valid + self.invalid), rate(self.solved, self.valid)]
     }
 }
 
+/// Formats the mean of each column, %.
 fn means(rows: &[[f64; 4]]) -> String {
     let mean = |column: usize| 100.0 * rows.iter().map(|row| row[column]).sum::<f64>() / rows.len().max(1) as f64;
     [0, 1, 2, 3].map(|column| format!("{:>9.2}", mean(column))).concat()

@@ -1,6 +1,6 @@
-//! `pathlight tasks`: the templates, the tasks of one of them, or scenes as JSON.
+//! `pathlight tasks`: lists the templates or the tasks of one, or prints scenes as JSON.
 //!
-//! The JSON of a task is `pathlight::puzzle::task::Task` as it serialises itself; nothing is added here.
+//! The JSON of a task is that of `pathlight::puzzle::task::Task`.
 
 use std::io::{self, BufWriter, Write};
 
@@ -15,7 +15,7 @@ pub struct Args {
     #[arg(long, value_name = "TEMPLATE", value_parser = super::template)]
     template: Option<&'static Template>,
 
-    /// Print scenes as JSON, one a line: of this task (like 00007:008), else of all tasks
+    /// Print scenes as JSON, one per line: of this task (like 00007:008), or of all tasks if none is named
     #[arg(long, value_name = "TASK", num_args = 0..=1)]
     json: Option<Option<TaskId>>,
 }
@@ -24,7 +24,7 @@ impl Args {
     pub fn run(self) -> anyhow::Result<()> {
         let mut out = BufWriter::new(io::stdout().lock());
         match (self.json, self.template) {
-            (Some(Some(_)), Some(_)) => anyhow::bail!("a task names its template: leave out --template"),
+            (Some(Some(_)), Some(_)) => anyhow::bail!("a task already names its template: leave --template out"),
             (Some(Some(id)), None) => print_json(&mut out, &Task::load(id)?)?,
             (Some(None), Some(template)) => print_all_json(&mut out, template)?,
             (Some(None), None) => TEMPLATES.iter().try_for_each(|template| print_all_json(&mut out, template))?,
@@ -35,7 +35,7 @@ impl Args {
     }
 }
 
-/// One line a template: id, name, and the goal sentence, which its tasks have in common.
+/// One line per template: id, name, and the goal sentence, which is the same for all its tasks.
 fn list_templates(out: &mut impl Write) -> io::Result<()> {
     let width = TEMPLATES.iter().map(|template| template.name.len()).max().unwrap_or(0);
     for template in TEMPLATES {
@@ -45,7 +45,7 @@ fn list_templates(out: &mut impl Write) -> io::Result<()> {
     Ok(())
 }
 
-/// One line a task: id, then a column for each parameter.
+/// One line per task: id, then a column per parameter.
 fn list_tasks(out: &mut impl Write, template: &'static Template) -> io::Result<()> {
     let tasks: Vec<Task> = Task::of(template).collect();
     let widths: Vec<usize> = template
@@ -64,7 +64,7 @@ fn list_tasks(out: &mut impl Write, template: &'static Template) -> io::Result<(
     Ok(())
 }
 
-/// `name=value`, strings without quotes.
+/// Formats a parameter as `name=value`, strings without quotes.
 fn setting(params: &Map<String, Value>, name: &str) -> String {
     match &params[name] {
         Value::String(word) => format!("{name}={word}"),

@@ -9,6 +9,7 @@ use pathlight::dataset::samples::Sample;
 use pathlight::dataset::solutions::Solution;
 use pathlight::nets::training::{Batch, Schedule, Trainer};
 use pathlight::nets::{Card, PathNet, flex};
+use pathlight::puzzle::task::Task;
 use pathlight::simulator;
 use rand::seq::SliceRandom;
 use rand::{RngExt, SeedableRng};
@@ -19,7 +20,6 @@ use super::collect::{Collected, read_solutions};
 use super::digest;
 use super::fold_args::FoldArgs;
 use super::progress::say;
-use super::scene_cache::SceneCache;
 use super::training_args::TrainingArgs;
 use super::training_run::{Plan, TrainingRun};
 
@@ -107,11 +107,10 @@ impl Args {
             solutions.into_iter().filter(|solution| tasks.binary_search(&solution.task).is_ok()).collect();
         ensure!(!chosen.is_empty(), "{name} holds no solutions of the training tasks of {}", self.fold);
         chosen.sort_by_key(|solution| solution.task);
-        let scenes = SceneCache::new();
         say(&format!("making training images of {} solutions", chosen.len()));
         let samples = chosen
             .par_iter()
-            .map(|solution| Ok(Sample::new(scenes.get(solution.task)?, solution.ball)?))
+            .map(|solution| Ok(Sample::new(&Task::load(solution.task)?.scene, solution.ball)?))
             .collect::<anyhow::Result<Vec<Sample>>>()?;
         let card = Card {
             setup: self.fold.setup,

@@ -3,7 +3,7 @@
 //! It learns from labelled balls of the tasks that the four nets were trained on, so that the weights as a whole have
 //! seen no other tasks. `training_run` keeps the run in a folder.
 
-use std::collections::BTreeMap;
+use std::collections::btree_map::{BTreeMap, Entry};
 use std::path::{Path, PathBuf};
 
 use anyhow::ensure;
@@ -11,7 +11,7 @@ use pathlight::dataset::labels::LabelledBalls;
 use pathlight::nets::training::{JudgeBatch, Schedule, Trainer};
 use pathlight::nets::{Judge, JudgeCard, flex};
 use pathlight::puzzle::action::Ball;
-use pathlight::puzzle::task::TaskId;
+use pathlight::puzzle::task::{Task, TaskId};
 use pathlight::raster::{Bitmap, CHANNELS, scene_channels};
 use rand::seq::{IndexedRandom, SliceRandom};
 use rand::{RngExt, SeedableRng};
@@ -22,7 +22,6 @@ use super::fold_args::FoldArgs;
 use super::label::{Labelled, read_labels};
 use super::model_args::ModelArgs;
 use super::progress::say;
-use super::scene_cache::SceneCache;
 use super::training_args::TrainingArgs;
 use super::training_run::{Plan, TrainingRun};
 
@@ -123,15 +122,18 @@ fn labelled_scenes(path: &Path, fold: &FoldArgs, without_dev: bool) -> anyhow::R
             fold.fold
         );
     }
-    let cache = SceneCache::new();
     let mut scenes: BTreeMap<TaskId, LabelledScene> = BTreeMap::new();
     for LabelledBalls { task, solved, failed } in lines {
         if tasks.binary_search(&task).is_err() {
             continue;
         }
-        let scene = cache.get(task)?;
-        let fresh = || LabelledScene { scene: scene_channels(scene), balls: Vec::new() };
-        let entry = scenes.entry(task).or_insert_with(fresh);
+        let entry = match scenes.entry(task) {
+            Entry::Occupied(entry) => entry.into_mut(),
+            Entry::Vacant(entry) => {
+                let scene = scene_channels(&Task::load(task)?.scene);
+                entry.insert(LabelledScene { scene, balls: Vec::new() })
+            }
+        };
         entry.balls.extend(solved.into_iter().map(|ball| (ball, true)));
         entry.balls.extend(failed.into_iter().map(|ball| (ball, false)));
     }

@@ -58,7 +58,7 @@ impl Action {
     }
 
     /// Returns the ball of this action before rounding, px.
-    fn unrounded(self) -> Ball {
+    pub fn unrounded(self) -> Ball {
         Ball {
             x: self.x * (SIZE - 1.0),
             y: self.y * (SIZE - 1.0),

@@ -146,7 +146,7 @@ fn files_that_are_not_its_own_are_refused_and_left_alone() {
         let few = ["collect", "--template", "2", "--limit", "6", "--rounds", "3", "--per-task", "4", "--out", &own];
         assert_refused(&[&few[..], more].concat(), words);
     };
-    refused(&["--seed", "5"], "`seed` is 0 there and 5 now): write to another file with --out");
+    refused(&["--seed", "5"], "`seed` is 0 instead of 5): write to another file with --out");
     let other = ["collect", "--rounds", "3", "--per-task", "4", "--out", &own];
-    assert_refused(&other, "`limit` is 6 there and 100 now, `template` is 2 there and not set now");
+    assert_refused(&other, "`limit` is 6 instead of 100, `template` is 2 instead of none");
 }

@@ -8,9 +8,11 @@ use std::process::{Command, Output, Stdio};
 
 mod collect;
 mod label;
+mod pipes;
+mod reference;
+mod reproduce;
 mod serve;
 mod simulate;
-mod table;
 mod tasks;
 mod train;
 mod train_judge;

@@ -1,4 +1,4 @@
-//! `pathlight simulate`: what comes of a ball.
+//! `pathlight simulate`: the outcome of a ball, one at a time or in a batch.
 
 use std::fmt::Write as _;
 use std::io::{BufRead, BufReader, Write as _};
@@ -63,7 +63,7 @@ fn refuses_what_is_no_ball_in_words() {
     assert_refused(&["simulate", "--task", TASK, "--ball", "NaN,200,15"], "whole numbers of px");
     assert_refused(&["simulate", "--task", TASK, "--ball", "1,2"], "three whole numbers");
     assert_refused(&["simulate", "--task", TASK, "--action", "a,b,c"], "three numbers in 0..1");
-    assert_refused(&["simulate", "--task", "00000:999", "--ball", "1,2,3"], "no task 00000:999");
+    assert_refused(&["simulate", "--task", "00000:999", "--ball", "1,2,3"], "task 00000:999 is not in the benchmark");
     assert_refused(&["simulate", "--batch", "no/such/file"], "cannot read no/such/file");
 }
 
@@ -125,6 +125,15 @@ fn a_bad_line_is_named_and_the_rest_goes_on() {
         assert!(line.starts_with(&format!("error: line {number}: ")), "{line}");
     }
     assert!(said.contains("error: 7 lines could not be simulated"), "{said}");
+}
+
+#[test]
+fn a_line_without_end_is_refused() {
+    let good = r#"{"task":"00000:000","ball":[221,222,20]}"#;
+    let output = run(&["simulate", "--batch", "-"], &format!("{good}\n{}", " ".repeat(1 << 20)));
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
+    assert_eq!(stdout(&output).lines().count(), 1);
+    assert!(stderr(&output).contains("error: line 2 of - is longer than 65536 bytes"), "{}", stderr(&output));
 }
 
 #[test]

@@ -105,7 +105,7 @@ fn refuses_what_is_no_task_in_words() {
     assert_refused(&["tasks", "--template", "+7"], "there is no template");
     assert_refused(&["tasks", "--json", "7:13"], "write template and number like 00007:008");
     assert_refused(&["tasks", "--json", "00000:999"], "pathlight tasks --template 00000");
-    assert_refused(&["tasks", "--json", "00000:000", "--template", "0"], "leave out --template");
+    assert_refused(&["tasks", "--json", "00000:000", "--template", "0"], "leave --template out");
 }
 
 #[test]

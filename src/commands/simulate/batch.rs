@@ -1,23 +1,25 @@
-//! A batch: requests in, answers out, a line each, in the same order, on all cores.
+//! A batch: one JSON request per line in, one answer per line out, in the same order, on all cores.
 //!
-//! Works through the lines in chunks, so that memory stays bounded and the first answers come at once, also to
-//! a program that writes a few lines and waits.
+//! Works through the lines in chunks and limits their length, so that memory stays bounded. The first answers come
+//! at once, also to a program that writes a few lines and waits.
 
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, BufWriter, Read, Write};
 
-use anyhow::Context;
-use pathlight::puzzle::action::Ball;
+use anyhow::{Context, ensure};
+use pathlight::puzzle::task::Task;
 use pathlight::simulator::outcome;
 use rayon::prelude::*;
 
 use super::Answer;
 use super::start::Request;
 use crate::commands::progress::Progress;
-use crate::commands::scene_cache::SceneCache;
 
-/// Lines a core gets in one chunk: enough that cores seldom wait for one another.
+/// Lines per core in one chunk: enough that cores rarely wait for one another.
 const LINES_PER_CORE: usize = 64;
+
+/// Longest line, bytes. A request needs about 50; other keys may take the rest.
+const MAX_LINE: usize = 1 << 16;
 
 const EXAMPLE: &str = r#"{"task":"00007:008","ball":[128,200,15]}"#;
 
@@ -34,18 +36,18 @@ pub fn run(file: &str) -> anyhow::Result<()> {
     let mut source = BufReader::with_capacity(1 << 16, source);
     let mut out = BufWriter::new(io::stdout().lock());
     let mut progress = Progress::new(bytes);
-    let scenes = SceneCache::new();
     let (mut first, mut answered, mut bad) = (1, 0, 0);
     loop {
-        let lines = next_lines(&mut source).with_context(|| format!("cannot read {file}"))?;
+        let mut lines = next_lines(&mut source).with_context(|| format!("cannot read {file}"))?;
         if lines.is_empty() {
             break;
         }
-        let answers: Vec<_> = lines.par_iter().map(|line| answer(&scenes, line)).collect();
+        let too_long = lines.pop_if(|line| line.len() > MAX_LINE).is_some();
+        let answers: Vec<_> = lines.par_iter().map(|line| answer(line)).collect();
         for (number, answer) in (first..).zip(answers) {
             match answer {
                 Ok(Some(answer)) => {
-                    serde_json::to_writer(&mut out, &answer).map_err(io::Error::from)?;
+                    serde_json::to_writer(&mut out, &answer)?;
                     writeln!(out)?;
                     answered += 1;
                 }
@@ -58,6 +60,11 @@ pub fn run(file: &str) -> anyhow::Result<()> {
         }
         out.flush()?;
         first += lines.len();
+        ensure!(
+            !too_long,
+            "line {first} of {file} is longer than {MAX_LINE} bytes, so the rest was not read: write one request per \
+             line"
+        );
         progress.advance(lines.iter().map(|line| line.len() as u64).sum(), format!("{answered} balls"));
     }
     progress.finish(&format!("{answered} balls"));
@@ -68,16 +75,18 @@ pub fn run(file: &str) -> anyhow::Result<()> {
     }
 }
 
-/// The next chunk of lines, line breaks included; empty at the end. Waits for input only as long as it has none.
+/// The next chunk of lines, line breaks included; empty at the end. Waits for input only while it has no line. A line
+/// that is too long ends the chunk, cut off.
 fn next_lines(source: &mut BufReader<impl Read>) -> io::Result<Vec<Vec<u8>>> {
     let mut lines = Vec::new();
     while lines.len() < LINES_PER_CORE * rayon::current_num_threads() {
         let mut line = Vec::new();
-        if source.read_until(b'\n', &mut line)? == 0 {
+        if source.take(MAX_LINE as u64 + 1).read_until(b'\n', &mut line)? == 0 {
             break;
         }
+        let too_long = line.len() > MAX_LINE;
         lines.push(line);
-        if source.buffer().is_empty() {
+        if too_long || source.buffer().is_empty() {
             break;
         }
     }
@@ -85,17 +94,17 @@ fn next_lines(source: &mut BufReader<impl Read>) -> io::Result<Vec<Vec<u8>>> {
 }
 
 /// The answer to a line, nothing to a blank one, or what is wrong with it.
-fn answer(scenes: &SceneCache, line: &[u8]) -> Result<Option<Answer>, anyhow::Error> {
+fn answer(line: &[u8]) -> Result<Option<Answer>, anyhow::Error> {
     if line.trim_ascii().is_empty() {
         return Ok(None);
     }
     let Request { task, start } = serde_json::from_slice(line).map_err(|error| {
-        // To the parser every line is the first one.
+        // The parser sees a single line and calls it line 1.
         let what = error.to_string().replace(" at line 1 column", " at column");
         anyhow::anyhow!("{what}; write it like {EXAMPLE}")
     })?;
-    let scene = scenes.get(task)?;
-    let ball = start.place(scene);
-    let ended = ball.and_then(|ball| outcome(scene, ball.map(Ball::from)));
-    Ok(Some(Answer::new(task, ball.ok().flatten(), ended)))
+    let scene = Task::load(task)?.scene;
+    let ball = start.place(&scene);
+    let outcome = ball.and_then(|ball| outcome(&scene, ball));
+    Ok(Some(Answer::new(task, ball.ok().flatten(), outcome)))
 }

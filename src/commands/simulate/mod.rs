@@ -1,6 +1,6 @@
-//! `pathlight simulate`: what comes of a ball in a task, for one ball or for a whole file of them.
+//! `pathlight simulate`: the outcome of a ball in a task, for one ball or for a file of them.
 //!
-//! Both ways answer in the same JSON line: task, ball in px, status, reason if it is invalid, and steps.
+//! Both ways print the same JSON line: task, ball in px, status, reason if it is invalid, and steps.
 
 use std::io::{self, Write};
 
@@ -9,18 +9,18 @@ use pathlight::puzzle::action::{Action, Ball, Invalid};
 use pathlight::puzzle::rollout::{Pose, Rollout, Status};
 use pathlight::puzzle::task::{Task, TaskId};
 use pathlight::simulator::{Outcome, simulate};
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 
 mod batch;
 mod start;
 
-use start::{Pixels, Start};
+use start::Start;
 
 /// Simulate one ball in a task, or a batch of them, and print the outcome as JSON
 #[derive(clap::Args)]
 #[command(group(ArgGroup::new("what").args(["task", "batch"]).required(true)))]
 pub struct Args {
-    /// Simulate this task, like 00007:008; with neither --action nor --ball, it runs with no ball
+    /// Simulate this task, like 00007:008; with neither --action nor --ball, without a ball
     #[arg(long)]
     task: Option<TaskId>,
 
@@ -30,14 +30,14 @@ pub struct Args {
 
     /// Place the ball here: three whole numbers, px
     #[arg(long, value_name = "X,Y,R", value_parser = start::parse_ball, allow_hyphen_values = true)]
-    ball: Option<Pixels>,
+    ball: Option<Ball>,
 
-    /// Print the pose of every moving body at every step too
+    /// Also print the pose of every moving body at every step
     #[arg(long)]
     poses: bool,
 
-    /// Simulate each line of this file ("-": of standard input) on all cores: {"task":"00007:008","ball":[X,Y,R]},
-    /// with "action":[x,y,r] instead of "ball", or with "ball":null for none
+    /// Simulate each line of this file ("-" is standard input) on all cores: {"task":"00007:008","ball":[X,Y,R]},
+    /// with "action":[x,y,r] instead of "ball", or with "ball":null for no ball
     #[arg(long, value_name = "FILE", conflicts_with_all = ["task", "action", "ball", "poses"])]
     batch: Option<String>,
 }
@@ -50,7 +50,7 @@ impl Args {
         };
         match (self.batch, self.task) {
             (Some(file), _) => batch::run(&file),
-            (None, id) => one(id.expect("clap asks for a task or a batch"), start, self.poses),
+            (None, id) => one(id.expect("clap requires a task or a batch"), start, self.poses),
         }
     }
 }
@@ -58,19 +58,20 @@ impl Args {
 fn one(id: TaskId, start: Start, with_poses: bool) -> anyhow::Result<()> {
     let task = Task::load(id)?;
     let ball = start.place(&task.scene);
-    let rollout = ball.and_then(|ball| simulate(&task.scene, ball.map(Ball::from)));
-    let ended = rollout.as_ref().map(|rollout| Outcome { solved: rollout.solved, steps: rollout.steps });
-    let answer = Answer::new(id, ball.ok().flatten(), ended.map_err(|invalid| *invalid));
+    let rollout = ball.and_then(|ball| simulate(&task.scene, ball));
+    let outcome = rollout.as_ref().map(|rollout| Outcome { solved: rollout.solved, steps: rollout.steps });
+    let answer = Answer::new(id, ball.ok().flatten(), outcome.map_err(|invalid| *invalid));
     let poses = rollout.as_ref().ok().filter(|_| with_poses).map(Poses::of);
     Ok(writeln!(io::stdout(), "{}", serde_json::to_string(&Line { answer, poses })?)?)
 }
 
-/// What came of one ball.
+/// The outcome of one ball.
 #[derive(Serialize)]
 struct Answer {
     task: TaskId,
     /// px; null if there is none: none was asked for, or the action places none.
-    ball: Option<Pixels>,
+    #[serde(serialize_with = "whole_numbers")]
+    ball: Option<Ball>,
     status: Status,
     /// Why it is invalid.
     reason: Option<String>,
@@ -79,8 +80,8 @@ struct Answer {
 }
 
 impl Answer {
-    fn new(task: TaskId, ball: Option<Pixels>, ended: Result<Outcome, Invalid>) -> Answer {
-        let (status, reason, steps) = match ended {
+    fn new(task: TaskId, ball: Option<Ball>, outcome: Result<Outcome, Invalid>) -> Answer {
+        let (status, reason, steps) = match outcome {
             Ok(Outcome { solved: true, steps }) => (Status::Solved, None, steps),
             Ok(Outcome { solved: false, steps }) => (Status::NotSolved, None, steps),
             Err(invalid) => (Status::Invalid, Some(invalid.to_string()), 0),
@@ -89,7 +90,12 @@ impl Answer {
     }
 }
 
-/// An answer and, if asked for, the rollout behind it.
+/// Writes a ball of whole px as integers.
+fn whole_numbers<S: Serializer>(ball: &Option<Ball>, serializer: S) -> Result<S::Ok, S::Error> {
+    ball.map(|ball| <[f64; 3]>::from(ball).map(|number| number as i32)).serialize(serializer)
+}
+
+/// An answer and, if asked for, its rollout.
 #[derive(Serialize)]
 struct Line<'a> {
     #[serde(flatten)]
@@ -98,7 +104,7 @@ struct Line<'a> {
     poses: Option<Poses<'a>>,
 }
 
-/// A rollout, as `pathlight::puzzle::rollout::Rollout` describes it, with the poses of each step in a row of their own.
+/// A `pathlight::puzzle::rollout::Rollout` with one row of poses per step.
 #[derive(Serialize)]
 struct Poses<'a> {
     bodies: &'a [usize],

@@ -1,41 +1,34 @@
-//! How a rollout starts, as a person or a program writes it: with a ball in px, with an action, or with no ball.
+//! How a rollout starts, as a person or a program writes it: with a ball in px, with an action, or without a ball.
 //!
-//! A ball in px is what an action has become after rounding, so its three numbers are whole.
+//! An action's ball is rounded to whole px, so a ball in px must have whole numbers too.
 
 use pathlight::puzzle::action::{Action, Ball, Invalid};
 use pathlight::puzzle::scene::Scene;
 use pathlight::puzzle::task::TaskId;
-use serde::{Deserialize, Deserializer, Serialize};
+use serde::{Deserialize, Deserializer};
 
-/// A ball: x, y and radius, whole numbers of px.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(try_from = "[f64; 3]")]
-pub struct Pixels([i32; 3]);
-
-/// What to begin with.
+/// What a rollout starts with.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Start {
-    Ball(Option<Pixels>),
+    /// A ball of whole px, or none.
+    Ball(Option<Ball>),
     Action(Action),
 }
 
 impl Start {
-    /// The ball to simulate, if any.
+    /// The ball to simulate, if any. A ball in px is left for the simulator to check.
     ///
     /// # Errors
-    /// Says why the action is invalid in this scene. A ball in px is left for the simulator to judge.
-    pub fn place(self, scene: &Scene) -> Result<Option<Pixels>, Invalid> {
+    /// Says why the action is invalid in this scene.
+    pub fn place(self, scene: &Scene) -> Result<Option<Ball>, Invalid> {
         match self {
             Start::Ball(ball) => Ok(ball),
-            Start::Action(action) => action.place(scene).map(|ball| {
-                let whole = <[f64; 3]>::from(ball);
-                Some(Pixels::try_from(whole).expect("an action places a ball of whole px"))
-            }),
+            Start::Action(action) => action.place(scene).map(Some),
         }
     }
 }
 
-/// One line of a batch: a task and its start. Other keys are left alone.
+/// One line of a batch: a task and its start. Other keys are ignored.
 #[derive(Debug, Deserialize, PartialEq)]
 #[serde(try_from = "Keys")]
 pub struct Request {
@@ -46,13 +39,13 @@ pub struct Request {
 #[derive(Deserialize)]
 struct Keys {
     task: TaskId,
-    /// Null means no ball, which is not the same as no key.
+    /// Null means no ball; a missing key does not.
     #[serde(default, deserialize_with = "present")]
-    ball: Option<Option<Pixels>>,
+    ball: Option<Option<Ball>>,
     action: Option<Action>,
 }
 
-fn present<'de, D: Deserializer<'de>>(value: D) -> Result<Option<Option<Pixels>>, D::Error> {
+fn present<'de, D: Deserializer<'de>>(value: D) -> Result<Option<Option<Ball>>, D::Error> {
     Option::deserialize(value).map(Some)
 }
 
@@ -61,43 +54,33 @@ impl TryFrom<Keys> for Request {
 
     fn try_from(Keys { task, ball, action }: Keys) -> Result<Request, &'static str> {
         let start = match (ball, action) {
-            (Some(ball), None) => Start::Ball(ball),
+            (Some(ball), None) => Start::Ball(ball.map(whole).transpose()?),
             (None, Some(action)) => Start::Action(action),
-            (Some(_), Some(_)) => return Err("give either `ball` or `action`, not both"),
-            (None, None) => return Err("`ball` or `action` is missing; \"ball\":null simulates with no ball"),
+            (Some(_), Some(_)) => return Err("`ball` and `action` exclude each other: leave one out"),
+            (None, None) => return Err("`ball` or `action` is missing; \"ball\":null simulates without a ball"),
         };
         Ok(Request { task, start })
     }
 }
 
-impl TryFrom<[f64; 3]> for Pixels {
-    type Error = &'static str;
-
-    fn try_from(numbers: [f64; 3]) -> Result<Pixels, &'static str> {
-        // The cast saturates and drops fractions: whatever it changes is no whole number of px.
-        let whole = numbers.map(|number| number as i32);
-        if whole.map(f64::from) == numbers {
-            Ok(Pixels(whole))
-        } else {
-            Err("a ball is three whole numbers of px, like 128,200,15; an action takes fractions")
-        }
+/// Refuses a ball that is not of whole px.
+fn whole(ball: Ball) -> Result<Ball, &'static str> {
+    // The cast saturates and drops fractions, so whatever it changes is not a whole number of px.
+    if <[f64; 3]>::from(ball).iter().all(|&number| f64::from(number as i32) == number) {
+        Ok(ball)
+    } else {
+        Err("a ball is three whole numbers of px, like 128,200,15; an action takes fractions")
     }
 }
 
-impl From<Pixels> for Ball {
-    fn from(Pixels(numbers): Pixels) -> Ball {
-        numbers.map(f64::from).into()
-    }
-}
-
-/// `x,y,r` of an action.
+/// Parses `x,y,r` of an action.
 pub fn parse_action(text: &str) -> Result<Action, &'static str> {
     three_numbers(text).map(Action::from).ok_or("an action is three numbers in 0..1, like 0.5,0.8,0.4")
 }
 
-/// `X,Y,R` of a ball.
-pub fn parse_ball(text: &str) -> Result<Pixels, &'static str> {
-    three_numbers(text).ok_or("a ball is three whole numbers of px, like 128,200,15").and_then(Pixels::try_from)
+/// Parses `X,Y,R` of a ball.
+pub fn parse_ball(text: &str) -> Result<Ball, &'static str> {
+    three_numbers(text).map(Ball::from).ok_or("a ball is three whole numbers of px, like 128,200,15").and_then(whole)
 }
 
 fn three_numbers(text: &str) -> Option<[f64; 3]> {

@@ -1,4 +1,4 @@
-//! `pathlight table`: rows by the job array's script, and the report on them.
+//! `pathlight reproduce`: results by the job array's script, and the report on them.
 
 use std::fs;
 use std::path::Path;
@@ -9,13 +9,13 @@ use tempfile::tempdir;
 
 use super::{assert_refused, output_of};
 
-/// What all of the table's processes are told here: little data, little training, few tasks.
+/// Arguments for all processes here: little data, little training, few tasks.
 fn small(folder: &Path) -> Vec<String> {
     let within = |name: &str| folder.join(name).display().to_string();
     let words = [
         "--results",
         &within("results"),
-        "--runs",
+        "--train-dir",
         &within("runs"),
         "--solutions",
         &within("solutions.jsonl"),
@@ -36,14 +36,14 @@ fn small(folder: &Path) -> Vec<String> {
 }
 
 /// A job of the array.
-fn job(row: &str, words: &[String]) -> Output {
+fn job(index: &str, words: &[String]) -> Output {
     let mut script = Command::new("results/array.sh");
-    script.env("PATHLIGHT", env!("CARGO_BIN_EXE_pathlight")).env("SLURM_ARRAY_TASK_ID", row).args(words);
+    script.env("PATHLIGHT", env!("CARGO_BIN_EXE_pathlight")).env("SLURM_ARRAY_TASK_ID", index).args(words);
     script.output().expect("the script runs")
 }
 
 #[test]
-fn jobs_make_rows_and_the_report_reads_them() {
+fn jobs_make_results_and_the_report_reads_them() {
     let folder = tempdir().expect("a folder");
     let words = small(folder.path());
     let (solutions, labels) = (words[5].as_str(), words[7].as_str());
@@ -51,49 +51,66 @@ fn jobs_make_rows_and_the_report_reads_them() {
     let few = ["--template", "2", "--limit", "6", "--rounds", "1", "--solutions", solutions];
     output_of(&[&["label", "--out", labels], &few[..]].concat());
 
-    for row in ["3", "10"] {
-        let made = job(row, &words);
-        assert!(made.status.success(), "{}", String::from_utf8_lossy(&made.stderr));
+    for index in ["3", "10"] {
+        let made = job(index, &words);
+        let said = String::from_utf8_lossy(&made.stderr);
+        assert!(made.status.success(), "{said}");
+        // The commands that it names are those that it ran: run again, they find their own runs complete.
+        let commands: Vec<&str> = said.lines().filter_map(|line| line.strip_prefix("$ pathlight ")).collect();
+        assert_eq!(commands.len(), 3, "{said}");
+        for command in commands {
+            output_of(&command.split(' ').collect::<Vec<_>>());
+        }
     }
     let results = folder.path().join("results");
-    let file = |name: &str| fs::read(results.join(name)).expect("a row");
-    let row: Value = serde_json::from_slice(&file("within-3.json")).expect("JSON");
-    assert_eq!(row["report"]["card"]["judge"]["epochs"], 2);
+    let file = |name: &str| fs::read(results.join(name)).expect("a result");
+    let result: Value = serde_json::from_slice(&file("within-3.json")).expect("JSON");
+    assert_eq!(result["report"]["card"]["judge"]["epochs"], 2);
     for (run, losses) in [("nets", 4), ("judge", 1)] {
-        assert_eq!(row[run]["losses"].as_array().map(Vec::len), Some(losses), "{run}");
+        assert_eq!(result[run]["losses"].as_array().map(Vec::len), Some(losses), "{run}");
         let (epoch, done, last) =
-            serde_json::from_value::<(usize, usize, Vec<f32>)>(row[run]["log"][0].clone()).expect("a line");
+            serde_json::from_value::<(usize, usize, Vec<f32>)>(result[run]["log"][0].clone()).expect("a line");
         assert!(
             epoch == done - 1 && last.len() == losses && last.iter().all(|loss| (0.0..2.0).contains(loss)),
             "{run}"
         );
     }
-    let agents: Vec<&Value> = row["report"]["agents"].as_array().expect("agents").iter().collect();
+    let agents: Vec<&Value> = result["report"]["agents"].as_array().expect("agents").iter().collect();
     assert_eq!(agents.iter().map(|one| &one["agent"]).collect::<Vec<_>>(), ["judge", "paper", "random"]);
     assert!(agents.iter().all(|one| one["first_solved"].as_array().is_some_and(|tasks| tasks.len() == 25)));
 
     let before = file("cross-0.json");
     let again = job("10", &words);
-    assert!(String::from_utf8_lossy(&again.stderr).contains("cross-0.json is there"));
+    assert!(String::from_utf8_lossy(&again.stderr).contains("cross-0.json exists"));
     assert_eq!(file("cross-0.json"), before);
     let other: Vec<String> = [&words[..], &["--seed".to_string(), "1".to_string()]].concat();
     let refused = job("10", &other);
-    assert!(String::from_utf8_lossy(&refused.stderr).contains("name other folders with --results"));
+    assert!(String::from_utf8_lossy(&refused.stderr).contains("`seed` is 0 instead of 1): choose other folders"));
 
-    // A row of another recipe may not stand in the same table.
-    let mut stray = row.clone();
-    stray["recipe"]["epochs"] = 7.into();
-    fs::write(results.join("within-4.json"), stray.to_string()).expect("written");
-    assert_refused(
-        &["table", "--only", "report", "--results", &words[1]],
-        "within-4.json was made with other settings",
-    );
+    // Results of other settings, of other agents or of weights trained in another way do not belong in the same table.
+    for (key, value, difference) in [
+        ("/hyperparameters/epochs", Value::from(7), "`epochs` is 7 instead of 1"),
+        ("/report/agents_version", Value::from(99), "`agents_version` is 99 instead of"),
+        ("/nets/card/decay_epochs", Value::from(5), "`decay_epochs` is 5 instead of 1"),
+        ("/nets/card/without_dev", Value::from(true), "`without_dev` is true instead of false"),
+    ] {
+        let mut stray = result.clone();
+        *stray.pointer_mut(key).unwrap_or_else(|| panic!("{key}")) = value;
+        fs::write(results.join("within-4.json"), stray.to_string()).expect("written");
+        let report = ["reproduce", "--only", "report", "--results", &words[1]];
+        assert_refused(&report, "within-4.json was made with other settings");
+        assert_refused(&report, difference);
+        if key == "/report/agents_version" {
+            let made = job("4", &words);
+            assert!(String::from_utf8_lossy(&made.stderr).contains(difference), "{made:?}");
+        }
+    }
     fs::remove_file(results.join("within-4.json")).expect("removed");
 
-    let report = ["table", "--only", "report"].into_iter().chain(words.iter().map(String::as_str));
+    let report = ["reproduce", "--only", "report"].into_iter().chain(words.iter().map(String::as_str));
     let printed = output_of(&report.collect::<Vec<_>>());
     assert_eq!(printed, fs::read_to_string(results.join("README.md")).expect("a report"));
-    let random = row["report"]["agents"][2]["auccess"].as_f64().expect("a number");
+    let random = result["report"]["agents"][2]["auccess"].as_f64().expect("a number");
     assert!(printed.lines().any(|line| line.starts_with("| **random** |") && line.contains(&format!(" {random:.1} "))));
     let picture = fs::read_to_string(results.join("templates.svg")).expect("a picture");
     assert!(picture.contains("within, mean over the folds") && picture.contains("00024"));
@@ -105,7 +122,7 @@ fn data_that_are_complete_stay_as_they_are() {
     let file = |name: &str| folder.path().join(name);
     fs::copy("assets/solutions.jsonl", file("solutions.jsonl")).expect("a copy");
     let [solutions, labels] = ["solutions.jsonl", "labels.jsonl"].map(|name| file(name).display().to_string());
-    let data = ["table", "--only", "data", "--solutions", &solutions, "--labels", &labels, "--label-rounds", "0"];
+    let data = ["reproduce", "--only", "data", "--solutions", &solutions, "--labels", &labels, "--label-rounds", "0"];
     for _ in 0..2 {
         output_of(&data);
         assert_eq!(
@@ -115,16 +132,13 @@ fn data_that_are_complete_stay_as_they_are() {
         let labels = fs::read_to_string(&labels).expect("labels");
         assert!(labels.lines().count() == 1 && labels.contains("\"tasks\":2500"), "{labels}");
     }
-    let rows = ["--results", &file("results").display().to_string(), "--label-rounds", "3"].map(String::from);
-    let rows = ["table", "--only", "rows"]
-        .into_iter()
-        .chain(data[3..7].iter().copied())
-        .chain(rows.iter().map(String::as_str));
-    assert_refused(&rows.collect::<Vec<_>>(), "does not hold the balls of 3 rounds: run `pathlight table --only data`");
+    let results = file("results").display().to_string();
+    let folds = [&["reproduce", "--only", "folds", "--results", &results, "--label-rounds", "3"], &data[3..7]].concat();
+    assert_refused(&folds, "does not hold the balls of 3 rounds: run `pathlight reproduce --only data`");
 }
 
 #[test]
-fn a_file_that_another_process_works_on_is_left_alone() {
+fn a_file_that_another_process_uses_is_left_alone() {
     let folder = tempdir().expect("a folder");
     let path = folder.path().join("solutions.jsonl");
     let held = fs::File::create(&path).expect("a file");
@@ -141,19 +155,19 @@ fn a_file_that_another_process_works_on_is_left_alone() {
 }
 
 #[test]
-fn a_table_says_what_it_lacks() {
+fn what_is_missing_is_named() {
     let folder = tempdir().expect("a folder");
     let words = small(folder.path());
     let with = |part: &'static str| {
-        ["table", "--only", part].into_iter().chain(words.iter().map(String::as_str)).collect::<Vec<_>>()
+        ["reproduce", "--only", part].into_iter().chain(words.iter().map(String::as_str)).collect::<Vec<_>>()
     };
-    assert_refused(&with("report"), "holds no rows");
-    assert_refused(&with("rows"), "run `pathlight label` first");
+    assert_refused(&with("report"), "holds no results");
+    assert_refused(&with("folds"), "run `pathlight label` first");
     fs::create_dir(folder.path().join("results")).expect("a folder");
     fs::write(folder.path().join("results/within-0.json"), "{").expect("a file");
-    assert_refused(&with("rows"), "is no row of `pathlight table`");
-    for row in ["", "20", "within"] {
-        let refused = job(row, &words);
-        assert!(String::from_utf8_lossy(&refused.stderr).contains("give the row, 0 to 19"), "{row}");
+    assert_refused(&with("folds"), "is not a result of `pathlight reproduce`");
+    for index in ["", "20", "within"] {
+        let refused = job(index, &words);
+        assert!(String::from_utf8_lossy(&refused.stderr).contains("set it to 0 to 19"), "{index}");
     }
 }

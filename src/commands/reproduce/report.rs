@@ -1,4 +1,4 @@
-//! The report on the rows that there are: `README.md` beside them.
+//! The report on the existing results: `README.md` beside them.
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -7,74 +7,78 @@ use std::path::Path;
 use std::{fs, io};
 
 use anyhow::Context;
+use pathlight::benchmark::auccess::MAX_ATTEMPTS;
 use pathlight::benchmark::folds::{FOLDS, Setup};
 use pathlight::dataset::solutions::MIN_DISTANCE;
 use pathlight::puzzle::task::{TaskId, ids};
 use pathlight::puzzle::templates::TEMPLATES;
 
-use super::picture;
-use super::row::Row;
+use super::fold_result::FoldResult;
+use super::plot;
 use crate::commands::collect::{Collected, read_solutions};
 use crate::commands::evaluate::Agent;
 use crate::commands::label::BALLS;
 use crate::commands::training_run::State;
 
-/// Our agents, the best first, and what the report calls them.
+/// Our agents, the best first, and their names in the report.
 pub const AGENTS: [(Agent, &str); 3] =
     [(Agent::Judge, "with the judge"), (Agent::Paper, "the paper's four nets"), (Agent::Random, "random")];
 
-/// Auccess that others report over the ten folds, within and across templates, on PHYRE's own engine: Harter et al.
-/// (2020), Table 1, for their nets and for DQN; the benchmark (PHYRE 0.2.2) for the random agent.
+/// Published auccess, mean over the ten folds, within and cross, on PHYRE's own engine: Harter et al. (2020), Table 1,
+/// for their nets and for DQN; the benchmark (PHYRE 0.2.2) for the random agent.
 const REPORTED: [(&str, [&str; 2]); 3] =
     [("DQN", ["77", "37"]), ("the paper's nets", ["62", "31"]), ("random", ["13.7", "13.0"])];
 
-/// Writes the report and its picture into a folder, and prints the report.
+/// Writes the report and its plot to a folder, and prints the report.
 ///
 /// # Errors
-/// If the solutions cannot be read, or the folder not written.
-pub fn write(rows: &[Row], solutions: &Path, folder: &Path) -> anyhow::Result<()> {
+/// If the solutions cannot be read, or the folder cannot be written.
+pub fn write(results: &[FoldResult], solutions: &Path, folder: &Path) -> anyhow::Result<()> {
     let name = "templates.svg";
-    picture::draw(rows, &folder.join(name))?;
+    plot::draw(results, &folder.join(name))?;
     let mut text = String::new();
-    head(&mut text, rows)?;
-    table(&mut text, rows)?;
+    head(&mut text, results)?;
+    table(&mut text, results)?;
     writeln!(text, "\n![Auccess of each template, mean over the folds that test it]({name})\n")?;
-    folds(&mut text, rows)?;
-    training(&mut text, rows)?;
-    data(&mut text, rows, solutions)?;
-    text.push_str(AGAIN);
+    folds(&mut text, results)?;
+    training(&mut text, results)?;
+    data(&mut text, results, solutions)?;
+    text.push_str(REPRODUCING);
     let path = folder.join("README.md");
     fs::write(&path, &text).with_context(|| format!("cannot write {}", path.display()))?;
     io::stdout().write_all(text.as_bytes())?;
     Ok(())
 }
 
-fn head(text: &mut String, rows: &[Row]) -> anyhow::Result<()> {
-    let Some(Row { recipe, report, .. }) = rows.first() else { return Ok(()) };
+fn head(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
+    let Some(FoldResult { hyperparameters, report, .. }) = results.first() else { return Ok(()) };
     writeln!(
         text,
         "# Results\n\n\
-         `pathlight table` has printed this from the files beside it, one for each setup and fold; {} of {} are there. \
-         Seed {}, simulator {}, at most {} test tasks of a template.\n\n\
-         Auccess is measured with at most 100 attempts at a task, and with no call of the simulator but for these; \
-         trained is on training tasks alone. The four nets are those of Harter et al. (2020), trained jointly, balls \
-         from their placement map. The judge is a fifth net, not the paper's, which orders the balls.\n",
-        rows.len(),
+         `pathlight reproduce` printed this from the files beside it, one per setup and fold; {} of {} exist. Seed {}, \
+         simulator {}, agents {}, at most {} test tasks per template.\n\n\
+         Auccess is measured with at most {MAX_ATTEMPTS} attempts per task, and only these attempts are simulated. Nets \
+         learn only from rollouts on training tasks; but in the setup within, the search for solutions and the balls for \
+         the judge also start from known solutions of test tasks of the same template. The four nets are those of Harter \
+         et al. (2020), trained jointly, with balls from their placement map. The judge is a fifth net, not the \
+         paper's, which orders the balls.\n",
+        results.len(),
         2 * FOLDS,
-        recipe.seed,
+        hyperparameters.seed,
         report.simulator,
-        recipe.limit,
+        report.agents_version,
+        hyperparameters.limit,
     )?;
     Ok(())
 }
 
-/// The paper's table, with ours beside it.
-fn table(text: &mut String, rows: &[Row]) -> anyhow::Result<()> {
+/// The paper's table, with our results beside it.
+fn table(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
     writeln!(text, "## Auccess, mean over folds ± standard deviation\n")?;
     writeln!(text, "| agent | engine | within | cross |\n| --- | --- | ---: | ---: |")?;
     for (agent, name) in AGENTS {
         let cells = [Setup::Within, Setup::Cross].map(|setup| {
-            let scores: Vec<f64> = of(rows, setup).map(|row| row.score(agent)[0]).collect();
+            let scores: Vec<f64> = of(results, setup).map(|result| result.score(agent)[0]).collect();
             mean_and_deviation(&scores)
         });
         writeln!(text, "| **{name}** | ours | {} | {} |", cells[0], cells[1])?;
@@ -83,57 +87,56 @@ fn table(text: &mut String, rows: &[Row]) -> anyhow::Result<()> {
         writeln!(text, "| {name} | PHYRE's | {within} | {cross} |")?;
     }
     let folds = [Setup::Within, Setup::Cross].map(|setup| {
-        let numbers: Vec<String> = of(rows, setup).map(|row| row.report.fold.to_string()).collect();
+        let numbers: Vec<String> = of(results, setup).map(|result| result.report.fold.to_string()).collect();
         format!("{setup} {}", if numbers.is_empty() { "none".to_string() } else { numbers.join(", ") })
     });
     writeln!(
         text,
-        "\nOur folds: {}. The others are reported over all ten: the paper's nets and DQN by Harter et al. (2020), \
+        "\nOur folds: {}. The published means are over all ten: the paper's nets and DQN by Harter et al. (2020), \
          random by the benchmark.",
         folds.join("; ")
     )?;
     Ok(())
 }
 
-fn folds(text: &mut String, rows: &[Row]) -> anyhow::Result<()> {
-    writeln!(text, "## Each fold\n\nAuccess, and the shares solved at the first attempt / within 10 / within 100.\n")?;
+fn folds(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
+    writeln!(
+        text,
+        "## Each fold\n\nAuccess, and the percentage solved at the first attempt / within 10 / within 100.\n"
+    )?;
     let names = AGENTS.map(|(_, name)| name).join(" | ");
     writeln!(text, "| setup | fold | test tasks | {names} |\n| --- | ---: | ---: | ---: | ---: | ---: |")?;
-    for row in rows {
+    for result in results {
         let cells = AGENTS.map(|(agent, _)| {
-            let [auccess, one, ten, hundred] = row.score(agent);
+            let [auccess, one, ten, hundred] = result.score(agent);
             format!("**{auccess:.1}** {one:.0} / {ten:.0} / {hundred:.0} %")
         });
-        let tasks = row.first_solved(Agent::Random, None).len();
-        writeln!(text, "| {} | {} | {tasks} | {} |", row.report.setup, row.report.fold, cells.join(" | "))?;
+        let tasks = result.first_solved(Agent::Random, None).len();
+        writeln!(text, "| {} | {} | {tasks} | {} |", result.report.setup, result.report.fold, cells.join(" | "))?;
     }
     Ok(())
 }
 
-fn training(text: &mut String, rows: &[Row]) -> anyhow::Result<()> {
-    let course = match rows.first().map_or(0, |row| row.nets.card.decay_epochs) {
-        0 => "is the same all the time".to_string(),
-        1 => "falls to nothing in the last epoch".to_string(),
-        epochs => format!("falls to nothing in the last {epochs} epochs"),
-    };
+fn training(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
     writeln!(
         text,
-        "\n## Training\n\nRates are the highest: that of the four nets {course}, that of the judge from early on to the \
-         end. A loss is the mean of the last batches; times are wall-clock.\n"
+        "\n## Training\n\nThe learning rates are the highest: that of the four nets decays linearly to zero over the decay \
+         epochs, that of the judge from a short warm-up to the end. A loss is the mean over the last batches; times are \
+         wall-clock.\n"
     )?;
     writeln!(
         text,
-        "| setup | fold | solutions (tasks) | epochs x batch | rate | placement loss | min | balls | judge: epochs x \
-         batch x balls | rate | loss | min | weights, MB | evaluation, s |\n|{}",
-        " ---: |".repeat(14)
+        "| setup | fold | solutions (tasks) | epochs x batch | learning rate | decay epochs | placement loss | min | balls | \
+         judge: epochs x batch x balls | learning rate | loss | min | weights, MB | evaluation, s |\n|{}",
+        " ---: |".repeat(15)
     )?;
-    for Row { report, nets, judge, weights, evaluation_seconds, .. } in rows {
+    for FoldResult { report, nets, judge, weights, evaluation_seconds, .. } in results {
         let Some(judged) = &judge.card.judge else { continue };
         let card = &nets.card;
         let last = |run: &State| run.log.last().and_then(|(_, _, losses)| losses.last().copied()).unwrap_or(f32::NAN);
         writeln!(
             text,
-            "| {} | {} | {} ({}) | {} x {} | {} | {:.4} | {:.0} | {} | {} x {} x {} | {} | {:.4} | {:.0} | {:.2} | {:.0} |",
+            "| {} | {} | {} ({}) | {} x {} | {} | {} | {:.4} | {:.0} | {} | {} x {} x {} | {} | {:.4} | {:.0} | {:.2} | {:.0} |",
             report.setup,
             report.fold,
             card.samples,
@@ -141,6 +144,7 @@ fn training(text: &mut String, rows: &[Row]) -> anyhow::Result<()> {
             card.epochs,
             card.batch,
             card.learning_rate,
+            card.decay_epochs,
             last(nets),
             nets.seconds / 60.0,
             judged.balls,
@@ -157,8 +161,8 @@ fn training(text: &mut String, rows: &[Row]) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// How many solutions are known of the tasks, and which files the rows were made from.
-fn data(text: &mut String, rows: &[Row], path: &Path) -> anyhow::Result<()> {
+/// How many solutions of the tasks are known, and the files that the results were made from.
+fn data(text: &mut String, results: &[FoldResult], path: &Path) -> anyhow::Result<()> {
     let mut known: BTreeMap<TaskId, usize> = TEMPLATES.iter().flat_map(|&one| ids(one)).map(|id| (id, 0)).collect();
     let Collected { solutions, rollouts, .. } = read_solutions(path)?;
     for solution in &solutions {
@@ -169,8 +173,8 @@ fn data(text: &mut String, rows: &[Row], path: &Path) -> anyhow::Result<()> {
     writeln!(
         text,
         "\n## Data\n\n{} solutions of {} tasks, found in {rollouts} rollouts. {} tasks have {most}, {} have fewer, {} \
-         have none. Those of a task are at least {MIN_DISTANCE} px apart in x, y or radius; fewer are known where few balls \
-         solve it. A task without a known solution stays in the count.\n",
+         have none. Solutions of a task differ by at least {MIN_DISTANCE} px in x, y or radius; fewer are known \
+         where few balls solve the task. Tasks without a known solution still count in auccess.\n",
         solutions.len(),
         known.len(),
         count(&|count| count == most),
@@ -188,45 +192,45 @@ fn data(text: &mut String, rows: &[Row], path: &Path) -> anyhow::Result<()> {
             writeln!(text, "| {:05} {} | {fewer} | {total} | {} |", template.number, template.name, none.join(", "))?;
         }
     }
-    let Some(Row { recipe, nets, judge, .. }) = rows.first() else { return Ok(()) };
+    let Some(FoldResult { hyperparameters, nets, judge, .. }) = results.first() else { return Ok(()) };
     writeln!(
         text,
-        "\nBalls were labelled in {} rounds, {BALLS} of each task in a round. SHA-256 of the file of solutions: `{}`, of the \
-         file of balls: `{}`.",
-        recipe.label_rounds, nets.data, judge.data
+        "\nBalls were labelled in {} rounds, {BALLS} per task and round. SHA-256 of the file of solutions: `{}`, of \
+         the file of balls: `{}`.",
+        hyperparameters.label_rounds, nets.data, judge.data
     )?;
     Ok(())
 }
 
-const AGAIN: &str = "
-## Again
+const REPRODUCING: &str = "
+## Reproducing
 
-`make build` first. Each command goes on where it was cut off; settings other than the defaults (`--help`) need
-folders of their own.
-
-```
-pathlight table                             # data, all twenty rows, report
-pathlight table --setup within --fold 3     # data if it is not there yet, one row, report
-pathlight table --only report               # this file and the picture
-```
-
-Rows share nothing but the two files of data, which they read. So twenty processes can make them, on as many machines
-as see the folder. `results/array.sh` is such a job, for Slurm's arrays or whatever sets `SLURM_ARRAY_TASK_ID`:
+Run `make build` first. Each command continues where it was interrupted; settings other than the defaults (`--help`)
+need other folders.
 
 ```
-pathlight table --only data
+pathlight reproduce                             # data, all twenty folds, report
+pathlight reproduce --setup within --fold 3     # data if missing, one fold, report
+pathlight reproduce --only report               # this file and the plot
+```
+
+Folds share only the two files of data, which they read. So twenty processes can work on them, on all machines that
+share the folder. `results/array.sh` is such a job, for Slurm's arrays or anything else that sets `SLURM_ARRAY_TASK_ID`:
+
+```
+pathlight reproduce --only data
 sbatch --array=0-19 --cpus-per-task=2 results/array.sh
 seq 0 19 | RAYON_NUM_THREADS=2 xargs -P 4 -I{} env SLURM_ARRAY_TASK_ID={} results/array.sh  # without a scheduler
-pathlight table --only report
+pathlight reproduce --only report
 ```
 ";
 
-/// The rows of a setup.
-pub fn of(rows: &[Row], setup: Setup) -> impl Iterator<Item = &Row> {
-    rows.iter().filter(move |row| row.report.setup == setup)
+/// The results of a setup.
+pub fn of(results: &[FoldResult], setup: Setup) -> impl Iterator<Item = &FoldResult> {
+    results.iter().filter(move |result| result.report.setup == setup)
 }
 
-/// The mean, and the sample standard deviation where there are several.
+/// Formats the mean, and the sample standard deviation if there are several numbers.
 fn mean_and_deviation(numbers: &[f64]) -> String {
     let count = numbers.len() as f64;
     let mean = numbers.iter().sum::<f64>() / count;
@@ -245,7 +249,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn means_stand_with_their_deviation() {
+    fn means_are_printed_with_their_deviation() {
         assert_eq!(mean_and_deviation(&[]), "–");
         assert_eq!(mean_and_deviation(&[50.0]), "50.0");
         assert_eq!(mean_and_deviation(&[1.0, 3.0]), "2.0 ± 1.4");

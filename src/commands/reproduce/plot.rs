@@ -1,4 +1,4 @@
-//! The picture of the report: bars of auccess for each template, an agent a bar, a panel for each setup.
+//! The plot of the report: bars of auccess per template, one bar per agent, one panel per setup.
 
 use std::path::Path;
 
@@ -10,32 +10,32 @@ use plotters::coord::Shift;
 use plotters::coord::ranged1d::SegmentValue;
 use plotters::prelude::*;
 
+use super::fold_result::FoldResult;
 use super::report::{AGENTS, of};
-use super::row::Row;
 
 /// Size of a panel, px.
 const PANEL: (u32, u32) = (560, 920);
 
-/// A colour for each agent, told apart in greyscale and by people who do not see red or green.
+/// One colour per agent; they differ in greyscale and for people who do not see red or green.
 const COLOURS: [RGBColor; AGENTS.len()] = [RGBColor(0, 90, 160), RGBColor(240, 150, 30), RGBColor(170, 170, 170)];
 
 /// Space around the bars of a template, and height of a bar, px.
 const GAP: u32 = 4;
 const BAR: u32 = 8;
 
-/// Templates that would fit where the legend stands.
+/// Rows below the last template that the legend takes.
 const LEGEND: usize = 2;
 
-/// Draws the picture as SVG.
+/// Draws the plot as SVG.
 ///
 /// # Errors
 /// If it cannot be written.
-pub fn draw(rows: &[Row], path: &Path) -> anyhow::Result<()> {
+pub fn draw(results: &[FoldResult], path: &Path) -> anyhow::Result<()> {
     let root = SVGBackend::new(path, (2 * PANEL.0, PANEL.1)).into_drawing_area();
     let drawn = (|| {
         root.fill(&WHITE)?;
         for (panel, setup) in root.split_evenly((1, 2)).iter().zip([Setup::Within, Setup::Cross]) {
-            bars(&of(rows, setup).collect::<Vec<_>>(), setup, panel)?;
+            bars(&of(results, setup).collect::<Vec<_>>(), setup, panel)?;
         }
         root.present()
     })();
@@ -44,10 +44,10 @@ pub fn draw(rows: &[Row], path: &Path) -> anyhow::Result<()> {
 
 type Drawn = Result<(), DrawingAreaErrorKind<std::io::Error>>;
 
-/// One panel.
-fn bars(rows: &[&Row], setup: Setup, panel: &DrawingArea<SVGBackend, Shift>) -> Drawn {
+/// Draws one panel.
+fn bars(results: &[&FoldResult], setup: Setup, panel: &DrawingArea<SVGBackend, Shift>) -> Drawn {
     let count = TEMPLATES.len();
-    // The first template stands on top; below the last is room for the legend.
+    // The first template is at the top; below the last there is room for the legend.
     let last = count + LEGEND - 1;
     let place = |template: usize| SegmentValue::Exact(last - template);
     let mut chart = ChartBuilder::on(panel)
@@ -74,9 +74,9 @@ fn bars(rows: &[&Row], setup: Setup, panel: &DrawingArea<SVGBackend, Shift>) -> 
         .draw()?;
     for (bar, ((agent, name), colour)) in (0..).zip(AGENTS.into_iter().zip(COLOURS)) {
         let rectangles = (0..count).filter_map(|template| {
-            let scores: Vec<f64> = rows
+            let scores: Vec<f64> = results
                 .iter()
-                .map(|row| row.first_solved(agent, Some(template)))
+                .map(|result| result.first_solved(agent, Some(template)))
                 .filter(|firsts| !firsts.is_empty())
                 .map(|firsts| auccess(&firsts))
                 .collect();

@@ -1,0 +1,276 @@
+//! The result of one setup and fold, from training to evaluation, and its JSON file.
+
+use std::fs;
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use anyhow::{Context, ensure};
+use pathlight::agents;
+use pathlight::benchmark::auccess::{MAX_ATTEMPTS, auccess, solved_within};
+use pathlight::benchmark::folds::{FOLDS, Setup};
+use pathlight::simulator;
+use serde::{Deserialize, Serialize};
+
+use crate::commands::differences::differences;
+use crate::commands::evaluate::{self, Agent, Report};
+use crate::commands::fold_args::FoldArgs;
+use crate::commands::label::read_labels;
+use crate::commands::model_args::ModelArgs;
+use crate::commands::progress::say;
+use crate::commands::training_args::TrainingArgs;
+use crate::commands::training_run::{State, state};
+use crate::commands::{defaults, digest, train, train_judge};
+
+/// Settings that can be chosen for a table. The defaults are those of the results in the repository.
+#[derive(Clone, Debug, PartialEq, clap::Args, Serialize, Deserialize)]
+pub struct Hyperparameters {
+    /// Seed of training and evaluation
+    #[arg(long, default_value_t = 0)]
+    pub seed: u64,
+
+    /// Rounds of labelling; every task tries 64 balls per round
+    #[arg(long, value_name = "ROUNDS", default_value_t = 15)]
+    pub label_rounds: u16,
+
+    /// Epochs of the four nets
+    #[arg(long, default_value_t = 10, value_parser = clap::value_parser!(u16).range(1..))]
+    pub epochs: u16,
+
+    /// Epochs of the judge in the setup within
+    #[arg(long, value_name = "EPOCHS", default_value_t = 150, value_parser = clap::value_parser!(u16).range(1..))]
+    pub judge_epochs: u16,
+
+    /// Epochs of the judge in the setup cross
+    #[arg(long, value_name = "EPOCHS", default_value_t = 60, value_parser = clap::value_parser!(u16).range(1..))]
+    pub judge_epochs_cross: u16,
+
+    /// Use at most the first N test tasks of each template
+    #[arg(long, value_name = "N", default_value_t = 100, value_parser = clap::value_parser!(u16).range(1..))]
+    pub limit: u16,
+}
+
+/// The files that results are made from, and that making them only reads.
+pub struct Data {
+    pub solutions: PathBuf,
+    pub labels: PathBuf,
+}
+
+/// The result of a setup and fold.
+#[derive(Serialize, Deserialize)]
+pub struct FoldResult {
+    #[serde(alias = "recipe")]
+    pub hyperparameters: Hyperparameters,
+    /// The training of the four nets.
+    pub nets: State,
+    /// The training of the judge.
+    pub judge: State,
+    /// Size of the weights of all five nets, bytes.
+    pub weights: u64,
+    /// Wall-clock time of the evaluation of all agents, s.
+    pub evaluation_seconds: f64,
+    pub report: Report,
+}
+
+/// What decides a result, apart from its setup and fold. Results belong in one table if these agree.
+#[derive(PartialEq, Serialize)]
+pub struct Settings {
+    #[serde(flatten)]
+    hyperparameters: Hyperparameters,
+    simulator: u32,
+    agents_version: u32,
+    /// SHA-256 of the file of solutions.
+    solutions: String,
+    /// SHA-256 of the file of labelled balls.
+    labels: String,
+    batch: u16,
+    learning_rate: f64,
+    decay_epochs: usize,
+    mirror: bool,
+    without_dev: bool,
+    judge_batch: Option<u16>,
+    judge_learning_rate: Option<f64>,
+    balls_per_scene: Option<u16>,
+}
+
+impl Settings {
+    /// The settings of a result made now.
+    ///
+    /// # Errors
+    /// If the data cannot be read.
+    pub fn expected(hyperparameters: &Hyperparameters, data: &Data) -> anyhow::Result<Settings> {
+        let (nets, judge) = (defaults::<train::Args>(), defaults::<train_judge::Args>());
+        Ok(Settings {
+            hyperparameters: hyperparameters.clone(),
+            simulator: simulator::VERSION,
+            agents_version: agents::VERSION,
+            solutions: digest(&data.solutions)?,
+            labels: digest(&data.labels)?,
+            batch: nets.training.batch,
+            learning_rate: nets.training.learning_rate,
+            decay_epochs: nets.decay_epochs,
+            mirror: nets.mirror,
+            without_dev: nets.without_dev,
+            judge_batch: Some(judge.training.batch),
+            judge_learning_rate: Some(judge.training.learning_rate),
+            balls_per_scene: Some(judge.balls_per_scene),
+        })
+    }
+
+    /// Names the settings that differ; empty if none do.
+    pub fn differences(&self, other: &Settings) -> String {
+        differences(self, other)
+    }
+}
+
+impl FoldResult {
+    /// Trains and evaluates, in a folder of its own, and prints the commands that a person would type for it. Continues
+    /// where it was interrupted.
+    ///
+    /// # Errors
+    /// If the labelled balls are not those of the hyperparameters, and the errors of the commands.
+    pub fn make(
+        fold: FoldArgs,
+        hyperparameters: &Hyperparameters,
+        data: &Data,
+        folder: &Path,
+    ) -> anyhow::Result<FoldResult> {
+        let &Hyperparameters { seed, label_rounds, epochs, limit, .. } = hyperparameters;
+        ensure!(
+            read_labels(&data.labels)?.rounds() == Some(label_rounds.into()),
+            "{} does not hold the balls of {label_rounds} rounds: run `pathlight reproduce --only data`, or change \
+             --label-rounds",
+            data.labels.display(),
+        );
+        let judge_epochs = match fold.setup {
+            Setup::Within => hyperparameters.judge_epochs,
+            Setup::Cross => hyperparameters.judge_epochs_cross,
+        };
+        let judge_folder = folder.join("judge");
+        let (nets, judged) = (folder.join("weights.safetensors"), judge_folder.join("weights.safetensors"));
+        let announce = |command: &str, options: String| {
+            let FoldArgs { setup, fold } = fold;
+            say(&format!("$ pathlight {command} --setup {setup} --fold {fold} --seed {seed} {options}"));
+        };
+
+        let (solutions, out) = (data.solutions.display(), folder.display());
+        announce("train", format!("--solutions {solutions} --epochs {epochs} --out {out}"));
+        let training = |folder: &Path| TrainingArgs { seed, out: Some(folder.to_path_buf()), ..defaults() };
+        let (solutions, epochs) = (data.solutions.clone(), epochs.into());
+        train::Args { fold, solutions, epochs, training: training(folder), ..defaults() }.run()?;
+
+        let (weights, labels, out) = (nets.display(), data.labels.display(), judge_folder.display());
+        let options = format!("--weights {weights} --labels {labels} --epochs {judge_epochs} --out {out}");
+        announce("train-judge", options);
+        let (model, labels) = (ModelArgs { weights: Some(nets) }, data.labels.clone());
+        let (epochs, training) = (judge_epochs.into(), training(&judge_folder));
+        train_judge::Args { fold, model, labels, epochs, training, ..defaults() }.run()?;
+
+        let started = Instant::now();
+        announce("evaluate", format!("--weights {} --limit {limit}", judged.display()));
+        let model = ModelArgs { weights: Some(judged.clone()) };
+        let report = evaluate::Args { fold, limit: Some(limit), seed, model, ..defaults() }.measure()?;
+        say(report.table()?.trim_end());
+
+        let trained = |folder: &Path| state(folder)?.with_context(|| format!("no run in {}", folder.display()));
+        Ok(FoldResult {
+            hyperparameters: hyperparameters.clone(),
+            nets: trained(folder)?,
+            judge: trained(&judge_folder)?,
+            weights: fs::metadata(&judged)?.len(),
+            evaluation_seconds: started.elapsed().as_secs_f64(),
+            report,
+        })
+    }
+
+    /// Reads a result; `None` if there is no file.
+    ///
+    /// # Errors
+    /// If the file is not a result.
+    pub fn load(path: &Path) -> anyhow::Result<Option<FoldResult>> {
+        let bytes = match fs::read(path) {
+            Err(error) if error.kind() == ErrorKind::NotFound => return Ok(None),
+            read => read.with_context(|| format!("cannot read {}", path.display()))?,
+        };
+        let result = serde_json::from_slice(&bytes);
+        result
+            .map(Some)
+            .with_context(|| format!("{} is not a result of `pathlight reproduce`: remove it", path.display()))
+    }
+
+    /// Writes the file, completely or not at all.
+    ///
+    /// # Errors
+    /// If it cannot be written.
+    pub fn save(&self, path: &Path) -> anyhow::Result<()> {
+        let part = path.with_extension("part");
+        let write = || {
+            path.parent().map_or(Ok(()), fs::create_dir_all)?;
+            fs::write(&part, serde_json::to_vec(self)?)?;
+            fs::rename(&part, path)
+        };
+        write().with_context(|| format!("cannot write {}", path.display()))?;
+        say(&format!("wrote {}", path.display()));
+        Ok(())
+    }
+
+    /// The settings it was made with.
+    pub fn settings(&self) -> Settings {
+        let (card, judge) = (&self.nets.card, self.judge.card.judge.as_ref());
+        Settings {
+            hyperparameters: self.hyperparameters.clone(),
+            simulator: self.report.simulator,
+            agents_version: self.report.agents_version,
+            solutions: self.nets.data.clone(),
+            labels: self.judge.data.clone(),
+            batch: card.batch,
+            learning_rate: card.learning_rate,
+            decay_epochs: card.decay_epochs,
+            mirror: card.mirror,
+            without_dev: card.without_dev,
+            judge_batch: judge.map(|judge| judge.batch),
+            judge_learning_rate: judge.map(|judge| judge.learning_rate),
+            balls_per_scene: judge.map(|judge| judge.balls_per_scene),
+        }
+    }
+
+    /// The first solving attempts of an agent, on all tasks or those of a template; empty if it was not measured.
+    pub fn first_solved(&self, agent: Agent, template: Option<usize>) -> Vec<Option<usize>> {
+        let score = self.report.agents.iter().find(|score| score.agent == agent);
+        let all = score.into_iter().flat_map(|score| &score.first_solved);
+        all.filter(|(task, _)| template.is_none_or(|one| task.template == one)).map(|&(_, first)| first).collect()
+    }
+
+    /// Auccess, and the percentages of tasks solved at the first attempt, within 10 and within 100.
+    pub fn score(&self, agent: Agent) -> [f64; 4] {
+        let firsts = self.first_solved(agent, None);
+        let [one, ten, hundred] = [1, 10, MAX_ATTEMPTS].map(|attempts| 100.0 * solved_within(&firsts, attempts));
+        [auccess(&firsts), one, ten, hundred]
+    }
+}
+
+/// Reads all results in a folder, within before cross, folds ascending.
+///
+/// # Errors
+/// If there is none, a file is damaged, or results have different settings.
+pub fn read(folder: &Path) -> anyhow::Result<Vec<FoldResult>> {
+    let mut results: Vec<FoldResult> = Vec::new();
+    for setup in [Setup::Within, Setup::Cross] {
+        for fold in 0..FOLDS {
+            let path = folder.join(format!("{}.json", FoldArgs { setup, fold }));
+            let Some(result) = FoldResult::load(&path)? else { continue };
+            if let Some(first) = results.first() {
+                let other = result.settings().differences(&first.settings());
+                ensure!(
+                    other.is_empty(),
+                    "{} was made with other settings than the results before it ({other}): keep such results in \
+                     different folders (--results)",
+                    path.display()
+                );
+            }
+            results.push(result);
+        }
+    }
+    ensure!(!results.is_empty(), "{} holds no results: run `pathlight reproduce` first", folder.display());
+    Ok(results)
+}

@@ -1,0 +1,120 @@
+//! `pathlight reproduce`: reproduces the paper's table over setups and folds, with the other commands, and reports on it.
+//!
+//! Three parts, by default one after the other: the data that all folds share (`collect`, `label`); a result per setup
+//! and fold, as a JSON file each (`train`, `train-judge`, `evaluate`); a report on the existing results (Markdown and a
+//! plot). Each part continues where it was interrupted. Making a result writes nothing that another result reads, so
+//! results can be made in parallel, on several machines.
+
+use std::path::PathBuf;
+
+use anyhow::{Context, ensure};
+use clap::ValueEnum;
+use pathlight::benchmark::folds::{FOLDS, Setup};
+
+use super::fold_args::{FoldArgs, setup};
+use super::progress::say;
+use super::{collect, defaults, label};
+use fold_result::{Data, FoldResult, Hyperparameters, Settings};
+
+mod fold_result;
+mod plot;
+mod report;
+
+/// Reproduce the paper's table, or continue with it: data, folds, report
+#[derive(clap::Args)]
+pub struct Args {
+    /// Do only this part
+    #[arg(long, value_enum)]
+    only: Option<Part>,
+
+    /// Only folds of this setup
+    #[arg(long, value_parser = setup())]
+    setup: Option<Setup>,
+
+    /// Only this fold; can be repeated [default: all ten]
+    #[arg(long = "fold", value_name = "FOLD", value_parser = clap::value_parser!(u8).range(0..i64::from(FOLDS)))]
+    folds: Vec<u8>,
+
+    /// Folder of the results and of the report
+    #[arg(long, value_name = "DIR", default_value = "results")]
+    results: PathBuf,
+
+    /// Solutions of all tasks: collected until complete, and trained on
+    #[arg(long, default_value = "assets/solutions.jsonl")]
+    solutions: PathBuf,
+
+    /// Balls with their outcome: labelled until complete, and trained on by the judge
+    #[arg(long, default_value = "target/labels.jsonl")]
+    labels: PathBuf,
+
+    /// Folder of the training runs, each in its own subfolder SETUP-FOLD
+    #[arg(long, value_name = "DIR", default_value = "target/train")]
+    train_dir: PathBuf,
+
+    #[command(flatten)]
+    hyperparameters: Hyperparameters,
+}
+
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+enum Part {
+    /// Solutions and labelled balls, which all folds share
+    Data,
+    /// Training and evaluation: a JSON file per setup and fold
+    Folds,
+    /// README.md and a plot of the existing results
+    Report,
+}
+
+impl Args {
+    pub fn run(self) -> anyhow::Result<()> {
+        let asked = |part| self.only.is_none_or(|only| only == part);
+        let data = Data { solutions: self.solutions.clone(), labels: self.labels.clone() };
+        if asked(Part::Data) {
+            self.make_data()?;
+        }
+        if asked(Part::Folds) {
+            let folds = if self.folds.is_empty() { (0..FOLDS).collect() } else { self.folds.clone() };
+            for fold in folds {
+                for setup in [Setup::Within, Setup::Cross] {
+                    if self.setup.is_none_or(|one| one == setup) {
+                        self.make_result(FoldArgs { setup, fold }, &data)?;
+                    }
+                }
+            }
+        }
+        if asked(Part::Report) {
+            report::write(&fold_result::read(&self.results)?, &self.solutions, &self.results)?;
+        }
+        Ok(())
+    }
+
+    /// Collects solutions and labels balls.
+    fn make_data(&self) -> anyhow::Result<()> {
+        let (solutions, labels) = (self.solutions.display(), self.labels.display());
+        say(&format!("$ pathlight collect --out {solutions}"));
+        collect::Args { out: self.solutions.clone(), ..defaults() }.run()?;
+        let rounds = self.hyperparameters.label_rounds;
+        say(&format!("$ pathlight label --solutions {solutions} --out {labels} --rounds {rounds}"));
+        label::Args { out: self.labels.clone(), solutions: self.solutions.clone(), rounds: rounds.into(), ..defaults() }
+            .run()
+    }
+
+    /// Makes the result of a fold, unless its file exists.
+    fn make_result(&self, fold: FoldArgs, data: &Data) -> anyhow::Result<()> {
+        let path = self.results.join(format!("{fold}.json"));
+        let name = path.display();
+        if let Some(result) = FoldResult::load(&path)? {
+            let other = result.settings().differences(&Settings::expected(&self.hyperparameters, data)?);
+            ensure!(
+                other.is_empty(),
+                "{name} was made with other settings ({other}): choose other folders with --results and --train-dir, \
+                 or remove it"
+            );
+            say(&format!("{name} exists"));
+            return Ok(());
+        }
+        let folder = self.train_dir.join(fold.to_string());
+        let result = FoldResult::make(fold, &self.hyperparameters, data, &folder);
+        result.with_context(|| format!("cannot make {name}"))?.save(&path)
+    }
+}
