@@ -44,7 +44,7 @@ test('the attempts of the first model go, the player’s stay, and no store take
   await choose(page, second);
   assert.equal(await made(page), 0);
   assert.equal(await page.locator('#player-attempts li').count(), 1);
-  assert.match(await page.locator('#verdict').textContent(), /The model has not had its turn\.$/);
+  assert.match(await page.locator('#verdict').textContent(), /1 attempt by you, 0 attempts by the model\.$/);
   await page.locator('#model-turn:enabled').filter({ hasText: 'Let the model play' }).waitFor();
   // Anything that changes the session.
   await page.locator('#scene').press('ArrowUp');

@@ -30,13 +30,23 @@ test('the model plays until it has solved, or a hundred times', async () => {
   assert.equal(await page.locator('#play-attempts li').count(), 0, 'the player has made none');
 });
 
+/** Starts the turn, and clicks its button so many times as soon as there is an attempt: a whole turn is over in half a second. */
+async function playThenClick(page, clicks) {
+  await page.locator('#model-turn').evaluate((button, clicks) => {
+    const list = /** @type {HTMLElement} */ (document.querySelector('#model-attempts'));
+    const observer = new MutationObserver(() => {
+      observer.disconnect();
+      for (let count = 0; count < clicks; count += 1) button.click();
+    });
+    observer.observe(list, { childList: true });
+    button.click();
+  }, clicks);
+}
+
 test('its turn can be stopped, and taken up again with the same balls', async () => {
   const page = await compare({ task: await unsolvedTask() });
-  const turn = page.locator('#model-turn');
-  await turn.click();
-  await page.locator('#model-attempts li').first().waitFor();
-  await turn.filter({ hasText: 'Stop the model' }).click();
-  assert.equal(await turn.textContent(), 'Let the model play');
+  await playThenClick(page, 1);
+  await page.locator('#model-turn').filter({ hasText: 'Let the model play' }).waitFor();
   const [first, count] = [await page.locator('#model-attempts [data-act=replay]').first().getAttribute('title'), await made(page)];
   assert.ok(count >= 1 && count < 100, `${count} attempts`);
   await page.waitForTimeout(500);
@@ -48,12 +58,7 @@ test('its turn can be stopped, and taken up again with the same balls', async ()
 
 test('a turn that is stopped and started again at once is played to its end', async () => {
   const page = await compare({ task: await unsolvedTask() });
-  await page.locator('#model-turn').click();
-  await page.locator('#model-attempts li').first().waitFor();
-  await page.locator('#model-turn').evaluate((button) => {
-    button.click();
-    button.click();
-  });
+  await playThenClick(page, 2);
   await page.locator('#model-turn').filter({ hasText: 'The model has played' }).waitFor({ timeout: 120_000 });
   assert.equal(await made(page), 100);
 });

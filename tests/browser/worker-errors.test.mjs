@@ -12,7 +12,7 @@ after(() => session.stop());
 
 /** Opens a puzzle whose first worker throws at the first call of this name. */
 async function openFailing(call, error, more) {
-  const page = await session.open('/icon.svg');
+  const page = await session.open('');
   await page.context().route('**/model/worker.js', async (route) => {
     const response = await route.fetch();
     const failing = `{ const { ${call} } = calls; calls.${call} = () => { calls.${call} = ${call}; throw ${error}; }; }`;
