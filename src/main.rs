@@ -1,6 +1,6 @@
-//! The native binary: `pathlight COMMAND …`. All it holds is the way in and the way out; see `commands`.
+//! The native binary: `pathlight COMMAND …`. See `commands`.
 //!
-//! In a wasm32 build, which has no command line, it is an empty program.
+//! In a wasm32 build, which has no command line, `main` does nothing.
 
 #[cfg(not(target_arch = "wasm32"))]
 mod commands;

@@ -1,6 +1,6 @@
-//! The command line as its users meet it: the real binary, its output, its exit codes.
+//! The command line as its users run it: the real binary, its output, its exit codes.
 //!
-//! A module for each command. This file holds how to run it.
+//! One module per command, or per behaviour of several. This file runs the binary.
 #![cfg(not(target_arch = "wasm32"))]
 
 use std::io::Write;
@@ -17,7 +17,7 @@ mod tasks;
 mod train;
 mod train_judge;
 
-/// The binary, ready to be given arguments.
+/// The binary, without arguments yet.
 fn pathlight() -> Command {
     Command::new(env!("CARGO_BIN_EXE_pathlight"))
 }
@@ -36,21 +36,21 @@ fn run(args: &[&str], input: &str) -> Output {
     output
 }
 
-/// Standard output of a run that has to succeed.
+/// Returns the standard output of a run that must succeed.
 fn output_of(args: &[&str]) -> String {
     let output = run(args, "");
     assert!(output.status.success(), "{args:?}: {}", stderr(&output));
     stdout(&output)
 }
 
-/// Asserts that the run is refused: nothing on standard output, a sentence that has these words, exit code 2.
+/// Asserts that a run is refused: nothing on standard output, an error that contains these words, exit code 2.
 fn assert_refused(args: &[&str], words: &str) {
     let output = run(args, "");
     assert_eq!(output.status.code(), Some(2), "{args:?}: {output:?}");
     assert_eq!(stdout(&output), "", "{args:?}");
     let said = stderr(&output);
-    let errs = said.lines().any(|line| line.starts_with("error: "));
-    assert!(errs && said.contains(words), "{args:?} said {said:?} without {words:?}");
+    let is_error = said.lines().any(|line| line.starts_with("error: "));
+    assert!(is_error && said.contains(words), "{args:?} said {said:?} without {words:?}");
 }
 
 fn stdout(output: &Output) -> String {

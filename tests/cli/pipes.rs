@@ -34,7 +34,7 @@ fn commands_end_quietly_when_nobody_reads() {
         &["tasks"],
         &["simulate", "--task", "00000:000"],
         &["simulate", "--batch", &file("request")],
-        &["propose", "--task", "00002:007", "--attempts", "3"],
+        &["propose", "--task", "00002:007"],
         &["evaluate", "--agent", "random", "--limit", "1"],
         &["collect", "--template", "2", "--limit", "1", "--rounds", "1", "--persist", "0", "--out", &solutions],
         &["publish", weights, "--assets", &assets],

@@ -1,4 +1,4 @@
-//! `pathlight serve`: what a browser gets, and what nobody gets.
+//! `pathlight serve`: the files and headers a browser receives, and what is refused.
 
 use std::fs;
 use std::io::{BufRead, BufReader, Read, Write};
@@ -9,7 +9,7 @@ use tempfile::{TempDir, tempdir};
 
 use crate::{assert_refused, pathlight};
 
-/// A server of its own folders, on a port of its own; ends with the test.
+/// A server of temporary folders on a free port; ends with the test.
 struct Server {
     child: Child,
     /// `127.0.0.1:PORT`
@@ -45,7 +45,7 @@ impl Server {
         Server { child, address, folder }
     }
 
-    /// Head and body of the answer; `path` goes out as it is, `headers` are whole lines.
+    /// Returns head and body of the response; `path` is sent unchanged, `headers` are whole lines.
     fn get(&self, path: &str, headers: &[&str]) -> (String, Vec<u8>) {
         let mut stream = TcpStream::connect(&self.address).expect("it listens");
         let headers: String = headers.iter().map(|header| format!("{header}\r\n")).collect();
@@ -187,7 +187,7 @@ fn a_taken_port_is_refused_with_the_remedy() {
     let (www, assets) = (server.folder.path().join("www"), server.folder.path().join("assets"));
     let folders = ["--dir", www.to_str().expect("UTF-8"), "--assets", assets.to_str().expect("UTF-8")];
     let args = [&["serve", "--port", server.port()][..], &folders].concat();
-    assert_refused(&args, &format!("port {} is taken by another program: choose another", server.port()));
+    assert_refused(&args, &format!("port {} is in use by another program: choose another", server.port()));
 }
 
 #[test]

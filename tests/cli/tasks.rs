@@ -1,4 +1,4 @@
-//! `pathlight tasks`: what there is to solve.
+//! `pathlight tasks`: the lists of templates and tasks, and the JSON of scenes.
 
 use std::collections::BTreeSet;
 use std::io::{BufRead, BufReader, Read};
@@ -66,7 +66,7 @@ fn prints_the_scenes_of_one_template_as_json() {
     assert_eq!(output.lines().filter(|line| line.starts_with(r#"{"id":"00024:"#)).count(), 100);
 }
 
-/// What the JSON means, not how the scene came about: that is `conformance`'s.
+/// Compares the meaning of the JSON; `conformance` compares the scenes.
 #[test]
 #[ignore = "needs PATHLIGHT_PHYRE"]
 fn the_json_reads_as_the_reference_lines_do() {

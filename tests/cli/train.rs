@@ -1,4 +1,4 @@
-//! `pathlight train` and what is done with its weights: `publish`, `propose`, `evaluate`.
+//! `pathlight train`, and the commands that use its weights: `publish`, `propose`, `evaluate`.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -44,7 +44,7 @@ fn a_run_that_was_cut_off_ends_with_the_same_weights() {
     let folder = tempdir().expect("a folder");
     let whole = train(&folder.path().join("whole"), &[]);
     let cut = train(&folder.path().join("cut"), &["--stop-after", "2"]);
-    assert!(!cut.exists(), "it was to stop before the end");
+    assert!(!cut.exists(), "it should have stopped before the end");
     let cut = train(&folder.path().join("cut"), &[]);
     assert_eq!(fs::read(whole).expect("weights"), fs::read(cut).expect("weights"));
     let losses = |run: &str| fs::read_to_string(folder.path().join(run).join("losses.csv")).expect("losses");
@@ -135,7 +135,7 @@ fn another_seed_gives_other_weights_and_needs_another_folder() {
 }
 
 #[test]
-fn weights_are_published_proposed_from_and_refused_where_they_may_have_cheated() {
+fn weights_are_published_and_refused_on_folds_they_may_have_seen() {
     let folder = tempdir().expect("a folder");
     let weights = text(&train(folder.path(), &[]));
 

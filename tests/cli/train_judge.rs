@@ -29,7 +29,7 @@ fn a_judge_joins_the_weights_and_orders_the_attempts() {
     assert!(card.judge.expect("a card").balls > 64);
 
     let cut = judge("cut", &["--stop-after", "3"]);
-    assert!(!cut.join("weights.safetensors").exists(), "it was to stop before the end");
+    assert!(!cut.join("weights.safetensors").exists(), "it should have stopped before the end");
     judge("cut", &[]);
     assert_eq!(fs::read(cut.join("weights.safetensors")).expect("weights"), bytes, "cut off or not, the same judge");
     let losses = |run: &Path| fs::read_to_string(run.join("losses.csv")).expect("losses");

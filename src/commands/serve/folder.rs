@@ -1,7 +1,7 @@
 //! A folder to serve files from, and nothing outside it.
 //!
-//! `ServeDir` turns away `..`, however it is written; what is left is a link that leads out. So every path is
-//! resolved before it is opened.
+//! `ServeDir` refuses `..` in every encoding; a symbolic link could still lead out. So every path is resolved before it
+//! is opened.
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -11,11 +11,13 @@ use tower_http::services::fs::{Backend, TokioBackend, TokioFile};
 
 #[derive(Clone, Debug)]
 pub struct Folder {
-    /// With every link resolved.
+    /// With all links resolved.
     root: PathBuf,
 }
 
 impl Folder {
+    /// Opens a folder.
+    ///
     /// # Errors
     /// If there is no such folder.
     pub fn open(path: &Path) -> io::Result<Folder> {
@@ -30,7 +32,10 @@ impl Folder {
         &self.root
     }
 
-    /// The path with every link resolved; not found if that is outside or nowhere.
+    /// Resolves all links of a path.
+    ///
+    /// # Errors
+    /// Not found if the result is outside the folder or does not exist.
     async fn inside(self, path: PathBuf) -> io::Result<PathBuf> {
         let path = tokio::fs::canonicalize(path).await.ok();
         path.filter(|path| path.starts_with(&self.root)).ok_or(io::ErrorKind::NotFound.into())

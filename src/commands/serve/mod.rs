@@ -1,7 +1,7 @@
-//! `pathlight serve`: the page, on this machine.
+//! `pathlight serve`: serves the page to a browser on this machine.
 //!
-//! A file server that knows what a browser needs to know of these files: types, compression, a policy that lets
-//! nothing in from elsewhere, and to ask each time whether a file has changed. `/assets/` holds the weights.
+//! A static file server with what this page needs: media types, compression, a content security policy, and no caching
+//! without revalidation. `/assets/` holds the weights. The `Host` header is not checked: all files are public.
 
 use std::io::{self, Write};
 use std::path::PathBuf;
@@ -19,29 +19,30 @@ use tower_http::set_header::SetResponseHeaderLayer;
 
 mod folder;
 
+use super::progress::say;
 use folder::Folder;
 
 /// Serve the page to a browser on this machine
 #[derive(clap::Args)]
 pub struct Args {
-    /// Listen on this port; 0 takes a free one
+    /// Listen on this port; 0 chooses a free one
     #[arg(long, default_value_t = 8080)]
     port: u16,
 
-    /// Listen on this address; any but a loopback address lets other machines in
+    /// Listen on this address; addresses other than loopback let other machines connect
     #[arg(long, default_value = "127.0.0.1")]
     host: String,
 
-    /// Serve this folder: the page, with the wasm package in its subfolder pkg
+    /// Folder to serve: the page, with the wasm package in its subfolder pkg
     #[arg(long, default_value = "www")]
     dir: PathBuf,
 
-    /// Serve this folder as /assets/
+    /// Folder to serve as /assets/
     #[arg(long, default_value = "assets")]
     assets: PathBuf,
 }
 
-/// Every answer carries these. The policy lets the page have its own scripts, wasm, styles and data, and no others.
+/// Headers of every response. The policy allows only the page's own scripts, wasm, styles and data.
 const HEADERS: [(HeaderName, &str); 6] = [
     (
         header::CONTENT_SECURITY_POLICY,
@@ -52,7 +53,7 @@ const HEADERS: [(HeaderName, &str); 6] = [
     (header::REFERRER_POLICY, "no-referrer"),
     (HeaderName::from_static("cross-origin-opener-policy"), "same-origin"),
     (HeaderName::from_static("cross-origin-resource-policy"), "same-origin"),
-    // Kept, but never used unasked: a rebuilt package reaches the page at its next load.
+    // Cached, but revalidated each time, so that a rebuilt package reaches the page at its next load.
     (header::CACHE_CONTROL, "no-cache"),
 ];
 
@@ -64,13 +65,16 @@ impl Args {
             format!("cannot serve {}: name the folder of the weights with --assets", self.assets.display())
         })?;
         if !self.dir.join("pkg").is_dir() {
-            eprintln!("warning: {} has no wasm package, so the page cannot start: run `make play`", self.dir.display());
+            say(&format!(
+                "warning: {} has no wasm package, so the page cannot start: run `make play`",
+                self.dir.display()
+            ));
         }
         let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build()?;
         runtime.block_on(async {
             let listener = listen(&self.host, self.port).await?;
             tokio::select! {
-                // In this order: by the time anyone knows the address, Ctrl+C is listened for.
+                // In this order, so that Ctrl+C is handled before the address is printed.
                 biased;
                 stopped = tokio::signal::ctrl_c() => Ok(stopped?),
                 served = serve(listener, router(&page, &assets)) => served,
@@ -79,12 +83,12 @@ impl Args {
     }
 }
 
-/// Prints the address and serves for ever.
+/// Prints the address and serves until the process ends.
 async fn serve(listener: TcpListener, router: Router) -> anyhow::Result<()> {
     let address = listener.local_addr()?;
     writeln!(io::stdout(), "Pathlight is at http://{address}/ (Ctrl+C ends it)")?;
     if !address.ip().is_loopback() {
-        eprintln!("warning: every machine that reaches {} can open the page", address.ip());
+        say(&format!("warning: every machine that reaches {} can open the page", address.ip()));
     }
     Ok(axum::serve(listener, router).await?)
 }
@@ -93,19 +97,21 @@ async fn listen(host: &str, port: u16) -> anyhow::Result<TcpListener> {
     match TcpListener::bind((host, port)).await {
         Ok(listener) => Ok(listener),
         Err(error) if error.kind() == io::ErrorKind::AddrInUse => {
-            bail!("port {port} is taken by another program: choose another, with --port or `make play PORT=8081`")
+            bail!("port {port} is in use by another program: choose another, with --port or `make play PORT=8081`")
         }
         Err(error) if error.kind() == io::ErrorKind::PermissionDenied => {
-            bail!("port {port} is not for everyone: choose one from 1024 up")
+            bail!("port {port} needs administrator rights: choose one from 1024 up")
         }
-        Err(error) => Err(error).with_context(|| format!("cannot listen on {host}: give an address of this machine")),
+        Err(error) => {
+            Err(error).with_context(|| format!("cannot listen on {host}: name an address of this machine with --host"))
+        }
     }
 }
 
 fn router(page: &Folder, assets: &Folder) -> Router {
-    // Weights are as good as random numbers, and without compression a browser knows how much is still to come.
+    // Weights do not compress, and an uncompressed response tells the browser its length, for a progress bar.
     let compressible = DefaultPredicate::new().and(NotForContentType::const_new("application/octet-stream"));
-    // A cheap level: it is done anew for every load.
+    // A fast level, because each response is compressed when it is sent.
     let compression = CompressionLayer::new().quality(CompressionLevel::Fastest).compress_when(compressible);
     let router = files(page).nest("/assets", files(assets)).layer(compression);
     HEADERS.into_iter().fold(router, |router, (name, value)| {
@@ -115,7 +121,7 @@ fn router(page: &Folder, assets: &Folder) -> Router {
 
 fn files(folder: &Folder) -> Router {
     let missing = any(|| async { "There is nothing here. The page is at /\n" });
-    // `scripts/build-wasm` leaves the wasm compressed as well as can be beside it.
+    // `scripts/build-wasm` writes the wasm beside it, compressed at the highest level.
     let files =
         ServeDir::with_backend(folder.root(), folder.clone()).precompressed_br().redirect_to_trailing_slash(false);
     Router::new().fallback_service(files.not_found_service(missing))
