@@ -107,7 +107,7 @@ impl Args {
         // [template, or all][column][even or odd]
         let mut agreements = vec![[[Agreement::default(); 2]; COLUMNS.len()]; TEMPLATES.len() + 1];
         for (line, solved) in lines.iter().zip(solved) {
-            let column = COLUMNS.iter().position(|&(_, kind, wanted)| kind == line.kind && wanted == line.solved);
+            let column = COLUMNS.iter().position(|&(_, kind, recorded)| kind == line.kind && recorded == line.solved);
             let Some(column) = column else {
                 bail!("{} is recorded as a solution that does not solve: correct outcomes.jsonl", description(line))
             };

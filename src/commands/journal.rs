@@ -33,7 +33,7 @@ pub trait Entry: Serialize + DeserializeOwned {
     fn check(&self) -> Result<(), String>;
 }
 
-/// A file that this process alone appends to.
+/// A file that only this process appends to.
 pub struct Journal {
     path: PathBuf,
     file: File,

@@ -80,21 +80,21 @@ fn the_json_reads_as_the_reference_lines_do() {
         for key in ["id", "goal", "body1", "body2"] {
             assert_eq!(task[key], expected[key], "{key}");
         }
-        let (bodies, wanted) = (task["bodies"].as_array().unwrap(), expected["bodies"].as_array().unwrap());
-        assert_eq!(bodies.len(), wanted.len());
-        for (body, wanted) in bodies.iter().zip(wanted) {
-            assert_eq!(body["role"], wanted["color"]);
+        let (bodies, reference) = (task["bodies"].as_array().unwrap(), expected["bodies"].as_array().unwrap());
+        assert_eq!(bodies.len(), reference.len());
+        for (body, reference) in bodies.iter().zip(reference) {
+            assert_eq!(body["role"], reference["color"]);
             for key in ["shape", "dynamic"] {
-                assert_eq!(body[key], wanted[key], "{key}");
+                assert_eq!(body[key], reference[key], "{key}");
             }
             for key in ["x", "y", "angle"] {
-                let apart = body[key].as_f64().unwrap() - wanted[key].as_f64().unwrap();
-                assert!(apart.abs() < 1e-4, "{key}: {body} {wanted}");
+                let apart = body[key].as_f64().unwrap() - reference[key].as_f64().unwrap();
+                assert!(apart.abs() < 1e-4, "{key}: {body} {reference}");
             }
             let kinds = |body: &Value| -> Vec<bool> {
                 body["parts"].as_array().unwrap().iter().map(|part| part["circle"].is_f64()).collect()
             };
-            assert_eq!(kinds(body), kinds(wanted));
+            assert_eq!(kinds(body), kinds(reference));
         }
     }
 }
