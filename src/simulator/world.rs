@@ -128,3 +128,108 @@ impl World {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use rapier2d::math::Vector;
+
+    use super::super::constants::{GRAVITY, RESTITUTION, TIME_STEP, TIME_TO_SLEEP};
+    use super::*;
+    use crate::puzzle::action::Ball;
+    use crate::puzzle::scene::walls;
+
+    /// A world of balls, px, with their velocities, m/s; without walls.
+    fn flying(balls: &[(Ball, Vector)]) -> World {
+        let mut world = World::default();
+        for &(ball, velocity) in balls {
+            let index = world.add(&ball.body());
+            world.solver_bodies[index].velocity = velocity;
+        }
+        world
+    }
+
+    /// Total mass, linear momentum and angular momentum about the origin, SI units.
+    fn momentum(world: &World) -> (f32, Vector, f32) {
+        let bodies = world.bodies.iter().zip(&world.solver_bodies);
+        bodies.fold((0.0, Vector::ZERO, 0.0), |(mass, linear, angular), (body, solver_body)| {
+            let momentum = solver_body.velocity / solver_body.inv_mass;
+            let spin = solver_body.angular_velocity / solver_body.inv_inertia;
+            let orbital = body.sweep.position.centre.perp_dot(momentum);
+            (mass + 1.0 / solver_body.inv_mass, linear + momentum, angular + orbital + spin)
+        })
+    }
+
+    #[test]
+    fn a_free_collision_conserves_momentum() {
+        // Off-centre, so that friction spins the balls; slow, so that the position correction stays small.
+        let left = Ball { x: 100.0, y: 100.0, r: 6.0 };
+        let right = Ball { x: 119.5, y: 105.0, r: 12.0 };
+        let mut world = flying(&[(left, Vector::new(2.0, 0.0)), (right, Vector::new(-1.0, 0.5))]);
+        let approach = |world: &World| world.solver_bodies[1].velocity - world.solver_bodies[0].velocity;
+        let ((mass, linear, _), before) = (momentum(&world), approach(&world));
+        let mut touched = false;
+        for step in 1..=30 {
+            // Gravity is a force from outside; its torque is that on the centre of mass.
+            let (_, _, angular) = momentum(&world);
+            let torque = world
+                .bodies
+                .iter()
+                .zip(&world.solver_bodies)
+                .map(|(body, solver_body)| body.sweep.position.centre.x * GRAVITY / solver_body.inv_mass);
+            let expected_angular = angular + TIME_STEP * torque.sum::<f32>();
+            let expected_linear = linear + Vector::new(0.0, mass * GRAVITY * TIME_STEP * step as f32);
+            world.step();
+            touched |= world.has_touching_contact(0, 1);
+            let (_, linear, angular) = momentum(&world);
+            assert!((linear - expected_linear).length() < 1e-3 * expected_linear.length(), "step {step}");
+            assert!(
+                (angular - expected_angular).abs() < 2e-3 * expected_angular.abs(),
+                "step {step}: {angular} {expected_angular}"
+            );
+        }
+        assert!(touched, "the balls collide");
+        assert!(world.solver_bodies.iter().any(|body| body.angular_velocity.abs() > 0.1), "friction spins them");
+        assert!((approach(&world) - before).length() > 1.0, "the collision changes their velocities");
+    }
+
+    #[test]
+    fn a_head_on_collision_separates_by_the_restitution() {
+        let ball = |x, r| Ball { x, y: 100.0, r };
+        let mut world =
+            flying(&[(ball(100.0, 6.0), Vector::new(10.0, 0.0)), (ball(130.0, 12.0), Vector::new(-10.0, 0.0))]);
+        for _ in 0..30 {
+            world.step();
+        }
+        let separation = world.solver_bodies[1].velocity.x - world.solver_bodies[0].velocity.x;
+        assert!((separation - RESTITUTION * 20.0).abs() < 1e-3, "{separation} m/s");
+    }
+
+    #[test]
+    fn a_body_at_rest_falls_asleep_and_wakes_when_it_is_hit() {
+        let mut world = World::default();
+        for wall in walls() {
+            world.add(&wall);
+        }
+        let resting = world.add(&Ball { x: 100.0, y: 10.05, r: 10.0 }.body());
+        let mut asleep_after = 0;
+        while world.is_awake() {
+            world.step();
+            asleep_after += 1;
+            assert!(asleep_after < 120, "it stays awake");
+        }
+        assert!(asleep_after as f32 * TIME_STEP >= TIME_TO_SLEEP, "asleep after {asleep_after} steps");
+        let at_rest = world.bodies[resting].sweep.position.centre;
+
+        let falling = world.add(&Ball { x: 103.0, y: 100.0, r: 10.0 }.body());
+        while !world.has_touching_contact(resting, falling) {
+            assert!(!world.bodies[resting].awake && world.bodies[falling].awake);
+            assert_eq!(world.bodies[resting].sweep.position.centre, at_rest, "a sleeping body does not move");
+            world.step();
+        }
+        assert!(world.bodies[resting].awake, "a new contact wakes it");
+        for _ in 0..30 {
+            world.step();
+        }
+        assert!(world.bodies[resting].sweep.position.centre.x < at_rest.x, "it is pushed aside");
+    }
+}

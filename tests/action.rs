@@ -1,0 +1,141 @@
+//! Which actions are valid, and which ball they place: PHYRE's rule, at its edges.
+#![cfg(not(target_arch = "wasm32"))]
+
+use pathlight::puzzle::action::{Action, Ball, Invalid, Obstacles, RADIUS};
+use pathlight::puzzle::scene::{Body, Role, SIZE, Scene, Shape, ShapeType, rectangle};
+use pathlight::puzzle::task::Task;
+use proptest::prelude::*;
+
+/// A scene of one static body in the middle; of none for `None`.
+fn scene_with(shape: Option<Shape>) -> Scene {
+    let body = |shape| Body {
+        x: 128.0,
+        y: 128.0,
+        angle: 0.0,
+        dynamic: false,
+        shape_type: ShapeType::Bar,
+        role: Role::Black,
+        shapes: vec![shape],
+    };
+    Scene { body1: 0, body2: 0, bodies: shape.into_iter().map(body).collect() }
+}
+
+/// The action whose ball has this centre and radius before rounding, px.
+fn action(x: f64, y: f64, r: f64) -> Action {
+    Action { x: x / 255.0, y: y / 255.0, r: (r - 2.0) / 30.0 }
+}
+
+#[test]
+fn an_action_out_of_range_is_invalid() {
+    let empty = scene_with(None);
+    let good = Action { x: 0.5, y: 0.5, r: 0.5 };
+    assert!(good.place(&empty).is_ok());
+    for bad in [-1e-9, 1.0 + 1e-9, f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        for action in [Action { x: bad, ..good }, Action { y: bad, ..good }, Action { r: bad, ..good }] {
+            assert_eq!(action.place(&empty), Err(Invalid::OutOfRange), "{action:?}");
+        }
+    }
+}
+
+#[test]
+fn the_centre_is_truncated_and_the_radius_rounded_half_to_even() {
+    let empty = scene_with(None);
+    for (r, rounded) in [(2.5, 2.0), (3.5, 4.0), (2.51, 3.0), (3.49, 3.0)] {
+        let action = action(100.9, 99.999, r);
+        assert_eq!(2.0 + 30.0 * action.r, r, "the radius before rounding is exact");
+        assert_eq!(action.place(&empty), Ok(Ball { x: 100.0, y: 99.0, r: rounded }));
+    }
+}
+
+#[test]
+fn a_ball_may_touch_the_edges_of_the_scene() {
+    let empty = scene_with(None);
+    for (at, valid) in [(2.0, true), (1.99, false), (254.0, true), (254.01, false)] {
+        assert_eq!(action(at, 100.0, 2.0).place(&empty).is_ok(), valid, "x = {at}");
+        assert_eq!(action(100.0, at, 2.0).place(&empty).is_ok(), valid, "y = {at}");
+    }
+}
+
+#[test]
+fn a_ball_is_inside_the_scene_before_and_after_rounding() {
+    let empty = scene_with(None);
+    // Inside before: 5.4 <= 5.7. After: the radius 5 is inside, the radius 6 is not.
+    assert_eq!(action(5.7, 100.0, 5.4).place(&empty), Ok(Ball { x: 5.0, y: 100.0, r: 5.0 }));
+    assert_eq!(action(5.7, 100.0, 5.6).place(&empty), Err(Invalid::Outside));
+    // Outside before, although the rounded ball would be inside.
+    assert_eq!(action(5.1, 100.0, 5.4).place(&empty), Err(Invalid::Outside));
+}
+
+#[test]
+fn touching_a_body_is_valid_and_overlapping_it_is_not() {
+    let (circle, square) = (scene_with(Some(Shape::Circle(10.0))), scene_with(Some(rectangle(20.0, 20.0))));
+    for scene in [circle, square] {
+        // The surfaces are at 118 and at x + 5; PHYRE tolerates an overlap of 1e-5.
+        let ball = |x| Ball { x, y: 128.0, r: 5.0 };
+        for (overlap, result) in [(-1.0, Ok(())), (0.0, Ok(())), (0.9e-5, Ok(())), (1.1e-5, Err(Invalid::Overlaps(0)))]
+        {
+            assert_eq!(ball(113.0 + overlap).check(&scene), result, "overlap {overlap}");
+        }
+        assert_eq!(ball(128.0).check(&scene), Err(Invalid::Overlaps(0)), "a ball within the body");
+    }
+}
+
+#[test]
+fn a_ball_touches_the_corner_of_a_polygon_at_its_distance() {
+    let square = scene_with(Some(rectangle(20.0, 20.0)));
+    // The corner is at (138, 138); 3, 4 and 5 are a right-angled triangle.
+    assert_eq!(Ball { x: 141.0, y: 142.0, r: 5.0 }.check(&square), Ok(()));
+    assert_eq!(Ball { x: 141.0, y: 141.9, r: 5.0 }.check(&square), Err(Invalid::Overlaps(0)));
+}
+
+#[test]
+fn the_first_body_that_the_ball_overlaps_is_named() {
+    let mut scene = scene_with(Some(Shape::Circle(10.0)));
+    let other = Body { x: 60.0, ..scene.bodies[0].clone() };
+    scene.bodies.extend([other.clone(), other]);
+    assert_eq!(Ball { x: 60.0, y: 120.0, r: 8.0 }.check(&scene), Err(Invalid::Overlaps(1)));
+}
+
+#[test]
+fn a_radius_out_of_range_is_invalid() {
+    for r in [1.99, 32.01, f64::NAN] {
+        assert_eq!(Ball { x: 100.0, y: 100.0, r }.check(&scene_with(None)), Err(Invalid::Radius));
+    }
+}
+
+fn actions() -> impl Strategy<Value = Action> {
+    (0.0..=1.0, 0.0..=1.0, 0.0..=1.0).prop_map(|(x, y, r)| Action { x, y, r })
+}
+
+proptest! {
+    #[test]
+    fn in_an_empty_scene_only_the_edges_matter(action in actions()) {
+        let inside = |x: f64, y: f64, r: f64| [x, y].iter().all(|at| r <= *at && *at <= 256.0 - r);
+        let (x, y, r) = (255.0 * action.x, 255.0 * action.y, 2.0 + 30.0 * action.r);
+        let rounded = [x.floor(), y.floor(), r.round_ties_even()];
+        let valid = inside(x, y, r) && inside(rounded[0], rounded[1], rounded[2]);
+        let expected = if valid { Ok(Ball::from(rounded)) } else { Err(Invalid::Outside) };
+        prop_assert_eq!(action.place(&scene_with(None)), expected);
+    }
+
+    #[test]
+    fn a_placed_ball_overlaps_a_circle_if_the_centres_are_near(action in actions()) {
+        let scene = scene_with(Some(Shape::Circle(20.5)));
+        let Ok(ball) = action.place(&scene_with(None)) else { return Ok(()) };
+        let distance = libm::hypot(ball.x - 128.0, ball.y - 128.0);
+        let expected = if distance + 1e-5 < ball.r + 20.5 { Err(Invalid::Overlaps(0)) } else { Ok(ball) };
+        prop_assert_eq!(action.place(&scene), expected);
+    }
+
+    #[test]
+    fn a_placed_ball_is_valid_and_its_own_action_places_it_again(action in actions()) {
+        let scene = Task::load("00002:007".parse().expect("an id")).expect("a task").scene;
+        if let Ok(ball) = action.place(&scene) {
+            prop_assert!(RADIUS.contains(&ball.r) && ball.x < SIZE && ball.y < SIZE);
+            prop_assert_eq!(ball.check(&scene), Ok(()));
+            prop_assert_eq!(ball.snapped(&scene), Ok(ball));
+            prop_assert_eq!(ball.rounded(), ball);
+            prop_assert_eq!(Obstacles::new(&scene).place(action), Ok(ball));
+        }
+    }
+}
