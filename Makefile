@@ -11,7 +11,7 @@ export PATH := $(TOOLS)/bin:$(PATH)
 
 PACKAGE := www/pkg/pathlight_bg.wasm
 PACKAGED := Cargo.toml Cargo.lock .cargo/config.toml scripts/build-wasm scripts/optimise-wasm \
-	$(shell find src -name '*.rs' -not -path 'src/commands/*' -not -path src/main.rs)
+	src/web/types.d.ts $(shell find src -name '*.rs' -not -path 'src/commands/*' -not -path src/main.rs)
 
 .PHONY: play test bench build timings pictures clean
 

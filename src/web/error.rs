@@ -1,27 +1,29 @@
-//! Errors as JavaScript knows them: a real `Error` whose message is a sentence and whose `code` stays the same.
+//! Errors for JavaScript: an `Error` whose message is a sentence and whose `code` is stable. Conversion of plain data.
 
 use std::fmt::Display;
 
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
-/// What went wrong, for code that has to tell; people read the sentence.
+/// What went wrong, for code that handles it; people read the sentence.
 #[derive(Clone, Copy)]
 pub enum Code {
     /// No such task.
     BadTask,
-    /// A map that is none: wrong name or size.
+    /// A map of an unknown name or of a wrong size.
     BadMap,
-    /// Weights that are none.
+    /// Not weights of these nets.
     BadWeights,
-    /// A ball that may not be placed.
+    /// An invalid ball.
     InvalidBall,
-    /// The hundred attempts are used.
+    /// All attempts are used.
     Spent,
     /// There is no such attempt.
     NoAttempt,
-    /// Data from JavaScript that does not have the agreed form.
+    /// Data from JavaScript that do not have the agreed form.
     BadData,
+    /// A defect in the Rust code.
+    Panic,
 }
 
 impl Code {
@@ -34,24 +36,28 @@ impl Code {
             Code::Spent => "spent",
             Code::NoAttempt => "no_attempt",
             Code::BadData => "bad_data",
+            Code::Panic => "panic",
         }
     }
 }
 
-/// A JavaScript `Error` with a `code`.
+/// Returns a JavaScript `Error` with a `code`.
 pub fn error(code: Code, sentence: impl Display) -> JsValue {
     let error = js_sys::Error::new(&sentence.to_string());
     js_sys::Reflect::set(&error, &"code".into(), &code.name().into()).expect("an Error takes properties");
     error.into()
 }
 
-/// A value as a plain JavaScript object: maps become objects, and what is missing is `null`.
-pub fn plain(value: &impl Serialize) -> Result<JsValue, JsValue> {
+/// Converts a value to a plain JavaScript object: maps become objects, and `None` becomes `null`.
+pub fn to_js(value: &impl Serialize) -> Result<JsValue, JsValue> {
     let serializer = serde_wasm_bindgen::Serializer::json_compatible();
     value.serialize(&serializer).map_err(|reason| error(Code::BadData, reason))
 }
 
-/// A value from a JavaScript object.
-pub fn from_plain<T: serde::de::DeserializeOwned>(value: JsValue) -> Result<T, JsValue> {
+/// Converts a JavaScript object to a value.
+///
+/// # Errors
+/// `bad_data` if it does not have the form of the type.
+pub fn from_js<T: serde::de::DeserializeOwned>(value: JsValue) -> Result<T, JsValue> {
     serde_wasm_bindgen::from_value(value).map_err(|reason| error(Code::BadData, reason))
 }

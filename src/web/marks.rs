@@ -1,42 +1,42 @@
-//! What is drawn on top of a scene to point at something: the balls of other attempts, and a person's own line.
+//! Marks on top of a scene: the balls of other attempts, and the path that a person has drawn.
 
 use std::f64::consts::TAU;
 
 use wasm_bindgen::prelude::*;
 
-use super::paint::{Line, Painter};
+use super::paint::{LineStyle, Painter};
 use crate::puzzle::action::Ball;
 use crate::puzzle::scene::Role;
 
 impl Painter<'_> {
-    /// A ball that another attempt places: a small ring; of the one that is looked at, its rim, its middle, and a
-    /// line from the place that it comes from.
+    /// Marks the ball of another attempt with a small ring; the selected one also with its rim and a line from the place
+    /// that it comes from.
     pub fn mark(&self, ball: Ball, from: Option<[f64; 2]>, chosen: bool) -> Result<(), JsValue> {
         let context = self.context;
-        let circle = |radius: f64, colour: &str, width: f64, line| {
+        let circle = |radius: f64, colour: &str, width: f64, style| {
             context.begin_path();
             context.arc(ball.x, ball.y, radius, 0.0, TAU)?;
-            self.stroke(colour, width, line)?;
+            self.set_stroke(colour, width, style)?;
             context.stroke();
             Ok::<(), JsValue>(())
         };
-        circle(2.2, self.palette.paper, 2.2, Line::Solid)?;
-        circle(2.2, self.palette.ink, 0.9, Line::Solid)?;
+        circle(2.2, self.palette.paper, 2.2, LineStyle::Solid)?;
+        circle(2.2, self.palette.ink, 0.9, LineStyle::Solid)?;
         if !chosen {
             return Ok(());
         }
-        circle(ball.r, self.palette.ink, 1.6, Line::Dashed)?;
+        circle(ball.r, self.palette.ink, 1.6, LineStyle::Dashed)?;
         if let Some([x, y]) = from {
-            self.path([[x, y], [ball.x, ball.y]].into_iter(), Role::Red, Line::Solid)?;
+            self.path([[x, y], [ball.x, ball.y]].into_iter(), Role::Red, LineStyle::Solid)?;
             context.set_fill_style_str(self.palette.ink);
             context.fill_rect(x - 2.2, y - 2.2, 4.4, 4.4);
         }
         Ok(())
     }
 
-    /// What a person has drawn, with a dot where it ends.
+    /// Draws the path that a person has drawn, with a dot at its end.
     pub fn sketch(&self, points: &[[f64; 2]]) -> Result<(), JsValue> {
-        self.path(points.iter().copied(), Role::Green, Line::Dashed)?;
+        self.path(points.iter().copied(), Role::Green, LineStyle::Dashed)?;
         let Some(&[x, y]) = points.last() else { return Ok(()) };
         self.context.begin_path();
         self.context.arc(x, y, 3.0, 0.0, TAU)?;

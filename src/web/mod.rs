@@ -1,16 +1,23 @@
-//! What the page and its worker call: the wasm exports.
+//! The wasm exports, which the page and its worker call. The only user of wasm_bindgen and web_sys.
 //!
-//! `puzzle` is one puzzle on the page: placing, running, comparing, drawing; `model` is the nets in the
-//! worker, `solve_map` its search for all solutions; `measure` holds the numbers that agents are compared by.
-//! This file holds what needs none of them: the list of templates, thumbnails, maps and their legends. Data
-//! goes to JavaScript as plain objects in the words of the Rust types, or as typed arrays; an error is a real
-//! `Error` with a `code`. The only user of wasm_bindgen and web_sys.
+//! `puzzle` is one puzzle on the page: placing, simulating, comparing, drawing; `model` is the nets in the worker and
+//! `solve_map` its search for all solutions; `metrics` are the figures that agents are compared by. This file holds the
+//! exports that need no state: the constants, the templates, thumbnails, maps and legends. Data go to JavaScript as plain
+//! objects with the field names of the Rust types (`types.d.ts` declares them), or as typed arrays; an error is an `Error`
+//! with a `code`.
 
+use serde::Serialize;
 use wasm_bindgen::prelude::*;
 use web_sys::CanvasRenderingContext2d;
 
+use crate::benchmark::auccess::MAX_ATTEMPTS;
+use crate::play::game::ATTEMPT_LIMIT;
+use crate::puzzle::action::RADIUS;
+use crate::puzzle::rollout::{GOAL_STEPS, MAX_STEPS, STEPS_PER_SECOND};
+use crate::puzzle::scene::{SIZE, Scene};
 use crate::puzzle::task::{self, Task};
 use crate::puzzle::templates::TEMPLATES;
+use crate::raster::{PX_PER_CELL, SIDE};
 
 mod colour;
 mod describe;
@@ -21,111 +28,152 @@ mod marks;
 mod metrics;
 mod model;
 mod paint;
+mod panic;
 mod puzzle;
 mod recording;
 mod solve_map;
+mod stage;
+mod types;
 
 pub use metrics::{auccess, overlap};
 pub use model::{Model, Turn};
+pub use panic::throw_panics;
 pub use puzzle::Puzzle;
 pub use solve_map::SolveMap;
 
-use colour::Stage;
-use error::{Code, error, plain};
+use error::{Code, error, to_js};
 use paint::Painter;
+use stage::Stage;
 
-/// The templates: `[{ id: "00007", name, story, tasks: ["00007:000", …] }]`.
-#[wasm_bindgen]
+/// Returns the constants that the page shares with the Rust code.
+#[wasm_bindgen(unchecked_return_type = "Constants")]
+pub fn constants() -> Result<JsValue, JsValue> {
+    #[derive(Serialize)]
+    struct Constants {
+        scene_size: f64,
+        grid_side: usize,
+        cell_size: usize,
+        min_radius: f64,
+        max_radius: f64,
+        attempt_limit: usize,
+        max_attempts: usize,
+        steps_per_second: usize,
+        goal_steps: usize,
+        max_steps: usize,
+        template_count: usize,
+        stages: [&'static str; Stage::ALL.len()],
+    }
+    to_js(&Constants {
+        scene_size: SIZE,
+        grid_side: SIDE,
+        cell_size: PX_PER_CELL,
+        min_radius: *RADIUS.start(),
+        max_radius: *RADIUS.end(),
+        attempt_limit: ATTEMPT_LIMIT,
+        max_attempts: MAX_ATTEMPTS,
+        steps_per_second: STEPS_PER_SECOND,
+        goal_steps: GOAL_STEPS,
+        max_steps: MAX_STEPS,
+        template_count: TEMPLATES.len(),
+        stages: Stage::ALL.map(Stage::name),
+    })
+}
+
+/// Returns all templates with the ids of their tasks.
+#[wasm_bindgen(unchecked_return_type = "Template[]")]
 pub fn templates() -> Result<JsValue, JsValue> {
-    #[derive(serde::Serialize)]
-    struct Entry {
+    #[derive(Serialize)]
+    struct Template {
         id: String,
         name: &'static str,
         story: &'static str,
         tasks: Vec<String>,
     }
-    let entries = TEMPLATES.iter().map(|template| Entry {
+    let templates = TEMPLATES.iter().map(|template| Template {
         id: format!("{:05}", template.number),
         name: template.name,
         story: template.story,
         tasks: task::ids(template).map(String::from).collect(),
     });
-    plain(&entries.collect::<Vec<_>>())
+    to_js(&templates.collect::<Vec<_>>())
 }
 
-/// The colours of the roles and of the paper, as CSS colours: `{ green: "#009e73", … }`.
-#[wasm_bindgen]
+/// Returns the colours of the roles and of the paper as CSS colours.
+#[wasm_bindgen(unchecked_return_type = "Palette")]
 pub fn palette(dark: bool) -> Result<JsValue, JsValue> {
-    plain(colour::palette(dark))
+    to_js(colour::palette(dark))
 }
 
-/// Draws a task's scene so that it fills a square canvas.
+/// Draws the scene of a task so that it fills a square canvas. For an open puzzle, `Puzzle.paintThumbnail` does not load
+/// the task again.
 ///
 /// # Errors
 /// `bad_task` if there is no such task.
 #[wasm_bindgen(js_name = paintThumbnail)]
 pub fn paint_thumbnail(context: &CanvasRenderingContext2d, id: &str, dark: bool) -> Result<(), JsValue> {
-    let task = load(id)?;
-    let painter = Painter::new(context, dark)?;
-    for (index, body) in task.scene.bodies.iter().enumerate() {
-        painter.body(body, None, index == task.scene.body2)?;
-    }
-    Ok(())
+    paint_scene(context, &load(id)?.scene, dark)
 }
 
-/// Draws one map, 64 x 64 values in 0..=1 with row 0 at the bottom, into a canvas of 64 x 64 pixels. The
-/// scale runs from 0, which is left transparent, to `most`.
+/// Draws one map, 64 x 64 values with row 0 at the bottom, into a canvas of 64 x 64 pixels. The colour scale runs from 0,
+/// which is transparent, to `max`.
 ///
 /// # Errors
 /// `bad_map` if the stage has no such name or the values are not 64 x 64.
 #[wasm_bindgen(js_name = paintMap)]
 pub fn paint_map(
     context: &CanvasRenderingContext2d,
-    stage: &str,
+    #[wasm_bindgen(unchecked_param_type = "Stage")] stage: &str,
     values: &[f32],
-    most: f32,
+    max: f32,
     dark: bool,
 ) -> Result<(), JsValue> {
-    heatmap::map(context, stage_named(stage)?, values, most, dark)
+    heatmap::map(context, stage_named(stage)?, values, max, dark)
 }
 
-/// Draws the colours of a stage from the least at the left to the most at the right, over the whole canvas.
+/// Draws the colour scale of a stage, 0 at the left, over the whole canvas.
 ///
 /// # Errors
 /// `bad_map` if the stage has no such name.
 #[wasm_bindgen(js_name = paintLegend)]
-pub fn paint_legend(context: &CanvasRenderingContext2d, stage: &str, dark: bool) -> Result<(), JsValue> {
+pub fn paint_legend(
+    context: &CanvasRenderingContext2d,
+    #[wasm_bindgen(unchecked_param_type = "Stage")] stage: &str,
+    dark: bool,
+) -> Result<(), JsValue> {
     heatmap::legend(context, stage_named(stage)?, dark)
 }
 
-/// Draws a line round what is set (over one half) of 64 x 64 values, row 0 at the bottom, over a square canvas of
-/// any size: round what was `real`, or in the name of a stage, in its colour and with dashes of its own, so that
-/// stages differ without colour.
+/// Outlines the cells over one half of 64 x 64 values, row 0 at the bottom, on a square canvas of any size. `line` is
+/// `real`, or a stage, which has a colour and dashes of its own, so that stages differ without colour too.
 ///
 /// # Errors
 /// `bad_map` if there is no such line or the values are not 64 x 64.
 #[wasm_bindgen(js_name = paintOutline)]
 pub fn paint_outline(
     context: &CanvasRenderingContext2d,
-    line: &str,
+    #[wasm_bindgen(unchecked_param_type = "Stage | \"real\"")] line: &str,
     values: &[f32],
     dark: bool,
 ) -> Result<(), JsValue> {
-    let ink = colour::palette(dark).ink.to_string();
     let (colour, dashes) = match line {
-        "real" => (ink, colour::SOLID),
-        stage => stage_named(stage).map(|stage| (stage.line(dark), stage.dashes()))?,
+        "real" => (colour::palette(dark).ink.to_string(), stage::SOLID),
+        name => stage_named(name).map(|stage| (stage.line_colour(dark), stage.dashes()))?,
     };
-    heatmap::outlined(context, values, &colour, dashes)
+    heatmap::outline(context, values, &colour, dashes)
 }
 
-/// Draws a map of outcomes, as `SolveMap.picture` gives it, into a canvas of 256 x 256 pixels.
+/// Draws a map of outcomes, as `SolveMap.picture` returns it, into a canvas of 256 x 256 pixels.
 ///
 /// # Errors
 /// `bad_map` if the outcomes are not 64 x 64.
 #[wasm_bindgen(js_name = paintOutcomes)]
 pub fn paint_outcomes(context: &CanvasRenderingContext2d, outcomes: &[u8], dark: bool) -> Result<(), JsValue> {
     heatmap::outcomes(context, outcomes, dark)
+}
+
+fn paint_scene(context: &CanvasRenderingContext2d, scene: &Scene, dark: bool) -> Result<(), JsValue> {
+    let painter = Painter::new(context, dark)?;
+    scene.bodies.iter().enumerate().try_for_each(|(index, body)| painter.body(body, None, index == scene.body2))
 }
 
 fn stage_named(name: &str) -> Result<Stage, JsValue> {

@@ -1,12 +1,13 @@
-//! The model in the worker: weights in, then imagined maps and attempts out.
+//! The model in the worker: loads weights, then imagines maps, proposes balls and tries them.
 //!
-//! Slow work, so the page never calls it: nets take some ten milliseconds a scene, a rollout about one, and a
-//! turn up to a hundred rollouts. A turn gives its attempts one by one, so that the worker can stop between.
+//! The page never calls it, because it is slow: the nets take some ten milliseconds per scene, a rollout about one, and a
+//! turn simulates up to a hundred rollouts. `Turn` makes one attempt per call, so that the worker can stop in between.
 
 use wasm_bindgen::prelude::*;
 
-use super::error::{Code, error, plain};
+use super::error::{Code, error, to_js};
 use super::load;
+use super::stage::Stage;
 use crate::agents;
 use crate::agents::ranking::probability_map;
 use crate::benchmark::folds::Fold;
@@ -37,7 +38,7 @@ pub struct Turn {
 
 #[wasm_bindgen]
 impl Model {
-    /// The nets from the bytes of a weights file.
+    /// Loads the nets from the bytes of a weights file.
     ///
     /// # Errors
     /// `bad_weights` if the file is damaged or belongs to other nets.
@@ -48,12 +49,13 @@ impl Model {
         Ok(Model { net, card, seen })
     }
 
-    /// How the weights came to be: `{ setup, fold, seed, epochs, samples, … }`.
+    /// Returns how the weights were trained.
+    #[wasm_bindgen(unchecked_return_type = "ModelCard")]
     pub fn card(&self) -> Result<JsValue, JsValue> {
-        plain(&self.card)
+        to_js(&self.card)
     }
 
-    /// Was the model trained on this task, or its settings chosen by it?
+    /// Whether the model was trained on this task or its settings were chosen on it.
     ///
     /// # Errors
     /// `bad_task` if there is no such task.
@@ -61,43 +63,43 @@ impl Model {
         Ok(self.seen.binary_search(&load(id)?.id).is_ok())
     }
 
-    /// The maps of a task: `{ base, target, action, placement }`, and `judge` if the weights have one; each a
-    /// Float32Array of 64 x 64 values in 0..=1, row 0 at the bottom.
+    /// Returns the maps of a task: for each stage a Float32Array of 64 x 64 values in 0..=1, row 0 at the bottom. Weights
+    /// without a judge have no map `judge`.
     ///
     /// # Errors
     /// `bad_task` if there is no such task.
+    #[wasm_bindgen(unchecked_return_type = "Maps")]
     pub fn imagine(&self, id: &str) -> Result<JsValue, JsValue> {
         let scene = load(id)?.scene;
         let imagined = self.net.imagine(&scene);
         let judge = self.net.judge_logits(&scene).and_then(|logits| probability_map(&logits, &scene));
         let maps = js_sys::Object::new();
-        let stages = [
-            ("base", Some(imagined.base)),
-            ("target", Some(imagined.target)),
-            ("action", Some(imagined.action)),
-            ("placement", Some(imagined.placement)),
-            ("judge", judge),
-        ];
-        for (stage, map) in stages {
-            let Some(map) = map else { continue };
-            js_sys::Reflect::set(&maps, &stage.into(), &js_sys::Float32Array::from(map.as_slice()))?;
+        for stage in Stage::ALL {
+            let map = match stage {
+                Stage::Base => Some(&imagined.base),
+                Stage::Target => Some(&imagined.target),
+                Stage::Action => Some(&imagined.action),
+                Stage::Placement => Some(&imagined.placement),
+                Stage::Judge => judge.as_ref(),
+            };
+            if let Some(map) = map {
+                js_sys::Reflect::set(&maps, &stage.name().into(), &js_sys::Float32Array::from(map.as_slice()))?;
+            }
         }
         Ok(maps.into())
     }
 
-    /// The balls that the model would try, in order, and where each comes from:
-    /// `[{ ball, origin: { kind: "judge", probability } | { kind: "map", x, y } | { kind: "perturbed", number } |
-    /// { kind: "uniform" }, rejected }, …]`;
-    /// `rejected` counts the draws before it that were invalid or proposed already.
+    /// Returns the balls that the model would try, in order, each with its origin.
     ///
     /// # Errors
     /// `bad_task` if there is no such task.
+    #[wasm_bindgen(unchecked_return_type = "Proposal[]")]
     pub fn propose(&self, id: &str, seed: u32) -> Result<JsValue, JsValue> {
         let Task { id, scene, .. } = load(id)?;
-        plain(&agents::propose(&self.net, id, &scene, seed.into(), ATTEMPT_LIMIT))
+        to_js(&agents::propose(&self.net, id, &scene, seed.into(), ATTEMPT_LIMIT))
     }
 
-    /// Begins the model's turn on a task. The same seed gives the same attempts.
+    /// Starts the model's turn on a task. The same seed leads to the same attempts.
     ///
     /// # Errors
     /// `bad_task` if there is no such task.
@@ -111,10 +113,11 @@ impl Model {
 
 #[wasm_bindgen]
 impl Turn {
-    /// Tries the next ball: `{ ball, ending }`; nothing once the puzzle is solved or the balls are used up.
+    /// Tries the next ball and returns the attempt; undefined once the puzzle is solved or no ball is left.
     ///
     /// # Errors
-    /// `invalid_ball` if the model proposes what may not be placed.
+    /// `invalid_ball` if the model proposes an invalid ball.
+    #[wasm_bindgen(unchecked_return_type = "Attempt | undefined")]
     pub fn attempt(&mut self) -> Result<JsValue, JsValue> {
         let ball = match self.balls.next() {
             Some(ball) if !self.solved => ball,
@@ -122,6 +125,6 @@ impl Turn {
         };
         let rollout = simulate(&self.scene, Some(ball)).map_err(|why| error(Code::InvalidBall, why))?;
         self.solved = rollout.solved;
-        plain(&Attempt { ball, ending: Ending::of(&rollout) })
+        to_js(&Attempt { ball, ending: Ending::of(&rollout) })
     }
 }

@@ -1,17 +1,17 @@
-//! One puzzle on the page: a task, the game on it, and the rollouts being shown.
+//! One puzzle on the page: a task, the game on it, and the rollouts that are shown.
 //!
-//! The page asks here whether a ball is valid, runs it, replays and compares attempts, and has every frame
-//! drawn. Nothing is shown but the scene until an attempt, a replay, a comparison or the scene alone runs.
+//! The page checks balls here, makes, replays and compares attempts, and draws every frame. Only the scene is shown until an
+//! attempt, a replay, a comparison or the scene alone runs.
 
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 
-use super::describe::{described, reason};
-use super::error::{Code, error, from_plain, plain};
+use super::describe::{describe_scene, invalid_reason};
+use super::error::{Code, error, from_js, to_js};
 use super::frame::{self, View};
-use super::paint::Line;
-use super::recording::Take;
+use super::paint::LineStyle;
+use super::recording::Recording;
 use crate::play::ending::Ending;
 use crate::play::game::{Attempt, Contender, Game, Refused};
 use crate::puzzle::action::Ball;
@@ -25,13 +25,13 @@ use crate::simulator::simulate;
 pub struct Puzzle {
     task: Task,
     game: Game,
-    /// What is shown: nothing, one rollout, or the player's and then the model's.
-    takes: Vec<Take>,
+    /// What is shown: nothing, one rollout, or two over each other.
+    recordings: Vec<Recording>,
 }
 
 /// An attempt as the page lists it.
 #[derive(Serialize)]
-struct Listed {
+struct ListedAttempt {
     /// From 1.
     number: usize,
     words: String,
@@ -39,9 +39,9 @@ struct Listed {
     attempt: Attempt,
 }
 
-impl Listed {
-    fn new(number: usize, attempt: Attempt) -> Listed {
-        Listed { number, words: attempt.ending.to_string(), attempt }
+impl ListedAttempt {
+    fn new(number: usize, attempt: Attempt) -> ListedAttempt {
+        ListedAttempt { number, words: attempt.ending.to_string(), attempt }
     }
 }
 
@@ -55,10 +55,11 @@ impl Puzzle {
     pub fn new(id: &str) -> Result<Puzzle, JsValue> {
         let task = super::load(id)?;
         let game = Game::new(task.scene.clone());
-        Ok(Puzzle { task, game, takes: Vec::new() })
+        Ok(Puzzle { task, game, recordings: Vec::new() })
     }
 
-    /// `{ id, name, story, goal, description }`: what the puzzle is called, asks for and looks like, in words.
+    /// Returns the name of the puzzle, its goal and a description of its scene.
+    #[wasm_bindgen(unchecked_return_type = "About")]
     pub fn about(&self) -> Result<JsValue, JsValue> {
         #[derive(Serialize)]
         struct About<'a> {
@@ -69,166 +70,209 @@ impl Puzzle {
             description: String,
         }
         let template = TEMPLATES[self.task.id.template];
-        plain(&About {
+        to_js(&About {
             id: self.task.id.to_string(),
             name: template.name,
             story: template.story,
             goal: &self.task.goal,
-            description: described(&self.task.scene),
+            description: describe_scene(&self.task.scene),
         })
     }
 
-    /// Why a ball may not be placed, in words; nothing if it may.
+    /// Returns why a ball is invalid, as a phrase; undefined if it is valid.
     #[wasm_bindgen(js_name = whyInvalid)]
     pub fn why_invalid(&self, x: f64, y: f64, r: f64) -> Option<String> {
-        Ball { x, y, r }.check(&self.task.scene).err().map(|why| reason(why, &self.task.scene))
+        Ball { x, y, r }.check(&self.task.scene).err().map(|why| invalid_reason(why, &self.task.scene))
     }
 
-    /// Lets the player try a ball and shows its rollout: `{ number, words, ball, ending }`.
+    /// Makes an attempt of the player's, shows its rollout and returns it.
     ///
     /// # Errors
-    /// `invalid_ball`, or `spent` after a hundred attempts.
+    /// `invalid_ball`, or `spent` if all attempts are used.
+    #[wasm_bindgen(unchecked_return_type = "ListedAttempt")]
     pub fn attempt(&mut self, x: f64, y: f64, r: f64) -> Result<JsValue, JsValue> {
         let ball = Ball { x, y, r };
         let (number, rollout) = self.game.play(Contender::Player, ball).map_err(|why| self.refusal(why))?;
-        self.takes = vec![Take { attempt: Some((Contender::Player, ball)), rollout, line: Line::Solid }];
-        plain(&Listed::new(number, self.game.attempts(Contender::Player)[number - 1]))
+        self.recordings =
+            vec![Recording { attempt: Some((Contender::Player, ball)), rollout, line_style: LineStyle::Solid }];
+        to_js(&ListedAttempt::new(number, self.game.attempts(Contender::Player)[number - 1]))
     }
 
-    /// Shows what happens without a ball.
+    /// Shows the scene running without a ball.
     pub fn watch(&mut self) -> Result<(), JsValue> {
         let rollout = simulate(&self.task.scene, None).map_err(|why| self.refusal(why.into()))?;
-        self.takes = vec![Take { attempt: None, rollout, line: Line::Solid }];
+        self.recordings = vec![Recording { attempt: None, rollout, line_style: LineStyle::Solid }];
         Ok(())
     }
 
-    /// Shows an attempt again: its `{ number, words, ball, ending }`.
+    /// Shows an attempt again and returns it.
     ///
     /// # Errors
-    /// `no_attempt` if the agent (`player` or `model`) has made fewer.
-    pub fn replay(&mut self, agent: &str, number: usize) -> Result<JsValue, JsValue> {
-        let (take, listed) = self.again(agent, number)?;
-        self.takes = vec![take];
-        plain(&listed)
+    /// `no_attempt` if the agent has made fewer.
+    #[wasm_bindgen(unchecked_return_type = "ListedAttempt")]
+    pub fn replay(
+        &mut self,
+        #[wasm_bindgen(unchecked_param_type = "Contender")] agent: &str,
+        number: usize,
+    ) -> Result<JsValue, JsValue> {
+        let (recording, listed) = self.simulate_again(agent, number)?;
+        self.recordings = vec![recording];
+        to_js(&listed)
     }
 
-    /// Shows two attempts over each other, the second dashed: `[first, second]`, each as in `replay`.
+    /// Shows two attempts over each other, the second with dashed lines, and returns both.
     ///
     /// # Errors
-    /// `no_attempt` if an agent (`player` or `model`) has made fewer.
-    pub fn overlay(&mut self, agent: &str, number: usize, other: &str, over: usize) -> Result<JsValue, JsValue> {
-        let ((first, one), (second, two)) = (self.again(agent, number)?, self.again(other, over)?);
-        self.takes = vec![Take { line: Line::Solid, ..first }, Take { line: Line::Dashed, ..second }];
-        plain(&[one, two])
+    /// `no_attempt` if an agent has made fewer.
+    #[wasm_bindgen(unchecked_return_type = "[ListedAttempt, ListedAttempt]")]
+    pub fn overlay(
+        &mut self,
+        #[wasm_bindgen(unchecked_param_type = "Contender")] first_agent: &str,
+        first_number: usize,
+        #[wasm_bindgen(unchecked_param_type = "Contender")] second_agent: &str,
+        second_number: usize,
+    ) -> Result<JsValue, JsValue> {
+        let (first, first_listed) = self.simulate_again(first_agent, first_number)?;
+        let (second, second_listed) = self.simulate_again(second_agent, second_number)?;
+        self.recordings = vec![
+            Recording { line_style: LineStyle::Solid, ..first },
+            Recording { line_style: LineStyle::Dashed, ..second },
+        ];
+        to_js(&[first_listed, second_listed])
     }
 
-    /// Shows what a ball of the model's comes to, without counting it: as `replay`, with the number 0.
+    /// Shows a ball of the model's without counting an attempt; the number of the attempt that it returns is 0.
     ///
     /// # Errors
     /// `invalid_ball`.
+    #[wasm_bindgen(unchecked_return_type = "ListedAttempt")]
     pub fn rehearse(&mut self, x: f64, y: f64, r: f64) -> Result<JsValue, JsValue> {
         let ball = Ball { x, y, r };
         let rollout = simulate(&self.task.scene, Some(ball)).map_err(|why| self.refusal(why.into()))?;
         let attempt = Attempt { ball, ending: Ending::of(&rollout) };
-        self.takes = vec![Take { attempt: Some((Contender::Model, ball)), rollout, line: Line::Dashed }];
-        plain(&Listed::new(0, attempt))
+        self.recordings =
+            vec![Recording { attempt: Some((Contender::Model, ball)), rollout, line_style: LineStyle::Dashed }];
+        to_js(&ListedAttempt::new(0, attempt))
     }
 
-    /// The real paths of what is shown: for each rollout `{ object, ball }`, Float32Arrays of 64 x 64 zeros and
-    /// ones, row 0 at the bottom; `ball` is missing if the scene runs alone.
+    /// Returns the real paths of each rollout that is shown, as masks of 64 x 64 zeros and ones, row 0 at the bottom.
+    #[wasm_bindgen(unchecked_return_type = "PathMasks[]")]
     pub fn paths(&self) -> Result<js_sys::Array, JsValue> {
-        self.takes.iter().map(|take| take.pictures(&self.task.scene)).collect()
+        self.recordings.iter().map(|recording| recording.path_masks(&self.task.scene)).collect()
     }
 
-    /// What a person draws as the path of the green object, as such a picture: x, y, x, y, … in px.
+    /// Returns what a person has drawn as the path of the green object (x, y, x, y, … in px) as a mask of its path.
     pub fn sketch(&self, points: &[f64]) -> Vec<f32> {
         let points: Vec<[f64; 2]> = points.chunks_exact(2).map(|point| [point[0], point[1]]).collect();
         trail_image(self.object(), &points).to_f32().collect()
     }
 
-    /// Where the green object is at first, px: `[x, y]`.
+    /// Returns the position of the green object at the start, px.
+    #[wasm_bindgen(unchecked_return_type = "[x: number, y: number]")]
     pub fn start(&self) -> Vec<f64> {
         vec![self.object().x, self.object().y]
     }
 
-    /// Shows the best attempts of player and model over each other: `[player, model]`, each as in `replay` or null.
+    /// Shows the best attempts of player and model over each other and returns both; null for an agent without attempts.
+    #[wasm_bindgen(unchecked_return_type = "[player: ListedAttempt | null, model: ListedAttempt | null]")]
     pub fn compare(&mut self) -> Result<JsValue, JsValue> {
         let best = [Contender::Player, Contender::Model].map(|agent| (agent, self.game.best(agent)));
-        let takes = best.iter().filter_map(|&(agent, best)| best.map(|(_, attempt)| self.take(agent, attempt)));
-        self.takes = takes.collect::<Result<_, _>>()?;
-        plain(&best.map(|(_, best)| best.map(|(number, attempt)| Listed::new(number, attempt))))
+        let recordings =
+            best.iter().filter_map(|&(agent, best)| best.map(|(_, attempt)| self.record_again(agent, attempt)));
+        self.recordings = recordings.collect::<Result<_, _>>()?;
+        to_js(&best.map(|(_, best)| best.map(|(number, attempt)| ListedAttempt::new(number, attempt))))
     }
 
-    /// Shows the scene at rest again.
+    /// Shows only the scene again.
     pub fn reset(&mut self) {
-        self.takes.clear();
+        self.recordings.clear();
     }
 
-    /// Adds an attempt `{ ball, ending }` that the worker simulated for the model: as it is listed.
+    /// Adds an attempt of the model's that the worker simulated, and returns it.
     ///
     /// # Errors
-    /// `invalid_ball`, or `spent` after a hundred attempts.
-    pub fn record(&mut self, attempt: JsValue) -> Result<JsValue, JsValue> {
-        let attempt: Attempt = from_plain(attempt)?;
+    /// `invalid_ball`, or `spent` if all attempts are used.
+    #[wasm_bindgen(unchecked_return_type = "ListedAttempt")]
+    pub fn record(
+        &mut self,
+        #[wasm_bindgen(unchecked_param_type = "Attempt")] attempt: JsValue,
+    ) -> Result<JsValue, JsValue> {
+        let attempt: Attempt = from_js(attempt)?;
         let number = self.game.record(Contender::Model, attempt).map_err(|why| self.refusal(why))?;
-        plain(&Listed::new(number, attempt))
+        to_js(&ListedAttempt::new(number, attempt))
     }
 
-    /// All attempts of an agent: `[{ number, words, ball, ending }, …]`.
-    pub fn attempts(&self, agent: &str) -> Result<JsValue, JsValue> {
+    /// Returns all attempts of an agent.
+    #[wasm_bindgen(unchecked_return_type = "ListedAttempt[]")]
+    pub fn attempts(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "Contender")] agent: &str,
+    ) -> Result<JsValue, JsValue> {
         let attempts = self.game.attempts(agent_named(agent)?);
-        let listed = attempts.iter().enumerate().map(|(index, &attempt)| Listed::new(index + 1, attempt));
-        plain(&listed.collect::<Vec<_>>())
+        let listed = attempts.iter().enumerate().map(|(index, &attempt)| ListedAttempt::new(index + 1, attempt));
+        to_js(&listed.collect::<Vec<_>>())
     }
 
-    /// `{ used, solved_at }` of an agent; `solved_at` is null as long as no attempt solved the puzzle.
-    pub fn score(&self, agent: &str) -> Result<JsValue, JsValue> {
-        plain(&self.game.standing(agent_named(agent)?))
+    /// Returns the number of attempts of an agent and which of them solved the puzzle.
+    #[wasm_bindgen(unchecked_return_type = "Standing")]
+    pub fn score(&self, #[wasm_bindgen(unchecked_param_type = "Contender")] agent: &str) -> Result<JsValue, JsValue> {
+        to_js(&self.game.standing(agent_named(agent)?))
     }
 
-    /// Player and model against each other, in words.
+    /// Returns a comparison of player and model in a sentence.
     pub fn verdict(&self) -> String {
         self.game.verdict()
     }
 
-    /// Forgets one attempt of an agent's; those after it move up by one.
+    /// Removes one attempt of an agent's; the numbers of later ones decrease by one.
     ///
     /// # Errors
     /// `no_attempt` if the agent has made fewer.
-    pub fn remove(&mut self, agent: &str, number: usize) -> Result<(), JsValue> {
-        if self.game.remove(agent_named(agent)?, number) { Ok(()) } else { Err(none(number)) }
+    pub fn remove(
+        &mut self,
+        #[wasm_bindgen(unchecked_param_type = "Contender")] agent: &str,
+        number: usize,
+    ) -> Result<(), JsValue> {
+        if self.game.remove(agent_named(agent)?, number) { Ok(()) } else { Err(no_attempt(number)) }
     }
 
-    /// Forgets an agent's attempts.
-    pub fn clear(&mut self, agent: &str) -> Result<(), JsValue> {
+    /// Removes all attempts of an agent.
+    pub fn clear(&mut self, #[wasm_bindgen(unchecked_param_type = "Contender")] agent: &str) -> Result<(), JsValue> {
         self.game.clear(agent_named(agent)?);
         Ok(())
     }
 
-    /// The last step of what is shown; 0 if only the scene is.
+    /// Returns the last step of what is shown; 0 if only the scene is.
     pub fn steps(&self) -> usize {
-        self.takes.iter().map(|take| take.rollout.steps).max().unwrap_or(0)
+        self.recordings.iter().map(|recording| recording.rollout.steps).max().unwrap_or(0)
     }
 
-    /// When the green object touches the goal in the first rollout shown: `[[first step, last step], …]`.
+    /// Returns the intervals in which the green object touches the goal in the first rollout that is shown.
+    #[wasm_bindgen(unchecked_return_type = "[first: number, last: number][]")]
     pub fn touches(&self) -> Result<JsValue, JsValue> {
-        plain(&self.takes.first().map(Take::touches).unwrap_or_default())
+        to_js(&self.recordings.first().map(Recording::touches).unwrap_or_default())
     }
 
-    /// Draws a frame into a square canvas: the scene, the maps given over it, then paths, balls and ring.
+    /// Draws a frame into a square canvas: the scene, the maps over it, then paths, balls and the ring.
     ///
     /// # Errors
-    /// `bad_data` if the view lacks something.
+    /// `bad_data` if the view does not have the agreed form.
     pub fn paint(
         &self,
         context: &CanvasRenderingContext2d,
-        view: JsValue,
+        #[wasm_bindgen(unchecked_param_type = "View")] view: JsValue,
         maps: Vec<HtmlCanvasElement>,
     ) -> Result<(), JsValue> {
-        frame::paint(context, &self.task.scene, &self.takes, &from_plain(view)?, &maps)
+        frame::paint(context, &self.task.scene, &self.recordings, &from_js(view)?, &maps)
     }
 
-    /// Draws how an attempt ended, with its whole paths, into a square canvas.
+    /// Draws the scene into a square canvas.
+    #[wasm_bindgen(js_name = paintThumbnail)]
+    pub fn paint_thumbnail(&self, context: &CanvasRenderingContext2d, dark: bool) -> Result<(), JsValue> {
+        super::paint_scene(context, &self.task.scene, dark)
+    }
+
+    /// Draws the end of an attempt, with its whole paths, into a square canvas.
     ///
     /// # Errors
     /// `no_attempt` if the agent has made fewer.
@@ -236,12 +280,12 @@ impl Puzzle {
     pub fn paint_attempt(
         &self,
         context: &CanvasRenderingContext2d,
-        agent: &str,
+        #[wasm_bindgen(unchecked_param_type = "Contender")] agent: &str,
         number: usize,
         dark: bool,
     ) -> Result<(), JsValue> {
-        let (take, _) = self.again(agent, number)?;
-        frame::paint(context, &self.task.scene, &[take], &View::ended(dark), &[])
+        let (recording, _) = self.simulate_again(agent, number)?;
+        frame::paint(context, &self.task.scene, &[recording], &View::ended(dark), &[])
     }
 }
 
@@ -250,29 +294,29 @@ impl Puzzle {
         &self.task.scene.bodies[self.task.scene.body1]
     }
 
-    fn take(&self, agent: Contender, attempt: Attempt) -> Result<Take, JsValue> {
+    fn record_again(&self, agent: Contender, attempt: Attempt) -> Result<Recording, JsValue> {
         let rollout = simulate(&self.task.scene, Some(attempt.ball)).map_err(|why| self.refusal(why.into()))?;
-        let line = if agent == Contender::Model { Line::Dashed } else { Line::Solid };
-        Ok(Take { attempt: Some((agent, attempt.ball)), rollout, line })
+        let line_style = if agent == Contender::Model { LineStyle::Dashed } else { LineStyle::Solid };
+        Ok(Recording { attempt: Some((agent, attempt.ball)), rollout, line_style })
     }
 
-    /// An attempt that was made, simulated once more, and as it is listed.
-    fn again(&self, agent: &str, number: usize) -> Result<(Take, Listed), JsValue> {
+    /// Simulates an earlier attempt once more.
+    fn simulate_again(&self, agent: &str, number: usize) -> Result<(Recording, ListedAttempt), JsValue> {
         let agent = agent_named(agent)?;
         let attempt = number.checked_sub(1).and_then(|index| self.game.attempts(agent).get(index).copied());
-        let attempt = attempt.ok_or_else(|| none(number))?;
-        Ok((self.take(agent, attempt)?, Listed::new(number, attempt)))
+        let attempt = attempt.ok_or_else(|| no_attempt(number))?;
+        Ok((self.record_again(agent, attempt)?, ListedAttempt::new(number, attempt)))
     }
 
     fn refusal(&self, why: Refused) -> JsValue {
         match why {
-            Refused::Invalid(why) => error(Code::InvalidBall, reason(why, &self.task.scene)),
+            Refused::Invalid(why) => error(Code::InvalidBall, invalid_reason(why, &self.task.scene)),
             Refused::AttemptLimit => error(Code::Spent, why),
         }
     }
 }
 
-fn none(number: usize) -> JsValue {
+fn no_attempt(number: usize) -> JsValue {
     error(Code::NoAttempt, format!("there is no attempt {number}"))
 }
 

@@ -1,4 +1,4 @@
-//! The search for all solutions of one radius, for the worker: cell after cell, so that it can stop between.
+//! The search for all solutions of one radius, for the worker: one cell per call, so that it can stop in between.
 
 use wasm_bindgen::prelude::*;
 
@@ -6,33 +6,33 @@ use super::error::{Code, error};
 use super::load;
 use crate::play::solve_map;
 
-/// A map of 64 x 64 cells of one task: what a ball of this radius comes to that starts there.
+/// A map of 64 x 64 cells of one task: the outcome of a ball of this radius that starts in the cell.
 #[wasm_bindgen]
 pub struct SolveMap(solve_map::SolveMap);
 
 #[wasm_bindgen]
 impl SolveMap {
-    /// A map on which nothing has been tried. The radius is in px.
+    /// Returns a map without outcomes. The radius is in px.
     ///
     /// # Errors
-    /// `bad_task` if there is no such task, `invalid_ball` if no ball has such a radius.
+    /// `bad_task` if there is no such task, `invalid_ball` if the radius is not a ball's.
     #[wasm_bindgen(constructor)]
     pub fn new(id: &str, radius: f64) -> Result<SolveMap, JsValue> {
         let map = solve_map::SolveMap::new(load(id)?.scene, radius);
         map.map(SolveMap).map_err(|why| error(Code::InvalidBall, why))
     }
 
-    /// Simulates the next cell; false once all have been.
+    /// Simulates the next cell; returns false once all cells have been tried.
     pub fn advance(&mut self) -> bool {
         self.0.advance()
     }
 
-    /// Share of the cells that have been tried, 0..=1.
+    /// Returns the fraction of the cells that have been tried, 0..=1.
     pub fn progress(&self) -> f64 {
         self.0.progress()
     }
 
-    /// What is known so far, row 0 at the bottom: 0 untried, 1 invalid, 2 not solved, 3 solved.
+    /// Returns the outcomes so far, row 0 at the bottom: 0 untried, 1 invalid, 2 not solved, 3 solved.
     pub fn picture(&self) -> Vec<u8> {
         self.0.outcomes().into_iter().map(|outcome| outcome as u8).collect()
     }

@@ -1,0 +1,196 @@
+/** The red ball, px: its centre, counted from the lower left corner of the scene, and its radius. */
+export type Ball = [x: number, y: number, r: number];
+
+/** What the nets imagine: the four maps of the paper in the order in which the nets make them, and the judge's. */
+export type Stage = "base" | "target" | "action" | "placement" | "judge";
+
+/** A map or a mask: 64 x 64 values in 0..1, row by row, row 0 at the bottom. */
+export type GridMap = Float32Array;
+
+/** The maps of a task; weights may have no judge. */
+export type Maps = Record<Exclude<Stage, "judge">, GridMap> & { judge?: GridMap };
+
+/** Who places the ball. */
+export type Contender = "player" | "model";
+
+/** The numbers that the page shares with the Rust code. */
+export interface Constants {
+    /** Width and height of the scene, px. */
+    scene_size: number;
+    /** Width and height of a map, cells. */
+    grid_side: number;
+    /** Width and height of a cell, px. */
+    cell_size: number;
+    /** Smallest and largest radius of the red ball, px. */
+    min_radius: number;
+    max_radius: number;
+    /** Most attempts of each contender at one puzzle. */
+    attempt_limit: number;
+    /** The number of attempts that PHYRE's metric, auccess, counts. */
+    max_attempts: number;
+    /** Simulated steps per second. */
+    steps_per_second: number;
+    /** Steps for which the green object has to touch its goal. */
+    goal_steps: number;
+    /** Most steps of a rollout. */
+    max_steps: number;
+    /** The number of templates. */
+    template_count: number;
+    /** All stages, in the order in which the nets make them. */
+    stages: Stage[];
+}
+
+/** A puzzle template and the ids of its tasks ("00007:000"). */
+export interface Template {
+    id: string;
+    name: string;
+    story: string;
+    tasks: string[];
+}
+
+/** CSS colours of the roles and of the paper. */
+export interface Palette {
+    paper: string;
+    green: string;
+    blue: string;
+    purple: string;
+    gray: string;
+    black: string;
+    rim: string;
+    red: string;
+    ring: string;
+    ink: string;
+}
+
+/** A puzzle in words. */
+export interface About {
+    id: string;
+    name: string;
+    story: string;
+    goal: string;
+    description: string;
+}
+
+/** How a rollout ended; lengths in steps. */
+export interface Ending {
+    solved: boolean;
+    steps: number;
+    /** The longest touch of object and goal. */
+    longest_touch: number;
+    /** The touch that the rollout ended with; 0 if there was none. */
+    final_touch: number;
+}
+
+/** A ball that was simulated. */
+export interface Attempt {
+    ball: Ball;
+    ending: Ending;
+}
+
+/** An attempt as the page lists it. */
+export interface ListedAttempt extends Attempt {
+    /** From 1; 0 if the attempt does not count. */
+    number: number;
+    /** The ending as a phrase. */
+    words: string;
+}
+
+/** How a contender is doing. */
+export interface Standing {
+    /** Attempts made. */
+    used: number;
+    /** The number of the first attempt that solved the puzzle, from 1. */
+    solved_at: number | null;
+}
+
+/** The real paths of a rollout as masks; no `ball` if the scene ran alone. */
+export interface PathMasks {
+    object: GridMap;
+    ball?: GridMap;
+}
+
+/** Where a proposed ball comes from: the judge, a cell of the placement map (px), an earlier proposal
+ * with noise, or the whole action space. */
+export type Origin =
+    | { kind: "judge"; probability: number }
+    | { kind: "map"; x: number; y: number }
+    | { kind: "perturbed"; number: number }
+    | { kind: "uniform" };
+
+/** A ball that the model would try. */
+export interface Proposal {
+    ball: Ball;
+    origin: Origin;
+    /** Candidates before it that are invalid or had been proposed. */
+    rejected: number;
+}
+
+/** How weights were trained. */
+export interface ModelCard {
+    setup: "within" | "cross";
+    fold: number;
+    seed: number;
+    epochs: number;
+    batch: number;
+    learning_rate: number;
+    decay_epochs: number;
+    mirror: boolean;
+    without_dev: boolean;
+    samples: number;
+    tasks: number;
+    simulator: number;
+    judge?: JudgeCard;
+}
+
+/** How the judge of weights was trained. */
+export interface JudgeCard {
+    seed: number;
+    epochs: number;
+    batch: number;
+    balls_per_scene: number;
+    learning_rate: number;
+    balls: number;
+}
+
+/** What a frame shows. */
+export interface View {
+    /** Steps since the start; a fraction lies between two steps. */
+    step: number;
+    /** The ball being placed. */
+    ball: Ball | null;
+    /** The radius of the knob on that ball, px; 0 draws none. */
+    knob: number;
+    /** Draws whole paths and not only up to the step. */
+    whole: boolean;
+    /** Opacity of the maps, 0..1. */
+    opacity: number;
+    dark: boolean;
+    /** The balls of other attempts. */
+    marks?: Mark[];
+    /** What a person has drawn as the path of the green object, px. */
+    sketch?: [x: number, y: number][];
+}
+
+/** A ball that is only marked. */
+export interface Mark {
+    ball: Ball;
+    /** The place that it comes from, px. */
+    from: [x: number, y: number] | null;
+    chosen: boolean;
+}
+
+/** Code of an error that an export throws. `panic`: a defect in the Rust code; the wasm instance must not be used again. */
+export type ErrorCode =
+    | "bad_task"
+    | "bad_map"
+    | "bad_weights"
+    | "invalid_ball"
+    | "spent"
+    | "no_attempt"
+    | "bad_data"
+    | "panic";
+
+/** What the exports throw. */
+export interface CodedError extends Error {
+    code: ErrorCode;
+}
