@@ -1,0 +1,52 @@
+//! The house rules, held by reading the sources: the order of the folders, what each may use and why, names, lengths.
+//!
+//! `rust` has the rules of `src/`, `page` those of `www/`. Comments are left out, so a rule may be named in one.
+#![cfg(not(target_arch = "wasm32"))]
+
+mod files;
+mod page;
+mod rule;
+mod rust;
+
+use files::files;
+
+/// Longest file of `src/` without a reason, lines.
+const MAX_LINES: usize = 300;
+
+/// How the reason for a longer file begins, in a comment of its head.
+const LONG: &str = "Long because ";
+
+/// Names that say nothing of what a file holds.
+const DUMPING_GROUNDS: [&str; 6] = ["utils", "util", "helpers", "helper", "common", "misc"];
+
+#[test]
+fn no_file_is_a_dumping_ground() {
+    for folder in ["src", "www", "tests", "benches"] {
+        for source in files(folder, &["rs", "js", "mjs"]) {
+            let name = source.path.rsplit('/').next().expect("a path ends in a name");
+            let stem = name.split('.').next().expect("a name begins with a stem");
+            assert!(!DUMPING_GROUNDS.contains(&stem), "{folder}/{}: name it by what it holds", source.path);
+        }
+    }
+}
+
+#[test]
+fn a_long_file_gives_its_reason() {
+    let too_long = files("src", &["rs"]).into_iter().filter(|source| is_too_long(&source.text));
+    let broken: Vec<String> =
+        too_long.map(|source| format!("src/{}: {} lines", source.path, source.text.lines().count())).collect();
+    assert!(broken.is_empty(), "\nsplit these, or say in the head `{LONG}…`:\n{}", broken.join("\n"));
+}
+
+#[test]
+fn a_file_is_too_long_from_301_lines_without_a_reason() {
+    assert!(!is_too_long(&"line\n".repeat(MAX_LINES)));
+    assert!(is_too_long(&"line\n".repeat(MAX_LINES + 1)));
+    assert!(!is_too_long(&format!("//! One idea.\n//! {LONG}it is one table.\n{}", "line\n".repeat(MAX_LINES))));
+    assert!(is_too_long(&format!("{}// {LONG}late.\n", "line\n".repeat(MAX_LINES))));
+}
+
+fn is_too_long(text: &str) -> bool {
+    let mut head = text.lines().take_while(|line| line.starts_with("//"));
+    text.lines().count() > MAX_LINES && !head.any(|line| line.contains(LONG))
+}

@@ -1,0 +1,130 @@
+//! `www/`: the order of its folders, and what each of them may not use, with the reason.
+
+use crate::files::{Source, files};
+use crate::rule::{Never, Only, Rule, unknown_files};
+
+/// The folders and files of `www/` in the order in which they import each other: each only those before it. `pkg` is the
+/// wasm package, which all may import. Imports in JSDoc are types only and are not looked at.
+const LAYERS: [&str; 7] = ["pkg", "shell", "model", "play", "panels", "page.js", "main.js"];
+
+const RULES: &[Rule] = &[
+    Rule {
+        words: &["innerHTML", "outerHTML", "insertAdjacentHTML", "document.write"],
+        files: Only(&[]),
+        reason: "text of a link, a file or a model must not become markup",
+    },
+    Rule {
+        words: &["document", "window", "localStorage"],
+        files: Never(&["model/", "shell/url-state.js", "shell/constants.js"]),
+        reason: "it runs in the worker too, or without a page",
+    },
+    Rule {
+        words: &["localStorage", "sessionStorage", "indexedDB", "document.cookie"],
+        files: Only(&["shell/progress-store.js"]),
+        reason: "one file knows what is stored in the browser, and in what form",
+    },
+    Rule {
+        words: &["history.", "location."],
+        files: Only(&["page.js", "main.js"]),
+        reason: "one file reads and writes the address",
+    },
+    Rule {
+        words: &["new Worker("],
+        files: Only(&["model/worker-client.js"]),
+        reason: "one file starts the worker, and ends it",
+    },
+    Rule {
+        words: &["fetch("],
+        files: Only(&["model/worker.js", "shell/load-wasm.js"]),
+        reason: "the page works offline once the wasm and the weights are there",
+    },
+    Rule { words: &["new Puzzle("], files: Only(&["play/session.js"]), reason: "who makes a puzzle frees it" },
+];
+
+#[test]
+fn a_folder_imports_only_the_folders_before_it() {
+    let broken: Vec<String> = sources().iter().flat_map(later_imports).collect();
+    assert!(broken.is_empty(), "\n{}", broken.join("\n"));
+}
+
+#[test]
+fn every_folder_has_its_place_in_the_order() {
+    let sources = sources();
+    let mut layers: Vec<&str> = sources.iter().map(|source| layer_of(&source.path)).collect();
+    layers.sort_unstable();
+    layers.dedup();
+    let mut expected = LAYERS[1..].to_vec();
+    expected.sort_unstable();
+    assert_eq!(layers, expected, "www/ holds these folders and scripts");
+}
+
+#[test]
+fn an_import_of_a_later_folder_is_found() {
+    let imports = |path, text| later_imports(&Source::new(path, text)).len();
+    assert_eq!(imports("model/worker.js", "import { Session } from \"../play/session.js\";"), 1);
+    assert_eq!(imports("model/worker.js", "import {\n  Session,\n} from '../play/session.js';"), 1);
+    assert_eq!(imports("shell/load-wasm.js", "const page = await import(\"../page.js\");"), 1);
+    assert_eq!(imports("shell/dom.js", "import \"../model/stages.js\";"), 1);
+    assert_eq!(imports("panels/compare.js", "import { byId } from \"../shell/dom.js\";"), 0);
+    assert_eq!(imports("panels/compare.js", "import { TroubleBox } from \"./trouble-box.js\";"), 0);
+    assert_eq!(imports("shell/component.js", "/** @typedef {import(\"../play/session.js\").Session} Session */"), 0);
+    assert_eq!(imports("model/worker.js", "import init from \"../pkg/pathlight.js\";"), 0);
+}
+
+#[test]
+fn no_file_breaks_a_rule() {
+    let sources = sources();
+    assert!(sources.len() > 25, "only {} files found", sources.len());
+    let broken: Vec<String> = RULES.iter().flat_map(|rule| rule.broken_by(&sources)).collect();
+    assert!(broken.is_empty(), "\n{}", broken.join("\n"));
+}
+
+#[test]
+fn every_rule_names_files_that_exist() {
+    let unknown = unknown_files(RULES, &sources());
+    assert!(unknown.is_empty(), "\n{}", unknown.join("\n"));
+}
+
+/// The folder below `www/`, or the file itself.
+fn layer_of(path: &str) -> &str {
+    path.split('/').next().unwrap_or(path)
+}
+
+/// What a module imports of layers after its own.
+fn later_imports(source: &Source) -> Vec<String> {
+    let place = |name: &str| LAYERS.iter().position(|layer| *layer == name);
+    let own = layer_of(&source.path);
+    let imported = addresses(&source.code).into_iter().map(|address| (resolved(&source.path, address), address));
+    let later = imported.filter(|(path, _)| place(layer_of(path)) > place(own));
+    later.map(|(_, address)| format!("www/{}: `{address}` comes after `{own}`", source.path)).collect()
+}
+
+/// The relative addresses that a module imports, statically or not.
+fn addresses(code: &str) -> Vec<&str> {
+    let quoted = ['"', '\''].into_iter().flat_map(|quote| {
+        let openings = [format!("from {quote}"), format!("import {quote}"), format!("import({quote}")];
+        openings.into_iter().flat_map(move |opening| {
+            let starts = code.match_indices(&opening).map(|(at, opening)| at + opening.len()).collect::<Vec<_>>();
+            starts.into_iter().filter_map(move |start| code[start..].split(quote).next())
+        })
+    });
+    quoted.filter(|address| address.starts_with('.')).collect()
+}
+
+/// The path below `www/` of an address that a file names.
+fn resolved(file: &str, address: &str) -> String {
+    let mut parts: Vec<&str> = file.split('/').collect();
+    parts.pop();
+    for part in address.split('/') {
+        match part {
+            "." => {}
+            ".." => drop(parts.pop()),
+            name => parts.push(name),
+        }
+    }
+    parts.join("/")
+}
+
+fn sources() -> Vec<Source> {
+    files("www", &["js"])
+}
