@@ -1,10 +1,14 @@
-# `make play` builds what is missing and serves the page; `make test` runs every test; `make bench` compares the
-# nets' speed with other engines, which it installs into target/bench.
-# `make timings` prints how long a person waits for the page, `make pictures` takes pictures of all its views.
+# make play      builds what is missing and serves the page on PORT
+# make test      runs every check and test, natively, in Node and in Chromium
+# make build     builds the wasm package and the binary
+# make bench     compares the speed of the nets with other engines, which it installs into target/bench
+# make timings   prints how long a person waits for the page
+# make pictures  takes pictures of all views of the page
+# make clean     removes what was built or installed here
 
 PORT ?= 8080
 
-# Tools that are installed here are shared by all clones, and replace nothing of yours.
+# Cargo's tools are installed here: shared by all clones, apart from those of the system.
 TOOLS := $(or $(XDG_CACHE_HOME),$(HOME)/.cache)/pathlight/tools
 export TOOLS
 export PATH := $(TOOLS)/bin:$(PATH)

@@ -1,7 +1,7 @@
 //! Pathlight plays PHYRE's 25 ball templates and shows the paths that four small nets imagine for them.
 //!
 //! A task is a scene and a goal: the green body has to touch its goal for three seconds. An action places one
-//! red ball. The simulator turns both into a rollout; an agent proposes balls.
+//! red ball. The simulator computes the rollout; an agent proposes balls.
 //!
 //! ```
 //! use pathlight::puzzle::{action::Action, task::Task};
@@ -16,13 +16,13 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! From the data outwards; each module uses only those above it (`tests/architecture.rs` holds the order):
+//! The modules from the data outwards; each uses only those above it (`tests/architecture` checks the order):
 //!
 //! | module | holds |
 //! | --- | --- |
 //! | `puzzle` | plain data: scenes, the action ball and when it is valid, rollouts, the 25 templates and their 2,500 tasks |
 //! | `raster` | scenes and rollouts as 64 x 64 images |
-//! | `simulator` | a scene and a ball in, a rollout out |
+//! | `simulator` | computes the rollout of a scene and a ball: a port of Box2D 2.3's step on rapier2d's geometry |
 //! | `benchmark` | PHYRE's folds and its metric, auccess |
 //! | `dataset` | what nets learn from: solutions, labelled balls, samples |
 //! | `nets` | the four nets that imagine paths, the judge, their weights and their training |
