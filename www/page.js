@@ -28,7 +28,6 @@ import { listenForShortcuts } from "./shell/shortcuts.js";
 import { INITIAL_STATE, PANELS, formatFragment, hrefOf, parseFragment, viewOf, visiblePanels } from "./shell/url-state.js";
 
 /** @typedef {import("./shell/component.js").Component} Component */
-/** @typedef {import("./shell/gallery.js").Template} Template */
 /** @typedef {import("./shell/url-state.js").State} State */
 
 /** Browsers refuse to change the address at every step of a drag; it is changed this much later, ms. */
@@ -39,7 +38,6 @@ const reducedMotion = matchMedia("(prefers-reduced-motion: reduce)");
 const taskPicker = byId("task", HTMLSelectElement);
 
 export class Page {
-  /** @type {Template[]} */
   #templates = templates();
   /** @type {State} */
   #state = { ...INITIAL_STATE };
@@ -146,8 +144,7 @@ export class Page {
   /** Applies the colour scheme to the style sheet and to what the wasm paints. */
   #applyTheme() {
     const dark = darkScheme.matches;
-    const colours = /** @type {Record<string, string>} */ (palette(dark));
-    for (const [name, colour] of Object.entries(colours)) document.documentElement.style.setProperty(`--${name}`, colour);
+    for (const [name, colour] of Object.entries(palette(dark))) document.documentElement.style.setProperty(`--${name}`, colour);
     for (const component of this.#components) component.setTheme(dark);
   }
 

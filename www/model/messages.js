@@ -3,36 +3,17 @@
 // The page sends a Request, and the worker answers it by any number of news (`progress`, `attempt`, `map`) and then by one
 // `value` or one `error`. A Cancel ends a request that is still running; nobody waits for its answer.
 
-/** @typedef {import("../shell/constants.js").Ball} Ball */
-
-/**
- * How a rollout ended; lengths in steps.
- * @typedef {{ solved: boolean, steps: number, longest: number, last: number }} Ending
- */
-
-/**
- * A ball that was simulated.
- * @typedef {{ ball: Ball, ending: Ending }} Attempt
- */
-
-/**
- * Where a proposed ball comes from.
- * @typedef {{ kind: "judge", probability: number } | { kind: "map", x: number, y: number } | { kind: "perturbed", number: number } | { kind: "uniform" }} Origin
- */
-
-/**
- * A ball that the model would try; `rejected` counts the draws before it that were invalid or had been proposed.
- * @typedef {{ ball: Ball, origin: Origin, rejected: number }} Proposal
- */
+/** @typedef {import("../pkg/pathlight.js").Attempt} Attempt */
+/** @typedef {import("../pkg/pathlight.js").Proposal} Proposal */
 
 /**
  * The model in the worker: its name, the names of all models there are, and how it was trained.
- * @typedef {{ name: string, names: string[], card: Record<string, any> }} LoadedModel
+ * @typedef {{ name: string, names: string[], card: import("../pkg/pathlight.js").ModelCard }} LoadedModel
  */
 
 /**
  * What the nets imagine of a task. `seen`: was the model trained on it?
- * @typedef {{ maps: import("./stages.js").Maps, seen: boolean, milliseconds: number }} Imagined
+ * @typedef {{ maps: import("../pkg/pathlight.js").Maps, seen: boolean, milliseconds: number }} Imagined
  */
 
 /**

@@ -3,9 +3,8 @@
 
 import { CELL_SIZE, GRID_SIDE } from "../shell/constants.js";
 
-/** @typedef {import("../shell/constants.js").Stage} Stage */
-/** @typedef {Float32Array} HeatMap GRID_SIDE x GRID_SIDE values in 0..1, row 0 at the bottom */
-/** @typedef {Partial<Record<Stage, HeatMap>>} Maps the maps of a puzzle; weights may have no judge */
+/** @typedef {import("../pkg/pathlight.js").Stage} Stage */
+/** @typedef {import("../pkg/pathlight.js").GridMap} GridMap */
 
 /**
  * For each stage its name, what it means, and how it is made.
@@ -41,7 +40,7 @@ export const STAGE_TEXT = {
 
 /**
  * The value of a map at a point of the scene, px.
- * @param {HeatMap} map
+ * @param {GridMap} map
  * @param {readonly number[]} point
  */
 export function valueAt(map, [x, y]) {
@@ -52,7 +51,7 @@ export function valueAt(map, [x, y]) {
 
 /**
  * A map in words: where its peak is, and how it is spread left and right.
- * @param {HeatMap} map
+ * @param {GridMap} map
  */
 export function summary(map) {
   const peak = map.reduce((best, value, cell) => (value > map[best] ? cell : best), 0);
@@ -62,7 +61,7 @@ export function summary(map) {
 
 /**
  * How much of a map lies left and right, in words.
- * @param {HeatMap} map
+ * @param {GridMap} map
  */
 export function sides(map) {
   const total = map.reduce((sum, value) => sum + value, 0);

@@ -45,8 +45,9 @@ addEventListener("message", async ({ data }) => {
  * @returns {import("./messages.js").Failure}
  */
 function failureOf(error) {
-  // After a trap (a panic in Rust) the memory of the instance is in no known state.
-  const code = error instanceof WebAssembly.RuntimeError ? "crashed" : (error?.code ?? "broken");
+  // After a panic in Rust or a trap the memory of the instance is in no known state.
+  const crashed = error?.code === "panic" || error instanceof WebAssembly.RuntimeError;
+  const code = crashed ? "crashed" : (error?.code ?? "broken");
   return { code, message: error?.message ?? String(error) };
 }
 

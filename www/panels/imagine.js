@@ -8,7 +8,7 @@ import { byId, contextOf, find, fromTemplate, setText } from "../shell/dom.js";
 import { STAGE_TEXT, summary } from "../model/stages.js";
 import { TroubleBox } from "./trouble-box.js";
 
-/** @typedef {import("../shell/constants.js").Stage} Stage */
+/** @typedef {import("../pkg/pathlight.js").Stage} Stage */
 /** @typedef {import("../model/messages.js").Imagined} Imagined */
 
 /** Width of the canvas of an outline, which is laid over the whole scene. */

@@ -6,11 +6,10 @@ import { Component } from "../shell/component.js";
 import { byId, find, fromTemplate, setText } from "../shell/dom.js";
 import { OverlapCard, percent } from "./overlap-card.js";
 
-/** @typedef {import("../shell/constants.js").Stage} Stage */
+/** @typedef {import("../pkg/pathlight.js").Stage} Stage */
 /** @typedef {import("../play/session.js").Session} Session */
-/** @typedef {import("../play/session.js").Paths} Paths */
 /** @typedef {"player" | "model" | "alone"} Runner */
-/** @typedef {Paths & { title: string, number?: number }} Run `number`: of the attempt, if it is one */
+/** @typedef {import("../pkg/pathlight.js").PathMasks & { title: string, number?: number }} Run `number`: of the attempt, if it is one */
 
 /**
  * Who runs, in the order shown, with the stage that imagined the green object's path.
@@ -68,16 +67,16 @@ export class ImaginedVsReal extends Component {
     const { puzzle, phase, finished, placing, shown, pair } = session;
     if (placing) this.#lastRead = null;
     let changed = false;
-    for (const agent of /** @type {const} */ (["player", "model"])) {
+    for (const contender of /** @type {const} */ (["player", "model"])) {
       // The attempt may have been deleted meanwhile.
-      const number = this.#runs.get(agent)?.number;
-      if (number !== undefined && number > session.score(agent).used) changed = this.#runs.delete(agent);
+      const number = this.#runs.get(contender)?.number;
+      if (number !== undefined && number > session.score(contender).used) changed = this.#runs.delete(contender);
     }
     const current = phase === "compare" ? pair : (shown ?? phase);
     if (finished && !placing && current !== this.#lastRead) {
       this.#lastRead = current;
       const runs = phase === "watch" ? [watchedRun] : (phase === "compare" ? pair : [shown]).map(runOf);
-      const paths = /** @type {Paths[]} */ (puzzle.paths());
+      const paths = puzzle.paths();
       runs.forEach(({ runner, ...run }, index) => this.#runs.set(runner, { ...run, ...paths[index] }));
       changed = true;
     }
@@ -131,7 +130,7 @@ const watchedRun = { runner: "alone", title: "Without a ball" };
  */
 function runOf(attempt) {
   if (!attempt) return watchedRun;
-  const { agent, number, preview } = attempt;
-  if (agent === "player") return { runner: agent, title: `Your attempt ${number}`, number };
-  return preview ? { runner: agent, title: `The model’s ball ${number}` } : { runner: agent, title: `The model’s attempt ${number}`, number };
+  const { contender, number, preview } = attempt;
+  if (contender === "player") return { runner: contender, title: `Your attempt ${number}`, number };
+  return preview ? { runner: contender, title: `The model’s ball ${number}` } : { runner: contender, title: `The model’s attempt ${number}`, number };
 }

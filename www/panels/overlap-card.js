@@ -26,7 +26,7 @@ export class OverlapCard {
    * Draws a map in the colours of its stage and the outline of the real path; returns their overlap, 0..1.
    * @param {object} what
    * @param {string} what.name what is shaded
-   * @param {import("../shell/constants.js").Stage} what.stage
+   * @param {import("../pkg/pathlight.js").Stage} what.stage
    * @param {Float32Array} what.values
    * @param {Float32Array} what.real
    * @param {boolean} what.dark

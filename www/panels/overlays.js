@@ -53,7 +53,7 @@ export class Overlays extends Component {
     const drawing = panel === "predict";
     this.#canvas.setOverlay(
       {
-        maps: [...this.#solveMap.canvases, ...this.#imagine.canvasesOf(/** @type {import("../shell/constants.js").Stage[]} */ (stages))],
+        maps: [...this.#solveMap.canvases, ...this.#imagine.canvasesOf(/** @type {import("../pkg/pathlight.js").Stage[]} */ (stages))],
         opacity,
         marks: this.#proposals.marks,
         sketch: drawing ? this.#predict.sketch : [],

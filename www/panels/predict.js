@@ -135,7 +135,7 @@ export class Predict extends Component {
     byId("predict-watch", HTMLButtonElement).disabled = !end;
     byId("predict-run", HTMLButtonElement).disabled = !end || !session.ball || session.invalidReason !== null;
     byId("predict-wipe", HTMLButtonElement).disabled = !end;
-    const measurable = session.phase === "watch" || session.shown?.agent === "player";
+    const measurable = session.phase === "watch" || session.shown?.contender === "player";
     const measured = Boolean(end) && session.finished && measurable && !session.placing;
     byId("predict-result").hidden = !measured;
     const words = measured ? this.#measure(session) : end ? `Your line ends at x ${Math.round(end[0])}, y ${Math.round(end[1])}.` : "Nothing drawn yet.";
@@ -152,7 +152,7 @@ export class Predict extends Component {
     const stage = phase === "watch" ? "base" : "target";
     const real = puzzle.paths()[0].object;
     const netMap = this.#imagine.maps?.[stage];
-    const shared = { stage: /** @type {import("../shell/constants.js").Stage} */ (stage), real, dark: this.dark };
+    const shared = { stage: /** @type {import("../pkg/pathlight.js").Stage} */ (stage), real, dark: this.dark };
     const player = this.#playerCard.draw({ ...shared, name: "You", values: puzzle.sketch(new Float64Array(this.sketch.flat())) });
     this.#netCard.element.hidden = !netMap;
     if (!netMap) return `You were right by ${percent(player)}.`;

@@ -9,7 +9,7 @@ import { byId, find, setText } from "../shell/dom.js";
 import { STAGE_TEXT, valueAt } from "../model/stages.js";
 import { ARROW_KEYS } from "../play/canvas.js";
 
-/** @typedef {import("../shell/constants.js").Stage} Stage */
+/** @typedef {import("../pkg/pathlight.js").Stage} Stage */
 
 /** How far an arrow key moves the point: a cell, with Shift eight. px */
 const KEY_STEP = CELL_SIZE;

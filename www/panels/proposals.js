@@ -8,7 +8,7 @@ import { valueAt } from "../model/stages.js";
 import { sentence } from "../play/session.js";
 import { TroubleBox } from "./trouble-box.js";
 
-/** @typedef {import("../model/messages.js").Proposal} Proposal */
+/** @typedef {import("../pkg/pathlight.js").Proposal} Proposal */
 /** @typedef {import("../play/session.js").Session} Session */
 
 const slider = byId("proposal-slider", HTMLInputElement);
@@ -88,7 +88,7 @@ export class Proposals extends Component {
 
   /**
    * The balls to mark over the scene.
-   * @returns {import("../play/canvas.js").Mark[]}
+   * @returns {import("../pkg/pathlight.js").Mark[]}
    */
   get marks() {
     if (!this.active) return [];
@@ -199,11 +199,13 @@ export class Proposals extends Component {
   /**
    * The place that a ball comes from, px, or null.
    * @param {Proposal} proposal
+   * @returns {[x: number, y: number] | null}
    */
   #sourceOf({ origin }) {
     if (origin.kind === "map") return [origin.x, origin.y];
-    if (origin.kind === "perturbed") return this.#proposals?.[origin.number - 1].ball.slice(0, 2) ?? null;
-    return null;
+    if (origin.kind !== "perturbed" || !this.#proposals) return null;
+    const [x, y] = this.#proposals[origin.number - 1].ball;
+    return [x, y];
   }
 }
 

@@ -4,7 +4,6 @@
 import { Component } from "../shell/component.js";
 import { SCENE_SIZE } from "../shell/constants.js";
 import { contextOf } from "../shell/dom.js";
-import { paintThumbnail } from "../pkg/pathlight.js";
 
 export class ScenePicture extends Component {
   #canvas = document.createElement("canvas");
@@ -36,7 +35,7 @@ export class ScenePicture extends Component {
     if (!this.#fresh) {
       const context = contextOf(this.#canvas);
       context.clearRect(0, 0, SCENE_SIZE, SCENE_SIZE);
-      paintThumbnail(context, this.session.about.id, this.dark);
+      this.session.puzzle.paintThumbnail(context, this.dark);
       this.#fresh = true;
     }
     const context = contextOf(canvas);

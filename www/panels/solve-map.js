@@ -19,7 +19,7 @@ export class SolveMapPanel extends Component {
   #imagine;
   #context;
   #visible = false;
-  /** @type {import("../shell/constants.js").Stage[]} */
+  /** @type {import("../pkg/pathlight.js").Stage[]} */
   #checkedLayers = [];
   /**
    * Outcomes of GRID_SIDE x GRID_SIDE places, row 0 at the bottom.

@@ -7,7 +7,7 @@ import { STAGES } from "../shell/constants.js";
 import { byId, setText } from "../shell/dom.js";
 import { STAGE_TEXT, summary } from "../model/stages.js";
 
-/** @typedef {import("../shell/constants.js").Stage} Stage */
+/** @typedef {import("../pkg/pathlight.js").Stage} Stage */
 
 /** How long a step stays while the walkthrough plays, ms: time to read a sentence and look. */
 const STEP_TIME = 4500;

@@ -1,4 +1,4 @@
-// A list of one agent's attempts: for each a small picture and its result in words, a button that replays it, one that
+// A list of one contender's attempts: for each a small picture and its result in words, a button that replays it, one that
 // shows it over another, and, for the player's own, one that deletes it.
 
 import { Component } from "../shell/component.js";
@@ -14,22 +14,22 @@ const SIDE = 48;
 export class AttemptList extends Component {
   #list;
   #count;
-  #agent;
+  #contender;
   #length = 0;
   #thumbnails = new LazyThumbnails((context, canvas) => {
-    this.session?.puzzle.paintAttempt(context, this.#agent, numberOf(canvas), this.dark);
+    this.session?.puzzle.paintAttempt(context, this.#contender, numberOf(canvas), this.dark);
   });
 
   /**
    * @param {HTMLElement} list an <ol>
    * @param {HTMLElement} count where the score is shown
-   * @param {import("./session.js").Agent} agent
+   * @param {import("./session.js").Contender} contender
    */
-  constructor(list, count, agent) {
+  constructor(list, count, contender) {
     super();
     this.#list = list;
     this.#count = count;
-    this.#agent = agent;
+    this.#contender = contender;
     list.addEventListener("click", ({ target }) => {
       const button = target instanceof Element && target.closest("button");
       if (button) this.#onAction(button.dataset.act, numberOf(button));
@@ -60,10 +60,10 @@ export class AttemptList extends Component {
    * @param {number} number
    */
   #onAction(act, number) {
-    if (act === "replay") this.session?.replay(this.#agent, number);
-    if (act === "overlay") this.session?.overlay(this.#agent, number);
+    if (act === "replay") this.session?.replay(this.#contender, number);
+    if (act === "overlay") this.session?.overlay(this.#contender, number);
     if (act === "remove") {
-      this.session?.remove(this.#agent, number);
+      this.session?.remove(this.#contender, number);
       // The focus goes to the attempt that has moved up, or to the one before.
       const next = this.#list.children[Math.min(number, this.#length) - 1];
       if (next) find(next, "[data-act=remove]").focus();
@@ -78,18 +78,18 @@ export class AttemptList extends Component {
 
   /** @param {Session} session */
   #update(session) {
-    const score = session.score(this.#agent);
+    const score = session.score(this.#contender);
     // An attempt that runs for the first time is listed when it has ended.
-    const used = score.used - Number(session.resultHidden && this.#agent === "player");
+    const used = score.used - Number(session.resultHidden && this.#contender === "player");
     const solvedAt = score.solved_at !== null && score.solved_at <= used ? score.solved_at : null;
     if (used < this.#length) this.#clear();
     if (used > this.#length) {
-      this.#list.append(...session.attempts(this.#agent).slice(this.#length, used).map((attempt) => this.#row(attempt)));
+      this.#list.append(...session.attempts(this.#contender).slice(this.#length, used).map((attempt) => this.#row(attempt)));
       this.#length = used;
       this.#list.scrollTop = this.#list.scrollHeight;
     }
     setText(this.#count, used === 0 ? "" : solvedAt ? `solved on attempt ${solvedAt}` : `${used} of ${ATTEMPT_LIMIT}, not solved`);
-    const current = session.visibleAttempts.filter(({ agent }) => agent === this.#agent).map(({ number }) => number);
+    const current = session.visibleAttempts.filter(({ contender }) => contender === this.#contender).map(({ number }) => number);
     for (const button of this.#list.querySelectorAll("[data-act=replay]")) {
       if (current.includes(numberOf(button))) button.setAttribute("aria-current", "true");
       else button.removeAttribute("aria-current");
@@ -111,7 +111,7 @@ export class AttemptList extends Component {
     setLabel(find(row, "[data-act=overlay]"), `Compare attempt ${number}`);
     const remove = find(row, "[data-act=remove]");
     setLabel(remove, `Delete attempt ${number}`);
-    if (this.#agent !== "player") remove.remove();
+    if (this.#contender !== "player") remove.remove();
     return row;
   }
 }

@@ -5,7 +5,7 @@ import { Component } from "../shell/component.js";
 import { FIRST_RADIUS, SCENE_SIZE } from "../shell/constants.js";
 import { contextOf } from "../shell/dom.js";
 
-/** @typedef {import("../shell/constants.js").Ball} Ball */
+/** @typedef {import("../pkg/pathlight.js").Ball} Ball */
 /** @typedef {[x: number, y: number]} Point px of the scene, from its lower left corner */
 
 /**
@@ -17,16 +17,11 @@ import { contextOf } from "../shell/dom.js";
  */
 
 /**
- * A ball to mark; `from` is the place that it comes from, or null.
- * @typedef {{ ball: Ball, from: number[] | null, chosen: boolean }} Mark
- */
-
-/**
  * What lies over the scene.
  * @typedef {object} Overlay
  * @property {HTMLCanvasElement[]} maps
  * @property {number} opacity of the maps, 0..1
- * @property {Mark[]} marks
+ * @property {import("../pkg/pathlight.js").Mark[]} marks
  * @property {Point[]} sketch a line that the person has drawn
  */
 

@@ -147,7 +147,7 @@ function statusOf(session) {
   if (phase === "placing") return placingStatus(session);
   if (phase === "watch") return { kind: "hint", words: finished ? "That was the scene without a ball." : "The scene without a ball." };
   if (phase === "compare" || !shown) return { kind: "hint", words: compareStatus(session.pair) };
-  const what = `${shown.agent === "player" ? "Your" : "The model’s"} ${shown.preview ? "ball" : "attempt"} ${shown.number}`;
+  const what = `${shown.contender === "player" ? "Your" : "The model’s"} ${shown.preview ? "ball" : "attempt"} ${shown.number}`;
   if (!finished) return { kind: "running", words: `${what} is running.` };
   if (shown.ending.solved) return { kind: "solved", words: `Solved! ${what}: ${shown.words}.` };
   return { kind: "missed", words: `Not solved. ${what}: ${shown.words}.` };
@@ -168,7 +168,7 @@ function placingStatus({ ball, invalidReason, refusal, drawing }) {
 /** @param {ShownAttempt[]} pair */
 function compareStatus([first, second]) {
   /** @param {ShownAttempt} attempt */
-  const named = ({ agent, number }) => `${agent === "player" ? "your" : "the model’s"} attempt ${number}`;
+  const named = ({ contender, number }) => `${contender === "player" ? "your" : "the model’s"} attempt ${number}`;
   if (second) return sentence(`${named(first)} and ${named(second)}, over each other; the second is dashed`);
-  return sentence(`${named(first)}; ${first.agent === "player" ? "the model has" : "you have"} made none`);
+  return sentence(`${named(first)}; ${first.contender === "player" ? "the model has" : "you have"} made none`);
 }

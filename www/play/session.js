@@ -10,31 +10,24 @@ import { FIRST_RADIUS, MAX_RADIUS, MIN_RADIUS, SCENE_SIZE } from "../shell/const
 import { Playback } from "./playback.js";
 import { UndoStack } from "./undo-stack.js";
 
-/** @typedef {import("../shell/constants.js").Ball} Ball */
-/** @typedef {"player" | "model"} Agent */
-/** @typedef {import("../model/messages.js").Attempt} Attempt */
-
-/**
- * An attempt as it is listed: its number (from 1) and its result in words.
- * @typedef {Attempt & { number: number, words: string }} ListedAttempt
- */
+/** @typedef {import("../pkg/pathlight.js").Ball} Ball */
+/** @typedef {import("../pkg/pathlight.js").Contender} Contender */
+/** @typedef {import("../pkg/pathlight.js").Attempt} Attempt */
+/** @typedef {import("../pkg/pathlight.js").ListedAttempt} ListedAttempt */
 
 /**
  * An attempt that is shown. `preview`: it is a proposal of the model's that is only looked at; `tried` says whether the
  * model has tried it too.
- * @typedef {ListedAttempt & { agent: Agent, preview?: boolean, tried?: boolean }} ShownAttempt
+ * @typedef {ListedAttempt & { contender: Contender, preview?: boolean, tried?: boolean }} ShownAttempt
  */
 
-/** @typedef {{ used: number, solved_at: number | null }} Score */
-/** @typedef {{ id: string, name: string, story: string, goal: string, description: string }} PuzzleText */
-/** @typedef {{ object: Float32Array, ball?: Float32Array }} Paths the real paths of a rollout, as GRID_SIDE x GRID_SIDE images */
-
+/** Codes of errors that refuse a ball; any other error is a defect. */
+const REFUSALS = ["invalid_ball", "spent"];
 const MIDDLE = SCENE_SIZE / 2;
 
 export class Session extends EventTarget {
   /** The wasm's Puzzle; freed by `close`. */
   puzzle;
-  /** @type {PuzzleText} */
   about;
   playback = new Playback();
   /** @type {Ball | null} */
@@ -171,10 +164,10 @@ export class Session extends EventTarget {
     try {
       const before = this.score("player").used;
       const attempt = this.puzzle.attempt(...ball);
-      this.#show("attempt", { shown: { agent: "player", ...attempt }, resultHidden: attempt.number > before });
+      this.#show("attempt", { shown: { contender: "player", ...attempt }, resultHidden: attempt.number > before });
     } catch (caught) {
-      const error = /** @type {Error & { code?: string }} */ (caught);
-      if (!error.code) throw error;
+      const error = /** @type {import("../pkg/pathlight.js").CodedError} */ (caught);
+      if (!REFUSALS.includes(error.code)) throw error;
       this.#refuse(`${sentence(error.message)} That does not count as an attempt.`);
     }
   }
@@ -187,18 +180,17 @@ export class Session extends EventTarget {
 
   /**
    * Shows an attempt again; it does not count once more.
-   * @param {Agent} agent
+   * @param {Contender} contender
    * @param {number} number
    */
-  replay(agent, number) {
-    /** @type {ListedAttempt} */
-    const attempt = this.puzzle.replay(agent, number);
-    if (agent === "player") {
+  replay(contender, number) {
+    const attempt = this.puzzle.replay(contender, number);
+    if (contender === "player") {
       this.ball = attempt.ball;
       this.invalidReason = null;
       this.#placements.push(attempt.ball);
     }
-    this.#show("attempt", { shown: { agent, ...attempt } });
+    this.#show("attempt", { shown: { contender, ...attempt } });
   }
 
   /**
@@ -209,7 +201,7 @@ export class Session extends EventTarget {
    */
   preview(number, ball, tried) {
     const attempt = this.puzzle.rehearse(...ball);
-    this.#show("attempt", { shown: { ...attempt, agent: "model", number, tried, preview: true }, play: false });
+    this.#show("attempt", { shown: { ...attempt, contender: "model", number, tried, preview: true }, play: false });
   }
 
   /** Is the scene drawn on, instead of a ball placed in it? */
@@ -230,38 +222,39 @@ export class Session extends EventTarget {
   compare(play) {
     const [player, model] = this.puzzle.compare();
     /** @type {ShownAttempt[]} */
-    const pair = [player && { agent: "player", ...player }, model && { agent: "model", ...model }].filter(Boolean);
+    const pair = [];
+    if (player) pair.push({ contender: "player", ...player });
+    if (model) pair.push({ contender: "model", ...model });
     if (pair.length === 0) this.reset();
     else this.#show("compare", { pair, play });
   }
 
   /**
-   * Shows an attempt over another: over the one that is shown, else over the other agent's last, else its neighbour.
-   * @param {Agent} agent
+   * Shows an attempt over another: over the one that is shown, else over the other contender's last, else its neighbour.
+   * @param {Contender} contender
    * @param {number} number
    */
-  overlay(agent, number) {
-    const chosen = { agent, number };
+  overlay(contender, number) {
+    const chosen = { contender, number };
     const other = this.#overlayPartner(chosen);
-    if (!other) return this.replay(agent, number);
-    const [first, second] = agent === "model" && other.agent === "player" ? [other, chosen] : [chosen, other];
-    /** @type {ListedAttempt[]} */
-    const attempts = this.puzzle.overlay(first.agent, first.number, second.agent, second.number);
-    this.#show("compare", { pair: attempts.map((attempt, index) => ({ agent: [first, second][index].agent, ...attempt })) });
+    if (!other) return this.replay(contender, number);
+    const [first, second] = contender === "model" && other.contender === "player" ? [other, chosen] : [chosen, other];
+    const attempts = this.puzzle.overlay(first.contender, first.number, second.contender, second.number);
+    this.#show("compare", { pair: attempts.map((attempt, index) => ({ contender: [first, second][index].contender, ...attempt })) });
   }
 
   /**
-   * @param {{ agent: Agent, number: number }} chosen
-   * @returns {{ agent: Agent, number: number } | null}
+   * @param {{ contender: Contender, number: number }} chosen
+   * @returns {{ contender: Contender, number: number } | null}
    */
-  #overlayPartner({ agent, number }) {
+  #overlayPartner({ contender, number }) {
     const [only, ...others] = this.visibleAttempts;
-    if (only && others.length === 0 && (only.agent !== agent || only.number !== number)) return only;
-    const opponent = agent === "player" ? "model" : "player";
+    if (only && others.length === 0 && (only.contender !== contender || only.number !== number)) return only;
+    const opponent = contender === "player" ? "model" : "player";
     const { used } = this.score(opponent);
-    if (used > 0) return { agent: opponent, number: used };
+    if (used > 0) return { contender: opponent, number: used };
     const neighbour = number > 1 ? number - 1 : 2;
-    return neighbour <= this.score(agent).used ? { agent, number: neighbour } : null;
+    return neighbour <= this.score(contender).used ? { contender, number: neighbour } : null;
   }
 
   /** The attempts that are being shown. */
@@ -270,29 +263,23 @@ export class Session extends EventTarget {
     return this.shown && !this.shown.preview ? [this.shown] : [];
   }
 
-  /**
-   * @param {Agent} agent
-   * @returns {Score}
-   */
-  score(agent) {
-    return this.puzzle.score(agent);
+  /** @param {Contender} contender */
+  score(contender) {
+    return this.puzzle.score(contender);
   }
 
-  /**
-   * @param {Agent} agent
-   * @returns {ListedAttempt[]}
-   */
-  attempts(agent) {
-    return this.puzzle.attempts(agent);
+  /** @param {Contender} contender */
+  attempts(contender) {
+    return this.puzzle.attempts(contender);
   }
 
   /**
    * Deletes an attempt; those after it move up by one.
-   * @param {Agent} agent
+   * @param {Contender} contender
    * @param {number} number
    */
-  remove(agent, number) {
-    this.puzzle.remove(agent, number);
+  remove(contender, number) {
+    this.puzzle.remove(contender, number);
     // What is shown may be the one that is gone, or have another number now.
     if (this.placing) this.#emit("change");
     else this.reset();
@@ -342,7 +329,7 @@ export class Session extends EventTarget {
 
   /** Forgets the model's attempts; what is shown of them is shown no longer. */
   clearModel() {
-    const visible = this.shown?.agent === "model" || this.pair.some(({ agent }) => agent === "model");
+    const visible = this.shown?.contender === "model" || this.pair.some(({ contender }) => contender === "model");
     this.puzzle.clear("model");
     this.modelName = null;
     if (visible) this.reset();

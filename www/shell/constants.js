@@ -1,29 +1,27 @@
-// The constants that the page shares with the Rust code.
+// The constants that the page shares with the Rust code, which exports them, and the few that are the page's own. The wasm
+// has to be loaded before this module: main.js imports the page only then.
+
+import { constants } from "../pkg/pathlight.js";
+
+const shared = constants();
 
 /** Width and height of the scene, px. */
-export const SCENE_SIZE = 256;
+export const SCENE_SIZE = shared.scene_size;
 /** Cells of a map, across and up. */
-export const GRID_SIDE = 64;
+export const GRID_SIDE = shared.grid_side;
 /** Width of a cell, px of the scene. */
-export const CELL_SIZE = SCENE_SIZE / GRID_SIDE;
-/** Attempts that each agent has on a puzzle. */
-export const ATTEMPT_LIMIT = 100;
+export const CELL_SIZE = shared.cell_size;
+/** Attempts that each contender has on a puzzle. */
+export const ATTEMPT_LIMIT = shared.attempt_limit;
 /** Smallest and largest radius of the red ball, px. */
-export const MIN_RADIUS = 2;
-export const MAX_RADIUS = 32;
+export const MIN_RADIUS = shared.min_radius;
+export const MAX_RADIUS = shared.max_radius;
 /** Simulated steps per second. */
-export const STEPS_PER_SECOND = 60;
+export const STEPS_PER_SECOND = shared.steps_per_second;
 /** How long the green object has to touch its goal, s. */
-export const GOAL_SECONDS = 3;
-
+export const GOAL_SECONDS = shared.goal_steps / shared.steps_per_second;
 /** The maps in the order in which the nets make them: the paper's four, then the judge's. */
-export const STAGES = /** @type {const} */ (["base", "target", "action", "placement", "judge"]);
-/** @typedef {typeof STAGES[number]} Stage */
+export const STAGES = shared.stages;
 
-/** Radius of a ball that nobody has sized yet, px. Ours alone: Rust does not need it. */
+/** Radius of a ball that nobody has sized yet, px. */
 export const FIRST_RADIUS = 12;
-
-/**
- * A ball in whole px: its centre, counted from the lower left corner, and its radius.
- * @typedef {[x: number, y: number, r: number]} Ball
- */

@@ -5,7 +5,7 @@ import { Component } from "./component.js";
 import { LazyThumbnails } from "./lazy-thumbnails.js";
 import { hrefOf } from "./url-state.js";
 
-/** @typedef {{ id: string, name: string, story: string, tasks: string[] }} Template */
+/** @typedef {import("../pkg/pathlight.js").Template} Template */
 
 /** Width of a picture, CSS px; the style sheet may show it smaller. */
 const SIDE = 176;

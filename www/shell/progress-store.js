@@ -1,4 +1,4 @@
-// What this device remembers of an agent's attempts: for each puzzle how many there were, and which solved it first. Kept
+// What this device remembers of a contender's attempts: for each puzzle how many there were, and which solved it first. Kept
 // in localStorage as JSON. A store that is forbidden, full or damaged costs the memory, never the page. Knows nothing of
 // the document.
 //

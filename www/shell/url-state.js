@@ -4,8 +4,8 @@
 
 import { ATTEMPT_LIMIT, MAX_RADIUS, MIN_RADIUS, SCENE_SIZE, STAGES } from "./constants.js";
 
-/** @typedef {import("./constants.js").Ball} Ball */
-/** @typedef {import("./constants.js").Stage} Stage */
+/** @typedef {import("../pkg/pathlight.js").Ball} Ball */
+/** @typedef {import("../pkg/pathlight.js").Stage} Stage */
 
 export const PANELS = /** @type {const} */ (["play", "imagine", "compare", "predict", "map"]);
 /** What a link can hide: every panel but Play, and what the document marks with data-hideable. */
