@@ -21,11 +21,13 @@ import { Session } from "./play/session.js";
 import { About } from "./shell/about.js";
 import { byId } from "./shell/dom.js";
 import { Gallery } from "./shell/gallery.js";
+import { HiddenParts } from "./shell/hidden-parts.js";
 import { dismissNotice, showNotice } from "./shell/notice.js";
 import { ProgressStore } from "./shell/progress-store.js";
 import { ProgressView } from "./shell/progress-view.js";
 import { listenForShortcuts } from "./shell/shortcuts.js";
-import { INITIAL_STATE, PANELS, formatFragment, hrefOf, parseFragment, viewOf, visiblePanels } from "./shell/url-state.js";
+import { Tabs } from "./shell/tabs.js";
+import { INITIAL_STATE, formatFragment, hrefOf, parseFragment, viewOf, visiblePanels } from "./shell/url-state.js";
 
 /** @typedef {import("./shell/component.js").Component} Component */
 /** @typedef {import("./shell/url-state.js").State} State */
@@ -82,6 +84,8 @@ export class Page {
     const proposals = new Proposals(client, imagine);
     const solveMap = new SolveMapPanel(client, imagine);
     return [
+      new HiddenParts(),
+      new Tabs(),
       gallery,
       new ProgressView(this.#progress, this.#templates, gallery),
       new About(client),
@@ -120,11 +124,6 @@ export class Page {
     for (const button of document.querySelectorAll("button[data-opens]")) {
       const id = button.getAttribute("data-opens") ?? "";
       button.addEventListener("click", () => byId(id, HTMLDialogElement).showModal());
-    }
-    for (const panel of PANELS) {
-      const tab = byId(`tab-${panel}`);
-      tab.addEventListener("click", () => this.#changeState({ panel }));
-      tab.addEventListener("keydown", (event) => this.#onTabKeydown(event));
     }
     const page = this;
     listenForShortcuts({
@@ -180,7 +179,6 @@ export class Page {
     if (state.task !== this.#state.task) this.#closePuzzle();
     else if (modelChanged) this.#session?.clearModel();
     this.#state = state;
-    this.#hideParts();
     byId("gallery").hidden = state.task !== null || state.hide.includes("puzzles");
     for (const id of ["puzzle", "title", "copy", "skip"]) byId(id).hidden = state.task === null;
     if (state.task !== null) {
@@ -190,19 +188,6 @@ export class Page {
     }
     this.#applyView();
     if (state.task !== null && cameFromGallery) byId("scene").focus({ preventScroll: true });
-  }
-
-  /** Hides what the link hides; something that belongs to several parts goes with the last of them. */
-  #hideParts() {
-    const hidden = /** @type {string[]} */ (this.#state.hide);
-    for (const element of document.querySelectorAll("[data-hideable]")) {
-      const parts = element.getAttribute("data-hideable")?.split(" ") ?? [];
-      element.classList.toggle("hidden-by-link", parts.every((part) => hidden.includes(part)));
-    }
-    const home = byId("home", HTMLAnchorElement);
-    const gallery = hrefOf(this.#state, null);
-    if (gallery) home.href = gallery;
-    else home.removeAttribute("href");
   }
 
   /** @param {string} task */
@@ -281,15 +266,9 @@ export class Page {
     }, URL_DELAY);
   }
 
-  /** Shows the state: its panel, and what each component shows of it. */
+  /** Passes what is to be seen of the state to all components. */
   #applyView() {
     const view = viewOf(this.#state);
-    for (const name of PANELS) {
-      const tab = byId(`tab-${name}`);
-      tab.setAttribute("aria-selected", String(name === view.panel));
-      tab.tabIndex = name === view.panel ? 0 : -1;
-      byId(name).hidden = name !== view.panel;
-    }
     for (const component of this.#components) component.setState(view);
   }
 
@@ -316,16 +295,5 @@ export class Page {
     } catch {
       showNotice(`This browser does not let the page copy. The link is ${location.href}`);
     }
-  }
-
-  /** @param {KeyboardEvent} event */
-  #onTabKeydown(event) {
-    const offset = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
-    if (!offset) return;
-    const panels = visiblePanels(this.#state);
-    const panel = panels[(panels.indexOf(viewOf(this.#state).panel) + offset + panels.length) % panels.length];
-    this.#changeState({ panel });
-    byId(`tab-${panel}`).focus();
-    event.preventDefault();
   }
 }

@@ -2,7 +2,7 @@
 
 import { announce } from "../shell/announce.js";
 import { Component } from "../shell/component.js";
-import { FIRST_RADIUS, GOAL_SECONDS, STEPS_PER_SECOND } from "../shell/constants.js";
+import { FIRST_RADIUS, GOAL_SECONDS, MAX_RADIUS, MIN_RADIUS, SCENE_SIZE, STEPS_PER_SECOND } from "../shell/constants.js";
 import { byId, find, setText } from "../shell/dom.js";
 import { sentence } from "./session.js";
 
@@ -23,6 +23,9 @@ export class Controls extends Component {
 
   constructor() {
     super();
+    for (const input of [radius, fields[2]]) Object.assign(input, { min: String(MIN_RADIUS), max: String(MAX_RADIUS) });
+    for (const field of fields.slice(0, 2)) field.max = String(SCENE_SIZE - 1);
+    goalMeter.setAttribute("aria-valuemax", String(GOAL_SECONDS));
     /** @type {(id: string, act: (session: Session) => void) => void} */
     const onClick = (id, act) => byId(id).addEventListener("click", () => this.session && act(this.session));
     onClick("run", (session) => session.run());

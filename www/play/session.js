@@ -3,7 +3,8 @@
 //   "change"     something to read has changed
 //   "draw"       only the picture has changed
 //   "attempted"  a new attempt of the player's has run to its end, or was left; `shown` holds it
-// Knows nothing of the document.
+// Knows nothing of the document. It is over 300 lines long for its JSDoc: one state machine, and the page's only way to
+// the Puzzle.
 
 import { Puzzle } from "../pkg/pathlight.js";
 import { FIRST_RADIUS, MAX_RADIUS, MIN_RADIUS, SCENE_SIZE } from "../shell/constants.js";

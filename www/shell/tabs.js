@@ -1,0 +1,46 @@
+// The tabs and the panels that they show, by pointer and by arrow keys.
+
+import { Component } from "./component.js";
+import { byId } from "./dom.js";
+import { PANELS, visiblePanels } from "./url-state.js";
+
+/** @typedef {import("./url-state.js").Panel} Panel */
+
+export class Tabs extends Component {
+  /** @type {Panel[]} */
+  #visible = [];
+  /** @type {Panel} */
+  #selected = "play";
+
+  constructor() {
+    super();
+    for (const panel of PANELS) {
+      const tab = byId(`tab-${panel}`);
+      tab.addEventListener("click", () => this.requestState({ panel }));
+      tab.addEventListener("keydown", (event) => this.#onKeydown(event));
+    }
+  }
+
+  /** @param {import("./url-state.js").View} view */
+  setState(view) {
+    this.#visible = visiblePanels(view);
+    this.#selected = view.panel;
+    for (const panel of PANELS) {
+      const tab = byId(`tab-${panel}`);
+      tab.setAttribute("aria-selected", String(panel === view.panel));
+      tab.tabIndex = panel === view.panel ? 0 : -1;
+      byId(panel).hidden = panel !== view.panel;
+    }
+  }
+
+  /** @param {KeyboardEvent} event */
+  #onKeydown(event) {
+    const offset = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
+    if (!offset) return;
+    const panels = this.#visible;
+    const panel = panels[(panels.indexOf(this.#selected) + offset + panels.length) % panels.length];
+    this.requestState({ panel });
+    byId(`tab-${panel}`).focus();
+    event.preventDefault();
+  }
+}
