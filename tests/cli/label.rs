@@ -7,7 +7,7 @@ use pathlight::benchmark::folds::{Fold, Setup};
 use pathlight::dataset::labels::LabelledBalls;
 use pathlight::dataset::solutions::Solution;
 use pathlight::puzzle::task::Task;
-use pathlight::simulator::outcome;
+use pathlight::simulator::{self, outcome};
 use tempfile::tempdir;
 
 use super::{assert_refused, output_of};
@@ -79,8 +79,8 @@ fn files_that_name_unknown_tasks_or_impossible_balls_are_refused() {
         fs::write(&path, lines.join("\n") + "\n").expect("written");
         path.display().to_string()
     };
-    let settings = r#"{"seed":0,"per_task":1,"simulator":3}"#;
-    let solutions = write("solutions", &[settings, r#"{"task":"00099:000","ball":[100,100,10]}"#]);
+    let settings = format!(r#"{{"seed":0,"per_task":1,"simulator":{}}}"#, simulator::VERSION);
+    let solutions = write("solutions", &[&settings, r#"{"task":"00099:000","ball":[100,100,10]}"#]);
     let out = folder.path().join("out").display().to_string();
     let label = ["label", "--solutions", &solutions, "--out", &out];
     assert_refused(&label, "line 2 of ");
@@ -95,6 +95,8 @@ fn files_that_name_unknown_tasks_or_impossible_balls_are_refused() {
     let ball = format!(r#"{{"task":"{task}","solved":[[100,100,64]],"failed":[]}}"#);
     judge(&write("ball", &[settings, line.trim_end(), &ball]), "has a wrong radius or is not inside the scene");
     judge(&write("none", &[&settings.replace("\"tasks\":2", "\"tasks\":0")]), "is not a file of `pathlight label`");
+    let older = settings.replace(&format!("\"simulator\":{}", simulator::VERSION), "\"simulator\":0");
+    judge(&write("older", &[&older, line.trim_end()]), "was labelled by simulator 0");
     let of_fold = settings.replace("\"tasks\"", "\"training_tasks_of\":[\"cross\",1],\"tasks\"");
     judge(&write("fold", &[&of_fold, line.trim_end()]), "holds balls of the training tasks of cross 1");
 }

@@ -10,6 +10,7 @@ use pathlight::dataset::solutions::Solution;
 use pathlight::nets::read_card;
 use pathlight::puzzle::action::Ball;
 use pathlight::puzzle::task::{Task, TaskId};
+use pathlight::simulator;
 use serde_json::Value;
 use tempfile::{TempDir, tempdir};
 
@@ -50,6 +51,17 @@ fn a_run_that_was_cut_off_ends_with_the_same_weights() {
     let losses = |run: &str| fs::read_to_string(folder.path().join(run).join("losses.csv")).expect("losses");
     assert!(losses("whole").lines().count() > 2);
     assert_eq!(losses("whole"), losses("cut"));
+}
+
+#[test]
+fn solutions_of_an_older_simulator_are_refused() {
+    let folder = tempdir().expect("a folder");
+    let older = folder.path().join("older");
+    let text_of = fs::read_to_string(solutions()).expect("solutions");
+    let version = format!("\"simulator\":{}", simulator::VERSION);
+    fs::write(&older, text_of.replace(&version, "\"simulator\":0")).expect("written");
+    let train = ["train", "--solutions", &text(&older), "--out", &text(folder.path())];
+    assert_refused(&train, "were found by simulator 0");
 }
 
 #[test]
