@@ -1,4 +1,4 @@
-// The science is one click away, on the grid and beside the maps: the paper, the benchmark, and the model's own card.
+// The sheet “About Pathlight”, from the grid and from the panel Imagine: the paper, the benchmark, and the model's card.
 
 import assert from 'node:assert/strict';
 import { open } from 'node:fs/promises';
@@ -14,7 +14,7 @@ let session;
 before(async () => (session = await start()));
 after(() => session.stop());
 
-/** The card as it stands in the weights file: safetensors begins with the length of its JSON header. */
+/** The card in a weights file: a safetensors file begins with the length of its JSON header. */
 async function card(file) {
   const weights = await open(join(ASSETS, file));
   try {

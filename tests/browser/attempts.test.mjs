@@ -35,7 +35,7 @@ test('every attempt has a picture of its own, with its ball in it', async () => 
     pictures.add(await picture(page, canvas));
   }
   assert.equal(pictures.size, 2);
-  // In words, and not by colour or mark alone.
+  // The result is in words too, not by colour or mark alone.
   assert.match(await row(page, 2).locator('.words').textContent(), /^solved after/);
   await page.emulateMedia({ colorScheme: 'dark' });
   await page.waitForTimeout(300);
@@ -63,7 +63,7 @@ test('an attempt is deleted, by key too, and the list closes up', async () => {
   assert.equal(await attempts(page), 1);
   assert.match(await row(page, 1).locator('.words').textContent(), /^solved after/);
   assert.equal(await page.locator('#play-count').textContent(), 'solved on attempt 1');
-  // What was shown is gone, so the ball can be placed; the focus stays in the list.
+  // What was shown is gone, and the ball can be placed; the focus stays in the list.
   await says(page, /may start here/);
   assert.equal(await page.evaluate(() => document.activeElement?.getAttribute('aria-label')), 'Delete attempt 1');
   await page.keyboard.press('Enter');

@@ -9,7 +9,7 @@ let session;
 before(async () => (session = await start()));
 after(() => session.stop());
 
-test('the grid draws 25 thumbnails as they come into sight', async () => {
+test('the grid draws 25 thumbnails when they scroll into sight', async () => {
   const page = await session.open('/');
   const canvases = page.locator('#templates canvas');
   assert.equal(await canvases.count(), 25);

@@ -1,10 +1,10 @@
-// What every browser test starts with: `pathlight serve` on a free port, and Chromium with a profile of its own.
+// Starts `pathlight serve` on a free port, and Chromium with a profile of its own; every browser test begins with it.
 //
 //     const session = await start();
 //     const page = await session.open('/');
 //     await session.stop();        // fails if the page complained in its console
 //
-// It must not know what is on the page.
+// Knows nothing of what is on the page.
 
 import { spawn } from 'node:child_process';
 import { once } from 'node:events';
@@ -42,7 +42,7 @@ export function launch() {
 }
 
 class Session {
-  /** What the pages complained of: errors in the console, uncaught exceptions, failed requests. */
+  /** The problems of the pages: errors in the console, uncaught exceptions, failed requests. */
   problems = [];
 
   #server;
@@ -65,19 +65,19 @@ class Session {
     page.on('pageerror', (error) => this.problems.push(`uncaught: ${error.message}`));
     page.on('requestfailed', (request) => {
       const why = request.failure()?.errorText;
-      // A page that is left gives up what it was still loading; that is no failure.
+      // A page that is left aborts what it was still loading; that is not a failure.
       if (why !== 'net::ERR_ABORTED') this.problems.push(`failed: ${request.url()} ${why}`);
     });
     if (path) await page.goto(this.origin + path);
     return page;
   }
 
-  /** Takes note of the problems so far as expected, and returns them. */
+  /** Returns the problems so far and forgets them: the test expected them. */
   takeProblems() {
     return this.problems.splice(0);
   }
 
-  /** Ends browser and server. Throws if there are problems that nobody took. */
+  /** Ends browser and server. Throws if there are problems that no test expected. */
   async stop() {
     await this.#browser.close();
     this.#server.child.kill('SIGINT');

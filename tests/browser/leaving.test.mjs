@@ -1,4 +1,4 @@
-// A puzzle is left while something of it is still to be drawn: nothing of it is used any more.
+// Leaving a puzzle while something of it is still to be drawn: the page must not use the freed puzzle.
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
@@ -9,9 +9,9 @@ let session;
 before(async () => (session = await start()));
 after(() => session.stop());
 
-test('while pictures of attempts wait to be drawn', async () => {
+test('a puzzle is left while pictures of attempts wait to be drawn', async () => {
   const page = await openPuzzle(session, { task: await unsolvedTask(), more: '&panel=compare', still: true });
-  // So slow that pictures are left over.
+  // Slow painting, so that some pictures still wait.
   await page.evaluate(async () => {
     const { Puzzle } = await import('/pkg/pathlight.js');
     const paintAttempt = Puzzle.prototype.paintAttempt;
@@ -28,13 +28,13 @@ test('while pictures of attempts wait to be drawn', async () => {
   await page.locator('#templates canvas.drawn').first().waitFor();
   await page.waitForTimeout(400);
   assert.ok(await page.locator('#notice').isHidden());
-  // The pictures of another puzzle are drawn as ever.
+  // The pictures of the next puzzle are drawn.
   await page.goBack();
   await page.locator('#model-turn:enabled').click();
   await page.locator('#model-attempts canvas.drawn').nth(1).waitFor();
 });
 
-test('and then the colour scheme changes', async () => {
+test('the colour scheme changes after a puzzle was left', async () => {
   const page = await openPuzzle(session, { more: '&panel=predict', still: true });
   await page.locator('#imagined-in').filter({ hasText: 'Imagined' }).waitFor({ state: 'attached' });
   await page.locator('#scene').press('Shift+ArrowDown');

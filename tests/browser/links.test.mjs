@@ -1,4 +1,4 @@
-// Links open what they name; what cannot be had is a sentence on the page, with a way on.
+// Links open what they name; a link that cannot be followed is a sentence on the page, with a link that can.
 
 import assert from 'node:assert/strict';
 import { mkdtemp, rm } from 'node:fs/promises';
@@ -57,7 +57,7 @@ test('a link hides what a lesson leaves out, and goes on hiding it', async () =>
   assert.match(page.url(), /hide=story,fields,watch,attempts,imagine,compare/);
 });
 
-test('a link can hold on to one puzzle', async () => {
+test('hide=puzzles: no button and no key leads to another puzzle', async () => {
   const page = await openPuzzle(session, { more: '&hide=puzzles' });
   assert.ok(await page.locator('#next').isHidden());
   await page.locator('#home').click({ force: true });
@@ -69,7 +69,7 @@ test('a link can hold on to one puzzle', async () => {
   await page.locator('#next').waitFor();
 });
 
-test('a link that holds on to one puzzle offers no other, by no way', async () => {
+test('hide=puzzles: neither scoreboard nor notices nor grid lead to another puzzle', async () => {
   const name = (await (await fetch(`${session.origin}/assets/model.json`)).json()).models[0].name;
   const both = JSON.stringify({ tasks: { '00001:001': { attempts: 1, solved: 1 } } });
   const localStorage = [{ name: 'pathlight.progress', value: both }, { name: `pathlight.model.${name}`, value: both }];
@@ -100,7 +100,7 @@ test('a panel that the link hides does nothing, although the link names it', asy
   await page.goto(`${session.origin}/#task=00007:008&panel=compare&proposal=1&hide=compare`);
   await page.locator('#task option:checked', { hasText: '00007:008' }).waitFor({ state: 'attached' });
   await page.locator('#imagined-in').filter({ hasText: 'Imagined' }).waitFor({ state: 'attached' });
-  // Time for the model to propose, if it were asked.
+  // Longer than the model takes to propose, if it is asked.
   await page.waitForTimeout(1500);
   await says(page, /place the red ball/);
 });
@@ -141,7 +141,7 @@ for (const [link, words] of [
   });
 }
 
-test('a number that a template has not leads to its first puzzle', async () => {
+test('a number that a template does not have leads to its first puzzle', async () => {
   const page = await session.open('/#task=00007:999');
   await page.locator('#notice-actions a').first().click();
   await page.locator('#scene').waitFor();

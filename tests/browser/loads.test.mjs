@@ -1,4 +1,4 @@
-// The page arrives: served by the real binary, its wasm compiled, and nothing to complain of in the console.
+// The page loads: served by the real binary, its wasm compiled, and without errors in the console.
 
 import assert from 'node:assert/strict';
 import { get } from 'node:http';

@@ -1,5 +1,5 @@
 // What tests do on the page as a person would: open a puzzle, point at px of the scene, read the status line.
-// It also finds a solving ball by simulation, through the page's own wasm, so that no solution is written down.
+// It also finds a solving ball by simulation, through the page's own wasm, so that no test holds a solution.
 
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
@@ -42,7 +42,7 @@ export async function waitForValue(page, selector, passes) {
 }
 
 /**
- * Watches the frames of the page; returns how to ask for the longest time between two of them, ms.
+ * Watches the frames of the page; returns a function that returns the longest time between two of them, ms.
  * @param {Page} page
  */
 export async function watchFrames(page) {
@@ -153,13 +153,13 @@ export async function known(page, task = EASY) {
   }, task);
 }
 
-/** Places a ball of any radius by the fields, as it lies. */
+/** Types a ball into the fields. */
 export async function type(page, [x, y, r]) {
   for (const [name, value] of Object.entries({ x, y, r })) {
     await page.locator(`#ball-${name}`).fill(String(value));
     await page.locator(`#ball-${name}`).press('Tab');
   }
-  // The first number alone makes no ball: all three have to be there.
+  // The page takes the ball once all three numbers are there.
   assert.deepEqual(await ball(page), [x, y, r]);
 }
 

@@ -11,7 +11,7 @@ let session;
 before(async () => (session = await start()));
 after(() => session.stop());
 
-/** A finger that goes down at the first point, over the others, and up. */
+/** Drags a finger from the first point over the others. */
 async function drag(page, points) {
   const client = await page.context().newCDPSession(page);
   const send = (type, touchPoints) => client.send('Input.dispatchTouchEvent', { type, touchPoints });
@@ -35,7 +35,7 @@ test('a tap places, a finger drags, nothing scrolls', async () => {
 
 test('a finger need not hit a small ball, nor its knob, exactly', async () => {
   const page = await openPuzzle(session, { ...PHONE, more: '&ball=128,220,4' });
-  // One px of the scene is about one and a half of the screen: this is 18 of the screen beside the ball.
+  // One px of the scene is about 1.5 px of the screen, so this is 18 px of the screen beside the ball.
   await drag(page, [[116, 220], [106, 220], [96, 210]]);
   assert.deepEqual(await ball(page), [108, 210, 4], 'dragged, and not placed anew under the finger');
   await drag(page, [[118, 210], [124, 210], [130, 210]]);

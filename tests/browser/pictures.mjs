@@ -42,7 +42,7 @@ for (const [screen, size] of Object.entries(SCREENS)) {
     await take('missed');
     await page.locator('#reset').click();
 
-    // Half way through a run that moves.
+    // Half way through a run that is played.
     await page.emulateMedia({ reducedMotion: 'no-preference' });
     await run(balls.solving, /is running/);
     await page.locator('#run').click();

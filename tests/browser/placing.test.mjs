@@ -52,7 +52,7 @@ test('an invalid ball is outlined, named and never counts', async () => {
   const { invalid } = await known(page);
   await type(page, invalid);
   const words = await says(page, /^Not here: The ball (sticks out of the scene|overlaps the [\w ]+)\.$/);
-  // And it is said aloud, in the one place that speaks.
+  // It is announced, in the page's only live region.
   assert.equal(await page.locator('[role=status], [aria-live], output').count(), 1);
   assert.equal(await page.locator('[role=status]').textContent(), words);
   await page.locator('#run').click();

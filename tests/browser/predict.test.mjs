@@ -50,7 +50,7 @@ test('a line is drawn with the mouse, places no ball, and is measured when it ha
   await page.locator('#predict-watch').click();
   const [straight] = await verdict(page);
 
-  // A line that has nothing to do with it is worse.
+  // A line far from the real path is worse.
   await draw(page, [[10, 250], [250, 250], [10, 240], [250, 240]]);
   await says(page, /Draw in the scene/);
   await page.locator('#predict-watch').click();

@@ -1,4 +1,4 @@
-// The model's hundred balls, one by one: what came of each, and where on the placement map it comes from.
+// The model's hundred proposals, one by one: the outcome of each, and the map that it comes from.
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
@@ -78,7 +78,7 @@ test('another puzzle opens without a ball of the model’s', async () => {
   assert.doesNotMatch(page.url(), /proposal=/);
 });
 
-test('a number that is none is a sentence', async () => {
+test('a number past the last proposal is refused in a sentence', async () => {
   const page = await session.open('/#task=00000:000&proposal=101');
   await page.locator('#notice-text').filter({ hasText: '“proposal=101”' }).waitFor();
 });

@@ -6,13 +6,13 @@
 //   maps           from opening another puzzle until its maps are drawn, once the weights are there
 //   in wasm        the model's own part of it: the maps of a puzzle, and a hundred balls proposed for it
 //
-// Each is taken several times; the median is printed with the worst. What it should be is printed beside it.
+// Each is measured several times; the median is printed with the worst, beside what it should be.
 
 import { start } from './harness.mjs';
 import { openPuzzle, spot } from './page-actions.mjs';
 
 const TIMES = 7;
-/** Of these templates the first task is opened. */
+/** The templates whose first task is opened. */
 const TEMPLATES = [1, 7, 12, 16, 20, 23, 24];
 
 const session = await start();
@@ -35,7 +35,7 @@ async function drawn(path, selector) {
   await page.addInitScript((selector) => {
     const look = (now) => {
       const canvas = document.querySelector(selector);
-      // Paper is opaque: a canvas that nobody has drawn on is not.
+      // The paper is opaque; an empty canvas is transparent.
       const ready = canvas?.width > 1 && canvas.getContext('2d').getImageData(canvas.width >> 1, canvas.width >> 1, 1, 1).data[3] > 0;
       if (ready) globalThis.drawnAt = now;
       else requestAnimationFrame(look);

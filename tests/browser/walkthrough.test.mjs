@@ -1,4 +1,4 @@
-// The stages told one after another, and the value under the pointer: by mouse, touch and keys, from a link too.
+// The walkthrough of the stages, and the probe under the pointer: by mouse, touch and keys, from a link too.
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
@@ -57,7 +57,7 @@ test('it plays by itself to the end, and a step is in the link', async () => {
   assert.deepEqual(await shown(page), { rows: ['judge'], laid: ['judge'] });
 });
 
-test('keys go through the story', async () => {
+test('keys go through the steps', async () => {
   const page = await imagine();
   await page.locator('#walkthrough-next').focus();
   for (const stage of STAGES) {
@@ -81,7 +81,7 @@ test('the mouse reads the maps that lie over the scene', async () => {
   await page.locator('#probe').waitFor({ state: 'hidden' });
 });
 
-test('a finger reads too, and its reading stays', async () => {
+test('a finger reads too, and its values stay', async () => {
   const page = await imagine({ hasTouch: true, viewport: { width: 390, height: 844 } });
   await page.locator('#walkthrough-next').tap();
   await page.touchscreen.tap(...(await spot(page, 100, 200)));

@@ -11,7 +11,7 @@ import { openPuzzle } from './page-actions.mjs';
 
 let session, folder;
 before(async () => {
-  // As small as training goes.
+  // The smallest training.
   folder = mkdtempSync(join(tmpdir(), 'pathlight-'));
   const at = (name) => join(folder, name);
   const run = (...words) => execFileSync(binary, words, { stdio: 'pipe' });

@@ -1,5 +1,5 @@
-// The worker answers a call by an error: the panel that asked says so, and can ask again. After a trap in the wasm the
-// worker is given up, because its memory is in no known state.
+// The worker answers a call with an error: the panel that called says so, and can call again. After a trap or a panic in the
+// wasm the worker is not used again, because its memory is in no known state.
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
@@ -25,14 +25,14 @@ async function openFailing(call, error, more) {
 const FAILURE = "new Error('the soup is cold')";
 const trouble = (page, id) => page.locator(`#${id}:visible`).filter({ hasText: 'the soup is cold' });
 
-test('the maps', async () => {
+test('an error for the maps', async () => {
   const page = await openFailing('imagine', FAILURE, '&panel=imagine');
   await trouble(page, 'imagine-trouble').getByRole('button', { name: 'Try again' }).click();
   await page.locator('#imagined-in').filter({ hasText: 'Imagined' }).waitFor();
   await page.locator('#imagine-trouble').waitFor({ state: 'hidden' });
 });
 
-test('the turn', async () => {
+test('an error in the turn', async () => {
   const page = await openFailing('turn', FAILURE, '&panel=compare');
   await page.locator('#model-turn:enabled').click();
   await trouble(page, 'compare-trouble').getByRole('button', { name: 'Try again' }).click();
@@ -40,14 +40,14 @@ test('the turn', async () => {
   assert.ok(await page.locator('#compare-trouble').isHidden());
 });
 
-test('the proposals', async () => {
+test('an error for the proposals', async () => {
   const page = await openFailing('propose', FAILURE, '&panel=compare');
   await trouble(page, 'proposals-trouble').getByRole('button', { name: 'Try again' }).click();
   await page.locator('#proposals:visible').waitFor();
   assert.ok(await page.locator('#proposals-trouble').isHidden());
 });
 
-test('the search for all solutions', async () => {
+test('an error in the search for all solutions', async () => {
   const page = await openFailing('solve', FAILURE, '&panel=map&ball=128,200,32');
   await page.locator('#solve-map-search').click();
   await trouble(page, 'solve-map-words').waitFor();
@@ -55,15 +55,20 @@ test('the search for all solutions', async () => {
   await page.locator('#solve-map-words').filter({ hasText: 'tried' }).waitFor();
 });
 
-test('a worker whose wasm has trapped is not used again', async () => {
-  const page = await openFailing('propose', "new WebAssembly.RuntimeError('unreachable')", '&panel=compare');
-  const box = page.locator('#compare-trouble:visible').filter({ hasText: /worker has stopped \(unreachable\)/ });
-  await box.waitFor();
-  assert.equal(page.workers().length, 0);
-  await box.getByRole('button', { name: 'Try again' }).click();
-  await page.locator('#proposals:visible').waitFor();
-  assert.equal(page.workers().length, 1);
-});
+for (const { what, error, words } of [
+  { what: 'trapped', error: "new WebAssembly.RuntimeError('unreachable')", words: 'worker has stopped (unreachable)' },
+  { what: 'panicked', error: "Object.assign(new Error('no such cell'), { code: 'panic' })", words: 'worker has stopped (no such cell)' },
+]) {
+  test(`a worker whose wasm has ${what} is not used again`, async () => {
+    const page = await openFailing('propose', error, '&panel=compare');
+    const box = page.locator('#compare-trouble:visible').filter({ hasText: words });
+    await box.waitFor();
+    assert.equal(page.workers().length, 0);
+    await box.getByRole('button', { name: 'Try again' }).click();
+    await page.locator('#proposals:visible').waitFor();
+    assert.equal(page.workers().length, 1);
+  });
+}
 
 test('a search after a trap starts another worker', async () => {
   const page = await openFailing('imagine', "new WebAssembly.RuntimeError('unreachable')", '&panel=map&ball=128,200,32');
