@@ -1,4 +1,4 @@
-//! What is shipped in assets fits: the page's list names every weights file by its hash, and the nets load it.
+//! The shipped models are complete: assets/model.json lists every weights file with its hash, and the nets load it.
 #![cfg(not(target_arch = "wasm32"))]
 
 use std::fs;
@@ -9,8 +9,8 @@ use pathlight::simulator;
 use serde_json::Value;
 use sha2::{Digest, Sha256};
 
-/// A model's download stays below this, bytes.
-const MOST: usize = 6_000_000;
+/// Largest download of a model, bytes.
+const MAX_BYTES: usize = 6_000_000;
 
 #[test]
 fn every_model_of_the_list_is_there_whole_and_up_to_date() {
@@ -27,7 +27,7 @@ fn every_model_of_the_list_is_there_whole_and_up_to_date() {
         let (_, card) = PathNet::load(&bytes, &flex()).expect("weights that fit");
         assert_eq!(text("name"), format!("{}-{}", card.setup, card.fold));
         assert_eq!(card.simulator, simulator::VERSION, "trained on rollouts of another simulator");
-        assert!(bytes.len() < MOST, "{} is {} bytes", text("name"), bytes.len());
+        assert!(bytes.len() < MAX_BYTES, "{} is {} bytes", text("name"), bytes.len());
         println!("{}: {} bytes, {card:?}", text("name"), bytes.len());
     }
 }

@@ -1,8 +1,8 @@
 // Times the nets against their peers and prints one table: node benches/nets/bench.mjs
 //
 // `run` has installed the peers. Contenders of a race take turns, so that whatever else the machine does falls on
-// all of them; before, their results are compared with ours. A peer that is not there or fails is left out, and
-// the table says so.
+// all of them; before, their results are compared with ours. A peer that is missing or fails is left out, and the table
+// says so. All run the paper's four nets; the row "ours-five-maps" adds the judge.
 
 import { existsSync, readFileSync } from 'node:fs';
 import { loadavg } from 'node:os';
@@ -26,7 +26,7 @@ const NETS = ['target/bench/nets.onnx', 'target/bench/scene.f32'];
 
 // Ours comes first. Results may differ by `tolerance`; a turn is so many repetitions.
 const forward = { tolerance: 1e-4, turn: 20 };
-const web = ['ours', 'onnxruntime-web', 'tract'];
+const web = ['ours', 'ours-five-maps', 'onnxruntime-web', 'tract'];
 const inNode = (name) => contender(name, (path) => new Uint8Array(readFileSync(join(root, path))));
 const inChild = (command, threads) => startChild(root, command, { RAYON_NUM_THREADS: threads });
 const torch = (...args) => python('torch_step.py', WEIGHTS, 'target/bench/batch.f32', '2', ...args);
@@ -106,7 +106,7 @@ async function run({ title, tolerance, turn, open, contenders }) {
   return [...there.map((one) => timed(one, mine)), ...out];
 }
 
-/** Wasm is compiled again while it runs, and threads have to be there. */
+/** Wasm is recompiled while it runs, and threads have to be started. */
 async function warmUp(one, turn) {
   const start = performance.now();
   while (performance.now() - start < WARM_UP) await one.times(turn);
@@ -114,7 +114,7 @@ async function warmUp(one, turn) {
 
 function timed({ name, turns }, mine) {
   const all = turns.flat();
-  // Of turns beside each other, so that a slow minute does not tell.
+  // Of adjacent turns, so that a slow minute does not distort the ratio.
   const ratio = median(turns.map((times, round) => median(mine.turns[round]) / median(times)));
   const cells = [`${median(all).toFixed(2)} ms`, `${Math.min(...all).toFixed(2)} ms`];
   return [name, ...cells, name === 'ours' ? '' : `${ratio.toFixed(2)} x`];

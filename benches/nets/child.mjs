@@ -1,4 +1,4 @@
-// A contender in a process of its own: it answers with its result, then each number of repetitions with their times.
+// A contender in a process of its own: it writes its result, and then for each number of repetitions that it reads, their times.
 
 import { spawn } from 'node:child_process';
 import { once } from 'node:events';

@@ -1,8 +1,8 @@
-//! The nets natively, as one contender of `make bench`; `benches/nets/bench.mjs` holds the stopwatch's rules.
+//! The nets natively, as one contender of `make bench`; `benches/nets/bench.mjs` decides when each contender runs.
 //!
-//! `inputs TASK FOLDER` writes what every contender is given. `forward TASK` and `train` prepare, answer
-//! with a line of numbers that the others have to agree with, and then do as many repetitions as each line of the
-//! standard input says, answering with their milliseconds.
+//! `inputs TASK FOLDER` writes the input of all contenders. `forward TASK` and `train` prepare, print a line of numbers
+//! that the other contenders have to agree with, and then read a number of repetitions per line of standard input and
+//! print the milliseconds of each.
 
 use std::io::{self, Write};
 use std::path::Path;
@@ -19,9 +19,9 @@ use pathlight::raster::{Bitmap, scene_channels};
 const WEIGHTS: &str = "assets/within-0.safetensors";
 const SOLUTIONS: &str = "assets/solutions.jsonl";
 const BATCH: usize = 32;
-/// Of Adam.
-const RATE: f64 = 3e-3;
-/// The losses of so many steps have to agree.
+/// Learning rate of Adam.
+const LEARNING_RATE: f64 = 3e-3;
+/// Steps whose losses have to agree.
 const COMPARED: usize = 3;
 
 fn main() {
@@ -60,10 +60,11 @@ fn nets() -> PathNet {
     PathNet::load(&bytes, &flex()).expect("the weights fit").0
 }
 
-/// Answers with the result to compare, then times on demand.
+/// Prints the result to compare, then times repetitions on demand.
 fn repeat<T>(result: &[f32], mut work: impl FnMut() -> T) {
     let mut output = io::stdout().lock();
-    let mut say = |line: String| writeln!(output, "{line}").and_then(|()| output.flush()).expect("somebody listens");
+    let mut say =
+        |line: String| writeln!(output, "{line}").and_then(|()| output.flush()).expect("bench.mjs reads this");
     say(format!("{result:?}"));
     for line in io::stdin().lines() {
         let repetitions = line.expect("text").parse().expect("a number of repetitions");
@@ -106,6 +107,6 @@ fn training() -> impl FnMut() -> f32 {
     let samples = batch();
     move || {
         let batch = Batch::new(samples.iter().map(|sample| (sample, false)));
-        trainer.step(batch, RATE).iter().sum()
+        trainer.step(batch, LEARNING_RATE).iter().sum()
     }
 }

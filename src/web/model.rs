@@ -11,7 +11,7 @@ use super::stage::Stage;
 use crate::agents;
 use crate::agents::ranking::probability_map;
 use crate::benchmark::folds::Fold;
-use crate::nets::{Card, PathNet, flex};
+use crate::nets::{Card, Imagined, PathNet, flex};
 use crate::play::ending::Ending;
 use crate::play::game::{ATTEMPT_LIMIT, Attempt};
 use crate::puzzle::action::Ball;
@@ -108,6 +108,17 @@ impl Model {
         let proposals = agents::propose(&self.net, id, &scene, seed.into(), ATTEMPT_LIMIT);
         let balls: Vec<Ball> = proposals.into_iter().map(|proposal| proposal.ball).collect();
         Ok(Turn { scene, balls: balls.into_iter(), solved: false })
+    }
+
+    /// Returns the maps of the paper's four nets alone, without the judge: base, target, action and placement in one
+    /// Float32Array `[4, 64, 64]`. `make bench` compares it with other engines, which run the same four nets.
+    ///
+    /// # Errors
+    /// `bad_task` if there is no such task.
+    #[wasm_bindgen(js_name = imaginePaths)]
+    pub fn imagine_paths(&self, id: &str) -> Result<Vec<f32>, JsValue> {
+        let Imagined { base, target, action, placement } = self.net.imagine(&load(id)?.scene);
+        Ok([base, target, action, placement].concat())
     }
 }
 

@@ -1,6 +1,6 @@
-// A contender in wasm, in Node or in a page: what stands in NAME.mjs beside this file, with a stopwatch around it.
+// A contender in wasm, in Node or in a page: the module NAME.mjs in this folder, and a stopwatch.
 
-/** `read` gives the bytes of a file of the repository. */
+/** `read` returns the bytes of a file of the repository. */
 export async function contender(name, read) {
   const { load } = await import(`./${name}.mjs`);
   const forward = await load(read);

@@ -1,4 +1,5 @@
-// The package that the page loads. It is given a task and not a picture, so that it also lays out and draws the scene.
+// The four nets in the package that the page loads. It is given a task and not an image, so that it also lays out and
+// draws the scene.
 
 import { initSync, Model } from '../../../www/pkg/pathlight.js';
 import { TASK } from './task.mjs';
@@ -6,8 +7,5 @@ import { TASK } from './task.mjs';
 export async function load(read) {
   initSync({ module: await read('www/pkg/pathlight_bg.wasm') });
   const model = new Model(await read('assets/within-0.safetensors'));
-  return () => {
-    const { base, target, action, placement } = model.imagine(TASK);
-    return [base, target, action, placement];
-  };
+  return () => [model.imaginePaths(TASK)];
 }

@@ -172,3 +172,73 @@ fn binary_cross_entropy_with_logits<const D: usize>(logits: Tensor<D>, targets: 
     let softplus = relu(logits.clone()) + logits.clone().abs().neg().exp().log1p();
     (softplus - logits * targets).mean()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::nets::judge::cell_centre;
+    use crate::raster::ball_image;
+
+    const ROW: usize = 17;
+    const COLUMN: usize = 5;
+
+    /// A scene that is not its own mirror image, in all channels alike.
+    fn scene() -> [Bitmap; CHANNELS] {
+        [ball_image(Ball { x: 60.0, y: 100.0, r: 20.0 }); CHANNELS]
+    }
+
+    fn mirror(images: &[f32]) -> Vec<f32> {
+        images.chunks(SIDE).flat_map(|row| row.iter().rev()).copied().collect()
+    }
+
+    #[test]
+    fn a_mirrored_scene_has_its_balls_in_mirrored_cells() {
+        let cell = 3 * CELLS + ROW * SIDE + COLUMN;
+        let balls = [(cell_centre(cell), true), (cell_centre(cell + 1), false)];
+        let mut batch = JudgeBatch::default();
+        batch.add(&scene(), &balls, false).expect("balls of the scene");
+        batch.add(&scene(), &balls, true).expect("balls of the scene");
+        let mirrored = RADII * CELLS + 3 * CELLS + ROW * SIDE + SIDE - 1 - COLUMN;
+        assert_eq!(batch.cells, [cell, cell + 1, mirrored, mirrored - 1].map(|cell| cell as i64));
+        assert_eq!(batch.labels, [1.0, 0.0, 1.0, 0.0]);
+        let (plain, flipped) = batch.scenes.split_at(CHANNELS * CELLS);
+        assert_eq!(flipped, mirror(plain));
+        assert_ne!(flipped, plain);
+    }
+
+    #[test]
+    fn scenes_and_targets_are_mirrored_together() {
+        let target = ball_image(Ball { x: 200.0, y: 30.0, r: 9.0 });
+        let sample = Sample { scene: scene(), targets: [target; 4] };
+        let (plain, flipped) = (Batch::new([(&sample, false)].into_iter()), Batch::new([(&sample, true)].into_iter()));
+        assert_eq!(flipped.scenes, mirror(&plain.scenes));
+        assert_eq!(flipped.targets, mirror(&plain.targets));
+        assert_ne!(flipped.targets, plain.targets);
+    }
+
+    /// Its cell would be one of the next scene, or beyond the logits.
+    #[test]
+    fn a_ball_that_the_judge_does_not_score_is_refused() {
+        let ball = Ball { x: 100.0, y: 100.0, r: 64.0 };
+        assert_eq!(JudgeBatch::default().add(&scene(), &[(ball, true)], false), Err(Invalid::Radius));
+    }
+
+    #[test]
+    fn the_loss_is_the_binary_cross_entropy() {
+        let device = crate::nets::flex();
+        let (logits, targets) = ([0.0_f32, 2.0, -3.0, 100.0, -100.0], [1.0_f32, 0.0, 0.0, 0.0, 1.0]);
+        let loss = binary_cross_entropy_with_logits(
+            Tensor::<1>::from_floats(logits, &device),
+            Tensor::from_floats(targets, &device),
+        );
+        let expected = logits.iter().zip(targets).map(|(&logit, target)| {
+            let (logit, target) = (f64::from(logit), f64::from(target));
+            // -ln(sigmoid(z)) for the target 1, -ln(1 - sigmoid(z)) for 0; the last two overflow if written naively.
+            let z = if target == 1.0 { -logit } else { logit };
+            if z > 50.0 { z } else { z.exp().ln_1p() }
+        });
+        let expected = expected.sum::<f64>() / logits.len() as f64;
+        let loss = f64::from(loss.into_scalar::<f32>());
+        assert!((loss - expected).abs() < 1e-5 * expected, "{loss}, not {expected}");
+    }
+}
