@@ -50,9 +50,9 @@ struct CommandLine {
 enum Command {
     Tasks(tasks::Args),
     Collect(collect::Args),
+    Train(train::Args),
     Label(label::Args),
     TrainJudge(train_judge::Args),
-    Train(train::Args),
     Publish(publish::Args),
     Propose(propose::Args),
     Evaluate(evaluate::Args),
@@ -68,9 +68,9 @@ impl Command {
         match self {
             Command::Tasks(args) => args.run(),
             Command::Collect(args) => args.run(),
+            Command::Train(args) => args.run(),
             Command::Label(args) => args.run(),
             Command::TrainJudge(args) => args.run(),
-            Command::Train(args) => args.run(),
             Command::Publish(args) => args.run(),
             Command::Propose(args) => args.run(),
             Command::Evaluate(args) => args.run(),
