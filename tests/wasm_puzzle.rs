@@ -3,7 +3,7 @@
 
 use js_sys::Reflect;
 use pathlight::play::game::ATTEMPT_LIMIT;
-use pathlight::web::{Model, Puzzle, SolveMap, auccess, overlap, templates};
+use pathlight::web::{Model, Puzzle, SolveMap, auccess, constants, palette, soft_iou, templates};
 use serde_json::Value;
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -67,7 +67,7 @@ fn an_invalid_ball_names_what_it_overlaps_and_does_not_count() {
     assert_eq!(puzzle.why_invalid(x, y, 5.0).as_deref(), Some("the ball overlaps the green ball"));
     assert_eq!(puzzle.why_invalid(1.0, 250.0, 9.0).as_deref(), Some("the ball sticks out of the scene"));
     assert_eq!(code(puzzle.attempt(x, y, 5.0).expect_err("refused")), "invalid_ball");
-    assert_eq!(json(puzzle.score("player").expect("a score"))["used"], 0);
+    assert_eq!(json(puzzle.standing("player").expect("a score"))["used"], 0);
     assert_eq!(puzzle.steps(), 0);
 }
 
@@ -77,7 +77,7 @@ fn attempts_run_until_solved_and_replay_the_same() {
     let tries: Vec<_> = balls(&puzzle).collect();
     let mut solved = None;
     for (x, y, r) in tries {
-        if json(puzzle.score("player").expect("a score"))["used"] == ATTEMPT_LIMIT {
+        if json(puzzle.standing("player").expect("a score"))["used"] == ATTEMPT_LIMIT {
             puzzle.clear("player").expect("cleared");
         }
         let attempt = json(puzzle.attempt(x, y, r).expect("valid"));
@@ -93,7 +93,7 @@ fn attempts_run_until_solved_and_replay_the_same() {
     let number = attempt["number"].as_u64().expect("a number") as usize;
     assert_eq!(json(puzzle.replay("player", number).expect("made")), attempt);
     assert_eq!(puzzle.steps(), steps);
-    assert_eq!(json(puzzle.score("player").expect("a score"))["solved_at"], number);
+    assert_eq!(json(puzzle.standing("player").expect("a score"))["solved_at"], number);
     // The goal held to the end, for three seconds.
     let touches = json(puzzle.touches().expect("stretches"));
     let last = touches.as_array().and_then(|all| all.last()).expect("it touched");
@@ -127,7 +127,7 @@ fn what_was_never_tried_cannot_be_replayed() {
         assert_eq!(code(puzzle.replay("player", number).expect_err("refused")), "no_attempt");
     }
     assert_eq!(code(puzzle.replay("nobody", 1).expect_err("refused")), "bad_data");
-    assert_eq!(code(puzzle.record(JsValue::from("ball")).expect_err("refused")), "bad_data");
+    assert_eq!(code(puzzle.add_model_attempt(JsValue::from("ball")).expect_err("refused")), "bad_data");
 }
 
 #[wasm_bindgen_test]
@@ -138,50 +138,50 @@ fn bytes_that_are_no_weights_are_refused_in_words() {
 #[wasm_bindgen_test]
 fn the_real_paths_are_pictures_and_overlap_with_themselves() {
     let mut puzzle = open(TASK);
-    assert_eq!(puzzle.paths().expect("no paths").length(), 0, "nothing has run yet");
+    assert_eq!(puzzle.path_masks().expect("no paths").length(), 0, "nothing has run yet");
     let (x, y, r) = balls(&puzzle).next().expect("a valid ball");
     puzzle.attempt(x, y, r).expect("valid");
-    let paths = puzzle.paths().expect("the paths of one rollout");
+    let paths = puzzle.path_masks().expect("the paths of one rollout");
     assert_eq!(paths.length(), 1);
     let picture = |name: &str| {
         let value = Reflect::get(&paths.get(0), &name.into()).expect("an object");
         value.dyn_into::<js_sys::Float32Array>().expect("a picture").to_vec()
     };
     let (object, ball) = (picture("object"), picture("ball"));
-    assert_eq!(overlap(&object, &object).expect("two pictures"), 1.0);
-    assert!(overlap(&object, &ball).expect("two pictures") < 1.0);
+    assert_eq!(soft_iou(&object, &object).expect("two pictures"), 1.0);
+    assert!(soft_iou(&object, &ball).expect("two pictures") < 1.0);
     puzzle.watch().expect("it runs");
-    let alone = puzzle.paths().expect("the path of one rollout").get(0);
+    let alone = puzzle.path_masks().expect("the path of one rollout").get(0);
     assert!(Reflect::get(&alone, &"ball".into()).expect("an object").is_undefined(), "there is no ball");
 }
 
 #[wasm_bindgen_test]
 fn a_sketch_of_whatever_points_is_a_picture_with_the_green_object_in_it() {
     let puzzle = open(TASK);
-    let bare = puzzle.sketch(&[]);
+    let bare = puzzle.sketch_mask(&[]);
     assert!(bare.iter().sum::<f32>() > 0.0);
     let points: &[&[f64]] = &[&[1.0], &[f64::NAN, f64::INFINITY, -1e300, 1e300], &[-5.0, 900.0, 10.0, 10.0]];
     for points in points {
-        let sketch = puzzle.sketch(points);
+        let sketch = puzzle.sketch_mask(points);
         assert_eq!(sketch.len(), bare.len());
         assert!(bare.iter().zip(&sketch).all(|(bare, drawn)| bare <= drawn), "{points:?}");
     }
 }
 
 #[wasm_bindgen_test]
-fn a_rehearsal_tells_the_outcome_and_counts_nothing() {
+fn a_preview_returns_the_ending_and_counts_nothing() {
     let mut puzzle = open(TASK);
     let (x, y, r) = balls(&puzzle).next().expect("a valid ball");
-    let rehearsed = json(puzzle.rehearse(x, y, r).expect("valid"));
-    assert_eq!(json(puzzle.score("model").expect("a score"))["used"], 0);
+    let previewed = json(puzzle.preview(x, y, r).expect("valid"));
+    assert_eq!(json(puzzle.standing("model").expect("a score"))["used"], 0);
     let tried = json(puzzle.attempt(x, y, r).expect("valid"));
-    assert_eq!(rehearsed["ending"], tried["ending"]);
-    assert_eq!(code(puzzle.rehearse(1.0, 1.0, 30.0).expect_err("it sticks out")), "invalid_ball");
+    assert_eq!(previewed["ending"], tried["ending"]);
+    assert_eq!(code(puzzle.preview(1.0, 1.0, 30.0).expect_err("it sticks out")), "invalid_ball");
 }
 
 #[wasm_bindgen_test]
 fn measures_refuse_what_is_no_picture_and_no_score() {
-    assert_eq!(code(overlap(&[0.0; 9], &[0.0; 9]).expect_err("too small")), "bad_map");
+    assert_eq!(code(soft_iou(&[0.0; 9], &[0.0; 9]).expect_err("too small")), "bad_map");
     assert_eq!(code(auccess(JsValue::from_str("soup")).expect_err("no list")), "bad_data");
     let solved = serde_wasm_bindgen::to_value(&[Some(1), None]).expect("a list");
     assert_eq!(auccess(solved).expect("two tasks"), 50.0);
@@ -192,10 +192,72 @@ fn a_solve_map_grows_to_its_end_and_refuses_what_is_none() {
     assert_eq!(code(SolveMap::new("7:13", 12.0).err().expect("refused")), "bad_task");
     assert_eq!(code(SolveMap::new(TASK, f64::NAN).err().expect("refused")), "invalid_ball");
     let mut map = SolveMap::new(TASK, 32.0).expect("a map");
-    assert!(map.picture().iter().all(|&outcome| outcome == 0));
+    assert!(map.outcomes().iter().all(|&outcome| outcome == 0));
     for _ in 0..64 {
         assert!(map.advance());
     }
     assert_eq!(map.progress(), 64.0 / 4096.0);
-    assert!(map.picture().iter().all(|outcome| (1..=3).contains(outcome)));
+    assert!(map.outcomes().iter().all(|outcome| (1..=3).contains(outcome)));
+}
+
+/// The fields of an interface of `types.d.ts`, sorted; those that may be missing end in `?`.
+fn declared(interface: &str) -> Vec<String> {
+    let types = include_str!("../src/web/types.d.ts");
+    let start = types.find(&format!("interface {interface} ")).unwrap_or_else(|| panic!("no interface {interface}"));
+    let body = types[start..].split('{').nth(1).and_then(|rest| rest.split('}').next()).expect("a body");
+    let lines = body.lines().map(str::trim).filter(|line| line.ends_with(';'));
+    let mut fields: Vec<String> = lines.filter_map(|line| line.split(':').next()).map(String::from).collect();
+    fields.sort_unstable();
+    fields
+}
+
+fn fields(value: &Value) -> Vec<String> {
+    let mut fields: Vec<String> = value.as_object().expect("an object").keys().cloned().collect();
+    fields.sort_unstable();
+    fields
+}
+
+#[wasm_bindgen_test]
+fn values_have_the_fields_that_their_types_declare() {
+    let mut puzzle = open(TASK);
+    let (x, y, r) = balls(&puzzle).next().expect("a valid ball");
+    let attempt = json(puzzle.attempt(x, y, r).expect("valid"));
+    let mut listed = [declared("Attempt"), declared("ListedAttempt")].concat();
+    listed.sort_unstable();
+    assert_eq!(fields(&attempt), listed);
+    assert_eq!(fields(&attempt["ending"]), declared("Ending"));
+    assert_eq!(fields(&json(puzzle.about().expect("words"))), declared("About"));
+    assert_eq!(fields(&json(puzzle.standing("player").expect("a standing"))), declared("Standing"));
+    assert_eq!(fields(&json(constants().expect("constants"))), declared("Constants"));
+    assert_eq!(fields(&json(palette(true).expect("colours"))), declared("Palette"));
+    assert_eq!(fields(&json(templates().expect("a list"))[0]), declared("Template"));
+
+    let bytes = include_bytes!("../assets/within-0.safetensors");
+    let model = Model::new(bytes).expect("the shipped weights");
+    let card = json(model.card().expect("a card"));
+    let optional = |name: &str| declared(name).into_iter().map(|field| field.replace('?', "")).collect::<Vec<_>>();
+    assert_eq!(fields(&card), optional("ModelCard"));
+    assert_eq!(fields(&card["judge"]), declared("JudgeCard"));
+    let proposals = json(model.propose(TASK, 0).expect("proposals"));
+    assert_eq!(fields(&proposals[0]), declared("Proposal"));
+    assert_eq!(proposals[0]["origin"]["kind"], "judge");
+}
+
+#[wasm_bindgen_test]
+fn the_model_imagines_a_map_for_each_stage() {
+    let model = Model::new(include_bytes!("../assets/within-0.safetensors")).expect("the shipped weights");
+    let maps = model.imagine(TASK).expect("maps");
+    let stages = json(constants().expect("constants"))["stages"].clone();
+    let stages: Vec<&str> = stages.as_array().expect("a list").iter().filter_map(Value::as_str).collect();
+    let names: Vec<String> =
+        js_sys::Object::keys(&maps.clone().into()).iter().filter_map(|key| key.as_string()).collect();
+    assert_eq!(names, stages, "in the order of the stages");
+    for name in names {
+        let map: js_sys::Float32Array =
+            Reflect::get(&maps, &name.into()).expect("an object").dyn_into().expect("a map");
+        assert_eq!(map.length(), 64 * 64);
+    }
+    let declared = include_str!("../src/web/types.d.ts").split("export type Stage = ").nth(1).expect("the type Stage");
+    let declared = declared.split(';').next().expect("its end");
+    assert_eq!(declared, stages.iter().map(|stage| format!("\"{stage}\"")).collect::<Vec<_>>().join(" | "));
 }

@@ -17,7 +17,7 @@ pub enum Code {
     /// An invalid ball.
     InvalidBall,
     /// All attempts are used.
-    Spent,
+    AttemptLimit,
     /// There is no such attempt.
     NoAttempt,
     /// Data from JavaScript that do not have the agreed form.
@@ -33,7 +33,7 @@ impl Code {
             Code::BadMap => "bad_map",
             Code::BadWeights => "bad_weights",
             Code::InvalidBall => "invalid_ball",
-            Code::Spent => "spent",
+            Code::AttemptLimit => "attempt_limit",
             Code::NoAttempt => "no_attempt",
             Code::BadData => "bad_data",
             Code::Panic => "panic",

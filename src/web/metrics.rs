@@ -9,8 +9,8 @@ use crate::raster::CELLS;
 ///
 /// # Errors
 /// `bad_map` if one is not 64 x 64.
-#[wasm_bindgen]
-pub fn overlap(one: &[f32], other: &[f32]) -> Result<f64, JsValue> {
+#[wasm_bindgen(js_name = softIou)]
+pub fn soft_iou(one: &[f32], other: &[f32]) -> Result<f64, JsValue> {
     match [one.len(), other.len()] {
         [CELLS, CELLS] => Ok(crate::play::soft_iou::soft_iou(one, other)),
         [a, b] => Err(error(Code::BadMap, format!("a map holds {CELLS} values, not {a} or {b}"))),

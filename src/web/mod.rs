@@ -36,7 +36,7 @@ mod solve_map;
 mod stage;
 mod types;
 
-pub use metrics::{auccess, overlap};
+pub use metrics::{auccess, soft_iou};
 pub use model::{Model, Turn};
 pub use panic::throw_panics;
 pub use puzzle::Puzzle;
@@ -163,7 +163,7 @@ pub fn paint_outline(
     heatmap::outline(context, values, &colour, dashes)
 }
 
-/// Draws a map of outcomes, as `SolveMap.picture` returns it, into a canvas of 256 x 256 pixels.
+/// Draws a map of outcomes, as `SolveMap.outcomes` returns it, into a canvas of 256 x 256 pixels.
 ///
 /// # Errors
 /// `bad_map` if the outcomes are not 64 x 64.

@@ -59,7 +59,8 @@ impl Model {
     ///
     /// # Errors
     /// `bad_task` if there is no such task.
-    pub fn saw(&self, id: &str) -> Result<bool, JsValue> {
+    #[wasm_bindgen(js_name = hasSeen)]
+    pub fn has_seen(&self, id: &str) -> Result<bool, JsValue> {
         Ok(self.seen.binary_search(&load(id)?.id).is_ok())
     }
 

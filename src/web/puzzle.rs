@@ -82,7 +82,7 @@ impl Puzzle {
     /// Makes an attempt of the player's, shows its rollout and returns it.
     ///
     /// # Errors
-    /// `invalid_ball`, or `spent` if all attempts are used.
+    /// `invalid_ball`, or `attempt_limit` if all attempts are used.
     #[wasm_bindgen(unchecked_return_type = "ListedAttempt")]
     pub fn attempt(&mut self, x: f64, y: f64, r: f64) -> Result<JsValue, JsValue> {
         let ball = Ball { x, y, r };
@@ -93,23 +93,24 @@ impl Puzzle {
     }
 
     /// Returns what a person has drawn as the path of the green object (x, y, x, y, … in px) as a mask of its path.
-    pub fn sketch(&self, points: &[f64]) -> Vec<f32> {
+    #[wasm_bindgen(js_name = sketchMask)]
+    pub fn sketch_mask(&self, points: &[f64]) -> Vec<f32> {
         let points: Vec<[f64; 2]> = points.chunks_exact(2).map(|point| [point[0], point[1]]).collect();
         trail_image(self.object(), &points).to_f32().collect()
     }
 
     /// Returns the position of the green object at the start, px.
-    #[wasm_bindgen(unchecked_return_type = "[x: number, y: number]")]
-    pub fn start(&self) -> Vec<f64> {
+    #[wasm_bindgen(js_name = objectStart, unchecked_return_type = "[x: number, y: number]")]
+    pub fn object_start(&self) -> Vec<f64> {
         vec![self.object().x, self.object().y]
     }
 
     /// Adds an attempt of the model's that the worker simulated, and returns it.
     ///
     /// # Errors
-    /// `invalid_ball`, or `spent` if all attempts are used.
-    #[wasm_bindgen(unchecked_return_type = "ListedAttempt")]
-    pub fn record(
+    /// `invalid_ball`, or `attempt_limit` if all attempts are used.
+    #[wasm_bindgen(js_name = addModelAttempt, unchecked_return_type = "ListedAttempt")]
+    pub fn add_model_attempt(
         &mut self,
         #[wasm_bindgen(unchecked_param_type = "Attempt")] attempt: JsValue,
     ) -> Result<JsValue, JsValue> {
@@ -128,7 +129,7 @@ impl Puzzle {
 
     /// Returns the number of attempts of a contender and which of them solved the puzzle.
     #[wasm_bindgen(unchecked_return_type = "Standing")]
-    pub fn score(&self, #[wasm_bindgen(unchecked_param_type = "Contender")] who: &str) -> Result<JsValue, JsValue> {
+    pub fn standing(&self, #[wasm_bindgen(unchecked_param_type = "Contender")] who: &str) -> Result<JsValue, JsValue> {
         to_js(&self.game.standing(contender_named(who)?))
     }
 
@@ -165,7 +166,7 @@ impl Puzzle {
     pub(super) fn refusal(&self, why: Refused) -> JsValue {
         match why {
             Refused::Invalid(why) => error(Code::InvalidBall, invalid_reason(why, &self.task.scene)),
-            Refused::AttemptLimit => error(Code::Spent, why),
+            Refused::AttemptLimit => error(Code::AttemptLimit, why),
         }
     }
 }

@@ -66,7 +66,7 @@ impl Puzzle {
     /// # Errors
     /// `invalid_ball`.
     #[wasm_bindgen(unchecked_return_type = "ListedAttempt")]
-    pub fn rehearse(&mut self, x: f64, y: f64, r: f64) -> Result<JsValue, JsValue> {
+    pub fn preview(&mut self, x: f64, y: f64, r: f64) -> Result<JsValue, JsValue> {
         let ball = Ball { x, y, r };
         let rollout = simulate(&self.task.scene, Some(ball)).map_err(|why| self.refusal(why.into()))?;
         let attempt = Attempt { ball, ending: Ending::of(&rollout) };
@@ -76,8 +76,8 @@ impl Puzzle {
     }
 
     /// Returns the real paths of each rollout that is shown, as masks of 64 x 64 zeros and ones, row 0 at the bottom.
-    #[wasm_bindgen(unchecked_return_type = "PathMasks[]")]
-    pub fn paths(&self) -> Result<js_sys::Array, JsValue> {
+    #[wasm_bindgen(js_name = pathMasks, unchecked_return_type = "PathMasks[]")]
+    pub fn path_masks(&self) -> Result<js_sys::Array, JsValue> {
         self.recordings.iter().map(|recording| recording.path_masks(&self.task.scene)).collect()
     }
 

@@ -33,7 +33,7 @@ impl SolveMap {
     }
 
     /// Returns the outcomes so far, row 0 at the bottom: 0 untried, 1 invalid, 2 not solved, 3 solved.
-    pub fn picture(&self) -> Vec<u8> {
+    pub fn outcomes(&self) -> Vec<u8> {
         self.0.outcomes().into_iter().map(|outcome| outcome as u8).collect()
     }
 }

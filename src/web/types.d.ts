@@ -185,7 +185,7 @@ export type ErrorCode =
     | "bad_map"
     | "bad_weights"
     | "invalid_ball"
-    | "spent"
+    | "attempt_limit"
     | "no_attempt"
     | "bad_data"
     | "panic";

@@ -25,7 +25,7 @@ async function draw(page, points) {
 function green(page) {
   return page.evaluate(async () => {
     const { Puzzle } = await import('/pkg/pathlight.js');
-    return [...new Puzzle('00000:000').start()];
+    return [...new Puzzle('00000:000').objectStart()];
   });
 }
 

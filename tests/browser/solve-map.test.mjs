@@ -39,7 +39,7 @@ test('it says of a ball what its simulation says', async () => {
     const map = new SolveMap('00000:000', r);
     // The coarsest round: every eighth place.
     for (let place = 0; place < 64; place += 1) map.advance();
-    const picture = map.picture();
+    const picture = map.outcomes();
     const puzzle = new Puzzle('00000:000');
     const wrong = [];
     for (let row = 0; row < 64; row += 8) {

@@ -81,7 +81,7 @@ function loadedModel() {
 
 /** @param {Calls["imagine"]["args"]} args */
 function imagine({ task }) {
-  const seen = loadedModel().saw(task);
+  const seen = loadedModel().hasSeen(task);
   const begin = performance.now();
   const maps = loadedModel().imagine(task);
   return { maps, seen, milliseconds: performance.now() - begin };
@@ -124,7 +124,7 @@ async function solve({ task, radius }, sendNews, isCancelled) {
     for (let more = true; more; ) {
       const end = performance.now() + SLICE;
       while (more && performance.now() < end) more = map.advance();
-      sendNews({ map: { outcomes: map.picture(), progress: map.progress() } });
+      sendNews({ map: { outcomes: map.outcomes(), progress: map.progress() } });
       await yieldToMessages();
       if (isCancelled()) return { finished: false };
     }

@@ -76,7 +76,7 @@ export class ImaginedVsReal extends Component {
     if (finished && !placing && current !== this.#lastRead) {
       this.#lastRead = current;
       const runs = phase === "watch" ? [watchedRun] : (phase === "compare" ? pair : [shown]).map(runOf);
-      const paths = puzzle.paths();
+      const paths = puzzle.pathMasks();
       runs.forEach(({ runner, ...run }, index) => this.#runs.set(runner, { ...run, ...paths[index] }));
       changed = true;
     }

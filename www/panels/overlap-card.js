@@ -1,7 +1,7 @@
 // A small picture of the scene with a shade over it, predicted or drawn, and a line round the real path; below it what it
 // is and how well the two overlap.
 
-import { overlap, paintMap, paintOutline } from "../pkg/pathlight.js";
+import { paintMap, paintOutline, softIou } from "../pkg/pathlight.js";
 import { contextOf, find, fromTemplate } from "../shell/dom.js";
 
 /** @param {number} fraction */
@@ -37,7 +37,7 @@ export class OverlapCard {
     paintMap(this.#shade, stage, values, Math.max(...values), dark);
     this.#outline.clearRect(0, 0, canvas.width, canvas.height);
     paintOutline(this.#outline, "real", real, dark);
-    const fraction = overlap(values, real);
+    const fraction = softIou(values, real);
     find(this.element, "b").textContent = percent(fraction);
     find(this.element, "span").textContent = name;
     canvas.setAttribute("aria-label", `${name}, and a line round the real path: they overlap by ${percent(fraction)}`);

@@ -105,7 +105,7 @@ export class Predict extends Component {
     if (!this.session || (!direction && key !== "Backspace")) return false;
     this.#leaveRun();
     if (direction) {
-      const [startX, startY] = this.session.puzzle.start();
+      const [startX, startY] = this.session.puzzle.objectStart();
       const [x, y] = this.sketch.at(-1) ?? [startX, startY];
       const line = this.sketch.length ? this.sketch : [/** @type {Point} */ ([x, y])];
       const distance = shiftKey ? LARGE_KEY_STEP : KEY_STEP;
@@ -150,10 +150,10 @@ export class Predict extends Component {
    */
   #measure({ puzzle, phase }) {
     const stage = phase === "watch" ? "base" : "target";
-    const real = puzzle.paths()[0].object;
+    const real = puzzle.pathMasks()[0].object;
     const netMap = this.#imagine.maps?.[stage];
     const shared = { stage: /** @type {import("../pkg/pathlight.js").Stage} */ (stage), real, dark: this.dark };
-    const player = this.#playerCard.draw({ ...shared, name: "You", values: puzzle.sketch(new Float64Array(this.sketch.flat())) });
+    const player = this.#playerCard.draw({ ...shared, name: "You", values: puzzle.sketchMask(new Float64Array(this.sketch.flat())) });
     this.#netCard.element.hidden = !netMap;
     if (!netMap) return `You were right by ${percent(player)}.`;
     const net = this.#netCard.draw({ ...shared, name: "The net", values: netMap });

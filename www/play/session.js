@@ -23,7 +23,7 @@ import { UndoStack } from "./undo-stack.js";
  */
 
 /** Codes of errors that refuse a ball; any other error is a defect. */
-const REFUSALS = ["invalid_ball", "spent"];
+const REFUSALS = ["invalid_ball", "attempt_limit"];
 const MIDDLE = SCENE_SIZE / 2;
 
 export class Session extends EventTarget {
@@ -201,7 +201,7 @@ export class Session extends EventTarget {
    * @param {boolean} tried
    */
   preview(number, ball, tried) {
-    const attempt = this.puzzle.rehearse(...ball);
+    const attempt = this.puzzle.preview(...ball);
     this.#show("attempt", { shown: { ...attempt, contender: "model", number, tried, preview: true }, play: false });
   }
 
@@ -266,7 +266,7 @@ export class Session extends EventTarget {
 
   /** @param {Contender} contender */
   score(contender) {
-    return this.puzzle.score(contender);
+    return this.puzzle.standing(contender);
   }
 
   /** @param {Contender} contender */
@@ -323,7 +323,7 @@ export class Session extends EventTarget {
    * @param {string} modelName
    */
   recordModelAttempt(attempt, modelName) {
-    this.puzzle.record(attempt);
+    this.puzzle.addModelAttempt(attempt);
     this.modelName = modelName;
     this.#emit("change");
   }
