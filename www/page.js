@@ -174,7 +174,7 @@ export class Page {
    */
   #applyState(state) {
     const cameFromGallery = byId("gallery").contains(document.activeElement);
-    const modelChanged = state.model !== this.#state.model;
+    const modelChanged = state.model !== this.#client.requestedName;
     // What is left behind may still change the old state, so it goes first.
     if (state.task !== this.#state.task) this.#closePuzzle();
     else if (modelChanged) this.#session?.clearModel();
@@ -232,9 +232,8 @@ export class Page {
    * @param {Partial<State>} patch
    */
   #changeState(patch) {
-    const { model } = this.#state;
     Object.assign(this.#state, patch);
-    if (this.#state.model !== model) {
+    if (this.#state.model !== this.#client.requestedName) {
       this.#session?.clearModel();
       this.#client.start(this.#state.model);
     }

@@ -67,6 +67,14 @@ test('a turn of the first model ends', async () => {
   assert.equal(await stored(page, second), null);
 });
 
+test('a model that is chosen by a link to the grid is the one of the next puzzle', async () => {
+  const page = await open({ more: '' });
+  await page.goto(`${session.origin}/#model=${second}`);
+  await page.locator('#templates a').first().click();
+  await page.locator('#scene').waitFor();
+  await modelLoaded(page, second);
+});
+
 test('the balls one by one are those of the model that is loaded', async () => {
   const page = await open();
   const firstBall = async () => {

@@ -26,6 +26,11 @@ export class WorkerClient extends EventTarget {
    */
   failure = null;
   /**
+   * The name that it was last started with; null for the first model, and before the start.
+   * @type {string | null}
+   */
+  requestedName = null;
+  /**
    * Once ready.
    * @type {import("./messages.js").LoadedModel | null}
    */
@@ -58,6 +63,7 @@ export class WorkerClient extends EventTarget {
    */
   async start(name) {
     this.#terminate("The model was started again.");
+    this.requestedName = name;
     this.#set({ status: "loading" });
     const worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
     this.#worker = worker;

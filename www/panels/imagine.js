@@ -55,7 +55,6 @@ export class Imagine extends Component {
     // Asked for first: the worker imagines while the page draws.
     this.#request();
     this.#paintScenes();
-    this.#paint();
   }
 
   close() {
