@@ -1,4 +1,4 @@
-"""Writes the four nets of a weights file as one ONNX graph, wired as in src/pathnet: export_onnx.py WEIGHTS ONNX
+"""Writes the four nets of a weights file as one ONNX graph, wired as in src/nets: export_onnx.py WEIGHTS ONNX
 
 Scene [1, 5, 64, 64] in; the maps base, target, action, placement out, each [1, 1, 64, 64] after its sigmoid.
 """
@@ -21,7 +21,7 @@ def add(operator, inputs, output, **attributes):
 
 
 def hourglass(net, x):
-    """The map of one net; a layer's numbers say its kernel, and the kernel its padding."""
+    """Adds one net and returns the name of its map; the shape of a layer's weights determines kernel and padding."""
     for half, operator in [("down", "Conv"), ("up", "ConvTranspose")]:
         for layer in range(6):
             name = f"{net}.{half}.{layer}"
@@ -47,7 +47,7 @@ graph = helper.make_graph(
     [helper.make_tensor_value_info(name, TensorProto.FLOAT, [1, 1, 64, 64]) for name in (base, goal, action, placement)],
     [numpy_helper.from_array(tensor, name) for name, tensor in tensors.items()],
 )
-# Old enough for every peer to read.
+# A version that every peer can read.
 model = helper.make_model(graph, opset_imports=[helper.make_opsetid("", 13)], ir_version=8)
 onnx.checker.check_model(model, full_check=True)
 onnx.save(model, target)

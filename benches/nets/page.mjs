@@ -16,7 +16,7 @@ export async function openPage(root) {
     const body = path === '/' ? '<!doctype html>' : await readFile(join(root, path)).catch(() => null);
     answer.writeHead(body === null ? 404 : 200, {
       'content-type': path === '/' ? 'text/html' : (TYPES[extname(path)] ?? 'application/octet-stream'),
-      // Isolated pages have a finer clock.
+      // Cross-origin isolated pages have a finer clock.
       'cross-origin-opener-policy': 'same-origin',
       'cross-origin-embedder-policy': 'require-corp',
     });

@@ -1,4 +1,4 @@
-"""How a contender in Python answers bench.mjs, as `repeat` does in main.rs."""
+"""The protocol between a contender in Python and bench.mjs, the same as `repeat` in main.rs."""
 
 import json
 import sys
@@ -6,7 +6,7 @@ import time
 
 
 def repeat(result, work):
-    """Says the result to compare, then times as many repetitions as each line of the input asks for."""
+    """Prints the result to compare, then times as many repetitions as each line of the input asks for."""
     print(json.dumps([float(number) for number in result]), flush=True)
     for line in sys.stdin:
         times = []

@@ -1,6 +1,6 @@
 """A training step by PyTorch: torch_step.py WEIGHTS BATCH THREADS [fused]
 
-The same nets from the same weights on the same batch as in main.rs; `fused` takes the fused Adam.
+The same nets from the same weights on the same batch as in main.rs; `fused` selects PyTorch's fused Adam.
 """
 
 import sys
@@ -21,7 +21,7 @@ class Hourglass(nn.Module):
         super().__init__()
         outer = [channels, *WIDTHS]
         inner = [1, *WIDTHS]
-        # Kernel, stride, padding; the innermost layer's are the live taps of a 4 x 4 kernel.
+        # Kernel, stride, padding; the innermost layer has the live taps of a 4 x 4 kernel.
         shape = [(4, 2, 1)] * 5 + [(2, 2, 0)]
         self.down = nn.ModuleList(nn.Conv2d(outer[i], outer[i + 1], *shape[i]) for i in range(6))
         self.up = nn.ModuleList(nn.ConvTranspose2d(inner[i + 1], inner[i], *shape[i]) for i in reversed(range(6)))
@@ -47,17 +47,17 @@ class PathNet(nn.Module):
 
 
 nets = PathNet()
-# The judge is trained apart.
+# The judge is not trained in this step.
 nets.load_state_dict({name: tensor.float() for name, tensor in load_file(weights).items() if not name.startswith("judge.")})
 adam = torch.optim.Adam(nets.parameters(), lr=3e-3, eps=1e-8, fused=bool(fused))
-scene, wanted = torch.from_numpy(np.fromfile(batch, np.float32).reshape(-1, 9, 64, 64)).split([5, 4], 1)
-scene, wanted = scene.contiguous(), [picture.contiguous() for picture in wanted.split(1, 1)]
+scene, targets = torch.from_numpy(np.fromfile(batch, np.float32).reshape(-1, 9, 64, 64)).split([5, 4], 1)
+scene, targets = scene.contiguous(), [target.contiguous() for target in targets.split(1, 1)]
 cross_entropy = nn.BCEWithLogitsLoss()
 
 
 def step():
     adam.zero_grad()
-    loss = sum(cross_entropy(logits, picture) for logits, picture in zip(nets(scene), wanted))
+    loss = sum(cross_entropy(logits, target) for logits, target in zip(nets(scene), targets))
     loss.backward()
     adam.step()
     return loss.item()

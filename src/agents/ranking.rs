@@ -11,7 +11,7 @@ use crate::puzzle::action::{Ball, Obstacles};
 use crate::puzzle::scene::Scene;
 use crate::raster::CELLS;
 
-/// How much lower a logit is after a ball at the same place was selected. This and the width are chosen on dev tasks.
+/// How much a selected ball lowers the logit of a ball at the same place and of the same radius.
 const SUPPRESSION: f64 = 2.0;
 
 /// Standard deviation of the Gaussian by which the suppression falls with the distance in x, y and r, px.

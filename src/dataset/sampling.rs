@@ -18,13 +18,13 @@ pub fn random_ball(scene: &Scene, rng: &mut impl Rng) -> Option<Ball> {
     (0..MAX_DRAWS).find_map(|_| obstacles.place(action()).ok())
 }
 
-/// An action moved by Gaussian noise; a radius that leaves its range stops at the end of it.
+/// Returns the action with Gaussian noise of this standard deviation on x, y and radius; the radius is clamped to 0..=1.
 pub fn perturbed(start: Action, deviation: f64, rng: &mut impl Rng) -> Action {
-    let mut near = |value: f64| value + deviation * gaussian(rng);
-    Action { x: near(start.x), y: near(start.y), r: near(start.r).clamp(0.0, 1.0) }
+    let mut noisy = |value: f64| value + deviation * gaussian(rng);
+    Action { x: noisy(start.x), y: noisy(start.y), r: noisy(start.r).clamp(0.0, 1.0) }
 }
 
-/// One draw of mean 0 and deviation 1 (Box and Muller), from libm, so that wasm draws the same.
+/// One draw from the standard normal distribution (Box and Muller 1958), with libm, so that wasm draws the same.
 fn gaussian(rng: &mut impl Rng) -> f64 {
     let (u, v): (f64, f64) = (1.0 - rng.random::<f64>(), rng.random());
     libm::sqrt(-2.0 * libm::log(u)) * libm::cos(std::f64::consts::TAU * v)

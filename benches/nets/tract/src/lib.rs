@@ -1,5 +1,5 @@
-//! The nets of an ONNX file, run by tract. In wasm plain exports stand in for a binding: JavaScript copies numbers
-//! in and out of the memory.
+//! The nets of an ONNX file, run by tract. In wasm it has plain exports instead of a binding: JavaScript copies
+//! values into and out of the memory.
 
 use std::sync::Arc;
 
@@ -8,13 +8,13 @@ use tract_onnx::prelude::*;
 pub struct Nets(Arc<TypedRunnableModel>);
 
 impl Nets {
-    /// From the bytes of the ONNX file.
+    /// Loads the nets from the bytes of the ONNX file.
     pub fn load(mut onnx: &[u8]) -> TractResult<Nets> {
         let model = tract_onnx::onnx().model_for_read(&mut onnx)?.into_optimized()?;
         Ok(Nets(model.into_runnable()?))
     }
 
-    /// The four maps of a scene, one after the other.
+    /// Returns the four maps of a scene, one after the other.
     pub fn imagine(&self, scene: &[f32]) -> TractResult<Vec<f32>> {
         let scene = Tensor::from_shape(&[1, 5, 64, 64], scene)?;
         let mut maps = Vec::with_capacity(4 * 64 * 64);
@@ -29,22 +29,22 @@ impl Nets {
 mod exports {
     use super::Nets;
 
-    /// Room for so many bytes, never given back.
+    /// Allocates this number of bytes; they are never freed.
     #[unsafe(no_mangle)]
     pub extern "C" fn room(bytes: usize) -> *mut u8 {
         Box::leak(vec![0_u128; bytes.div_ceil(16)].into_boxed_slice()).as_mut_ptr().cast()
     }
 
     /// # Safety
-    /// The bytes of the ONNX file lie in `room`.
+    /// `onnx` points to `length` bytes allocated by `room`.
     #[unsafe(no_mangle)]
     pub unsafe extern "C" fn load(onnx: *const u8, length: usize) -> *const Nets {
         let onnx = unsafe { std::slice::from_raw_parts(onnx, length) };
-        Box::leak(Box::new(Nets::load(onnx).expect("the file is tract's to read")))
+        Box::leak(Box::new(Nets::load(onnx).expect("tract reads the file")))
     }
 
     /// # Safety
-    /// `scene` is room for 5 x 64 x 64 numbers, `maps` for 4 x 64 x 64.
+    /// `scene` points to 5 x 64 x 64 values allocated by `room`, `maps` to 4 x 64 x 64.
     #[unsafe(no_mangle)]
     pub unsafe extern "C" fn imagine(nets: &Nets, scene: *const f32, maps: *mut f32) {
         let scene = unsafe { std::slice::from_raw_parts(scene, 5 * 64 * 64) };
