@@ -214,13 +214,13 @@ mod tests {
     }
 
     #[test]
-    fn what_sticks_out_of_the_scene_is_cut_off() {
+    fn shapes_are_clipped_to_the_scene() {
         assert!(ball_image(Ball { x: -10.0, y: 300.0, r: 20.0 }).count() == 0);
         assert!(ball_image(Ball { x: 0.0, y: 0.0, r: 8.0 }).get(0, 0));
     }
 
     #[test]
-    fn a_trail_is_the_body_all_along_the_line_and_at_the_start() {
+    fn a_trail_covers_the_start_and_the_line() {
         let shapes = vec![Shape::Circle(6.0)];
         let body = Body {
             x: 20.0,
@@ -233,19 +233,22 @@ mod tests {
         };
         let ball = |x, y| ball_image(Ball { x, y, r: 6.0 });
         assert_eq!(trail_image(&body, &[]), ball(20.0, 20.0));
-        let mut wanted = ball(20.0, 20.0);
+        let mut expected = ball(20.0, 20.0);
         for x in 100..=200 {
-            wanted |= ball(f64::from(x), 100.0);
+            expected |= ball(f64::from(x), 100.0);
         }
         let drawn = trail_image(&body, &[[100.0, 100.0], [200.0, 100.0]]);
-        let missing = (0..SIDE).map(|row| (wanted.0[row] & !drawn.0[row]).count_ones()).sum::<u32>();
+        let missing = (0..SIDE).map(|row| (expected.0[row] & !drawn.0[row]).count_ones()).sum::<u32>();
         assert!(missing <= 2, "{missing} cells of the line are not drawn");
-        assert!(drawn.count() <= wanted.count());
-        assert!(trail_image(&body, &[[f64::NAN, f64::INFINITY], [-1e300, 1e300]]).count() > 0, "bad points do no harm");
+        assert!(drawn.count() <= expected.count());
+        assert!(
+            trail_image(&body, &[[f64::NAN, f64::INFINITY], [-1e300, 1e300]]).count() > 0,
+            "NaN and infinity are accepted"
+        );
     }
 
     #[test]
-    fn a_rectangle_sets_the_cells_it_meets() {
+    fn a_rectangle_sets_the_cells_it_overlaps() {
         let mut image = Bitmap::EMPTY;
         image.polygon(&[[8.0, 8.0], [0.0, 8.0], [0.0, 0.0], [8.0, 0.0]]);
         assert_eq!(image.0[..3], [0b11, 0b11, 0]);

@@ -1,4 +1,4 @@
-//! The step does mechanics: what a textbook says about friction, restitution, stacks and thin walls holds in a rollout.
+//! The mechanics of a rollout: friction, restitution, stacks and thin walls behave as a textbook says.
 //!
 //! px and seconds throughout, 6 px to the metre. Momentum, the restitution threshold and sleep need the inside of the world: they are tested in
 //! `simulator/world.rs`.
@@ -127,7 +127,7 @@ fn a_stack_of_boxes_stands() {
         let path = path(&rollout, index);
         let [x, y, angle] = path[MAX_STEPS].map(f64::from);
         assert!((x - 128.0).abs() < 0.1 && angle.abs() < 0.01, "box {index} leans: {x} px, {angle} radians");
-        // Each contact gives way by at most the slop, 0.03 px, and a little more under load.
+        // Each contact yields by at most the slop, 0.03 px, and a little more under load.
         assert!((y - height(index)).abs() < 0.05 * (index + 1) as f64, "box {index} is at {y}, not {}", height(index));
         assert_eq!(path[MAX_STEPS], path[MAX_STEPS / 2], "box {index} comes to rest");
     }

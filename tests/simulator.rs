@@ -30,7 +30,7 @@ fn two_balls(green: [f64; 2], blue: [f64; 2]) -> Scene {
 }
 
 #[test]
-fn a_ball_falls_by_the_book_and_comes_to_rest() {
+fn a_ball_falls_with_gravity_and_comes_to_rest() {
     let rollout = simulate(&two_balls([50.0, 200.0], [200.0, 200.0]), None).expect("no ball to refuse");
     assert_eq!((rollout.solved, rollout.steps), (false, MAX_STEPS));
     assert_eq!(rollout.poses.len(), (MAX_STEPS + 1) * 2);
@@ -41,14 +41,14 @@ fn a_ball_falls_by_the_book_and_comes_to_rest() {
         let [x, y, angle] = rollout.row(step)[0];
         assert!((y - expected).abs() < 1e-2 && x == 50.0 && angle == 0.0, "step {step}: {x} {y} {angle}");
     }
-    // Rest: the radius and the polygon skin of 0.06 px above the floor, less what the skin gives way.
+    // Rest: the radius and the polygon skin of 0.06 px above the floor, less the slop.
     let [_, y, _] = rollout.row(MAX_STEPS)[0];
     assert!((10.02..10.07).contains(&y), "rests at {y}");
     assert_eq!(rollout.row(MAX_STEPS), rollout.row(MAX_STEPS - 100));
 }
 
 #[test]
-fn the_goal_has_to_hold_for_three_seconds() {
+fn the_task_is_solved_after_three_seconds_of_contact() {
     let rollout = simulate(&two_balls([50.0, 10.05], [70.0, 10.05]), None).expect("no ball to refuse");
     assert_eq!((rollout.solved, rollout.steps), (true, GOAL_STEPS));
     assert!(rollout.touching.iter().all(|&touches| touches));
@@ -57,7 +57,7 @@ fn the_goal_has_to_hold_for_three_seconds() {
 }
 
 #[test]
-fn a_ball_that_may_not_be_there_is_refused() {
+fn an_invalid_ball_is_refused() {
     let scene = two_balls([50.0, 50.0], [200.0, 50.0]);
     assert_eq!(simulate(&scene, Some(Ball { x: 55.0, y: 50.0, r: 5.0 })).err(), Some(Invalid::Overlaps(0)));
     assert_eq!(outcome(&scene, Some(Ball { x: 2.0, y: 50.0, r: 5.0 })).err(), Some(Invalid::Outside));
@@ -88,19 +88,19 @@ fn outcomes_agree_with_phyres() {
     // Four tasks of each template, to be quick.
     let tasks = TEMPLATES.iter().flat_map(|template| Task::of(template).step_by(25));
     let scenes: BTreeMap<TaskId, Scene> = tasks.map(|task| (task.id, task.scene)).collect();
-    let mut shares: BTreeMap<String, [usize; 2]> = BTreeMap::new();
+    let mut agreement: BTreeMap<String, [usize; 2]> = BTreeMap::new();
     for line in lines.lines() {
         let recorded: Recorded = serde_json::from_str(line).expect("a line of outcomes.jsonl");
         let Some(scene) = scenes.get(&recorded.task) else { continue };
         let kind = if recorded.kind == "random" && recorded.solved { "random solve".into() } else { recorded.kind };
         let agrees = outcome(scene, Some(recorded.ball)).expect("a valid ball").solved == recorded.solved;
-        let share = shares.entry(kind).or_default();
-        share[0] += usize::from(agrees);
-        share[1] += 1;
+        let counts = agreement.entry(kind).or_default();
+        counts[0] += usize::from(agrees);
+        counts[1] += 1;
     }
-    println!("{shares:?}");
+    println!("{agreement:?}");
     for (kind, least) in [("stable", 0.95), ("unstable", 0.80), ("random", 0.99)] {
-        let [agree, all] = shares[kind];
+        let [agree, all] = agreement[kind];
         assert!(agree as f64 >= least * all as f64, "{kind}: only {agree} of {all} agree");
     }
 }

@@ -1,8 +1,8 @@
-//! Rollouts are as they were, to the bit, natively and in wasm.
+//! Rollouts are bit-identical to those of the present `simulator::VERSION`, natively and in wasm.
 //!
 //! One digest for each template, over three of its tasks, each without a ball and with two: 225 rollouts. The same
-//! file runs under `cargo test` and `wasm-pack test --node`, against the same digests. When the physics is meant
-//! to change, raise `simulator::VERSION` and run `UPDATE_GOLDEN=1 cargo test --release --test simulator_golden`.
+//! file runs under `cargo test` and `wasm-pack test --node`, against the same digests. To change the simulation on
+//! purpose, raise `simulator::VERSION` and run `UPDATE_GOLDEN=1 cargo test --release --test simulator_golden`.
 
 use md5::{Digest, Md5};
 use pathlight::puzzle::action::{Action, Ball};
@@ -31,13 +31,13 @@ fn every_rollout_is_as_it_was() {
     assert!(changed.is_empty() && digests.len() == GOLDEN.len(), "not as in tests/golden/rollouts.txt: {changed:?}");
 }
 
-/// MD5 over everything that `simulate` returns; `outcome` has to agree with it.
+/// Returns the MD5 of everything that `simulate` returns; `outcome` must agree with it.
 fn digest(template: &'static Template) -> String {
     let mut md5 = Md5::new();
     for id in ids(template).step_by(40) {
         let scene = Task::load(id).expect("an id of the template").scene;
         let mut random = Pcg32::seed_from_u64(id.number.into());
-        let balls = [None, Some(any_ball(&scene, &mut random)), Some(any_ball(&scene, &mut random))];
+        let balls = [None, Some(random_ball(&scene, &mut random)), Some(random_ball(&scene, &mut random))];
         for ball in balls {
             let rollout = simulate(&scene, ball).expect("a valid ball");
             let short = outcome(&scene, ball).expect("a valid ball");
@@ -52,8 +52,8 @@ fn digest(template: &'static Template) -> String {
     md5.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
-/// The first of the uniform actions that is valid.
-fn any_ball(scene: &Scene, random: &mut Pcg32) -> Ball {
+/// Returns the ball of the first valid action of a uniform sequence.
+fn random_ball(scene: &Scene, random: &mut Pcg32) -> Ball {
     let mut action = || Action { x: random.random(), y: random.random(), r: random.random() };
-    std::iter::repeat_with(|| action().place(scene)).find_map(Result::ok).expect("endless")
+    std::iter::repeat_with(|| action().place(scene)).find_map(Result::ok).expect("the sequence has no end")
 }

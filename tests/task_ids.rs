@@ -1,13 +1,13 @@
-//! A task id that someone types becomes a task, or a sentence that says what is wrong and what to do.
+//! Parsing task ids and loading tasks: an id that is wrong gets a sentence with the reason and the remedy.
 #![cfg(not(target_arch = "wasm32"))]
 
 use pathlight::puzzle::task::{Task, TaskError, TaskId, ids};
 use pathlight::puzzle::templates::TEMPLATES;
 use proptest::prelude::*;
 
-fn said(text: &str) -> String {
+fn error_of(text: &str) -> String {
     let task = text.parse().and_then(|id: TaskId| Task::load(id));
-    task.expect_err("this is no task").to_string()
+    task.expect_err("not a task").to_string()
 }
 
 #[test]
@@ -29,11 +29,11 @@ fn there_are_2500_ids() {
 }
 
 #[test]
-fn what_is_no_task_is_said_in_words() {
-    assert_eq!(said("7:13"), "`7:13` is not a task id: write template and number like 00007:008");
-    assert_eq!(said("00025:000"), "there is no template `00025`: they run from 00000 to 00024");
+fn an_unknown_task_gets_a_reason_and_a_remedy() {
+    assert_eq!(error_of("7:13"), "`7:13` is not a task id: write template and number like 00007:008");
+    assert_eq!(error_of("00025:000"), "there is no template `00025`: they run from 00000 to 00024");
     assert_eq!(
-        said("00007:000"),
+        error_of("00007:000"),
         "task 00007:000 is not in the benchmark: `pathlight tasks --template 00007` lists the tasks of this template"
     );
 }
@@ -54,7 +54,7 @@ fn a_task_is_json_in_the_form_of_the_benchmark() {
 
 proptest! {
     #[test]
-    fn an_id_reads_as_it_prints(template in 0_usize..100_000, number in 0_u16..1000) {
+    fn an_id_parses_as_it_prints(template in 0_usize..100_000, number in 0_u16..1000) {
         let id = TaskId { template, number };
         prop_assert_eq!(id.to_string().parse::<TaskId>(), Ok(id));
         prop_assert_eq!(id.to_string().len(), 9);

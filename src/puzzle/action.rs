@@ -37,9 +37,9 @@ pub struct Ball {
 /// Why an action or a ball is invalid.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum Invalid {
-    #[error("x, y and r of an action must lie between 0 and 1")]
+    #[error("x, y and r of an action must be between 0 and 1")]
     OutOfRange,
-    #[error("the radius of the ball must lie between 2 and 32 px")]
+    #[error("the radius of the ball must be between 2 and 32 px")]
     Radius,
     #[error("the ball sticks out of the scene")]
     Outside,

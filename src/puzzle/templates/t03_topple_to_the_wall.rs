@@ -24,9 +24,9 @@ fn script(p: &Params) -> Option<Scene> {
     let jar = dynamic_body(Jar(0.1)).at_bottom(0.0).at_cx(SIZE * p.num("jar_x"));
     let pole = dynamic_body(Bar(p.num("bar_scale"))).rotated(90.0).at_bottom(4.0).at_cx(jar.cx() + p.num("jitter_x"));
     skip(jar.left() <= pole.width() || jar.right() >= 255.0 - pole.width())?;
-    let reach = pole.height() + 40.0;
-    let near_left = reach > pole.left();
-    let near_right = reach > SIZE - pole.right();
+    let max_distance = pole.height() + 40.0;
+    let near_left = max_distance > pole.left();
+    let near_right = max_distance > SIZE - pole.right();
     skip(!near_left && !near_right)?;
     let strip = static_body(Bar(1.0)).rotated(90.0).at_bottom(0.0);
     let strip = if near_left { strip.at_left(0.0) } else { strip.at_right(SIZE) };

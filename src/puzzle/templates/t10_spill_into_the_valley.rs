@@ -46,7 +46,7 @@ fn script(p: &Params) -> Option<Scene> {
     };
     let (right, left) = (right.shifted(shift), left.shifted(shift));
     let jar = dynamic_body(Jar(0.2)).rotated(tilt).at_left(5.0).at_top(SIZE - p.num("jar_vertical_top_offset"));
-    // The helper bar lies along the slope up to the jar's level: its end is where the slope passes the jar.
+    // The helper bar is on the slope and ends where the slope passes the level of the jar.
     let over = tilt.abs() > 90.0;
     let level = if over { jar.top() } else { jar.bottom() };
     let helper = static_body(Bar((level - left.bottom()) / (left.top() - left.bottom())))

@@ -35,7 +35,7 @@ pub static TEMPLATE: Template = Template {
 
 fn script(p: &Params) -> Option<Scene> {
     let (length, y) = (p.num("length_left"), p.num("bar_y"));
-    // PHYRE's names are crossed: `angle_left` turns the right slope and `angle_right` the left one.
+    // PHYRE's names are crossed: `angle_left` rotates the right slope and `angle_right` the left one.
     let right = static_body(Bar(1.0 - length)).rotated(p.num("angle_left")).at_bottom(SIZE * y).at_right(1.01 * SIZE);
     let left =
         static_body(Bar(length)).rotated(-p.num("angle_right")).at_bottom((y + 0.2) * SIZE).at_left(-0.01 * SIZE);

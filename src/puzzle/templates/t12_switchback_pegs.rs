@@ -37,7 +37,7 @@ fn script(p: &Params) -> Option<Scene> {
     Some(scene([ball.object()].into_iter().chain(pegs(rows, 0.04)).chain([floor.goal()])))
 }
 
-/// The points of one row, in fractions of the scene, from its wall onwards.
+/// Returns the points of one row, in fractions of the scene, starting at its wall.
 fn row(random: &mut RandomState, y: f64, mirrored: bool) -> Vec<[f64; 2]> {
     let mut point = [0.0, y];
     let mut points = vec![point];
@@ -53,7 +53,7 @@ fn row(random: &mut RandomState, y: f64, mirrored: bool) -> Vec<[f64; 2]> {
     points
 }
 
-/// A peg at each of the points that lie in the scene; the points are fractions of it.
+/// Returns a peg at each point that is in the scene; points are fractions of it.
 pub fn pegs(points: Vec<[f64; 2]>, scale: f64) -> impl Iterator<Item = BodyBuilder> {
     let inside = points.into_iter().filter(|point| point.iter().all(|at| (0.0..=1.0).contains(at)));
     inside.map(move |[x, y]| static_body(Ball(scale)).at(SIZE * x, SIZE * y))

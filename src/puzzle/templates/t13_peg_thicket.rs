@@ -38,23 +38,23 @@ fn script(p: &Params) -> Option<Scene> {
     Some(scene([ball.object()].into_iter().chain(pegs(chains, 0.05)).chain([floor.goal()])))
 }
 
-/// A spiralling walk below `top` that now and then starts afresh from one of its own points, which is then
-/// listed twice; it goes on until enough points lie in the scene. Points are fractions of the scene.
+/// Returns a spiral random walk below `top` that sometimes branches from one of its own points, which is then listed
+/// twice. It ends when enough points are in the scene. Points are fractions of the scene.
 fn chain(random: &mut RandomState, start: [f64; 2], top: f64) -> Vec<[f64; 2]> {
-    let (mut angle, mut turn) = heading(random);
-    let wanted = random.randint(15, 30);
+    let (mut angle, mut angle_step) = heading(random);
+    let required = random.randint(15, 30);
     let mut points = vec![start];
     let (mut run, mut inside) = (1, 0);
-    while inside < wanted {
+    while inside < required {
         let next = if run >= 3 && random.unit() < 0.2 {
             let branch = points[random.randint(0, points.len())];
             run = 1;
-            (angle, turn) = heading(random);
+            (angle, angle_step) = heading(random);
             branch
         } else {
             run += 1;
             let step = random.uniform(0.05, 0.2);
-            angle += turn;
+            angle += angle_step;
             let [x, y] = points[points.len() - 1];
             [x + step * libm::cos(angle), y + step * libm::sin(angle)]
         };
@@ -66,9 +66,9 @@ fn chain(random: &mut RandomState, start: [f64; 2], top: f64) -> Vec<[f64; 2]> {
     points
 }
 
-/// A direction, and how far it turns at each step, radians.
+/// Draws a direction and its change at each step, radians.
 fn heading(random: &mut RandomState) -> (f64, f64) {
     let angle = random.unit() * 2.0 * PI;
-    let turn = random.unit() * 2.0 * PI / 10.0;
-    (angle, turn)
+    let angle_step = random.unit() * 2.0 * PI / 10.0;
+    (angle, angle_step)
 }

@@ -35,7 +35,7 @@ fn script(p: &Params) -> Option<Scene> {
     let y = p.num("bar_y");
     skip(y >= 0.6 && jar_x > 0.4)?;
     let jar = dynamic_body(Jar(jar_scale)).at_bottom(0.0).at_cx(SIZE * jar_x);
-    let held = dynamic_body(Ball(0.05 + jar_scale / 8.0)).at_bottom(10.0).at_cx(jar.cx());
+    let jar_ball = dynamic_body(Ball(0.05 + jar_scale / 8.0)).at_bottom(10.0).at_cx(jar.cx());
     let shelf = static_body(Bar(1.0)).at_left(jar.left() + SIZE * p.num("bar_offset")).at_bottom(SIZE * y);
     let cover = dynamic_body(Jar(0.12)).rotated(180.0).at_left(shelf.left()).at_bottom(shelf.top());
     let ball = dynamic_body(Ball(0.05)).at_bottom(shelf.top()).at_cx(cover.left() + 0.5 * cover.width());
@@ -44,5 +44,5 @@ fn script(p: &Params) -> Option<Scene> {
         .rotated(p.num("right_diag_angle"))
         .at_left((0.7 * SIZE).max(cover.right() + 10.0))
         .at_bottom(shelf.bottom());
-    Some(scene([jar, held.goal(), shelf, cover, ball.object(), diagonal]))
+    Some(scene([jar, jar_ball.goal(), shelf, cover, ball.object(), diagonal]))
 }

@@ -48,9 +48,9 @@ fn script(p: &Params) -> Option<Scene> {
         .at_bottom((0.3 * SIZE).max(jar.top() + 4.0 * radius))
         .at_cx((p.num("shift_right") + offset) * SIZE);
     skip(jar.right() > plate.right() + 10.0)?;
-    let held = dynamic_body(Ball(0.05 + jar_scale / 5.0)).at_bottom(10.0).at_cx(jar.cx());
+    let jar_ball = dynamic_body(Ball(0.05 + jar_scale / 5.0)).at_bottom(10.0).at_cx(jar.cx());
     let ball = dynamic_body(Ball(radius / SIZE * 2.0))
         .at_left(plate.left() + p.num("ball_offset"))
         .at_bottom(plate.top() + radius);
-    Some(scene([left, right, jar, plate, held.goal(), ball.object()]))
+    Some(scene([left, right, jar, plate, jar_ball.goal(), ball.object()]))
 }

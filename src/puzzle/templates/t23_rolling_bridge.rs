@@ -47,6 +47,6 @@ fn script(p: &Params) -> Option<Scene> {
     let knob = static_body(Ball(0.1)).at_top(SIZE).at_cx(big.cx());
     let right = static_body(Bar(0.3)).rotated(p.num("jar_angle")).at_right(SIZE).at_bottom(SIZE * right_y);
     let jar = dynamic_body(Jar(scale)).at_right(SIZE * p.num("jar_right")).at_bottom(right.top());
-    let held = dynamic_body(Ball(0.05 + scale / 8.0)).at_bottom(jar.bottom() + 10.0).at_cx(jar.cx());
-    Some(scene([left, big, plank, ball.object(), knob, right, jar, held.goal()]))
+    let jar_ball = dynamic_body(Ball(0.05 + scale / 8.0)).at_bottom(jar.bottom() + 10.0).at_cx(jar.cx());
+    Some(scene([left, big, plank, ball.object(), knob, right, jar, jar_ball.goal()]))
 }
