@@ -103,7 +103,7 @@ export class Compare extends Component {
   #update() {
     this.#trouble.update(this.#client, this.#callFailure, { restartModel: () => this.requestModel(), repeatCall: () => this.#playTurn() });
     if (!this.session) return;
-    const [player, model] = [this.session.score("player"), this.session.score("model")];
+    const [player, model] = [this.session.standing("player"), this.session.standing("model")];
     const over = model.solved_at !== null || model.used === ATTEMPT_LIMIT;
     turnButton.disabled = this.#client.status !== "ready" || over;
     setText(turnButton, this.#turn ? "Stop the model" : over ? "The model has played" : "Let the model play");

@@ -66,7 +66,7 @@ export class Scoreboard extends Component {
     if (session.modelName === null) return;
     const store = this.#storeOf(session.modelName);
     const { id } = session.about;
-    const { used, solved_at: solved } = session.score("model");
+    const { used, solved_at: solved } = session.standing("model");
     const stored = store.of(id);
     // The turn is the same each time, so the longer one holds the shorter.
     if (used > stored.attempts) store.set(id, { attempts: used, solved });

@@ -78,10 +78,10 @@ export class AttemptList extends Component {
 
   /** @param {Session} session */
   #update(session) {
-    const score = session.score(this.#contender);
+    const standing = session.standing(this.#contender);
     // An attempt that runs for the first time is listed when it has ended.
-    const used = score.used - Number(session.resultHidden && this.#contender === "player");
-    const solvedAt = score.solved_at !== null && score.solved_at <= used ? score.solved_at : null;
+    const used = standing.used - Number(session.resultHidden && this.#contender === "player");
+    const solvedAt = standing.solved_at !== null && standing.solved_at <= used ? standing.solved_at : null;
     if (used < this.#length) this.#clear();
     if (used > this.#length) {
       this.#list.append(...session.attempts(this.#contender).slice(this.#length, used).map((attempt) => this.#row(attempt)));

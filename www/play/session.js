@@ -163,7 +163,7 @@ export class Session extends EventTarget {
   /** @param {Ball} ball */
   #attempt(ball) {
     try {
-      const before = this.score("player").used;
+      const before = this.standing("player").used;
       const attempt = this.puzzle.attempt(...ball);
       this.#show("attempt", { shown: { contender: "player", ...attempt }, resultHidden: attempt.number > before });
     } catch (caught) {
@@ -252,10 +252,10 @@ export class Session extends EventTarget {
     const [only, ...others] = this.visibleAttempts;
     if (only && others.length === 0 && (only.contender !== contender || only.number !== number)) return only;
     const opponent = contender === "player" ? "model" : "player";
-    const { used } = this.score(opponent);
+    const { used } = this.standing(opponent);
     if (used > 0) return { contender: opponent, number: used };
     const neighbour = number > 1 ? number - 1 : 2;
-    return neighbour <= this.score(contender).used ? { contender, number: neighbour } : null;
+    return neighbour <= this.standing(contender).used ? { contender, number: neighbour } : null;
   }
 
   /** The attempts that are being shown. */
@@ -265,7 +265,7 @@ export class Session extends EventTarget {
   }
 
   /** @param {Contender} contender */
-  score(contender) {
+  standing(contender) {
     return this.puzzle.standing(contender);
   }
 
