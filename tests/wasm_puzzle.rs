@@ -14,7 +14,7 @@ fn json(value: JsValue) -> Value {
     serde_wasm_bindgen::from_value(value).expect("plain data")
 }
 
-/// The code of what has to be a real JavaScript `Error` with a sentence.
+/// Returns the code of an error, which must be a JavaScript `Error` with a sentence.
 fn code(error: JsValue) -> String {
     let error: js_sys::Error = error.dyn_into().expect("a real Error");
     assert!(String::from(error.message()).len() > 10, "an error says what is wrong");
@@ -25,7 +25,7 @@ fn open(id: &str) -> Puzzle {
     Puzzle::new(id).unwrap_or_else(|error| panic!("{id} does not open: {error:?}"))
 }
 
-/// Valid balls all over the scene.
+/// Returns valid balls all over the scene.
 fn balls(puzzle: &Puzzle) -> impl Iterator<Item = (f64, f64, f64)> {
     let all = (1..25).flat_map(|x| (1..25).flat_map(move |y| [4, 10, 20].map(|r| (x * 10, y * 10, r))));
     all.map(|(x, y, r)| (f64::from(x), f64::from(y), f64::from(r)))
@@ -33,7 +33,7 @@ fn balls(puzzle: &Puzzle) -> impl Iterator<Item = (f64, f64, f64)> {
 }
 
 #[wasm_bindgen_test]
-fn every_template_opens_and_tells_what_it_is() {
+fn every_template_opens_with_its_name_and_goal() {
     let list = json(templates().expect("a list"));
     let list = list.as_array().expect("an array");
     assert_eq!(list.len(), 25);
@@ -49,7 +49,7 @@ fn every_template_opens_and_tells_what_it_is() {
 }
 
 #[wasm_bindgen_test]
-fn what_is_no_task_is_an_error_with_a_code() {
+fn an_unknown_task_is_an_error_with_a_code() {
     for id in ["", "00007", "00025:000", "00000:999", "7:13"] {
         assert_eq!(code(Puzzle::new(id).err().expect("refused")), "bad_task", "{id}");
     }
@@ -58,7 +58,7 @@ fn what_is_no_task_is_an_error_with_a_code() {
 #[wasm_bindgen_test]
 fn an_invalid_ball_names_what_it_overlaps_and_does_not_count() {
     let mut puzzle = open(TASK);
-    // Two Drops has a green ball; a red one upon it overlaps it.
+    // Two Drops has a green ball; a red one at its place overlaps it.
     let line = json(puzzle.about().expect("words"))["description"].as_str().expect("a text").to_string();
     let place = line.split("green ball at x ").nth(1).expect("its place");
     let numbers = place.split(|c: char| !c.is_ascii_digit()).filter_map(|digits| digits.parse().ok());
@@ -94,14 +94,14 @@ fn attempts_run_until_solved_and_replay_the_same() {
     assert_eq!(json(puzzle.replay("player", number).expect("made")), attempt);
     assert_eq!(puzzle.steps(), steps);
     assert_eq!(json(puzzle.standing("player").expect("a score"))["solved_at"], number);
-    // The goal held to the end, for three seconds.
+    // The object touched its goal for the last three seconds.
     let touches = json(puzzle.touches().expect("stretches"));
     let last = touches.as_array().and_then(|all| all.last()).expect("it touched");
     assert_eq!(last[1], steps);
 }
 
 #[wasm_bindgen_test]
-fn two_attempts_lie_over_each_other_and_one_is_deleted() {
+fn two_attempts_are_overlaid_and_one_is_removed() {
     let mut puzzle = open(TASK);
     let tries: Vec<_> = balls(&puzzle).take(2).collect();
     let made: Vec<_> = tries.iter().map(|&(x, y, r)| json(puzzle.attempt(x, y, r).expect("valid"))).collect();
@@ -131,32 +131,32 @@ fn what_was_never_tried_cannot_be_replayed() {
 }
 
 #[wasm_bindgen_test]
-fn bytes_that_are_no_weights_are_refused_in_words() {
+fn bytes_that_are_not_weights_are_refused() {
     assert_eq!(code(Model::new(&[1, 2, 3]).err().expect("refused")), "bad_weights");
 }
 
 #[wasm_bindgen_test]
-fn the_real_paths_are_pictures_and_overlap_with_themselves() {
+fn the_real_paths_are_masks_with_soft_iou_1_to_themselves() {
     let mut puzzle = open(TASK);
     assert_eq!(puzzle.path_masks().expect("no paths").length(), 0, "nothing has run yet");
     let (x, y, r) = balls(&puzzle).next().expect("a valid ball");
     puzzle.attempt(x, y, r).expect("valid");
     let paths = puzzle.path_masks().expect("the paths of one rollout");
     assert_eq!(paths.length(), 1);
-    let picture = |name: &str| {
+    let mask = |name: &str| {
         let value = Reflect::get(&paths.get(0), &name.into()).expect("an object");
-        value.dyn_into::<js_sys::Float32Array>().expect("a picture").to_vec()
+        value.dyn_into::<js_sys::Float32Array>().expect("a mask").to_vec()
     };
-    let (object, ball) = (picture("object"), picture("ball"));
-    assert_eq!(soft_iou(&object, &object).expect("two pictures"), 1.0);
-    assert!(soft_iou(&object, &ball).expect("two pictures") < 1.0);
+    let (object, ball) = (mask("object"), mask("ball"));
+    assert_eq!(soft_iou(&object, &object).expect("two maps"), 1.0);
+    assert!(soft_iou(&object, &ball).expect("two maps") < 1.0);
     puzzle.watch().expect("it runs");
     let alone = puzzle.path_masks().expect("the path of one rollout").get(0);
     assert!(Reflect::get(&alone, &"ball".into()).expect("an object").is_undefined(), "there is no ball");
 }
 
 #[wasm_bindgen_test]
-fn a_sketch_of_whatever_points_is_a_picture_with_the_green_object_in_it() {
+fn a_sketch_of_any_points_is_a_mask_that_holds_the_green_object() {
     let puzzle = open(TASK);
     let bare = puzzle.sketch_mask(&[]);
     assert!(bare.iter().sum::<f32>() > 0.0);
@@ -180,7 +180,7 @@ fn a_preview_returns_the_ending_and_counts_nothing() {
 }
 
 #[wasm_bindgen_test]
-fn measures_refuse_what_is_no_picture_and_no_score() {
+fn metrics_refuse_malformed_maps_and_lists() {
     assert_eq!(code(soft_iou(&[0.0; 9], &[0.0; 9]).expect_err("too small")), "bad_map");
     assert_eq!(code(auccess(JsValue::from_str("soup")).expect_err("no list")), "bad_data");
     let solved = serde_wasm_bindgen::to_value(&[Some(1), None]).expect("a list");
@@ -188,7 +188,7 @@ fn measures_refuse_what_is_no_picture_and_no_score() {
 }
 
 #[wasm_bindgen_test]
-fn a_solve_map_grows_to_its_end_and_refuses_what_is_none() {
+fn a_solve_map_fills_up_and_refuses_unknown_tasks_and_radii() {
     assert_eq!(code(SolveMap::new("7:13", 12.0).err().expect("refused")), "bad_task");
     assert_eq!(code(SolveMap::new(TASK, f64::NAN).err().expect("refused")), "invalid_ball");
     let mut map = SolveMap::new(TASK, 32.0).expect("a map");
