@@ -56,14 +56,6 @@ export class Component extends EventTarget {
   }
 
   /**
-   * Aborted when the puzzle is left: for worker calls.
-   * @protected
-   */
-  get closed() {
-    return this.#closed.signal;
-  }
-
-  /**
    * @protected
    * @param {Partial<State>} patch
    */
