@@ -1,9 +1,9 @@
 //! `pathlight solve-rates`: how often uniformly random actions solve a task, here and in PHYRE.
 //!
 //! The reference folder has solve_rates.json: for each task how many of at least 10,000 uniform actions were valid,
-//! and how many of those solved it. It is not part of the project. PHYRE did not count actions whose ball, before it is
-//! rounded, sticks out of the scene, so other actions are drawn for them here too. A ball that sticks out only after
-//! rounding overlaps a wall, which PHYRE counts as invalid.
+//! and how many of those solved it. It is not part of the project. Actions whose ball sticks out of the scene, before or
+//! after it is rounded, were not counted as invalid there, so other actions are drawn for them here too. (Counting the
+//! latter as invalid would make 73.17 % of the actions valid; PHYRE has 73.27 %, and without them it is 73.25 %.)
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -106,7 +106,7 @@ impl Args {
                     counts.valid += 1;
                     counts.solved += u32::from(outcome.solved);
                 }
-                Err(_) if obstacles.check(&action.unrounded()) == Err(Invalid::Outside) => {}
+                Err(Invalid::Outside) => {}
                 Err(_) => counts.invalid += 1,
             }
         }

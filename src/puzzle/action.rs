@@ -58,7 +58,7 @@ impl Action {
     }
 
     /// Returns the ball of this action before rounding, px.
-    pub fn unrounded(self) -> Ball {
+    fn unrounded(self) -> Ball {
         Ball {
             x: self.x * (SIZE - 1.0),
             y: self.y * (SIZE - 1.0),
