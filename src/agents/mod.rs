@@ -1,9 +1,9 @@
 //! The agents that propose balls: the model and the random agent.
 //!
-//! The page, `propose` and `evaluate` ask here, so that with the same seed an agent makes the same attempts everywhere.
+//! The page, `propose` and `evaluate` ask here, so that with the same seed an agent makes the same attempts in all.
 //! The model's logits differ in the last bits between native code and wasm, so that on about one task in a thousand two
-//! nearly equal balls change places, or the placement map starts from another ball. No agent calls the simulator. All balls are valid and in the order of the attempts. `seed` is that of the whole run;
-//! each task derives its own from it.
+//! nearly equal balls change places, or the placement map starts from another ball. No agent calls the simulator. All
+//! balls are valid and in the order of the attempts. `seed` is that of the whole run; each task derives its own from it.
 
 pub mod placement;
 mod proposal;
