@@ -6,19 +6,40 @@
 //! balls are valid and in the order of the attempts. `seed` is that of the whole run; each task derives its own from it.
 
 pub mod placement;
-mod proposal;
 pub mod ranking;
-
-pub use proposal::{Origin, Proposal};
 
 use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
+use serde::Serialize;
 
 use crate::dataset::sampling::random_ball;
 use crate::nets::PathNet;
 use crate::puzzle::action::Ball;
 use crate::puzzle::scene::Scene;
 use crate::puzzle::task::TaskId;
+
+/// A valid ball that an agent proposes, and how it was found.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Proposal {
+    pub ball: Ball,
+    pub origin: Origin,
+    /// Draws before it that were rejected: invalid, or proposed already.
+    pub rejected: usize,
+}
+
+/// Where a proposal comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(tag = "kind", rename_all = "snake_case")]
+pub enum Origin {
+    /// A cell of the placement map, by its centre in px, from which the ball was improved.
+    Map { x: f64, y: f64 },
+    /// An earlier proposal, by its number from 1, with Gaussian noise.
+    Perturbed { number: usize },
+    /// Uniform over the action space: the placement map has no place where a ball may be.
+    Uniform,
+    /// The judge's maps: the probability, 0..=1, that the ball solves, lowered by the proposals before it.
+    Judge { probability: f64 },
+}
 
 /// Version of the proposals, as `simulator::VERSION` is of the rollouts. Raise it whenever the same weights or the same
 /// seed make an agent propose other balls or another order: results record it, and those of other versions are not

@@ -7,7 +7,7 @@
 use rand::{Rng, RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
-use super::proposal::{Origin, Proposal};
+use super::{Origin, Proposal};
 use crate::dataset::sampling::{perturbed, random_ball};
 use crate::puzzle::action::{Action, Ball, Obstacles};
 use crate::puzzle::scene::Scene;

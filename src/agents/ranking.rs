@@ -5,7 +5,7 @@
 //! a Gaussian of the distance (soft-NMS, Bodla et al. 2017, on logits instead of scores). Does not call the simulator
 //! and draws nothing at random.
 
-use super::proposal::{Origin, Proposal};
+use super::{Origin, Proposal};
 use crate::nets::judge::{RADII, cell_centre};
 use crate::puzzle::action::{Ball, Obstacles};
 use crate::puzzle::scene::Scene;

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::ensure;
 use pathlight::dataset::labels::LabelledBalls;
-use pathlight::nets::training::{JudgeBatch, Schedule, Trainer};
+use pathlight::nets::training::{JudgeBatch, Schedule, Trainer, WARMUP_STEPS};
 use pathlight::nets::{Judge, JudgeCard, flex};
 use pathlight::puzzle::action::Ball;
 use pathlight::puzzle::task::{Task, TaskId};
@@ -24,9 +24,6 @@ use super::model_args::ModelArgs;
 use super::progress::say;
 use super::training_args::TrainingArgs;
 use super::training_run::{Plan, TrainingRun};
-
-/// Batches over which the learning rate rises.
-const WARMUP_BATCHES: usize = 200;
 
 /// Train the net that judges balls, and add it to the weights of the four nets
 #[derive(clap::Args)]
@@ -75,7 +72,7 @@ impl Args {
         let folder = self.training.out.clone().unwrap_or_else(|| self.fold.folder().join("judge"));
         let trainer = Trainer::<Judge>::new(flex(), self.training.seed);
         let mut run = TrainingRun::open(folder, card, digest(&self.labels)?, &["judge"], trainer)?;
-        let schedule = Schedule::WarmupLinear { peak: self.training.learning_rate, warmup_steps: WARMUP_BATCHES };
+        let schedule = Schedule::WarmupLinear { peak: self.training.learning_rate, warmup_steps: WARMUP_STEPS };
         let batches_per_epoch = scenes.len().div_ceil(self.training.batch.into());
         let plan = Plan { epochs: self.epochs, batches_per_epoch, schedule };
         let complete = run.train(

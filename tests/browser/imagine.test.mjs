@@ -17,6 +17,12 @@ async function imagine(options) {
   return page;
 }
 
+/** The scene once it has been painted anew. */
+async function settled(page) {
+  await page.waitForTimeout(120);
+  return picture(page);
+}
+
 test('five different maps, each with a sentence, a summary and a legend', async () => {
   const page = await imagine();
   const seen = new Set();
@@ -34,22 +40,18 @@ test('five different maps, each with a sentence, a summary and a legend', async 
 
 test('a layer lies over the scene while it is on, as strongly as its opacity', async () => {
   const page = await imagine();
-  const settled = async () => {
-    await page.waitForTimeout(120);
-    return picture(page);
-  };
-  const bare = await settled();
+  const bare = await settled(page);
   for (const stage of STAGES) {
     const box = page.locator(`[data-stage=${stage}] input`);
     await box.check();
-    assert.notEqual(await settled(), bare, `${stage} shows`);
+    assert.notEqual(await settled(page), bare, `${stage} shows`);
     await box.uncheck();
-    assert.equal(await settled(), bare, `${stage} is gone`);
+    assert.equal(await settled(page), bare, `${stage} is gone`);
   }
   await page.locator('[data-stage=target] input').check();
-  const strong = await settled();
+  const strong = await settled(page);
   await page.locator('#opacity').fill('0.3');
-  assert.notEqual(await settled(), strong);
+  assert.notEqual(await settled(page), strong);
   await page.waitForFunction(() => /layers=target/.test(location.hash) && /opacity=0.3/.test(location.hash));
 });
 
@@ -61,4 +63,21 @@ test('another puzzle is imagined afresh, and the page stays alive meanwhile', as
   await page.locator('#imagined-in').filter({ hasText: 'Imagined' }).waitFor();
   assert.notEqual(await picture(page, '[data-stage=base] .map canvas[role=img]'), before);
   assert.ok((await longestGap()) < 1000, 'the page does not freeze');
+});
+
+test('maps that are switched on stay over the scene while a ball is placed, but not while a path is predicted', async () => {
+  const page = await imagine();
+  const bare = await settled(page);
+  await page.locator('[data-stage=target] input').check();
+  await page.locator('#tab-play').click();
+  const laid = await settled(page);
+  assert.notEqual(laid, bare);
+  await page.locator('#tab-predict').click();
+  assert.equal(await settled(page), bare, 'they would tell the answer');
+  await page.locator('#tab-compare').click();
+  assert.equal(await settled(page), laid);
+  await page.locator('#tab-imagine').click();
+  await page.locator('#walkthrough-next').click();
+  await page.locator('#tab-play').click();
+  assert.equal(await settled(page), bare, 'the map of a step of the walkthrough stays in its panel');
 });

@@ -4,7 +4,7 @@
 
 import { Component } from "../shell/component.js";
 import { byId, setText } from "../shell/dom.js";
-import { valueAt } from "../model/stages.js";
+import { valueAt } from "../model/stage-text.js";
 import { sentence } from "../play/session.js";
 import { TroubleBox } from "./trouble-box.js";
 

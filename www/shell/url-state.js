@@ -157,17 +157,35 @@ export function visiblePanels({ hide }) {
 }
 
 /**
- * What the page shows for a state. Maps lie over the scene only where they are switched on: elsewhere they would tell
- * the answer to who draws a prediction, or cover what the panel is about.
+ * What the page shows for a state.
  * @param {State} state
  * @returns {View}
  */
 export function viewOf(state) {
   const panel = visiblePanels(state).includes(state.panel) ? state.panel : "play";
-  const { hide, layers: checkedLayers } = state;
-  const placement = hide.includes("imagine") ? [] : checkedLayers.filter((stage) => stage === "placement");
-  const layers = panel === "imagine" ? checkedLayers : panel === "map" ? placement : [];
-  return { ...state, panel, layers, checkedLayers };
+  return { ...state, panel, layers: visibleLayers(state, panel), checkedLayers: state.layers };
+}
+
+/**
+ * The maps that lie over the scene in a panel.
+ * @param {State} state
+ * @param {Panel} panel
+ * @returns {Stage[]}
+ */
+function visibleLayers({ hide, layers, stage }, panel) {
+  if (hide.includes("imagine")) return [];
+  switch (panel) {
+    case "imagine":
+      return layers;
+    case "map":
+      return layers.filter((layer) => layer === "placement");
+    case "predict":
+      // They would tell the answer to someone who draws a prediction.
+      return [];
+    default:
+      // Those that the person switched on stay to be played by; the one of a walkthrough's step does not.
+      return stage ? [] : layers;
+  }
 }
 
 /**

@@ -4,5 +4,5 @@ mod adam;
 mod schedule;
 mod trainer;
 
-pub use schedule::Schedule;
+pub use schedule::{Schedule, WARMUP_STEPS};
 pub use trainer::{Batch, JudgeBatch, Module, Trainer};

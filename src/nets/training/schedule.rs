@@ -1,6 +1,9 @@
 //! Learning-rate schedules: the learning rate as a function of the step alone, so that a run can be continued at any
 //! checkpoint without a state of its own.
 
+/// Steps over which the learning rate of the judge rises from zero.
+pub const WARMUP_STEPS: usize = 200;
+
 /// How the learning rate changes over a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Schedule {
@@ -20,7 +23,7 @@ pub enum Schedule {
 }
 
 impl Schedule {
-    /// The learning rate of a step, counted from 0, of a run of `total` steps.
+    /// Returns the learning rate of a step, counted from 0, of a run of `total` steps.
     pub fn learning_rate(&self, step: usize, total: usize) -> f64 {
         match *self {
             Schedule::LinearDecay { peak, decay_steps } => {
