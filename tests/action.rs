@@ -133,7 +133,7 @@ proptest! {
         if let Ok(ball) = action.place(&scene) {
             prop_assert!(RADIUS.contains(&ball.r) && ball.x < SIZE && ball.y < SIZE);
             prop_assert_eq!(ball.check(&scene), Ok(()));
-            prop_assert_eq!(ball.snapped(&scene), Ok(ball));
+            prop_assert_eq!(ball.action().place(&scene), Ok(ball));
             prop_assert_eq!(ball.rounded(), ball);
             prop_assert_eq!(Obstacles::new(&scene).place(action), Ok(ball));
         }

@@ -234,8 +234,9 @@ export class Page {
   #changeState(patch) {
     Object.assign(this.#state, patch);
     if (this.#state.model !== this.#client.requestedName) {
-      this.#session?.clearModel();
+      // First, so that what follows from the cleared attempts finds the new model requested and does not start it again.
       this.#client.start(this.#state.model);
+      this.#session?.clearModel();
     }
     this.#applyView();
     this.#syncUrl();

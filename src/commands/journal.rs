@@ -6,7 +6,7 @@
 //! file without noticing.
 
 use std::fs::File;
-use std::io::{BufRead, BufReader, Seek, SeekFrom, Write};
+use std::io::{BufRead, BufReader, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, bail, ensure};
@@ -49,7 +49,8 @@ impl Journal {
     pub fn open<E: Entry>(path: &Path, settings: &E::Settings) -> anyhow::Result<(Journal, Vec<E>)> {
         let name = path.display();
         let mut journal = Journal { path: path.to_path_buf(), file: lock(path)?, ends: Vec::new() };
-        if journal.file.metadata()?.len() == 0 {
+        if is_cut_off_in_the_settings(&journal.file, &serde_json::to_vec(settings)?)? {
+            journal.file.set_len(0).and_then(|()| journal.file.rewind()).with_context(|| journal.cannot_write())?;
             journal.append(std::slice::from_ref(settings))?;
             journal.ends.push(journal.file.stream_position()?);
             return Ok((journal, Vec::new()));
@@ -108,6 +109,15 @@ pub fn read<E: Entry>(path: &Path) -> anyhow::Result<(E::Settings, Vec<E>)> {
         .with_context(|| format!("cannot read {}: run `pathlight {}` first", path.display(), E::COMMAND))?;
     let contents = parse(&file, path)?;
     Ok((contents.settings, contents.entries))
+}
+
+/// Whether the file is empty or ends within the settings that this process would write: nothing is lost with it, and no
+/// file of other contents is taken for one.
+fn is_cut_off_in_the_settings(mut file: &File, settings: &[u8]) -> anyhow::Result<bool> {
+    let mut start = Vec::new();
+    file.take(settings.len() as u64).read_to_end(&mut start)?;
+    file.rewind()?;
+    Ok(start.len() < settings.len() && settings.starts_with(&start))
 }
 
 struct Contents<E: Entry> {

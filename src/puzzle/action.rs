@@ -76,14 +76,6 @@ impl Ball {
         Obstacles::new(scene).check(self)
     }
 
-    /// Returns this ball as an action would place it: rounded to whole px, and valid.
-    ///
-    /// # Errors
-    /// The reason why the action is invalid in this scene.
-    pub fn snapped(&self, scene: &Scene) -> Result<Ball, Invalid> {
-        self.action().place(scene)
-    }
-
     /// Returns this ball with PHYRE's rounding: the centre truncated, the radius rounded half to even. Does not check
     /// that it is valid.
     pub fn rounded(&self) -> Ball {

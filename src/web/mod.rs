@@ -10,10 +10,9 @@ use serde::Serialize;
 use wasm_bindgen::prelude::*;
 use web_sys::CanvasRenderingContext2d;
 
-use crate::benchmark::auccess::MAX_ATTEMPTS;
 use crate::play::game::ATTEMPT_LIMIT;
 use crate::puzzle::action::RADIUS;
-use crate::puzzle::rollout::{GOAL_STEPS, MAX_STEPS, STEPS_PER_SECOND};
+use crate::puzzle::rollout::{GOAL_STEPS, STEPS_PER_SECOND};
 use crate::puzzle::scene::{SIZE, Scene};
 use crate::puzzle::task::{self, Task};
 use crate::puzzle::templates::TEMPLATES;
@@ -57,11 +56,8 @@ pub fn constants() -> Result<JsValue, JsValue> {
         min_radius: f64,
         max_radius: f64,
         attempt_limit: usize,
-        max_attempts: usize,
         steps_per_second: usize,
         goal_steps: usize,
-        max_steps: usize,
-        template_count: usize,
         stages: [&'static str; Stage::ALL.len()],
     }
     to_js(&Constants {
@@ -71,11 +67,8 @@ pub fn constants() -> Result<JsValue, JsValue> {
         min_radius: *RADIUS.start(),
         max_radius: *RADIUS.end(),
         attempt_limit: ATTEMPT_LIMIT,
-        max_attempts: MAX_ATTEMPTS,
         steps_per_second: STEPS_PER_SECOND,
         goal_steps: GOAL_STEPS,
-        max_steps: MAX_STEPS,
-        template_count: TEMPLATES.len(),
         stages: Stage::ALL.map(Stage::name),
     })
 }

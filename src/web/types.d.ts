@@ -26,16 +26,10 @@ export interface Constants {
     max_radius: number;
     /** Most attempts of each contender at one puzzle. */
     attempt_limit: number;
-    /** The number of attempts that PHYRE's metric, auccess, counts. */
-    max_attempts: number;
     /** Simulated steps per second. */
     steps_per_second: number;
     /** Steps for which the green object has to touch its goal. */
     goal_steps: number;
-    /** Most steps of a rollout. */
-    max_steps: number;
-    /** The number of templates. */
-    template_count: number;
     /** All stages, in the order in which the nets make them. */
     stages: Stage[];
 }

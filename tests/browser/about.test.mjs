@@ -39,6 +39,7 @@ test('the sheet names the paper, the benchmark and what the model learned from',
   const said = (number) => number.toLocaleString('en');
   assert.ok(entries.includes(`${said(samples)} solutions of ${said(tasks)} puzzles`), entries);
   assert.ok(entries.includes(`${epochs} times`), entries);
+  assert.ok(entries.includes('Dev tasks'), entries);
   await about.getByRole('button', { name: 'Close' }).click();
   await about.waitFor({ state: 'hidden' });
 });

@@ -92,3 +92,14 @@ test('the balls one by one are those of the model that is loaded', async () => {
   await page.goto(`${session.origin}/#task=00000:000&panel=compare&model=${second}`);
   assert.equal(await firstBall(), switched);
 });
+
+test('the weights of the second model are fetched once, also while a ball of the first is looked at', async () => {
+  const page = await open({ more: '&panel=compare&proposal=1' });
+  await page.locator('#proposals-facts').waitFor();
+  const { models } = await (await fetch(`${session.origin}/assets/model.json`)).json();
+  const { file } = models.find(({ name }) => name === second);
+  let requests = 0;
+  page.on('request', (request) => (requests += Number(request.url().endsWith(file))));
+  await choose(page, second);
+  assert.equal(requests, 1);
+});

@@ -93,6 +93,16 @@ fn a_missing_last_newline_loses_nothing() {
 }
 
 #[test]
+fn a_file_that_was_cut_off_in_its_first_line_is_begun_anew() {
+    let folder = tempdir().expect("a folder");
+    let out = folder.path().join("solutions.jsonl");
+    let whole = collect(&out, "1", &[]);
+    let settings = whole.lines().next().expect("the settings");
+    fs::write(&out, &settings[..settings.len() / 2]).expect("written");
+    assert_eq!(collect(&out, "1", &[]), whole);
+}
+
+#[test]
 fn a_damaged_line_is_named_and_nothing_is_changed() {
     let folder = tempdir().expect("a folder");
     let path = folder.path().join("solutions");

@@ -3,14 +3,14 @@
 import { Component } from "./component.js";
 import { byId } from "./dom.js";
 
-/** @typedef {Record<string, any>} Card what the weights file says of its training */
+/** @typedef {import("../pkg/pathlight.js").ModelCard} Card */
 
 /** @param {number} value */
 const number = (value) => value.toLocaleString("en");
 
 /**
- * The entries of a card in the order shown: key, term, and the value in words. Other keys follow as they are.
- * @type {[key: string, term: string, words: (value: any, card: Card) => string][]}
+ * The entries of a card in the order shown: key, term, and the value in words.
+ * @type {[key: keyof Card, term: string, words: (value: any, card: Card) => string][]}
  */
 const ENTRIES = [
   ["samples", "Learned from", (samples, { tasks }) => `${number(samples)} solutions of ${number(tasks)} puzzles`],
@@ -20,14 +20,12 @@ const ENTRIES = [
   ["batch", "Batch size", number],
   ["learning_rate", "Learning rate (Adam)", String],
   ["decay_epochs", "Learning rate decays to zero over the last", (epochs) => `${epochs} epochs`],
+  ["without_dev", "Dev tasks", (without) => (without ? "left out, to choose settings by them" : "learned from, like the other training puzzles")],
   ["mirror", "Mirrored", (mirror) => (mirror ? "half of the time, left to right" : "never")],
   ["judge", "The judge learned from", ({ balls, epochs }) => `${number(balls)} balls with their outcome, ${epochs} times over`],
   ["simulator", "Version of the simulator", String],
   ["seed", "Random seed", String],
 ];
-/** Keys that stand within another entry. */
-const MENTIONED = ["tasks"];
-
 export class About extends Component {
   #client;
 
@@ -50,10 +48,7 @@ export class About extends Component {
  * @param {Card} card
  */
 function entriesOf(card) {
-  const known = ENTRIES.filter(([key]) => key in card);
-  const shown = [...MENTIONED, ...known.map(([key]) => key)];
-  const others = Object.keys(card).filter((key) => !shown.includes(key));
-  const rows = [...known.map(([key, term, words]) => [term, words(card[key], card)]), ...others.map((key) => [key, String(card[key])])];
+  const rows = ENTRIES.filter(([key]) => key in card).map(([key, term, words]) => [term, words(card[key], card)]);
   return rows.flatMap(([term, words]) => {
     const [name, description] = [document.createElement("dt"), document.createElement("dd")];
     name.textContent = term;

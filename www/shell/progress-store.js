@@ -9,7 +9,7 @@
 const PLAYER_KEY = "pathlight.progress";
 const TASK = /^\d{5}:\d{3}$/;
 /** More attempts than a person can make: a stored number above it is damage. */
-const MAX_ATTEMPTS = 1e6;
+const MAX_STORED_ATTEMPTS = 1e6;
 
 export class ProgressStore extends EventTarget {
   /** Does it outlast the page? */
@@ -136,7 +136,7 @@ function validTasks(stored) {
   /** @type {(value: unknown, most: number) => boolean} */
   const isCount = (value, most) => Number.isSafeInteger(value) && Number(value) >= 1 && Number(value) <= most;
   const entries = Object.entries(/** @type {Record<string, any>} */ (stored?.tasks ?? {})).filter(
-    ([task, one]) => TASK.test(task) && isCount(one?.attempts, MAX_ATTEMPTS) && (one.solved === null || isCount(one.solved, one.attempts)),
+    ([task, one]) => TASK.test(task) && isCount(one?.attempts, MAX_STORED_ATTEMPTS) && (one.solved === null || isCount(one.solved, one.attempts)),
   );
   return Object.fromEntries(entries.map(([task, { attempts, solved }]) => [task, { attempts, solved }]));
 }
