@@ -38,8 +38,10 @@ test('every attempt has a picture of its own, with its ball in it', async () => 
   // The result is in words too, not by colour or mark alone.
   assert.match(await row(page, 2).locator('.words').textContent(), /^solved after/);
   await page.emulateMedia({ colorScheme: 'dark' });
-  await page.waitForTimeout(300);
-  assert.ok(!pictures.has(await picture(page, '#play-attempts li[data-number="1"] canvas')), 'drawn afresh in the dark');
+  const canvas = page.locator('#play-attempts li[data-number="1"] canvas');
+  const bright = [...pictures];
+  // Drawn afresh in the dark, some frames later.
+  await page.waitForFunction(([canvas, bright]) => !bright.includes(canvas.toDataURL()), [await canvas.elementHandle(), bright]);
 });
 
 test('two attempts of one’s own lie over each other', async () => {
