@@ -22,23 +22,23 @@ use super::training_args::TrainingArgs;
 
 const NETS: &str = "-checkpoint-nets.bpk";
 const OPTIMISER: &str = "-checkpoint-adam.bpk";
-const STATE: &str = "checkpoint.json";
+const CHECKPOINT: &str = "checkpoint.json";
 const LOCK: &str = "lock";
 
 /// A trainer, and the folder that its progress is saved in.
 pub struct TrainingRun<M> {
     folder: PathBuf,
     pub trainer: Trainer<M>,
-    state: State,
+    checkpoint: Checkpoint,
     started: Instant,
     /// Time that earlier processes have spent on it, s.
     seconds_before: f64,
     _lock: File,
 }
 
-/// What `checkpoint.json` holds.
+/// What `checkpoint.json` holds; the nets and the state of the optimiser have files of their own.
 #[derive(Serialize, Deserialize)]
-pub struct State {
+pub struct Checkpoint {
     pub card: Card,
     /// SHA-256 of the file of training data.
     pub data: String,
@@ -74,9 +74,9 @@ impl<M: Module> TrainingRun<M> {
     ) -> anyhow::Result<TrainingRun<M>> {
         let lock = lock(&folder.join(LOCK))?;
         let losses = losses.iter().map(ToString::to_string).collect();
-        let fresh = State { card, data, done: 0, seconds: 0.0, losses, log: Vec::new() };
+        let fresh = Checkpoint { card, data, done: 0, seconds: 0.0, losses, log: Vec::new() };
         let name = folder.display();
-        let (trainer, state) = match state(&folder)? {
+        let (trainer, checkpoint) = match read_checkpoint(&folder)? {
             None => (trainer, fresh),
             Some(found) if found.card != fresh.card => bail!(
                 "{name} holds a run with other settings ({}): use another folder, or remove this one",
@@ -91,8 +91,8 @@ impl<M: Module> TrainingRun<M> {
                 (restored.with_context(|| format!("the checkpoint in {name} is damaged: remove the folder"))?, found)
             }
         };
-        let seconds_before = state.seconds;
-        Ok(TrainingRun { folder, trainer, state, started: Instant::now(), seconds_before, _lock: lock })
+        let seconds_before = checkpoint.seconds;
+        Ok(TrainingRun { folder, trainer, checkpoint, started: Instant::now(), seconds_before, _lock: lock })
     }
 
     /// Trains to the end of the plan, or to the stop that the arguments ask for, and saves checkpoints. `batch`
@@ -109,11 +109,11 @@ impl<M: Module> TrainingRun<M> {
         mut step: impl FnMut(&mut Trainer<M>, B, f64) -> Vec<f32>,
     ) -> anyhow::Result<bool> {
         let total = plan.batches_per_epoch * plan.epochs;
-        let first = self.state.done;
+        let first = self.checkpoint.done;
         let stop = args.stop_after.map_or(usize::MAX, |batches| first.saturating_add(batches));
         let mut progress = Progress::new(Some(total as u64));
         progress.advance(first as u64, format!("batch {first}"));
-        let (mut sums, mut summed) = (vec![0.0; self.state.losses.len()], 0);
+        let (mut sums, mut summed) = (vec![0.0; self.checkpoint.losses.len()], 0);
         thread::scope(|scope| {
             let (sender, batches) = sync_channel(1);
             let batch = &batch;
@@ -135,7 +135,7 @@ impl<M: Module> TrainingRun<M> {
                 if done.is_multiple_of(args.checkpoint.into()) || done == total {
                     let means: Vec<f32> = sums.iter().map(|sum| sum / summed as f32).collect();
                     self.save(number / plan.batches_per_epoch, done, &means)?;
-                    let (name, loss) = (self.state.losses.last(), means.last());
+                    let (name, loss) = (self.checkpoint.losses.last(), means.last());
                     let (name, loss) = name.zip(loss).context("a step has losses")?;
                     progress.advance(summed, format!("batch {done} of {total}, {name} loss {loss:.4}"));
                     (sums, summed) = (vec![0.0; means.len()], 0);
@@ -146,7 +146,7 @@ impl<M: Module> TrainingRun<M> {
             }
             anyhow::Ok(())
         })?;
-        let done = self.state.done;
+        let done = self.checkpoint.done;
         progress.finish(&match done == total {
             true => format!("{total} batches"),
             false => format!("stopped at batch {done} of {total}, as asked,"),
@@ -154,8 +154,8 @@ impl<M: Module> TrainingRun<M> {
         Ok(done == total)
     }
 
-    /// Saves a checkpoint after so many batches. The state is written last and names the other files, so that a run
-    /// interrupted in between continues from the checkpoint before.
+    /// Saves a checkpoint after so many batches. `checkpoint.json` is written last and names the other files, so that a
+    /// run interrupted in between continues from the checkpoint before.
     fn save(&mut self, epoch: usize, done: usize, losses: &[f32]) -> anyhow::Result<()> {
         let name = self.folder.display().to_string();
         ensure!(
@@ -164,18 +164,18 @@ impl<M: Module> TrainingRun<M> {
         );
         let [nets, optimiser] = files(&self.folder, done);
         self.trainer.save(&nets, &optimiser)?;
-        self.state.done = done;
-        self.state.seconds = self.seconds_before + self.started.elapsed().as_secs_f64();
-        self.state.log.push((epoch, done, losses.to_vec()));
-        self.write_state(&[&nets, &optimiser]).with_context(|| format!("cannot write to {name}"))
+        self.checkpoint.done = done;
+        self.checkpoint.seconds = self.seconds_before + self.started.elapsed().as_secs_f64();
+        self.checkpoint.log.push((epoch, done, losses.to_vec()));
+        self.write_checkpoint(&[&nets, &optimiser]).with_context(|| format!("cannot write to {name}"))
     }
 
-    /// Replaces the state, writes the losses as CSV, and removes the run's older checkpoints.
-    fn write_state(&self, newest: &[&PathBuf]) -> anyhow::Result<()> {
-        fs::write(self.folder.join("next.json"), serde_json::to_vec(&self.state)?)?;
-        fs::rename(self.folder.join("next.json"), self.folder.join(STATE))?;
-        let mut losses = format!("epoch,batch,{}\n", self.state.losses.join(","));
-        for (epoch, done, means) in &self.state.log {
+    /// Replaces `checkpoint.json`, writes the losses as CSV, and removes the run's older checkpoints.
+    fn write_checkpoint(&self, newest: &[&PathBuf]) -> anyhow::Result<()> {
+        fs::write(self.folder.join("next.json"), serde_json::to_vec(&self.checkpoint)?)?;
+        fs::rename(self.folder.join("next.json"), self.folder.join(CHECKPOINT))?;
+        let mut losses = format!("epoch,batch,{}\n", self.checkpoint.losses.join(","));
+        for (epoch, done, means) in &self.checkpoint.log {
             let means: Vec<String> = means.iter().map(|loss| format!("{loss:.5}")).collect();
             losses.push_str(&format!("{epoch},{done},{}\n", means.join(",")));
         }
@@ -195,7 +195,7 @@ impl<M: Module> TrainingRun<M> {
     /// If the folder cannot be written.
     pub fn write_weights(&self, nets: &PathNet) -> anyhow::Result<PathBuf> {
         let weights = self.folder.join("weights.safetensors");
-        fs::write(&weights, nets.save(&self.state.card)?)
+        fs::write(&weights, nets.save(&self.checkpoint.card)?)
             .with_context(|| format!("cannot write {}", weights.display()))?;
         Ok(weights)
     }
@@ -213,18 +213,18 @@ fn is_checkpoint(file: &Path) -> bool {
     number.is_some_and(|number| number.parse::<usize>().is_ok())
 }
 
-/// What the checkpoint in a folder holds, if there is one.
+/// Reads the `checkpoint.json` of a folder, if there is one.
 ///
 /// # Errors
 /// If it cannot be read.
-pub fn state(folder: &Path) -> anyhow::Result<Option<State>> {
-    let path = folder.join(STATE);
+pub fn read_checkpoint(folder: &Path) -> anyhow::Result<Option<Checkpoint>> {
+    let path = folder.join(CHECKPOINT);
     match fs::read(&path) {
         Err(error) if error.kind() == ErrorKind::NotFound => Ok(None),
         read => {
             let bytes = read.with_context(|| format!("cannot read {}", path.display()))?;
-            let state = serde_json::from_slice(&bytes);
-            state.map(Some).with_context(|| format!("{} is damaged: remove its folder", path.display()))
+            let checkpoint = serde_json::from_slice(&bytes);
+            checkpoint.map(Some).with_context(|| format!("{} is damaged: remove its folder", path.display()))
         }
     }
 }

@@ -1,9 +1,9 @@
-//! The result of one setup and fold, from training to evaluation, and its JSON file.
+//! The result of one setup and fold: its JSON file, the settings that it was made with, and whether results are
+//! comparable.
 
 use std::fs;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
-use std::time::Instant;
 
 use anyhow::{Context, ensure};
 use pathlight::agents;
@@ -13,13 +13,10 @@ use pathlight::simulator;
 use serde::{Deserialize, Serialize};
 
 use crate::commands::differences::differences;
-use crate::commands::evaluate::{self, Agent, Report};
+use crate::commands::evaluate::{Agent, Report};
 use crate::commands::fold_args::FoldArgs;
-use crate::commands::label::read_labels;
-use crate::commands::model_args::ModelArgs;
 use crate::commands::progress::say;
-use crate::commands::training_args::TrainingArgs;
-use crate::commands::training_run::{State, state};
+use crate::commands::training_run::Checkpoint;
 use crate::commands::{defaults, digest, train, train_judge};
 
 /// Settings that can be chosen for a table. The defaults are those of the results in the repository.
@@ -50,8 +47,8 @@ pub struct Hyperparameters {
     pub limit: u16,
 }
 
-/// The files that results are made from, and that making them only reads.
-pub struct Data {
+/// The input files of a result; read only.
+pub struct DataFiles {
     pub solutions: PathBuf,
     pub labels: PathBuf,
 }
@@ -62,9 +59,9 @@ pub struct FoldResult {
     #[serde(alias = "recipe")]
     pub hyperparameters: Hyperparameters,
     /// The training of the four nets.
-    pub nets: State,
+    pub nets: Checkpoint,
     /// The training of the judge.
-    pub judge: State,
+    pub judge: Checkpoint,
     /// Size of the weights of all five nets, bytes.
     pub weights: u64,
     /// Wall-clock time of the evaluation of all agents, s.
@@ -72,9 +69,9 @@ pub struct FoldResult {
     pub report: Report,
 }
 
-/// What decides a result, apart from its setup and fold. Results belong in one table if these agree.
+/// What determines a result, apart from its setup and fold. Results belong in one table if these agree.
 #[derive(PartialEq, Serialize)]
-pub struct Settings {
+pub struct ResultSettings {
     #[serde(flatten)]
     hyperparameters: Hyperparameters,
     simulator: u32,
@@ -93,14 +90,14 @@ pub struct Settings {
     balls_per_scene: Option<u16>,
 }
 
-impl Settings {
+impl ResultSettings {
     /// The settings of a result made now.
     ///
     /// # Errors
     /// If the data cannot be read.
-    pub fn expected(hyperparameters: &Hyperparameters, data: &Data) -> anyhow::Result<Settings> {
+    pub fn expected(hyperparameters: &Hyperparameters, data: &DataFiles) -> anyhow::Result<ResultSettings> {
         let (nets, judge) = (defaults::<train::Args>(), defaults::<train_judge::Args>());
-        Ok(Settings {
+        Ok(ResultSettings {
             hyperparameters: hyperparameters.clone(),
             simulator: simulator::VERSION,
             agents_version: agents::VERSION,
@@ -118,71 +115,12 @@ impl Settings {
     }
 
     /// Names the settings that differ; empty if none do.
-    pub fn differences(&self, other: &Settings) -> String {
+    pub fn differences(&self, other: &ResultSettings) -> String {
         differences(self, other)
     }
 }
 
 impl FoldResult {
-    /// Trains and evaluates, in a folder of its own, and prints the commands that a person would type for it. Continues
-    /// where it was interrupted.
-    ///
-    /// # Errors
-    /// If the labelled balls are not those of the hyperparameters, and the errors of the commands.
-    pub fn make(
-        fold: FoldArgs,
-        hyperparameters: &Hyperparameters,
-        data: &Data,
-        folder: &Path,
-    ) -> anyhow::Result<FoldResult> {
-        let &Hyperparameters { seed, label_rounds, epochs, limit, .. } = hyperparameters;
-        ensure!(
-            read_labels(&data.labels)?.rounds() == Some(label_rounds.into()),
-            "{} does not hold the balls of {label_rounds} rounds: run `pathlight reproduce --only data`, or change \
-             --label-rounds",
-            data.labels.display(),
-        );
-        let judge_epochs = match fold.setup {
-            Setup::Within => hyperparameters.judge_epochs,
-            Setup::Cross => hyperparameters.judge_epochs_cross,
-        };
-        let judge_folder = folder.join("judge");
-        let (nets, judged) = (folder.join("weights.safetensors"), judge_folder.join("weights.safetensors"));
-        let announce = |command: &str, options: String| {
-            let FoldArgs { setup, fold } = fold;
-            say(&format!("$ pathlight {command} --setup {setup} --fold {fold} --seed {seed} {options}"));
-        };
-
-        let (solutions, out) = (data.solutions.display(), folder.display());
-        announce("train", format!("--solutions {solutions} --epochs {epochs} --out {out}"));
-        let training = |folder: &Path| TrainingArgs { seed, out: Some(folder.to_path_buf()), ..defaults() };
-        let (solutions, epochs) = (data.solutions.clone(), epochs.into());
-        train::Args { fold, solutions, epochs, training: training(folder), ..defaults() }.run()?;
-
-        let (weights, labels, out) = (nets.display(), data.labels.display(), judge_folder.display());
-        let options = format!("--weights {weights} --labels {labels} --epochs {judge_epochs} --out {out}");
-        announce("train-judge", options);
-        let (model, labels) = (ModelArgs { weights: Some(nets) }, data.labels.clone());
-        let (epochs, training) = (judge_epochs.into(), training(&judge_folder));
-        train_judge::Args { fold, model, labels, epochs, training, ..defaults() }.run()?;
-
-        let started = Instant::now();
-        announce("evaluate", format!("--weights {} --limit {limit}", judged.display()));
-        let model = ModelArgs { weights: Some(judged.clone()) };
-        let report = evaluate::Args { fold, limit: Some(limit), seed, model, ..defaults() }.measure()?;
-        say(report.table()?.trim_end());
-
-        let trained = |folder: &Path| state(folder)?.with_context(|| format!("no run in {}", folder.display()));
-        Ok(FoldResult {
-            hyperparameters: hyperparameters.clone(),
-            nets: trained(folder)?,
-            judge: trained(&judge_folder)?,
-            weights: fs::metadata(&judged)?.len(),
-            evaluation_seconds: started.elapsed().as_secs_f64(),
-            report,
-        })
-    }
-
     /// Reads a result; `None` if there is no file.
     ///
     /// # Errors
@@ -215,9 +153,9 @@ impl FoldResult {
     }
 
     /// The settings it was made with.
-    pub fn settings(&self) -> Settings {
+    pub fn settings(&self) -> ResultSettings {
         let (card, judge) = (&self.nets.card, self.judge.card.judge.as_ref());
-        Settings {
+        ResultSettings {
             hyperparameters: self.hyperparameters.clone(),
             simulator: self.report.simulator,
             agents_version: self.report.agents_version,

@@ -2,8 +2,8 @@
 //!
 //! Three parts, by default one after the other: the data that all folds share (`collect`, `label`); a result per setup
 //! and fold, as a JSON file each (`train`, `train-judge`, `evaluate`); a report on the existing results (Markdown and a
-//! plot). Each part continues where it was interrupted. Making a result writes nothing that another result reads, so
-//! results can be made in parallel, on several machines.
+//! plot). Each part continues where it was interrupted. Results do not depend on each other, so they
+//! can be made in parallel, on several machines.
 
 use std::path::PathBuf;
 
@@ -14,9 +14,10 @@ use pathlight::benchmark::folds::{FOLDS, Setup};
 use super::fold_args::{FoldArgs, setup};
 use super::progress::say;
 use super::{collect, defaults, label};
-use fold_result::{Data, FoldResult, Hyperparameters, Settings};
+use fold_result::{DataFiles, FoldResult, Hyperparameters, ResultSettings};
 
 mod fold_result;
+mod fold_run;
 mod plot;
 mod report;
 
@@ -68,7 +69,7 @@ enum Part {
 impl Args {
     pub fn run(self) -> anyhow::Result<()> {
         let asked = |part| self.only.is_none_or(|only| only == part);
-        let data = Data { solutions: self.solutions.clone(), labels: self.labels.clone() };
+        let data = DataFiles { solutions: self.solutions.clone(), labels: self.labels.clone() };
         if asked(Part::Data) {
             self.make_data()?;
         }
@@ -100,11 +101,11 @@ impl Args {
     }
 
     /// Makes the result of a fold, unless its file exists.
-    fn make_result(&self, fold: FoldArgs, data: &Data) -> anyhow::Result<()> {
+    fn make_result(&self, fold: FoldArgs, data: &DataFiles) -> anyhow::Result<()> {
         let path = self.results.join(format!("{fold}.json"));
         let name = path.display();
         if let Some(result) = FoldResult::load(&path)? {
-            let other = result.settings().differences(&Settings::expected(&self.hyperparameters, data)?);
+            let other = result.settings().differences(&ResultSettings::expected(&self.hyperparameters, data)?);
             ensure!(
                 other.is_empty(),
                 "{name} was made with other settings ({other}): choose other folders with --results and --train-dir, \
@@ -114,7 +115,7 @@ impl Args {
             return Ok(());
         }
         let folder = self.train_dir.join(fold.to_string());
-        let result = FoldResult::make(fold, &self.hyperparameters, data, &folder);
+        let result = fold_run::run(fold, &self.hyperparameters, data, &folder);
         result.with_context(|| format!("cannot make {name}"))?.save(&path)
     }
 }

@@ -18,7 +18,7 @@ use super::plot;
 use crate::commands::collect::{Collected, read_solutions};
 use crate::commands::evaluate::Agent;
 use crate::commands::label::BALLS;
-use crate::commands::training_run::State;
+use crate::commands::training_run::Checkpoint;
 
 /// Our agents, the best first, and their names in the report.
 pub const AGENTS: [(Agent, &str); 3] =
@@ -120,9 +120,9 @@ fn folds(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
 fn training(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
     writeln!(
         text,
-        "\n## Training\n\nThe learning rates are the highest: that of the four nets decays linearly to zero over the decay \
-         epochs, that of the judge from a short warm-up to the end. A loss is the mean over the last batches; times are \
-         wall-clock.\n"
+        "\n## Training\n\nLearning rates are peak values. The nets' rate is constant, then decays linearly to zero over \
+         the decay epochs; the judge's warms up, then decays linearly to zero. A loss is the mean over the last \
+         batches; times are wall-clock.\n"
     )?;
     writeln!(
         text,
@@ -131,9 +131,10 @@ fn training(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
         " ---: |".repeat(15)
     )?;
     for FoldResult { report, nets, judge, weights, evaluation_seconds, .. } in results {
-        let Some(judged) = &judge.card.judge else { continue };
+        let Some(judge_card) = &judge.card.judge else { continue };
         let card = &nets.card;
-        let last = |run: &State| run.log.last().and_then(|(_, _, losses)| losses.last().copied()).unwrap_or(f32::NAN);
+        let last =
+            |run: &Checkpoint| run.log.last().and_then(|(_, _, losses)| losses.last().copied()).unwrap_or(f32::NAN);
         writeln!(
             text,
             "| {} | {} | {} ({}) | {} x {} | {} | {} | {:.4} | {:.0} | {} | {} x {} x {} | {} | {:.4} | {:.0} | {:.2} | {:.0} |",
@@ -147,11 +148,11 @@ fn training(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
             card.decay_epochs,
             last(nets),
             nets.seconds / 60.0,
-            judged.balls,
-            judged.epochs,
-            judged.batch,
-            judged.balls_per_scene,
-            judged.learning_rate,
+            judge_card.balls,
+            judge_card.epochs,
+            judge_card.batch,
+            judge_card.balls_per_scene,
+            judge_card.learning_rate,
             last(judge),
             judge.seconds / 60.0,
             *weights as f64 / 1e6,
@@ -214,8 +215,8 @@ pathlight reproduce --setup within --fold 3     # data if missing, one fold, rep
 pathlight reproduce --only report               # this file and the plot
 ```
 
-Folds share only the two files of data, which they read. So twenty processes can work on them, on all machines that
-share the folder. `results/array.sh` is such a job, for Slurm's arrays or anything else that sets `SLURM_ARRAY_TASK_ID`:
+Folds only read the two shared data files, so up to twenty processes can run in parallel, on all machines that share
+the folder. `results/array.sh` is such a job, for Slurm's arrays or anything else that sets `SLURM_ARRAY_TASK_ID`:
 
 ```
 pathlight reproduce --only data
