@@ -10,7 +10,7 @@ use pathlight::puzzle::task::Task;
 use pathlight::raster::CELLS;
 use safetensors::SafeTensors;
 
-mod plain;
+mod reference_nets;
 
 const WIDTHS: [usize; 6] = [8, 16, 32, 64, 128, 256];
 
@@ -57,10 +57,10 @@ fn maps(bytes: &[u8], device: &Device) -> [(&'static str, Vec<f32>); 5] {
 fn the_nets_agree_with_plain_loops() {
     let bytes = weights();
     let file = SafeTensors::deserialize(&bytes).expect("a safetensors file");
-    let [base, target, action, placement] = plain::imagine(&file, &scene());
-    let plain = [base, target, action, placement, plain::judge_logits(&file, &scene())];
-    for ((name, map), plain) in maps(&bytes, &flex()).iter().zip(&plain) {
-        assert_close(name, map, plain);
+    let [base, target, action, placement] = reference_nets::imagine(&file, &scene());
+    let references = [base, target, action, placement, reference_nets::judge_logits(&file, &scene())];
+    for ((name, map), reference) in maps(&bytes, &flex()).iter().zip(&references) {
+        assert_close(name, map, reference);
         let (low, high) = map.iter().fold((f32::MAX, f32::MIN), |(low, high), &x| (low.min(x), high.max(x)));
         assert!(high - low > 1e-4, "{name} is flat, so that nothing was compared");
     }

@@ -5,7 +5,7 @@ use pathlight::puzzle::scene::Scene;
 use pathlight::puzzle::task::Task;
 use safetensors::SafeTensors;
 
-mod plain;
+mod reference_nets;
 
 const WEIGHTS: &[u8] = include_bytes!("../assets/within-0.safetensors");
 
@@ -38,10 +38,10 @@ fn the_shipped_nets_agree_with_plain_loops() {
     for (id, scene) in scenes() {
         let Imagined { base, target, action, placement } = nets.imagine(&scene);
         let names = ["base", "target", "action", "placement"];
-        for ((name, map), plain) in
-            names.iter().zip([base, target, action, placement]).zip(plain::imagine(&file, &scene))
+        for ((name, map), reference) in
+            names.iter().zip([base, target, action, placement]).zip(reference_nets::imagine(&file, &scene))
         {
-            assert_close(&format!("{id}: {name}"), &map, &plain, 1e-4, 0.01);
+            assert_close(&format!("{id}: {name}"), &map, &reference, 1e-4, 0.01);
         }
     }
 }
@@ -53,6 +53,6 @@ fn the_shipped_judge_agrees_with_plain_loops() {
     let (nets, file) = (nets(), file());
     for (id, scene) in scenes() {
         let logits = nets.judge_logits(&scene).expect("the shipped weights have a judge");
-        assert_close(&format!("{id}: judge"), &logits, &plain::judge_logits(&file, &scene), 1e-3, 1.0);
+        assert_close(&format!("{id}: judge"), &logits, &reference_nets::judge_logits(&file, &scene), 1e-3, 1.0);
     }
 }

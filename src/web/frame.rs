@@ -50,7 +50,7 @@ struct Mark {
 }
 
 impl View {
-    /// A view of the end of what is shown: every body in its last pose, whole paths.
+    /// A view of the end of the current recordings: every body in its last pose, whole paths.
     pub fn ended(dark: bool) -> View {
         let (marks, sketch) = (Vec::new(), Vec::new());
         View { step: f64::INFINITY, ball: None, knob: 0.0, whole: true, opacity: 0.0, dark, marks, sketch }

@@ -1,6 +1,6 @@
 //! The wasm exports, which the page and its worker call. The only user of wasm_bindgen and web_sys.
 //!
-//! `puzzle` is one puzzle on the page, `shown` what is drawn of it; `model` is the nets in the worker and
+//! `puzzle` is one puzzle on the page, `puzzle_view` what is drawn of it; `model` is the nets in the worker and
 //! `solve_map` its search for all solutions; `metrics` are the figures that agents are compared by. This file holds the
 //! exports that need no state: the constants, the templates, thumbnails, maps and legends. Data go to JavaScript as plain
 //! objects with the field names of the Rust types (`types.d.ts` declares them), or as typed arrays; an error is an `Error`
@@ -29,8 +29,8 @@ mod model;
 mod paint;
 mod panic;
 mod puzzle;
+mod puzzle_view;
 mod recording;
-mod shown;
 mod solve_map;
 mod stage;
 mod types;

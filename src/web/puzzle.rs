@@ -1,5 +1,5 @@
-//! One puzzle on the page: a task and the game on it. The page checks balls here and makes attempts; `shown` is the other
-//! half, which replays, compares and draws them.
+//! One puzzle on the page: a task and the game on it. The page checks balls here and makes attempts; `puzzle_view` is
+//! the other half, which replays, compares and draws them.
 
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
@@ -19,7 +19,7 @@ use crate::raster::trail_image;
 pub struct Puzzle {
     pub(super) task: Task,
     pub(super) game: Game,
-    /// What is shown: nothing, one rollout, or two over each other.
+    /// The current recordings: none, one, or two over each other.
     pub(super) recordings: Vec<Recording>,
 }
 

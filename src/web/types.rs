@@ -1,7 +1,7 @@
-//! The TypeScript types of the plain objects that cross the border, for `tsc` and for editors.
+//! The TypeScript types of the objects passed between Rust and JavaScript, for `tsc` and for editors.
 //!
-//! They stand in `types.d.ts`, which wasm-bindgen copies into the package's declarations; the exports name them as the types of
-//! their parameters and results. A Node test compares their fields with the values that Rust sends.
+//! They are declared in `types.d.ts`, which wasm-bindgen copies into the package's declarations; the exports name them
+//! as the types of their parameters and results. A Node test compares their fields with the values that Rust sends.
 
 use wasm_bindgen::prelude::*;
 

@@ -1,4 +1,5 @@
-//! The nets as plain nested loops, written to be read and not to be fast. Images are channel by channel, row by row.
+//! A naive reference implementation of the nets: plain nested loops, written to be read and not to be fast. Images are
+//! channel by channel, row by row.
 
 use half::f16;
 use pathlight::puzzle::scene::Scene;

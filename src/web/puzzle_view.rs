@@ -1,7 +1,7 @@
-//! What is shown of an open puzzle: which rollouts, their paths, and every frame of them.
+//! The view of an open puzzle: its current recordings, their paths, and every frame of them.
 //!
-//! The second half of the exports of `Puzzle`. Only the scene is shown until an attempt, a replay, a comparison or the scene
-//! alone runs.
+//! The second half of the exports of `Puzzle`: `replay`, `compare`, `preview`, `paint`. Without a recording only the
+//! scene is drawn; an attempt, a replay, a comparison or `watch` sets the current recordings.
 
 use wasm_bindgen::prelude::*;
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
@@ -75,7 +75,7 @@ impl Puzzle {
         to_js(&ListedAttempt::new(0, attempt))
     }
 
-    /// Returns the real paths of each rollout that is shown, as masks of 64 x 64 zeros and ones, row 0 at the bottom.
+    /// Returns the real paths of each current recording, as masks of 64 x 64 zeros and ones, row 0 at the bottom.
     #[wasm_bindgen(js_name = pathMasks, unchecked_return_type = "PathMasks[]")]
     pub fn path_masks(&self) -> Result<js_sys::Array, JsValue> {
         self.recordings.iter().map(|recording| recording.path_masks(&self.task.scene)).collect()
@@ -96,12 +96,12 @@ impl Puzzle {
         self.recordings.clear();
     }
 
-    /// Returns the last step of what is shown; 0 if only the scene is.
+    /// Returns the last step of the current recordings; 0 if there are none.
     pub fn steps(&self) -> usize {
         self.recordings.iter().map(|recording| recording.rollout.steps).max().unwrap_or(0)
     }
 
-    /// Returns the intervals in which the green object touches the goal in the first rollout that is shown.
+    /// Returns the intervals in which the green object touches the goal in the first of the current recordings.
     #[wasm_bindgen(unchecked_return_type = "[first: number, last: number][]")]
     pub fn touches(&self) -> Result<JsValue, JsValue> {
         to_js(&self.recordings.first().map(Recording::touches).unwrap_or_default())
