@@ -61,9 +61,9 @@ fn an_invalid_ball_names_what_it_overlaps_and_does_not_count() {
     // Two Drops has a green ball; a red one at its place overlaps it.
     let line = json(puzzle.about().expect("words"))["description"].as_str().expect("a text").to_string();
     let place = line.split("green ball at x ").nth(1).expect("its place");
-    let numbers = place.split(|c: char| !c.is_ascii_digit()).filter_map(|digits| digits.parse().ok());
-    let numbers: Vec<f64> = numbers.take(2).collect();
-    let (x, y) = (numbers[0], numbers[1]);
+    let coordinates = place.split(|c: char| !c.is_ascii_digit()).filter_map(|digits| digits.parse().ok());
+    let coordinates: Vec<f64> = coordinates.take(2).collect();
+    let (x, y) = (coordinates[0], coordinates[1]);
     assert_eq!(puzzle.why_invalid(x, y, 5.0).as_deref(), Some("the ball overlaps the green ball"));
     assert_eq!(puzzle.why_invalid(1.0, 250.0, 9.0).as_deref(), Some("the ball sticks out of the scene"));
     assert_eq!(code(puzzle.attempt(x, y, 5.0).expect_err("refused")), "invalid_ball");

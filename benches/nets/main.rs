@@ -80,8 +80,8 @@ fn repeat<T>(result: &[f32], mut work: impl FnMut() -> T) {
 
 /// Writes the scene `[5, 64, 64]` and the batch `[32, 9, 64, 64]`, scenes before targets.
 fn inputs(task: &Task, folder: &Path) {
-    let write = |name: &str, pictures: &mut dyn Iterator<Item = Bitmap>| {
-        let bytes: Vec<u8> = pictures.flat_map(|picture| picture.to_f32()).flat_map(f32::to_le_bytes).collect();
+    let write = |name: &str, images: &mut dyn Iterator<Item = Bitmap>| {
+        let bytes: Vec<u8> = images.flat_map(|image| image.to_f32()).flat_map(f32::to_le_bytes).collect();
         fs::write(folder.join(name), bytes).expect("the folder can be written");
     };
     write("scene.f32", &mut scene_channels(&task.scene).into_iter());

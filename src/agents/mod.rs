@@ -1,8 +1,8 @@
 //! The agents that propose balls: the model and the random agent.
 //!
-//! The page, `propose` and `evaluate` ask here, so that with the same seed an agent makes the same attempts in all.
+//! The page, `propose` and `evaluate` all call these functions, so the same seed yields the same attempts.
 //! The model's logits differ in the last bits between native code and wasm, so that on about one task in a thousand two
-//! nearly equal balls change places, or the placement map starts from another ball. No agent calls the simulator. All
+//! nearly equal balls swap ranks, or the placement map starts from another ball. No agent calls the simulator. All
 //! balls are valid and in the order of the attempts. `seed` is that of the whole run; each task derives its own from it.
 
 pub mod placement;
@@ -49,10 +49,10 @@ pub const VERSION: u32 = 1;
 /// Returns up to `count` proposals of the model: the balls that its judge finds most probable, or, from weights without
 /// a judge, the balls that its placement map suggests.
 pub fn propose(nets: &PathNet, task: TaskId, scene: &Scene, seed: u64, count: usize) -> Vec<Proposal> {
-    let judged = nets.judge_logits(scene).map(|logits| ranking::ranked(&logits, scene, count)).unwrap_or_default();
+    let ranked = nets.judge_logits(scene).map(|logits| ranking::ranked(&logits, scene, count)).unwrap_or_default();
     // Damaged weights may have a judge whose logits are NaN; it ranks nothing.
-    if !judged.is_empty() {
-        return judged;
+    if !ranked.is_empty() {
+        return ranked;
     }
     placement::proposals(&nets.imagine(scene).placement, scene, task.seed(seed), count)
 }

@@ -27,14 +27,14 @@ const THRESHOLD: f32 = 0.5;
 
 /// Standard deviation of the noise of the first perturbed action, as a fraction of the action space, and its growth
 /// with each. Chosen on the dev tasks of fold 0, the best mean of both setups.
-const NOISE: f64 = 0.08;
+const INITIAL_NOISE: f64 = 0.08;
 const NOISE_GROWTH: f64 = 0.004;
 
 /// Rejected draws for one proposal before the noise is doubled, because the map lies where no ball may be.
 const MAX_REJECTIONS: usize = 200;
 
 /// Draws for one proposal before the search ends, because the scene has no room for another ball.
-const MAX_DRAWS: usize = 100_000;
+const MAX_PROPOSAL_DRAWS: usize = 100_000;
 
 /// Returns `attempts` valid, distinct balls, best guess first, or fewer if the scene has no room for as many. `map`
 /// holds 64 x 64 values in 0..=1, row 0 at the bottom. The same seed returns the same balls.
@@ -52,18 +52,19 @@ pub fn proposals(map: &[f32], scene: &Scene, seed: u64, attempts: usize) -> Vec<
         found.extend(proposal);
     }
     let starts: Vec<Action> = found.iter().map(|start| start.ball.action()).collect();
-    for turn in 0..attempts - found.len() {
+    for index in 0..attempts - found.len() {
         let proposal = if starts.is_empty() {
-            let mut draws = (0..MAX_DRAWS).map_while(|rejected| Some((rejected, random_ball(scene, &mut rng)?)));
+            let mut draws =
+                (0..MAX_PROPOSAL_DRAWS).map_while(|rejected| Some((rejected, random_ball(scene, &mut rng)?)));
             draws.find(|&(_, ball)| is_new(ball, &found)).map(|(rejected, ball)| Proposal {
                 ball,
                 origin: Origin::Uniform,
                 rejected,
             })
         } else {
-            let start = turn % starts.len();
-            let mut deviation = NOISE + NOISE_GROWTH * turn as f64;
-            (0..MAX_DRAWS).find_map(|rejected| {
+            let start = index % starts.len();
+            let mut deviation = INITIAL_NOISE + NOISE_GROWTH * index as f64;
+            (0..MAX_PROPOSAL_DRAWS).find_map(|rejected| {
                 if rejected % MAX_REJECTIONS == MAX_REJECTIONS - 1 {
                     deviation = (deviation * 2.0).min(1.0);
                 }
@@ -93,11 +94,11 @@ fn improved_start(map: &[f32], obstacles: &Obstacles, cells: &[usize], rng: &mut
     let mut step = INITIAL_STEP;
     for _ in 0..IMPROVEMENTS {
         for (dx, dy, dr) in NEIGHBOURS {
-            let near = Ball { x: ball.x + dx * step, y: ball.y + dy * step, r: ball.r + dr * step };
-            let Ok(near) = obstacles.place(near.action()) else { continue };
-            let score = fit(map, near);
+            let neighbour = Ball { x: ball.x + dx * step, y: ball.y + dy * step, r: ball.r + dr * step };
+            let Ok(neighbour) = obstacles.place(neighbour.action()) else { continue };
+            let score = fit(map, neighbour);
             if score > best {
-                (ball, best) = (near, score);
+                (ball, best) = (neighbour, score);
             }
         }
         step = (step / 2.0).max(1.0);
@@ -159,7 +160,7 @@ mod tests {
                 assert_eq!(ball.check(&scene), Ok(()));
                 assert!(!balls[..index].contains(ball), "{ball} twice");
             }
-            assert_eq!(found, proposals(&map, &scene, 5, 100), "the same seed gives the same balls");
+            assert_eq!(found, proposals(&map, &scene, 5, 100), "the same seed yields the same balls");
         }
     }
 
@@ -205,8 +206,8 @@ mod tests {
                 "{x}, {y} is not a cell of the map"
             );
         }
-        for (turn, origin) in origins[STARTS..].iter().enumerate() {
-            assert_eq!(*origin, Origin::Perturbed { number: turn % STARTS + 1 });
+        for (index, origin) in origins[STARTS..].iter().enumerate() {
+            assert_eq!(*origin, Origin::Perturbed { number: index % STARTS + 1 });
         }
         assert_eq!(proposals(&[0.0; CELLS], &scene, 0, 1)[0].origin, Origin::Uniform);
     }

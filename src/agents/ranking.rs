@@ -6,7 +6,7 @@
 //! and draws nothing at random.
 
 use super::{Origin, Proposal};
-use crate::nets::judge::{RADII, cell_centre};
+use crate::nets::judge::{RADII, ball_at};
 use crate::puzzle::action::{Ball, Obstacles};
 use crate::puzzle::scene::Scene;
 use crate::raster::CELLS;
@@ -60,14 +60,14 @@ fn candidates(logits: &[f32], scene: &Scene) -> impl Iterator<Item = (usize, Bal
     let radii: [usize; RADII] = std::array::from_fn(|radius| radius);
     let fitting: Vec<(usize, Option<Ball>)> = (0..CELLS.min(logits.len()))
         .map(|cell| {
-            let placed = |radius: usize| obstacles.place(cell_centre(radius * CELLS + cell).action()).ok();
+            let placed = |radius: usize| obstacles.place(ball_at(radius * CELLS + cell).action()).ok();
             let count = radii.partition_point(|&radius| placed(radius).is_some());
             (count, count.checked_sub(1).and_then(placed))
         })
         .collect();
     (0..logits.len()).filter(|&index| logits[index].is_finite()).filter_map(move |index| {
         let (count, largest) = fitting[index % CELLS];
-        let r = cell_centre(index).rounded().r;
+        let r = ball_at(index).rounded().r;
         (index / CELLS < count).then_some((index, Ball { r, ..largest? }))
     })
 }
@@ -84,7 +84,7 @@ mod tests {
     #[test]
     fn the_most_probable_valid_ball_comes_first_and_suppresses_its_neighbours() {
         let scene = Task::load("00002:007".parse().expect("an id")).expect("a task").scene;
-        let valid = |index: &usize| cell_centre(*index).action().place(&scene).ok();
+        let valid = |index: &usize| ball_at(*index).action().place(&scene).ok();
         let free: Vec<usize> = (0..RADII * CELLS).filter(|index| valid(index).is_some()).collect();
         let blocked = (0..RADII * CELLS).find(|index| valid(index).is_none()).expect("an occupied place");
         let (first, second) = (free[free.len() / 2], free[0]);

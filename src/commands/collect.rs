@@ -52,10 +52,9 @@ pub struct Args {
     pub seed: u64,
 }
 
-/// What decides the content of a file. Files from before the last three fields existed were collected with their
-/// defaults.
+/// What determines the content of a file. Absent fields take their defaults.
 #[derive(Serialize, Deserialize)]
-pub struct Settings {
+pub struct CollectSettings {
     seed: u64,
     #[serde(alias = "wanted")]
     per_task: usize,
@@ -80,7 +79,7 @@ fn default_rounds() -> usize {
 /// A line after the settings.
 #[derive(Serialize, Deserialize)]
 #[serde(untagged)]
-enum Line {
+enum CollectEntry {
     Solution(Solution),
     /// The end of a round, and the rollouts so far.
     Round {
@@ -89,21 +88,21 @@ enum Line {
     },
 }
 
-impl journal::Entry for Line {
-    type Settings = Settings;
+impl journal::Entry for CollectEntry {
+    type Settings = CollectSettings;
     const COMMAND: &'static str = "collect";
 
     fn check(&self) -> Result<(), String> {
         match self {
-            Line::Solution(solution) => check_task(solution.task),
-            Line::Round { .. } => Ok(()),
+            CollectEntry::Solution(solution) => check_task(solution.task),
+            CollectEntry::Round { .. } => Ok(()),
         }
     }
 }
 
 impl Args {
     pub fn run(self) -> anyhow::Result<()> {
-        let settings = Settings {
+        let settings = CollectSettings {
             seed: self.seed,
             per_task: self.per_task,
             simulator: simulator::VERSION,
@@ -112,7 +111,7 @@ impl Args {
             rounds: self.rounds,
         };
         let mut searches: Vec<Search> = self.selection.tasks().into_iter().map(Search::new).collect();
-        let (mut journal, lines) = Journal::open::<Line>(&self.out, &settings)?;
+        let (mut journal, lines) = Journal::open::<CollectEntry>(&self.out, &settings)?;
         let (closed, first, mut rollouts) = restore(&lines, &mut searches)
             .with_context(|| format!("cannot continue {}: write to another file with --out", self.out.display()))?;
         ensure!(
@@ -146,11 +145,11 @@ impl Args {
             let before = found(&searches);
             for (search, result) in searches.iter_mut().zip(results) {
                 let task = search.task;
-                lines.extend(result.found.iter().map(|&ball| Line::Solution(Solution { task, ball })));
+                lines.extend(result.found.iter().map(|&ball| CollectEntry::Solution(Solution { task, ball })));
                 search.found.extend(result.found);
                 rollouts += result.rollouts;
             }
-            lines.push(Line::Round { round, rollouts });
+            lines.push(CollectEntry::Round { round, rollouts });
             journal.append(&lines)?;
             let unsolved = searches.iter().filter(|search| search.found.is_empty()).count();
             let so_far = format!(
@@ -177,15 +176,15 @@ impl Args {
 
 /// Takes over what the closed rounds found. Returns the number of lines up to the end of the last closed round, the
 /// round to continue with, and the rollouts so far.
-fn restore(lines: &[Line], searches: &mut [Search]) -> anyhow::Result<(usize, usize, usize)> {
+fn restore(lines: &[CollectEntry], searches: &mut [Search]) -> anyhow::Result<(usize, usize, usize)> {
     let (mut closed, mut next, mut rollouts) = (0, 0, 0);
     for (index, line) in lines.iter().enumerate() {
-        if let Line::Round { round, rollouts: total } = line {
+        if let CollectEntry::Round { round, rollouts: total } = line {
             (closed, next, rollouts) = (index + 1, round + 1, *total);
         }
     }
     for line in &lines[..closed] {
-        if let &Line::Solution(Solution { task, ball }) = line {
+        if let &CollectEntry::Solution(Solution { task, ball }) = line {
             let search = searches.binary_search_by_key(&task, |search| search.task);
             let search = search.ok().with_context(|| format!("it has {task}, which is not searched now"))?;
             searches[search].found.push(ball);
@@ -223,12 +222,12 @@ pub struct Collected {
 /// # Errors
 /// Says what is wrong with the file.
 pub fn read_solutions(path: &Path) -> anyhow::Result<Collected> {
-    let (settings, lines) = journal::read::<Line>(path)?;
+    let (settings, lines) = journal::read::<CollectEntry>(path)?;
     let mut collected = Collected { solutions: Vec::new(), simulator: settings.simulator, rollouts: 0 };
     for line in lines {
         match line {
-            Line::Solution(solution) => collected.solutions.push(solution),
-            Line::Round { rollouts, .. } => collected.rollouts = rollouts,
+            CollectEntry::Solution(solution) => collected.solutions.push(solution),
+            CollectEntry::Round { rollouts, .. } => collected.rollouts = rollouts,
         }
     }
     Ok(collected)

@@ -84,7 +84,7 @@ pub struct Report {
     pub seed: u64,
     /// `simulator::VERSION`
     pub simulator: u32,
-    /// `agents::VERSION`. Reports from before it was recorded are of version 1.
+    /// `agents::VERSION`; defaults to 1.
     #[serde(default = "first_version")]
     pub agents_version: u32,
     /// How the model was trained, if it was measured.

@@ -63,9 +63,9 @@ pub struct Args {
     pub seed: u64,
 }
 
-/// What decides the content of a file. Files from before `template` and `limit` existed are taken to be of all tasks.
+/// What determines the content of a file. Absent fields take their defaults.
 #[derive(Serialize, Deserialize)]
-pub struct Settings {
+pub struct LabelSettings {
     seed: u64,
     tasks: NonZeroUsize,
     #[serde(default)]
@@ -86,7 +86,7 @@ fn default_limit() -> usize {
 }
 
 impl journal::Entry for LabelledBalls {
-    type Settings = Settings;
+    type Settings = LabelSettings;
     const COMMAND: &'static str = "label";
 
     fn check(&self) -> Result<(), String> {
@@ -111,7 +111,7 @@ impl Args {
         let allowed = training_tasks_of.map(|(setup, fold)| Fold::new(setup, fold).all_train());
         let allows = |id: TaskId| allowed.as_ref().is_none_or(|allowed| allowed.binary_search(&id).is_ok());
         let tasks: Vec<Task> = self.selection.tasks().into_iter().filter(|task| allows(task.id)).collect();
-        let settings = Settings {
+        let settings = LabelSettings {
             seed: self.seed,
             tasks: NonZeroUsize::new(tasks.len())
                 .context("no task is left to label: choose another --template, --fold or --limit")?,
@@ -182,7 +182,7 @@ impl Labelled {
 /// If the file is missing or damaged, or was made with another version of the simulator.
 pub fn read_labels(path: &Path) -> anyhow::Result<Labelled> {
     let (settings, lines) = journal::read::<LabelledBalls>(path)?;
-    let Settings { simulator: version, tasks, training_tasks_of, .. } = settings;
+    let LabelSettings { simulator: version, tasks, training_tasks_of, .. } = settings;
     ensure!(
         version == simulator::VERSION,
         "{} was labelled by simulator {version}, this is simulator {}: label the balls again",

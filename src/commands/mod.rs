@@ -104,7 +104,7 @@ fn is_broken_pipe(error: &anyhow::Error) -> bool {
     error.chain().any(|cause| kind(cause) == Some(io::ErrorKind::BrokenPipe))
 }
 
-/// The arguments of a command or a part of one as if none had been typed: their defaults.
+/// Returns the default arguments of a command, or of a group of its arguments.
 fn defaults<A: clap::Args>() -> A {
     let command = A::augment_args(clap::Command::new("defaults").no_binary_name(true));
     let matches = command.get_matches_from(std::iter::empty::<&str>());

@@ -42,9 +42,9 @@ pub struct Args {
     model: ModelArgs,
 }
 
-/// A line: valid balls in px, best first.
+/// A line: the valid balls of a task, px, best first.
 #[derive(Serialize)]
-struct Line {
+struct TaskProposals {
     task: TaskId,
     balls: Vec<Ball>,
 }
@@ -61,12 +61,12 @@ impl Args {
         };
         let mut progress = Progress::new(Some(tasks.len() as u64));
         for tasks in tasks.chunks(25) {
-            let lines: Vec<Line> = tasks
+            let lines: Vec<TaskProposals> = tasks
                 .par_iter()
                 .map(|&task| {
                     let proposals =
                         agents::propose(&nets, task, &Task::load(task)?.scene, self.seed, self.attempts.into());
-                    Ok(Line { task, balls: proposals.into_iter().map(|proposal| proposal.ball).collect() })
+                    Ok(TaskProposals { task, balls: proposals.into_iter().map(|proposal| proposal.ball).collect() })
                 })
                 .collect::<anyhow::Result<_>>()?;
             for line in lines {

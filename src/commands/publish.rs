@@ -27,11 +27,11 @@ pub struct Args {
 /// `model.json`.
 #[derive(Serialize)]
 struct List {
-    models: Vec<Entry>,
+    models: Vec<ModelEntry>,
 }
 
 #[derive(Serialize)]
-struct Entry {
+struct ModelEntry {
     name: String,
     file: String,
     sha256: String,
@@ -65,13 +65,13 @@ impl Args {
 }
 
 /// Lists all weights in a folder, within before cross, folds ascending.
-fn entries(folder: &Path) -> anyhow::Result<Vec<Entry>> {
+fn entries(folder: &Path) -> anyhow::Result<Vec<ModelEntry>> {
     let mut entries = Vec::new();
     for file in fs::read_dir(folder)? {
         let file = file?.file_name().to_string_lossy().into_owned();
         if let Some(name) = file.strip_suffix(".safetensors") {
             let sha256 = digest(&folder.join(&file))?;
-            entries.push(Entry { name: name.to_string(), sha256, file });
+            entries.push(ModelEntry { name: name.to_string(), sha256, file });
         }
     }
     entries.sort_by(|a, b| (a.name.starts_with("cross"), &a.name).cmp(&(b.name.starts_with("cross"), &b.name)));

@@ -1,4 +1,4 @@
-//! FoldArgs tasks a command works on: all, those of one template, or the first few of each.
+//! The arguments that select the tasks of a command: all, those of one template, or the first few of each.
 
 use pathlight::puzzle::task::Task;
 use pathlight::puzzle::templates::{TEMPLATES, Template};

@@ -15,7 +15,7 @@ use crate::simulator::outcome;
 
 /// Standard deviations of the noise added to a known solution, one chosen at random per ball, as a fraction of the
 /// action space: 5 to 40 px in x and y.
-const NOISE: [f64; 4] = [0.02, 0.04, 0.08, 0.16];
+const NOISE_LEVELS: [f64; 4] = [0.02, 0.04, 0.08, 0.16];
 
 /// Some balls of one task, by their outcome.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -46,11 +46,11 @@ impl LabelledBalls {
                 2 => own_solutions.choose(&mut rng).or_else(|| sibling_solutions.choose(&mut rng)),
                 _ => sibling_solutions.choose(&mut rng),
             };
-            let near = known.and_then(|ball| {
-                let deviation = NOISE[rng.random_range(0..NOISE.len())];
+            let perturbed_ball = known.and_then(|ball| {
+                let deviation = NOISE_LEVELS[rng.random_range(0..NOISE_LEVELS.len())];
                 perturbed(ball.action(), deviation, &mut rng).place(&task.scene).ok()
             });
-            let Some(ball) = near.or_else(|| random_ball(&task.scene, &mut rng)) else { break };
+            let Some(ball) = perturbed_ball.or_else(|| random_ball(&task.scene, &mut rng)) else { break };
             let solved = outcome(&task.scene, Some(ball)).is_ok_and(|outcome| outcome.solved);
             if solved { &mut labelled.solved } else { &mut labelled.failed }.push(ball);
         }

@@ -1,6 +1,6 @@
 //! What nets learn from: the search for solutions, balls labelled with their outcome, and training images.
 //!
-//! Uses the simulator. Knows neither nets nor files.
+//! Uses the simulator, but neither nets nor files.
 
 pub mod labels;
 pub mod samples;

@@ -1,7 +1,7 @@
 //! Training samples of the four nets: the channels of a scene, and the target maps of one known solution.
 //!
-//! A solution is a task and a ball; simulating it produces the target maps. Used by training; knows nothing of burn
-//! or files.
+//! A solution is a task and a ball; simulating it produces the target maps. Used by training; uses neither burn
+//! nor files.
 
 use crate::puzzle::action::{Ball, Invalid};
 use crate::puzzle::scene::Scene;

@@ -24,7 +24,7 @@ pub const MIN_DISTANCE: f64 = 4.0;
 
 /// Standard deviations of the noise added to a known solution, one chosen at random per sample, as a fraction of
 /// the action space: 0.02 is 5 px in x and y, 0.08 is 20 px.
-const NOISE: [f64; 3] = [0.0, 0.02, 0.08];
+const NOISE_LEVELS: [f64; 3] = [0.0, 0.02, 0.08];
 
 /// A ball that solves a task.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -74,7 +74,7 @@ impl Search {
                     None => break,
                 },
                 Some(ball) => {
-                    let deviation = NOISE[rng.random_range(0..NOISE.len())];
+                    let deviation = NOISE_LEVELS[rng.random_range(0..NOISE_LEVELS.len())];
                     match perturbed(ball.action(), deviation, &mut rng).place(&self.scene) {
                         Ok(ball) => ball,
                         Err(_) => continue,

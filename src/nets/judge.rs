@@ -63,11 +63,11 @@ impl Judge {
     }
 }
 
-/// Returns the cell that scores a ball: its index among the values of `[RADII, 64, 64]` logits.
+/// Returns the index of the logit that scores a ball, among the values of `[RADII, 64, 64]` logits.
 ///
 /// # Errors
-/// If no cell does: the radius is not in `RADIUS`, or the centre is outside the scene.
-pub fn cell_of(ball: Ball) -> Result<usize, Invalid> {
+/// If no logit does: the radius is not in `RADIUS`, or the centre is outside the scene.
+pub fn logit_index(ball: Ball) -> Result<usize, Invalid> {
     if !RADIUS.contains(&ball.r) {
         return Err(Invalid::Radius);
     }
@@ -80,8 +80,9 @@ pub fn cell_of(ball: Ball) -> Result<usize, Invalid> {
     Ok(radius * CELLS + cell(ball.y) * SIDE + cell(ball.x))
 }
 
-/// Returns the ball at the centre of a cell of `[RADII, 64, 64]` logits; the inverse of `cell_of` on these balls.
-pub fn cell_centre(index: usize) -> Ball {
+/// Returns the ball that a logit of `[RADII, 64, 64]` scores: the centre of its cell, and the radius of its map. The
+/// inverse of `logit_index` on these balls.
+pub fn ball_at(index: usize) -> Ball {
     let [x, y] = raster::cell_centre(index % CELLS);
     let fraction = (index / CELLS) as f64 / (RADII - 1) as f64;
     let r = RADIUS.start() + fraction * (RADIUS.end() - RADIUS.start());
@@ -93,32 +94,32 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_cell_holds_its_centre() {
+    fn a_logit_scores_its_own_ball() {
         for index in 0..RADII * CELLS {
-            assert_eq!(cell_of(cell_centre(index)), Ok(index));
+            assert_eq!(logit_index(ball_at(index)), Ok(index));
         }
     }
 
     #[test]
-    fn a_ball_belongs_to_the_nearest_centre() {
+    fn a_ball_belongs_to_the_nearest_logit() {
         let spacing = (RADIUS.end() - RADIUS.start()) / (RADII - 1) as f64;
         for (x, y, r) in [(2.0, 2.0, 2.0), (253.0, 254.0, 32.0), (100.0, 31.0, 7.0), (4.0, 99.0, 20.0)] {
-            let centre = cell_centre(cell_of(Ball { x, y, r }).expect("a ball in the scene"));
+            let centre = ball_at(logit_index(Ball { x, y, r }).expect("a ball in the scene"));
             assert!((centre.x - x).abs() <= 2.0 && (centre.y - y).abs() <= 2.0, "{x}, {y}: {centre}");
             assert!((centre.r - r).abs() <= spacing / 2.0, "{r}: {centre}");
         }
     }
 
-    /// A radius of 64 px would otherwise be the cell of another scene of the batch.
+    /// A radius of 64 px would otherwise have the index of a logit of another scene of the batch.
     #[test]
-    fn a_ball_that_no_cell_scores_is_refused() {
+    fn a_ball_that_no_logit_scores_is_refused() {
         let ball = Ball { x: 100.0, y: 100.0, r: 10.0 };
         for r in [64.0, 32.1, 1.9, -1.0, f64::NAN, f64::INFINITY] {
-            assert_eq!(cell_of(Ball { r, ..ball }), Err(Invalid::Radius), "{r}");
+            assert_eq!(logit_index(Ball { r, ..ball }), Err(Invalid::Radius), "{r}");
         }
         for at in [-1.0, SIZE, 300.0, f64::NAN] {
-            assert_eq!(cell_of(Ball { x: at, ..ball }), Err(Invalid::Outside), "{at}");
-            assert_eq!(cell_of(Ball { y: at, ..ball }), Err(Invalid::Outside), "{at}");
+            assert_eq!(logit_index(Ball { x: at, ..ball }), Err(Invalid::Outside), "{at}");
+            assert_eq!(logit_index(Ball { y: at, ..ball }), Err(Invalid::Outside), "{at}");
         }
     }
 }

@@ -1,8 +1,8 @@
-//! The four nets of Harter et al. (2020): each predicts one stage of a solution from the stages before it.
+//! The four nets of Harter et al. (2020): each predicts one map from the scene, the last two also from earlier maps.
 //!
 //! Base path and target path come from the scene alone; the action path from the scene and both; the placement of
 //! the ball from scene, target path and action path. A fifth net, the judge, scores balls. This folder is the only
-//! user of burn; it knows nothing of files, agents and the simulator.
+//! user of burn; it uses neither files nor agents nor the simulator.
 
 use burn::module::Module;
 use burn::tensor::activation::sigmoid;
@@ -48,9 +48,9 @@ impl PathNet {
     pub fn forward(&self, scene: Tensor<4>) -> Logits {
         let base = self.base.forward(scene.clone());
         let target = self.target.forward(scene.clone());
-        let seen = Tensor::cat(vec![scene, sigmoid(target.clone())], 1); // [batch, 6, 64, 64]
-        let action = self.action.forward(Tensor::cat(vec![seen.clone(), sigmoid(base.clone())], 1));
-        let placement = self.placement.forward(Tensor::cat(vec![seen, sigmoid(action.clone())], 1));
+        let scene_and_target = Tensor::cat(vec![scene, sigmoid(target.clone())], 1); // [batch, 6, 64, 64]
+        let action = self.action.forward(Tensor::cat(vec![scene_and_target.clone(), sigmoid(base.clone())], 1));
+        let placement = self.placement.forward(Tensor::cat(vec![scene_and_target, sigmoid(action.clone())], 1));
         [base, target, action, placement]
     }
 
@@ -99,7 +99,7 @@ pub fn flex() -> Device {
     Device::flex()
 }
 
-/// Returns burn's ndarray backend, which it has deprecated: the second opinion of the differential test.
+/// Returns burn's ndarray backend, which it has deprecated: the reference backend of the differential tests.
 #[cfg(feature = "ndarray")]
 #[allow(deprecated)]
 pub fn ndarray() -> Device {

@@ -1,7 +1,7 @@
 //! Weights files: half-precision safetensors whose metadata is a card with the settings of the training.
 //!
 //! The names of the tensors are the paths of the parameters in `PathNet` (`base.down.0.weight`). A file that does not
-//! fit is refused with the name of the tensor. Knows neither files nor the network.
+//! fit is refused with the name of the tensor. Does no file or network I/O.
 //!
 //! burn-store's `SafetensorsStore` writes the same names, but converts to half precision without a check of the range
 //! and accepts any type of number; here a file that a person names has to fit exactly.
@@ -20,7 +20,7 @@ use crate::benchmark::folds::Setup;
 /// The key of the card in the file's metadata.
 const CARD: &str = "pathlight";
 
-/// The settings that the weights were trained with. The aliases are the names in files written before.
+/// The settings that the weights were trained with. Aliases: keys of older files.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Card {
     pub setup: Setup,
@@ -40,8 +40,7 @@ pub struct Card {
     pub decay_epochs: usize,
     /// Half of the samples were mirrored left to right.
     pub mirror: bool,
-    /// The fold's dev tasks were left out of training, so that settings may be chosen on them. Weights from before
-    /// this was recorded were trained on them.
+    /// The fold's dev tasks were left out of training, so that settings may be chosen on them; false by default.
     #[serde(default)]
     pub without_dev: bool,
     /// Solutions trained on.

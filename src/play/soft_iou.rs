@@ -1,9 +1,9 @@
 //! The soft intersection over union of two 64 x 64 images: how well a predicted path agrees with the simulated one.
 //!
 //! Soft IoU (the Ruzicka or weighted Jaccard similarity): the sum over the cells of the smaller value, divided by the
-//! sum of the larger. For binary images it is the ordinary intersection over union; an unsure prediction gains less than
-//! a sure one that is right, and loses less than a sure one that is wrong. Used by the page for the nets' maps and for
-//! what a person draws, so that both are measured alike.
+//! sum of the larger. For binary images it is the ordinary intersection over union; a confident prediction scores
+//! higher than an uncertain one where it is right, and lower where it is wrong. Used by the page for the nets' maps and
+//! for what a person draws, so that both are measured alike.
 
 /// Returns the soft IoU of two images of equal size with values in 0..=1: 0 (disjoint) to 1 (equal). It is 0 for two
 /// empty images. NaN counts as 0.
@@ -33,7 +33,7 @@ mod tests {
     }
 
     #[test]
-    fn being_sure_pays_where_it_is_right_and_costs_where_it_is_wrong() {
+    fn confidence_raises_the_score_where_right_and_lowers_it_where_wrong() {
         let real = [1.0, 0.0];
         assert!(soft_iou(&[0.9, 0.0], &real) > soft_iou(&[0.5, 0.0], &real));
         assert!(soft_iou(&[0.5, 0.9], &real) < soft_iou(&[0.5, 0.1], &real));

@@ -1,9 +1,9 @@
 //! The language in which templates are written: a builder for bodies and scenes.
 //!
 //! A template makes bodies (`static_body` or `dynamic_body`; ball, bar, jar, standing sticks), rotates them, and aligns
-//! an edge of each, often with an edge of another body. Each method acts at once, on the bounding box of the body as it
-//! is then. The template then marks the object and the goal and closes the scene with `scene`.
-//! Used only by `templates`; must not depend on parameters or tasks. The formulas are PHYRE's (v0.2.2, `creator`).
+//! an edge of each, often with an edge of another body. Each method acts immediately, on the bounding box of the body
+//! as it is then. The template then marks the object and the goal and closes the scene with `scene`. Used only by
+//! `templates`; must not depend on parameters or tasks. The formulas are PHYRE's (v0.2.2, `creator`).
 
 use std::f64::consts::PI;
 
@@ -77,7 +77,7 @@ pub fn radians(degrees: f64) -> f64 {
     degrees / 180.0 * PI
 }
 
-/// A body under construction. Every method acts at once, on the body as it is then.
+/// A body under construction. Every method acts immediately, on the body as it is then.
 #[derive(Clone, Debug)]
 pub struct BodyBuilder(Body);
 

@@ -23,7 +23,8 @@ pub enum Status {
     Invalid,
 }
 
-/// Position and rotation of a body: x and y of its origin in px, angle in radians (not wrapped).
+/// Position and rotation of a body: x and y of its origin in px, angle in radians (not wrapped). The simulator itself
+/// works with rapier's type of the same name, an isometry in m.
 pub type Pose = [f32; 3];
 
 /// One complete simulation.

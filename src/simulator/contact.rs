@@ -36,7 +36,7 @@ pub struct Contact {
     pub both_circles: bool,
     manifold: ContactManifold<(), Impulse>,
     points: [ContactPoint; 2],
-    count: usize,
+    point_count: usize,
     /// From a to b, in the frame of a.
     pub local_normal: Vector,
     pub touching: bool,
@@ -64,7 +64,7 @@ impl Contact {
             both_circles: first.circle_radius.is_some(),
             manifold: ContactManifold::new(),
             points: Default::default(),
-            count: 0,
+            point_count: 0,
             local_normal: Vector::ZERO,
             touching: false,
             enabled: true,
@@ -75,7 +75,7 @@ impl Contact {
     }
 
     pub fn points(&self) -> &[ContactPoint] {
-        &self.points[..self.count]
+        &self.points[..self.point_count]
     }
 
     /// Returns the other body of the contact if `body` is one of its two.
@@ -100,7 +100,7 @@ impl Contact {
     pub fn update(&mut self, fixtures: &[Fixture], bodies: &[RigidBody]) {
         let [a, b] = self.fixtures.map(|fixture| &fixtures[fixture]);
         self.enabled = true;
-        self.count = 0;
+        self.point_count = 0;
         self.touching = false;
         if !a.swept_aabb.intersects(&b.swept_aabb) {
             self.manifold.clear();
@@ -124,14 +124,14 @@ impl Contact {
             let local_point = |fixture: &Fixture, point| {
                 if fixture.circle_radius.is_some() { fixture.local.translation } else { fixture.local * point }
             };
-            self.points[self.count] = ContactPoint {
+            self.points[self.point_count] = ContactPoint {
                 local_point_a: local_point(a, point.local_p1),
                 local_point_b: local_point(b, point.local_p2),
                 index,
             };
-            self.count += 1;
+            self.point_count += 1;
         }
-        self.touching = self.count > 0;
+        self.touching = self.point_count > 0;
     }
 
     /// Returns the world normal from a to b, given the frames of the two bodies.

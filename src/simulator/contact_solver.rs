@@ -19,7 +19,7 @@ pub struct VelocityConstraint {
     bodies: [usize; 2],
     normal: Vector,
     points: [VelocityConstraintPoint; 2],
-    count: usize,
+    point_count: usize,
     /// Set if the two points are solved together.
     block: Option<Block>,
 }
@@ -83,9 +83,9 @@ impl VelocityConstraint {
                 points[i].velocity_bias = -RESTITUTION * normal_velocity;
             }
         }
-        let mut count = contact.points().len();
+        let mut point_count = contact.points().len();
         let mut block = None;
-        if count == 2 {
+        if point_count == 2 {
             let lever = |point: usize, side: usize| points[point].arms[side].perp_dot(normal);
             let inv_mass = a.inv_mass + b.inv_mass;
             let k =
@@ -97,10 +97,10 @@ impl VelocityConstraint {
                 block = Some(Block { k: [k11, k12, k22], inverse });
             } else {
                 // The constraints are redundant: one point is enough.
-                count = 1;
+                point_count = 1;
             }
         }
-        VelocityConstraint { contact: index, bodies: contact.bodies, normal, points, count, block }
+        VelocityConstraint { contact: index, bodies: contact.bodies, normal, points, point_count, block }
     }
 
     fn tangent(&self) -> Vector {
@@ -110,7 +110,7 @@ impl VelocityConstraint {
     /// Applies the impulses from which the solver starts.
     fn warm_start(&self, solver_bodies: &mut [SolverBody]) {
         let [mut a, mut b] = self.bodies.map(|body| solver_bodies[body]);
-        for point in &self.points[..self.count] {
+        for point in &self.points[..self.point_count] {
             let impulse = self.normal * point.impulse.normal + self.tangent() * point.impulse.tangent;
             point.apply_impulse(&mut a, &mut b, impulse);
         }
@@ -122,7 +122,7 @@ impl VelocityConstraint {
         let [mut a, mut b] = self.bodies.map(|body| solver_bodies[body]);
         let tangent = self.tangent();
         let mut changed = false;
-        for point in &mut self.points[..self.count] {
+        for point in &mut self.points[..self.point_count] {
             let tangent_velocity = point.relative_velocity(&a, &b).dot(tangent);
             let max_friction = FRICTION * point.impulse.normal;
             let impulse =
@@ -135,7 +135,7 @@ impl VelocityConstraint {
         match self.block {
             Some(block) => changed |= self.solve_block(block, &mut a, &mut b),
             None => {
-                for point in &mut self.points[..self.count] {
+                for point in &mut self.points[..self.point_count] {
                     let normal_velocity = point.relative_velocity(&a, &b).dot(self.normal);
                     let impulse =
                         (point.impulse.normal - point.normal_mass * (normal_velocity - point.velocity_bias)).max(0.0);
@@ -218,7 +218,7 @@ pub fn solve_velocity_constraints(constraints: &mut [VelocityConstraint], solver
 /// Stores the impulses for the warm starting of the next step.
 pub fn store_impulses(constraints: &[VelocityConstraint], contacts: &mut [Contact]) {
     for constraint in constraints {
-        for (i, point) in constraint.points[..constraint.count].iter().enumerate() {
+        for (i, point) in constraint.points[..constraint.point_count].iter().enumerate() {
             contacts[constraint.contact].store_impulse(i, point.impulse);
         }
     }

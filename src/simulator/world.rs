@@ -165,8 +165,8 @@ mod tests {
         let left = Ball { x: 100.0, y: 100.0, r: 6.0 };
         let right = Ball { x: 119.5, y: 105.0, r: 12.0 };
         let mut world = flying(&[(left, Vector::new(2.0, 0.0)), (right, Vector::new(-1.0, 0.5))]);
-        let approach = |world: &World| world.solver_bodies[1].velocity - world.solver_bodies[0].velocity;
-        let ((mass, linear, _), before) = (momentum(&world), approach(&world));
+        let relative_velocity = |world: &World| world.solver_bodies[1].velocity - world.solver_bodies[0].velocity;
+        let ((mass, linear, _), before) = (momentum(&world), relative_velocity(&world));
         let mut touched = false;
         for step in 1..=30 {
             // Gravity is a force from outside; its torque is that on the centre of mass.
@@ -189,7 +189,7 @@ mod tests {
         }
         assert!(touched, "the balls collide");
         assert!(world.solver_bodies.iter().any(|body| body.angular_velocity.abs() > 0.1), "friction spins them");
-        assert!((approach(&world) - before).length() > 1.0, "the collision changes their velocities");
+        assert!((relative_velocity(&world) - before).length() > 1.0, "the collision changes their velocities");
     }
 
     #[test]

@@ -17,7 +17,7 @@ impl Source {
     }
 }
 
-/// Returns all files below a folder of the repository that end so, but what is built or installed.
+/// Returns all files below a folder of the repository with one of these extensions, except built or installed ones.
 pub fn files(folder: &str, extensions: &[&str]) -> Vec<Source> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
     let mut found = Vec::new();
@@ -25,12 +25,12 @@ pub fn files(folder: &str, extensions: &[&str]) -> Vec<Source> {
     while let Some(folder) = folders.pop() {
         for entry in fs::read_dir(folder).expect("a folder of sources") {
             let path = entry.expect("an entry").path();
-            let ends_so = |extension: &std::ffi::OsStr| extensions.iter().any(|wanted| extension == *wanted);
+            let is_listed = |found: &std::ffi::OsStr| extensions.iter().any(|extension| found == *extension);
             if path.is_dir() {
                 if !path.ends_with("www/pkg") && !path.ends_with("node_modules") {
                     folders.push(path);
                 }
-            } else if path.extension().is_some_and(ends_so) {
+            } else if path.extension().is_some_and(is_listed) {
                 let name = path.strip_prefix(&root).expect("below the root").to_string_lossy().replace('\\', "/");
                 found.push(Source::new(&name, &fs::read_to_string(&path).expect("source is UTF-8")));
             }

@@ -1,4 +1,5 @@
-//! The house rules, held by reading the sources: the order of the folders, what each may use and why, names, lengths.
+//! Architecture rules, checked against the source text: the order of the folders, what each may use and why, names,
+//! lengths.
 //!
 //! `rust` has the rules of `src/`, `page` those of `www/`. Comments are left out, so a rule may be named in one.
 #![cfg(not(target_arch = "wasm32"))]

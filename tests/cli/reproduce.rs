@@ -141,8 +141,8 @@ fn data_that_are_complete_stay_as_they_are() {
 fn a_file_that_another_process_uses_is_left_alone() {
     let folder = tempdir().expect("a folder");
     let path = folder.path().join("solutions.jsonl");
-    let held = fs::File::create(&path).expect("a file");
-    held.lock().expect("a lock");
+    let locked = fs::File::create(&path).expect("a file");
+    locked.lock().expect("a lock");
     let text = path.display().to_string();
     assert_refused(&["collect", "--out", &text], "another process uses");
     assert_refused(&["label", "--out", &text], "another process uses");

@@ -48,11 +48,11 @@ fn with_no_ball_the_scene_runs_alone() {
 
 #[test]
 fn an_invalid_ball_is_an_answer_with_a_reason() {
-    for (flag, numbers) in [("--ball", "-3,5,4"), ("--ball", "89,58,5"), ("--action", "0.5,1.5,0"), ("--ball", "9,9,1")]
+    for (flag, values) in [("--ball", "-3,5,4"), ("--ball", "89,58,5"), ("--action", "0.5,1.5,0"), ("--ball", "9,9,1")]
     {
-        let answer = parsed(&output_of(&["simulate", "--task", TASK, flag, numbers]));
-        assert_eq!((&answer["status"], &answer["steps"]), (&json!("invalid"), &json!(0)), "{numbers}");
-        assert!(answer["reason"].as_str().is_some_and(|reason| !reason.is_empty()), "{numbers}");
+        let answer = parsed(&output_of(&["simulate", "--task", TASK, flag, values]));
+        assert_eq!((&answer["status"], &answer["steps"]), (&json!("invalid"), &json!(0)), "{values}");
+        assert!(answer["reason"].as_str().is_some_and(|reason| !reason.is_empty()), "{values}");
     }
 }
 

@@ -62,7 +62,7 @@ fn one(id: TaskId, start: Start, with_poses: bool) -> anyhow::Result<()> {
     let outcome = rollout.as_ref().map(|rollout| Outcome { solved: rollout.solved, steps: rollout.steps });
     let answer = Answer::new(id, ball.ok().flatten(), outcome.map_err(|invalid| *invalid));
     let poses = rollout.as_ref().ok().filter(|_| with_poses).map(Poses::of);
-    Ok(writeln!(io::stdout(), "{}", serde_json::to_string(&Line { answer, poses })?)?)
+    Ok(writeln!(io::stdout(), "{}", serde_json::to_string(&ResultLine { answer, poses })?)?)
 }
 
 /// The outcome of one ball.
@@ -97,7 +97,7 @@ fn whole_numbers<S: Serializer>(ball: &Option<Ball>, serializer: S) -> Result<S:
 
 /// An answer and, if asked for, its rollout.
 #[derive(Serialize)]
-struct Line<'a> {
+struct ResultLine<'a> {
     #[serde(flatten)]
     answer: Answer,
     #[serde(flatten)]

@@ -195,7 +195,7 @@ impl<C: CheckpointStrategy> StridedConv for Autodiff<Flex, C> {
     }
 }
 
-/// ndarray differentiates burn's own operations: the second opinion.
+/// ndarray differentiates burn's own operations: the reference backend of the differential tests.
 #[cfg(feature = "ndarray")]
 impl<C: CheckpointStrategy> StridedConv for Autodiff<burn::backend::NdArray, C> {}
 

@@ -11,7 +11,7 @@
 //! as fast here as burn's general layers, which also support the strides, dilations and groups that no net of ours
 //! has. Used by `hourglass` and `judge`.
 
-// burn has deprecated its ndarray backend; it is kept as the second opinion of the differential test.
+// burn has deprecated its ndarray backend; it is kept as the reference backend of the differential tests.
 #![allow(deprecated)]
 
 use burn::backend::ops::{ConvOptions, ConvTransposeOptions};

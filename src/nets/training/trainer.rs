@@ -16,7 +16,7 @@ use burn::tensor::{Device, Int, Tensor, TensorData};
 
 use super::adam::FusedAdam;
 use crate::dataset::samples::Sample;
-use crate::nets::judge::{RADII, cell_of};
+use crate::nets::judge::{RADII, logit_index};
 use crate::nets::{Judge, PathNet};
 use crate::puzzle::action::{Ball, Invalid};
 use crate::puzzle::scene::SIZE;
@@ -49,13 +49,13 @@ impl Batch {
     }
 }
 
-/// Scenes with labelled balls as tensor data: scenes `[scenes, 5, 64, 64]`; for each ball the index of its cell among
+/// Scenes with labelled balls as tensor data: scenes `[scenes, 5, 64, 64]`; for each ball the index of its logit among
 /// the logits `[scenes, RADII, 64, 64]`, and its label, 1 if it solved and 0 if not.
 #[derive(Default)]
 pub struct JudgeBatch {
     count: usize,
     scenes: Vec<f32>,
-    cells: Vec<i64>,
+    logit_indices: Vec<i64>,
     labels: Vec<f32>,
 }
 
@@ -63,13 +63,13 @@ impl JudgeBatch {
     /// Adds a scene and labelled balls of it, as they are or mirrored left to right.
     ///
     /// # Errors
-    /// If the judge does not score a ball (`judge::cell_of`); the batch is then of no use.
+    /// If the judge does not score a ball (`judge::logit_index`); the batch is then of no use.
     pub fn add(&mut self, scene: &[Bitmap; CHANNELS], balls: &[(Ball, bool)], mirrored: bool) -> Result<(), Invalid> {
         extend(&mut self.scenes, scene, mirrored);
         for &(ball, solved) in balls {
             let x = if mirrored { SIZE - ball.x } else { ball.x };
-            let cell = cell_of(Ball { x, ..ball })?;
-            self.cells.push((self.count * RADII * CELLS + cell) as i64);
+            let index = logit_index(Ball { x, ..ball })?;
+            self.logit_indices.push((self.count * RADII * CELLS + index) as i64);
             self.labels.push(if solved { 1.0 } else { 0.0 });
         }
         self.count += 1;
@@ -115,9 +115,9 @@ impl Trainer<Judge> {
     pub fn step(&mut self, batch: JudgeBatch, learning_rate: f64) -> f32 {
         let shape = [batch.count, CHANNELS, SIDE, SIDE];
         let logits = self.nets.forward(Tensor::from_data(TensorData::new(batch.scenes, shape), &self.device));
-        let balls = batch.cells.len();
-        let cells = Tensor::<1, Int>::from_data(TensorData::new(batch.cells, [balls]), &self.device);
-        let logits = logits.reshape([-1]).select(0, cells); // [balls]
+        let balls = batch.logit_indices.len();
+        let indices = Tensor::<1, Int>::from_data(TensorData::new(batch.logit_indices, [balls]), &self.device);
+        let logits = logits.reshape([-1]).select(0, indices); // [balls]
         let labels = Tensor::<1>::from_data(TensorData::new(batch.labels, [balls]), &self.device);
         self.backward_step(binary_cross_entropy_with_logits(logits, labels), learning_rate)[0]
     }
@@ -176,7 +176,7 @@ fn binary_cross_entropy_with_logits<const D: usize>(logits: Tensor<D>, targets: 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::nets::judge::cell_centre;
+    use crate::nets::judge::ball_at;
     use crate::raster::ball_image;
 
     const ROW: usize = 17;
@@ -193,13 +193,13 @@ mod tests {
 
     #[test]
     fn a_mirrored_scene_has_its_balls_in_mirrored_cells() {
-        let cell = 3 * CELLS + ROW * SIDE + COLUMN;
-        let balls = [(cell_centre(cell), true), (cell_centre(cell + 1), false)];
+        let index = 3 * CELLS + ROW * SIDE + COLUMN;
+        let balls = [(ball_at(index), true), (ball_at(index + 1), false)];
         let mut batch = JudgeBatch::default();
         batch.add(&scene(), &balls, false).expect("balls of the scene");
         batch.add(&scene(), &balls, true).expect("balls of the scene");
         let mirrored = RADII * CELLS + 3 * CELLS + ROW * SIDE + SIDE - 1 - COLUMN;
-        assert_eq!(batch.cells, [cell, cell + 1, mirrored, mirrored - 1].map(|cell| cell as i64));
+        assert_eq!(batch.logit_indices, [index, index + 1, mirrored, mirrored - 1].map(|index| index as i64));
         assert_eq!(batch.labels, [1.0, 0.0, 1.0, 0.0]);
         let (plain, flipped) = batch.scenes.split_at(CHANNELS * CELLS);
         assert_eq!(flipped, mirror(plain));
@@ -216,7 +216,7 @@ mod tests {
         assert_ne!(flipped.targets, plain.targets);
     }
 
-    /// Its cell would be one of the next scene, or beyond the logits.
+    /// Its logit would be one of the next scene, or beyond the logits.
     #[test]
     fn a_ball_that_the_judge_does_not_score_is_refused() {
         let ball = Ball { x: 100.0, y: 100.0, r: 64.0 };
