@@ -1,5 +1,5 @@
-// The entry: waits for the wasm, then loads the page, whose modules may call its exports from their first line on. Failures
-// that nobody handles are shown here.
+// The entry: waits for the wasm, then loads the page, whose modules may call its exports from their first line on. Unhandled
+// errors are shown here.
 
 import { showNotice } from "./shell/notice.js";
 import { wasmLoaded } from "./shell/load-wasm.js";

@@ -177,7 +177,7 @@ export class Page {
     const modelChanged = state.model !== this.#client.requestedName;
     // What is left behind may still change the old state, so it goes first.
     if (state.task !== this.#state.task) this.#closePuzzle();
-    else if (modelChanged) this.#session?.clearModel();
+    else if (modelChanged) this.#session?.clearModelAttempts();
     this.#state = state;
     byId("gallery").hidden = state.task !== null || state.hide.includes("puzzles");
     for (const id of ["puzzle", "title", "copy", "skip"]) byId(id).hidden = state.task === null;
@@ -236,13 +236,13 @@ export class Page {
     if (this.#state.model !== this.#client.requestedName) {
       // First, so that what follows from the cleared attempts finds the new model requested and does not start it again.
       this.#client.start(this.#state.model);
-      this.#session?.clearModel();
+      this.#session?.clearModelAttempts();
     }
     this.#applyView();
     this.#syncUrl();
   }
 
-  /** Starts the model once more; a name that is not there gives way to the first model. */
+  /** Starts the model once more; falls back to the first model if the name is unknown. */
   #retryModel() {
     if (this.#client.failure?.code === "no_model") this.#changeState({ model: null });
     else this.#client.start(this.#state.model);
@@ -266,7 +266,7 @@ export class Page {
     }, URL_DELAY);
   }
 
-  /** Passes what is to be seen of the state to all components. */
+  /** Passes the visible state to all components. */
   #applyView() {
     const view = viewOf(this.#state);
     for (const component of this.#components) component.setState(view);

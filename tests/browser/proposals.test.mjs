@@ -28,7 +28,7 @@ test('every ball from 1 to 100 can be looked at: where it is, whether it is allo
     assert.match(await fact(page, 'ball'), /^x \d+, y \d+, radius \d+$/);
     assert.match(await fact(page, 'valid'), /^Yes\./);
     assert.match(await fact(page, 'outcome'), /^[✓×] .+\. It was not tried in its turn\.$/);
-    assert.match(await fact(page, 'origin'), /^The judge, a fifth net: .+ the best chance, \d+ %\.$/);
+    assert.match(await fact(page, 'origin'), /^The judge, a fifth net: .+ the highest probability of solving, \d+ %\.$/);
     await says(page, new RegExp(`The model’s ball ${number}:`));
     await page.locator('#proposal-next').click();
   }

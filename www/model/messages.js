@@ -1,7 +1,7 @@
 // The messages between the page and its worker, as types. There is no code in this file.
 //
-// The page sends a Request, and the worker answers it by any number of news (`progress`, `attempt`, `map`) and then by one
-// `value` or one `error`. A Cancel ends a request that is still running; nobody waits for its answer.
+// The page sends a Request, and the worker answers it by any number of updates (`progress`, `attempt`, `map`) and then by
+// one `value` or one `error`. A Cancel ends a request that is still running; nobody waits for its answer.
 
 /** @typedef {import("../pkg/pathlight.js").Attempt} Attempt */
 /** @typedef {import("../pkg/pathlight.js").Proposal} Proposal */
@@ -18,7 +18,7 @@
 
 /**
  * A part of a map of all solutions: an outcome for each cell, and the fraction of the cells that has been tried.
- * @typedef {{ outcomes: Uint8Array, progress: number }} SolveMapNews
+ * @typedef {{ outcomes: Uint8Array, progress: number }} SolveMapUpdate
  */
 
 /** @typedef {{ finished: boolean }} Finished */
@@ -37,8 +37,9 @@
  */
 
 /**
- * What a request says on its way: the fraction of the weights that has arrived (null if unknown), an attempt, or a map.
- * @typedef {{ progress?: number | null, attempt?: Attempt, map?: SolveMapNews }} News
+ * What a running request sends before its answer: the fraction of the weights that has arrived (null if unknown), an
+ * attempt, or a map.
+ * @typedef {{ progress?: number | null, attempt?: Attempt, map?: SolveMapUpdate }} Update
  */
 
 /**
@@ -49,6 +50,6 @@
 
 /** @typedef {{ id: number, call: keyof Calls, args: any }} Request */
 /** @typedef {{ cancel: number }} Cancel */
-/** @typedef {{ id: number, value?: any, error?: Failure, news?: News }} Response */
+/** @typedef {{ id: number, value?: any, error?: Failure, update?: Update }} Response */
 
 export {};

@@ -1,10 +1,6 @@
-// The stages in words: what each means, how its net makes it, and a description of a map for someone who does not see it.
-// Knows nothing of the document.
-
-import { CELL_SIZE, GRID_SIDE } from "../shell/constants.js";
+// The stages in words: what each means and how its net makes it. Knows nothing of the document.
 
 /** @typedef {import("../pkg/pathlight.js").Stage} Stage */
-/** @typedef {import("../pkg/pathlight.js").GridMap} GridMap */
 
 /**
  * For each stage its name, what it means, and how it is made.
@@ -37,35 +33,3 @@ export const STAGE_TEXT = {
     how: "A fifth net, which the paper does not have. It sees the scene alone, and has learned from balls that solved puzzles and balls that did not. It says of eight sizes of ball at every place how likely one solves; the map shows the best size. The likeliest ball is tried first, and balls like one that was tried wait.",
   },
 };
-
-/**
- * The value of a map at a point of the scene, px.
- * @param {GridMap} map
- * @param {readonly number[]} point
- */
-export function valueAt(map, [x, y]) {
-  /** @param {number} coordinate */
-  const cell = (coordinate) => Math.min(Math.max(Math.floor(coordinate / CELL_SIZE), 0), GRID_SIDE - 1);
-  return map[cell(y) * GRID_SIDE + cell(x)];
-}
-
-/**
- * A map in words: where its peak is, and how it is spread left and right.
- * @param {GridMap} map
- */
-export function summary(map) {
-  const peak = map.reduce((best, value, cell) => (value > map[best] ? cell : best), 0);
-  const [x, y] = [peak % GRID_SIDE, Math.floor(peak / GRID_SIDE)].map((cell) => cell * CELL_SIZE + CELL_SIZE / 2);
-  return `strongest at x ${x}, y ${y}; ${sides(map)}`;
-}
-
-/**
- * How much of a map lies left and right, in words.
- * @param {GridMap} map
- */
-export function sides(map) {
-  const total = map.reduce((sum, value) => sum + value, 0);
-  const left = map.reduce((sum, value, cell) => sum + (cell % GRID_SIDE < GRID_SIDE / 2 ? value : 0), 0);
-  const percent = total ? Math.round((100 * left) / total) : 50;
-  return `${percent} percent on the left, ${100 - percent} on the right`;
-}

@@ -1,10 +1,10 @@
 // The page's side of the worker: each call is a promise, and takes an AbortSignal as its token. Once the signal is aborted
-// the promise rejects with its reason and no news of the call arrives any more, however late the worker answers. A worker
-// that dies rejects every open call with a sentence, and can be started again.
+// the promise rejects with its reason and no update of the call arrives any more, however late the worker answers. A worker
+// that crashes rejects every open call with a sentence, and can be started again.
 
 /** @typedef {import("./messages.js").Calls} Calls */
 /** @typedef {import("./messages.js").Failure} Failure */
-/** @typedef {import("./messages.js").News} News */
+/** @typedef {import("./messages.js").Update} Update */
 
 /** A fixed seed, so that the model's turn on a puzzle is the same each time. */
 const SEED = 0;
@@ -38,7 +38,7 @@ export class WorkerClient extends EventTarget {
   #module;
   /** @type {Worker | null} */
   #worker = null;
-  /** @type {Map<number, { resolve: (value: any) => void, reject: (reason: any) => void, onNews: (news: News) => void }>} */
+  /** @type {Map<number, { resolve: (value: any) => void, reject: (reason: any) => void, onUpdate: (update: Update) => void }>} */
   #pending = new Map();
   #nextId = 1;
 
@@ -70,7 +70,7 @@ export class WorkerClient extends EventTarget {
     worker.addEventListener("message", ({ data }) => worker === this.#worker && this.#onMessage(data));
     worker.addEventListener("error", (event) => {
       event.preventDefault();
-      if (worker === this.#worker) this.#onDeath(event.message);
+      if (worker === this.#worker) this.#onCrash(event.message);
     });
     try {
       await this.#call("start", { module: this.#module });
@@ -114,7 +114,7 @@ export class WorkerClient extends EventTarget {
    * @param {string} task
    * @param {number} radius
    * @param {AbortSignal} signal
-   * @param {(map: import("./messages.js").SolveMapNews) => void} onMap
+   * @param {(map: import("./messages.js").SolveMapUpdate) => void} onMap
    */
   solve(task, radius, signal, onMap) {
     return this.#call("solve", { task, radius }, signal, ({ map }) => map && onMap(map));
@@ -125,17 +125,17 @@ export class WorkerClient extends EventTarget {
    * @param {Name} call
    * @param {Calls[Name]["args"]} args
    * @param {AbortSignal} [signal]
-   * @param {(news: News) => void} [onNews]
+   * @param {(update: Update) => void} [onUpdate]
    * @returns {Promise<Calls[Name]["value"]>}
    */
-  #call(call, args, signal, onNews = () => {}) {
+  #call(call, args, signal, onUpdate = () => {}) {
     const worker = this.#worker;
     if (signal?.aborted) return Promise.reject(signal.reason);
     if (!worker) return Promise.reject(new Error(this.failure?.message ?? "The model has not been started."));
     const id = this.#nextId++;
     worker.postMessage({ id, call, args });
     return new Promise((resolve, reject) => {
-      this.#pending.set(id, { resolve, reject, onNews });
+      this.#pending.set(id, { resolve, reject, onUpdate });
       signal?.addEventListener("abort", () => {
         if (!this.#pending.delete(id)) return;
         worker.postMessage({ cancel: id });
@@ -145,18 +145,18 @@ export class WorkerClient extends EventTarget {
   }
 
   /** @param {import("./messages.js").Response} response */
-  #onMessage({ id, value, error, news }) {
-    if (error?.code === "crashed") return this.#onDeath(error.message);
+  #onMessage({ id, value, error, update }) {
+    if (error?.code === "crashed") return this.#onCrash(error.message);
     const call = this.#pending.get(id);
     if (!call) return;
-    if (news) return call.onNews(news);
+    if (update) return call.onUpdate(update);
     this.#pending.delete(id);
     if (error) call.reject(Object.assign(new Error(error.message), { code: error.code }));
     else call.resolve(value);
   }
 
   /** @param {string} reason */
-  #onDeath(reason) {
+  #onCrash(reason) {
     const message = `The model’s worker has stopped${reason ? ` (${reason})` : ""}.`;
     this.#terminate(message);
     this.#set({ status: "failed", failure: { code: "crashed", message } });

@@ -7,7 +7,7 @@ import { initSync, Model, SolveMap } from "../pkg/pathlight.js";
 
 /** @typedef {import("./messages.js").Calls} Calls */
 /** @typedef {{ name: string, file: string, sha256?: string }} ModelEntry */
-/** @typedef {(news: import("./messages.js").News) => void} SendNews */
+/** @typedef {(update: import("./messages.js").Update) => void} SendUpdate */
 /** @typedef {() => boolean} IsCancelled */
 
 /** Where the weights and their list are. */
@@ -15,7 +15,7 @@ const ASSETS = new URL("../assets/", import.meta.url);
 /** How long a search runs before it sends what it has found and lets messages in, ms. */
 const SLICE = 100;
 
-/** @type {{ [Name in keyof Calls]: (args: Calls[Name]["args"], sendNews: SendNews, isCancelled: IsCancelled) => Calls[Name]["value"] | Promise<Calls[Name]["value"]> }} */
+/** @type {{ [Name in keyof Calls]: (args: Calls[Name]["args"], sendUpdate: SendUpdate, isCancelled: IsCancelled) => Calls[Name]["value"] | Promise<Calls[Name]["value"]> }} */
 const calls = { start, load, imagine, propose, turn, solve };
 
 /** @type {Model | null} */
@@ -31,7 +31,7 @@ addEventListener("message", async ({ data }) => {
   }
   running.add(id);
   try {
-    const value = await calls[call](args, (news) => postMessage({ id, news }), () => !running.has(id));
+    const value = await calls[call](args, (update) => postMessage({ id, update }), () => !running.has(id));
     postMessage({ id, value });
   } catch (error) {
     postMessage({ id, error: failureOf(error) });
@@ -59,14 +59,14 @@ function start({ module }) {
 
 /**
  * @param {Calls["load"]["args"]} args
- * @param {SendNews} sendNews
+ * @param {SendUpdate} sendUpdate
  */
-async function load({ name }, sendNews) {
+async function load({ name }, sendUpdate) {
   const list = await fetchModelList();
   const entry = name === null ? list[0] : list.find((one) => one.name === name);
   const names = list.map((one) => one.name);
   if (!entry) throw failure("no_model", `There is no model “${name}” here. There is: ${names.join(", ")}.`);
-  const bytes = await fetchWeights(entry.file, sendNews);
+  const bytes = await fetchWeights(entry.file, sendUpdate);
   await checkHash(bytes, entry);
   const fresh = new Model(bytes);
   model?.free();
@@ -95,14 +95,14 @@ function propose({ task, seed }) {
 /**
  * Tries the model's balls in order, and sends each attempt.
  * @param {Calls["turn"]["args"]} args
- * @param {SendNews} sendNews
+ * @param {SendUpdate} sendUpdate
  * @param {IsCancelled} isCancelled
  */
-async function turn({ task, seed }, sendNews, isCancelled) {
+async function turn({ task, seed }, sendUpdate, isCancelled) {
   const turn = loadedModel().turn(task, seed);
   try {
     for (let attempt = turn.attempt(); attempt; attempt = turn.attempt()) {
-      sendNews({ attempt });
+      sendUpdate({ attempt });
       await yieldToMessages();
       if (isCancelled()) return { finished: false };
     }
@@ -115,16 +115,16 @@ async function turn({ task, seed }, sendNews, isCancelled) {
 /**
  * Maps where a ball of a radius solves a task, and sends the map as it grows.
  * @param {Calls["solve"]["args"]} args
- * @param {SendNews} sendNews
+ * @param {SendUpdate} sendUpdate
  * @param {IsCancelled} isCancelled
  */
-async function solve({ task, radius }, sendNews, isCancelled) {
+async function solve({ task, radius }, sendUpdate, isCancelled) {
   const map = new SolveMap(task, radius);
   try {
     for (let more = true; more; ) {
       const end = performance.now() + SLICE;
       while (more && performance.now() < end) more = map.advance();
-      sendNews({ map: { outcomes: map.outcomes(), progress: map.progress() } });
+      sendUpdate({ map: { outcomes: map.outcomes(), progress: map.progress() } });
       await yieldToMessages();
       if (isCancelled()) return { finished: false };
     }
@@ -164,9 +164,9 @@ async function fetchModelList() {
 /**
  * The bytes of a file in assets; sends the fraction that has arrived.
  * @param {string} file
- * @param {SendNews} sendNews
+ * @param {SendUpdate} sendUpdate
  */
-async function fetchWeights(file, sendNews) {
+async function fetchWeights(file, sendUpdate) {
   const response = await fetch(new URL(file, ASSETS));
   if (!response.ok || !response.body) throw failure("no_weights", `The model’s weights are missing here: the server answered ${response.status} for assets/${file}.`);
   const size = Number(response.headers.get("content-length")) || null;
@@ -178,7 +178,7 @@ async function fetchWeights(file, sendNews) {
     chunks.push(value);
     length += value.length;
     // A compressed file may become longer than the server said.
-    sendNews({ progress: size && Math.min(length / size, 1) });
+    sendUpdate({ progress: size && Math.min(length / size, 1) });
   }
   const bytes = new Uint8Array(length);
   let end = 0;

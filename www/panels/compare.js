@@ -30,7 +30,7 @@ export class Compare extends Component {
     byId("compare-both").addEventListener("click", () => this.session?.compare(true));
     byId("clear-attempts").addEventListener("click", () => {
       this.#stopTurn();
-      this.session?.clear();
+      this.session?.clearAllAttempts();
     });
     client.addEventListener("change", () => this.#onClientChange());
   }
@@ -78,7 +78,7 @@ export class Compare extends Component {
     this.#update();
     try {
       await this.#client.turn(session.about.id, turn.signal, (attempt) => session.recordModelAttempt(attempt, name));
-      // Who is watching something else meanwhile goes on watching it.
+      // Do not interrupt a replay that is being watched.
       if (!turn.signal.aborted && !session.playback.playing && !session.shown?.preview) session.compare(true);
     } catch (error) {
       if (!turn.signal.aborted) this.#callFailure = /** @type {Error} */ (error).message;

@@ -5,7 +5,8 @@ import { paintLegend, paintMap, paintOutline } from "../pkg/pathlight.js";
 import { Component } from "../shell/component.js";
 import { GRID_SIDE, STAGES } from "../shell/constants.js";
 import { byId, contextOf, find, fromTemplate, setText } from "../shell/dom.js";
-import { STAGE_TEXT, summary } from "../model/stage-text.js";
+import { summary } from "../model/map-summary.js";
+import { STAGE_TEXT } from "../model/stage-text.js";
 import { TroubleBox } from "./trouble-box.js";
 
 /** @typedef {import("../pkg/pathlight.js").Stage} Stage */

@@ -6,7 +6,8 @@ import { announce } from "../shell/announce.js";
 import { Component } from "../shell/component.js";
 import { CELL_SIZE, SCENE_SIZE, STAGES } from "../shell/constants.js";
 import { byId, find, setText } from "../shell/dom.js";
-import { STAGE_TEXT, valueAt } from "../model/stage-text.js";
+import { valueAt } from "../model/map-summary.js";
+import { STAGE_TEXT } from "../model/stage-text.js";
 import { ARROW_KEYS } from "../play/canvas.js";
 
 /** @typedef {import("../pkg/pathlight.js").Stage} Stage */

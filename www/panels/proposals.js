@@ -4,7 +4,7 @@
 
 import { Component } from "../shell/component.js";
 import { byId, setText } from "../shell/dom.js";
-import { valueAt } from "../model/stage-text.js";
+import { valueAt } from "../model/map-summary.js";
 import { sentence } from "../play/session.js";
 import { TroubleBox } from "./trouble-box.js";
 
@@ -109,7 +109,7 @@ export class Proposals extends Component {
     this.#call = null;
     this.#callFailure = null;
     this.#proposals = null;
-    // What is shown of them is left too.
+    // Also stop showing the previewed proposal.
     if (this.#shown !== null && this.session?.shown?.preview) this.session.reset();
     this.#shown = null;
     this.#update();
@@ -188,9 +188,9 @@ export class Proposals extends Component {
 
   /** @param {Proposal} proposal */
   #originWords({ origin }) {
-    if (origin.kind === "perturbed") return `Ball ${origin.number}, moved by chance.`;
-    if (origin.kind === "judge") return `The judge, a fifth net: after what was tried before, it gives this ball the best chance, ${Math.round(100 * origin.probability)} %.`;
-    if (origin.kind === "uniform") return "Chance: the placement map shows no place where a ball may be.";
+    if (origin.kind === "perturbed") return `Ball ${origin.number}, moved at random.`;
+    if (origin.kind === "judge") return `The judge, a fifth net: after what was tried before, this ball has the highest probability of solving, ${Math.round(100 * origin.probability)} %.`;
+    if (origin.kind === "uniform") return "Random: the placement map shows no place where a ball may be.";
     const map = this.#imagine.maps?.placement;
     const value = map ? ` it is ${valueAt(map, [origin.x, origin.y]).toFixed(2)} at x ${origin.x}, y ${origin.y}.` : "";
     return `The placement map:${value} From there the ball was moved to cover more of the map.`;

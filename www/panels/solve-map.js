@@ -6,7 +6,7 @@ import { announce } from "../shell/announce.js";
 import { Component } from "../shell/component.js";
 import { FIRST_RADIUS, GRID_SIDE, SCENE_SIZE } from "../shell/constants.js";
 import { byId, contextOf, find, setText } from "../shell/dom.js";
-import { sides } from "../model/stage-text.js";
+import { sides } from "../model/map-summary.js";
 import { percent } from "./overlap-card.js";
 
 /** The outcomes of a place that are counted, as the wasm numbers them. */

@@ -5,7 +5,8 @@ import { announce } from "../shell/announce.js";
 import { Component } from "../shell/component.js";
 import { STAGES } from "../shell/constants.js";
 import { byId, setText } from "../shell/dom.js";
-import { STAGE_TEXT, summary } from "../model/stage-text.js";
+import { summary } from "../model/map-summary.js";
+import { STAGE_TEXT } from "../model/stage-text.js";
 
 /** @typedef {import("../pkg/pathlight.js").Stage} Stage */
 

@@ -56,7 +56,7 @@ export class SceneCanvas extends Component {
   /** @type {Drag | null} */
   #drag = null;
   /**
-   * The key press that is held: one gesture, undone at once.
+   * The key press that is held: one gesture, undone in one step.
    * @type {object | null}
    */
   #keyGesture = null;

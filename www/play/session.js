@@ -57,7 +57,7 @@ export class Session extends EventTarget {
    * @type {string | null}
    */
   refusal = null;
-  /** Has what is shown come to its end at least once? */
+  /** True once the shown rollout has played to its end. */
   finished = false;
   /**
    * The name of the model that made the model's attempts, or null while there are none.
@@ -281,7 +281,7 @@ export class Session extends EventTarget {
    */
   remove(contender, number) {
     this.puzzle.remove(contender, number);
-    // What is shown may be the one that is gone, or have another number now.
+    // The shown attempt may be the deleted one, or have another number now.
     if (this.placing) this.#emit("change");
     else this.reset();
   }
@@ -328,8 +328,8 @@ export class Session extends EventTarget {
     this.#emit("change");
   }
 
-  /** Forgets the model's attempts; what is shown of them is shown no longer. */
-  clearModel() {
+  /** Forgets the model's attempts, and stops showing them. */
+  clearModelAttempts() {
     const visible = this.shown?.contender === "model" || this.pair.some(({ contender }) => contender === "model");
     this.puzzle.clear("model");
     this.modelName = null;
@@ -338,7 +338,7 @@ export class Session extends EventTarget {
   }
 
   /** Forgets the attempts of both. */
-  clear() {
+  clearAllAttempts() {
     this.puzzle.clear("player");
     this.puzzle.clear("model");
     this.modelName = null;

@@ -23,5 +23,5 @@ export const GOAL_SECONDS = shared.goal_steps / shared.steps_per_second;
 /** The maps in the order in which the nets make them: the paper's four, then the judge's. */
 export const STAGES = shared.stages;
 
-/** Radius of a ball that nobody has sized yet, px. */
+/** Initial radius of a ball, px. */
 export const FIRST_RADIUS = 12;

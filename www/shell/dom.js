@@ -1,5 +1,5 @@
-// Looks elements of index.html up, and changes text only where it differs: a screen reader and the layout hear of every
-// assignment. An element that is missing is a bug of ours, so it throws at once, with its name.
+// Looks elements of index.html up, and changes text only where it differs: every assignment triggers an announcement
+// and a layout. An element that is missing is a bug of ours, so it throws immediately, with its name.
 
 /**
  * The element of this id, checked to be of a class.

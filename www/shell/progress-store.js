@@ -1,6 +1,6 @@
 // What this device remembers of a contender's attempts: for each puzzle how many there were, and which solved it first. Kept
-// in localStorage as JSON. A store that is forbidden, full or damaged costs the memory, never the page. Knows nothing of
-// the document.
+// in localStorage as JSON. A store that is forbidden, full or damaged loses the progress but never breaks the page.
+// Knows nothing of the document.
 //
 // { "tasks": { "00007:013": { "attempts": 4, "solved": 3 } } }   "solved" is null as long as no attempt solved it
 

@@ -180,7 +180,7 @@ function visibleLayers({ hide, layers, stage }, panel) {
     case "map":
       return layers.filter((layer) => layer === "placement");
     case "predict":
-      // They would tell the answer to someone who draws a prediction.
+      // They would reveal the answer while the player draws a prediction.
       return [];
     default:
       // Those that the person switched on stay to be played by; the one of a walkthrough's step does not.
