@@ -24,8 +24,8 @@ const python = (script, ...args) => ['target/bench/venv/bin/python', `benches/ne
 const WEIGHTS = 'assets/within-0.safetensors';
 const NETS = ['target/bench/nets.onnx', 'target/bench/scene.f32'];
 
-// Ours comes first. Results may differ by `tolerance`; a turn is so many repetitions.
-const forward = { tolerance: 1e-4, turn: 20 };
+// Ours comes first. Results may differ by `tolerance`; a contender is timed in blocks of `repetitions`.
+const forward = { tolerance: 1e-4, repetitions: 20 };
 const web = ['ours', 'ours-five-maps', 'onnxruntime-web', 'tract'];
 const inNode = (name) => contender(name, (path) => new Uint8Array(readFileSync(join(root, path))));
 const inChild = (command, threads) => startChild(root, command, { RAYON_NUM_THREADS: threads });
@@ -55,7 +55,7 @@ const RACES = [
   {
     title: 'training step, batch 32, native, two threads',
     tolerance: 1e-3,
-    turn: 2,
+    repetitions: 2,
     contenders: [
       ['ours', () => inChild(ours('train'), 2)],
       ['PyTorch, Adam', () => inChild(torch(), 2)],
@@ -72,7 +72,7 @@ rows.push(['downloads, MB'], ...sizes());
 console.log(table(rows));
 
 /** The rows of a race. */
-async function run({ title, tolerance, turn, open, contenders }) {
+async function run({ title, tolerance, repetitions, open, contenders }) {
   console.error(`measuring: ${title}`);
   const stops = [];
   const there = [];
@@ -87,15 +87,15 @@ async function run({ title, tolerance, turn, open, contenders }) {
         if (one.stop) stops.push(one.stop);
         const worst = there.length === 0 ? 0 : apart(one.result, there[0].result);
         if (!(worst <= tolerance)) throw new Error(`its results are ${worst} from ours`);
-        there.push({ ...one, name, turns: [] });
+        there.push({ ...one, name, blocks: [] });
       } catch (error) {
         if (there.length === 0) throw error;
         out.push(leftOut(name, error));
       }
     }
-    for (const one of there) await warmUp(one, turn);
+    for (const one of there) await warmUp(one, repetitions);
     for (let round = 0; round < ROUNDS; round += 1) {
-      for (const one of there) one.turns.push(await one.times(turn));
+      for (const one of there) one.blocks.push(await one.times(repetitions));
     }
   } catch (error) {
     return [leftOut('all of it', error)];
@@ -107,15 +107,15 @@ async function run({ title, tolerance, turn, open, contenders }) {
 }
 
 /** Wasm is recompiled while it runs, and threads have to be started. */
-async function warmUp(one, turn) {
+async function warmUp(one, repetitions) {
   const start = performance.now();
-  while (performance.now() - start < WARM_UP) await one.times(turn);
+  while (performance.now() - start < WARM_UP) await one.times(repetitions);
 }
 
-function timed({ name, turns }, mine) {
-  const all = turns.flat();
-  // Of adjacent turns, so that a slow minute does not distort the ratio.
-  const ratio = median(turns.map((times, round) => median(mine.turns[round]) / median(times)));
+function timed({ name, blocks }, mine) {
+  const all = blocks.flat();
+  // Of adjacent blocks, so that a slow minute does not distort the ratio.
+  const ratio = median(blocks.map((times, round) => median(mine.blocks[round]) / median(times)));
   const cells = [`${median(all).toFixed(2)} ms`, `${Math.min(...all).toFixed(2)} ms`];
   return [name, ...cells, name === 'ours' ? '' : `${ratio.toFixed(2)} x`];
 }

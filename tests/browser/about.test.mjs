@@ -27,7 +27,7 @@ async function card(file) {
 }
 
 test('the sheet names the paper, the benchmark and what the model learned from', async () => {
-  const page = await openPuzzle(session, { more: '&panel=imagine' });
+  const page = await openPuzzle(session, { fragment: '&panel=imagine' });
   const [entry] = await page.evaluate(async () => (await (await fetch('assets/model.json')).json()).models);
   const { samples, tasks, epochs } = await card(entry.file);
   await page.locator('#imagine [data-opens=about-dialog]').click();

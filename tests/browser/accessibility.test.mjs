@@ -63,7 +63,7 @@ for (const [screen, size] of Object.entries(SCREENS)) {
     });
 
     test(`imagine and compare on ${screen}, ${colorScheme}`, async () => {
-      const page = await openPuzzle(session, { ...size, colorScheme, more: '&panel=imagine&layers=base,placement', still: true });
+      const page = await openPuzzle(session, { ...size, colorScheme, fragment: '&panel=imagine&layers=base,placement', reducedMotion: true });
       await page.locator('#imagined-in').filter({ hasText: 'Imagined' }).waitFor();
       await check(page, 'imagine');
       await page.locator('#tab-compare').click();
@@ -74,7 +74,7 @@ for (const [screen, size] of Object.entries(SCREENS)) {
     });
 
     test(`how the model thinks on ${screen}, ${colorScheme}`, async () => {
-      const page = await openPuzzle(session, { ...size, colorScheme, more: '&panel=imagine', still: true });
+      const page = await openPuzzle(session, { ...size, colorScheme, fragment: '&panel=imagine', reducedMotion: true });
       await page.locator('#imagined-in').filter({ hasText: 'Imagined' }).waitFor();
       const tab = (name) => page.locator(`#tab-${name}`).click();
       await page.locator('#walkthrough-next').click();
@@ -114,7 +114,7 @@ for (const [screen, size] of Object.entries(SCREENS)) {
 function luminance(colour) {
   const [red, green, blue] = [1, 3, 5]
     .map((at) => parseInt(colour.slice(at, at + 2), 16) / 255)
-    .map((share) => (share <= 0.04045 ? share / 12.92 : ((share + 0.055) / 1.055) ** 2.4));
+    .map((channel) => (channel <= 0.04045 ? channel / 12.92 : ((channel + 0.055) / 1.055) ** 2.4));
   return 0.2126 * red + 0.7152 * green + 0.0722 * blue;
 }
 

@@ -12,7 +12,7 @@ before(async () => (session = await start()));
 after(() => session.stop());
 
 async function imagine(options) {
-  const page = await openPuzzle(session, { more: '&panel=imagine', ...options });
+  const page = await openPuzzle(session, { fragment: '&panel=imagine', ...options });
   await page.locator('#imagined-in').filter({ hasText: /Imagined in \d+ ms/ }).waitFor();
   return page;
 }

@@ -12,18 +12,18 @@ after(() => session.stop());
 const run = (page, who) => page.locator(`#runs [data-runner=${who}]`);
 
 /** The overlaps of a run, in percent: of the green object, and of the ball if there is one. */
-async function numbers(page, who) {
+async function overlapsOf(page, who) {
   const texts = await run(page, who).locator('.overlap-cards b').allTextContents();
   return texts.map((text) => Number(text.match(/^(\d+) %$/)[1]));
 }
 
 test('runs of the player, of the model and without a ball stand beside each other with their overlaps', async () => {
-  const page = await openPuzzle(session, { still: true });
+  const page = await openPuzzle(session, { reducedMotion: true });
   const { solving } = await known(page);
   await page.locator('#watch').click();
   await page.locator('#tab-imagine').click();
   await page.locator('#overlap-words').filter({ hasText: 'Without a ball: green object' }).waitFor({ state: 'attached' });
-  assert.equal((await numbers(page, 'alone')).length, 1, 'there is no ball to measure');
+  assert.equal((await overlapsOf(page, 'alone')).length, 1, 'there is no ball to measure');
 
   await type(await tab(page, 'play'), solving);
   await page.locator('#run').click();
@@ -35,15 +35,15 @@ test('runs of the player, of the model and without a ball stand beside each othe
   assert.equal(await run(page, 'player').locator('h3').textContent(), 'Your attempt 1');
   assert.match(await run(page, 'model').locator('h3').textContent(), /^The model’s attempt \d+$/);
   for (const who of ['player', 'model']) {
-    const shares = await numbers(page, who);
-    assert.equal(shares.length, 2);
-    assert.ok(shares.every((share) => share > 0 && share <= 100), `${who}: ${shares}`);
+    const overlaps = await overlapsOf(page, who);
+    assert.equal(overlaps.length, 2);
+    assert.ok(overlaps.every((overlap) => overlap > 0 && overlap <= 100), `${who}: ${overlaps}`);
   }
   assert.match(await page.locator('#overlap-words').textContent(), /Your attempt 1: green object \d+ %, red ball \d+ %; The model’s attempt \d+: green object/);
 });
 
 test('the line goes round the path of this run, and goes with its attempt', async () => {
-  const page = await openPuzzle(session, { still: true });
+  const page = await openPuzzle(session, { reducedMotion: true });
   const { solving, missing } = await known(page);
   const pictures = [];
   for (const ball of [solving, missing]) {

@@ -10,7 +10,7 @@ before(async () => (session = await start()));
 after(() => session.stop());
 
 test('a puzzle is left while pictures of attempts wait to be drawn', async () => {
-  const page = await openPuzzle(session, { task: await unsolvedTask(), more: '&panel=compare', still: true });
+  const page = await openPuzzle(session, { task: await unsolvedTask(), fragment: '&panel=compare', reducedMotion: true });
   // Slow painting, so that some pictures still wait.
   await page.evaluate(async () => {
     const { Puzzle } = await import('/pkg/pathlight.js');
@@ -35,7 +35,7 @@ test('a puzzle is left while pictures of attempts wait to be drawn', async () =>
 });
 
 test('the colour scheme changes after a puzzle was left', async () => {
-  const page = await openPuzzle(session, { more: '&panel=predict', still: true });
+  const page = await openPuzzle(session, { fragment: '&panel=predict', reducedMotion: true });
   await page.locator('#imagined-in').filter({ hasText: 'Imagined' }).waitFor({ state: 'attached' });
   await page.locator('#scene').press('Shift+ArrowDown');
   await page.locator('#predict-watch').click();

@@ -15,7 +15,7 @@ after(() => session.stop());
 const notice = (page) => page.locator('#notice:visible #notice-text');
 
 test('a link opens the same puzzle, panel, layers and ball', async () => {
-  const page = await openPuzzle(session, { more: '&panel=imagine&layers=target,placement&opacity=0.5&ball=100,200,10' });
+  const page = await openPuzzle(session, { fragment: '&panel=imagine&layers=target,placement&opacity=0.5&ball=100,200,10' });
   assert.equal(await page.locator('#task').inputValue(), EASY);
   assert.equal(await page.locator('#tab-imagine').getAttribute('aria-selected'), 'true');
   for (const [stage, on] of Object.entries({ base: false, target: true, action: false, placement: true })) {
@@ -37,7 +37,7 @@ test('what the page shows is in its address, and opens again from there', async 
 });
 
 test('a link hides what a lesson leaves out, and goes on hiding it', async () => {
-  const page = await openPuzzle(session, { more: '&panel=imagine&hide=story,imagine,compare,watch,attempts,fields' });
+  const page = await openPuzzle(session, { fragment: '&panel=imagine&hide=story,imagine,compare,watch,attempts,fields' });
   for (const hidden of ['#story', '#tab-imagine', '#tab-compare', '#imagine', '#watch', '#play-attempts', '#ball-x']) {
     assert.ok(await page.locator(hidden).isHidden(), hidden);
   }
@@ -58,7 +58,7 @@ test('a link hides what a lesson leaves out, and goes on hiding it', async () =>
 });
 
 test('hide=puzzles: no button and no key leads to another puzzle', async () => {
-  const page = await openPuzzle(session, { more: '&hide=puzzles' });
+  const page = await openPuzzle(session, { fragment: '&hide=puzzles' });
   assert.ok(await page.locator('#next').isHidden());
   await page.locator('#home').click({ force: true });
   await page.locator('#scene').focus();
@@ -74,7 +74,7 @@ test('hide=puzzles: neither scoreboard nor notices nor grid lead to another puzz
   const both = JSON.stringify({ tasks: { '00001:001': { attempts: 1, solved: 1 } } });
   const localStorage = [{ name: 'pathlight.progress', value: both }, { name: `pathlight.model.${name}`, value: both }];
   const storageState = { cookies: [], origins: [{ origin: session.origin, localStorage }] };
-  const page = await openPuzzle(session, { more: '&panel=compare&hide=puzzles', storageState });
+  const page = await openPuzzle(session, { fragment: '&panel=compare&hide=puzzles', storageState });
   await page.locator('#score-rows th', { hasText: '00001:001' }).waitFor();
   assert.equal(await page.locator('#score-rows a').count(), 0, 'the scoreboard leads nowhere');
   for (const link of ['task=00007:999&hide=puzzles', 'layers=soup&hide=puzzles', 'hide=puzzles']) {
@@ -91,7 +91,7 @@ test('hide=puzzles: neither scoreboard nor notices nor grid lead to another puzz
 });
 
 test('a panel that the link hides does nothing, although the link names it', async () => {
-  const page = await openPuzzle(session, { more: '&panel=predict&hide=predict' });
+  const page = await openPuzzle(session, { fragment: '&panel=predict&hide=predict' });
   assert.ok(await page.locator('#play').isVisible());
   await says(page, /place the red ball/);
   await click(page, 100, 240);
@@ -106,14 +106,14 @@ test('a panel that the link hides does nothing, although the link names it', asy
 });
 
 test('a link that hides what the model does hides the sheet about it too', async () => {
-  const page = await openPuzzle(session, { more: '&hide=imagine,compare' });
+  const page = await openPuzzle(session, { fragment: '&hide=imagine,compare' });
   assert.ok(await page.locator('#about-button').isHidden());
   await page.goto(`${session.origin}/#task=${EASY}&hide=compare`);
   await page.locator('#about-button').waitFor();
 });
 
 test('a model that is named in the link is the one that imagines', async () => {
-  const page = await openPuzzle(session, { more: '&panel=imagine&model=nobody' });
+  const page = await openPuzzle(session, { fragment: '&panel=imagine&model=nobody' });
   await page.locator('#imagine-trouble:visible').filter({ hasText: 'There is no model “nobody” here. There is: ' }).waitFor();
   const name = (await page.locator('#imagine-trouble p').textContent()).match(/There is: ([\w-]+)/)[1];
   await page.locator('#imagine-trouble button').click();
@@ -169,7 +169,7 @@ test('without the wasm package the page says so', async () => {
 });
 
 test('a worker that dies is a sentence, and can be started again', async () => {
-  const page = await openPuzzle(session, { more: '&panel=imagine' });
+  const page = await openPuzzle(session, { fragment: '&panel=imagine' });
   await page.locator('#imagined-in').filter({ hasText: 'Imagined' }).waitFor();
   await page.workers()[0].evaluate(() => void setTimeout(() => { throw new Error('gone'); }));
   await page.locator('#imagine-trouble:visible').filter({ hasText: /worker has stopped.*gone/ }).waitFor();
@@ -189,7 +189,7 @@ test('without weights a person can still play', async () => {
   const empty = await mkdtemp(join(tmpdir(), 'pathlight-assets-'));
   const bare = await start({ serve: ['--assets', empty] });
   try {
-    const page = await openPuzzle(bare, { more: '&panel=imagine', still: true });
+    const page = await openPuzzle(bare, { fragment: '&panel=imagine', reducedMotion: true });
     await page.locator('#imagine-trouble:visible').filter({ hasText: 'The model’s weights are missing here' }).waitFor();
     await page.locator('#tab-compare').click();
     await page.locator('#compare-trouble:visible').filter({ hasText: 'weights are missing' }).waitFor();

@@ -17,7 +17,7 @@ const made = (page) => page.locator('#model-attempts li').count();
 const stored = (page, model) => page.evaluate((key) => localStorage.getItem(key), `pathlight.model.${model}`);
 
 async function open(options) {
-  const page = await openPuzzle(session, { more: '&panel=compare', still: true, ...options });
+  const page = await openPuzzle(session, { fragment: '&panel=compare', reducedMotion: true, ...options });
   await modelLoaded(page, first);
   return page;
 }
@@ -31,7 +31,7 @@ async function choose(page, name) {
 }
 
 test('the attempts of the first model go, the player’s stay, and no store takes one model’s result for the other’s', async () => {
-  const page = await open({ more: '' });
+  const page = await open({ fragment: '' });
   const { missing } = await known(page);
   await type(page, missing);
   await page.locator('#run').click();
@@ -68,7 +68,7 @@ test('a turn of the first model ends', async () => {
 });
 
 test('a model that is chosen by a link to the grid is the one of the next puzzle', async () => {
-  const page = await open({ more: '' });
+  const page = await open({ fragment: '' });
   await page.goto(`${session.origin}/#model=${second}`);
   await page.locator('#templates a').first().click();
   await page.locator('#scene').waitFor();

@@ -10,7 +10,7 @@ before(async () => (session = await start()));
 after(() => session.stop());
 
 async function compare(options) {
-  const page = await openPuzzle(session, { more: '&panel=compare', still: true, ...options });
+  const page = await openPuzzle(session, { fragment: '&panel=compare', reducedMotion: true, ...options });
   await page.locator('#model-turn:enabled').waitFor();
   return page;
 }

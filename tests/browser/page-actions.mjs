@@ -15,12 +15,13 @@ export const EASY = '00000:000';
 /** @typedef {[x: number, y: number, r: number]} Ball */
 
 /**
- * Opens a puzzle by its link, which ends in `more`. `still` asks for reduced motion: a run then shows its end at once.
+ * Opens a puzzle by its link, whose fragment goes on with `fragment` ("&panel=…"). With `reducedMotion` a run shows its end
+ * immediately.
  * @param {Awaited<ReturnType<typeof import('./harness.mjs').start>>} session
- * @param {{ task?: string, more?: string, still?: boolean } & import('playwright-core').BrowserContextOptions} [options]
+ * @param {{ task?: string, fragment?: string, reducedMotion?: boolean } & Omit<import('playwright-core').BrowserContextOptions, 'reducedMotion'>} [options]
  */
-export async function openPuzzle(session, { task = EASY, more = '', still = false, ...options } = {}) {
-  const page = await session.open(`/#task=${task}${more}`, { reducedMotion: still ? 'reduce' : 'no-preference', ...options });
+export async function openPuzzle(session, { task = EASY, fragment = '', reducedMotion = false, ...options } = {}) {
+  const page = await session.open(`/#task=${task}${fragment}`, { reducedMotion: reducedMotion ? 'reduce' : 'no-preference', ...options });
   await page.locator('#scene').waitFor();
   return page;
 }
@@ -166,11 +167,11 @@ export async function type(page, [x, y, r]) {
 /** How many pixels of the scene are nearly of this colour, "#rrggbb". */
 export async function pixels(page, colour, selector = '#scene') {
   return page.locator(selector).evaluate((canvas, colour) => {
-    const wanted = [1, 3, 5].map((at) => parseInt(colour.slice(at, at + 2), 16));
+    const expected = [1, 3, 5].map((at) => parseInt(colour.slice(at, at + 2), 16));
     const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
     let count = 0;
     for (let at = 0; at < data.length; at += 4) {
-      if (data[at + 3] > 200 && wanted.every((value, channel) => Math.abs(data[at + channel] - value) < 12)) count += 1;
+      if (data[at + 3] > 200 && expected.every((value, channel) => Math.abs(data[at + channel] - value) < 12)) count += 1;
     }
     return count;
   }, colour);

@@ -23,7 +23,7 @@ async function drag(page, points) {
 }
 
 test('a tap places, a finger drags, nothing scrolls', async () => {
-  const page = await openPuzzle(session, { ...PHONE, still: true });
+  const page = await openPuzzle(session, { ...PHONE, reducedMotion: true });
   await page.touchscreen.tap(...(await spot(page, 128, 220)));
   assert.deepEqual((await ball(page)).slice(0, 2), [128, 220]);
   await drag(page, [[130, 222], [120, 210], [100, 190], [90, 150]]);
@@ -34,7 +34,7 @@ test('a tap places, a finger drags, nothing scrolls', async () => {
 });
 
 test('a finger need not hit a small ball, nor its knob, exactly', async () => {
-  const page = await openPuzzle(session, { ...PHONE, more: '&ball=128,220,4' });
+  const page = await openPuzzle(session, { ...PHONE, fragment: '&ball=128,220,4' });
   // One px of the scene is about 1.5 px of the screen, so this is 18 px of the screen beside the ball.
   await drag(page, [[116, 220], [106, 220], [96, 210]]);
   assert.deepEqual(await ball(page), [108, 210, 4], 'dragged, and not placed anew under the finger');
@@ -45,7 +45,7 @@ test('a finger need not hit a small ball, nor its knob, exactly', async () => {
 });
 
 test('a solving ball is tapped, run and solved', async () => {
-  const page = await openPuzzle(session, { ...PHONE, still: true });
+  const page = await openPuzzle(session, { ...PHONE, reducedMotion: true });
   const { solving: [x, y, r] } = await known(page);
   await page.touchscreen.tap(...(await spot(page, x, y)));
   await page.locator('#ball-r').fill(String(r));

@@ -1,5 +1,6 @@
 // Takes pictures of all views, on a desktop and on a phone, light and dark, into target/pictures, for people to look
-// at: make pictures. The task is one on which player and model have something to show.
+// at: make pictures. A tool, not a test: it asserts nothing. The task is one on which player and model have something
+// to show.
 
 import { mkdir } from 'node:fs/promises';
 import { dirname, join } from 'node:path';
@@ -22,7 +23,7 @@ let knownBalls;
 
 for (const [screen, size] of Object.entries(SCREENS)) {
   for (const colorScheme of /** @type {const} */ (['light', 'dark'])) {
-    const page = await openPuzzle(session, { ...size, task: TASK, still: true, colorScheme });
+    const page = await openPuzzle(session, { ...size, task: TASK, reducedMotion: true, colorScheme });
     const balls = (knownBalls ??= await known(page, TASK));
     const take = async (view) => {
       await page.waitForTimeout(400);

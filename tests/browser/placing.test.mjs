@@ -67,7 +67,7 @@ test('without a ball, Run says what to do', async () => {
 });
 
 test('however many moves a drag makes, a frame is drawn once, and in time for the next', async () => {
-  const page = await openPuzzle(session, { more: '&ball=128,200,12' });
+  const page = await openPuzzle(session, { fragment: '&ball=128,200,12' });
   await page.evaluate(async () => {
     const { Puzzle } = await import('/pkg/pathlight.js');
     const paint = Puzzle.prototype.paint;

@@ -10,7 +10,7 @@ before(async () => (session = await start()));
 after(() => session.stop());
 
 async function predict(options) {
-  const page = await openPuzzle(session, { more: '&panel=predict', still: true, ...options });
+  const page = await openPuzzle(session, { fragment: '&panel=predict', reducedMotion: true, ...options });
   await page.locator('#imagined-in').filter({ hasText: 'Imagined' }).waitFor({ state: 'attached' });
   return page;
 }
@@ -33,8 +33,8 @@ const VERDICT = /^(You were closer: \d+ %, the net \d+ %|The net was closer: \d+
 
 async function verdict(page) {
   await page.locator('#predict-words').filter({ hasText: VERDICT }).waitFor();
-  const shares = await page.locator('#predict-cards b').allTextContents();
-  return shares.map((share) => Number(share.match(/^(\d+) %$/)[1]));
+  const percentages = await page.locator('#predict-cards b').allTextContents();
+  return percentages.map((percentage) => Number(percentage.match(/^(\d+) %$/)[1]));
 }
 
 test('a line is drawn with the mouse, places no ball, and is measured when it has run', async () => {

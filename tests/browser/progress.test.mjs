@@ -32,7 +32,7 @@ async function played(page) {
 }
 
 test('progress is told on the grid and in the picker, and outlasts the page', async () => {
-  const page = await openPuzzle(session, { still: true });
+  const page = await openPuzzle(session, { reducedMotion: true });
   await played(page);
   await page.locator('#home').click();
   assert.equal(await mark(page).textContent(), '✓ 1 of 100 solved, in 2 attempts');
@@ -54,7 +54,7 @@ test('an attempt is not told before it has run, and counts when it is left', asy
 });
 
 test('another tab’s attempts are seen, and added to', async () => {
-  const page = await openPuzzle(session, { still: true });
+  const page = await openPuzzle(session, { reducedMotion: true });
   const other = await page.context().newPage();
   await other.goto(page.url());
   const { missing, solving } = await known(page);
@@ -66,7 +66,7 @@ test('another tab’s attempts are seen, and added to', async () => {
 });
 
 test('progress is saved to a file, and forgotten only when the person is sure', async () => {
-  const page = await openPuzzle(session, { still: true });
+  const page = await openPuzzle(session, { reducedMotion: true });
   await played(page);
   await page.locator('#home').click();
   const [file] = await Promise.all([page.waitForEvent('download'), page.locator('#progress-save').click()]);

@@ -9,8 +9,8 @@ let session;
 before(async () => (session = await start()));
 after(() => session.stop());
 
-async function compare(more = '') {
-  const page = await openPuzzle(session, { more: `&panel=compare${more}`, still: true });
+async function compare(fragment = '') {
+  const page = await openPuzzle(session, { fragment: `&panel=compare${fragment}`, reducedMotion: true });
   await page.locator('#proposals:visible').waitFor();
   return page;
 }

@@ -27,7 +27,7 @@ test('a solving ball runs to "Solved!", with the ring while the goal holds', asy
 });
 
 test('a miss says why, and joins the list', async () => {
-  const page = await openPuzzle(session, { still: true });
+  const page = await openPuzzle(session, { reducedMotion: true });
   const { missing } = await known(page);
   await type(page, missing);
   await page.locator('#run').click();
@@ -76,7 +76,7 @@ test('a quarter of the speed takes longer than four times', async () => {
 });
 
 test('an attempt is replayed from the list and does not count again', async () => {
-  const page = await openPuzzle(session, { still: true });
+  const page = await openPuzzle(session, { reducedMotion: true });
   const { missing, solving } = await known(page);
   for (const one of [missing, solving]) {
     await type(page, one);
@@ -96,7 +96,7 @@ test('an attempt is replayed from the list and does not count again', async () =
 });
 
 test('the scene runs without a ball too, and that is no attempt', async () => {
-  const page = await openPuzzle(session, { still: true });
+  const page = await openPuzzle(session, { reducedMotion: true });
   await page.locator('#watch').click();
   await says(page, /without a ball/);
   assert.ok(Number(await page.locator('#time').inputValue()) > 0);
@@ -104,25 +104,25 @@ test('the scene runs without a ball too, and that is no attempt', async () => {
 });
 
 test('the ring tells how long the goal has held, of the three seconds', async () => {
-  const page = await openPuzzle(session, { still: true });
+  const page = await openPuzzle(session, { reducedMotion: true });
   const { solving } = await known(page);
-  const hold = page.locator('#goal-meter');
-  assert.ok(await hold.isHidden());
+  const goalMeter = page.locator('#goal-meter');
+  assert.ok(await goalMeter.isHidden());
   await type(page, solving);
   await page.locator('#run').click();
   await says(page, /^Solved!/);
-  assert.equal(await hold.textContent().then((text) => text.trim()), '3.0 of 3 s');
-  assert.equal(await hold.getAttribute('aria-valuetext'), '3.0 of 3 seconds');
+  assert.equal(await goalMeter.textContent().then((text) => text.trim()), '3.0 of 3 s');
+  assert.equal(await goalMeter.getAttribute('aria-valuetext'), '3.0 of 3 seconds');
   // Half a second before the end it had held for two and a half; a second and more before it began, not at all.
   const last = Number(await page.locator('#time').getAttribute('max'));
   await page.locator('#time').fill(String(last - 30));
-  assert.equal(await hold.getAttribute('aria-valuenow'), '2.5');
+  assert.equal(await goalMeter.getAttribute('aria-valuenow'), '2.5');
   await page.locator('#time').fill('0');
-  assert.equal(await hold.getAttribute('aria-valuenow'), '0.0');
+  assert.equal(await goalMeter.getAttribute('aria-valuenow'), '0.0');
 });
 
 test('with reduced motion a run shows its end and its path at once', async () => {
-  const page = await openPuzzle(session, { still: true });
+  const page = await openPuzzle(session, { reducedMotion: true });
   const { missing } = await known(page);
   await type(page, missing);
   await page.locator('#run').click();
@@ -137,15 +137,15 @@ test('with reduced motion a run shows its end and its path at once', async () =>
 });
 
 test('the path is drawn as it goes', async () => {
-  const page = await openPuzzle(session, { still: true });
+  const page = await openPuzzle(session, { reducedMotion: true });
   const { missing } = await known(page);
   await type(page, missing);
   await page.locator('#run').click();
   const red = (await palette(page)).red;
   const lengths = [];
   const last = Number(await page.locator('#time').getAttribute('max'));
-  for (const share of [0, 0.05, 0.1]) {
-    await page.locator('#time').fill(String(Math.round(last * share)));
+  for (const fraction of [0, 0.05, 0.1]) {
+    await page.locator('#time').fill(String(Math.round(last * fraction)));
     await page.waitForTimeout(100);
     lengths.push(await pixels(page, red));
   }

@@ -26,7 +26,7 @@ async function playBoth(page) {
 }
 
 test('a puzzle counts once both have played, by the same measure, and is kept', async () => {
-  const page = await openPuzzle(session, { more: '&panel=compare', still: true });
+  const page = await openPuzzle(session, { fragment: '&panel=compare', reducedMotion: true });
   await page.locator('#score-empty:visible').waitFor();
   await playBoth(page);
   assert.equal(await rows(page).count(), 1);
@@ -47,7 +47,7 @@ test('a puzzle counts once both have played, by the same measure, and is kept', 
 async function remembering(entries) {
   const localStorage = Object.entries(entries).map(([name, value]) => ({ name, value }));
   const storageState = { cookies: [], origins: [{ origin: session.origin, localStorage }] };
-  const page = await openPuzzle(session, { more: '&panel=compare', storageState });
+  const page = await openPuzzle(session, { fragment: '&panel=compare', storageState });
   await page.locator('#model-turn:enabled').waitFor();
   return page;
 }
@@ -85,7 +85,7 @@ test('a damaged store costs the score, not the page', async () => {
 });
 
 test('a store that is forbidden does not stop anybody', async () => {
-  const page = await openPuzzle(session, { more: '&panel=compare', still: true });
+  const page = await openPuzzle(session, { fragment: '&panel=compare', reducedMotion: true });
   await page.addInitScript(() => Object.defineProperty(window, 'localStorage', { get() { throw new DOMException('no', 'SecurityError'); } }));
   await page.reload();
   await page.locator('#model-turn:enabled').waitFor();

@@ -1,5 +1,6 @@
 // Takes the README's picture of the real page: node tests/browser/screenshot.mjs [TASK]
-// The model has played; its last attempt is under way, over two of the maps that it was imagined from.
+// A tool, not a test: it asserts nothing. The model has played; its last attempt is under way, over two of the maps that it
+// was imagined from.
 
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';

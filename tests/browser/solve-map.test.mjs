@@ -13,7 +13,7 @@ const words = (page) => page.locator('#solve-map-words');
 const search = (page) => page.locator('#solve-map-search');
 
 test('the map grows while the page stays alive, and ends when it is told to', async () => {
-  const page = await openPuzzle(session, { more: '&panel=map' });
+  const page = await openPuzzle(session, { fragment: '&panel=map' });
   const bare = await picture(page);
   const longestGap = await watchFrames(page);
   await search(page).click();
@@ -57,7 +57,7 @@ test('it says of a ball what its simulation says', async () => {
 
 test('every place is tried in the end, for the ball’s own radius, and the placement map lies over it', async () => {
   // Few places are free for the largest ball, so that this takes little time.
-  const page = await openPuzzle(session, { more: '&panel=map&ball=128,200,32' });
+  const page = await openPuzzle(session, { fragment: '&panel=map&ball=128,200,32' });
   assert.equal(await search(page).textContent(), 'Try every place with radius 32');
   await search(page).click();
   await words(page).filter({ hasText: /^Every place tried: .+ of the places solve it with radius 32, and at \d+ % no ball may be\./ }).waitFor({ timeout: 120_000 });
@@ -72,7 +72,7 @@ test('every place is tried in the end, for the ball’s own radius, and the plac
 });
 
 test('keys start and stop it; another puzzle ends it', async () => {
-  const page = await openPuzzle(session, { more: '&panel=map' });
+  const page = await openPuzzle(session, { fragment: '&panel=map' });
   await search(page).focus();
   await page.keyboard.press('Enter');
   await words(page).filter({ hasText: 'tried so far' }).waitFor();
@@ -85,7 +85,7 @@ test('keys start and stop it; another puzzle ends it', async () => {
 });
 
 test('a search that is stopped and started again at once goes to its end', async () => {
-  const page = await openPuzzle(session, { more: '&panel=map&ball=128,200,32' });
+  const page = await openPuzzle(session, { fragment: '&panel=map&ball=128,200,32' });
   await search(page).click();
   await words(page).filter({ hasText: 'tried so far' }).waitFor();
   await search(page).evaluate((button) => {

@@ -1,4 +1,4 @@
-// Prints how long a person waits, on this machine: make timings
+// Prints how long a person waits, on this machine: make timings. A tool, not a test: it asserts nothing.
 //
 //   first puzzle   from asking for the page, with an empty cache, until the scene (or the grid's first picture) is
 //                  drawn; the page is the one asked for, a puzzle by its link or the grid
@@ -58,7 +58,7 @@ async function repeat(act) {
 row('first puzzle, by its link', await repeat((time) => drawn(`/#task=${task(time)}`, '#scene')), 'ms', '< 1000 ms');
 row('first puzzle, on the grid', await repeat(() => drawn('/', '#templates canvas')), 'ms', '< 1000 ms');
 
-const page = await openPuzzle(session, { more: '&panel=imagine&layers=base,placement&ball=128,200,12' });
+const page = await openPuzzle(session, { fragment: '&panel=imagine&layers=base,placement&ball=128,200,12' });
 await page.locator('#imagined-in').filter({ hasText: 'Imagined' }).waitFor();
 
 /** Drags the ball about for two seconds: the times between frames. */

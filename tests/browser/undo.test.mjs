@@ -69,7 +69,7 @@ test('a key that is held and a turn of the wheel are one step each', async () =>
 });
 
 test('the buttons are there for fingers, and undo out of a run', async () => {
-  const page = await openPuzzle(session, { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, still: true });
+  const page = await openPuzzle(session, { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, reducedMotion: true });
   await page.touchscreen.tap(...(await spot(page, 128, 230)));
   const first = await ball(page);
   await page.touchscreen.tap(...(await spot(page, 40, 230)));

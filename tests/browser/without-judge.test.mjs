@@ -26,7 +26,7 @@ after(async () => {
 });
 
 test('four maps are drawn, and the fifth says that there is none', async () => {
-  const page = await openPuzzle(session, { more: '&panel=imagine&layers=placement,judge' });
+  const page = await openPuzzle(session, { fragment: '&panel=imagine&layers=placement,judge' });
   await page.locator('#imagined-in').filter({ hasText: /Imagined in \d+ ms/ }).waitFor();
   for (const stage of ['base', 'target', 'action', 'placement']) {
     assert.match(await page.locator(`[data-stage=${stage}] .summary`).textContent(), /^Strongest at/, stage);
@@ -42,6 +42,6 @@ test('four maps are drawn, and the fifth says that there is none', async () => {
 });
 
 test('its balls come from the placement map', async () => {
-  const page = await openPuzzle(session, { more: '&panel=compare&proposal=1' });
+  const page = await openPuzzle(session, { fragment: '&panel=compare&proposal=1' });
   await page.locator('#proposal-origin').filter({ hasText: /placement map/ }).waitFor();
 });

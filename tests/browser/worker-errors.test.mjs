@@ -11,14 +11,14 @@ before(async () => (session = await start()));
 after(() => session.stop());
 
 /** Opens a puzzle whose first worker throws at the first call of this name. */
-async function openFailing(call, error, more) {
+async function openFailing(call, error, fragment) {
   const page = await session.open('');
   await page.context().route('**/model/worker.js', async (route) => {
     const response = await route.fetch();
     const failing = `{ const { ${call} } = calls; calls.${call} = () => { calls.${call} = ${call}; throw ${error}; }; }`;
     await route.fulfill({ response, body: `${await response.text()}\n${failing}` });
   }, { times: 1 });
-  await page.goto(`${session.origin}/#task=00000:000${more}`);
+  await page.goto(`${session.origin}/#task=00000:000${fragment}`);
   return page;
 }
 
@@ -78,7 +78,7 @@ test('a search after a trap starts another worker', async () => {
 });
 
 test('a late answer to a puzzle that was left is dropped', async () => {
-  const page = await openPuzzle(session, { more: '&panel=imagine' });
+  const page = await openPuzzle(session, { fragment: '&panel=imagine' });
   await page.locator('#imagined-in').filter({ hasText: 'Imagined' }).waitFor();
   const labels = () => page.locator('#stages canvas[role=img]').evaluateAll((maps) => maps.map((map) => map.getAttribute('aria-label')));
   await page.evaluate(() => {
@@ -91,7 +91,7 @@ test('a late answer to a puzzle that was left is dropped', async () => {
   const settled = await labels();
   await page.waitForTimeout(500);
   assert.deepEqual(await labels(), settled);
-  const fresh = await openPuzzle(session, { more: '&panel=imagine' });
+  const fresh = await openPuzzle(session, { fragment: '&panel=imagine' });
   await fresh.locator('#imagined-in').filter({ hasText: 'Imagined' }).waitFor();
   assert.deepEqual(settled, await fresh.locator('#stages canvas[role=img]').evaluateAll((maps) => maps.map((map) => map.getAttribute('aria-label'))));
 });
