@@ -94,8 +94,8 @@ test('the balls one by one are those of the model that is loaded', async () => {
 });
 
 test('the weights of the second model are fetched once, also while a ball of the first is looked at', async () => {
-  const page = await open({ more: '&panel=compare&proposal=1' });
-  await page.locator('#proposals-facts').waitFor();
+  const page = await open({ fragment: '&panel=compare&proposal=1' });
+  await page.locator('#proposal-facts').waitFor();
   const { models } = await (await fetch(`${session.origin}/assets/model.json`)).json();
   const { file } = models.find(({ name }) => name === second);
   let requests = 0;
