@@ -84,8 +84,8 @@ pub struct Report {
     pub seed: u64,
     /// `simulator::VERSION`
     pub simulator: u32,
-    /// `agents::VERSION`; defaults to 1.
-    #[serde(default = "first_version")]
+    /// `agents::VERSION`; 0 in a file that does not record it.
+    #[serde(default)]
     pub agents_version: u32,
     /// How the model was trained, if it was measured.
     pub card: Option<Card>,
@@ -104,10 +104,6 @@ pub struct Score {
     pub solved_within_100: f64,
     /// The first attempt that solved each task, counted from 1; null if none did.
     pub first_solved: Vec<(TaskId, Option<usize>)>,
-}
-
-fn first_version() -> u32 {
-    1
 }
 
 impl Args {

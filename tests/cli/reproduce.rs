@@ -87,6 +87,12 @@ fn jobs_make_results_and_the_report_reads_them() {
     let refused = job("10", &other);
     assert!(String::from_utf8_lossy(&refused.stderr).contains("`seed` is 0 instead of 1): choose other folders"));
 
+    let report = ["reproduce", "--only", "report", "--results", &words[1]];
+    fs::write(results.join("within-4.json"), result.to_string()).expect("written");
+    assert_refused(&report, "within-4.json holds the result of within 3");
+    let mut result_of_within_4 = result.clone();
+    result_of_within_4["report"]["fold"] = 4.into();
+
     // Results of other settings, of other agents or of weights trained in another way do not belong in the same table.
     for (key, value, difference) in [
         ("/hyperparameters/epochs", Value::from(7), "`epochs` is 7 instead of 1"),
@@ -94,10 +100,9 @@ fn jobs_make_results_and_the_report_reads_them() {
         ("/nets/card/decay_epochs", Value::from(5), "`decay_epochs` is 5 instead of 1"),
         ("/nets/card/without_dev", Value::from(true), "`without_dev` is true instead of false"),
     ] {
-        let mut stray = result.clone();
+        let mut stray = result_of_within_4.clone();
         *stray.pointer_mut(key).unwrap_or_else(|| panic!("{key}")) = value;
         fs::write(results.join("within-4.json"), stray.to_string()).expect("written");
-        let report = ["reproduce", "--only", "report", "--results", &words[1]];
         assert_refused(&report, "within-4.json was made with other settings");
         assert_refused(&report, difference);
         if key == "/report/agents_version" {

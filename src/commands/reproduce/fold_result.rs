@@ -121,19 +121,24 @@ impl ResultSettings {
 }
 
 impl FoldResult {
-    /// Reads a result; `None` if there is no file.
+    /// Reads the result of a fold; `None` if there is no file.
     ///
     /// # Errors
-    /// If the file is not a result.
-    pub fn load(path: &Path) -> anyhow::Result<Option<FoldResult>> {
+    /// If the file is not a result, or the result of another fold.
+    pub fn load(path: &Path, FoldArgs { setup, fold }: FoldArgs) -> anyhow::Result<Option<FoldResult>> {
+        let name = path.display();
         let bytes = match fs::read(path) {
             Err(error) if error.kind() == ErrorKind::NotFound => return Ok(None),
-            read => read.with_context(|| format!("cannot read {}", path.display()))?,
+            read => read.with_context(|| format!("cannot read {name}"))?,
         };
-        let result = serde_json::from_slice(&bytes);
-        result
-            .map(Some)
-            .with_context(|| format!("{} is not a result of `pathlight reproduce`: remove it", path.display()))
+        let result: FoldResult = serde_json::from_slice(&bytes)
+            .with_context(|| format!("{name} is not a result of `pathlight reproduce`: remove it"))?;
+        let Report { setup: found_setup, fold: found_fold, .. } = result.report;
+        ensure!(
+            (found_setup, found_fold) == (setup, fold),
+            "{name} holds the result of {found_setup} {found_fold}: remove it, or name it after that fold"
+        );
+        Ok(Some(result))
     }
 
     /// Writes the file, completely or not at all.
@@ -195,8 +200,9 @@ pub fn read(folder: &Path) -> anyhow::Result<Vec<FoldResult>> {
     let mut results: Vec<FoldResult> = Vec::new();
     for setup in [Setup::Within, Setup::Cross] {
         for fold in 0..FOLDS {
-            let path = folder.join(format!("{}.json", FoldArgs { setup, fold }));
-            let Some(result) = FoldResult::load(&path)? else { continue };
+            let fold = FoldArgs { setup, fold };
+            let path = folder.join(format!("{fold}.json"));
+            let Some(result) = FoldResult::load(&path, fold)? else { continue };
             if let Some(first) = results.first() {
                 let other = result.settings().differences(&first.settings());
                 ensure!(

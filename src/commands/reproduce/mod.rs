@@ -104,7 +104,7 @@ impl Args {
     fn make_result(&self, fold: FoldArgs, data: &DataFiles) -> anyhow::Result<()> {
         let path = self.results.join(format!("{fold}.json"));
         let name = path.display();
-        if let Some(result) = FoldResult::load(&path)? {
+        if let Some(result) = FoldResult::load(&path, fold)? {
             let other = result.settings().differences(&ResultSettings::expected(&self.hyperparameters, data)?);
             ensure!(
                 other.is_empty(),
