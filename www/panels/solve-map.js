@@ -116,7 +116,7 @@ export class SolveMapPanel extends Component {
         this.#paint();
       });
     } catch (error) {
-      if (!search.signal.aborted) this.#callFailure = `The search failed: ${/** @type {Error} */ (error).message} Press the button to try again.`;
+      if (!search.signal.aborted) this.#callFailure = `The search ended: ${/** @type {Error} */ (error).message} Press the button to search again.`;
     }
     if (search !== this.#search) return;
     this.#search = null;
