@@ -14,7 +14,7 @@ import { ScenePicture } from "./panels/scene-picture.js";
 import { Scoreboard } from "./panels/scoreboard.js";
 import { SolveMapPanel } from "./panels/solve-map.js";
 import { Walkthrough } from "./panels/walkthrough.js";
-import { AttemptList } from "./play/attempts.js";
+import { AttemptList } from "./play/attempt-list.js";
 import { SceneCanvas } from "./play/canvas.js";
 import { Controls } from "./play/controls.js";
 import { Session } from "./play/session.js";
