@@ -144,7 +144,7 @@ export class Proposals extends Component {
     byId("proposals-failure").hidden = this.#client.failure !== null;
     this.#trouble.update(this.#client, this.#callFailure, { restartModel: () => this.requestModel(), repeatCall: () => this.#retry() });
     byId("proposals").hidden = !proposals || proposals.length === 0;
-    if (!session || !proposals?.length) return;
+    if (!session || !proposals?.length) return this.#updateFacts([]);
     slider.max = String(proposals.length);
     const number = this.#visible ? this.#requested : null;
     const proposal = number === null ? null : proposals[number - 1];
