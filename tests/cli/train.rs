@@ -192,3 +192,11 @@ fn chance_is_measured_with_its_settings_beside_it() {
     assert_eq!(score["solved_within_100"], solved as f64 / 25.0);
     assert!(table.lines().last().expect("a line").starts_with("all "), "{table}");
 }
+
+#[test]
+fn all_commands_read_and_write_the_shipped_solutions_unless_told_otherwise() {
+    for command in ["collect", "train", "label", "reproduce"] {
+        let help = output_of(&[command, "--help"]);
+        assert!(help.contains("[default: assets/solutions.jsonl]"), "{command}: {help}");
+    }
+}
