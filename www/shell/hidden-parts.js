@@ -1,5 +1,5 @@
 // Hides the parts of the page that the link hides: elements with data-hideable="name …", which names what they belong to.
-// Something that belongs to several parts is hidden with the last of them.
+// Something that belongs to several parts is hidden with the last of them. The names are HIDEABLE's in url-state.js.
 
 import { Component } from "./component.js";
 import { byId } from "./dom.js";
