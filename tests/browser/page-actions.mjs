@@ -26,6 +26,13 @@ export async function openPuzzle(session, { task = EASY, fragment = '', reducedM
   return page;
 }
 
+/** Opens a puzzle on the panel Imagine, and waits until its maps are imagined. */
+export async function openImagined(session, options) {
+  const page = await openPuzzle(session, { fragment: '&panel=imagine', ...options });
+  await page.locator('#imagined-in').filter({ hasText: /Imagined in \d+ ms/ }).waitFor();
+  return page;
+}
+
 /**
  * Waits until the value of a field passes a test.
  * @param {Page} page

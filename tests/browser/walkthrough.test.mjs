@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { start } from './harness.mjs';
-import { openPuzzle, spot } from './page-actions.mjs';
+import { openImagined, spot } from './page-actions.mjs';
 
 const STAGES = ['base', 'target', 'action', 'placement', 'judge'];
 
@@ -11,11 +11,7 @@ let session;
 before(async () => (session = await start()));
 after(() => session.stop());
 
-async function imagine(options) {
-  const page = await openPuzzle(session, { fragment: '&panel=imagine', ...options });
-  await page.locator('#imagined-in').filter({ hasText: /Imagined in \d+ ms/ }).waitFor();
-  return page;
-}
+const imagine = (options) => openImagined(session, options);
 
 /** The stages whose maps are in the panel, and those that lie over the scene. */
 async function shown(page) {
