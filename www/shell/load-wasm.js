@@ -15,11 +15,13 @@ async function load() {
   if (typeof WebAssembly !== "object") {
     throw new Error("This browser has no WebAssembly, or it is switched off. Pathlight needs it: try a current browser.");
   }
-  const [response, { default: initialise }] = await Promise.all([fetch("pkg/pathlight_bg.wasm"), import("../pkg/pathlight.js")]);
+  const [response, { default: initialise }] = await Promise.all([fetch(new URL("../pkg/pathlight_bg.wasm", import.meta.url)), import("../pkg/pathlight.js")]);
   if (!response.ok) {
     throw new Error(`Pathlight’s wasm could not be loaded: the server answered ${response.status} for pkg/pathlight_bg.wasm. Build it with “make play”.`);
   }
-  const module = await WebAssembly.compileStreaming(response);
+  // Not every static server knows wasm's media type, without which the browser refuses to compile while it loads.
+  const streams = response.headers.get("content-type") === "application/wasm";
+  const module = await (streams ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer()));
   await initialise({ module_or_path: module });
   return module;
 }
