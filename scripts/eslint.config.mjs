@@ -22,6 +22,7 @@ export default [
     },
   },
   { files: ["www/**/*.js"], languageOptions: { globals: globals.browser } },
+  { files: ["www/api/*.js"], languageOptions: { globals: globals["shared-node-browser"] } },
   { files: ["www/model/worker.js"], languageOptions: { globals: globals.worker } },
   { files: ["**/*.mjs"], languageOptions: { globals: { ...globals.node, ...globals.browser } } },
 ];

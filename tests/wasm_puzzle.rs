@@ -3,7 +3,10 @@
 
 use js_sys::Reflect;
 use pathlight::play::game::ATTEMPT_LIMIT;
-use pathlight::web::{Model, Puzzle, SolveMap, auccess, constants, palette, soft_iou, templates};
+use pathlight::web::{
+    Model, Puzzle, SolveMap, auccess, constants, fold, palette, raster, scene, simulate, soft_iou, templates,
+    why_invalid,
+};
 use serde_json::Value;
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -188,6 +191,44 @@ fn metrics_refuse_malformed_maps_and_lists() {
 }
 
 #[wasm_bindgen_test]
+fn a_script_simulates_what_the_game_attempts() {
+    let mut puzzle = open(TASK);
+    let (x, y, r) = balls(&puzzle).next().expect("a valid ball");
+    let ball = |ball: [f64; 3]| serde_wasm_bindgen::to_value(&ball).expect("a ball");
+    let rollout = simulate(TASK, ball([x, y, r])).expect("a rollout");
+    let array = |name: &str| Reflect::get(&rollout, &name.into()).expect("an object");
+    let poses = array("poses").dyn_into::<js_sys::Float32Array>().expect("poses").to_vec();
+    let bodies = array("bodies").dyn_into::<js_sys::Uint32Array>().expect("bodies").to_vec();
+    let touching = array("touching").dyn_into::<js_sys::Uint8Array>().expect("touching");
+    let attempt = json(puzzle.attempt(x, y, r).expect("valid"));
+    assert_eq!(touching.length() as usize, puzzle.steps() + 1);
+    assert_eq!(poses.len(), (puzzle.steps() + 1) * bodies.len() * 3);
+    assert_eq!(Reflect::get(&rollout, &"steps".into()).expect("steps"), attempt["ending"]["steps"].as_f64().unwrap());
+    let body_count = json(scene(TASK).expect("a scene"))["bodies"].as_array().expect("bodies").len();
+    assert_eq!(bodies.last().copied(), Some(body_count as u32), "the ball comes last");
+    assert_eq!(poses[3 * (bodies.len() - 1)..][..2], [x as f32, y as f32]);
+
+    let invalid = simulate(TASK, ball([1.0, 250.0, 9.0])).expect("an outcome");
+    let status = Reflect::get(&invalid, &"status".into()).expect("a status");
+    assert_eq!(status, "invalid");
+    let reason = why_invalid(TASK, ball([1.0, 250.0, 9.0])).expect("a task");
+    assert_eq!(Reflect::get(&invalid, &"reason".into()).expect("a reason").as_string(), reason);
+    assert_eq!(code(simulate(TASK, JsValue::from("ball")).expect_err("refused")), "bad_data");
+    assert_eq!(code(simulate("7:13", JsValue::NULL).expect_err("refused")), "bad_task");
+    assert_eq!(raster(TASK).expect("five channels").len(), 5 * 64 * 64);
+}
+
+#[wasm_bindgen_test]
+fn the_folds_are_those_of_the_benchmark() {
+    let within = json(fold("within".into(), 0.0).expect("a fold"));
+    assert_eq!(["train", "dev", "test"].map(|part| within[part].as_array().expect("a list").len()), [1600, 400, 500]);
+    for number in [-1.0, 0.5, 10.0, f64::NAN] {
+        assert_eq!(code(fold("cross".into(), number).expect_err("refused")), "bad_data");
+    }
+    assert_eq!(code(fold("both".into(), 0.0).expect_err("refused")), "bad_data");
+}
+
+#[wasm_bindgen_test]
 fn a_solve_map_fills_up_and_refuses_unknown_tasks_and_radii() {
     assert_eq!(code(SolveMap::new("7:13", 12.0).err().expect("refused")), "bad_task");
     assert_eq!(code(SolveMap::new(TASK, f64::NAN).err().expect("refused")), "invalid_ball");
@@ -231,6 +272,17 @@ fn values_have_the_fields_that_their_types_declare() {
     assert_eq!(fields(&json(constants().expect("constants"))), declared("Constants"));
     assert_eq!(fields(&json(palette(true).expect("colours"))), declared("Palette"));
     assert_eq!(fields(&json(templates().expect("a list"))[0]), declared("Template"));
+    assert_eq!(fields(&json(fold("within".into(), 0.0).expect("a fold"))), declared("Fold"));
+    let scene = json(scene(TASK).expect("a scene"));
+    assert_eq!(fields(&scene), declared("Scene"));
+    assert_eq!(fields(&scene["bodies"][0]), declared("Body"));
+    let rollout = simulate(TASK, JsValue::NULL).expect("a rollout");
+    let mut names: Vec<String> =
+        js_sys::Object::keys(&rollout.into()).iter().filter_map(|key| key.as_string()).collect();
+    names.sort_unstable();
+    let mut expected = [declared("Ending"), declared("Rollout")].concat();
+    expected.sort_unstable();
+    assert_eq!(names, expected);
 
     let bytes = include_bytes!("../assets/within-0.safetensors");
     let model = Model::new(bytes).expect("the shipped weights");
@@ -238,9 +290,11 @@ fn values_have_the_fields_that_their_types_declare() {
     let optional = |name: &str| declared(name).into_iter().map(|field| field.replace('?', "")).collect::<Vec<_>>();
     assert_eq!(fields(&card), optional("ModelCard"));
     assert_eq!(fields(&card["judge"]), declared("JudgeCard"));
-    let proposals = json(model.propose(TASK, 0).expect("proposals"));
+    let proposals = json(model.propose(TASK, 0, None).expect("proposals"));
     assert_eq!(fields(&proposals[0]), declared("Proposal"));
     assert_eq!(proposals[0]["origin"]["kind"], "judge");
+    assert_eq!(json(model.propose(TASK, 0, Some(3)).expect("three")).as_array().expect("a list").len(), 3);
+    assert_eq!(code(model.propose(TASK, 0, Some(0)).expect_err("refused")), "bad_data");
 }
 
 #[wasm_bindgen_test]

@@ -1,8 +1,8 @@
 //! The wasm exports, which the page and its worker call. The only user of wasm_bindgen and web_sys.
 //!
 //! `puzzle` is one puzzle on the page, `puzzle_view` what is drawn of it; `model` is the nets in the worker and
-//! `solve_map` its search for all solutions; `metrics` are the figures that agents are compared by. This file holds the
-//! exports that need no state: the constants, the templates, thumbnails, maps and legends. Data go to JavaScript as plain
+//! `solve_map` its search for all solutions; `scripting` is what a script asks of a task, and `metrics` how agents are
+//! compared. This file holds the exports that need no state: the constants, the templates, thumbnails, maps and legends. Data go to JavaScript as plain
 //! objects with the field names of the Rust types (`types.d.ts` declares them), or as typed arrays; an error is an `Error`
 //! with a `code`.
 
@@ -31,14 +31,16 @@ mod panic;
 mod puzzle;
 mod puzzle_view;
 mod recording;
+mod scripting;
 mod solve_map;
 mod stage;
 mod types;
 
-pub use metrics::{auccess, soft_iou};
+pub use metrics::{auccess, fold, soft_iou};
 pub use model::{Model, Turn};
 pub use panic::throw_panics;
 pub use puzzle::Puzzle;
+pub use scripting::{raster, scene, simulate, why_invalid};
 pub use solve_map::SolveMap;
 
 use error::{Code, error, to_js};

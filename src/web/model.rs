@@ -19,6 +19,9 @@ use crate::puzzle::scene::Scene;
 use crate::puzzle::task::{Task, TaskId};
 use crate::simulator::simulate;
 
+/// Most balls of one list of proposals, as on the command line.
+const MAX_PROPOSALS: usize = 1000;
+
 /// The nets with their weights.
 #[wasm_bindgen]
 pub struct Model {
@@ -90,14 +93,19 @@ impl Model {
         Ok(maps.into())
     }
 
-    /// Returns the balls that the model would try, in order, each with its origin.
+    /// Returns the balls that the model would try, in order, each with its origin: `count` of them, 1 to 1,000; without a
+    /// count as many as there are attempts.
     ///
     /// # Errors
-    /// `bad_task` if there is no such task.
+    /// `bad_task` if there is no such task, `bad_data` if the count is out of range.
     #[wasm_bindgen(unchecked_return_type = "Proposal[]")]
-    pub fn propose(&self, id: &str, seed: u32) -> Result<JsValue, JsValue> {
+    pub fn propose(&self, id: &str, seed: u32, count: Option<usize>) -> Result<JsValue, JsValue> {
         let Task { id, scene, .. } = load(id)?;
-        to_js(&agents::propose(&self.net, id, &scene, seed.into(), ATTEMPT_LIMIT))
+        let count = count.unwrap_or(ATTEMPT_LIMIT);
+        if !(1..=MAX_PROPOSALS).contains(&count) {
+            return Err(error(Code::BadData, format!("the model proposes 1 to {MAX_PROPOSALS} balls, not {count}")));
+        }
+        to_js(&agents::propose(&self.net, id, &scene, seed.into(), count))
     }
 
     /// Starts the model's turn on a task. The same seed leads to the same attempts.

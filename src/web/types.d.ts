@@ -1,6 +1,46 @@
 /** The red ball, px: its centre, counted from the lower left corner of the scene, and its radius. */
 export type Ball = [x: number, y: number, r: number];
 
+/** The role of a body, named by PHYRE's colour for it: the green object, its blue (dynamic) or purple (static) goal, other
+ * dynamic (gray) and static (black) bodies. */
+export type Role = "green" | "blue" | "purple" | "gray" | "black";
+
+/** One convex shape in the coordinates of its body, px: a circle of this radius around the origin, or a polygon with its
+ * corners counter-clockwise. */
+export type Shape = { circle: number } | { polygon: [x: number, y: number][] };
+
+/** A rigid body. Its origin is at x, y (px); the angle is in radians, counter-clockwise. */
+export interface Body {
+    x: number;
+    y: number;
+    angle: number;
+    dynamic: boolean;
+    shape: "ball" | "bar" | "jar" | "standing_sticks";
+    role: Role;
+    parts: Shape[];
+}
+
+/** A scene of 256 x 256 px, y up, without the walls around it. The goal: `body1` touches `body2` for three seconds; both
+ * are indices into `bodies`. */
+export interface Scene {
+    body1: number;
+    body2: number;
+    bodies: Body[];
+}
+
+/** PHYRE's status of an attempt. */
+export type Status = "solved" | "not_solved" | "invalid";
+
+/** What an agent has to generalise to: new tasks of templates that it was trained on, or new templates. */
+export type Setup = "within" | "cross";
+
+/** The ids of the tasks of a fold. `train` and `dev` together are PHYRE's training tasks; settings are chosen on `dev`. */
+export interface Fold {
+    train: string[];
+    dev: string[];
+    test: string[];
+}
+
 /** What the nets imagine: the four maps of the paper in the order in which the nets make them, and the judge's. */
 export type Stage = "base" | "target" | "action" | "placement" | "judge";
 
@@ -73,6 +113,19 @@ export interface Ending {
     longest_touch: number;
     /** The touch that the rollout ended with; 0 if there was none. */
     final_touch: number;
+}
+
+/** A complete simulation, of at most 1,000 steps of 1/60 s; it ends as soon as the task is solved. */
+export interface Rollout extends Ending {
+    status: Status;
+    /** Why the ball is invalid, as a phrase; null if it is valid. */
+    reason: string | null;
+    /** The dynamic bodies as indices into the scene's bodies; the ball comes last and has the index after the last body. */
+    bodies: Uint32Array;
+    /** `[steps + 1, bodies, 3]`: x, y (px) and angle (radians) of each dynamic body; the first row is the start. */
+    poses: Float32Array;
+    /** For the start and each step: 1 if the green object touches its goal, else 0. */
+    touching: Uint8Array;
 }
 
 /** A ball that was simulated. */

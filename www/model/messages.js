@@ -28,7 +28,7 @@
  * `start` takes the compiled wasm; `load` the name of weights in assets/model.json (null: the first); `propose` returns the
  * balls of a turn without trying them; `turn` tries them in order; `solve` maps where a ball of a radius (px) solves.
  * @typedef {object} Calls
- * @property {{ args: { module: WebAssembly.Module }, value: undefined }} start
+ * @property {{ args: { module: WebAssembly.Module }, value: void }} start
  * @property {{ args: { name: string | null }, value: LoadedModel }} load
  * @property {{ args: { task: string }, value: Imagined }} imagine
  * @property {{ args: { task: string, seed: number }, value: Proposal[] }} propose

@@ -1,0 +1,104 @@
+// Reads the files beside the modules, and compiles the wasm: by fetch, or in Node, whose fetch knows no `file:` addresses,
+// from the disk.
+
+import { failure } from "./failure.js";
+
+/** The wasm of this version. */
+const WASM = new URL("../pkg/pathlight_bg.wasm", import.meta.url);
+
+/**
+ * Hears the fraction of a file that has arrived, 0..1, or null if its size is unknown.
+ * @typedef {(fraction: number | null) => void} OnProgress
+ */
+
+/**
+ * Returns the bytes at an address. Rejects with the error that `refuse` makes.
+ * @param {URL} address
+ * @param {(reason: string, status?: number) => Error} refuse makes the error out of a reason like “the server answered 404”
+ * @param {OnProgress} [onProgress]
+ * @returns {Promise<Uint8Array<ArrayBuffer>>}
+ */
+export async function readFile(address, refuse, onProgress = () => {}) {
+  const disk = diskOf(address);
+  if (disk) return new Uint8Array(await disk(address).catch((/** @type {Error} */ { message }) => Promise.reject(refuse(message))));
+  const response = await answerOf(address, refuse);
+  if (!response.body) throw refuse("the answer is empty");
+  const size = Number(response.headers.get("content-length")) || null;
+  const chunks = [];
+  let length = 0;
+  for (const reader = response.body.getReader(); ; ) {
+    const { done, value } = await reader.read();
+    if (done) break;
+    chunks.push(value);
+    length += value.length;
+    // A compressed file may become longer than the server said.
+    onProgress(size && Math.min(length / size, 1));
+  }
+  const bytes = new Uint8Array(length);
+  let end = 0;
+  for (const chunk of chunks) {
+    bytes.set(chunk, end);
+    end += chunk.length;
+  }
+  return bytes;
+}
+
+/**
+ * Compiles the wasm.
+ * @param {WebAssembly.Module | BufferSource | URL | string} [source] the module itself, its bytes or their address; without
+ * it, the wasm beside this module
+ * @returns {Promise<WebAssembly.Module>}
+ */
+export async function compileWasm(source = WASM) {
+  if (typeof WebAssembly !== "object") {
+    throw failure("no_wasm", "There is no WebAssembly here, or it is switched off. Pathlight needs it: try a current browser.");
+  }
+  if (source instanceof WebAssembly.Module) return source;
+  if (typeof source !== "string" && !(source instanceof URL)) return WebAssembly.compile(source);
+  const address = addressOf(source);
+  /** @param {string} reason */
+  const refuse = (reason) => failure("no_wasm", `Pathlight’s wasm could not be loaded: ${reason} for ${address}. Build or install Pathlight again.`);
+  if (diskOf(address)) return WebAssembly.compile(await readFile(address, refuse));
+  const response = await answerOf(address, refuse);
+  // Compiled while it arrives; a server that does not know wasm's type forbids that.
+  const isWasm = response.headers.get("content-type")?.startsWith("application/wasm");
+  return isWasm ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
+}
+
+/**
+ * Returns an absolute address. One without a scheme is relative to the page, or in Node to the working directory.
+ * @param {URL | string} address
+ */
+export function addressOf(address) {
+  if (address instanceof URL) return address;
+  if (typeof address !== "string") throw failure("bad_data", `${address} is neither bytes nor an address.`);
+  const node = nodeModule("node:url");
+  return node && !/^[a-z]{2,}:/i.test(address) ? node.pathToFileURL(address) : new URL(address, globalThis.location?.href);
+}
+
+/**
+ * @param {URL} address
+ * @param {(reason: string, status?: number) => Error} refuse
+ */
+async function answerOf(address, refuse) {
+  const response = await fetch(address).catch((/** @type {Error} */ { message }) => Promise.reject(refuse(message)));
+  if (!response.ok) throw refuse(`the server answered ${response.status}`, response.status);
+  return response;
+}
+
+/**
+ * Returns what reads an address from the disk, or null if fetch has to.
+ * @param {URL} address
+ * @returns {((address: URL) => Promise<Uint8Array<ArrayBuffer>>) | null}
+ */
+function diskOf(address) {
+  return address.protocol === "file:" ? (nodeModule("node:fs/promises")?.readFile ?? null) : null;
+}
+
+/**
+ * Returns a module of Node, or undefined elsewhere. It is no import, which a bundler would look for.
+ * @param {string} name
+ */
+function nodeModule(name) {
+  return /** @type {any} */ (globalThis).process?.getBuiltinModule?.(name);
+}

@@ -1,0 +1,294 @@
+// The programming interface: load the wasm and weights, then ask for scenes, rollouts, images, maps, proposals and figures.
+// Scripts in Node, other pages and the page's own worker all use it. Needs no document, except where a method draws.
+//
+// A task is named by its id, like "00007:008". Lengths are in px: a scene is 256 x 256, y up.
+
+import * as wasm from "../pkg/pathlight.js";
+import { failure } from "./failure.js";
+import { addressOf, compileWasm, readFile } from "./files.js";
+import { readModelList, readWeights } from "./weights.js";
+
+/** @typedef {import("../pkg/pathlight.js").About} About */
+/** @typedef {import("../pkg/pathlight.js").Attempt} Attempt */
+/** @typedef {import("../pkg/pathlight.js").Ball} Ball */
+/** @typedef {import("../pkg/pathlight.js").Body} Body */
+/** @typedef {import("../pkg/pathlight.js").Ending} Ending */
+/** @typedef {import("../pkg/pathlight.js").Fold} Fold */
+/** @typedef {import("../pkg/pathlight.js").GridMap} GridMap */
+/** @typedef {import("../pkg/pathlight.js").Maps} Maps */
+/** @typedef {import("../pkg/pathlight.js").ModelCard} ModelCard */
+/** @typedef {import("../pkg/pathlight.js").Proposal} Proposal */
+/** @typedef {import("../pkg/pathlight.js").Rollout} Rollout */
+/** @typedef {import("../pkg/pathlight.js").Scene} Scene */
+/** @typedef {import("../pkg/pathlight.js").Setup} Setup */
+/** @typedef {import("../pkg/pathlight.js").Stage} Stage */
+/** @typedef {import("../pkg/pathlight.js").Template} Template */
+/** @typedef {import("./failure.js").ErrorCode} ErrorCode */
+/** @typedef {import("./files.js").OnProgress} OnProgress */
+/** @typedef {Error & { code: ErrorCode }} CodedError */
+
+/**
+ * What to load.
+ * @typedef {object} LoadOptions
+ * @property {WebAssembly.Module | BufferSource | URL | string} [wasm] the wasm of this version, its bytes or its address; by
+ * default the file that Pathlight comes with. A module or page has one instance: later calls use that of the first
+ * @property {string} [model] the name of one of the models that Pathlight comes with; by default the first
+ * @property {BufferSource | URL | string | null} [weights] other weights, or their address; null loads none
+ * @property {OnProgress} [onProgress] hears what fraction of the weights has arrived
+ */
+
+/**
+ * Loads the wasm, and the weights of a model.
+ *
+ * Rejects with an Error with a `code`: `no_wasm` or `no_weights` if a file cannot be read, `no_model` if there is no model of
+ * this name, `bad_weights` if the weights are damaged or belong to other nets.
+ * @param {LoadOptions} [options]
+ */
+export async function load({ wasm: source, model, weights, onProgress } = {}) {
+  await wasm.default({ module_or_path: await compileWasm(source) });
+  const pathlight = new Pathlight();
+  if (weights === undefined) await pathlight.loadModel(model, onProgress);
+  else if (weights !== null) await pathlight.loadWeights(weights, onProgress);
+  return pathlight;
+}
+
+// wasm-bindgen takes a task that is no string for an address in its memory, hence each String(task).
+
+/**
+ * What `load` returns. Methods throw an Error with a `code`: `bad_task` if there is no such task, `bad_data` for other
+ * arguments that do not have the agreed form.
+ */
+export class Pathlight {
+  /** @type {wasm.Model | null} */
+  #model = null;
+
+  /**
+   * Loads the weights of a model that Pathlight comes with, in place of those there are. Returns its name and the names of
+   * all models.
+   * @param {string | null} [name] by default the first
+   * @param {OnProgress} [onProgress]
+   */
+  async loadModel(name, onProgress) {
+    const list = await readModelList();
+    const names = list.map((one) => one.name);
+    const entry = list[name ? names.indexOf(name) : 0];
+    if (!entry) throw failure("no_model", `There is no model “${name}” here. There is: ${names.join(", ")}.`);
+    this.#use(await readWeights(entry, onProgress));
+    return { name: entry.name, names };
+  }
+
+  /**
+   * Loads weights that `pathlight train` or `train-judge` has written, in place of those there are.
+   * @param {BufferSource | URL | string} weights their bytes or their address; in Node also a path
+   * @param {OnProgress} [onProgress]
+   */
+  async loadWeights(weights, onProgress) {
+    if (weights instanceof ArrayBuffer) return this.#use(new Uint8Array(weights));
+    if (ArrayBuffer.isView(weights)) return this.#use(new Uint8Array(weights.buffer, weights.byteOffset, weights.byteLength));
+    const address = addressOf(weights);
+    this.#use(await readFile(address, (reason) => failure("no_weights", `The weights could not be loaded: ${reason} for ${address}.`), onProgress));
+  }
+
+  /** @param {Uint8Array} bytes */
+  #use(bytes) {
+    const fresh = new wasm.Model(bytes);
+    this.free();
+    this.#model = fresh;
+  }
+
+  get #loaded() {
+    if (!this.#model) throw failure("no_weights", "No model is loaded: call loadModel or loadWeights first.");
+    return this.#model;
+  }
+
+  /** Frees the memory of the weights. What needs no weights goes on working. */
+  free() {
+    this.#model?.free();
+    this.#model = null;
+  }
+
+  /**
+   * How the weights were trained; null if none are loaded.
+   * @returns {ModelCard | null}
+   */
+  get card() {
+    return this.#model?.card() ?? null;
+  }
+
+  /**
+   * Whether the model was trained on this task or its settings were chosen on it.
+   * @param {string} task
+   * @returns {boolean}
+   */
+  hasSeen(task) {
+    return this.#loaded.hasSeen(String(task));
+  }
+
+  /**
+   * Returns the 25 templates, each with the ids of its 100 tasks.
+   * @returns {Template[]}
+   */
+  templates() {
+    return wasm.templates();
+  }
+
+  /**
+   * Returns the tasks of one of PHYRE's folds.
+   * @param {Setup} setup
+   * @param {number} number 0 to 9
+   * @returns {Fold}
+   */
+  fold(setup, number) {
+    return wasm.fold(setup, number);
+  }
+
+  /**
+   * Returns a task in words: its name, its goal and a description of its scene.
+   * @param {string} task
+   * @returns {About}
+   */
+  about(task) {
+    const puzzle = new wasm.Puzzle(String(task));
+    try {
+      return puzzle.about();
+    } finally {
+      puzzle.free();
+    }
+  }
+
+  /**
+   * Returns the scene of a task.
+   * @param {string} task
+   * @returns {Scene}
+   */
+  scene(task) {
+    return wasm.scene(String(task));
+  }
+
+  /**
+   * Returns the image that the nets see: the channels green object, blue goal, purple goal, gray and black, each of 64 x 64
+   * zeros and ones, row 0 at the bottom.
+   * @param {string} task
+   * @returns {Float32Array} `[5, 64, 64]`
+   */
+  raster(task) {
+    return wasm.raster(String(task));
+  }
+
+  /**
+   * Returns why a ball is invalid in a task, as a phrase; undefined if it is valid.
+   * @param {string} task
+   * @param {Ball} ball
+   * @returns {string | undefined}
+   */
+  whyInvalid(task, ball) {
+    return wasm.whyInvalid(String(task), ball);
+  }
+
+  /**
+   * Simulates a task with a ball, or alone without one. An invalid ball is no error: the status of its rollout is `invalid`.
+   * @param {string} task
+   * @param {Ball | null} [ball]
+   * @returns {Rollout}
+   */
+  simulate(task, ball = null) {
+    return wasm.simulate(String(task), ball);
+  }
+
+  /**
+   * Returns what the nets imagine: for each stage a map of 64 x 64 values in 0..1, row 0 at the bottom. It throws
+   * `no_weights` if none are loaded, as all methods that need the model do.
+   * @param {string} task
+   * @returns {Maps}
+   */
+  imagine(task) {
+    return this.#loaded.imagine(String(task));
+  }
+
+  /**
+   * Returns the balls that the model would try, in order. All are valid; fewer than `count` if the scene has no room.
+   * @param {string} task
+   * @param {{ seed?: number, count?: number }} [options] `seed`: a whole number from 0 to 2^32 - 1; `count`: 1 to 1,000, by default the 100 attempts that count
+   * @returns {Proposal[]}
+   */
+  propose(task, { seed = 0, count } = {}) {
+    return this.#loaded.propose(String(task), seed, count);
+  }
+
+  /**
+   * The model's turn: tries the balls that it proposes, one each time the next value is asked for, until one solves the
+   * task or all 100 have been tried.
+   * @param {string} task
+   * @param {{ seed?: number }} [options]
+   * @returns {Generator<Attempt, void, void>}
+   */
+  *turn(task, { seed = 0 } = {}) {
+    const turn = this.#loaded.turn(String(task), seed);
+    try {
+      for (let attempt = turn.attempt(); attempt; attempt = turn.attempt()) yield attempt;
+    } finally {
+      turn.free();
+    }
+  }
+
+  /**
+   * Maps where a ball of a radius solves a task. Tries one of the 64 x 64 cells each time the next value is asked for; a
+   * value is the fraction of the cells that has been tried, and `outcomes` copies the map as it is then: for each cell 0
+   * untried, 1 invalid, 2 not solved, 3 solved.
+   * @param {string} task
+   * @param {number} radius 2 to 32 px
+   * @returns {Generator<{ progress: number, outcomes: () => Uint8Array }, void, void>}
+   */
+  *solveMap(task, radius) {
+    const map = new wasm.SolveMap(String(task), radius);
+    try {
+      for (let more = true; more; ) {
+        more = map.advance();
+        yield { progress: map.progress(), outcomes: () => map.outcomes() };
+      }
+    } finally {
+      map.free();
+    }
+  }
+
+  /**
+   * Returns PHYRE's auccess of an agent, 0..100.
+   * @param {(number | null)[]} firstSolved for each task the number, from 1, of the first attempt that solved it; null if none did
+   * @returns {number}
+   */
+  auccess(firstSolved) {
+    return wasm.auccess(firstSolved);
+  }
+
+  /**
+   * Returns the soft IoU of two maps of 64 x 64 values in 0..1: from 0 (nothing in common) to 1 (equal).
+   * @param {GridMap} one
+   * @param {GridMap} other
+   * @returns {number}
+   */
+  softIou(one, other) {
+    return wasm.softIou(one, other);
+  }
+
+  /**
+   * Draws the scene of a task so that it fills a square canvas. In a browser only, as all methods that draw.
+   * @param {CanvasRenderingContext2D} context
+   * @param {string} task
+   * @param {{ dark?: boolean }} [options]
+   */
+  paintScene(context, task, { dark = false } = {}) {
+    wasm.paintThumbnail(context, String(task), dark);
+  }
+
+  /**
+   * Draws a map into a canvas of 64 x 64 pixels, which the page scales up. The colours run from 0, which is transparent, to
+   * `max`.
+   * @param {CanvasRenderingContext2D} context
+   * @param {Stage} stage
+   * @param {GridMap} map
+   * @param {{ max?: number, dark?: boolean }} [options]
+   */
+  paintMap(context, stage, map, { max = 1, dark = false } = {}) {
+    wasm.paintMap(context, stage, map, max, dark);
+  }
+}

@@ -1,0 +1,50 @@
+// Finds and reads the weights of the models.
+//
+// assets/model.json lists them: { "models": [{ "name", "file", "sha256" }, …] }.
+
+import { failure } from "./failure.js";
+import { readFile } from "./files.js";
+
+/** @typedef {import("./files.js").OnProgress} OnProgress */
+/** @typedef {{ name: string, file: string, sha256?: string }} ModelEntry */
+
+const LIST = new URL("../assets/model.json", import.meta.url);
+
+/**
+ * Returns the list of the models.
+ * @returns {Promise<ModelEntry[]>}
+ */
+export async function readModelList() {
+  const bytes = await readFile(LIST, (reason, status) =>
+    failure("no_weights", status === 404
+      ? "The model’s weights are missing here: there is no assets/model.json. It can neither imagine nor play; you can."
+      : `The list of models could not be loaded: ${reason}.`));
+  const list = await new Response(bytes).json().then((json) => json.models, () => null);
+  if (!Array.isArray(list) || list.length === 0) {
+    throw failure("no_weights", "The list of models, assets/model.json, names none. Write it again by “pathlight publish”.");
+  }
+  return list;
+}
+
+/**
+ * Returns the weights of a model. Refuses those that are not what the list names.
+ * @param {ModelEntry} entry
+ * @param {OnProgress} [onProgress]
+ */
+export async function readWeights({ file, sha256 }, onProgress) {
+  // In this form bundlers find the files.
+  const address = new URL(`../assets/${file}`, import.meta.url);
+  const bytes = await readFile(address, (reason) =>
+    failure("no_weights", `The model’s weights are missing here: ${reason} for assets/${file}.`), onProgress);
+  // Browsers hash only on secure and local addresses.
+  if (sha256 && globalThis.crypto?.subtle && (await digest(bytes)) !== sha256) {
+    throw failure("bad_weights", `assets/${file} is not the file that assets/model.json names: it is damaged or old.`);
+  }
+  return bytes;
+}
+
+/** @param {Uint8Array<ArrayBuffer>} bytes */
+async function digest(bytes) {
+  const hash = new Uint8Array(await crypto.subtle.digest("SHA-256", bytes));
+  return Array.from(hash, (byte) => byte.toString(16).padStart(2, "0")).join("");
+}
