@@ -60,9 +60,9 @@ export async function compileWasm(source = WASM) {
   const refuse = (reason) => failure("no_wasm", `Pathlight’s wasm could not be loaded: ${reason} for ${address}. Build or install Pathlight again.`);
   if (diskOf(address)) return WebAssembly.compile(await readFile(address, refuse));
   const response = await answerOf(address, refuse);
-  // Compiled while it arrives; a server that does not know wasm's type forbids that.
-  const isWasm = response.headers.get("content-type")?.startsWith("application/wasm");
-  return isWasm ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
+  // Compiled while it arrives; not every static server knows wasm's media type, without which browsers refuse that.
+  const streams = response.headers.get("content-type") === "application/wasm";
+  return streams ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
 }
 
 /**

@@ -1,0 +1,58 @@
+// An empty project in which the packed package is installed, as others install it; every test of the package begins with it.
+// `make package` packs it.
+
+import { execFileSync } from 'node:child_process';
+import { once } from 'node:events';
+import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { createServer } from 'node:http';
+import { tmpdir } from 'node:os';
+import { dirname, extname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+export const root = join(dirname(fileURLToPath(import.meta.url)), '..', '..');
+
+const version = /^version = "(.*)"$/m.exec(readFileSync(join(root, 'Cargo.toml'), 'utf8'))?.[1];
+const packed = join(root, 'target', `pathlight-${version}.tgz`);
+
+/** Makes a project and installs the package in it, without a registry. Returns its folder. */
+export function makeProject() {
+  if (!existsSync(packed)) throw new Error(`${packed} is missing: run make package`);
+  const folder = mkdtempSync(join(tmpdir(), 'pathlight-package-'));
+  process.once('exit', () => rmSync(folder, { recursive: true, force: true }));
+  writeFileSync(join(folder, 'package.json'), '{ "name": "project", "private": true, "type": "module" }');
+  execFileSync('npm', ['install', '--offline', '--no-audit', '--no-fund', '--loglevel=error', packed], { cwd: folder });
+  return folder;
+}
+
+/**
+ * Returns the examples of the installed README in a language, in order.
+ * @param {string} project
+ * @param {string} language
+ */
+export function examples(project, language) {
+  const readme = readFileSync(join(project, 'node_modules/pathlight/README.md'), 'utf8');
+  return [...readme.matchAll(new RegExp(`^\`\`\`${language}\n(.*?)^\`\`\``, 'gms'))].map(([, code]) => code);
+}
+
+/** The media types of a plain server; it knows none for wasm and weights. */
+const TYPES = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.json': 'application/json', '.svg': 'image/svg+xml' };
+
+/**
+ * Serves a folder under a path, without any header but the media type. Ends with the process.
+ * @param {string} folder
+ * @param {string} path begins and ends with /
+ */
+export async function serve(folder, path = '/') {
+  const server = createServer((request, response) => {
+    const { pathname } = new URL(request.url ?? '/', 'http://localhost');
+    // new URL has resolved all `..`.
+    const file = pathname.startsWith(path) ? join(folder, pathname.slice(path.length) || 'index.html') : '';
+    if (!existsSync(file)) return void response.writeHead(404).end();
+    response.writeHead(200, { 'content-type': TYPES[extname(file)] ?? 'application/octet-stream' }).end(readFileSync(file));
+  });
+  server.listen(0, '127.0.0.1');
+  await once(server, 'listening');
+  server.unref();
+  const { port } = /** @type {import('node:net').AddressInfo} */ (server.address());
+  return `http://127.0.0.1:${port}${path}`;
+}
