@@ -1,9 +1,10 @@
 //! Which actions are valid, and which ball they place: PHYRE's rule, at its edges.
 #![cfg(not(target_arch = "wasm32"))]
 
-use pathlight::puzzle::action::{Action, Ball, Invalid, Obstacles, RADIUS};
+use pathlight::puzzle::action::{Action, Ball, Invalid, Obstacles, RADIUS, overlaps};
 use pathlight::puzzle::scene::{Body, Role, SIZE, Scene, Shape, ShapeType, rectangle};
-use pathlight::puzzle::task::Task;
+use pathlight::puzzle::task::{self, Task, TaskId};
+use pathlight::puzzle::templates::TEMPLATES;
 use proptest::prelude::*;
 
 /// A scene of one static body in the middle; of none for `None`.
@@ -103,6 +104,34 @@ fn a_radius_out_of_range_is_invalid() {
     }
 }
 
+/// The exact distance between a point and a body, px, by the textbook, with no shortcut; not positive inside.
+fn distance_to_body([x, y]: [f64; 2], body: &Body) -> f64 {
+    let to_shape = |shape: &Shape| match shape {
+        Shape::Circle(radius) => libm::hypot(x - body.x, y - body.y) - radius,
+        Shape::Polygon(corners) => {
+            let corners: Vec<[f64; 2]> = corners.iter().map(|&corner| body.to_scene(corner)).collect();
+            let edges = || corners.iter().zip(corners.iter().cycle().skip(1));
+            let to_edge = |(a, b): (&[f64; 2], &[f64; 2])| {
+                let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
+                let along = (((x - a[0]) * dx + (y - a[1]) * dy) / (dx * dx + dy * dy)).clamp(0.0, 1.0);
+                libm::hypot(a[0] + along * dx - x, a[1] + along * dy - y)
+            };
+            let left_of =
+                |(a, b): (&[f64; 2], &[f64; 2])| (b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0]) >= 0.0;
+            if edges().all(left_of) { 0.0 } else { edges().map(to_edge).fold(f64::INFINITY, f64::min) }
+        }
+    };
+    body.shapes.iter().map(to_shape).fold(f64::INFINITY, f64::min)
+}
+
+/// A task of any template.
+fn tasks() -> impl Strategy<Value = Task> {
+    (0..TEMPLATES.len(), any::<prop::sample::Index>()).prop_map(|(template, index)| {
+        let ids: Vec<TaskId> = task::ids(TEMPLATES[template]).collect();
+        Task::load(*index.get(&ids)).expect("an id of the template")
+    })
+}
+
 fn actions() -> impl Strategy<Value = Action> {
     (0.0..=1.0, 0.0..=1.0, 0.0..=1.0).prop_map(|(x, y, r)| Action { x, y, r })
 }
@@ -136,6 +165,24 @@ proptest! {
             prop_assert_eq!(ball.action().place(&scene), Ok(ball));
             prop_assert_eq!(ball.rounded(), ball);
             prop_assert_eq!(Obstacles::new(&scene).place(action), Ok(ball));
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(1000))]
+
+    #[test]
+    fn one_clearance_decides_for_all_radii_like_the_distances_to_all_bodies(task in tasks(), action in actions()) {
+        let Ok(Ball { x, y, .. }) = (Action { r: 0.0, ..action }).place(&scene_with(None)) else { return Ok(()) };
+        let obstacles = Obstacles::new(&task.scene);
+        let clearance = obstacles.clearance([x, y], *RADIUS.end());
+        for r in (2..=32).map(f64::from) {
+            let ball = Ball { x, y, r };
+            if ball.check(&scene_with(None)).is_err() { continue }
+            let first = task.scene.bodies.iter().position(|body| distance_to_body([x, y], body) + 1e-5 < r);
+            prop_assert_eq!(obstacles.check(&ball), first.map_or(Ok(()), |index| Err(Invalid::Overlaps(index))));
+            prop_assert_eq!(overlaps(clearance, r), first.is_some(), "{}", ball);
         }
     }
 }

@@ -5,6 +5,7 @@
 //! nearly equal balls swap ranks, or the placement map starts from another ball. No agent calls the simulator. All
 //! balls are valid and in the order of the attempts. `seed` is that of the whole run; each task derives its own from it.
 
+mod fitting_balls;
 pub mod placement;
 pub mod ranking;
 

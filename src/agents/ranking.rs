@@ -5,11 +5,14 @@
 //! a Gaussian of the distance (soft-NMS, Bodla et al. 2017, on logits instead of scores). Does not call the simulator
 //! and draws nothing at random.
 
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
+
+use super::fitting_balls::FittingBalls;
 use super::{Origin, Proposal};
-use crate::nets::judge::{RADII, ball_at};
-use crate::puzzle::action::{Ball, Obstacles};
+use crate::nets::judge::RADII;
 use crate::puzzle::scene::Scene;
-use crate::raster::CELLS;
+use crate::raster::{CELLS, PX_PER_CELL, SIDE};
 
 /// How much a selected ball lowers the logit of a ball at the same place and of the same radius.
 const SUPPRESSION: f64 = 2.0;
@@ -17,23 +20,38 @@ const SUPPRESSION: f64 = 2.0;
 /// Standard deviation of the Gaussian by which the suppression falls with the distance in x, y and r, px.
 const SUPPRESSION_SIGMA: f64 = 5.0;
 
+/// Distance in x, y and r from which on there is no suppression, px: beyond four deviations it is below 0.001.
+const SUPPRESSION_REACH: usize = 20;
+
+/// Cells to each side of a selected ball that it may reach; rounding moves a ball by less than one px within its cell.
+const REACHED_CELLS: usize = (SUPPRESSION_REACH + 1) / PX_PER_CELL;
+
 /// Returns up to `attempts` valid, distinct balls, the most probable first. `logits` holds the judge's
 /// `[RADII, 64, 64]` maps; values that are not finite are left out.
 pub fn ranked(logits: &[f32], scene: &Scene, attempts: usize) -> Vec<Proposal> {
-    let mut candidates: Vec<(Ball, f64)> =
-        candidates(logits, scene).map(|(index, ball)| (ball, logits[index].into())).collect();
+    let balls = FittingBalls::new(scene);
+    let suppression = suppression_by_squared_distance();
+    let mut logits: Vec<f64> = logits.iter().map(|&logit| logit.into()).collect();
+    let valid = (0..CELLS).flat_map(|cell| (0..balls.count(cell)).map(move |radius| radius * CELLS + cell));
+    let finite = valid.filter(|&index| logits[index].is_finite());
+    let mut queue: BinaryHeap<Candidate> = finite.map(|index| Candidate { logit: logits[index], index }).collect();
     let mut found = Vec::with_capacity(attempts);
-    while found.len() < attempts {
-        let Some(best) = (0..candidates.len()).max_by(|&a, &b| candidates[a].1.total_cmp(&candidates[b].1)) else {
-            break;
-        };
-        let (ball, logit) = candidates.swap_remove(best);
-        for (other, logit) in &mut candidates {
-            let [dx, dy, dr] = [ball.x - other.x, ball.y - other.y, ball.r - other.r];
-            let squared_distance = dx * dx + dy * dy + dr * dr;
-            // Beyond four deviations the suppression is below 0.001.
-            if squared_distance < 16.0 * SUPPRESSION_SIGMA * SUPPRESSION_SIGMA {
-                *logit -= SUPPRESSION * libm::exp(-squared_distance / (2.0 * SUPPRESSION_SIGMA * SUPPRESSION_SIGMA));
+    while found.len() < attempts
+        && let Some(Candidate { logit, index }) = queue.pop()
+    {
+        // Logits only fall, so one that has fallen since it was queued comes out too early, and is queued again (lazy
+        // evaluation, as in Minoux's accelerated greedy algorithm).
+        if logits[index] < logit {
+            queue.push(Candidate { logit: logits[index], index });
+            continue;
+        }
+        let ball = balls.ball(index);
+        for other in neighbours(index) {
+            let near = balls.ball(other);
+            let [dx, dy, dr] = [ball.x - near.x, ball.y - near.y, ball.r - near.r];
+            let squared_distance = (dx * dx + dy * dy + dr * dr) as usize;
+            if let Some(suppression) = suppression.get(squared_distance) {
+                logits[other] -= suppression;
             }
         }
         found.push(Proposal { ball, origin: Origin::Judge { probability: sigmoid(logit) }, rejected: 0 });
@@ -41,35 +59,61 @@ pub fn ranked(logits: &[f32], scene: &Scene, attempts: usize) -> Vec<Proposal> {
     found
 }
 
+/// A ball that has not been selected, with the logit that it had when it was queued. Of equal logits, as the two halves of
+/// a symmetric scene have them, the one with the higher index is greater.
+struct Candidate {
+    logit: f64,
+    index: usize,
+}
+
+impl Ord for Candidate {
+    fn cmp(&self, other: &Candidate) -> Ordering {
+        self.logit.total_cmp(&other.logit).then(self.index.cmp(&other.index))
+    }
+}
+
+impl PartialOrd for Candidate {
+    fn partial_cmp(&self, other: &Candidate) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for Candidate {
+    fn eq(&self, other: &Candidate) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl Eq for Candidate {}
+
+/// How much a logit falls, by the squared distance of its ball from the selected one, px²: a whole number, because balls
+/// have whole coordinates and radii.
+fn suppression_by_squared_distance() -> [f64; SUPPRESSION_REACH * SUPPRESSION_REACH] {
+    std::array::from_fn(|squared_distance| {
+        SUPPRESSION * libm::exp(-(squared_distance as f64) / (2.0 * SUPPRESSION_SIGMA * SUPPRESSION_SIGMA))
+    })
+}
+
+/// The indices of the logits, of any radius, on the cells that a selected ball may reach.
+fn neighbours(index: usize) -> impl Iterator<Item = usize> {
+    let around = |at: usize| at.saturating_sub(REACHED_CELLS)..(at + REACHED_CELLS + 1).min(SIDE);
+    let (columns, rows) = (around(index % SIDE), around(index % CELLS / SIDE));
+    (0..RADII).flat_map(move |radius| {
+        let columns = columns.clone();
+        rows.clone().flat_map(move |row| columns.clone().map(move |column| radius * CELLS + row * SIDE + column))
+    })
+}
+
 /// Returns for each of the 64 x 64 cells, row 0 at the bottom, the probability, 0..=1, that the best valid ball there
 /// solves the scene, 0 where no ball is valid; `None` if no logit is finite.
 pub fn probability_map(logits: &[f32], scene: &Scene) -> Option<Vec<f32>> {
-    let mut map = vec![0.0_f32; CELLS];
-    for (index, _) in candidates(logits, scene) {
-        let cell = &mut map[index % CELLS];
-        *cell = cell.max(sigmoid(logits[index].into()) as f32);
-    }
-    logits.iter().any(|logit| logit.is_finite()).then_some(map)
-}
-
-/// The valid balls with a finite logit, each with its index among the logits.
-fn candidates(logits: &[f32], scene: &Scene) -> impl Iterator<Item = (usize, Ball)> {
-    // Where a ball fits, every smaller one fits too, so a binary search over the radii needs few checks: for each cell
-    // the number of radii that fit, and the largest such ball.
-    let obstacles = Obstacles::new(scene);
-    let radii: [usize; RADII] = std::array::from_fn(|radius| radius);
-    let fitting: Vec<(usize, Option<Ball>)> = (0..CELLS.min(logits.len()))
-        .map(|cell| {
-            let placed = |radius: usize| obstacles.place(ball_at(radius * CELLS + cell).action()).ok();
-            let count = radii.partition_point(|&radius| placed(radius).is_some());
-            (count, count.checked_sub(1).and_then(placed))
-        })
-        .collect();
-    (0..logits.len()).filter(|&index| logits[index].is_finite()).filter_map(move |index| {
-        let (count, largest) = fitting[index % CELLS];
-        let r = ball_at(index).rounded().r;
-        (index / CELLS < count).then_some((index, Ball { r, ..largest? }))
-    })
+    let balls = FittingBalls::new(scene);
+    let probability = |cell: usize| {
+        let logits = (0..balls.count(cell)).map(|radius| logits[radius * CELLS + cell]);
+        let best = logits.filter(|logit| logit.is_finite()).reduce(f32::max);
+        best.map_or(0.0, |logit| sigmoid(logit.into()) as f32)
+    };
+    logits.iter().any(|logit| logit.is_finite()).then(|| (0..CELLS).map(probability).collect())
 }
 
 fn sigmoid(logit: f64) -> f64 {
@@ -79,6 +123,7 @@ fn sigmoid(logit: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::nets::judge::ball_at;
     use crate::puzzle::task::Task;
 
     #[test]
@@ -101,7 +146,7 @@ mod tests {
         }
         assert!(ranked(&vec![f32::NAN; RADII * CELLS], &scene, 5).is_empty());
 
-        assert_eq!(probability_map(&[f32::NAN], &scene), None);
+        assert_eq!(probability_map(&vec![f32::NAN; RADII * CELLS], &scene), None);
         let map = probability_map(&logits, &scene).expect("a map");
         assert_eq!(map.len(), CELLS);
         assert_eq!(map[first % CELLS], sigmoid(4.0) as f32, "the best radius counts");

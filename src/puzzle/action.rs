@@ -16,6 +16,9 @@ pub const RADIUS: std::ops::RangeInclusive<f64> = 2.0..=32.0;
 /// Two bodies overlap if they are nearer than touching by more than this, px (PHYRE).
 const TOLERANCE: f64 = 1e-5;
 
+/// Margin around a bounding box, px: more than the rounding errors of distances in a scene.
+const MARGIN: f64 = 1e-9;
+
 /// A point of the action space: x, y and radius, each in 0..=1.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(into = "[f64; 3]", from = "[f64; 3]")]
@@ -103,32 +106,45 @@ impl Ball {
     }
 }
 
-/// The shapes of a scene that a ball may not overlap, prepared once so that many balls can be checked quickly.
+/// The shapes of a scene that a ball may not overlap, prepared once so that many balls can be checked quickly. None by
+/// default.
+#[derive(Default)]
 pub struct Obstacles(Vec<Obstacle>);
 
-/// A shape in scene coordinates (px).
+/// A shape in scene coordinates (px) with its bounding box and a margin.
 struct Obstacle {
     /// The index of its body in the scene.
     body: usize,
-    origin: [f64; 2],
-    shape: Shape,
+    lowest: [f64; 2],
+    highest: [f64; 2],
+    outline: Outline,
+}
+
+enum Outline {
+    Circle {
+        centre: [f64; 2],
+        radius: f64,
+    },
+    /// The edges of a convex polygon, counter-clockwise.
+    Polygon(Vec<Edge>),
+}
+
+struct Edge {
+    start: [f64; 2],
+    /// From its start to its end.
+    vector: [f64; 2],
+    squared_length: f64,
 }
 
 impl Obstacles {
     /// Returns the obstacles of a scene. The walls are not among them: a ball inside the scene cannot overlap them.
     pub fn new(scene: &Scene) -> Obstacles {
-        let shapes = scene.bodies.iter().enumerate().flat_map(|(index, body)| {
-            body.shapes.iter().map(move |shape| {
-                let shape = match shape {
-                    Shape::Circle(radius) => Shape::Circle(*radius),
-                    Shape::Polygon(corners) => {
-                        Shape::Polygon(corners.iter().map(|&corner| body.to_scene(corner)).collect())
-                    }
-                };
-                Obstacle { body: index, origin: [body.x, body.y], shape }
-            })
-        });
-        Obstacles(shapes.collect())
+        let bodies = scene.bodies.iter().enumerate();
+        Obstacles(
+            bodies
+                .flat_map(|(index, body)| body.shapes.iter().map(move |shape| Obstacle::new(index, body, shape)))
+                .collect(),
+        )
     }
 
     /// Returns the ball that an action places among these obstacles.
@@ -156,38 +172,78 @@ impl Obstacles {
             return Err(Invalid::Radius);
         }
         ball.check_inside_scene()?;
-        match self.0.iter().find(|obstacle| obstacle.overlaps(ball)) {
+        match self.0.iter().find(|obstacle| overlaps(obstacle.clearance([ball.x, ball.y], ball.r), ball.r)) {
             Some(obstacle) => Err(Invalid::Overlaps(obstacle.body)),
             None => Ok(()),
         }
     }
+
+    /// Returns the clearance of a point: its distance to the nearest obstacle, or `limit` if that is smaller, px. It is
+    /// not positive in an obstacle. One clearance decides about the balls of all radii up to `limit`: see `overlaps`.
+    pub fn clearance(&self, point: [f64; 2], limit: f64) -> f64 {
+        self.0.iter().fold(limit, |nearest, obstacle| obstacle.clearance(point, nearest))
+    }
+}
+
+/// Whether a ball of this radius overlaps an obstacle if the clearance of its centre is this, px. Touching is not
+/// overlapping.
+pub fn overlaps(clearance: f64, radius: f64) -> bool {
+    clearance + TOLERANCE < radius
 }
 
 impl Obstacle {
-    /// Touching is not overlapping.
-    fn overlaps(&self, ball: &Ball) -> bool {
-        match &self.shape {
-            Shape::Circle(radius) => {
-                libm::hypot(ball.x - self.origin[0], ball.y - self.origin[1]) + TOLERANCE < ball.r + radius
+    fn new(body_index: usize, body: &Body, shape: &Shape) -> Obstacle {
+        let centre = [body.x, body.y];
+        let (corners, radius, outline) = match shape {
+            Shape::Circle(radius) => (vec![centre], *radius, Outline::Circle { centre, radius: *radius }),
+            Shape::Polygon(corners) => {
+                let corners: Vec<[f64; 2]> = corners.iter().map(|&corner| body.to_scene(corner)).collect();
+                let ends = corners.iter().cycle().skip(1);
+                let edges = corners.iter().zip(ends).map(|(&start, end)| {
+                    let vector = [end[0] - start[0], end[1] - start[1]];
+                    Edge { start, vector, squared_length: squared_norm(vector) }
+                });
+                let outline = Outline::Polygon(edges.collect());
+                (corners, 0.0, outline)
             }
-            Shape::Polygon(corners) => distance_to_polygon([ball.x, ball.y], corners) + TOLERANCE < ball.r,
+        };
+        let extreme = |start: f64, pick: fn(f64, f64) -> f64| {
+            [0, 1].map(|axis| corners.iter().map(|corner| corner[axis]).fold(start, pick))
+        };
+        let lowest = extreme(f64::INFINITY, f64::min).map(|low| low - radius - MARGIN);
+        let highest = extreme(f64::NEG_INFINITY, f64::max).map(|high| high + radius + MARGIN);
+        Obstacle { body: body_index, lowest, highest, outline }
+    }
+
+    /// The distance from a point, or `limit` if that is smaller, px; not positive inside.
+    fn clearance(&self, point @ [x, y]: [f64; 2], limit: f64) -> f64 {
+        // The bounding box is nowhere farther away than what it bounds, even by rounding.
+        let beyond = |axis: usize| (self.lowest[axis] - point[axis]).max(point[axis] - self.highest[axis]);
+        if beyond(0) >= limit || beyond(1) >= limit {
+            return limit;
         }
+        let distance = match &self.outline {
+            Outline::Circle { centre, radius } => squared_norm([x - centre[0], y - centre[1]]).sqrt() - radius,
+            Outline::Polygon(edges) => distance_to_polygon(point, edges),
+        };
+        distance.min(limit)
     }
 }
 
-/// Returns the distance from a point to a convex, counter-clockwise polygon; 0 inside. Any unit of length.
-fn distance_to_polygon([x, y]: [f64; 2], corners: &[[f64; 2]]) -> f64 {
-    let edges = || corners.iter().zip(corners.iter().cycle().skip(1));
-    let left_of = |a: &[f64; 2], b: &[f64; 2]| (b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0]) >= 0.0;
-    if edges().all(|(a, b)| left_of(a, b)) {
-        return 0.0;
+/// Returns the distance from a point to a convex polygon, px; 0 inside.
+fn distance_to_polygon([x, y]: [f64; 2], edges: &[Edge]) -> f64 {
+    let (mut inside, mut nearest) = (true, f64::INFINITY);
+    for Edge { start, vector: [dx, dy], squared_length } in edges {
+        let (px, py) = (x - start[0], y - start[1]);
+        inside &= dx * py - dy * px >= 0.0;
+        let along = ((px * dx + py * dy) / squared_length).clamp(0.0, 1.0);
+        nearest = nearest.min(squared_norm([px - along * dx, py - along * dy]));
     }
-    let to_edge = |a: &[f64; 2], b: &[f64; 2]| {
-        let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
-        let along = (((x - a[0]) * dx + (y - a[1]) * dy) / (dx * dx + dy * dy)).clamp(0.0, 1.0);
-        libm::hypot(a[0] + along * dx - x, a[1] + along * dy - y)
-    };
-    edges().map(|(a, b)| to_edge(a, b)).fold(f64::INFINITY, f64::min)
+    if inside { 0.0 } else { nearest.sqrt() }
+}
+
+fn squared_norm([x, y]: [f64; 2]) -> f64 {
+    x * x + y * y
 }
 
 impl fmt::Display for Ball {

@@ -1,0 +1,53 @@
+//! Which of the balls that the judge scores fit into a scene, of any of its radii on any of its cells.
+//!
+//! Where a ball fits, every smaller one fits too; so one number for each cell, of the radii that fit there, answers for all
+//! of them, and one clearance for each cell yields it. Used by `ranking`.
+
+use crate::nets::judge::{RADII, ball_at};
+use crate::puzzle::action::{Ball, Obstacles, overlaps};
+use crate::puzzle::scene::Scene;
+use crate::raster::{CELLS, SIDE};
+
+/// The valid balls among those that the judge scores, each named by the index of its logit.
+pub struct FittingBalls {
+    /// The number of radii that fit, for each cell.
+    counts: Vec<usize>,
+    /// x of the balls in a column, and y of those in a row, px; NaN where no ball fits into any scene.
+    coordinates: [f64; SIDE],
+    /// Ascending, px.
+    radii: [f64; RADII],
+}
+
+impl FittingBalls {
+    pub fn new(scene: &Scene) -> FittingBalls {
+        let obstacles = Obstacles::new(scene);
+        // x and y follow the same rule, so the balls on the diagonal of an empty scene tell it for both.
+        let nothing = Obstacles::default();
+        let placed =
+            |index: usize, radius: usize| nothing.place(ball_at(radius * CELLS + index * SIDE + index).action()).ok();
+        let all: [usize; RADII] = std::array::from_fn(|radius| radius);
+        let inside: [usize; SIDE] =
+            std::array::from_fn(|index| all.partition_point(|&radius| placed(index, radius).is_some()));
+        let coordinates: [f64; SIDE] = std::array::from_fn(|index| placed(index, 0).map_or(f64::NAN, |ball| ball.x));
+        let radii = all.map(|radius| placed(SIDE / 2, radius).map_or(f64::NAN, |ball| ball.r));
+        let count = |cell: usize| {
+            let (column, row) = (cell % SIDE, cell / SIDE);
+            let inside = &radii[..inside[column].min(inside[row])];
+            let Some(&largest) = inside.last() else { return 0 };
+            let clearance = obstacles.clearance([coordinates[column], coordinates[row]], largest);
+            inside.partition_point(|&radius| !overlaps(clearance, radius))
+        };
+        FittingBalls { counts: (0..CELLS).map(count).collect(), coordinates, radii }
+    }
+
+    /// Returns how many of the radii fit on a cell: the smallest ones.
+    pub fn count(&self, cell: usize) -> usize {
+        self.counts[cell]
+    }
+
+    /// Returns the ball of a logit; it is valid if its radius is among those that fit on its cell.
+    pub fn ball(&self, index: usize) -> Ball {
+        let (radius, cell) = (index / CELLS, index % CELLS);
+        Ball { x: self.coordinates[cell % SIDE], y: self.coordinates[cell / SIDE], r: self.radii[radius] }
+    }
+}
