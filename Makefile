@@ -2,6 +2,7 @@
 # make test      runs every check and test, natively, in Node and in Chromium
 # make build     builds the wasm package and the binary
 # make package   packs the npm package for scripts and other pages: target/pathlight-VERSION.tgz
+# make dist      builds the page as one folder for any static host, and prints its size
 # make bench     compares the speed of the nets with other engines, which it installs into target/bench
 # make timings   prints how long a person waits for the page
 # make pictures  takes pictures of all views of the page
@@ -18,7 +19,7 @@ PACKAGE := www/pkg/pathlight_bg.wasm
 PACKAGED := Cargo.toml Cargo.lock .cargo/config.toml scripts/build-wasm scripts/optimise-wasm \
 	src/web/types.d.ts $(shell find src -name '*.rs' -not -path 'src/commands/*' -not -path src/main.rs)
 
-.PHONY: play test bench build package timings pictures clean
+.PHONY: play test bench build package dist timings pictures clean
 
 play: build
 	@target/release/pathlight serve --port $(PORT)
@@ -36,6 +37,9 @@ package: $(PACKAGE)
 	scripts/install-tools js-tools
 	node scripts/build-package.mjs
 
+dist: $(PACKAGE)
+	@node scripts/build-dist.mjs
+
 timings pictures: build
 	scripts/install-tools browser-tests chromium
 	node tests/browser/$@.mjs
@@ -45,4 +49,4 @@ $(PACKAGE): $(PACKAGED)
 
 clean:
 	cargo clean
-	rm -rf www/pkg scripts/node_modules tests/browser/node_modules tests/package/node_modules
+	rm -rf dist www/pkg scripts/node_modules tests/browser/node_modules tests/package/node_modules

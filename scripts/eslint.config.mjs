@@ -5,7 +5,7 @@ import js from "@eslint/js";
 import globals from "globals";
 
 export default [
-  { ignores: ["www/pkg/", "**/node_modules/", "target/"] },
+  { ignores: ["www/pkg/", "**/node_modules/", "target/", "dist/"] },
   js.configs.recommended,
   {
     rules: {
@@ -24,5 +24,6 @@ export default [
   { files: ["www/**/*.js"], languageOptions: { globals: globals.browser } },
   { files: ["www/api/*.js"], languageOptions: { globals: globals["shared-node-browser"] } },
   { files: ["www/model/worker.js"], languageOptions: { globals: globals.worker } },
+  { files: ["www/offline/service-worker.js"], languageOptions: { globals: globals.serviceworker } },
   { files: ["**/*.mjs"], languageOptions: { globals: { ...globals.node, ...globals.browser } } },
 ];

@@ -5,7 +5,7 @@ use crate::rule::{Never, Only, Rule, unknown_files};
 
 /// The folders and files of `www/` in the order in which they import each other: each only those before it. `pkg` is the
 /// wasm package, which all may import. Imports in JSDoc are types only and are not looked at.
-const LAYERS: [&str; 8] = ["pkg", "api", "shell", "model", "play", "panels", "page.js", "main.js"];
+const LAYERS: [&str; 9] = ["pkg", "api", "shell", "model", "play", "panels", "page.js", "main.js", "offline"];
 
 const RULES: &[Rule] = &[
     Rule {
@@ -25,7 +25,7 @@ const RULES: &[Rule] = &[
     },
     Rule {
         words: &["history.", "location."],
-        files: Only(&["page.js", "main.js"]),
+        files: Only(&["page.js", "main.js", "offline/updates.js"]),
         reason: "one file reads and writes the address",
     },
     Rule {
@@ -35,8 +35,13 @@ const RULES: &[Rule] = &[
     },
     Rule {
         words: &["fetch("],
-        files: Only(&["api/files.js"]),
+        files: Only(&["api/files.js", "offline/"]),
         reason: "the page works offline once the wasm and the weights are there",
+    },
+    Rule {
+        words: &["caches", "serviceWorker", "navigator.locks"],
+        files: Only(&["offline/"]),
+        reason: "the page works without a service worker",
     },
     Rule { words: &["new Puzzle("], files: Only(&["play/session.js"]), reason: "who makes a puzzle frees it" },
 ];

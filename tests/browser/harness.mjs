@@ -32,13 +32,21 @@ const flags = [
  * @param {{ serve?: string[] }} [options] further arguments of `pathlight serve`
  */
 export async function start({ serve = [] } = {}) {
-  const server = await startServer(serve);
-  return new Session(server, await launch());
+  return startOn(await startServer(serve));
+}
+
+/**
+ * Starts a browser for a server that runs already.
+ * @param {{ origin: string, stop: () => Promise<unknown> }} server `origin` is where the page is, without the last slash
+ * @param {string[]} [further] flags of the browser
+ */
+export async function startOn(server, further = []) {
+  return new Session(server, await launch(further));
 }
 
 /** Starts a browser only. */
-export function launch() {
-  return chromium.launch({ executablePath: findChromium(), headless: true, args: flags });
+export function launch(further = []) {
+  return chromium.launch({ executablePath: findChromium(), headless: true, args: [...flags, ...further] });
 }
 
 class Session {
@@ -46,18 +54,23 @@ class Session {
   problems = [];
 
   #server;
-  #browser;
+  /** Playwright's. */
+  browser;
 
   constructor(server, browser) {
     this.#server = server;
-    this.#browser = browser;
+    this.browser = browser;
     /** `http://127.0.0.1:PORT` */
     this.origin = server.origin;
   }
 
   /** Opens a path (or nothing yet, if empty) in a new page with a fresh profile; `options` are Playwright's for a context (viewport, …). */
   async open(path = '/', options = {}) {
-    const context = await this.#browser.newContext(options);
+    return this.openIn(await this.browser.newContext(options), path);
+  }
+
+  /** Opens a path in a new page of a context of Playwright's, whose pages share a profile. */
+  async openIn(context, path = '/') {
     const page = await context.newPage();
     page.on('console', (message) => {
       if (message.type() === 'error') this.problems.push(`console: ${message.text()}`);
@@ -79,9 +92,8 @@ class Session {
 
   /** Ends browser and server. Throws if there are problems that no test expected. */
   async stop() {
-    await this.#browser.close();
-    this.#server.child.kill('SIGINT');
-    if (this.#server.child.exitCode === null) await once(this.#server.child, 'exit');
+    await this.browser.close();
+    await this.#server.stop();
     if (this.problems.length > 0) throw new Error(`The page complained:\n${this.problems.join('\n')}`);
   }
 }
@@ -94,9 +106,15 @@ async function startServer(serve) {
   process.once('exit', () => child.kill());
   for await (const line of createInterface({ input: child.stdout })) {
     const origin = line.match(/http:\/\/[^/]+/)?.[0];
-    if (origin) return { child, origin };
+    if (origin) return { origin, stop: () => stopped(child) };
   }
   throw new Error(`pathlight serve did not start: ${said}`);
+}
+
+/** @param {import('node:child_process').ChildProcess} child */
+async function stopped(child) {
+  child.kill('SIGINT');
+  if (child.exitCode === null) await once(child, 'exit');
 }
 
 function findChromium() {

@@ -138,7 +138,9 @@ export function attempts(page) {
  */
 export async function known(page, task = EASY) {
   return page.evaluate(async (task) => {
-    const { Puzzle } = await import('/pkg/pathlight.js');
+    /** @type {HTMLLinkElement | null} */
+    const link = document.querySelector('link[href$="pkg/pathlight.js"]');
+    const { Puzzle } = await import(link?.href ?? '');
     const puzzle = new Puzzle(task);
     /** @type {{ solving?: Ball, missing?: Ball, invalid?: Ball }} */
     const found = {};

@@ -17,7 +17,7 @@ const LIST = new URL("../assets/model.json", import.meta.url);
 export async function readModelList() {
   const bytes = await readFile(LIST, (reason, status) =>
     failure("no_weights", status === 404
-      ? "The model’s weights are missing here: there is no assets/model.json. It can neither imagine nor play; you can."
+      ? "The model’s weights are missing here: there is no assets/model.json. If Pathlight has been updated meanwhile, load the page again; if not, the model can neither imagine nor play, but you can."
       : `The list of models could not be loaded: ${reason}.`));
   const list = await new Response(bytes).json().then((json) => json.models, () => null);
   if (!Array.isArray(list) || list.length === 0) {

@@ -155,9 +155,11 @@ export class WorkerClient extends EventTarget {
     else call.resolve(value);
   }
 
-  /** @param {string} reason */
+  /** @param {string | undefined} reason none if not even its code could be loaded */
   #onCrash(reason) {
-    const message = `The model’s worker has stopped${reason ? ` (${reason})` : ""}.`;
+    const message = reason === undefined
+      ? "The model’s worker could not be loaded. If Pathlight has been updated meanwhile, load the page again."
+      : `The model’s worker has stopped${reason ? ` (${reason})` : ""}.`;
     this.#terminate(message);
     this.#set({ status: "failed", failure: { code: "crashed", message } });
   }
