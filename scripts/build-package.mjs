@@ -20,10 +20,14 @@ const place = (from, to) => {
 
 rmSync(stage, { recursive: true, force: true });
 execFileSync(join(root, 'scripts/node_modules/.bin/tsc'), ['--project', join(root, 'package/tsconfig.json')], { stdio: 'inherit' });
-const modules = readdirSync(stage, { recursive: true }).filter((path) => path.endsWith('.d.ts'));
-for (const path of modules) {
+const declarations = readdirSync(stage, { recursive: true, encoding: 'utf8' }).filter((path) => path.endsWith('.d.ts'));
+for (const path of declarations) {
   const module = path.replace(/\.d\.ts$/, '.js');
   place(join('www', module), module);
+  for (const [, sheet] of read(join('www', module)).matchAll(/new URL\("([^"]+\.css)", import\.meta\.url\)/g)) {
+    const path = join(dirname(module), sheet);
+    place(join('www', path), path);
+  }
 }
 for (const file of ['pathlight.js', 'pathlight_bg.wasm']) place(`www/pkg/${file}`, `pkg/${file}`);
 // Projects for Node alone have no types of the web; without them the declarations do not compile.
@@ -45,7 +49,7 @@ const answer = execFileSync('npm', ['pack', '--json', '--pack-destination', targ
 const [{ filename, files, size }] = JSON.parse(answer);
 
 const kB = (bytes) => `${(bytes / 1000).toFixed(0)} kB`;
-const parts = { 'weights': /^assets\//, 'wasm': /\.wasm$/, 'declarations': /\.d\.ts$/, 'modules': /\.js$/, 'the rest': /./ };
+const parts = { 'weights': /^assets\//, 'wasm': /\.wasm$/, 'declarations': /\.d\.ts$/, 'modules and styles': /\.(js|css)$/, 'the rest': /./ };
 const sizes = Object.fromEntries(Object.keys(parts).map((part) => [part, 0]));
 for (const { path } of files) {
   const part = Object.keys(parts).find((name) => parts[name].test(path));

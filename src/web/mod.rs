@@ -6,6 +6,8 @@
 //! objects with the field names of the Rust types (`types.d.ts` declares them), or as typed arrays; an error is an `Error`
 //! with a `code`.
 
+use std::cell::RefCell;
+
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 use web_sys::CanvasRenderingContext2d;
@@ -14,7 +16,7 @@ use crate::play::game::ATTEMPT_LIMIT;
 use crate::puzzle::action::RADIUS;
 use crate::puzzle::rollout::{GOAL_STEPS, STEPS_PER_SECOND};
 use crate::puzzle::scene::{SIZE, Scene};
-use crate::puzzle::task::{self, Task};
+use crate::puzzle::task::{self, Task, TaskError, TaskId};
 use crate::puzzle::templates::TEMPLATES;
 use crate::raster::{PX_PER_CELL, SIDE};
 
@@ -176,6 +178,18 @@ fn stage_named(name: &str) -> Result<Stage, JsValue> {
     name.parse().map_err(|sentence: String| error(Code::BadMap, sentence))
 }
 
+thread_local! {
+    /// The task that was loaded last: a script tries many balls on one task, and loading it may take longer than a rollout.
+    static LAST: RefCell<Option<Task>> = const { RefCell::new(None) };
+}
+
 fn load(id: &str) -> Result<Task, JsValue> {
-    id.parse().and_then(Task::load).map_err(|reason| error(Code::BadTask, reason))
+    let id: TaskId = id.parse().map_err(|reason: TaskError| error(Code::BadTask, reason))?;
+    LAST.with_borrow_mut(|last| match last {
+        Some(task) if task.id == id => Ok(task.clone()),
+        _ => {
+            let task = Task::load(id).map_err(|reason| error(Code::BadTask, reason))?;
+            Ok(last.insert(task).clone())
+        }
+    })
 }
