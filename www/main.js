@@ -1,6 +1,7 @@
 // The entry: waits for the wasm, then loads the page, whose modules may call its exports from their first line on. Unhandled
 // errors are shown here.
 
+import "./element/pathlight-puzzle.js";
 import { showNotice } from "./shell/notice.js";
 import { wasmLoaded } from "./shell/load-wasm.js";
 
@@ -15,15 +16,15 @@ function showCrash(error) {
 addEventListener("error", ({ error, message }) => showCrash(error ?? message));
 addEventListener("unhandledrejection", ({ reason }) => showCrash(reason));
 
-/** @type {WebAssembly.Module | null} */
-let module = null;
+let loaded = false;
 try {
-  module = await wasmLoaded;
+  await wasmLoaded;
+  loaded = true;
 } catch (error) {
   // Loads the same address again, with what follows # in it.
   showNotice(/** @type {Error} */ (error).message, [["Try again", reload]]);
 }
-if (module) {
+if (loaded) {
   const { Page } = await import("./page.js");
-  new Page(module).start();
+  new Page().start();
 }

@@ -1,67 +1,53 @@
-// The page: follows the address and joins the components. Each component knows the session and the wasm; only this file
-// knows all of them. shell/component.js describes their lifecycle.
+// The page: the grid of puzzles, the header, the progress and the address, round one <pathlight-puzzle>. The state of the page
+// is the puzzle's; with no task the grid is shown.
 
 import { palette, templates } from "./pkg/pathlight.js";
-import { WorkerClient } from "./model/worker-client.js";
-import { Compare } from "./panels/compare.js";
-import { Imagine } from "./panels/imagine.js";
-import { ImaginedVsReal } from "./panels/imagined-vs-real.js";
-import { Overlays } from "./panels/overlays.js";
-import { Predict } from "./panels/predict.js";
-import { Probe } from "./panels/probe.js";
-import { Proposals } from "./panels/proposals.js";
-import { ScenePicture } from "./panels/scene-picture.js";
-import { Scoreboard } from "./panels/scoreboard.js";
-import { SolveMapPanel } from "./panels/solve-map.js";
-import { Walkthrough } from "./panels/walkthrough.js";
-import { AttemptList } from "./play/attempt-list.js";
-import { SceneCanvas } from "./play/canvas.js";
-import { Controls } from "./play/controls.js";
-import { Session } from "./play/session.js";
-import { About } from "./shell/about.js";
+import { PathlightPuzzle } from "./element/pathlight-puzzle.js";
 import { byId } from "./shell/dom.js";
 import { Gallery } from "./shell/gallery.js";
-import { HiddenParts } from "./shell/hidden-parts.js";
+import { hideParts } from "./shell/hidden-parts.js";
 import { dismissNotice, showNotice } from "./shell/notice.js";
-import { ProgressStore } from "./shell/progress-store.js";
+import { sharedProgress } from "./shell/progress-store.js";
 import { ProgressView } from "./shell/progress-view.js";
-import { listenForShortcuts } from "./shell/shortcuts.js";
-import { Tabs } from "./shell/tabs.js";
-import { INITIAL_STATE, formatFragment, hrefOf, parseFragment, viewOf, visiblePanels } from "./shell/url-state.js";
+import { leavesPlainKeys } from "./shell/shortcuts.js";
+import { INITIAL_STATE, formatFragment, hrefOf, parseFragment } from "./shell/url-state.js";
 
-/** @typedef {import("./shell/component.js").Component} Component */
 /** @typedef {import("./shell/url-state.js").State} State */
 
 /** Browsers refuse to change the address at every step of a drag; it is changed this much later, ms. */
 const URL_DELAY = 200;
 
 const darkScheme = matchMedia("(prefers-color-scheme: dark)");
-const reducedMotion = matchMedia("(prefers-reduced-motion: reduce)");
-const taskPicker = byId("task", HTMLSelectElement);
+const gallerySection = byId(document, "gallery");
+const taskPicker = byId(document, "task", HTMLSelectElement);
 
 export class Page {
   #templates = templates();
-  /** @type {State} */
-  #state = { ...INITIAL_STATE };
-  /** @type {Session | null} */
-  #session = null;
-  #client;
-  #canvas = new SceneCanvas(byId("scene", HTMLCanvasElement));
-  #progress = new ProgressStore();
-  /** @type {Component[]} */
-  #components;
+  #puzzle = byId(document, "puzzle", PathlightPuzzle);
+  #gallery = new Gallery(byId(document, "templates"), this.#templates);
+  #progressView = new ProgressView(sharedProgress("kept").player, this.#templates, this.#gallery);
   /** @type {number | undefined} */
   #urlTimer;
 
-  /** @param {WebAssembly.Module} module */
-  constructor(module) {
-    this.#client = new WorkerClient(module);
-    this.#components = this.#createComponents(this.#client);
-    for (const component of this.#components) {
-      component.addEventListener("staterequest", (event) => this.#changeState(/** @type {CustomEvent<Partial<State>>} */ (event).detail));
-      component.addEventListener("modelrequest", () => this.#retryModel());
-    }
-    this.#listen();
+  constructor() {
+    this.#puzzle.hrefOf = (task, panel) => hrefOf(this.#state, task, panel);
+    this.#puzzle.addEventListener("statechange", () => this.#onStateChange());
+    addEventListener("popstate", () => this.#onRoute());
+    darkScheme.addEventListener("change", () => this.#applyTheme());
+    this.#onClick("previous", () => this.#stepPuzzle(-1));
+    this.#onClick("next", () => this.#stepPuzzle(1));
+    this.#onClick("random", () => this.#openRandomPuzzle());
+    this.#onClick("copy", () => this.#copyLink());
+    this.#onClick("about-button", () => this.#puzzle.showAbout());
+    this.#onClick("keys-button", () => this.#puzzle.showKeys());
+    this.#onClick("progress-forget", () => byId(document, "forget-dialog", HTMLDialogElement).showModal());
+    this.#onClick("skip", (event) => {
+      // Not the browser's own jump: what follows # is the state.
+      event.preventDefault();
+      this.#puzzle.focus();
+    });
+    taskPicker.addEventListener("change", () => this.#navigate(taskPicker.value));
+    document.addEventListener("keydown", (event) => this.#onKeydown(event));
   }
 
   /** Shows what the address asks for. */
@@ -70,81 +56,24 @@ export class Page {
     this.#onRoute();
   }
 
-  /**
-   * All components, in the order in which they are opened: the maps are asked for first, and what others read comes before
-   * them.
-   * @param {WorkerClient} client
-   * @returns {Component[]}
-   */
-  #createComponents(client) {
-    const gallery = new Gallery(byId("templates"), this.#templates);
-    const scenePicture = new ScenePicture();
-    const imagine = new Imagine(client, scenePicture);
-    const predict = new Predict(imagine, scenePicture);
-    const proposals = new Proposals(client, imagine);
-    const solveMap = new SolveMapPanel(client, imagine);
-    return [
-      new HiddenParts(),
-      new Tabs(),
-      gallery,
-      new ProgressView(this.#progress, this.#templates, gallery),
-      new About(client),
-      scenePicture,
-      imagine,
-      this.#canvas,
-      new Controls(),
-      new AttemptList(byId("play-attempts"), byId("play-count"), "player"),
-      new AttemptList(byId("player-attempts"), byId("player-count"), "player"),
-      new AttemptList(byId("model-attempts"), byId("model-count"), "model"),
-      new Walkthrough(imagine),
-      new Probe(imagine),
-      new ImaginedVsReal(imagine, scenePicture),
-      predict,
-      new Compare(client),
-      proposals,
-      solveMap,
-      new Scoreboard(client, this.#progress),
-      new Overlays(this.#canvas, { imagine, predict, proposals, solveMap }),
-    ];
+  /** @returns {State} */
+  get #state() {
+    return this.#puzzle.state ?? { ...INITIAL_STATE };
   }
 
-  #listen() {
-    addEventListener("popstate", () => this.#onRoute());
-    darkScheme.addEventListener("change", () => this.#applyTheme());
-    byId("previous").addEventListener("click", () => this.#stepPuzzle(-1));
-    byId("next").addEventListener("click", () => this.#stepPuzzle(1));
-    byId("random").addEventListener("click", () => this.#openRandomPuzzle());
-    taskPicker.addEventListener("change", () => this.#navigate(taskPicker.value));
-    byId("skip").addEventListener("click", (event) => {
-      // Not the browser's own jump: what follows # is the state.
-      event.preventDefault();
-      byId("scene").focus();
-    });
-    byId("copy").addEventListener("click", () => this.#copyLink());
-    for (const button of document.querySelectorAll("button[data-opens]")) {
-      const id = button.getAttribute("data-opens") ?? "";
-      button.addEventListener("click", () => byId(id, HTMLDialogElement).showModal());
-    }
-    const page = this;
-    listenForShortcuts({
-      get session() {
-        return page.#session;
-      },
-      scene: this.#canvas,
-      stepPuzzle: (offset) => this.#stepPuzzle(offset),
-      showPanel: (index) => {
-        const panel = visiblePanels(this.#state)[index];
-        if (panel) this.#changeState({ panel });
-      },
-      showKeys: () => byId("keys-dialog", HTMLDialogElement).showModal(),
-    });
+  /**
+   * @param {string} id
+   * @param {(event: Event) => void} act
+   */
+  #onClick(id, act) {
+    byId(document, id).addEventListener("click", act);
   }
 
   /** Applies the colour scheme to the style sheet and to what the wasm paints. */
   #applyTheme() {
     const dark = darkScheme.matches;
     for (const [name, colour] of Object.entries(palette(dark))) document.documentElement.style.setProperty(`--${name}`, colour);
-    for (const component of this.#components) component.setTheme(dark);
+    this.#gallery.setTheme(dark);
   }
 
   /** Shows what the address asks for. */
@@ -173,42 +102,33 @@ export class Page {
    * @param {State} state
    */
   #applyState(state) {
-    const cameFromGallery = byId("gallery").contains(document.activeElement);
-    const modelChanged = state.model !== this.#client.requestedName;
-    // What is left behind may still change the old state, so it goes first.
-    if (state.task !== this.#state.task) this.#closePuzzle();
-    else if (modelChanged) this.#session?.clearModelAttempts();
-    this.#state = state;
-    byId("gallery").hidden = state.task !== null || state.hide.includes("puzzles");
-    for (const id of ["puzzle", "title", "copy", "skip"]) byId(id).hidden = state.task === null;
-    if (state.task !== null) {
-      const session = (this.#session ??= this.#openPuzzle(state.task));
-      if (state.ball && String(state.ball) !== String(session.ball)) session.place(state.ball);
-      if (modelChanged || this.#client.status === "off") this.#client.start(state.model);
-    }
-    this.#applyView();
-    if (state.task !== null && cameFromGallery) byId("scene").focus({ preventScroll: true });
+    const { task } = state;
+    const cameFromGallery = gallerySection.contains(document.activeElement);
+    gallerySection.hidden = task !== null || state.hide.includes("puzzles");
+    for (const id of ["title", "copy", "skip"]) byId(document, id).hidden = task === null;
+    const name = (task !== null && this.#templateOf(task)?.name) || "";
+    byId(document, "puzzle-name").textContent = name;
+    document.title = task === null ? "Pathlight" : `${name} ${task} – Pathlight`;
+    if (task !== null) this.#progressView.showTask(task);
+    this.#puzzle.state = state;
+    this.#applyLinks();
+    if (task !== null && cameFromGallery) this.#puzzle.focus({ preventScroll: true });
   }
 
-  /** @param {string} task */
-  #openPuzzle(task) {
-    const session = new Session(task, () => reducedMotion.matches);
-    byId("puzzle-name").textContent = session.about.name;
-    document.title = `${session.about.name} ${task} – Pathlight`;
-    session.addEventListener("change", () => this.#onSessionChange(session));
-    session.addEventListener("attempted", () => session.shown && this.#progress.add(task, session.shown.ending.solved));
-    for (const component of this.#components) component.open(session);
-    return session;
+  /** Takes into the page's own links what the state says of them. */
+  #applyLinks() {
+    const state = this.#state;
+    hideParts(document, state.hide);
+    this.#gallery.setState(state);
+    const home = byId(document, "home", HTMLAnchorElement);
+    const gallery = hrefOf(state, null);
+    if (gallery) home.href = gallery;
+    else home.removeAttribute("href");
   }
 
-  #closePuzzle() {
-    const session = this.#session;
-    if (!session) return;
-    this.#session = null;
-    // In reverse: what others read goes last.
-    for (const component of this.#components.toReversed()) component.close();
-    session.close();
-    document.title = "Pathlight";
+  #onStateChange() {
+    this.#applyLinks();
+    this.#syncUrl();
   }
 
   /** @param {string} task */
@@ -227,37 +147,6 @@ export class Page {
     this.#applyState(state);
   }
 
-  /**
-   * Changes the state of the same puzzle.
-   * @param {Partial<State>} patch
-   */
-  #changeState(patch) {
-    Object.assign(this.#state, patch);
-    if (this.#state.model !== this.#client.requestedName) {
-      // First, so that what follows from the cleared attempts finds the new model requested and does not start it again.
-      this.#client.start(this.#state.model);
-      this.#session?.clearModelAttempts();
-    }
-    this.#applyView();
-    this.#syncUrl();
-  }
-
-  /** Starts the model once more; falls back to the first model if the name is unknown. */
-  #retryModel() {
-    if (this.#client.failure?.code === "no_model") this.#changeState({ model: null });
-    else this.#client.start(this.#state.model);
-  }
-
-  /**
-   * Takes the ball into the address.
-   * @param {Session} session
-   */
-  #onSessionChange(session) {
-    if (session !== this.#session) return;
-    this.#state.ball = session.ball;
-    this.#syncUrl();
-  }
-
   /** Writes the state to the address, a little later. */
   #syncUrl() {
     clearTimeout(this.#urlTimer);
@@ -266,10 +155,14 @@ export class Page {
     }, URL_DELAY);
   }
 
-  /** Passes the visible state to all components. */
-  #applyView() {
-    const view = viewOf(this.#state);
-    for (const component of this.#components) component.setState(view);
+  /** @param {KeyboardEvent} event */
+  #onKeydown(event) {
+    const [target] = event.composedPath();
+    if (!event.composedPath().includes(this.#puzzle)) this.#puzzle.pressKey(event);
+    const offset = { "[": -1, "]": 1 }[event.key];
+    if (!offset || event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || !leavesPlainKeys(target)) return;
+    event.preventDefault();
+    this.#stepPuzzle(offset);
   }
 
   /** @param {number} offset */

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { start } from './harness.mjs';
-import { attempts, known, openPuzzle, palette, picture, pixels, says, type } from './page-actions.mjs';
+import { attempts, focused, known, openPuzzle, palette, picture, pixels, says, type } from './page-actions.mjs';
 
 let session;
 before(async () => (session = await start()));
@@ -67,7 +67,7 @@ test('an attempt is deleted, by key too, and the list closes up', async () => {
   assert.equal(await page.locator('#play-count').textContent(), 'solved on attempt 1');
   // What was shown is gone, and the ball can be placed; the focus stays in the list.
   await says(page, /may start here/);
-  assert.equal(await page.evaluate(() => document.activeElement?.getAttribute('aria-label')), 'Delete attempt 1');
+  assert.equal(await (await focused(page)).getAttribute('aria-label'), 'Delete attempt 1');
   await page.keyboard.press('Enter');
   assert.equal(await attempts(page), 0);
   assert.equal(await page.locator('#play-empty').isVisible(), true);

@@ -3,18 +3,18 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { start } from './harness.mjs';
-import { ball, known, openPuzzle, says, waitForValue } from './page-actions.mjs';
+import { ball, focused, known, openPuzzle, says, waitForValue } from './page-actions.mjs';
 
 let session;
 before(async () => (session = await start()));
 after(() => session.stop());
 
-const focused = (page) => page.evaluate(() => document.activeElement?.id);
+const focusedId = async (page) => (await focused(page)).getAttribute('id');
 
 /** Presses Tab until the element of this id has the focus. */
 async function tabTo(page, id) {
   for (let presses = 0; presses < 60; presses += 1) {
-    if ((await focused(page)) === id) return;
+    if ((await focusedId(page)) === id) return;
     await page.keyboard.press('Tab');
   }
   assert.fail(`Tab does not reach ${id}`);
@@ -42,7 +42,7 @@ test('a puzzle is opened, solved and compared by keys alone', async () => {
   while (!(await page.evaluate(() => document.activeElement?.matches('#templates a')))) await page.keyboard.press('Tab');
   await page.keyboard.press('Enter');
   await page.locator('#scene').waitFor();
-  assert.equal(await focused(page), 'scene', 'the scene is ready for the arrows');
+  assert.equal(await focusedId(page), 'scene', 'the scene is ready for the arrows');
 
   await page.keyboard.press('ArrowUp');
   await moveTo(page, solving);
@@ -88,7 +88,7 @@ test('keys step, pause, reset, change the puzzle and the panel', async () => {
   await page.locator('#imagine').waitFor();
   await tabTo(page, 'tab-imagine');
   await page.keyboard.press('ArrowRight');
-  assert.equal(await focused(page), 'tab-compare');
+  assert.equal(await focusedId(page), 'tab-compare');
   await page.keyboard.press('?');
   await page.locator('#keys-dialog[open]').waitFor();
   await page.keyboard.press('Escape');
@@ -106,7 +106,7 @@ test('what has the focus can be seen', async () => {
 
 test('where nothing has the focus, the arrows move the ball', async () => {
   const page = await openPuzzle(session);
-  await page.evaluate(() => /** @type {HTMLElement} */ (document.activeElement).blur());
+  await (await focused(page)).evaluate((element) => element.blur());
   await page.keyboard.press('Shift+ArrowUp');
   const [x, y, r] = await ball(page);
   await page.keyboard.press('Shift+ArrowLeft');

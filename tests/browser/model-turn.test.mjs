@@ -33,7 +33,7 @@ test('the model plays until it has solved, or a hundred times', async () => {
 /** Starts the turn, and clicks its button so many times as soon as there is an attempt: a whole turn is over in half a second. */
 async function playThenClick(page, clicks) {
   await page.locator('#model-turn').evaluate((button, clicks) => {
-    const list = /** @type {HTMLElement} */ (document.querySelector('#model-attempts'));
+    const list = button.getRootNode().querySelector('#model-attempts');
     const observer = new MutationObserver(() => {
       observer.disconnect();
       for (let count = 0; count < clicks; count += 1) button.click();

@@ -125,6 +125,19 @@ export async function playModelTurn(page) {
   await page.locator('#model-turn').filter({ hasText: 'The model has played' }).waitFor({ timeout: 120_000 });
 }
 
+/**
+ * The element that has the focus, also inside a puzzle.
+ * @param {Page} page
+ */
+export async function focused(page) {
+  const handle = await page.evaluateHandle(() => {
+    let active = document.activeElement;
+    while (active?.shadowRoot?.activeElement) active = active.shadowRoot.activeElement;
+    return /** @type {HTMLElement} */ (active);
+  });
+  return handle.asElement();
+}
+
 /** How many attempts the player has made. */
 export function attempts(page) {
   return page.locator('#play-attempts li').count();
@@ -140,7 +153,7 @@ export async function known(page, task = EASY) {
   return page.evaluate(async (task) => {
     /** @type {HTMLLinkElement | null} */
     const link = document.querySelector('link[href$="pkg/pathlight.js"]');
-    const { Puzzle } = await import(link?.href ?? '');
+    const { Puzzle } = await import(link?.href ?? '/pkg/pathlight.js');
     const puzzle = new Puzzle(task);
     /** @type {{ solving?: Ball, missing?: Ball, invalid?: Ball }} */
     const found = {};

@@ -29,7 +29,7 @@ test('a tap places, a finger drags, nothing scrolls', async () => {
   await drag(page, [[130, 222], [120, 210], [100, 190], [90, 150]]);
   const [x, y] = await ball(page);
   assert.ok(Math.abs(x - 88) <= 1 && Math.abs(y - 148) <= 1, `dragged to ${x}, ${y}`);
-  const scrolled = await page.evaluate(() => [scrollX, scrollY, document.querySelector('#play')?.scrollTop]);
+  const scrolled = await page.locator('#play').evaluate((panel) => [scrollX, scrollY, panel.scrollTop]);
   assert.deepEqual(scrolled, [0, 0, 0]);
 });
 

@@ -81,8 +81,7 @@ test('however many moves a drag makes, a frame is drawn once, and in time for th
   const [x, y] = await spot(page, 128, 200);
   await page.mouse.move(x, y);
   await page.mouse.down();
-  const painted = await page.evaluate(async ([x, y]) => {
-    const scene = /** @type {HTMLElement} */ (document.querySelector('#scene'));
+  const painted = await page.locator('#scene').evaluate(async (scene, [x, y]) => {
     const next = () => new Promise((resume) => requestAnimationFrame(resume));
     await next();
     globalThis.painted.length = 0;

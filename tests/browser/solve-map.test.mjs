@@ -22,7 +22,7 @@ test('the map grows while the page stays alive, and ends when it is told to', as
   assert.notEqual(await picture(page), bare, 'what is known is in the scene');
   assert.ok((await longestGap()) < 1000, 'the page does not freeze');
   const first = parseInt((await words(page).textContent()) ?? '', 10);
-  await page.waitForFunction((first) => parseInt(document.querySelector('#solve-map-words')?.textContent ?? '', 10) > first, first);
+  while (parseInt((await words(page).textContent()) ?? '', 10) <= first) await page.waitForTimeout(10);
   await search(page).filter({ hasText: 'Stop' }).click();
   await search(page).filter({ hasText: 'Try every place' }).waitFor();
   await page.waitForTimeout(300);

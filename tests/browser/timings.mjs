@@ -34,7 +34,7 @@ async function drawn(path, selector) {
   const page = await session.open('');
   await page.addInitScript((selector) => {
     const look = (now) => {
-      const canvas = document.querySelector(selector);
+      const canvas = document.querySelector('#puzzle')?.shadowRoot?.querySelector(selector) ?? document.querySelector(selector);
       // The paper is opaque; an empty canvas is transparent.
       const ready = canvas?.width > 1 && canvas.getContext('2d').getImageData(canvas.width >> 1, canvas.width >> 1, 1, 1).data[3] > 0;
       if (ready) globalThis.drawnAt = now;
@@ -94,7 +94,8 @@ rows.push({ what: 'drag, frames a second', median: (gaps.length / seconds).toFix
 /** Opens a task by its link and waits for all maps. */
 const maps = (task) =>
   page.evaluate(async (task) => {
-    const named = () => [...document.querySelectorAll('#stages canvas[role=img]')].map((map) => map.getAttribute('aria-label') ?? '');
+    const root = /** @type {ShadowRoot} */ (document.querySelector('#puzzle')?.shadowRoot);
+    const named = () => [...root.querySelectorAll('#stages canvas[role=img]')].map((map) => map.getAttribute('aria-label') ?? '');
     const start = performance.now();
     location.hash = `task=${task}&panel=imagine`;
     // First the maps of the puzzle before go, then the new ones come.

@@ -164,6 +164,13 @@ export class WorkerClient extends EventTarget {
     this.#set({ status: "failed", failure: { code: "crashed", message } });
   }
 
+  /** Ends the worker and forgets the model. */
+  stop() {
+    this.#terminate("The model was stopped.");
+    this.requestedName = null;
+    this.#set({ status: "off" });
+  }
+
   /** @param {string} reason */
   #terminate(reason) {
     this.#worker?.terminate();

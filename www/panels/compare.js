@@ -2,16 +2,15 @@
 
 import { Component } from "../shell/component.js";
 import { ATTEMPT_LIMIT } from "../shell/constants.js";
-import { byId, setText } from "../shell/dom.js";
+import { setText } from "../shell/dom.js";
 import { TroubleBox } from "./trouble-box.js";
 
 /** @typedef {import("../play/session.js").Session} Session */
 
-const turnButton = byId("model-turn", HTMLButtonElement);
-
 export class Compare extends Component {
   #client;
-  #trouble = new TroubleBox(byId("compare-trouble"));
+  #turnButton = this.byId("model-turn", HTMLButtonElement);
+  #trouble = new TroubleBox(this.byId("compare-trouble"));
   /** @type {import("../shell/url-state.js").Panel | null} */
   #panel = null;
   /**
@@ -22,13 +21,16 @@ export class Compare extends Component {
   /** @type {string | null} */
   #callFailure = null;
 
-  /** @param {import("../model/worker-client.js").WorkerClient} client */
-  constructor(client) {
-    super();
+  /**
+   * @param {import("../shell/dom.js").Root} root
+   * @param {import("../model/worker-client.js").WorkerClient} client
+   */
+  constructor(root, client) {
+    super(root);
     this.#client = client;
-    turnButton.addEventListener("click", () => (this.#turn ? this.#stopTurn() : this.#playTurn()));
-    byId("compare-both").addEventListener("click", () => this.session?.compare(true));
-    byId("clear-attempts").addEventListener("click", () => {
+    this.#turnButton.addEventListener("click", () => (this.#turn ? this.#stopTurn() : this.#playTurn()));
+    this.byId("compare-both").addEventListener("click", () => this.session?.compare(true));
+    this.byId("clear-attempts").addEventListener("click", () => {
       this.#stopTurn();
       this.session?.clearAllAttempts();
     });
@@ -105,9 +107,9 @@ export class Compare extends Component {
     if (!this.session) return;
     const [player, model] = [this.session.standing("player"), this.session.standing("model")];
     const over = model.solved_at !== null || model.used === ATTEMPT_LIMIT;
-    turnButton.disabled = this.#client.status !== "ready" || over;
-    setText(turnButton, this.#turn ? "Stop the model" : over ? "The model has played" : "Let the model play");
-    for (const id of ["compare-both", "clear-attempts"]) byId(id, HTMLButtonElement).disabled = player.used + model.used === 0;
-    setText(byId("verdict"), this.session.resultHidden ? "Your attempt is running." : this.session.puzzle.verdict());
+    this.#turnButton.disabled = this.#client.status !== "ready" || over;
+    setText(this.#turnButton, this.#turn ? "Stop the model" : over ? "The model has played" : "Let the model play");
+    for (const id of ["compare-both", "clear-attempts"]) this.byId(id, HTMLButtonElement).disabled = player.used + model.used === 0;
+    setText(this.byId("verdict"), this.session.resultHidden ? "Your attempt is running." : this.session.puzzle.verdict());
   }
 }

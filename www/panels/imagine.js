@@ -4,7 +4,7 @@
 import { paintLegend, paintMap, paintOutline } from "../pkg/pathlight.js";
 import { Component } from "../shell/component.js";
 import { GRID_SIDE, STAGES } from "../shell/constants.js";
-import { byId, contextOf, find, fromTemplate, setText } from "../shell/dom.js";
+import { contextOf, find, setText } from "../shell/dom.js";
 import { summary } from "../model/map-summary.js";
 import { STAGE_TEXT } from "../model/stage-text.js";
 import { TroubleBox } from "./trouble-box.js";
@@ -15,17 +15,16 @@ import { TroubleBox } from "./trouble-box.js";
 /** Width of the canvas of an outline, which is laid over the whole scene. */
 const OUTLINE_SIDE = 1024;
 
-const opacity = byId("opacity", HTMLInputElement);
-const modelSelect = byId("model-select", HTMLSelectElement);
-
 export class Imagine extends Component {
   #client;
   #scenePicture;
+  #opacity = this.byId("opacity", HTMLInputElement);
+  #modelSelect = this.byId("model-select", HTMLSelectElement);
   /** @type {Record<Stage, ReturnType<Imagine["createRow"]>>} */
   #rows;
   /** @type {Imagined | null} */
   #imagined = null;
-  #trouble = new TroubleBox(byId("imagine-trouble"));
+  #trouble = new TroubleBox(this.byId("imagine-trouble"));
   /**
    * The call to the worker that counts.
    * @type {AbortController | null}
@@ -35,18 +34,19 @@ export class Imagine extends Component {
   #callFailure = null;
 
   /**
+   * @param {import("../shell/dom.js").Root} root
    * @param {import("../model/worker-client.js").WorkerClient} client
    * @param {import("./scene-picture.js").ScenePicture} scenePicture
    */
-  constructor(client, scenePicture) {
-    super();
+  constructor(root, client, scenePicture) {
+    super(root);
     this.#client = client;
     this.#scenePicture = scenePicture;
     const rows = STAGES.map((stage) => /** @type {const} */ ([stage, this.createRow(stage)]));
     this.#rows = /** @type {Record<Stage, ReturnType<Imagine["createRow"]>>} */ (Object.fromEntries(rows));
-    byId("stages").replaceChildren(...STAGES.map((stage) => this.#rows[stage].element));
-    opacity.addEventListener("input", () => this.requestState({ opacity: Number(opacity.value) }));
-    modelSelect.addEventListener("change", () => this.requestState({ model: modelSelect.value }));
+    this.byId("stages").replaceChildren(...STAGES.map((stage) => this.#rows[stage].element));
+    this.#opacity.addEventListener("input", () => this.requestState({ opacity: Number(this.#opacity.value) }));
+    this.#modelSelect.addEventListener("change", () => this.requestState({ model: this.#modelSelect.value }));
     client.addEventListener("change", () => this.#onClientChange());
   }
 
@@ -66,7 +66,7 @@ export class Imagine extends Component {
 
   /** @param {import("../shell/url-state.js").View} view */
   setState(view) {
-    opacity.value = String(view.opacity);
+    this.#opacity.value = String(view.opacity);
     for (const stage of STAGES) this.#rows[stage].box.checked = view.checkedLayers.includes(stage);
   }
 
@@ -96,14 +96,14 @@ export class Imagine extends Component {
    * @param {Stage | null} stage
    */
   showOnly(stage) {
-    byId("stages").classList.toggle("alone", stage !== null);
+    this.byId("stages").classList.toggle("alone", stage !== null);
     for (const one of STAGES) this.#rows[one].element.hidden = stage !== null && one !== stage;
   }
 
   /** @param {Stage} stage */
   createRow(stage) {
     const { name, meaning, how } = STAGE_TEXT[stage];
-    const element = fromTemplate("stage-row");
+    const element = this.fromTemplate("stage-row");
     element.dataset.stage = stage;
     find(element, "b").textContent = name;
     find(element, ".meaning").textContent = meaning;
@@ -126,9 +126,9 @@ export class Imagine extends Component {
 
   #onClientChange() {
     const { status, progress, loaded } = this.#client;
-    byId("imagine-body").hidden = status === "failed";
-    byId("imagine-loading").hidden = status !== "loading";
-    const bar = find(byId("imagine-loading"), "progress", HTMLProgressElement);
+    this.byId("imagine-body").hidden = status === "failed";
+    this.byId("imagine-loading").hidden = status !== "loading";
+    const bar = find(this.byId("imagine-loading"), "progress", HTMLProgressElement);
     if (progress === null) bar.removeAttribute("value");
     else bar.value = progress;
     if (status === "ready") {
@@ -147,8 +147,8 @@ export class Imagine extends Component {
    * @param {import("../model/messages.js").LoadedModel} loaded
    */
   #offerModels({ name, names }) {
-    byId("model-choice").hidden = names.length < 2;
-    modelSelect.replaceChildren(...names.map((one) => new Option(one, one, one === name, one === name)));
+    this.byId("model-choice").hidden = names.length < 2;
+    this.#modelSelect.replaceChildren(...names.map((one) => new Option(one, one, one === name, one === name)));
   }
 
   async #request() {
@@ -203,7 +203,7 @@ export class Imagine extends Component {
       map.canvas.setAttribute("aria-label", `${STAGE_TEXT[stage].name}: ${words}`);
       setText(said, `${words[0].toUpperCase()}${words.slice(1)}.`);
     }
-    setText(byId("imagined-in"), imagined ? timing(imagined) : "");
+    setText(this.byId("imagined-in"), imagined ? timing(imagined) : "");
   }
 }
 

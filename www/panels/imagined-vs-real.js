@@ -3,7 +3,7 @@
 // that their numbers can be compared.
 
 import { Component } from "../shell/component.js";
-import { byId, find, fromTemplate, setText } from "../shell/dom.js";
+import { find, setText } from "../shell/dom.js";
 import { OverlapCard, percent } from "./overlap-card.js";
 
 /** @typedef {import("../pkg/pathlight.js").Stage} Stage */
@@ -29,11 +29,12 @@ export class ImaginedVsReal extends Component {
   #lastRead = null;
 
   /**
+   * @param {import("../shell/dom.js").Root} root
    * @param {import("./imagine.js").Imagine} imagine
    * @param {import("./scene-picture.js").ScenePicture} scenePicture
    */
-  constructor(imagine, scenePicture) {
-    super();
+  constructor(root, imagine, scenePicture) {
+    super(root);
     this.#imagine = imagine;
     this.#scenePicture = scenePicture;
     imagine.addEventListener("maps", () => {
@@ -91,7 +92,7 @@ export class ImaginedVsReal extends Component {
       const run = this.#runs.get(runner);
       if (!maps || !run) continue;
       const { title, object, ball } = run;
-      const row = fromTemplate("run-row");
+      const row = this.fromTemplate("run-row");
       row.dataset.runner = runner;
       find(row, "h3").textContent = title;
       const green = this.#addCard(row, "Green object", stage, maps[stage], object);
@@ -99,10 +100,10 @@ export class ImaginedVsReal extends Component {
       words.push(`${title}: green object ${green}${red ? `, red ball ${red}` : ""}`);
       rows.push(row);
     }
-    byId("runs").replaceChildren(...rows);
-    byId("overlap-empty").hidden = rows.length > 0;
-    byId("overlap-how").hidden = rows.length === 0;
-    setText(byId("overlap-words"), words.length ? `As imagined – ${words.join("; ")}.` : "");
+    this.byId("runs").replaceChildren(...rows);
+    this.byId("overlap-empty").hidden = rows.length > 0;
+    this.byId("overlap-how").hidden = rows.length === 0;
+    setText(this.byId("overlap-words"), words.length ? `As imagined – ${words.join("; ")}.` : "");
   }
 
   /**
@@ -115,7 +116,7 @@ export class ImaginedVsReal extends Component {
    */
   #addCard(row, name, stage, values, real) {
     if (!values) return "unknown";
-    const card = new OverlapCard(this.#scenePicture);
+    const card = new OverlapCard(this.fromTemplate("overlap-card"), this.#scenePicture);
     find(row, ".overlap-cards").append(card.element);
     return percent(card.draw({ name, stage, values, real, dark: this.dark }));
   }

@@ -2,20 +2,24 @@
 // is and how well the two overlap.
 
 import { paintMap, paintOutline, softIou } from "../pkg/pathlight.js";
-import { contextOf, find, fromTemplate } from "../shell/dom.js";
+import { contextOf, find } from "../shell/dom.js";
 
 /** @param {number} fraction */
 export const percent = (fraction) => `${Math.round(100 * fraction)} %`;
 
 export class OverlapCard {
-  element = fromTemplate("overlap-card");
+  element;
   #scene;
   #scenePicture;
   #shade;
   #outline;
 
-  /** @param {import("./scene-picture.js").ScenePicture} scenePicture */
-  constructor(scenePicture) {
+  /**
+   * @param {HTMLElement} element a copy of the template "overlap-card"
+   * @param {import("./scene-picture.js").ScenePicture} scenePicture
+   */
+  constructor(element, scenePicture) {
+    this.element = element;
     this.#scenePicture = scenePicture;
     this.#scene = find(this.element, ".scene-layer", HTMLCanvasElement);
     this.#shade = contextOf(find(this.element, ".shade-layer", HTMLCanvasElement));

@@ -13,6 +13,7 @@ export class Overlays extends Component {
   #view = null;
 
   /**
+   * @param {import("../shell/dom.js").Root} root
    * @param {import("../play/canvas.js").SceneCanvas} canvas
    * @param {object} panels
    * @param {import("./imagine.js").Imagine} panels.imagine
@@ -20,8 +21,8 @@ export class Overlays extends Component {
    * @param {import("./proposals.js").Proposals} panels.proposals
    * @param {import("./solve-map.js").SolveMapPanel} panels.solveMap
    */
-  constructor(canvas, { imagine, predict, proposals, solveMap }) {
-    super();
+  constructor(root, canvas, { imagine, predict, proposals, solveMap }) {
+    super(root);
     this.#canvas = canvas;
     this.#imagine = imagine;
     this.#predict = predict;

@@ -2,10 +2,8 @@
 // net, both against the real path. Without a ball the net's prediction is its base path, with the ball its target path.
 // The canvas of the scene passes pointer and keys on while this panel is shown.
 
-import { announce } from "../shell/announce.js";
 import { Component } from "../shell/component.js";
 import { SCENE_SIZE } from "../shell/constants.js";
-import { byId } from "../shell/dom.js";
 import { ARROW_KEYS } from "../play/canvas.js";
 import { OverlapCard, percent } from "./overlap-card.js";
 
@@ -32,21 +30,22 @@ export class Predict extends Component {
   #netCard;
 
   /**
+   * @param {import("../shell/dom.js").Root} root
    * @param {import("./imagine.js").Imagine} imagine
    * @param {import("./scene-picture.js").ScenePicture} scenePicture
    */
-  constructor(imagine, scenePicture) {
-    super();
+  constructor(root, imagine, scenePicture) {
+    super(root);
     this.#imagine = imagine;
-    this.#playerCard = new OverlapCard(scenePicture);
-    this.#netCard = new OverlapCard(scenePicture);
-    byId("predict-cards").append(this.#playerCard.element, this.#netCard.element);
-    byId("predict-watch").addEventListener("click", () => this.session?.watch());
-    byId("predict-run").addEventListener("click", () => {
+    this.#playerCard = new OverlapCard(this.fromTemplate("overlap-card"), scenePicture);
+    this.#netCard = new OverlapCard(this.fromTemplate("overlap-card"), scenePicture);
+    this.byId("predict-cards").append(this.#playerCard.element, this.#netCard.element);
+    this.byId("predict-watch").addEventListener("click", () => this.session?.watch());
+    this.byId("predict-run").addEventListener("click", () => {
       this.session?.reset();
       this.session?.run();
     });
-    byId("predict-wipe").addEventListener("click", () => this.#setSketch([]));
+    this.byId("predict-wipe").addEventListener("click", () => this.#setSketch([]));
     imagine.addEventListener("maps", () => this.#update());
   }
 
@@ -132,16 +131,16 @@ export class Predict extends Component {
     const session = this.session;
     if (!session) return;
     const end = this.sketch.at(-1);
-    byId("predict-watch", HTMLButtonElement).disabled = !end;
-    byId("predict-run", HTMLButtonElement).disabled = !end || !session.ball || session.invalidReason !== null;
-    byId("predict-wipe", HTMLButtonElement).disabled = !end;
+    this.byId("predict-watch", HTMLButtonElement).disabled = !end;
+    this.byId("predict-run", HTMLButtonElement).disabled = !end || !session.ball || session.invalidReason !== null;
+    this.byId("predict-wipe", HTMLButtonElement).disabled = !end;
     const measurable = session.phase === "watch" || session.shown?.contender === "player";
     const measured = Boolean(end) && session.finished && measurable && !session.placing;
-    byId("predict-result").hidden = !measured;
+    this.byId("predict-result").hidden = !measured;
     const words = measured ? this.#measure(session) : end ? `Your line ends at x ${Math.round(end[0])}, y ${Math.round(end[1])}.` : "Nothing drawn yet.";
-    if (byId("predict-words").textContent === words) return;
-    byId("predict-words").textContent = words;
-    if (this.#visible) announce(words);
+    if (this.byId("predict-words").textContent === words) return;
+    this.byId("predict-words").textContent = words;
+    if (this.#visible) this.announce(words);
   }
 
   /**

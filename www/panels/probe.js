@@ -2,10 +2,9 @@
 // small map, or from the arrow keys on a small map. Each small map marks it and shows its value; a note in the corner of
 // the scene shows the values of the maps that lie over it.
 
-import { announce } from "../shell/announce.js";
 import { Component } from "../shell/component.js";
 import { CELL_SIZE, SCENE_SIZE, STAGES } from "../shell/constants.js";
-import { byId, find, setText } from "../shell/dom.js";
+import { find, setText } from "../shell/dom.js";
 import { valueAt } from "../model/map-summary.js";
 import { STAGE_TEXT } from "../model/stage-text.js";
 import { ARROW_KEYS } from "../play/canvas.js";
@@ -29,19 +28,22 @@ export class Probe extends Component {
   #point = null;
   #rows;
 
-  /** @param {import("./imagine.js").Imagine} imagine */
-  constructor(imagine) {
-    super();
+  /**
+   * @param {import("../shell/dom.js").Root} root
+   * @param {import("./imagine.js").Imagine} imagine
+   */
+  constructor(root, imagine) {
+    super(root);
     this.#imagine = imagine;
     this.#rows = STAGES.map((stage) => {
-      const row = find(document, `[data-stage=${stage}]`);
+      const row = find(root, `[data-stage=${stage}]`);
       const map = find(row, ".map");
       map.setAttribute("aria-label", `${STAGE_TEXT[stage].name}: arrow keys read its values`);
       map.addEventListener("keydown", (event) => this.#onKeydown(event, stage));
       this.#followPointer(map);
       return { stage, map, value: find(row, ".value") };
     });
-    this.#followPointer(byId("scene"));
+    this.#followPointer(this.byId("scene"));
     imagine.addEventListener("maps", () => this.#update());
   }
 
@@ -96,7 +98,7 @@ export class Probe extends Component {
     const margin = CELL_SIZE / 2;
     this.#point = from.map((value, axis) => Math.min(Math.max(value + direction[axis] * distance, margin), SCENE_SIZE - margin));
     this.#update();
-    announce(`${placeOf(this.#point)}: ${this.#valueOf(stage, this.#point)}`);
+    this.announce(`${placeOf(this.#point)}: ${this.#valueOf(stage, this.#point)}`);
   }
 
   /**
@@ -117,7 +119,7 @@ export class Probe extends Component {
       map.style.setProperty("--x", String(point[0] / SCENE_SIZE));
       map.style.setProperty("--y", String(1 - point[1] / SCENE_SIZE));
     }
-    const note = byId("probe");
+    const note = this.byId("probe");
     note.hidden = !point || this.#layers.length === 0;
     if (!point || note.hidden) return;
     // In the corner where the pointer is not.

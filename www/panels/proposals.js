@@ -3,7 +3,7 @@
 // balls before it marked. Its number is in the address.
 
 import { Component } from "../shell/component.js";
-import { byId, setText } from "../shell/dom.js";
+import { setText } from "../shell/dom.js";
 import { valueAt } from "../model/map-summary.js";
 import { sentence } from "../play/session.js";
 import { TroubleBox } from "./trouble-box.js";
@@ -11,11 +11,10 @@ import { TroubleBox } from "./trouble-box.js";
 /** @typedef {import("../pkg/pathlight.js").Proposal} Proposal */
 /** @typedef {import("../play/session.js").Session} Session */
 
-const slider = byId("proposal-slider", HTMLInputElement);
-
 export class Proposals extends Component {
   #client;
   #imagine;
+  #slider = this.byId("proposal-slider", HTMLInputElement);
   /**
    * Null until the model has proposed them.
    * @type {Proposal[] | null}
@@ -32,7 +31,7 @@ export class Proposals extends Component {
    */
   #shown = null;
   #visible = false;
-  #trouble = new TroubleBox(byId("proposals-trouble"));
+  #trouble = new TroubleBox(this.byId("proposals-trouble"));
   /**
    * The call to the worker that counts.
    * @type {AbortController | null}
@@ -42,17 +41,18 @@ export class Proposals extends Component {
   #callFailure = null;
 
   /**
+   * @param {import("../shell/dom.js").Root} root
    * @param {import("../model/worker-client.js").WorkerClient} client
    * @param {import("./imagine.js").Imagine} imagine
    */
-  constructor(client, imagine) {
-    super();
+  constructor(root, client, imagine) {
+    super(root);
     this.#client = client;
     this.#imagine = imagine;
-    slider.addEventListener("input", () => this.#request(Number(slider.value)));
-    byId("proposal-back").addEventListener("click", () => this.#request((this.#requested ?? 2) - 1));
-    byId("proposal-next").addEventListener("click", () => this.#request((this.#requested ?? 0) + 1));
-    byId("proposal-close").addEventListener("click", () => this.session?.reset());
+    this.#slider.addEventListener("input", () => this.#request(Number(this.#slider.value)));
+    this.byId("proposal-back").addEventListener("click", () => this.#request((this.#requested ?? 2) - 1));
+    this.byId("proposal-next").addEventListener("click", () => this.#request((this.#requested ?? 0) + 1));
+    this.byId("proposal-close").addEventListener("click", () => this.session?.reset());
     // The maps come as soon as the model can propose, and go when another is loaded.
     imagine.addEventListener("maps", () => {
       if (!imagine.maps) this.#drop();
@@ -141,11 +141,11 @@ export class Proposals extends Component {
     const { session } = this;
     const proposals = this.#proposals;
     // The panel's own box tells of a model that could not be loaded.
-    byId("proposals-failure").hidden = this.#client.failure !== null;
+    this.byId("proposals-failure").hidden = this.#client.failure !== null;
     this.#trouble.update(this.#client, this.#callFailure, { restartModel: () => this.requestModel(), repeatCall: () => this.#retry() });
-    byId("proposals").hidden = !proposals || proposals.length === 0;
+    this.byId("proposals").hidden = !proposals || proposals.length === 0;
     if (!session || !proposals?.length) return this.#updateFacts([]);
-    slider.max = String(proposals.length);
+    this.#slider.max = String(proposals.length);
     const number = this.#visible ? this.#requested : null;
     const proposal = number === null ? null : proposals[number - 1];
     if (number !== null && proposal && this.#shown !== number) {
@@ -171,19 +171,19 @@ export class Proposals extends Component {
   #updateFacts(proposals) {
     const number = this.#shown;
     const shown = this.session?.shown;
-    byId("proposal-facts").hidden = number === null;
-    byId("proposal-close").hidden = number === null;
-    byId("proposal-hint").hidden = number !== null;
-    setText(byId("proposal-number"), number === null ? "–" : `${number} of ${proposals.length}`);
-    slider.value = String(number ?? 1);
-    slider.setAttribute("aria-valuetext", number === null ? "none" : `${number}`);
+    this.byId("proposal-facts").hidden = number === null;
+    this.byId("proposal-close").hidden = number === null;
+    this.byId("proposal-hint").hidden = number !== null;
+    setText(this.byId("proposal-number"), number === null ? "–" : `${number} of ${proposals.length}`);
+    this.#slider.value = String(number ?? 1);
+    this.#slider.setAttribute("aria-valuetext", number === null ? "none" : `${number}`);
     if (number === null || !shown) return;
     const proposal = proposals[number - 1];
     const [x, y, r] = proposal.ball;
-    setText(byId("proposal-ball"), `x ${x}, y ${y}, radius ${r}`);
-    setText(byId("proposal-valid"), rejectedWords(proposal));
-    setText(byId("proposal-outcome"), `${shown.ending.solved ? "✓" : "×"} ${sentence(shown.words)} ${shown.tried ? "" : "It was not tried in its turn."}`);
-    setText(byId("proposal-origin"), this.#originWords(proposal));
+    setText(this.byId("proposal-ball"), `x ${x}, y ${y}, radius ${r}`);
+    setText(this.byId("proposal-valid"), rejectedWords(proposal));
+    setText(this.byId("proposal-outcome"), `${shown.ending.solved ? "✓" : "×"} ${sentence(shown.words)} ${shown.tried ? "" : "It was not tried in its turn."}`);
+    setText(this.byId("proposal-origin"), this.#originWords(proposal));
   }
 
   /** @param {Proposal} proposal */

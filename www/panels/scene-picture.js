@@ -9,8 +9,9 @@ export class ScenePicture extends Component {
   #canvas = document.createElement("canvas");
   #fresh = false;
 
-  constructor() {
-    super();
+  /** @param {import("../shell/dom.js").Root} root */
+  constructor(root) {
+    super(root);
     this.#canvas.width = this.#canvas.height = SCENE_SIZE;
   }
 

@@ -5,57 +5,37 @@
 import { auccess } from "../pkg/pathlight.js";
 import { Component } from "../shell/component.js";
 import { ATTEMPT_LIMIT } from "../shell/constants.js";
-import { byId } from "../shell/dom.js";
-import { ProgressStore } from "../shell/progress-store.js";
-import { hrefOf } from "../shell/url-state.js";
 
-/** @typedef {import("../shell/url-state.js").View} View */
+/** @typedef {import("../shell/progress-store.js").ProgressStore} ProgressStore */
 
 export class Scoreboard extends Component {
   #client;
-  #playerStore;
-  /**
-   * The stores of the models that were loaded on this page, by name.
-   * @type {Map<string, ProgressStore>}
-   */
-  #modelStores = new Map();
-  /** @type {View | null} */
-  #view = null;
+  #progress;
+  #hrefOf;
 
   /**
+   * @param {import("../shell/dom.js").Root} root
    * @param {import("../model/worker-client.js").WorkerClient} client
-   * @param {ProgressStore} playerStore
+   * @param {import("../shell/progress-store.js").SharedProgress} progress
+   * @param {(task: string) => string | null} hrefOf the address of a puzzle, or null if there is no way to it
    */
-  constructor(client, playerStore) {
-    super();
+  constructor(root, client, progress, hrefOf) {
+    super(root);
     this.#client = client;
-    this.#playerStore = playerStore;
-    playerStore.addEventListener("change", () => this.#update());
+    this.#progress = progress;
+    this.#hrefOf = hrefOf;
     client.addEventListener("change", () => client.status !== "loading" && this.#update());
-    this.#update();
   }
 
   /** @param {import("../play/session.js").Session} session */
   open(session) {
     super.open(session);
     this.listen("change", () => this.#recordTurn(session));
+    this.listenTo(this.#progress, "change", () => this.#update());
   }
 
-  /** @param {View} view */
-  setState(view) {
-    this.#view = view;
+  setState() {
     this.#update();
-  }
-
-  /** @param {string} name */
-  #storeOf(name) {
-    let store = this.#modelStores.get(name);
-    if (!store) {
-      store = ProgressStore.ofModel(name);
-      store.addEventListener("change", () => this.#update());
-      this.#modelStores.set(name, store);
-    }
-    return store;
   }
 
   /**
@@ -64,7 +44,7 @@ export class Scoreboard extends Component {
    */
   #recordTurn(session) {
     if (session.modelName === null) return;
-    const store = this.#storeOf(session.modelName);
+    const store = this.#progress.ofModel(session.modelName);
     const { id } = session.about;
     const { used, solved_at: solved } = session.standing("model");
     const stored = store.of(id);
@@ -74,17 +54,18 @@ export class Scoreboard extends Component {
 
   #update() {
     const name = this.#client.loaded?.name;
-    const modelStore = name === undefined ? null : this.#storeOf(name);
-    const tasks = modelStore ? this.#playerStore.tasks.filter((task) => modelStore.of(task).attempts > 0) : [];
-    byId("score-empty").hidden = tasks.length > 0;
-    byId("score-table").hidden = tasks.length === 0;
+    const { player } = this.#progress;
+    const modelStore = name === undefined ? null : this.#progress.ofModel(name);
+    const tasks = modelStore ? player.tasks.filter((task) => modelStore.of(task).attempts > 0) : [];
+    this.byId("score-empty").hidden = tasks.length > 0;
+    this.byId("score-table").hidden = tasks.length === 0;
     if (!modelStore || tasks.length === 0) return;
     /** @param {ProgressStore} store */
     const score = (store) => auccess(tasks.map((task) => store.of(task).solved)).toFixed(1);
-    byId("score-player").textContent = score(this.#playerStore);
-    byId("score-model").textContent = score(modelStore);
-    byId("score-count").textContent = tasks.length === 1 ? "over one puzzle" : `over ${tasks.length} puzzles`;
-    byId("score-rows").replaceChildren(...tasks.map((task) => this.#row(task, [this.#playerStore, modelStore])));
+    this.byId("score-player").textContent = score(player);
+    this.byId("score-model").textContent = score(modelStore);
+    this.byId("score-count").textContent = tasks.length === 1 ? "over one puzzle" : `over ${tasks.length} puzzles`;
+    this.byId("score-rows").replaceChildren(...tasks.map((task) => this.#row(task, [player, modelStore])));
   }
 
   /**
@@ -94,7 +75,7 @@ export class Scoreboard extends Component {
   #row(task, stores) {
     const head = document.createElement("th");
     head.scope = "row";
-    const href = this.#view && hrefOf(this.#view, task, "compare");
+    const href = this.#hrefOf(task);
     if (href) {
       const link = document.createElement("a");
       link.href = href;

@@ -2,21 +2,19 @@
 // and then finer. The worker does it, sends its progress, and can be stopped. The model's placement map can be laid over it.
 
 import { paintOutcomes } from "../pkg/pathlight.js";
-import { announce } from "../shell/announce.js";
 import { Component } from "../shell/component.js";
 import { FIRST_RADIUS, GRID_SIDE, SCENE_SIZE } from "../shell/constants.js";
-import { byId, contextOf, find, setText } from "../shell/dom.js";
+import { contextOf, find, setText } from "../shell/dom.js";
 import { sides } from "../model/map-summary.js";
 import { percent } from "./overlap-card.js";
 
 /** The outcomes of a place that are counted, as the wasm numbers them. */
 const [INVALID, SOLVED] = [1, 3];
 
-const placementBox = byId("solve-map-placement", HTMLInputElement);
-
 export class SolveMapPanel extends Component {
   #client;
   #imagine;
+  #placementBox = this.byId("solve-map-placement", HTMLInputElement);
   #context;
   #visible = false;
   /** @type {import("../pkg/pathlight.js").Stage[]} */
@@ -40,20 +38,21 @@ export class SolveMapPanel extends Component {
 
   /**
    * Fires "map" when there is more to see.
+   * @param {import("../shell/dom.js").Root} root
    * @param {import("../model/worker-client.js").WorkerClient} client
    * @param {import("./imagine.js").Imagine} imagine
    */
-  constructor(client, imagine) {
-    super();
+  constructor(root, client, imagine) {
+    super(root);
     this.#client = client;
     this.#imagine = imagine;
     const canvas = document.createElement("canvas");
     canvas.width = canvas.height = SCENE_SIZE;
     this.#context = contextOf(canvas);
-    byId("solve-map-search").addEventListener("click", () => (this.#search ? this.#stop() : this.#start()));
-    placementBox.addEventListener("change", () => {
+    this.byId("solve-map-search").addEventListener("click", () => (this.#search ? this.#stop() : this.#start()));
+    this.#placementBox.addEventListener("change", () => {
       const others = this.#checkedLayers.filter((stage) => stage !== "placement");
-      this.requestState({ layers: placementBox.checked ? [...others, "placement"] : others });
+      this.requestState({ layers: this.#placementBox.checked ? [...others, "placement"] : others });
     });
     imagine.addEventListener("maps", () => this.#update());
   }
@@ -77,13 +76,13 @@ export class SolveMapPanel extends Component {
   setState({ panel, checkedLayers }) {
     this.#visible = panel === "map";
     this.#checkedLayers = checkedLayers;
-    placementBox.checked = checkedLayers.includes("placement");
+    this.#placementBox.checked = checkedLayers.includes("placement");
   }
 
   /** @param {boolean} dark */
   setTheme(dark) {
     super.setTheme(dark);
-    for (const sample of byId("map").querySelectorAll("canvas")) {
+    for (const sample of this.byId("map").querySelectorAll("canvas")) {
       paintOutcomes(contextOf(sample), new Uint8Array(GRID_SIDE * GRID_SIDE).fill(Number(sample.dataset.outcome)), dark);
     }
     this.#paint();
@@ -122,7 +121,7 @@ export class SolveMapPanel extends Component {
     this.#search = null;
     this.#update();
     // Announced only now: during the search each announcement would replace the one before.
-    announce(byId("solve-map-words").textContent ?? "");
+    this.announce(this.byId("solve-map-words").textContent ?? "");
   }
 
   #stop() {
@@ -130,7 +129,7 @@ export class SolveMapPanel extends Component {
     this.#search.abort();
     this.#search = null;
     this.#update();
-    announce(byId("solve-map-words").textContent ?? "");
+    this.announce(this.byId("solve-map-words").textContent ?? "");
   }
 
   #paint() {
@@ -141,10 +140,10 @@ export class SolveMapPanel extends Component {
 
   #update() {
     if (!this.session) return;
-    setText(byId("solve-map-search"), this.#search ? "Stop" : `Try every place with radius ${this.#nextRadius}`);
-    byId("solve-map-progress").hidden = !this.#search;
-    find(byId("solve-map-progress"), "progress", HTMLProgressElement).value = this.#progress;
-    setText(byId("solve-map-words"), this.#callFailure ?? (this.#outcomes ? this.#words(this.#outcomes) : ""));
+    setText(this.byId("solve-map-search"), this.#search ? "Stop" : `Try every place with radius ${this.#nextRadius}`);
+    this.byId("solve-map-progress").hidden = !this.#search;
+    find(this.byId("solve-map-progress"), "progress", HTMLProgressElement).value = this.#progress;
+    setText(this.byId("solve-map-words"), this.#callFailure ?? (this.#outcomes ? this.#words(this.#outcomes) : ""));
   }
 
   /** @param {Uint8Array} outcomes */

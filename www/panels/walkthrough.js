@@ -1,10 +1,9 @@
 // The stages explained one after another: a row of steps above the maps. A step lays its map alone over the scene and
 // leaves only its own map in the panel. The stage it is at is in the address.
 
-import { announce } from "../shell/announce.js";
 import { Component } from "../shell/component.js";
 import { STAGES } from "../shell/constants.js";
-import { byId, setText } from "../shell/dom.js";
+import { setText } from "../shell/dom.js";
 import { summary } from "../model/map-summary.js";
 import { STAGE_TEXT } from "../model/stage-text.js";
 
@@ -25,16 +24,19 @@ export class Walkthrough extends Component {
   #timer;
   #dots;
 
-  /** @param {import("./imagine.js").Imagine} imagine */
-  constructor(imagine) {
-    super();
+  /**
+   * @param {import("../shell/dom.js").Root} root
+   * @param {import("./imagine.js").Imagine} imagine
+   */
+  constructor(root, imagine) {
+    super(root);
     this.#imagine = imagine;
     this.#dots = STAGES.map((stage, index) => this.#createDot(stage, index));
-    byId("walkthrough-dots").append(...this.#dots);
-    byId("walkthrough-back").addEventListener("click", () => this.#select(STAGES[this.#index - 1] ?? null));
-    byId("walkthrough-next").addEventListener("click", () => this.#select(STAGES[this.#index + 1]));
-    byId("walkthrough-all").addEventListener("click", () => this.#select(null));
-    byId("walkthrough-play").addEventListener("click", () => (this.#timer ? this.#pause() : this.#play()));
+    this.byId("walkthrough-dots").append(...this.#dots);
+    this.byId("walkthrough-back").addEventListener("click", () => this.#select(STAGES[this.#index - 1] ?? null));
+    this.byId("walkthrough-next").addEventListener("click", () => this.#select(STAGES[this.#index + 1]));
+    this.byId("walkthrough-all").addEventListener("click", () => this.#select(null));
+    this.byId("walkthrough-play").addEventListener("click", () => (this.#timer ? this.#pause() : this.#play()));
     imagine.addEventListener("maps", () => this.#announceStage());
   }
 
@@ -55,10 +57,10 @@ export class Walkthrough extends Component {
       else dot.removeAttribute("aria-current");
     });
     // A button with the focus stays enabled: otherwise the focus would be lost.
-    byId("walkthrough-back").setAttribute("aria-disabled", String(index < 0));
-    byId("walkthrough-next").setAttribute("aria-disabled", String(index === STAGES.length - 1));
-    byId("walkthrough-all").setAttribute("aria-pressed", String(stage === null));
-    setText(byId("walkthrough-step"), stage ? `Step ${index + 1} of ${STAGES.length}` : "All together");
+    this.byId("walkthrough-back").setAttribute("aria-disabled", String(index < 0));
+    this.byId("walkthrough-next").setAttribute("aria-disabled", String(index === STAGES.length - 1));
+    this.byId("walkthrough-all").setAttribute("aria-pressed", String(stage === null));
+    setText(this.byId("walkthrough-step"), stage ? `Step ${index + 1} of ${STAGES.length}` : "All together");
     if (changed) this.#announceStage();
   }
 
@@ -113,14 +115,14 @@ export class Walkthrough extends Component {
   }
 
   #updatePlayButton() {
-    setText(byId("walkthrough-play-label"), this.#timer ? "Pause" : "Play");
-    byId("walkthrough-play-icon", SVGUseElement).setAttribute("href", this.#timer ? "#icon-pause" : "#icon-run");
+    setText(this.byId("walkthrough-play-label"), this.#timer ? "Pause" : "Play");
+    this.byId("walkthrough-play-icon", SVGUseElement).setAttribute("href", this.#timer ? "#icon-pause" : "#icon-run");
   }
 
   #announceStage() {
     if (!this.#stage) return;
     const map = this.#imagine.maps?.[this.#stage];
     const { name, meaning } = STAGE_TEXT[this.#stage];
-    announce(`${name}. ${meaning} ${map ? `It is ${summary(map)}.` : ""}`);
+    this.announce(`${name}. ${meaning} ${map ? `It is ${summary(map)}.` : ""}`);
   }
 }

@@ -3,7 +3,7 @@
 
 import { Component } from "../shell/component.js";
 import { ATTEMPT_LIMIT } from "../shell/constants.js";
-import { find, fromTemplate, setText } from "../shell/dom.js";
+import { find, setText } from "../shell/dom.js";
 import { LazyThumbnails } from "../shell/lazy-thumbnails.js";
 
 /** @typedef {import("./session.js").Session} Session */
@@ -21,12 +21,13 @@ export class AttemptList extends Component {
   });
 
   /**
+   * @param {import("../shell/dom.js").Root} root
    * @param {HTMLElement} list an <ol>
    * @param {HTMLElement} count where the score is shown
    * @param {import("./session.js").Contender} contender
    */
-  constructor(list, count, contender) {
-    super();
+  constructor(root, list, count, contender) {
+    super(root);
     this.#list = list;
     this.#count = count;
     this.#contender = contender;
@@ -98,7 +99,7 @@ export class AttemptList extends Component {
 
   /** @param {import("./session.js").ListedAttempt} attempt */
   #row({ number, words, ball: [x, y, r], ending }) {
-    const row = fromTemplate("attempt-row");
+    const row = this.fromTemplate("attempt-row");
     row.dataset.number = String(number);
     find(row, "b").textContent = String(number);
     const mark = find(row, ".mark");

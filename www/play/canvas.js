@@ -50,8 +50,8 @@ const RADIUS_KEYS = { "+": 1, "=": 1, "-": -1, "−": -1 };
  */
 
 export class SceneCanvas extends Component {
-  #canvas;
-  #context;
+  #canvas = this.byId("scene", HTMLCanvasElement);
+  #context = contextOf(this.#canvas);
   #drawScheduled = false;
   /** @type {Drag | null} */
   #drag = null;
@@ -65,11 +65,10 @@ export class SceneCanvas extends Component {
   /** @type {Pen | null} */
   #pen = null;
 
-  /** @param {HTMLCanvasElement} canvas */
-  constructor(canvas) {
-    super();
-    this.#canvas = canvas;
-    this.#context = contextOf(canvas);
+  /** @param {import("../shell/dom.js").Root} root */
+  constructor(root) {
+    super(root);
+    const canvas = this.#canvas;
     new ResizeObserver(([entry]) => this.#onResize(entry)).observe(canvas);
     canvas.addEventListener("pointerdown", (event) => this.#onPointerDown(event));
     canvas.addEventListener("pointermove", (event) => this.#onPointerMove(event));

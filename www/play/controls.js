@@ -1,65 +1,64 @@
 // The controls round the scene: the transport below it, the status line, and the fields of the ball being placed.
 
-import { announce } from "../shell/announce.js";
 import { Component } from "../shell/component.js";
 import { FIRST_RADIUS, GOAL_SECONDS, MAX_RADIUS, MIN_RADIUS, SCENE_SIZE, STEPS_PER_SECOND } from "../shell/constants.js";
-import { byId, find, setText } from "../shell/dom.js";
+import { find, setText } from "../shell/dom.js";
 import { sentence } from "./session.js";
 
 /** @typedef {import("./session.js").Session} Session */
 /** @typedef {import("./session.js").ShownAttempt} ShownAttempt */
 
-const time = byId("time", HTMLInputElement);
-const radius = byId("radius", HTMLInputElement);
-const fields = ["ball-x", "ball-y", "ball-r"].map((id) => byId(id, HTMLInputElement));
-const goalMeter = byId("goal-meter");
-
 export class Controls extends Component {
+  #time = this.byId("time", HTMLInputElement);
+  #radius = this.byId("radius", HTMLInputElement);
+  #fields = ["ball-x", "ball-y", "ball-r"].map((id) => this.byId(id, HTMLInputElement));
+  #goalMeter = this.byId("goal-meter");
   /**
    * The first and last steps of the stretches in which the green object touches its goal, in what is shown.
    * @type {[first: number, last: number][]}
    */
   #touches = [];
 
-  constructor() {
-    super();
-    for (const input of [radius, fields[2]]) Object.assign(input, { min: String(MIN_RADIUS), max: String(MAX_RADIUS) });
-    for (const field of fields.slice(0, 2)) field.max = String(SCENE_SIZE - 1);
-    goalMeter.setAttribute("aria-valuemax", String(GOAL_SECONDS));
+  /** @param {import("../shell/dom.js").Root} root */
+  constructor(root) {
+    super(root);
+    for (const input of [this.#radius, this.#fields[2]]) Object.assign(input, { min: String(MIN_RADIUS), max: String(MAX_RADIUS) });
+    for (const field of this.#fields.slice(0, 2)) field.max = String(SCENE_SIZE - 1);
+    this.#goalMeter.setAttribute("aria-valuemax", String(GOAL_SECONDS));
     /** @type {(id: string, act: (session: Session) => void) => void} */
-    const onClick = (id, act) => byId(id).addEventListener("click", () => this.session && act(this.session));
+    const onClick = (id, act) => this.byId(id).addEventListener("click", () => this.session && act(this.session));
     onClick("run", (session) => session.run());
     onClick("step", (session) => session.step(1));
     onClick("reset", (session) => session.reset());
     onClick("watch", (session) => session.watch());
     onClick("undo", (session) => session.undo());
     onClick("redo", (session) => session.redo());
-    time.addEventListener("input", () => this.session?.seek(Number(time.value)));
-    byId("speed").addEventListener("change", () => this.#applySpeed());
-    byId("ball-form").addEventListener("submit", (event) => event.preventDefault());
-    radius.addEventListener("input", () => this.session?.resize(Number(radius.value), "radius"));
-    for (const field of fields) field.addEventListener("change", () => this.#onTyped());
+    this.#time.addEventListener("input", () => this.session?.seek(Number(this.#time.value)));
+    this.byId("speed").addEventListener("change", () => this.#applySpeed());
+    this.byId("ball-form").addEventListener("submit", (event) => event.preventDefault());
+    this.#radius.addEventListener("input", () => this.session?.resize(Number(this.#radius.value), "radius"));
+    for (const field of this.#fields) field.addEventListener("change", () => this.#onTyped());
   }
 
   /** @param {Session} session */
   open(session) {
     super.open(session);
     this.#applySpeed();
-    byId("goal").textContent = session.about.goal;
-    byId("story").textContent = session.about.story;
-    byId("description").textContent = session.about.description;
+    this.byId("goal").textContent = session.about.goal;
+    this.byId("story").textContent = session.about.story;
+    this.byId("description").textContent = session.about.description;
     this.listen("change", () => this.#update(session));
     this.listen("draw", () => this.#updateTime(session));
     this.#update(session);
   }
 
   #applySpeed() {
-    if (this.session) this.session.playback.speed = Number(byId("speed", HTMLSelectElement).value);
+    if (this.session) this.session.playback.speed = Number(this.byId("speed", HTMLSelectElement).value);
   }
 
   /** Takes the three numbers once all are there. */
   #onTyped() {
-    const texts = fields.map(({ value }) => value);
+    const texts = this.#fields.map(({ value }) => value);
     const [x, y, r] = texts.map(Number);
     if (texts.every((text) => text !== "" && Number.isFinite(Number(text)))) this.session?.place([x, y, r]);
   }
@@ -69,25 +68,25 @@ export class Controls extends Component {
     const { placing, phase, puzzle, ball } = session;
     const { playing, last, ended } = session.playback;
     const label = placing ? "Run" : playing ? "Pause" : ended ? "Again" : "Go on";
-    setText(byId("run-label"), label);
-    byId("run-icon", SVGUseElement).setAttribute("href", playing ? "#icon-pause" : "#icon-run");
-    byId("run").title = `${label}  Space`;
-    time.disabled = placing;
-    time.max = String(last);
-    byId("reset", HTMLButtonElement).disabled = placing;
-    byId("undo", HTMLButtonElement).disabled = !session.canUndo;
-    byId("redo", HTMLButtonElement).disabled = !session.canRedo;
+    setText(this.byId("run-label"), label);
+    this.byId("run-icon", SVGUseElement).setAttribute("href", playing ? "#icon-pause" : "#icon-run");
+    this.byId("run").title = `${label}  Space`;
+    this.#time.disabled = placing;
+    this.#time.max = String(last);
+    this.byId("reset", HTMLButtonElement).disabled = placing;
+    this.byId("undo", HTMLButtonElement).disabled = !session.canUndo;
+    this.byId("redo", HTMLButtonElement).disabled = !session.canRedo;
     this.#touches = placing ? [] : puzzle.touches();
     // Of two rollouts over each other the meter could mean either.
-    goalMeter.hidden = placing || phase === "compare";
+    this.#goalMeter.hidden = placing || phase === "compare";
     this.#markTouches(last + 1);
-    fields.forEach((field, index) => setValue(field, String(ball?.[index] ?? "")));
-    setValue(radius, String(ball?.[2] ?? FIRST_RADIUS));
+    this.#fields.forEach((field, index) => setValue(field, String(ball?.[index] ?? "")));
+    setValue(this.#radius, String(ball?.[2] ?? FIRST_RADIUS));
     const { kind, words } = statusOf(session);
-    const status = byId("status");
+    const status = this.byId("status");
     if (status.textContent !== words) {
       status.textContent = words;
-      announce(words);
+      this.announce(words);
     }
     status.dataset.kind = kind;
     this.#updateTime(session);
@@ -95,10 +94,10 @@ export class Controls extends Component {
 
   /** @param {Session} session */
   #updateTime({ playback: { step, seconds, last } }) {
-    setValue(time, String(Math.floor(step)));
-    time.setAttribute("aria-valuetext", `${seconds.toFixed(1)} seconds`);
-    time.style.setProperty("--done", String(last ? step / last : 0));
-    setText(byId("clock"), `${seconds.toFixed(1)} s`);
+    setValue(this.#time, String(Math.floor(step)));
+    this.#time.setAttribute("aria-valuetext", `${seconds.toFixed(1)} seconds`);
+    this.#time.style.setProperty("--done", String(last ? step / last : 0));
+    setText(this.byId("clock"), `${seconds.toFixed(1)} s`);
     this.#updateGoalMeter(Math.floor(step));
   }
 
@@ -110,12 +109,12 @@ export class Controls extends Component {
     const [first] = this.#touches.find(([begin, end]) => begin <= step && step <= end) ?? [step + 1];
     const seconds = Math.min((step + 1 - first) / STEPS_PER_SECOND, GOAL_SECONDS);
     const words = `${seconds.toFixed(1)} of ${GOAL_SECONDS} s`;
-    const label = find(goalMeter, ":scope > span");
+    const label = find(this.#goalMeter, ":scope > span");
     if (label.textContent === words) return;
     label.textContent = words;
-    goalMeter.setAttribute("aria-valuenow", seconds.toFixed(1));
-    goalMeter.setAttribute("aria-valuetext", `${seconds.toFixed(1)} of ${GOAL_SECONDS} seconds`);
-    goalMeter.style.setProperty("--percent", String((100 * seconds) / GOAL_SECONDS));
+    this.#goalMeter.setAttribute("aria-valuenow", seconds.toFixed(1));
+    this.#goalMeter.setAttribute("aria-valuetext", `${seconds.toFixed(1)} of ${GOAL_SECONDS} seconds`);
+    this.#goalMeter.style.setProperty("--percent", String((100 * seconds) / GOAL_SECONDS));
   }
 
   /**
@@ -127,7 +126,7 @@ export class Controls extends Component {
       const [from, to] = [first, last + 1].map((step) => `${((100 * step) / steps).toFixed(2)}%`);
       return `transparent ${from}, var(--ring) ${from}, var(--ring) ${to}, transparent ${to}`;
     });
-    time.style.setProperty("--touches", bands.length ? `linear-gradient(to right, ${bands.join(", ")})` : "none");
+    this.#time.style.setProperty("--touches", bands.length ? `linear-gradient(to right, ${bands.join(", ")})` : "none");
   }
 }
 

@@ -1,7 +1,7 @@
 // The sheet “About Pathlight”: how the loaded model was trained, as its card says.
 
 import { Component } from "./component.js";
-import { byId } from "./dom.js";
+
 
 /** @typedef {import("../pkg/pathlight.js").ModelCard} Card */
 
@@ -29,17 +29,20 @@ const ENTRIES = [
 export class About extends Component {
   #client;
 
-  /** @param {import("../model/worker-client.js").WorkerClient} client */
-  constructor(client) {
-    super();
+  /**
+   * @param {import("./dom.js").Root} root
+   * @param {import("../model/worker-client.js").WorkerClient} client
+   */
+  constructor(root, client) {
+    super(root);
     this.#client = client;
     client.addEventListener("change", () => this.#update());
   }
 
   #update() {
     const { loaded } = this.#client;
-    byId("card").textContent = loaded ? `The model “${loaded.name}”:` : "No model is loaded.";
-    byId("card-entries").replaceChildren(...(loaded ? entriesOf(loaded.card) : []));
+    this.byId("card").textContent = loaded ? `The model “${loaded.name}”:` : "No model is loaded.";
+    this.byId("card-entries").replaceChildren(...(loaded ? entriesOf(loaded.card) : []));
   }
 }
 

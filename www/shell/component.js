@@ -1,18 +1,23 @@
-// The lifecycle that every part of the page shares. page.js holds one list of components and calls on each of them:
+// The lifecycle that every part of a puzzle shares. element/controller.js holds one list of components and calls on each of
+// them:
 //
 //   setTheme(dark)    at the start, and whenever the colour scheme changes, also while no puzzle is open
 //   open(session)     a puzzle has been opened; at most one is open at a time
-//   setState(view)    what the address says has changed; also after every open, and on the grid
+//   setState(view)    the state has changed; also after every open, and while no puzzle is open
 //   close()           the puzzle is being left, also when another follows. Its session and the wasm memory behind it are
 //                     freed right afterwards, so nothing of it may be kept or called: running worker calls are aborted,
 //                     and listeners on the session are dropped by the base class
 //
-// A component asks the page for another state by `requestState` (event "staterequest") and for the model to be started
-// once more by `requestModel` (event "modelrequest"). It never changes the address itself.
+// A component finds its elements in the root that it is given, so that several puzzles live in one page. It asks for another
+// state by `requestState` (event "staterequest") and for the model to be started once more by `requestModel` (event
+// "modelrequest").
+
+import { byId, fromTemplate, setText } from "./dom.js";
 
 /** @typedef {import("../play/session.js").Session} Session */
 /** @typedef {import("./url-state.js").State} State */
 /** @typedef {import("./url-state.js").View} View */
+/** @typedef {import("./dom.js").Root} Root */
 
 export class Component extends EventTarget {
   /**
@@ -23,7 +28,14 @@ export class Component extends EventTarget {
   session = null;
   /** Is the colour scheme dark? */
   dark = false;
+  #root;
   #closed = new AbortController();
+
+  /** @param {Root} root holds the elements that this component looks up */
+  constructor(root) {
+    super();
+    this.#root = root;
+  }
 
   /** @param {Session} session */
   open(session) {
@@ -52,7 +64,48 @@ export class Component extends EventTarget {
    */
   listen(event, act) {
     const session = this.session;
-    session?.addEventListener(event, () => act(session), { signal: this.#closed.signal });
+    if (session) this.listenTo(session, event, () => act(session));
+  }
+
+  /**
+   * Listens to what outlives the open session, until it is closed.
+   * @protected
+   * @param {EventTarget} target
+   * @param {string} event
+   * @param {() => void} act
+   */
+  listenTo(target, event, act) {
+    target.addEventListener(event, act, { signal: this.#closed.signal });
+  }
+
+  /**
+   * The element of this id in the component's root, checked to be of a class.
+   * @protected
+   * @template {Element} [T=HTMLElement]
+   * @param {string} id
+   * @param {new () => T} [type] HTMLElement if left out
+   */
+  byId(id, type) {
+    return byId(this.#root, id, type);
+  }
+
+  /**
+   * A copy of what a <template> in the component's root holds.
+   * @protected
+   * @param {string} id
+   */
+  fromTemplate(id) {
+    return fromTemplate(this.#root, id);
+  }
+
+  /**
+   * Writes a sentence to the only live region of the root: a screen reader reads it as soon as there is time, and a later
+   * one replaces one that has not been read yet.
+   * @protected
+   * @param {string} sentence
+   */
+  announce(sentence) {
+    setText(this.byId("announcement"), sentence);
   }
 
   /**

@@ -1,15 +1,21 @@
-// Looks elements of index.html up, and changes text only where it differs: every assignment triggers an announcement
-// and a layout. An element that is missing is a bug of ours, so it throws immediately, with its name.
+// Looks elements up in the page or in the shadow tree of a puzzle, and changes text only where it differs: every assignment
+// triggers an announcement and a layout. An element that is missing is a bug of ours, so it throws immediately, with its name.
+
+/**
+ * A tree of elements in which an id is unique.
+ * @typedef {Document | ShadowRoot} Root
+ */
 
 /**
  * The element of this id, checked to be of a class.
  * @template {Element} [T=HTMLElement]
+ * @param {Root} root
  * @param {string} id
  * @param {new () => T} [type] HTMLElement if left out
  * @returns {T}
  */
-export function byId(id, type) {
-  return checked(document.getElementById(id), `#${id}`, type);
+export function byId(root, id, type) {
+  return checked(root.getElementById(id), `#${id}`, type);
 }
 
 /**
@@ -26,11 +32,12 @@ export function find(parent, selector, type) {
 
 /**
  * A copy of what a <template> holds.
+ * @param {Root} root
  * @param {string} id
  * @returns {HTMLElement}
  */
-export function fromTemplate(id) {
-  const content = byId(id, HTMLTemplateElement).content.firstElementChild;
+export function fromTemplate(root, id) {
+  const content = byId(root, id, HTMLTemplateElement).content.firstElementChild;
   return /** @type {HTMLElement} */ (checked(content, `#${id} > *`, HTMLElement).cloneNode(true));
 }
 
@@ -60,6 +67,6 @@ export function setText(element, text) {
  * @returns {T}
  */
 function checked(element, selector, type) {
-  if (!(element instanceof (type ?? HTMLElement))) throw new Error(`index.html has no ${selector} of the class ${(type ?? HTMLElement).name}`);
+  if (!(element instanceof (type ?? HTMLElement))) throw new Error(`The markup has no ${selector} of the class ${(type ?? HTMLElement).name}`);
   return /** @type {T} */ (element);
 }

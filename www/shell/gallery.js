@@ -1,7 +1,6 @@
 // The grid of templates, each with the scene of its first puzzle and what has been solved of it.
 
 import { paintThumbnail } from "../pkg/pathlight.js";
-import { Component } from "./component.js";
 import { LazyThumbnails } from "./lazy-thumbnails.js";
 import { hrefOf } from "./url-state.js";
 
@@ -10,8 +9,9 @@ import { hrefOf } from "./url-state.js";
 /** Width of a picture, CSS px; the style sheet may show it smaller. */
 const SIDE = 176;
 
-export class Gallery extends Component {
-  #thumbnails = new LazyThumbnails((context, { dataset }) => paintThumbnail(context, dataset.task ?? "", this.dark));
+export class Gallery {
+  #dark = false;
+  #thumbnails = new LazyThumbnails((context, { dataset }) => paintThumbnail(context, dataset.task ?? "", this.#dark));
   /** @type {Map<string, HTMLElement>} */
   #marks = new Map();
   /** @type {{ link: HTMLAnchorElement, task: string }[]} */
@@ -22,19 +22,18 @@ export class Gallery extends Component {
    * @param {Template[]} templates
    */
   constructor(list, templates) {
-    super();
     list.replaceChildren(...templates.map((template) => this.#item(template)));
   }
 
   /** @param {boolean} dark */
   setTheme(dark) {
-    super.setTheme(dark);
+    this.#dark = dark;
     this.#thumbnails.redraw();
   }
 
-  /** @param {import("./url-state.js").View} view */
-  setState(view) {
-    for (const { link, task } of this.#links) link.href = hrefOf(view, task) ?? "#";
+  /** @param {import("./url-state.js").State} state */
+  setState(state) {
+    for (const { link, task } of this.#links) link.href = hrefOf(state, task) ?? "#";
   }
 
   /**

@@ -2,7 +2,7 @@
 
 import { byId } from "./dom.js";
 
-const bar = byId("notice");
+const bar = byId(document, "notice");
 
 /**
  * Shows a sentence with links and buttons.
@@ -10,9 +10,9 @@ const bar = byId("notice");
  * @param {[label: string, action: string | (() => void)][]} [actions] an address to follow, or what a button does
  */
 export function showNotice(sentence, actions = []) {
-  byId("notice-text").textContent = sentence;
+  byId(document, "notice-text").textContent = sentence;
   const controls = actions.map(([label, action]) => (typeof action === "string" ? link(label, action) : button(label, action)));
-  byId("notice-actions").replaceChildren(...controls, button("Close", dismissNotice));
+  byId(document, "notice-actions").replaceChildren(...controls, button("Close", dismissNotice));
   bar.hidden = false;
 }
 

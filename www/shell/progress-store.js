@@ -13,7 +13,7 @@ const MAX_STORED_ATTEMPTS = 1e6;
 
 export class ProgressStore extends EventTarget {
   /** Does it outlast the page? */
-  persistent = true;
+  persistent;
   #key;
   /** @type {Record<string, TaskProgress>} */
   #tasks = {};
@@ -21,24 +21,19 @@ export class ProgressStore extends EventTarget {
   /**
    * The player's store. Fires "change" whenever it holds something else, also when another tab has written it.
    * @param {string} [key]
+   * @param {boolean} [persistent]
    */
-  constructor(key = PLAYER_KEY) {
+  constructor(key = PLAYER_KEY, persistent = true) {
     super();
     this.#key = key;
+    this.persistent = persistent;
+    if (!persistent) return;
     this.#read();
     addEventListener("storage", (event) => {
       if (event.key !== this.#key && event.key !== null) return;
       this.#read();
       this.#changed();
     });
-  }
-
-  /**
-   * The store for a model's own turns.
-   * @param {string} name
-   */
-  static ofModel(name) {
-    return new ProgressStore(`pathlight.model.${name}`);
   }
 
   /**
@@ -125,6 +120,50 @@ export class ProgressStore extends EventTarget {
   #changed() {
     this.dispatchEvent(new Event("change"));
   }
+}
+
+/** The progress of the player and of each model, which all puzzles of a page share. Fires "change" when any of it changes. */
+class Progress extends EventTarget {
+  player;
+  #persistent;
+  /** @type {Map<string, ProgressStore>} */
+  #models = new Map();
+
+  /** @param {boolean} persistent */
+  constructor(persistent) {
+    super();
+    this.#persistent = persistent;
+    this.player = this.#create(PLAYER_KEY);
+  }
+
+  /**
+   * The progress of a model in its own turns.
+   * @param {string} name
+   */
+  ofModel(name) {
+    const store = this.#models.get(name) ?? this.#create(`pathlight.model.${name}`);
+    this.#models.set(name, store);
+    return store;
+  }
+
+  /** @param {string} key */
+  #create(key) {
+    const store = new ProgressStore(key, this.#persistent);
+    store.addEventListener("change", () => this.dispatchEvent(new Event("change")));
+    return store;
+  }
+}
+/** @typedef {Progress} SharedProgress */
+
+/** @type {Partial<Record<"kept" | "forgotten", Progress>>} */
+const shared = {};
+
+/**
+ * The progress that is kept in this browser, or the one that is forgotten with the page.
+ * @param {"kept" | "forgotten"} which
+ */
+export function sharedProgress(which) {
+  return (shared[which] ??= new Progress(which === "kept"));
 }
 
 /**

@@ -1,7 +1,6 @@
 // The person's progress: a line above the grid, a note on each of its templates, a mark on each puzzle of the picker.
 // Saves it to a file, and deletes it when the person is sure.
 
-import { Component } from "./component.js";
 import { byId } from "./dom.js";
 
 /** @typedef {import("./gallery.js").Template} Template */
@@ -9,7 +8,7 @@ import { byId } from "./dom.js";
 /** The browser may read a download some time after the click; its address is kept so long, ms. */
 const DOWNLOAD_TIME = 60_000;
 
-export class ProgressView extends Component {
+export class ProgressView {
   #store;
   #templates;
   #gallery;
@@ -20,12 +19,11 @@ export class ProgressView extends Component {
    * @param {import("./gallery.js").Gallery} gallery
    */
   constructor(store, templates, gallery) {
-    super();
     this.#store = store;
     this.#templates = templates;
     this.#gallery = gallery;
-    byId("progress-save").addEventListener("click", () => this.#save());
-    const dialog = byId("forget-dialog", HTMLDialogElement);
+    byId(document, "progress-save").addEventListener("click", () => this.#save());
+    const dialog = byId(document, "forget-dialog", HTMLDialogElement);
     dialog.addEventListener("close", () => {
       if (dialog.returnValue === "forget") store.clear();
     });
@@ -33,22 +31,23 @@ export class ProgressView extends Component {
     this.#update();
   }
 
-  /** @param {import("../play/session.js").Session} session */
-  open(session) {
-    super.open(session);
-    const { id } = session.about;
+  /**
+   * Lists the puzzles of a task's template in the picker, with the task chosen.
+   * @param {string} id
+   */
+  showTask(id) {
     const tasks = this.#templates.find((template) => template.tasks.includes(id))?.tasks ?? [id];
-    const picker = byId("task", HTMLSelectElement);
+    const picker = byId(document, "task", HTMLSelectElement);
     picker.replaceChildren(...tasks.map((task) => new Option(this.#label(task), task, task === id, task === id)));
     picker.title = `Puzzle ${tasks.indexOf(id) + 1} of ${tasks.length}`;
   }
 
   #update() {
     const all = this.#store.sum(this.#templates.flatMap(({ tasks }) => tasks));
-    byId("progress").hidden = all.tried === 0;
-    byId("progress-words").textContent = `${totalWords(all)}${this.#store.persistent ? "" : " This browser keeps nothing for the page: it is forgotten when you close it."}`;
+    byId(document, "progress").hidden = all.tried === 0;
+    byId(document, "progress-words").textContent = `${totalWords(all)}${this.#store.persistent ? "" : " This browser keeps nothing for the page: it is forgotten when you close it."}`;
     for (const { id, tasks } of this.#templates) this.#gallery.mark(id, templateWords(this.#store.sum(tasks), tasks.length));
-    for (const option of byId("task", HTMLSelectElement).options) option.textContent = this.#label(option.value);
+    for (const option of byId(document, "task", HTMLSelectElement).options) option.textContent = this.#label(option.value);
   }
 
   /**

@@ -1,14 +1,13 @@
-// The keyboard shortcuts of the whole page; those of the scene are in play/canvas.js. A number field, a list and a dialog
-// keep their own keys.
+// The keyboard shortcuts of a puzzle; those of its scene are in play/canvas.js. A number field, a list and a dialog keep their
+// own keys.
 
 /** @typedef {import("../play/session.js").Session} Session */
 
 /**
- * What the shortcuts act on. The session is null on the grid.
+ * What the shortcuts act on. The session is null while no puzzle is open.
  * @typedef {object} ShortcutTarget
  * @property {Session | null} session
  * @property {{ onKeydown(event: KeyboardEvent): void }} scene
- * @property {(offset: number) => void} stepPuzzle
  * @property {(index: number) => void} showPanel
  * @property {() => void} showKeys
  */
@@ -16,22 +15,29 @@
 const OWN_KEYS = "input[type=number], select, dialog";
 
 /**
- * Listens for as long as the page lives.
- * @param {ShortcutTarget} page
+ * Acts on a key that was pressed in the puzzle, or in the page with the focus nowhere.
+ * @param {KeyboardEvent} event
+ * @param {ShortcutTarget} puzzle
  */
-export function listenForShortcuts(page) {
-  document.addEventListener("keydown", (event) => {
-    const { ctrlKey, metaKey, altKey, target } = event;
-    if (event.defaultPrevented || altKey || !(target instanceof Element)) return;
-    const act = ctrlKey || metaKey ? undoAction(event, target, page.session) : plainAction(event, target, page);
-    if (act) {
-      event.preventDefault();
-      act();
-    } else if (target === document.body && page.session) {
-      // Nothing has the focus, as after a button that is disabled now: the arrows mean the ball.
-      page.scene.onKeydown(event);
-    }
-  });
+export function onShortcut(event, puzzle) {
+  const { ctrlKey, metaKey, altKey, target } = event;
+  if (event.defaultPrevented || altKey || !(target instanceof Element)) return;
+  const act = ctrlKey || metaKey ? undoAction(event, target, puzzle.session) : plainAction(event, target, puzzle);
+  if (act) {
+    event.preventDefault();
+    act();
+  } else if (target === document.body && puzzle.session) {
+    // Nothing has the focus, as after a button that is disabled now: the arrows mean the ball.
+    puzzle.scene.onKeydown(event);
+  }
+}
+
+/**
+ * Does the element where a key was pressed leave the plain keys to shortcuts?
+ * @param {EventTarget | undefined} target
+ */
+export function leavesPlainKeys(target) {
+  return target instanceof Element && !target.closest(OWN_KEYS);
 }
 
 /**
@@ -52,24 +58,22 @@ function undoAction({ key, shiftKey }, target, session) {
 /**
  * @param {KeyboardEvent} event
  * @param {Element} target
- * @param {ShortcutTarget} page
+ * @param {ShortcutTarget} puzzle
  * @returns {(() => void) | undefined}
  */
-function plainAction({ key }, target, page) {
-  if (target.closest(OWN_KEYS)) return undefined;
-  if (key === "?") return () => page.showKeys();
-  const { session } = page;
+function plainAction({ key }, target, puzzle) {
+  if (!leavesPlainKeys(target)) return undefined;
+  if (key === "?") return () => puzzle.showKeys();
+  const { session } = puzzle;
   // Space keeps its meaning where it has one.
   if (!session || (key === " " && target.closest("button, a, input, summary"))) return undefined;
-  if (/^[1-9]$/.test(key)) return () => page.showPanel(Number(key) - 1);
+  if (/^[1-9]$/.test(key)) return () => puzzle.showPanel(Number(key) - 1);
   /** @type {Record<string, () => void>} */
   const actions = {
     " ": () => session.run(),
     ".": () => session.step(1),
     ",": () => session.step(-1),
     r: () => session.reset(),
-    "[": () => page.stepPuzzle(-1),
-    "]": () => page.stepPuzzle(1),
   };
   return actions[key.toLowerCase()];
 }

@@ -1,7 +1,6 @@
 // The tabs and the panels that they show, by pointer and by arrow keys.
 
 import { Component } from "./component.js";
-import { byId } from "./dom.js";
 import { PANELS, visiblePanels } from "./url-state.js";
 
 /** @typedef {import("./url-state.js").Panel} Panel */
@@ -12,10 +11,11 @@ export class Tabs extends Component {
   /** @type {Panel} */
   #selected = "play";
 
-  constructor() {
-    super();
+  /** @param {import("./dom.js").Root} root */
+  constructor(root) {
+    super(root);
     for (const panel of PANELS) {
-      const tab = byId(`tab-${panel}`);
+      const tab = this.byId(`tab-${panel}`);
       tab.addEventListener("click", () => this.requestState({ panel }));
       tab.addEventListener("keydown", (event) => this.#onKeydown(event));
     }
@@ -26,10 +26,10 @@ export class Tabs extends Component {
     this.#visible = visiblePanels(view);
     this.#selected = view.panel;
     for (const panel of PANELS) {
-      const tab = byId(`tab-${panel}`);
+      const tab = this.byId(`tab-${panel}`);
       tab.setAttribute("aria-selected", String(panel === view.panel));
       tab.tabIndex = panel === view.panel ? 0 : -1;
-      byId(panel).hidden = panel !== view.panel;
+      this.byId(panel).hidden = panel !== view.panel;
     }
   }
 
@@ -40,7 +40,7 @@ export class Tabs extends Component {
     const panels = this.#visible;
     const panel = panels[(panels.indexOf(this.#selected) + offset + panels.length) % panels.length];
     this.requestState({ panel });
-    byId(`tab-${panel}`).focus();
+    this.byId(`tab-${panel}`).focus();
     event.preventDefault();
   }
 }

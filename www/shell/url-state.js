@@ -109,14 +109,40 @@ function someOf(names) {
  * @param {State} state
  */
 export function formatFragment(state) {
+  const texts = Object.entries(formatState(state)).filter(([, text]) => text !== null);
+  return texts.map(([key, text]) => `${key}=${text}`).join("&");
+}
+
+/**
+ * Each part of a state as text; null where it equals the initial state.
+ * @param {State} state
+ * @returns {Record<string, string | null>}
+ */
+export function formatState(state) {
   /** @type {Record<string, unknown>} */
   const values = { ...state };
   /** @type {Record<string, unknown>} */
   const initial = { ...INITIAL_STATE };
-  return Object.entries(CODECS)
-    .filter(([key]) => JSON.stringify(values[key]) !== JSON.stringify(initial[key]))
-    .map(([key, { format }]) => `${key}=${format(values[key])}`)
-    .join("&");
+  const isInitial = (/** @type {string} */ key) => JSON.stringify(values[key]) === JSON.stringify(initial[key]);
+  return Object.fromEntries(Object.entries(CODECS).map(([key, { format }]) => [key, isInitial(key) ? null : format(values[key])]));
+}
+
+/**
+ * The state that texts by key ask for, and those that cannot be read.
+ * @param {[key: string, text: string][]} texts
+ * @returns {{ state: State, unread: [key: string, text: string][] }}
+ */
+export function parseState(texts) {
+  /** @type {Record<string, unknown>} */
+  const parsed = {};
+  /** @type {[key: string, text: string][]} */
+  const unread = [];
+  for (const [key, text] of texts) {
+    const value = Object.hasOwn(CODECS, key) ? CODECS[key].parse(text) : undefined;
+    if (value === undefined) unread.push([key, text]);
+    else parsed[key] = value;
+  }
+  return { state: { ...INITIAL_STATE, ...parsed }, unread };
 }
 
 /**
@@ -125,17 +151,13 @@ export function formatFragment(state) {
  * @returns {{ state: State, problem: string | null }}
  */
 export function parseFragment(hash) {
-  /** @type {Record<string, unknown>} */
-  const parsed = {};
-  const problems = [];
-  for (const part of hash.replace(/^#/, "").split("&").filter(Boolean)) {
+  const parts = hash.replace(/^#/, "").split("&").filter(Boolean);
+  const { state, unread } = parseState(parts.map((part) => {
     const [key, ...rest] = part.split("=");
-    const value = Object.hasOwn(CODECS, key) ? CODECS[key].parse(decoded(rest.join("="))) : undefined;
-    if (value === undefined) problems.push(`“${decoded(part)}”`);
-    else parsed[key] = value;
-  }
-  const problem = problems.length ? `This link says ${problems.join(" and ")}, which Pathlight does not understand.` : null;
-  return { state: { ...INITIAL_STATE, ...parsed }, problem };
+    return [decoded(key), decoded(rest.join("="))];
+  }));
+  const words = unread.map(([key, text]) => (text ? `“${key}=${text}”` : `“${key}”`));
+  return { state, problem: words.length ? `This link says ${words.join(" and ")}, which Pathlight does not understand.` : null };
 }
 
 /** @param {string} text */

@@ -1,0 +1,291 @@
+// Joins the components of one puzzle in its shadow tree: opens and closes its session, starts its model, and passes the state
+// to all of them. Each component knows the session and the wasm; only this file knows all of them. shell/component.js
+// describes their lifecycle. Knows nothing of the page around the shadow tree, nor of its address.
+
+import { palette, templates } from "../pkg/pathlight.js";
+import { WorkerClient } from "../model/worker-client.js";
+import { Compare } from "../panels/compare.js";
+import { Imagine } from "../panels/imagine.js";
+import { ImaginedVsReal } from "../panels/imagined-vs-real.js";
+import { Overlays } from "../panels/overlays.js";
+import { Predict } from "../panels/predict.js";
+import { Probe } from "../panels/probe.js";
+import { Proposals } from "../panels/proposals.js";
+import { ScenePicture } from "../panels/scene-picture.js";
+import { Scoreboard } from "../panels/scoreboard.js";
+import { SolveMapPanel } from "../panels/solve-map.js";
+import { Walkthrough } from "../panels/walkthrough.js";
+import { AttemptList } from "../play/attempt-list.js";
+import { SceneCanvas } from "../play/canvas.js";
+import { Controls } from "../play/controls.js";
+import { Session } from "../play/session.js";
+import { About } from "../shell/about.js";
+import { byId, find, setText } from "../shell/dom.js";
+import { hideParts } from "../shell/hidden-parts.js";
+import { onShortcut } from "../shell/shortcuts.js";
+import { Tabs } from "../shell/tabs.js";
+import { INITIAL_STATE, formatFragment, formatState, parseState, viewOf, visiblePanels } from "../shell/url-state.js";
+
+/** @typedef {import("../shell/component.js").Component} Component */
+/** @typedef {import("../shell/progress-store.js").SharedProgress} SharedProgress */
+/** @typedef {import("../shell/url-state.js").State} State */
+
+/**
+ * An attempt of the player's that has run to its end.
+ * @typedef {{ task: string, number: number, ball: import("../pkg/pathlight.js").Ball, solved: boolean }} PlayedAttempt
+ */
+
+const TASKS = new Set(templates().flatMap(({ tasks }) => tasks));
+const reducedMotion = matchMedia("(prefers-reduced-motion: reduce)");
+
+export class PuzzleController extends EventTarget {
+  /** @type {State} */
+  #state = { ...INITIAL_STATE };
+  #root;
+  #progress;
+  #hrefOf;
+  #client;
+  #canvas;
+  #components;
+  /** @type {Session | null} */
+  #session = null;
+  /** What the last "modelchange" told. */
+  #lastModel;
+  /** @type {boolean | null} */
+  #dark = null;
+
+  /**
+   * Fires "statechange" when the person has changed the state, "modelchange" when the model comes or goes, and "attempt", a
+   * CustomEvent with a PlayedAttempt, when an attempt of the player's has run to its end or was left.
+   * @param {ShadowRoot} root
+   * @param {WebAssembly.Module} module
+   * @param {SharedProgress} progress
+   * @param {() => ((task: string, panel: import("../shell/url-state.js").Panel) => string | null) | null} hrefOf returns the
+   *   function that knows the addresses of other puzzles, or null if there is no way to them
+   */
+  constructor(root, module, progress, hrefOf) {
+    super();
+    this.#root = root;
+    this.#progress = progress;
+    this.#hrefOf = hrefOf;
+    this.#client = new WorkerClient(module);
+    this.#lastModel = this.model;
+    this.#canvas = new SceneCanvas(root);
+    this.#components = this.#createComponents();
+    for (const component of this.#components) {
+      component.addEventListener("staterequest", (event) => this.#changeState(/** @type {CustomEvent<Partial<State>>} */ (event).detail));
+      component.addEventListener("modelrequest", () => this.#retryModel());
+    }
+    this.#client.addEventListener("change", () => this.#onClientChange());
+    for (const button of root.querySelectorAll("button[data-opens]")) {
+      button.addEventListener("click", () => this.showDialog(button.getAttribute("data-opens") ?? ""));
+    }
+    root.addEventListener("keydown", (event) => this.onKeydown(/** @type {KeyboardEvent} */ (event)));
+  }
+
+  /**
+   * All components, in the order in which they are opened: the maps are asked for first, and what others read comes before
+   * them.
+   * @returns {Component[]}
+   */
+  #createComponents() {
+    const root = this.#root;
+    const client = this.#client;
+    const scenePicture = new ScenePicture(root);
+    const imagine = new Imagine(root, client, scenePicture);
+    const predict = new Predict(root, imagine, scenePicture);
+    const proposals = new Proposals(root, client, imagine);
+    const solveMap = new SolveMapPanel(root, client, imagine);
+    return [
+      new Tabs(root),
+      new About(root, client),
+      scenePicture,
+      imagine,
+      this.#canvas,
+      new Controls(root),
+      new AttemptList(root, byId(root, "play-attempts"), byId(root, "play-count"), "player"),
+      new AttemptList(root, byId(root, "player-attempts"), byId(root, "player-count"), "player"),
+      new AttemptList(root, byId(root, "model-attempts"), byId(root, "model-count"), "model"),
+      new Walkthrough(root, imagine),
+      new Probe(root, imagine),
+      new ImaginedVsReal(root, imagine, scenePicture),
+      predict,
+      new Compare(root, client),
+      proposals,
+      solveMap,
+      new Scoreboard(root, client, this.#progress, (task) => this.#hrefOf()?.(task, "compare") ?? null),
+      new Overlays(root, this.#canvas, { imagine, predict, proposals, solveMap }),
+    ];
+  }
+
+  /** A copy of the state. */
+  get state() {
+    return { ...this.#state };
+  }
+
+  /** The state as text by key; null where it is as at the start. */
+  get texts() {
+    return formatState(this.#state);
+  }
+
+  /** The model: the name of the one that is loaded, or null, and how far it has come. */
+  get model() {
+    const { status, loaded } = this.#client;
+    return { name: loaded?.name ?? null, status };
+  }
+
+  /**
+   * Shows what texts by key ask for, if that differs from what is shown.
+   * @param {[key: string, text: string][]} texts
+   */
+  applyTexts(texts) {
+    const { state, unread } = parseState(texts);
+    if (formatFragment(state) !== formatFragment(this.#state)) this.apply(state);
+    if (unread.length === 0) return;
+    const words = unread.map(([key, text]) => `${key}="${text}"`);
+    this.#showProblem(`This puzzle is asked for with ${words.join(" and ")}, which Pathlight does not understand.`);
+  }
+
+  /**
+   * Replaces the whole state.
+   * @param {State} state
+   */
+  apply(state) {
+    const modelChanged = state.model !== this.#client.requestedName;
+    // What is left behind may still change the old state, so it goes first.
+    if (state.task !== this.#state.task) this.#closePuzzle();
+    else if (modelChanged) this.#session?.clearModelAttempts();
+    this.#state = { ...state };
+    const { task, ball } = state;
+    const exists = task !== null && TASKS.has(task);
+    this.#showProblem(task === null || exists ? null : `There is no puzzle ${task}.`);
+    find(this.#root, ".puzzle").hidden = !exists;
+    if (exists) {
+      const session = (this.#session ??= this.#openPuzzle(task));
+      if (ball && String(ball) !== String(session.ball)) session.place(ball);
+      if (modelChanged || this.#client.status === "off") this.#client.start(state.model);
+    }
+    this.#applyView();
+  }
+
+  /**
+   * Applies the colour scheme to what the wasm paints, and its colours to the style sheet.
+   * @param {boolean} dark
+   */
+  setTheme(dark) {
+    if (dark === this.#dark) return;
+    this.#dark = dark;
+    const { style } = find(this.#root, ".puzzle");
+    for (const [name, colour] of Object.entries(palette(dark))) style.setProperty(`--${name}`, colour);
+    for (const component of this.#components) component.setTheme(dark);
+  }
+
+  /** Closes the puzzle and ends the worker; `apply` begins anew. */
+  release() {
+    this.#closePuzzle();
+    this.#client.stop();
+    this.#state = { ...INITIAL_STATE };
+  }
+
+  /**
+   * Acts on a shortcut.
+   * @param {KeyboardEvent} event
+   */
+  onKeydown(event) {
+    onShortcut(event, {
+      session: this.#session,
+      scene: this.#canvas,
+      showPanel: (index) => {
+        const panel = visiblePanels(this.#state)[index];
+        if (panel) this.#changeState({ panel });
+      },
+      showKeys: () => this.showDialog("keys-dialog"),
+    });
+  }
+
+  /** @param {string} id */
+  showDialog(id) {
+    byId(this.#root, id, HTMLDialogElement).showModal();
+  }
+
+  /** @param {string} task */
+  #openPuzzle(task) {
+    const session = new Session(task, () => reducedMotion.matches);
+    find(this.#root, ".puzzle").setAttribute("aria-label", `Puzzle ${session.about.name} ${task}`);
+    session.addEventListener("change", () => this.#onSessionChange(session));
+    session.addEventListener("attempted", () => this.#onAttempted(session));
+    for (const component of this.#components) component.open(session);
+    return session;
+  }
+
+  #closePuzzle() {
+    const session = this.#session;
+    if (!session) return;
+    this.#session = null;
+    // In reverse: what others read goes last.
+    for (const component of this.#components.toReversed()) component.close();
+    session.close();
+  }
+
+  /**
+   * Changes the state of the same puzzle, because the person has asked for it.
+   * @param {Partial<State>} patch
+   */
+  #changeState(patch) {
+    Object.assign(this.#state, patch);
+    if (this.#state.model !== this.#client.requestedName) {
+      // First, so that what follows from the cleared attempts finds the new model requested and does not start it again.
+      this.#client.start(this.#state.model);
+      this.#session?.clearModelAttempts();
+    }
+    this.#applyView();
+    this.dispatchEvent(new Event("statechange"));
+  }
+
+  /** Starts the model once more; falls back to the first model if the name is unknown. */
+  #retryModel() {
+    if (this.#client.failure?.code === "no_model") this.#changeState({ model: null });
+    else this.#client.start(this.#state.model);
+  }
+
+  #onClientChange() {
+    const { name, status } = this.model;
+    if (name === this.#lastModel.name && status === this.#lastModel.status) return;
+    this.#lastModel = { name, status };
+    this.dispatchEvent(new Event("modelchange"));
+  }
+
+  /**
+   * Takes the ball into the state.
+   * @param {Session} session
+   */
+  #onSessionChange(session) {
+    if (session !== this.#session || String(session.ball) === String(this.#state.ball)) return;
+    this.#state.ball = session.ball;
+    this.dispatchEvent(new Event("statechange"));
+  }
+
+  /** @param {Session} session */
+  #onAttempted({ about, shown }) {
+    if (!shown) return;
+    const { number, ball, ending } = shown;
+    this.#progress.player.add(about.id, ending.solved);
+    /** @type {PlayedAttempt} */
+    const attempt = { task: about.id, number, ball, solved: ending.solved };
+    this.dispatchEvent(new CustomEvent("attempt", { detail: attempt }));
+  }
+
+  /** Passes the visible state to all components. */
+  #applyView() {
+    const view = viewOf(this.#state);
+    hideParts(this.#root, this.#hrefOf() ? view.hide : [...view.hide, "puzzles"]);
+    for (const component of this.#components) component.setState(view);
+  }
+
+  /** @param {string | null} sentence */
+  #showProblem(sentence) {
+    const problem = byId(this.#root, "problem");
+    problem.hidden = sentence === null;
+    setText(problem, sentence ?? "");
+  }
+}

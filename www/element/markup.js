@@ -1,0 +1,131 @@
+// The shadow tree of a puzzle: scene, transport, panels, their templates and dialogs. It is the only markup that is made from
+// text, and the text is constant. Ids are unique in each shadow tree.
+
+import { PANELS_MARKUP } from "./panels-markup.js";
+
+const template = document.createElement("template");
+// Nothing but constants: no text of a link, a file or a model.
+template.innerHTML = `
+<svg class="sprite" aria-hidden="true">
+  <symbol id="icon-run" viewBox="0 0 24 24"><path d="M7 4.5v15l12-7.5z"/></symbol>
+  <symbol id="icon-pause" viewBox="0 0 24 24"><path d="M6 5h4v14H6zM14 5h4v14h-4z"/></symbol>
+  <symbol id="icon-step" viewBox="0 0 24 24"><path d="M5 5v14l9-7zM16 5h3v14h-3z"/></symbol>
+  <symbol id="icon-reset" viewBox="0 0 24 24"><path d="M12 5V1.5L6.5 6 12 10.5V7.2a5.5 5.5 0 1 1-5.5 5.5H4.3A7.7 7.7 0 1 0 12 5z"/></symbol>
+  <symbol id="icon-previous" viewBox="0 0 24 24"><path d="M15.5 5 8.5 12l7 7" class="line"/></symbol>
+  <symbol id="icon-next" viewBox="0 0 24 24"><path d="m8.5 5 7 7-7 7" class="line"/></symbol>
+  <symbol id="icon-undo" viewBox="0 0 24 24"><path d="M9 5 4.5 9.5 9 14M5 9.5h8.5a5 5 0 0 1 0 10H9" class="line"/></symbol>
+  <symbol id="icon-redo" viewBox="0 0 24 24"><path d="m15 5 4.5 4.5L15 14M19 9.5h-8.5a5 5 0 0 0 0 10H15" class="line"/></symbol>
+  <symbol id="icon-compare" viewBox="0 0 24 24"><circle cx="9.5" cy="12" r="5.5" class="line"/><circle cx="14.5" cy="12" r="5.5" class="line dashed"/></symbol>
+  <symbol id="icon-delete" viewBox="0 0 24 24"><path d="M5 7h14M10 7V4.5h4V7M7 7l.8 12.5h8.4L17 7M10.3 10.5v5.5M13.7 10.5v5.5" class="line"/></symbol>
+</svg>
+
+<p id="problem" role="alert" hidden></p>
+
+<div class="puzzle" role="group" hidden>
+  <div class="stage">
+    <div class="scene">
+      <canvas id="scene" tabindex="0" role="application" aria-roledescription="puzzle scene" aria-labelledby="goal" aria-describedby="description"></canvas>
+      <p id="probe" aria-hidden="true" hidden></p>
+    </div>
+    <p class="visually-hidden" id="description"></p>
+    <div class="transport" role="group" aria-label="Playback">
+      <button type="button" id="run" class="primary"><svg><use id="run-icon" href="#icon-run"/></svg><span id="run-label">Run</span></button>
+      <button type="button" id="step" title="One step  ."><svg><use href="#icon-step"/></svg><span class="visually-hidden">One step</span></button>
+      <input type="range" id="time" min="0" max="0" value="0" step="1" aria-label="Time" disabled>
+      <span id="clock" aria-hidden="true">0.0 s</span>
+      <label class="speed"><span class="visually-hidden">Speed</span><select id="speed">
+        <option value="0.25">0.25×</option><option value="0.5">0.5×</option><option value="1" selected>1×</option><option value="2">2×</option><option value="4">4×</option>
+      </select></label>
+      <button type="button" id="reset" title="Back to placing  R"><svg><use href="#icon-reset"/></svg><span class="visually-hidden">Reset</span></button>
+    </div>
+    <div class="status-row">
+      <p id="status"></p>
+      <div id="goal-meter" role="meter" aria-label="How long the green object has touched its goal" aria-valuemin="0" hidden>
+        <svg viewBox="0 0 24 24" aria-hidden="true"><circle cx="12" cy="12" r="9"/><circle cx="12" cy="12" r="9" pathLength="100" class="filled"/></svg>
+        <span></span>
+      </div>
+    </div>
+  </div>
+
+  <div class="side">
+    <p id="goal"></p>
+    <div class="tabs" role="tablist" aria-label="Panels">
+      <button type="button" role="tab" id="tab-play" aria-controls="play" data-panel="play">Play</button>
+      <button type="button" role="tab" id="tab-imagine" aria-controls="imagine" data-panel="imagine" data-hideable="imagine">Imagine</button>
+      <button type="button" role="tab" id="tab-compare" aria-controls="compare" data-panel="compare" data-hideable="compare">Compare</button>
+      <button type="button" role="tab" id="tab-predict" aria-controls="predict" data-panel="predict" data-hideable="predict">Predict</button>
+      <button type="button" role="tab" id="tab-map" aria-controls="map" data-panel="map" data-hideable="map">Map</button>
+    </div>
+
+    ${PANELS_MARKUP}
+  </div>
+</div>
+
+<p class="visually-hidden" id="announcement" role="status"></p>
+
+<template id="attempt-row">
+  <li>
+    <button type="button" data-act="replay"><b></b><span class="mark" aria-hidden="true"></span><span class="words"></span></button>
+    <button type="button" data-act="overlay"><svg aria-hidden="true"><use href="#icon-compare"/></svg></button>
+    <button type="button" data-act="remove"><svg aria-hidden="true"><use href="#icon-delete"/></svg></button>
+  </li>
+</template>
+
+<template id="run-row"><li><h3></h3><ul class="overlap-cards"></ul></li></template>
+
+<template id="overlap-card">
+  <li>
+    <div class="overlap-card"><canvas class="scene-layer" width="256" height="256" aria-hidden="true"></canvas><canvas class="shade-layer" width="64" height="64" aria-hidden="true"></canvas><canvas class="outline-layer" width="512" height="512" role="img"></canvas></div>
+    <p><b></b> <span></span></p>
+  </li>
+</template>
+
+<template id="stage-row">
+  <li>
+    <label><input type="checkbox"> <b></b></label>
+    <div class="map" tabindex="0" role="application"><canvas class="scene-layer" width="256" height="256" aria-hidden="true"></canvas><canvas class="shade-layer" width="64" height="64" role="img"></canvas></div>
+    <p class="meaning"></p>
+    <div class="scale" aria-hidden="true"><span>0</span><canvas class="legend" width="64" height="4"></canvas><span class="peak"></span></div>
+    <p class="value" aria-hidden="true"></p>
+    <p class="summary"></p>
+    <details><summary>How?</summary><p></p></details>
+  </li>
+</template>
+
+<dialog id="keys-dialog" aria-labelledby="keys-title">
+  <h2 id="keys-title">Keys</h2>
+  <dl>
+    <dt><kbd>←</kbd> <kbd>→</kbd> <kbd>↑</kbd> <kbd>↓</kbd></dt><dd>in the scene: move the ball by 1, with <kbd>Shift</kbd> by 10</dd>
+    <dt><kbd>+</kbd> <kbd>−</kbd></dt><dd>in the scene: larger, smaller</dd>
+    <dt><kbd>Ctrl</kbd> <kbd>Z</kbd>, <kbd>Ctrl</kbd> <kbd>Y</kbd></dt><dd>undo, redo a placement</dd>
+    <dt><kbd>Space</kbd></dt><dd>run, pause, go on</dd>
+    <dt><kbd>.</kbd> <kbd>,</kbd></dt><dd>one step forward, one back</dd>
+    <dt><kbd>R</kbd></dt><dd>back to placing</dd>
+    <dt data-hideable="puzzles"><kbd>[</kbd> <kbd>]</kbd></dt><dd data-hideable="puzzles">previous, next puzzle</dd>
+    <dt><kbd>1</kbd> to <kbd>5</kbd></dt><dd>Play, Imagine, Compare, Predict, Map</dd>
+    <dt><kbd>?</kbd></dt><dd>this sheet</dd>
+  </dl>
+  <form method="dialog"><button>Close</button></form>
+</dialog>
+
+<dialog id="about-dialog" aria-labelledby="about-title">
+  <h2 id="about-title" tabindex="-1" autofocus>About Pathlight</h2>
+  <p>You choose where one red ball starts. After that nobody touches anything: balls fall and roll, bars tip, and everything bumps into everything else. The model plays by the same rules, in the same simulator.</p>
+  <h3>How the model thinks</h3>
+  <p>It is made of four small neural nets. Each is a long list of numbers that turns pictures into a picture: the scene goes in, with what the nets before it have imagined, and out comes a map that says for every place how likely the ball is to pass there. A fifth net judges which balls are likely to solve the puzzle. The panel Imagine shows all their maps, and under “How?” what each net gets to see.</p>
+  <h3>How it was trained</h3>
+  <p>Nobody told it the laws of motion. It was shown solved puzzles: the scene, the way that the green object takes by itself, the ways that it and the red ball take when the puzzle is solved, and where that ball began. Each time, all its numbers were shifted a little, so that the next maps would come closer.</p>
+  <p id="card">No model is loaded.</p>
+  <dl id="card-entries"></dl>
+  <h3>Where the ideas come from</h3>
+  <p>The nets: Augustin Harter, Andrew Melnik, Gaurav Kumar, Dhruv Agarwal, Animesh Garg and Helge Ritter, <a href="https://arxiv.org/abs/2011.07357">Solving Physics Puzzles by Reasoning about Paths</a> (2020).</p>
+  <p>The puzzles: the 25 ball templates of <a href="https://phyre.ai">PHYRE</a>, a benchmark for physical reasoning by Anton Bakhtin and others (2019).</p>
+  <p>All of this runs in your browser. Nothing that you do here leaves your device.</p>
+  <form method="dialog"><button>Close</button></form>
+</dialog>
+`;
+
+/** A copy of the shadow tree of a puzzle. */
+export function puzzleMarkup() {
+  return /** @type {DocumentFragment} */ (template.content.cloneNode(true));
+}

@@ -1,0 +1,243 @@
+// The custom element <pathlight-puzzle>: shows one puzzle in any page, without a frame. The page of Pathlight itself is made
+// of it. Importing this file defines the element:
+//
+//     <script type="module" src="…/element/pathlight-puzzle.js"></script>
+//     <pathlight-puzzle task="00007:008" panel="imagine"></pathlight-puzzle>
+//
+// It takes the width that it is given, and as much height as it needs. The attributes mirror what the person sees, and can be
+// changed at any time. This file knows only the element; everything else is loaded once the wasm is there.
+
+import { wasmLoaded } from "../shell/load-wasm.js";
+import { puzzleMarkup } from "./markup.js";
+import { styleSheets } from "./style-sheets.js";
+
+/** @typedef {import("../shell/url-state.js").State} State */
+/** @typedef {import("../shell/url-state.js").Panel} Panel */
+/** @typedef {import("./controller.js").PlayedAttempt} PlayedAttempt */
+
+/** The attributes that make up the state; shell/url-state.js knows their values. */
+const STATE_ATTRIBUTES = ["task", "model", "panel", "stage", "proposal", "layers", "opacity", "ball", "hide"];
+
+/** What stands in for a puzzle that is on its way, in the size that it is going to have. */
+const placeholderSheet = new CSSStyleSheet();
+placeholderSheet.replaceSync(`
+  :host { display: block; container-type: inline-size; }
+  .placeholder { block-size: calc(100cqi + 24rem); border-radius: 14px; background: rgb(128 128 128 / 0.12); }
+  .placeholder:not(:empty) { block-size: auto; padding: 1rem; }
+  :host([fill]) .placeholder:empty, :host(:not([task])) .placeholder:empty { display: none; }
+  @container (min-width: 760px) { .placeholder:empty { block-size: calc(min(55cqi, 40rem) + 7rem); } }
+`);
+
+const darkScheme = matchMedia("(prefers-color-scheme: dark)");
+
+/**
+ * Fires, all bubbling:
+ *   "statechange"  the person has changed the state; `detail` is the State
+ *   "attempt"      an attempt of the player's has run to its end, or was left; `detail` is a PlayedAttempt
+ *   "modelchange"  the model comes or goes; `detail` is { name, status: "off" | "loading" | "ready" | "failed" }
+ */
+export class PathlightPuzzle extends HTMLElement {
+  static observedAttributes = [...STATE_ATTRIBUTES, "theme"];
+
+  /**
+   * Returns the address of another puzzle, for links to it; null where it has none. Null: there are no such links.
+   * @type {((task: string, panel: Panel) => string | null) | null}
+   */
+  hrefOf = null;
+  #root = this.attachShadow({ mode: "open" });
+  #placeholder = document.createElement("div");
+  /** @type {import("./controller.js").PuzzleController | null} */
+  #controller = null;
+  /**
+   * A state that was set before the controller was there.
+   * @type {State | null}
+   */
+  #awaited = null;
+  #loading = false;
+  #updating = false;
+  /** Ends what the element listens to while it is connected. */
+  #disconnected = new AbortController();
+
+  constructor() {
+    super();
+    this.#placeholder.className = "placeholder";
+    this.#root.adoptedStyleSheets = [placeholderSheet];
+    this.#root.append(this.#placeholder);
+  }
+
+  connectedCallback() {
+    this.#disconnected.abort();
+    this.#disconnected = new AbortController();
+    darkScheme.addEventListener("change", () => this.#scheduleUpdate(), { signal: this.#disconnected.signal });
+    if (!this.#loading) this.#load();
+    this.#scheduleUpdate();
+  }
+
+  disconnectedCallback() {
+    // An element that is moved within its page is connected again at once, and keeps its puzzle.
+    queueMicrotask(() => {
+      if (this.isConnected) return;
+      this.#disconnected.abort();
+      this.#controller?.release();
+    });
+  }
+
+  attributeChangedCallback() {
+    this.#scheduleUpdate();
+  }
+
+  /** The puzzle, "00007:008"; null for none. */
+  get task() { return this.getAttribute("task"); }
+  set task(value) { this.#setAttribute("task", value); }
+  /** The name of the model; null for the first. */
+  get model() { return this.getAttribute("model"); }
+  set model(value) { this.#setAttribute("model", value); }
+  /** "play", "imagine", "compare", "predict" or "map"; null for "play". */
+  get panel() { return this.getAttribute("panel"); }
+  set panel(value) { this.#setAttribute("panel", value); }
+  /** The stage that the walkthrough is at: "base", "target", "action", "placement" or "judge"; null for all together. */
+  get stage() { return this.getAttribute("stage"); }
+  set stage(value) { this.#setAttribute("stage", value); }
+  /** The number of the model's ball that is looked at, from 1; null for none. */
+  get proposal() { return this.getAttribute("proposal"); }
+  set proposal(value) { this.#setAttribute("proposal", value); }
+  /** The maps that lie over the scene: names of stages, with commas between them. */
+  get layers() { return this.getAttribute("layers"); }
+  set layers(value) { this.#setAttribute("layers", value); }
+  /** How much the maps cover, 0 to 1. */
+  get opacity() { return this.getAttribute("opacity"); }
+  set opacity(value) { this.#setAttribute("opacity", value); }
+  /** The ball that is being placed: "x,y,r" in px of the scene; null for none. */
+  get ball() { return this.getAttribute("ball"); }
+  set ball(value) { this.#setAttribute("ball", value); }
+  /** The names of the parts that are hidden, with commas between them. */
+  get hide() { return this.getAttribute("hide"); }
+  set hide(value) { this.#setAttribute("hide", value); }
+  /** "light", "dark" or "auto"; null for "auto", which follows the system. */
+  get theme() { return this.getAttribute("theme"); }
+  set theme(value) { this.#setAttribute("theme", value); }
+
+  /**
+   * All that the attributes say, as one object; null until the wasm is there, if it has not been set.
+   * @type {State | null}
+   */
+  get state() {
+    return this.#controller?.state ?? this.#awaited;
+  }
+
+  set state(state) {
+    if (state === null) return;
+    this.#awaited = { ...state };
+    if (this.#controller && this.isConnected) this.#applyAwaited(this.#controller);
+  }
+
+  /**
+   * Puts the focus on the scene.
+   * @param {FocusOptions} [options]
+   */
+  focus(options) {
+    this.#root.getElementById("scene")?.focus(options);
+  }
+
+  /** Shows the sheet about the keys. */
+  showKeys() {
+    this.#controller?.showDialog("keys-dialog");
+  }
+
+  /** Shows the sheet about Pathlight and its model. */
+  showAbout() {
+    this.#controller?.showDialog("about-dialog");
+  }
+
+  /**
+   * Acts on a key that was pressed elsewhere in the page. By itself the element hears only the keys that are pressed in it,
+   * so that several puzzles in one page do not all react.
+   * @param {KeyboardEvent} event
+   */
+  pressKey(event) {
+    this.#controller?.onKeydown(event);
+  }
+
+  async #load() {
+    this.#loading = true;
+    try {
+      const [module, sheets] = await Promise.all([wasmLoaded, styleSheets]);
+      const [{ PuzzleController }, { sharedProgress }] = await Promise.all([import("./controller.js"), import("../shell/progress-store.js")]);
+      this.#root.adoptedStyleSheets = [placeholderSheet, ...sheets];
+      this.#root.append(puzzleMarkup());
+      const progress = sharedProgress(this.hasAttribute("remember") ? "kept" : "forgotten");
+      this.#controller = this.#listened(new PuzzleController(this.#root, module, progress, () => this.hrefOf));
+      this.#placeholder.remove();
+      this.#update();
+    } catch (error) {
+      this.#placeholder.setAttribute("role", "alert");
+      this.#placeholder.textContent = /** @type {Error} */ (error).message;
+    }
+  }
+
+  /** @param {import("./controller.js").PuzzleController} controller */
+  #listened(controller) {
+    controller.addEventListener("statechange", () => {
+      this.#reflect(controller);
+      this.#dispatch("statechange", controller.state);
+    });
+    controller.addEventListener("modelchange", () => this.#dispatch("modelchange", controller.model));
+    controller.addEventListener("attempt", (event) => this.#dispatch("attempt", /** @type {CustomEvent<PlayedAttempt>} */ (event).detail));
+    return controller;
+  }
+
+  /**
+   * @param {string} type
+   * @param {unknown} detail
+   */
+  #dispatch(type, detail) {
+    this.dispatchEvent(new CustomEvent(type, { detail, bubbles: true }));
+  }
+
+  /** Takes all attributes that change now together. */
+  #scheduleUpdate() {
+    if (this.#updating) return;
+    this.#updating = true;
+    queueMicrotask(() => {
+      this.#updating = false;
+      this.#update();
+    });
+  }
+
+  #update() {
+    const controller = this.#controller;
+    if (!controller || !this.isConnected) return;
+    const { theme } = this;
+    controller.setTheme(theme === "dark" || (theme !== "light" && darkScheme.matches));
+    if (this.#awaited) this.#applyAwaited(controller);
+    else controller.applyTexts(STATE_ATTRIBUTES.filter((name) => this.hasAttribute(name)).map((name) => [name, this.getAttribute(name) ?? ""]));
+  }
+
+  /** @param {import("./controller.js").PuzzleController} controller */
+  #applyAwaited(controller) {
+    const state = this.#awaited;
+    this.#awaited = null;
+    if (!state) return;
+    controller.apply(state);
+    this.#reflect(controller);
+  }
+
+  /**
+   * Writes the state to the attributes.
+   * @param {import("./controller.js").PuzzleController} controller
+   */
+  #reflect({ texts }) {
+    for (const name of STATE_ATTRIBUTES) this.#setAttribute(name, texts[name]);
+  }
+
+  /**
+   * @param {string} name
+   * @param {string | null} value
+   */
+  #setAttribute(name, value) {
+    if (value === null || value === undefined) this.removeAttribute(name);
+    else if (value !== this.getAttribute(name)) this.setAttribute(name, value);
+  }
+}
+
+customElements.define("pathlight-puzzle", PathlightPuzzle);
