@@ -3,7 +3,7 @@
 // describes their lifecycle. Knows nothing of the page around the shadow tree, nor of its address.
 
 import { palette, templates } from "../pkg/pathlight.js";
-import { WorkerClient } from "../model/worker-client.js";
+import { SharedClient } from "../model/shared-client.js";
 import { Compare } from "../panels/compare.js";
 import { Imagine } from "../panels/imagine.js";
 import { ImaginedVsReal } from "../panels/imagined-vs-real.js";
@@ -68,7 +68,7 @@ export class PuzzleController extends EventTarget {
     this.#root = root;
     this.#progress = progress;
     this.#hrefOf = hrefOf;
-    this.#client = new WorkerClient(module);
+    this.#client = new SharedClient(module);
     this.#lastModel = this.model;
     this.#canvas = new SceneCanvas(root);
     this.#components = this.#createComponents();
@@ -163,7 +163,7 @@ export class PuzzleController extends EventTarget {
     if (exists) {
       const session = (this.#session ??= this.#openPuzzle(task));
       if (ball && String(ball) !== String(session.ball)) session.place(ball);
-      if (modelChanged || this.#client.status === "off") this.#client.start(state.model);
+      if (modelChanged || this.#client.status === "off") this.#startModel();
     }
     this.#applyView();
   }
@@ -235,17 +235,22 @@ export class PuzzleController extends EventTarget {
     Object.assign(this.#state, patch);
     if (this.#state.model !== this.#client.requestedName) {
       // First, so that what follows from the cleared attempts finds the new model requested and does not start it again.
-      this.#client.start(this.#state.model);
+      this.#startModel();
       this.#session?.clearModelAttempts();
     }
     this.#applyView();
     this.dispatchEvent(new Event("statechange"));
   }
 
+  /** Starts the model, unless no panel that needs it is shown. */
+  #startModel() {
+    if (visiblePanels(this.#state).length > 1) this.#client.start(this.#state.model);
+  }
+
   /** Starts the model once more; falls back to the first model if the name is unknown. */
   #retryModel() {
     if (this.#client.failure?.code === "no_model") this.#changeState({ model: null });
-    else this.#client.start(this.#state.model);
+    else this.#startModel();
   }
 
   #onClientChange() {

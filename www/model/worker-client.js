@@ -65,7 +65,7 @@ export class WorkerClient extends EventTarget {
     this.#terminate("The model was started again.");
     this.requestedName = name;
     this.#set({ status: "loading" });
-    const worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
+    const worker = createWorker();
     this.#worker = worker;
     worker.addEventListener("message", ({ data }) => worker === this.#worker && this.#onMessage(data));
     worker.addEventListener("error", (event) => {
@@ -166,7 +166,7 @@ export class WorkerClient extends EventTarget {
 
   /** Ends the worker and forgets the model. */
   stop() {
-    this.#terminate("The model was stopped.");
+    this.#terminate("Another model was started.");
     this.requestedName = null;
     this.#set({ status: "off" });
   }
@@ -185,4 +185,22 @@ export class WorkerClient extends EventTarget {
     Object.assign(this, { status, progress, failure, loaded });
     this.dispatchEvent(new Event("change"));
   }
+}
+
+/**
+ * A worker of a page has to come from the page's own origin. If the modules come from another, a worker of the page's own
+ * imports theirs.
+ */
+function createWorker() {
+  // In this form bundlers find the worker.
+  if (new URL(import.meta.url).origin === globalThis.origin) return new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
+  return new Worker(importingScript(), { type: "module" });
+}
+
+/** @type {string | undefined} */
+let scriptAddress;
+
+function importingScript() {
+  const address = import.meta.url.replace(/[^/]*$/, "worker.js");
+  return (scriptAddress ??= URL.createObjectURL(new Blob([`import ${JSON.stringify(address)};`], { type: "text/javascript" })));
 }

@@ -23,7 +23,7 @@ export class Compare extends Component {
 
   /**
    * @param {import("../shell/dom.js").Root} root
-   * @param {import("../model/worker-client.js").WorkerClient} client
+   * @param {import("../model/shared-client.js").SharedClient} client
    */
   constructor(root, client) {
     super(root);

@@ -35,7 +35,7 @@ export class Imagine extends Component {
 
   /**
    * @param {import("../shell/dom.js").Root} root
-   * @param {import("../model/worker-client.js").WorkerClient} client
+   * @param {import("../model/shared-client.js").SharedClient} client
    * @param {import("./scene-picture.js").ScenePicture} scenePicture
    */
   constructor(root, client, scenePicture) {

@@ -42,7 +42,7 @@ export class Proposals extends Component {
 
   /**
    * @param {import("../shell/dom.js").Root} root
-   * @param {import("../model/worker-client.js").WorkerClient} client
+   * @param {import("../model/shared-client.js").SharedClient} client
    * @param {import("./imagine.js").Imagine} imagine
    */
   constructor(root, client, imagine) {

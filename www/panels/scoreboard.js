@@ -15,7 +15,7 @@ export class Scoreboard extends Component {
 
   /**
    * @param {import("../shell/dom.js").Root} root
-   * @param {import("../model/worker-client.js").WorkerClient} client
+   * @param {import("../model/shared-client.js").SharedClient} client
    * @param {import("../shell/progress-store.js").SharedProgress} progress
    * @param {(task: string) => string | null} hrefOf the address of a puzzle, or null if there is no way to it
    */

@@ -39,7 +39,7 @@ export class SolveMapPanel extends Component {
   /**
    * Fires "map" when there is more to see.
    * @param {import("../shell/dom.js").Root} root
-   * @param {import("../model/worker-client.js").WorkerClient} client
+   * @param {import("../model/shared-client.js").SharedClient} client
    * @param {import("./imagine.js").Imagine} imagine
    */
   constructor(root, client, imagine) {

@@ -3,7 +3,7 @@
 
 import { find, setText } from "../shell/dom.js";
 
-/** @typedef {import("../model/worker-client.js").WorkerClient} WorkerClient */
+/** @typedef {import("../model/shared-client.js").SharedClient} SharedClient */
 
 export class TroubleBox {
   #box;
@@ -20,7 +20,7 @@ export class TroubleBox {
 
   /**
    * Shows why the model could not be loaded, if so, else why a call failed, else nothing.
-   * @param {WorkerClient} client
+   * @param {SharedClient} client
    * @param {string | null} callFailure
    * @param {{ restartModel: () => void, repeatCall: () => void }} actions
    */

@@ -31,7 +31,7 @@ export class About extends Component {
 
   /**
    * @param {import("./dom.js").Root} root
-   * @param {import("../model/worker-client.js").WorkerClient} client
+   * @param {import("../model/shared-client.js").SharedClient} client
    */
   constructor(root, client) {
     super(root);

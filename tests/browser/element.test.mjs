@@ -1,0 +1,281 @@
+// <pathlight-puzzle> in a page of someone else's: two puzzles are played independently of each other, follow their attributes
+// and the width that they are given, and free everything when they go.
+
+import AxeBuilder from '@axe-core/playwright';
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { start } from './harness.mjs';
+import { focused, known } from './page-actions.mjs';
+
+/** The whole page of a lesson. */
+const LESSON = `<!doctype html>
+<html lang="en">
+<title>A lesson</title>
+<script type="module" src="/element/pathlight-puzzle.js"></script>
+<main>
+  <h1>A lesson</h1>
+  <pathlight-puzzle id="one" task="00000:000"></pathlight-puzzle>
+  <pathlight-puzzle id="two" task="00007:008" panel="imagine" theme="dark"></pathlight-puzzle>
+</main>
+</html>`;
+
+let session, models;
+before(async () => {
+  session = await start();
+  models = (await (await fetch(`${session.origin}/assets/model.json`)).json()).models.map(({ name }) => name);
+});
+after(() => session.stop());
+
+/**
+ * Opens a page with this markup, served beside the modules, and waits until its puzzles are there.
+ * @param {string} [markup]
+ * @param {import('playwright-core').BrowserContextOptions} [options]
+ */
+async function embed(markup = LESSON, options = {}) {
+  const page = await session.open('', { viewport: { width: 1280, height: 800 }, reducedMotion: 'reduce', ...options });
+  await page.route('**/lesson.html', (route) => route.fulfill({ body: markup, contentType: 'text/html' }));
+  await page.goto(`${session.origin}/lesson.html`);
+  return page;
+}
+
+/** A page with one element. */
+const single = (attributes, style = '') =>
+  `<!doctype html><html lang="en"><title>One</title><script type="module" src="/element/pathlight-puzzle.js"></script>
+  <main><h1>One</h1><div style="${style}"><pathlight-puzzle ${attributes}></pathlight-puzzle></div></main></html>`;
+
+/** The place on the screen of a point of a puzzle's scene, px. */
+async function spot(puzzle, x, y) {
+  const scene = puzzle.locator('#scene');
+  await scene.scrollIntoViewIfNeeded();
+  const box = await scene.boundingBox();
+  return { x: box.x + (x / 256) * box.width, y: box.y + box.height - (y / 256) * box.height };
+}
+
+const ballOf = async (puzzle) => Promise.all(['x', 'y', 'r'].map(async (name) => Number(await puzzle.locator(`#ball-${name}`).inputValue())));
+const status = (puzzle, pattern) => puzzle.locator('#status').filter({ hasText: pattern }).waitFor();
+const imagined = (puzzle) => puzzle.locator('#imagined-in').filter({ hasText: /Imagined in \d+ ms/ }).waitFor();
+const workers = (page, count) => assert.equal(page.workers().length, count, 'workers');
+
+async function wait(passes, what) {
+  for (const end = Date.now() + 20_000; !(await passes()); ) {
+    assert.ok(Date.now() < end, what);
+    await new Promise((resume) => setTimeout(resume, 20));
+  }
+}
+
+test('two puzzles in one page are played with the mouse, each for itself', async () => {
+  const page = await embed();
+  const [one, two] = [page.locator('#one'), page.locator('#two')];
+  await imagined(two);
+  const { solving } = await known(page);
+  await page.evaluate(() => {
+    globalThis.heard = [];
+    document.addEventListener('attempt', (/** @type {any} */ { target, detail }) => globalThis.heard.push([target.id, detail]));
+  });
+  const { x, y } = await spot(one, solving[0], solving[1]);
+  await page.mouse.click(x, y);
+  await one.locator('#ball-r').fill(String(solving[2]));
+  await one.locator('#ball-r').press('Tab');
+  assert.deepEqual(await ballOf(one), solving);
+  assert.deepEqual(await ballOf(two), [0, 0, 0]);
+  await one.locator('#run').click();
+  await status(one, /^Solved! Your attempt 1/);
+  await status(two, /^Click or tap the scene/);
+  assert.deepEqual(await page.evaluate(() => globalThis.heard), [['one', { task: '00000:000', number: 1, ball: solving, solved: true }]]);
+  assert.equal(await page.evaluate(() => Object.keys(localStorage).length), 0, 'nothing is kept in the browser of a page that did not ask for it');
+});
+
+test('keys act in the puzzle that has the focus, and nowhere else', async () => {
+  const page = await embed();
+  const [one, two] = [page.locator('#one'), page.locator('#two')];
+  await imagined(two);
+  await two.evaluate((element) => element.focus());
+  assert.equal(await (await focused(page)).getAttribute('id'), 'scene');
+  await page.keyboard.press('ArrowUp');
+  await page.keyboard.press('3');
+  await two.locator('#compare').waitFor();
+  assert.ok(await one.locator('#play').isVisible(), 'the other stays where it was');
+  await page.keyboard.press('?');
+  await two.locator('#keys-dialog[open]').waitFor();
+  assert.equal(await one.locator('#keys-dialog[open]').count(), 0);
+  assert.ok(await two.getByText('previous, next puzzle').isHidden(), 'there is no way to other puzzles');
+  await page.keyboard.press('Escape');
+  await one.locator('#scene').press('Shift+ArrowLeft');
+  await one.locator('#scene').press('Space');
+  await status(one, /attempt 1|Not here/);
+  assert.equal(await two.locator('#time').isDisabled(), true, 'the other does not run');
+  await (await focused(page)).evaluate((element) => element.blur());
+  const before = await ballOf(one);
+  await page.keyboard.press('ArrowUp');
+  await page.keyboard.press('2');
+  assert.deepEqual(await ballOf(one), before);
+  assert.ok(await one.locator('#play').isVisible());
+});
+
+test('a finger places and drags', async () => {
+  const page = await embed(LESSON, { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+  const two = page.locator('#two');
+  await imagined(two);
+  await two.locator('#tab-play').tap();
+  const { x, y } = await spot(two, 128, 200);
+  await page.touchscreen.tap(x, y);
+  assert.deepEqual((await ballOf(two)).slice(0, 2), [128, 200]);
+  assert.deepEqual(await ballOf(page.locator('#one')), [0, 0, 0]);
+});
+
+for (const colorScheme of /** @type {const} */ (['light', 'dark'])) {
+  test(`axe finds nothing in an embedded puzzle, ${colorScheme}`, async () => {
+    const page = await embed(LESSON, { colorScheme });
+    await imagined(page.locator('#two'));
+    const names = await page.getByRole('group', { name: /^Puzzle / }).evaluateAll((groups) => groups.map((group) => group.getAttribute('aria-label')));
+    assert.equal(names.length, 2);
+    assert.match(names[1], /^Puzzle Funnel 00007:008$/);
+    const { violations } = await new AxeBuilder({ page }).analyze();
+    const bad = violations.filter(({ impact }) => impact === 'serious' || impact === 'critical');
+    assert.deepEqual(bad.map(({ id, nodes }) => [id, nodes.map(({ html }) => html)]), []);
+  });
+}
+
+test('it follows its attributes, and they follow the person', async () => {
+  const page = await embed();
+  const one = page.locator('#one');
+  await one.locator('#scene').waitFor();
+  const goal = await one.locator('#goal').textContent();
+  await one.evaluate((element) => {
+    element.setAttribute('task', '00012:002');
+    element.setAttribute('panel', 'map');
+    element.setAttribute('ball', '100,200,20');
+  });
+  await one.locator('#map').waitFor();
+  assert.notEqual(await one.locator('#goal').textContent(), goal);
+  assert.deepEqual(await ballOf(one), [100, 200, 20]);
+  await page.evaluate(() => {
+    globalThis.heard = [];
+    document.addEventListener('statechange', (/** @type {any} */ { detail }) => globalThis.heard.push(detail.panel));
+  });
+  await one.locator('#tab-imagine').click();
+  await one.locator('[data-stage=target] input').check();
+  assert.equal(await one.getAttribute('panel'), 'imagine');
+  assert.equal(await one.getAttribute('layers'), 'target');
+  assert.deepEqual(await page.evaluate(() => globalThis.heard), ['imagine', 'imagine']);
+  await one.locator('#scene').press('ArrowLeft');
+  assert.equal(await one.getAttribute('ball'), '99,200,20');
+  assert.equal(await one.evaluate((element) => element.ball), '99,200,20');
+  await one.evaluate((element) => {
+    element.theme = 'dark';
+    element.layers = null;
+  });
+  await wait(async () => (await one.locator('.puzzle').evaluate((puzzle) => getComputedStyle(puzzle).colorScheme)) === 'dark', 'dark');
+  assert.equal(await one.locator('[data-stage=target] input').isChecked(), false);
+});
+
+test('a puzzle that is removed frees its worker and its memory, and plays again when it comes back', async () => {
+  const page = await embed();
+  await imagined(page.locator('#two'));
+  await page.evaluate(async () => {
+    const { Puzzle } = await import('/pkg/pathlight.js');
+    const free = Puzzle.prototype.free;
+    globalThis.freed = 0;
+    Puzzle.prototype.free = function () {
+      globalThis.freed += 1;
+      free.call(this);
+    };
+    globalThis.puzzles = [...document.querySelectorAll('pathlight-puzzle')];
+  });
+  await page.evaluate(() => globalThis.puzzles.forEach((puzzle) => puzzle.remove()));
+  await wait(() => page.workers().length === 0, 'the worker ends');
+  assert.equal(await page.evaluate(() => globalThis.freed), 2);
+  await page.evaluate(() => document.querySelector('main')?.append(...globalThis.puzzles));
+  await imagined(page.locator('#two'));
+  const { solving } = await known(page);
+  await page.locator('#one').evaluate((element, ball) => element.setAttribute('ball', ball), String(solving));
+  await page.locator('#one #run').click();
+  await status(page.locator('#one'), /^Solved!/);
+  // One that is only moved keeps what was played.
+  await page.evaluate(() => document.querySelector('main')?.prepend(globalThis.puzzles[0]));
+  await page.waitForTimeout(100);
+  assert.equal(await page.locator('#one #play-attempts li').count(), 1);
+});
+
+test('puzzles of one model share its worker, those of another have their own', async () => {
+  const page = await embed();
+  const [one, two] = [page.locator('#one'), page.locator('#two')];
+  await imagined(two);
+  workers(page, 1);
+  await two.evaluate((element, name) => element.setAttribute('model', name), models[1]);
+  await two.locator('#card').filter({ hasText: `model “${models[1]}”` }).waitFor({ state: 'attached' });
+  await one.locator('#card').filter({ hasText: `model “${models[0]}”` }).waitFor({ state: 'attached' });
+  await imagined(two);
+  workers(page, 2);
+  await two.evaluate((element) => element.removeAttribute('model'));
+  await two.locator('#card').filter({ hasText: `model “${models[0]}”` }).waitFor({ state: 'attached' });
+  await imagined(two);
+  await wait(() => page.workers().length === 1, 'the worker of the second model ends');
+});
+
+for (const { attributes, words, playable = false } of [
+  { attributes: 'task="00007:999"', words: /There is no puzzle 00007:999/ },
+  { attributes: 'task="funnel"', words: /task="funnel", which Pathlight does not understand/ },
+  { attributes: 'task="00007:008" panel="soup" layers="soup"', words: /panel="soup" and layers="soup"/, playable: true },
+]) {
+  test(`a bad attribute (${attributes}) is a sentence in the element`, async () => {
+    const page = await embed(single(attributes));
+    await page.locator('#problem').filter({ hasText: words }).waitFor();
+    assert.equal(await page.locator('#scene').isVisible(), playable);
+    await page.locator('pathlight-puzzle').evaluate((element) => {
+      for (const name of ['panel', 'layers']) element.removeAttribute(name);
+      element.setAttribute('task', '00000:000');
+    });
+    await page.locator('#scene').waitFor();
+    await page.locator('#problem').waitFor({ state: 'hidden' });
+  });
+}
+
+test('without the wasm the element says so', async () => {
+  const page = await session.open('');
+  await page.route('**/*.wasm', (route) => route.fulfill({ status: 404 }));
+  await page.route('**/lesson.html', (route) => route.fulfill({ body: single('task="00000:000"'), contentType: 'text/html' }));
+  await page.goto(`${session.origin}/lesson.html`);
+  await page.getByRole('alert').filter({ hasText: 'the server answered 404' }).waitFor();
+  session.takeProblems();
+});
+
+test('a puzzle that hides all panels of the model loads no weights', async () => {
+  const page = await embed(single('task="00000:000" hide="imagine,compare,predict,map,story"'));
+  await page.locator('#run').waitFor();
+  for (const hidden of ['#tab-imagine', '#tab-compare', '#tab-predict', '#tab-map', '#story']) assert.ok(await page.locator(hidden).isHidden(), hidden);
+  workers(page, 0);
+});
+
+for (const width of [320, 400, 700, 1200]) {
+  test(`${width} px wide, everything fits its container, whatever the window is`, async () => {
+    const page = await embed(single('task="00007:008"', `width: ${width}px`));
+    await page.locator('#scene').waitFor();
+    for (const panel of ['play', 'imagine', 'compare', 'predict', 'map']) {
+      await page.locator(`#tab-${panel}`).click();
+      const sizes = await page.locator('.puzzle').evaluate((puzzle) => [puzzle.scrollWidth, puzzle.clientWidth, puzzle.parentNode.host.clientWidth]);
+      assert.ok(sizes[0] <= sizes[1] && sizes[1] <= width && sizes[2] === width, `${panel}: ${sizes}`);
+      for (const button of await page.locator('button:visible, select:visible, #time').all()) {
+        const box = await button.boundingBox();
+        assert.ok(box.width >= 24 && box.height >= 24, `${await button.getAttribute('id')} is ${box.width} x ${box.height}`);
+      }
+    }
+    const [scene, tabs] = await Promise.all(['#scene', '.tabs'].map((one) => page.locator(one).boundingBox()));
+    if (width > 760) assert.ok(tabs.x > scene.x + scene.width, 'the panel is right of the scene');
+    else assert.ok(tabs.y > scene.y + scene.height, 'the panel is under the scene');
+  });
+}
+
+test('modules from another origin bring their worker along', async () => {
+  const page = await session.open('');
+  await page.context().route('http://elsewhere.test/**', async (route) => {
+    const { pathname } = new URL(route.request().url());
+    const response = await route.fetch({ url: session.origin + pathname });
+    await route.fulfill({ response, headers: { 'content-type': response.headers()['content-type'], 'access-control-allow-origin': '*' } });
+  });
+  const markup = single('task="00007:008" panel="imagine"').replace('/element/', 'http://elsewhere.test/element/');
+  await page.route('**/lesson.html', (route) => route.fulfill({ body: markup, contentType: 'text/html' }));
+  await page.goto(`${session.origin}/lesson.html`);
+  await imagined(page.locator('pathlight-puzzle'));
+  workers(page, 1);
+});
