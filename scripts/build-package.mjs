@@ -2,7 +2,7 @@
 // wasm as scripts/build-wasm made it, one model, and the README of package/. Prints the sizes by part.
 
 import { execFileSync } from 'node:child_process';
-import { copyFileSync, mkdirSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from 'node:fs';
+import { appendFileSync, copyFileSync, mkdirSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
@@ -33,6 +33,13 @@ for (const file of ['pathlight.js', 'pathlight_bg.wasm']) place(`www/pkg/${file}
 // Projects for Node alone have no types of the web; without them the declarations do not compile.
 const libraries = ['dom', 'esnext.disposable'].map((name) => `/// <reference lib="${name}" />\n`).join('');
 writeFileSync(join(stage, 'pkg/pathlight.d.ts'), libraries + read('www/pkg/pathlight.d.ts'));
+// JSDoc cannot say what a tag name stands for.
+appendFileSync(join(stage, 'element/pathlight-puzzle.d.ts'), `declare global {
+    interface HTMLElementTagNameMap {
+        "pathlight-puzzle": PathlightPuzzle;
+    }
+}
+`);
 place('package/README.md', 'README.md');
 place('LICENSE', 'LICENSE');
 

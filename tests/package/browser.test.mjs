@@ -1,30 +1,28 @@
-// The installed package in Chromium: the README's pages from a plain server, and a bundle made by Vite under a sub-path.
+// The installed package in Chromium, under a sub-path of a plain server: the README's pages, and a bundle made by Vite.
 
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { launch } from '../browser/harness.mjs';
-import { examples, makeProject, root, serve } from './project.mjs';
+import { startOn } from '../browser/harness.mjs';
+import { serveStatic } from '../browser/static-server.mjs';
+import { examples, makeProject, root } from './project.mjs';
 
 const project = makeProject();
-const [drawing] = examples(project, 'html');
+const [puzzles, drawing] = examples(project, 'html');
+const { load } = await import(join(project, 'node_modules/pathlight/api/pathlight.js'));
 
-let browser;
-before(async () => (browser = await launch()));
-after(() => browser.close());
+let session;
+before(async () => (session = await startOn(await serveStatic(project))));
+after(() => session.stop());
 
-/** Opens an address in a new page, hands it to `look`, and throws if the page complained meanwhile. */
-async function visit(address, look) {
-  const page = await browser.newPage();
-  const problems = [];
-  page.on('console', (message) => message.type() === 'error' && !/favicon/.test(message.location().url) && problems.push(message.text()));
-  page.on('pageerror', (error) => problems.push(error.message));
-  await page.goto(address);
-  await look(page);
-  await page.close();
-  assert.deepEqual(problems, []);
+/** Opens a file of the project. Browsers ask for an icon that is not there. */
+async function open(path) {
+  const page = await session.open('', { reducedMotion: 'reduce' });
+  await page.route('**/favicon.ico', (route) => route.fulfill({ status: 204 }));
+  await page.goto(`${session.origin}/${path}`);
+  return page;
 }
 
 /** Waits until a canvas shows something. */
@@ -35,22 +33,48 @@ const drawn = (page, id) =>
     return new Set(new Uint32Array(data.buffer)).size > 3;
   }, id);
 
-test('a plain page draws what the nets imagine', async () => {
-  writeFileSync(join(project, 'imagine.html'), drawing);
-  await visit(`${await serve(project)}imagine.html`, async (page) => {
-    await drawn(page, 'scene');
-    await drawn(page, 'map');
-  });
+/** Solves the first puzzle of the page while the second shows its maps. */
+async function play(page) {
+  const [first, second] = [page.locator('pathlight-puzzle').nth(0), page.locator('pathlight-puzzle').nth(1)];
+  const pathlight = await load();
+  const attempts = [...pathlight.turn(await first.getAttribute('task'))];
+  const { ball, ending } = attempts.at(-1);
+  assert.ok(ending.solved, 'the model solves it');
+  await first.locator('#run').waitFor();
+  const played = first.evaluate((puzzle) => new Promise((resolve) =>
+    puzzle.addEventListener('attempt', (event) => resolve(/** @type {CustomEvent} */ (event).detail))));
+  await first.evaluate((puzzle, ball) => puzzle.setAttribute('ball', ball), ball.join());
+  await first.locator('#run').click();
+  const { solved, task, ball: placed } = await played;
+  assert.deepEqual({ solved, task, placed }, { solved: true, task: await first.getAttribute('task'), placed: ball });
+  await second.locator('#stages canvas[aria-label*="strongest"]').nth(4).waitFor({ timeout: 60_000 });
+}
+
+test('ten lines of HTML embed two puzzles, which play', async () => {
+  assert.ok(puzzles.trim().split('\n').length <= 11, 'it is short');
+  writeFileSync(join(project, 'puzzles.html'), puzzles);
+  await play(await open('puzzles.html'));
 });
 
-test('a bundle works under a sub-path', async () => {
+test('a plain page draws what the nets imagine', async () => {
+  writeFileSync(join(project, 'imagine.html'), drawing);
+  const page = await open('imagine.html');
+  await drawn(page, 'scene');
+  await drawn(page, 'map');
+});
+
+test('Vite bundles both, with worker, wasm and weights', async () => {
   const app = join(project, 'app');
   mkdirSync(app, { recursive: true });
-  writeFileSync(join(app, 'index.html'), drawing.replaceAll('./node_modules/pathlight/api/pathlight.js', 'pathlight'));
-  const vite = join(root, 'tests/package/node_modules/.bin/vite');
-  execFileSync(vite, ['build', '--base', './', '--logLevel', 'warn'], { cwd: app, stdio: 'inherit' });
-  await visit(await serve(join(app, 'dist'), '/a/b/'), async (page) => {
-    await drawn(page, 'scene');
-    await drawn(page, 'map');
-  });
+  const bundled = (html) => html.replace('<script type="module" src="./node_modules/pathlight/element/pathlight-puzzle.js"></script>', '<script type="module">import "pathlight/element";</script>')
+    .replace('./node_modules/pathlight/api/pathlight.js', 'pathlight');
+  assert.doesNotMatch(bundled(puzzles + drawing), /node_modules/);
+  writeFileSync(join(app, 'index.html'), bundled(puzzles));
+  writeFileSync(join(app, 'imagine.html'), bundled(drawing));
+  writeFileSync(join(app, 'vite.config.js'), 'export default { build: { rolldownOptions: { input: ["index.html", "imagine.html"] } } };');
+  execFileSync(join(root, 'tests/package/node_modules/.bin/vite'), ['build', '--base', './', '--logLevel', 'warn'], { cwd: app, stdio: 'inherit' });
+  await play(await open('app/dist/index.html'));
+  const page = await open('app/dist/imagine.html');
+  await drawn(page, 'scene');
+  await drawn(page, 'map');
 });

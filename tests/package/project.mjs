@@ -2,11 +2,9 @@
 // `make package` packs it.
 
 import { execFileSync } from 'node:child_process';
-import { once } from 'node:events';
 import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { createServer } from 'node:http';
 import { tmpdir } from 'node:os';
-import { dirname, extname, join } from 'node:path';
+import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
 export const root = join(dirname(fileURLToPath(import.meta.url)), '..', '..');
@@ -32,27 +30,4 @@ export function makeProject() {
 export function examples(project, language) {
   const readme = readFileSync(join(project, 'node_modules/pathlight/README.md'), 'utf8');
   return [...readme.matchAll(new RegExp(`^\`\`\`${language}\n(.*?)^\`\`\``, 'gms'))].map(([, code]) => code);
-}
-
-/** The media types of a plain server; it knows none for wasm and weights. */
-const TYPES = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.json': 'application/json', '.svg': 'image/svg+xml' };
-
-/**
- * Serves a folder under a path, without any header but the media type. Ends with the process.
- * @param {string} folder
- * @param {string} path begins and ends with /
- */
-export async function serve(folder, path = '/') {
-  const server = createServer((request, response) => {
-    const { pathname } = new URL(request.url ?? '/', 'http://localhost');
-    // new URL has resolved all `..`.
-    const file = pathname.startsWith(path) ? join(folder, pathname.slice(path.length) || 'index.html') : '';
-    if (!existsSync(file)) return void response.writeHead(404).end();
-    response.writeHead(200, { 'content-type': TYPES[extname(file)] ?? 'application/octet-stream' }).end(readFileSync(file));
-  });
-  server.listen(0, '127.0.0.1');
-  await once(server, 'listening');
-  server.unref();
-  const { port } = /** @type {import('node:net').AddressInfo} */ (server.address());
-  return `http://127.0.0.1:${port}${path}`;
 }

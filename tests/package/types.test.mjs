@@ -29,11 +29,17 @@ test('its types are complete and strict', () => {
     const code: CodedError["code"] = "no_weights";
     export { code, judged, poses };
   `), '');
+  assert.equal(compile(`
+    import "pathlight/element";
+    const task: string | null | undefined = document.querySelector("pathlight-puzzle")?.task;
+    export { task };
+  `), '');
   assert.match(compile('import { load } from "pathlight"; (await load()).simulate("00007:008", [1, 2]);'), /error TS/);
   assert.match(compile('import { load } from "pathlight"; (await load()).fold("both", 0);'), /error TS/);
 });
 
 test('they carry the docs', () => {
+  assert.match(readFileSync(join(installed, 'element/pathlight-puzzle.d.ts'), 'utf8'), /\/\*\* The puzzle, "00007:008"/);
   const declarations = readFileSync(join(installed, 'api/pathlight.d.ts'), 'utf8');
   assert.match(declarations, /\/\*\*(?:(?!\*\/).)*Simulates a task with a ball(?:(?!\*\/).)*\*\/\s*simulate\(/s);
   assert.match(readFileSync(join(installed, 'pkg/pathlight.d.ts'), 'utf8'), /poses: Float32Array/);
