@@ -255,6 +255,8 @@ for (const width of [320, 400, 700, 1200]) {
       await page.locator(`#tab-${panel}`).click();
       const sizes = await page.locator('.puzzle').evaluate((puzzle) => [puzzle.scrollWidth, puzzle.clientWidth, puzzle.parentNode.host.clientWidth]);
       assert.ok(sizes[0] <= sizes[1] && sizes[1] <= width && sizes[2] === width, `${panel}: ${sizes}`);
+      const cut = await page.locator('.tabs button').evaluateAll((tabs) => tabs.filter((tab) => tab.scrollWidth > tab.clientWidth).map((tab) => tab.id));
+      assert.deepEqual(cut, [], 'no name of a panel runs into the next');
       for (const button of await page.locator('button:visible, select:visible, #time').all()) {
         const box = await button.boundingBox();
         assert.ok(box.width >= 24 && box.height >= 24, `${await button.getAttribute('id')} is ${box.width} x ${box.height}`);

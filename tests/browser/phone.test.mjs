@@ -65,6 +65,7 @@ for (const [width, height] of [[390, 844], [360, 640], [844, 390]]) {
       const box = await page.locator('#scene').boundingBox();
       assert.ok(box.x >= 0 && box.y >= 0 && box.x + box.width <= width && box.y + box.height <= height, panel);
       assert.ok(Math.abs(box.width - box.height) < 2, 'the scene is square');
+      assert.ok(box.width > Math.min(width, height) / 2, `the scene is large: ${box.width} px`);
       for (const button of await page.locator('button:visible, select:visible').all()) {
         const size = await button.boundingBox();
         assert.ok(size.width >= 24 && size.height >= 24, `${await button.textContent()} is ${size.width} x ${size.height}`);

@@ -4,8 +4,11 @@
 //     <script type="module" src="…/element/pathlight-puzzle.js"></script>
 //     <pathlight-puzzle task="00007:008" panel="imagine"></pathlight-puzzle>
 //
-// It takes the width that it is given, and as much height as it needs. The attributes mirror what the person sees, and can be
-// changed at any time. This file knows only the element; everything else is loaded once the wasm is there.
+// The attributes say what is shown, follow the person, and can be changed at any time: `task`, `model`, `panel`, `stage`,
+// `proposal`, `layers`, `opacity`, `ball` and `hide`, as in the links of Pathlight, and `theme`. Besides:
+//   fill       takes the height of its container too, which must have one; else it is as high as its content
+//   remember   keeps attempts and results in this browser (localStorage); else they are forgotten with the page
+// This file knows only the element; everything else is loaded once the wasm is there.
 
 import { wasmLoaded } from "../shell/load-wasm.js";
 import { puzzleMarkup } from "./markup.js";
@@ -18,14 +21,18 @@ import { styleSheets } from "./style-sheets.js";
 /** The attributes that make up the state; shell/url-state.js knows their values. */
 const STATE_ATTRIBUTES = ["task", "model", "panel", "stage", "proposal", "layers", "opacity", "ball", "hide"];
 
-/** What stands in for a puzzle that is on its way, in the size that it is going to have. */
+/**
+ * What stands in for a puzzle that is on its way, in the size that it is going to have. Nothing is inherited from the page
+ * around it.
+ */
 const placeholderSheet = new CSSStyleSheet();
 placeholderSheet.replaceSync(`
-  :host { display: block; container-type: inline-size; }
-  .placeholder { block-size: calc(100cqi + 24rem); border-radius: 14px; background: rgb(128 128 128 / 0.12); }
-  .placeholder:not(:empty) { block-size: auto; padding: 1rem; }
+  :host { all: initial; display: block; container-type: inline-size; }
+  :host([hidden]) { display: none; }
+  .placeholder { block-size: calc(100cqi + 384px); border-radius: 14px; background: rgb(128 128 128 / 0.12); }
+  .placeholder:not(:empty) { block-size: auto; padding: 16px; color-scheme: light dark; background: Canvas; color: CanvasText; font: 16px/1.45 system-ui, sans-serif; }
   :host([fill]) .placeholder:empty, :host(:not([task])) .placeholder:empty { display: none; }
-  @container (min-width: 760px) { .placeholder:empty { block-size: calc(min(55cqi, 40rem) + 7rem); } }
+  @container (min-width: 760px) { .placeholder:empty { block-size: calc(min(55cqi, 640px) + 112px); } }
 `);
 
 const darkScheme = matchMedia("(prefers-color-scheme: dark)");
