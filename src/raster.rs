@@ -48,6 +48,17 @@ impl Bitmap {
         self.0.iter().map(|row| row.count_ones()).sum()
     }
 
+    /// Returns the numbers of the set cells, ascending.
+    pub fn cells(&self) -> impl Iterator<Item = usize> + use<> {
+        (0..).zip(self.0).flat_map(|(row, mut word): (usize, u64)| {
+            std::iter::from_fn(move || {
+                let column = (word != 0).then(|| word.trailing_zeros() as usize)?;
+                word &= word - 1;
+                Some(row * SIDE + column)
+            })
+        })
+    }
+
     /// Returns 4,096 values, row by row: 1.0 for a set cell, 0.0 for any other.
     pub fn to_f32(&self) -> impl Iterator<Item = f32> + use<> {
         self.0.into_iter().flat_map(|row| (0..SIDE).map(move |column| (row >> column & 1) as f32))
@@ -75,7 +86,7 @@ impl Bitmap {
     /// Draws a disc; centre and radius in px.
     fn disc(&mut self, x: f64, y: f64, radius: f64) {
         self.fill(y - radius, y + radius, |height| {
-            let half = libm::sqrt((radius * radius - (height - y) * (height - y)).max(0.0));
+            let half = (radius * radius - (height - y) * (height - y)).max(0.0).sqrt();
             Some((x - half, x + half))
         });
     }
@@ -190,6 +201,7 @@ mod tests {
             let [x, y] = cell_centre(cell);
             let image = ball_image(Ball { x, y, r: 1.0 });
             assert!(image.get(cell % SIDE, cell / SIDE) && image.count() == 1, "cell {cell}");
+            assert!(image.cells().eq([cell]), "cell {cell}");
         }
     }
 
@@ -209,8 +221,7 @@ mod tests {
     #[test]
     fn a_ball_of_one_pixel_sets_one_cell_at_its_place() {
         let image = ball_image(Ball { x: 4.5, y: 252.5, r: 0.5 });
-        assert_eq!(image.count(), 1);
-        assert!(image.get(1, 63));
+        assert_eq!(image.cells().collect::<Vec<_>>(), [63 * SIDE + 1]);
     }
 
     #[test]

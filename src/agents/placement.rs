@@ -113,7 +113,7 @@ const NEIGHBOURS: [(f64, f64, f64); 6] =
 /// long as it takes in cells that are more than half as high as its mean.
 fn fit(map: &[f32], ball: Ball) -> f32 {
     let image = ball_image(ball);
-    let under: f32 = map.iter().zip(image.to_f32()).map(|(value, inside)| value * inside).sum();
+    let under: f32 = image.cells().map(|cell| map[cell]).sum();
     under / (image.count().max(1) as f32).sqrt()
 }
 

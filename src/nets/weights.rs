@@ -209,12 +209,14 @@ impl ModuleMapper for Loader<'_> {
     }
 
     fn map_float<const D: usize>(&mut self, param: Param<Tensor<D>>) -> Param<Tensor<D>> {
-        let shape = param.val().dims();
+        // Asking for its value would initialise the parameter at random first.
+        let shape = param.lazy_shape();
         match self.read(&shape) {
             Ok(values) => {
                 self.loaded += 1;
-                let data = TensorData::new(values, shape);
-                param.map(|_| Tensor::from_data(data, self.device))
+                let id = param.id;
+                let tensor = Tensor::from_data(TensorData::new(values, shape), self.device);
+                param.transform_for_load(tensor, id)
             }
             Err(error) => {
                 self.error.get_or_insert(error);
