@@ -120,7 +120,7 @@ async function modelFiles(assets) {
  */
 function indexOf(html, versioned) {
   const addressed = html.replace(/\b(href|src)="([^"#]+)/g, (all, name, path) => (versioned.has(path) ? `${name}="${PLACEHOLDER}/${path}` : all));
-  return addressed.replace("</head>", `<script type="module" src="${PLACEHOLDER}/offline/updates.js" async fetchpriority="low"></script>\n</head>`);
+  return addressed.replace("</head>", `<script type="module" src="${PLACEHOLDER}/offline/updates.js" fetchpriority="low"></script>\n</head>`);
 }
 
 /**
