@@ -1,6 +1,7 @@
 // dist/ after one visit: everything works without a network, another version is offered and never forced, and whatever goes
 // wrong with the service worker, the page plays on.
 
+import AxeBuilder from '@axe-core/playwright';
 import assert from 'node:assert/strict';
 import { appendFile, cp } from 'node:fs/promises';
 import { join } from 'node:path';
@@ -122,6 +123,28 @@ test('an update while the page is open is offered, and taken when the person say
   await eventually(() => cachedVersions(page), [await versionOf(page)]);
   await page.context().close();
 });
+
+for (const [screen, size] of Object.entries({ 'a desktop': { viewport: { width: 1280, height: 800 } }, 'a phone': { viewport: { width: 360, height: 740 } } })) {
+  for (const colorScheme of /** @type {const} */ (['light', 'dark'])) {
+    test(`the sentence is in nobody's way on ${screen}, ${colorScheme}`, async () => {
+      const page = await openPuzzle(session, { ...size, colorScheme });
+      await kept(page);
+      const scene = await page.locator('#scene').boundingBox();
+      server.folder = second.folder;
+      await comeBack(page);
+      await sentence(page).waitFor();
+      assert.deepEqual(await page.locator('#scene').boundingBox(), scene);
+      const bar = await page.locator('#update').boundingBox();
+      for (const id of ['scene', 'run', 'status', 'tab-play', 'radius']) {
+        await page.locator(`#${id}`).scrollIntoViewIfNeeded();
+        const box = await page.locator(`#${id}`).boundingBox();
+        assert.ok(box.x + box.width <= bar.x || box.y + box.height <= bar.y, `it covers #${id}`);
+      }
+      assert.deepEqual((await new AxeBuilder({ page }).include('#update').analyze()).violations.map(({ help }) => help), []);
+      await page.context().close();
+    });
+  }
+}
 
 test('“Later” puts the new version off until no page is open', async () => {
   const page = await openPuzzle(session);

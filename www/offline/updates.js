@@ -87,8 +87,9 @@ async function isGone() {
  */
 function offer(registration) {
   if (document.getElementById("update")) return;
-  const bar = document.createElement("div");
+  const bar = document.createElement("aside");
   bar.id = "update";
+  bar.ariaLabel = "Update";
   const sentence = document.createElement("p");
   sentence.role = "status";
   bar.append(sentence, button("Load it", () => load(registration)), button("Later", () => bar.remove()));
