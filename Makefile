@@ -3,7 +3,8 @@
 # make build     builds the wasm package and the binary
 # make package   packs the npm package for scripts and other pages: target/pathlight-VERSION.tgz
 # make dist      builds the page as one folder for any static host, and prints its size
-# make bench     compares the speed of the nets with other engines, which it installs into target/bench
+# make bench     compares the speed of nets and simulator with other engines, which it installs into target/bench;
+#                BENCH="simulator nets" leaves out the rest
 # make timings   prints how long a person waits for the page
 # make pictures  takes pictures of all views of the page
 # make clean     removes what was built or installed here
@@ -28,7 +29,7 @@ test:
 	@scripts/test
 
 bench: $(PACKAGE)
-	@benches/nets/run
+	@BENCH="$(BENCH)" benches/run
 
 build: $(PACKAGE)
 	cargo build --release --bin pathlight

@@ -1,10 +1,9 @@
-//! The nets natively, as one contender of `make bench`; `benches/nets/bench.mjs` decides when each contender runs.
+//! The nets natively, as one contender of `make bench`; `benches/bench.mjs` decides when each contender runs.
 //!
 //! `inputs TASK FOLDER` writes the input of all contenders. `forward TASK` and `train` prepare, print a line of numbers
 //! that the other contenders have to agree with, and then read a number of repetitions per line of standard input and
 //! print the milliseconds of each.
 
-use std::io::{self, Write};
 use std::path::Path;
 use std::time::Instant;
 use std::{env, fs};
@@ -15,6 +14,10 @@ use pathlight::nets::training::{Batch, Trainer};
 use pathlight::nets::{Imagined, PathNet, flex};
 use pathlight::puzzle::task::Task;
 use pathlight::raster::{Bitmap, scene_channels};
+use repeat::{repeat, stopwatch};
+
+#[path = "../repeat.rs"]
+mod repeat;
 
 const WEIGHTS: &str = "assets/within-0.safetensors";
 const SOLUTIONS: &str = "assets/solutions.jsonl";
@@ -40,12 +43,12 @@ fn main() {
             let (nets, task) = (nets(), load(task));
             let imagine = || nets.imagine(&task.scene);
             let Imagined { base, target, action, placement } = imagine();
-            repeat(&[base, target, action, placement].concat(), imagine);
+            repeat(&format!("{:?}", [base, target, action, placement].concat()), || stopwatch(imagine));
         }
         ["train"] => {
             let mut step = training();
             let losses: Vec<f32> = (0..COMPARED).map(|_| step()).collect();
-            repeat(&losses, step);
+            repeat(&format!("{losses:?}"), || stopwatch(&mut step));
         }
         _ => println!("`make bench` runs this, with contenders to compare it with"),
     }
@@ -58,24 +61,6 @@ fn load(task: &str) -> Task {
 fn nets() -> PathNet {
     let bytes = fs::read(WEIGHTS).expect("the weights are in assets");
     PathNet::load(&bytes, &flex()).expect("the weights fit").0
-}
-
-/// Prints the result to compare, then times repetitions on demand.
-fn repeat<T>(result: &[f32], mut work: impl FnMut() -> T) {
-    let mut output = io::stdout().lock();
-    let mut say =
-        |line: String| writeln!(output, "{line}").and_then(|()| output.flush()).expect("bench.mjs reads this");
-    say(format!("{result:?}"));
-    for line in io::stdin().lines() {
-        let repetitions = line.expect("text").parse().expect("a number of repetitions");
-        let mut times = Vec::with_capacity(repetitions);
-        for _ in 0..repetitions {
-            let start = Instant::now();
-            std::hint::black_box(work());
-            times.push(start.elapsed().as_secs_f64() * 1e3);
-        }
-        say(format!("{times:?}"));
-    }
 }
 
 /// Writes the scene `[5, 64, 64]` and the batch `[32, 9, 64, 64]`, scenes before targets.

@@ -23,7 +23,7 @@ use constants::{BALL_TOUCH_DISTANCE, PX_PER_METRE};
 use world::World;
 
 mod body;
-mod constants;
+pub mod constants;
 mod contact;
 mod contact_solver;
 mod island;
@@ -50,7 +50,7 @@ pub fn simulate(scene: &Scene, ball: Option<Ball>) -> Result<Rollout, Invalid> {
     let simulation = Simulation::new(scene, ball)?;
     let bodies = simulation.dynamic_bodies.iter().map(|&(index, _)| index).collect();
     let (mut poses, mut touching) = (Vec::new(), Vec::new());
-    let Outcome { solved, steps } = simulation.run(|simulation, touches| {
+    let Outcome { solved, steps } = simulation.run_with(|simulation, touches| {
         poses.extend(simulation.poses());
         touching.push(touches);
     });
@@ -62,11 +62,11 @@ pub fn simulate(scene: &Scene, ball: Option<Ball>) -> Result<Rollout, Invalid> {
 /// # Errors
 /// The reason why the ball is invalid in this scene.
 pub fn outcome(scene: &Scene, ball: Option<Ball>) -> Result<Outcome, Invalid> {
-    Ok(Simulation::new(scene, ball)?.run(|_, _| ()))
+    Ok(Simulation::new(scene, ball)?.run())
 }
 
-/// The world of a scene, and what decides whether its goal is reached.
-struct Simulation {
+/// A rollout before its first step: the world of a scene, and what decides whether its goal is reached.
+pub struct Simulation {
     world: World,
     /// The dynamic bodies: index in the scene and index in the world.
     dynamic_bodies: Vec<(usize, usize)>,
@@ -77,7 +77,11 @@ struct Simulation {
 }
 
 impl Simulation {
-    fn new(scene: &Scene, ball: Option<Ball>) -> Result<Simulation, Invalid> {
+    /// Builds the world of a scene, with or without a ball.
+    ///
+    /// # Errors
+    /// The reason why the ball is invalid in this scene.
+    pub fn new(scene: &Scene, ball: Option<Ball>) -> Result<Simulation, Invalid> {
         let mut world = World::default();
         for wall in walls() {
             world.add(&wall);
@@ -95,9 +99,14 @@ impl Simulation {
         Ok(Simulation { world, dynamic_bodies, goal, touch_distance })
     }
 
-    /// Steps until the task is solved or `MAX_STEPS` are over. Calls `on_step` for the start and after each step, with
+    /// Steps until the task is solved or `MAX_STEPS` are over.
+    pub fn run(self) -> Outcome {
+        self.run_with(|_, _| ())
+    }
+
+    /// Runs like `run`. Calls `on_step` for the start and after each step, with
     /// whether the object touches the goal.
-    fn run(mut self, mut on_step: impl FnMut(&Simulation, bool)) -> Outcome {
+    fn run_with(mut self, mut on_step: impl FnMut(&Simulation, bool)) -> Outcome {
         on_step(&self, self.touches());
         let mut touch_steps = 0;
         for steps in 1..=MAX_STEPS {

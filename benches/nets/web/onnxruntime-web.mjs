@@ -1,14 +1,15 @@
 // onnxruntime-web's wasm, which has fixed-width SIMD, on one thread.
 
 import * as ort from '../../../target/bench/node_modules/onnxruntime-web/dist/ort.wasm.min.mjs';
+import { ofMaps } from '../../web/contender.mjs';
 
 export async function load(read) {
   ort.env.wasm.numThreads = 1;
   ort.env.wasm.wasmBinary = await read('target/bench/node_modules/onnxruntime-web/dist/ort-wasm-simd-threaded.wasm');
   const nets = await ort.InferenceSession.create(await read('target/bench/nets.onnx'), { executionProviders: ['wasm'] });
   const scene = new ort.Tensor('float32', new Float32Array((await read('target/bench/scene.f32')).buffer), [1, 5, 64, 64]);
-  return async () => {
+  return ofMaps(async () => {
     const { base, target, action, placement } = await nets.run({ scene });
     return [base.data, target.data, action.data, placement.data];
-  };
+  });
 }

@@ -1,4 +1,4 @@
-//! The nets natively by tract, one thread: tract-nets ONNX SCENE. Answers bench.mjs as `repeat` in ../../main.rs.
+//! The nets natively by tract, one thread: tract-nets ONNX SCENE. Answers bench.mjs as ../../../repeat.rs.
 
 use std::time::Instant;
 use std::{env, fs, io};

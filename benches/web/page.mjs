@@ -8,7 +8,7 @@ import { launch } from '../../tests/browser/harness.mjs';
 
 const TYPES = { '.mjs': 'text/javascript', '.js': 'text/javascript', '.wasm': 'application/wasm' };
 
-/** `{ contender(name), stop() }`; a contender's wasm runs on the page's thread. */
+/** `{ contender(module), stop() }`; a contender's wasm runs on the page's thread. */
 export async function openPage(root) {
   const browser = await launch();
   const server = createServer(async ({ url }, answer) => {
@@ -27,18 +27,18 @@ export async function openPage(root) {
   const page = await browser.newPage();
   await page.goto(`http://127.0.0.1:${server.address().port}/`);
   return {
-    async contender(name) {
-      const result = await page.evaluate(async (name) => {
-        const { contender } = await import('/benches/nets/web/contender.mjs');
+    async contender(module) {
+      const result = await page.evaluate(async (module) => {
+        const { contender } = await import('/benches/web/contender.mjs');
         const read = async (path) => {
           const answer = await fetch(`/${path}`);
           if (!answer.ok) throw new Error(`no ${path}`);
           return new Uint8Array(await answer.arrayBuffer());
         };
-        globalThis[name] = await contender(name, read);
-        return globalThis[name].result;
-      }, name);
-      return { result, times: (repetitions) => page.evaluate(([name, n]) => globalThis[name].times(n), [name, repetitions]) };
+        globalThis[module] = await contender(module, read);
+        return globalThis[module].result;
+      }, module);
+      return { result, times: (repetitions) => page.evaluate(([module, n]) => globalThis[module].times(n), [module, repetitions]) };
     },
     async stop() {
       await browser.close();

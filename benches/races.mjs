@@ -1,0 +1,105 @@
+// What `make bench` times: the parts, their races, and the contenders of each; ours comes first.
+//
+// A contender returns `{ result, times(repetitions), stop? }`. `agree` throws if a result is not ours; a contender is timed in
+// blocks of `repetitions`. With `steps` the row shows simulated steps per second.
+
+import { readFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { startChild } from './child.mjs';
+import { TASK } from './nets/web/task.mjs';
+import { contender } from './web/contender.mjs';
+
+const root = join(dirname(fileURLToPath(import.meta.url)), '..');
+const WEIGHTS = 'assets/within-0.safetensors';
+const NETS = ['target/bench/nets.onnx', 'target/bench/scene.f32'];
+const ROLLOUTS = 'target/bench/rollouts.txt';
+
+// Built with the features of the tests, so that nothing is built twice.
+const ours = (bench, ...args) => ['cargo', 'bench', '--quiet', '--features', 'ndarray', '--bench', bench, '--', ...args];
+const python = (script, ...args) => ['target/bench/venv/bin/python', `benches/nets/${script}`, ...args];
+const torch = (...args) => python('torch_step.py', WEIGHTS, 'target/bench/batch.f32', '2', ...args);
+const child = (command, threads = 1) => () => startChild(root, command, { RAYON_NUM_THREADS: threads });
+const inNode = (module) => () => contender(module, (path) => new Uint8Array(readFileSync(join(root, path))));
+const inPage = (module) => (page) => page.contender(module);
+const openPage = async () => (await import('./web/page.mjs')).openPage(root);
+
+/** Numbers that differ by at most `tolerance`. */
+const within = (tolerance) => (these, those) => {
+  const apart = these.length === those.length
+    ? these.reduce((most, number, index) => Math.max(most, Math.abs(number - those[index])), 0)
+    : Infinity;
+  if (!(apart <= tolerance)) throw new Error(`its results are ${apart} from ours`);
+};
+
+/**
+ * Rollouts `[solved, steps, x, y, x, y…]` of which every one ends as ours does. A collision multiplies a difference in the
+ * last bit, so not every body has to come to rest at the same place.
+ */
+const sameRollouts = (these, those) => {
+  const different = these.filter(([solved], index) => solved !== those[index][0]).length;
+  const near = these.flatMap((end, index) => end.slice(2).map((at, coordinate) => Math.abs(at - those[index][coordinate + 2]) < 1));
+  const share = near.filter(Boolean).length / near.length;
+  if (these.length !== those.length || different > 0 || !(share >= 0.95)) {
+    throw new Error(`${different} rollouts end otherwise, and ${(100 * share).toFixed(1)} % of the positions are within 1 px of ours`);
+  }
+};
+const steps = (result) => result.reduce((sum, [, number]) => sum + number, 0);
+
+const simulator = { agree: sameRollouts, repetitions: 1 };
+const nets = { agree: within(1e-4), repetitions: 20 };
+const web = (where) => [
+  ['ours', where('nets/web/ours.mjs')],
+  ['onnxruntime-web', where('nets/web/onnxruntime-web.mjs')],
+  ['tract', where('nets/web/tract.mjs')],
+];
+
+export const parts = {
+  simulator: [
+    {
+      title: 'steps of 500 rollouts, native, one core', ...simulator, steps,
+      contenders: [
+        ['ours', child(ours('simulator', 'rollouts'))],
+        ['Box2D 2.3, -O2', child(['target/bench/box2d', 'rollouts', ROLLOUTS])],
+        ['Box2D 2.3, -O3 -flto, its timers removed', child(['target/bench/box2d-fastest', 'rollouts', ROLLOUTS])],
+      ],
+    },
+    {
+      title: 'worlds of these rollouts, native', ...simulator,
+      contenders: [
+        ['ours', child(ours('simulator', 'worlds'))],
+        ['Box2D 2.3, -O2', child(['target/bench/box2d', 'worlds', ROLLOUTS])],
+      ],
+    },
+    {
+      title: 'steps of these rollouts, wasm in Node', ...simulator, steps,
+      contenders: [
+        ['ours', inNode('simulator/web/ours.mjs')],
+        ['Box2D 2.4 by box2d-wasm', inNode('simulator/web/box2d.mjs')],
+        ['ours natively', child(ours('simulator', 'rollouts'))],
+      ],
+    },
+  ],
+  nets: [
+    { title: 'four nets of a scene, wasm in Node', ...nets, contenders: web(inNode) },
+    { title: 'four nets of a scene, wasm in Chromium', ...nets, open: openPage, contenders: web(inPage) },
+    {
+      title: 'four nets of a scene, native, one thread', ...nets,
+      contenders: [
+        ['ours', child(ours('nets', 'forward', TASK))],
+        ['onnxruntime', child(python('onnxruntime_forward.py', ...NETS))],
+        ['tract', child(['target/bench/tract/release/tract-nets', ...NETS])],
+      ],
+    },
+  ],
+  training: [
+    {
+      title: 'training step on 32 samples, native, two threads', agree: within(1e-3), repetitions: 2,
+      contenders: [
+        ['ours', child(ours('nets', 'train'), 2)],
+        ['PyTorch', child(torch(), 2)],
+        ['PyTorch with fused Adam', child(torch('fused'), 2)],
+      ],
+    },
+  ],
+};

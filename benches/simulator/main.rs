@@ -1,0 +1,35 @@
+//! The simulator natively, as one contender of `make bench`; `benches/bench.mjs` decides when each contender runs.
+//!
+//! `export FILE` writes the rollouts for the other contenders. `rollouts` times the stepping of all rollouts, `worlds`
+//! what comes before: to build their worlds. Both print first how each rollout ends.
+
+use std::time::Duration;
+use std::{env, fs};
+
+use export::export;
+use repeat::{repeat, stopwatch};
+use rollouts::{ends, rollouts, start};
+
+mod export;
+#[path = "../repeat.rs"]
+mod repeat;
+mod rollouts;
+
+fn main() {
+    let arguments: Vec<String> = env::args().skip(1).filter(|argument| argument != "--bench").collect();
+    let rollouts = rollouts();
+    match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
+        ["export", file] => fs::write(file, export(&rollouts)).expect("the file can be written"),
+        ["rollouts"] => repeat(&ends(&rollouts), || {
+            let step = |rollout| {
+                let simulation = start(rollout);
+                stopwatch(|| simulation.run())
+            };
+            rollouts.iter().map(step).sum::<Duration>()
+        }),
+        ["worlds"] => {
+            repeat(&ends(&rollouts), || stopwatch(|| rollouts.iter().for_each(|rollout| drop(start(rollout)))))
+        }
+        _ => println!("`make bench` runs this, with contenders to compare it with"),
+    }
+}

@@ -1,0 +1,40 @@
+//! The rollouts that all contenders of the simulator's bench run: 20 tasks of each template, all with a random valid ball.
+
+use pathlight::puzzle::action::{Action, Ball};
+use pathlight::puzzle::scene::Scene;
+use pathlight::puzzle::task::Task;
+use pathlight::puzzle::templates::TEMPLATES;
+use pathlight::simulator::{self, Simulation};
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg32;
+
+/// Returns the scenes with their balls, the same on every machine.
+pub fn rollouts() -> Vec<(Scene, Ball)> {
+    let mut random = Pcg32::seed_from_u64(0);
+    let tasks = TEMPLATES.iter().flat_map(|template| Task::of(template).step_by(5));
+    tasks
+        .map(|Task { scene, .. }| {
+            let mut action = || Action { x: random.random(), y: random.random(), r: random.random() };
+            let ball = std::iter::repeat_with(|| action().place(&scene))
+                .find_map(Result::ok)
+                .expect("the sequence has no end");
+            (scene, ball)
+        })
+        .collect()
+}
+
+/// Returns how each rollout ends, to compare: `[solved, steps, x and y of each dynamic body in px]`.
+pub fn ends(rollouts: &[(Scene, Ball)]) -> String {
+    let end = |(scene, ball): &(Scene, Ball)| {
+        let rollout = simulator::simulate(scene, Some(*ball)).expect("a valid ball");
+        let positions = rollout.row(rollout.steps).iter().flat_map(|[x, y, _]| [*x, *y]);
+        let numbers = [f32::from(u8::from(rollout.solved)), rollout.steps as f32].into_iter().chain(positions);
+        numbers.collect::<Vec<_>>()
+    };
+    format!("{:?}", rollouts.iter().map(end).collect::<Vec<_>>())
+}
+
+/// Returns a rollout before its first step.
+pub fn start((scene, ball): &(Scene, Ball)) -> Simulation {
+    Simulation::new(scene, Some(*ball)).expect("a valid ball")
+}

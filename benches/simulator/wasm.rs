@@ -1,0 +1,39 @@
+//! The simulator in wasm, as one contender of `make bench`: a module that `web/ours.mjs` calls without wasm-bindgen.
+
+mod rollouts;
+
+use std::cell::RefCell;
+
+use pathlight::puzzle::action::Ball;
+use pathlight::puzzle::scene::Scene;
+use pathlight::simulator::Simulation;
+
+thread_local! {
+    static ROLLOUTS: Vec<(Scene, Ball)> = rollouts::rollouts();
+    static STARTED: RefCell<Option<Simulation>> = const { RefCell::new(None) };
+}
+
+/// Returns where the text of the ends is in memory: the address of its bytes and their number.
+#[unsafe(no_mangle)]
+pub extern "C" fn ends() -> *const [usize; 2] {
+    let text = ROLLOUTS.with(|rollouts| rollouts::ends(rollouts)).leak();
+    Box::leak(Box::new([text.as_ptr() as usize, text.len()]))
+}
+
+#[unsafe(no_mangle)]
+pub extern "C" fn count() -> usize {
+    ROLLOUTS.with(Vec::len)
+}
+
+/// Builds the world of a rollout.
+#[unsafe(no_mangle)]
+pub extern "C" fn start(index: usize) {
+    let simulation = ROLLOUTS.with(|rollouts| rollouts::start(&rollouts[index]));
+    STARTED.with(|started| started.replace(Some(simulation)));
+}
+
+/// Steps the rollout that was started last.
+#[unsafe(no_mangle)]
+pub extern "C" fn run() {
+    STARTED.with(|started| started.take().expect("a rollout was started").run());
+}

@@ -1,0 +1,31 @@
+// A contender in wasm, in Node or in a page: a module of this folder's neighbours, by its path from `benches`.
+
+/**
+ * `read` returns the bytes of a file of the repository. A module's `load(read)` returns the result to compare and `time()`,
+ * which does the work once and returns how many milliseconds it took.
+ */
+export async function contender(module, read) {
+  const { load } = await import(`../${module}`);
+  const { result, time } = await load(read);
+  return {
+    result,
+    async times(repetitions) {
+      const times = [];
+      for (let done = 0; done < repetitions; done += 1) times.push(await time());
+      return times;
+    },
+  };
+}
+
+/** The same for work that returns maps. */
+export async function ofMaps(work) {
+  const maps = await work();
+  return {
+    result: maps.flatMap((map) => [...map]),
+    async time() {
+      const start = performance.now();
+      await work();
+      return performance.now() - start;
+    },
+  };
+}
