@@ -1,6 +1,6 @@
 # make play      builds what is missing and serves the page on PORT
 # make test      runs every check and test, natively, in Node and in Chromium
-# make build     builds the wasm package and the binary
+# make build     builds the wasm package and the binary with all commands
 # make package   packs the npm package for scripts and other pages: target/pathlight-VERSION.tgz
 # make dist      builds the page as one folder for any static host, and prints its size
 # make bench     compares the speed of nets and simulator with other engines, which it installs into target/bench;
@@ -22,8 +22,10 @@ PACKAGED := Cargo.toml Cargo.lock .cargo/config.toml scripts/build-wasm scripts/
 
 .PHONY: play test bench build package dist timings pictures clean
 
-play: build
-	@target/release/pathlight serve --port $(PORT)
+play: $(PACKAGE)
+	@echo "== compiling the server (about a minute on 2 cores, once)"
+	@cargo build --release --package pathlight-serve
+	@target/release/pathlight-serve --port $(PORT)
 
 test:
 	@scripts/test

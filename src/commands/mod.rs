@@ -28,7 +28,6 @@ mod progress;
 mod propose;
 mod publish;
 mod reproduce;
-mod serve;
 mod simulate;
 mod solve_rates;
 mod task_selection;
@@ -58,7 +57,7 @@ enum Command {
     Evaluate(evaluate::Args),
     Reproduce(reproduce::Args),
     Simulate(simulate::Args),
-    Serve(serve::Args),
+    Serve(pathlight_serve::Args),
     Fidelity(fidelity::Args),
     SolveRates(solve_rates::Args),
 }

@@ -75,11 +75,6 @@ const RULES: &[Rule] = &[
         reason: "PHYRE's shuffles and NumPy's random numbers select its tasks, and nothing of ours",
     },
     Rule {
-        words: &["axum", "tokio", "tower_http"],
-        files: Only(&["commands/serve/"]),
-        reason: "one command is a server; the rest is not asynchronous",
-    },
-    Rule {
         words: &["unsafe "],
         files: Only(&["nets/conv/matmul.rs"]),
         reason: "gemm is called by pointers; everything else is checked by the compiler",

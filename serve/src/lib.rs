@@ -1,7 +1,9 @@
-//! `pathlight serve`: serves the page to a browser on this machine.
+//! Serves the page to a browser on this machine: `pathlight serve`, and `pathlight-serve` alone.
 //!
 //! A static file server with what this page needs: media types, compression, a content security policy, and no caching
 //! without revalidation. `/assets/` holds the weights. The `Host` header is not checked: all files are public.
+//!
+//! A crate of its own, so that whoever wants to play does not wait for the nets and their training to compile.
 
 use std::io::{self, Write};
 use std::path::PathBuf;
@@ -19,7 +21,6 @@ use tower_http::set_header::SetResponseHeaderLayer;
 
 mod folder;
 
-use super::progress::say;
 use folder::Folder;
 
 /// Serve the page to a browser on this machine
@@ -40,15 +41,18 @@ pub struct Args {
     /// Folder to serve as /assets/
     #[arg(long, default_value = "assets")]
     assets: PathBuf,
+
+    /// Let pages of these origins show the page in a frame, like https://school.example; by default none may
+    #[arg(long, value_name = "ORIGIN", num_args = 1.., value_parser = origin)]
+    frame_ancestors: Vec<String>,
 }
 
-/// Headers of every response. The policy allows only the page's own scripts, wasm, styles and data.
-const HEADERS: [(HeaderName, &str); 6] = [
-    (
-        header::CONTENT_SECURITY_POLICY,
-        "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; img-src 'self' data: blob:; object-src 'none'; \
-         base-uri 'none'; form-action 'none'; frame-ancestors 'none'",
-    ),
+/// Allows only the page's own scripts, wasm, styles and data. `frame-ancestors` comes on top.
+const POLICY: &str = "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; img-src 'self' data: blob:; \
+                      object-src 'none'; base-uri 'none'; form-action 'none'";
+
+/// Further headers of every response.
+const HEADERS: [(HeaderName, &str); 5] = [
     (header::X_CONTENT_TYPE_OPTIONS, "nosniff"),
     (header::REFERRER_POLICY, "no-referrer"),
     (HeaderName::from_static("cross-origin-opener-policy"), "same-origin"),
@@ -58,6 +62,10 @@ const HEADERS: [(HeaderName, &str); 6] = [
 ];
 
 impl Args {
+    /// Serves until Ctrl+C.
+    ///
+    /// # Errors
+    /// If a folder is not there, or the address cannot be listened on.
     pub fn run(self) -> anyhow::Result<()> {
         let page = Folder::open(&self.dir)
             .with_context(|| format!("cannot serve {}: name the folder of the page with --dir", self.dir.display()))?;
@@ -70,6 +78,7 @@ impl Args {
                 self.dir.display()
             ));
         }
+        let policy = policy(&self.frame_ancestors);
         let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build()?;
         runtime.block_on(async {
             let listener = listen(&self.host, self.port).await?;
@@ -77,10 +86,16 @@ impl Args {
                 // In this order, so that Ctrl+C is handled before the address is printed.
                 biased;
                 stopped = tokio::signal::ctrl_c() => Ok(stopped?),
-                served = serve(listener, router(&page, &assets)) => served,
+                served = serve(listener, router(&page, &assets, policy)) => served,
             }
         })
     }
+}
+
+/// Prints a line on standard error.
+fn say(line: &str) {
+    // `eprintln!` panics if nobody reads any more.
+    let _ = writeln!(io::stderr(), "{line}");
 }
 
 /// Prints the address and serves until the process ends.
@@ -108,15 +123,34 @@ async fn listen(host: &str, port: u16) -> anyhow::Result<TcpListener> {
     }
 }
 
-fn router(page: &Folder, assets: &Folder) -> Router {
+/// Parses an origin that may frame the page: scheme, host and port. The characters of a host cannot end the policy's rule.
+fn origin(text: &str) -> Result<String, String> {
+    let host = text.strip_prefix("https://").or_else(|| text.strip_prefix("http://")).unwrap_or_default();
+    if !host.is_empty() && host.bytes().all(|byte| byte.is_ascii_alphanumeric() || b".-:[]*".contains(&byte)) {
+        Ok(text.to_string())
+    } else {
+        Err("name a scheme, a host and no path, like https://school.example or http://127.0.0.1:8000".to_string())
+    }
+}
+
+/// Returns the content security policy of a page that these origins may frame.
+fn policy(frame_ancestors: &[String]) -> HeaderValue {
+    let ancestors = if frame_ancestors.is_empty() { "'none'".to_string() } else { frame_ancestors.join(" ") };
+    let policy = format!("{POLICY}; frame-ancestors {ancestors}");
+    HeaderValue::from_str(&policy).expect("`origin` lets only letters, digits and punctuation through")
+}
+
+fn router(page: &Folder, assets: &Folder, policy: HeaderValue) -> Router {
     // Weights do not compress, and an uncompressed response tells the browser its length, for a progress bar.
     let compressible = DefaultPredicate::new().and(NotForContentType::const_new("application/octet-stream"));
     // A fast level, because each response is compressed when it is sent.
     let compression = CompressionLayer::new().quality(CompressionLevel::Fastest).compress_when(compressible);
     let router = files(page).nest("/assets", files(assets)).layer(compression);
-    HEADERS.into_iter().fold(router, |router, (name, value)| {
-        router.layer(SetResponseHeaderLayer::overriding(name, HeaderValue::from_static(value)))
-    })
+    let headers = HEADERS.map(|(name, value)| (name, HeaderValue::from_static(value)));
+    headers
+        .into_iter()
+        .chain([(header::CONTENT_SECURITY_POLICY, policy)])
+        .fold(router, |router, (name, value)| router.layer(SetResponseHeaderLayer::overriding(name, value)))
 }
 
 fn files(folder: &Folder) -> Router {

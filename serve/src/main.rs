@@ -1,0 +1,26 @@
+//! `pathlight-serve`: the command `serve` of `pathlight` alone, without the rest, which takes minutes to compile.
+//! `make play` builds it.
+
+use std::io::{self, Write};
+use std::process::ExitCode;
+
+use clap::Parser;
+
+/// Serve the page of Pathlight to a browser on this machine
+#[derive(Parser)]
+#[command(version)]
+struct CommandLine {
+    #[command(flatten)]
+    args: pathlight_serve::Args,
+}
+
+fn main() -> ExitCode {
+    match CommandLine::parse().args.run() {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            // `eprintln!` panics if nobody reads any more.
+            let _ = writeln!(io::stderr(), "error: {error:#}");
+            ExitCode::from(2)
+        }
+    }
+}
