@@ -202,11 +202,16 @@ test('puzzles of one model share its worker, those of another have their own', a
   const [one, two] = [page.locator('#one'), page.locator('#two')];
   await imagined(two);
   workers(page, 1);
+  await page.evaluate(() => {
+    globalThis.heard = [];
+    document.addEventListener('modelchange', (/** @type {any} */ { target, detail }) => globalThis.heard.push([target.id, detail.status, detail.name]));
+  });
   await two.evaluate((element, name) => element.setAttribute('model', name), models[1]);
   await two.locator('#card').filter({ hasText: `model “${models[1]}”` }).waitFor({ state: 'attached' });
   await one.locator('#card').filter({ hasText: `model “${models[0]}”` }).waitFor({ state: 'attached' });
   await imagined(two);
   workers(page, 2);
+  assert.deepEqual(await page.evaluate(() => globalThis.heard), [['two', 'loading', null], ['two', 'ready', models[1]]]);
   await two.evaluate((element) => element.removeAttribute('model'));
   await two.locator('#card').filter({ hasText: `model “${models[0]}”` }).waitFor({ state: 'attached' });
   await imagined(two);
@@ -222,6 +227,10 @@ for (const { attributes, words, playable = false } of [
     const page = await embed(single(attributes));
     await page.locator('#problem').filter({ hasText: words }).waitFor();
     assert.equal(await page.locator('#scene').isVisible(), playable);
+    if (playable) {
+      await page.locator('#tab-map').click();
+      await page.locator('#problem').waitFor({ state: 'hidden' });
+    }
     await page.locator('pathlight-puzzle').evaluate((element) => {
       for (const name of ['panel', 'layers']) element.removeAttribute(name);
       element.setAttribute('task', '00000:000');

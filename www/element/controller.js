@@ -27,7 +27,6 @@ import { Tabs } from "../shell/tabs.js";
 import { INITIAL_STATE, formatFragment, formatState, parseState, viewOf, visiblePanels } from "../shell/url-state.js";
 
 /** @typedef {import("../shell/component.js").Component} Component */
-/** @typedef {import("../shell/progress-store.js").SharedProgress} SharedProgress */
 /** @typedef {import("../shell/url-state.js").State} State */
 
 /**
@@ -49,7 +48,6 @@ export class PuzzleController extends EventTarget {
   #components;
   /** @type {Session | null} */
   #session = null;
-  /** What the last "modelchange" told. */
   #lastModel;
   /** @type {boolean | null} */
   #dark = null;
@@ -59,7 +57,7 @@ export class PuzzleController extends EventTarget {
    * CustomEvent with a PlayedAttempt, when an attempt of the player's has run to its end or was left.
    * @param {ShadowRoot} root
    * @param {WebAssembly.Module} module
-   * @param {SharedProgress} progress
+   * @param {import("../shell/progress-store.js").SharedProgress} progress
    * @param {() => ((task: string, panel: import("../shell/url-state.js").Panel) => string | null) | null} hrefOf returns the
    *   function that knows the addresses of other puzzles, or null if there is no way to them
    */
@@ -141,9 +139,9 @@ export class PuzzleController extends EventTarget {
   applyTexts(texts) {
     const { state, unread } = parseState(texts);
     if (formatFragment(state) !== formatFragment(this.#state)) this.apply(state);
-    if (unread.length === 0) return;
     const words = unread.map(([key, text]) => `${key}="${text}"`);
-    this.#showProblem(`This puzzle is asked for with ${words.join(" and ")}, which Pathlight does not understand.`);
+    if (words.length) this.#showProblem(`This puzzle is asked for with ${words.join(" and ")}, which Pathlight does not understand.`);
+    else this.#showProblem(unknownTask(state));
   }
 
   /**
@@ -157,10 +155,10 @@ export class PuzzleController extends EventTarget {
     else if (modelChanged) this.#session?.clearModelAttempts();
     this.#state = { ...state };
     const { task, ball } = state;
-    const exists = task !== null && TASKS.has(task);
-    this.#showProblem(task === null || exists ? null : `There is no puzzle ${task}.`);
-    find(this.#root, ".puzzle").hidden = !exists;
-    if (exists) {
+    const problem = unknownTask(state);
+    this.#showProblem(problem);
+    find(this.#root, ".puzzle").hidden = task === null || problem !== null;
+    if (task !== null && !problem) {
       const session = (this.#session ??= this.#openPuzzle(task));
       if (ball && String(ball) !== String(session.ball)) session.place(ball);
       if (modelChanged || this.#client.status === "off") this.#startModel();
@@ -293,4 +291,9 @@ export class PuzzleController extends EventTarget {
     problem.hidden = sentence === null;
     setText(problem, sentence ?? "");
   }
+}
+
+/** @param {State} state */
+function unknownTask({ task }) {
+  return task === null || TASKS.has(task) ? null : `There is no puzzle ${task}.`;
 }

@@ -1,4 +1,5 @@
-// The state of the page as one object, and its two-way translation to the fragment of the address (what follows `#`).
+// The state of a puzzle as one object, and its two-way translation to texts: the attributes of its element, and the fragment
+// of the page's address (what follows `#`).
 // A link carries the task, the model, the panel, the layers and the ball, so that it opens the same view elsewhere; for
 // teaching it may hide parts of the page. Knows nothing of the document.
 
