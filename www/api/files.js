@@ -44,18 +44,35 @@ export async function readFile(address, refuse, onProgress = () => {}) {
 }
 
 /**
+ * The wasm beside this module is compiled once for all who ask.
+ * @type {Promise<WebAssembly.Module> | null}
+ */
+let compiled = null;
+
+/**
  * Compiles the wasm.
  * @param {WebAssembly.Module | BufferSource | URL | string} [source] the module itself, its bytes or their address; without
  * it, the wasm beside this module
  * @returns {Promise<WebAssembly.Module>}
  */
-export async function compileWasm(source = WASM) {
+export async function compileWasm(source) {
   if (typeof WebAssembly !== "object") {
     throw failure("no_wasm", "There is no WebAssembly here, or it is switched off. Pathlight needs it: try a current browser.");
   }
+  if (source === undefined) {
+    compiled ??= compileFile(WASM);
+    return compiled.catch((error) => {
+      compiled = null;
+      throw error;
+    });
+  }
   if (source instanceof WebAssembly.Module) return source;
   if (typeof source !== "string" && !(source instanceof URL)) return WebAssembly.compile(source);
-  const address = addressOf(source);
+  return compileFile(addressOf(source));
+}
+
+/** @param {URL} address */
+async function compileFile(address) {
   /** @param {string} reason */
   const refuse = (reason) => failure("no_wasm", `Pathlight’s wasm could not be loaded: ${reason} for ${address}. Build or install Pathlight again.`);
   if (diskOf(address)) return WebAssembly.compile(await readFile(address, refuse));
