@@ -24,7 +24,7 @@ PACKAGED := Cargo.toml Cargo.lock .cargo/config.toml scripts/build-wasm scripts/
 
 play: $(PACKAGE)
 	@echo "== compiling the server (about a minute on 2 cores, once)"
-	@cargo build --release --package pathlight-serve
+	@cargo build --release --workspace --bin pathlight-serve
 	@target/release/pathlight-serve --port $(PORT)
 
 test:
