@@ -1,0 +1,79 @@
+//! `make play` on a bare machine: what a person has to install is named, with the remedy, before anything is compiled.
+#![cfg(unix)]
+
+use std::env;
+use std::fs;
+use std::os::unix::fs::{PermissionsExt, symlink};
+use std::path::Path;
+use std::process::Command;
+
+use tempfile::{TempDir, tempdir};
+
+/// What every system has and the scripts use.
+const SYSTEM: [&str; 5] = ["bash", "cut", "dirname", "sed", "sort"];
+
+/// A machine with nothing but the system's commands.
+struct Machine {
+    programs: TempDir,
+}
+
+impl Machine {
+    fn bare() -> Machine {
+        let programs = tempdir().expect("a folder");
+        let path = env::var_os("PATH").expect("a PATH");
+        for name in SYSTEM {
+            let found = env::split_paths(&path).map(|folder| folder.join(name)).find(|file| file.is_file());
+            symlink(found.expect(name), programs.path().join(name)).expect("a link");
+        }
+        Machine { programs }
+    }
+
+    /// Adds a program that prints this, whatever it is asked.
+    fn with(self, name: &str, says: &str) -> Machine {
+        let file = self.programs.path().join(name);
+        fs::write(&file, format!("#!/usr/bin/env bash\nprintf '%s' '{says}'\n")).expect("a file");
+        fs::set_permissions(&file, fs::Permissions::from_mode(0o755)).expect("its owner may");
+        self
+    }
+
+    /// Asserts that the build stops at once with an error that contains these words.
+    fn assert_stops(&self, words: &str) {
+        let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("scripts/build-wasm");
+        let mut build = Command::new(self.programs.path().join("bash"));
+        build.arg(script).env_clear().env("PATH", self.programs.path()).env("TOOLS", self.programs.path());
+        let output = build.output().expect("bash runs");
+        let said = String::from_utf8(output.stderr).expect("messages are UTF-8");
+        assert_eq!((output.status.code(), &output.stdout[..]), (Some(2), &b""[..]), "{said}");
+        assert!(said.starts_with("error: ") && said.contains(words), "{said:?} without {words:?}");
+    }
+}
+
+#[test]
+fn without_rust() {
+    Machine::bare().assert_stops("Rust is missing: install it with rustup (https://rustup.rs)");
+}
+
+#[test]
+fn with_an_old_rust() {
+    let machine = Machine::bare().with("cargo", "cargo 1.60.0").with("rustc", "rustc 1.60.0 (7737e0b5c 2022-04-04)");
+    machine.assert_stops("is missing: rustc 1.60.0 (7737e0b5c 2022-04-04) is too old; rustup update");
+}
+
+#[test]
+fn without_a_linker() {
+    rust(Machine::bare()).assert_stops("install one (apt-get install gcc)");
+}
+
+#[test]
+fn without_node() {
+    rust(Machine::bare()).with("cc", "").assert_stops("Node.js is missing: install version 20 or later");
+}
+
+#[test]
+fn without_npm() {
+    rust(Machine::bare()).with("cc", "").with("node", "").assert_stops("npm is missing");
+}
+
+fn rust(machine: Machine) -> Machine {
+    machine.with("cargo", "cargo 9.0.0").with("rustc", "rustc 9.0.0 (0000000 2026-01-01)")
+}
