@@ -46,20 +46,26 @@ impl PathNet {
 
     /// Scenes `[batch, 5, 64, 64]` in, logits out; gradients flow through the whole chain.
     pub fn forward(&self, scene: Tensor<4>) -> Logits {
+        self.chain(scene).0
+    }
+
+    /// The logits, and the maps of the first three, which later nets see.
+    fn chain(&self, scene: Tensor<4>) -> (Logits, [Tensor<4>; 3]) {
         let base = self.base.forward(scene.clone());
         let target = self.target.forward(scene.clone());
-        let scene_and_target = Tensor::cat(vec![scene, sigmoid(target.clone())], 1); // [batch, 6, 64, 64]
-        let action = self.action.forward(Tensor::cat(vec![scene_and_target.clone(), sigmoid(base.clone())], 1));
-        let placement = self.placement.forward(Tensor::cat(vec![scene_and_target, sigmoid(action.clone())], 1));
-        [base, target, action, placement]
+        let (base_map, target_map) = (sigmoid(base.clone()), sigmoid(target.clone()));
+        let scene_and_target = Tensor::cat(vec![scene, target_map.clone()], 1); // [batch, 6, 64, 64]
+        let action = self.action.forward(Tensor::cat(vec![scene_and_target.clone(), base_map.clone()], 1));
+        let action_map = sigmoid(action.clone());
+        let placement = self.placement.forward(Tensor::cat(vec![scene_and_target, action_map.clone()], 1));
+        ([base, target, action, placement], [base_map, target_map, action_map])
     }
 
     /// Returns the maps that the nets predict for a scene.
     pub fn imagine(&self, scene: &Scene) -> Imagined {
-        let [base, target, action, placement] = self.forward(self.encode(scene)).map(|logits| {
-            let map = sigmoid(logits).into_data();
-            map.iter::<f32>().collect()
-        });
+        let ([.., placement], [base, target, action]) = self.chain(self.encode(scene));
+        let [base, target, action, placement] =
+            [base, target, action, sigmoid(placement)].map(|map| map.into_data().iter::<f32>().collect());
         Imagined { base, target, action, placement }
     }
 

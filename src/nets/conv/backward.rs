@@ -1,61 +1,76 @@
-//! The backward pass of both layers, and its registration with burn's autodiff.
+//! The backward pass of both layers on plain slices.
 //!
 //! With `C = im2col(x)` and the weights `W`, `conv_down` is `W C` and `conv_up` is `col2im(W^T x)`. So the gradient
 //! with respect to the input of one is the other without its bias, and the gradient with respect to the weights is the
-//! product of the coarse images and the transposed columns of the fine ones. Native only: the page does not train.
+//! product of the coarse images and the transposed columns of the fine ones (`weight_gradient` where the layer is a direct
+//! convolution). Native only, used by `autodiff`: the page does not train.
 
-use burn::backend::autodiff::NodeId;
-use burn::backend::autodiff::checkpoint::base::Checkpointer;
-use burn::backend::autodiff::checkpoint::strategy::CheckpointStrategy;
-use burn::backend::autodiff::grads::Gradients as GradientStore;
-use burn::backend::autodiff::ops::{Backward, Ops, OpsKind};
-use burn::backend::tensor::FloatTensor;
-use burn::backend::{Autodiff, Flex, TensorMetadata};
-use burn::tensor::TensorData;
 use std::sync::Mutex;
 
+use super::direct::Direct;
 use super::forward::{Columns, Group, Layer};
 use super::matmul::{Matrix, matmul};
-use super::{StridedConv, geometry, slice};
+use super::weight_gradient::WeightGradient;
 
 /// Gradients of the loss with respect to the input, the weights and the bias of a layer.
-struct Gradients {
-    x: Vec<f32>,
-    weight: Vec<f32>,
-    bias: Vec<f32>,
+pub struct Gradients {
+    /// Zeros if nobody needs it.
+    pub x: Vec<f32>,
+    pub weight: Vec<f32>,
+    pub bias: Vec<f32>,
 }
 
 impl Layer<'_> {
-    /// Gradients of `conv_down` from its input, its output and the gradient `dy` with respect to its output.
-    fn conv_down_backward(&self, x: &[f32], y: &[f32], dy: &[f32]) -> Gradients {
+    /// Gradients of `conv_down` from its input, its output and the gradient `dy` with respect to its output; that with
+    /// respect to the input only if `input_needs_it`.
+    pub fn conv_down_backward(&self, x: &[f32], y: &[f32], dy: &[f32], input_needs_it: bool) -> Gradients {
         let geometry = &self.geometry;
         let mut dx = vec![0.0; x.len()];
+        let zeros = vec![0.0; geometry.fine_channels];
         let ParameterGradients { weight, bias } =
             self.sum_over_groups(&mut dx, geometry.fine_len(), geometry.coarse_channels, |group, dx, gradients| {
                 let range = group.coarse(geometry);
                 let dy = relu_backward(&dy[range.clone()], Some(&y[range]));
                 add_channel_sums(&mut gradients.bias, &dy, geometry.coarse_cells());
+                let x = &x[group.fine(geometry)];
+                if Direct::fits(geometry) {
+                    let gradient = &mut gradients.weight;
+                    WeightGradient { geometry, coarse: &dy, fine: x, gradient }.compute();
+                    if input_needs_it {
+                        Direct { geometry, weight: self.weight, bias: &zeros, relu: false, x: &dy, y: dx }.conv_up();
+                    }
+                    return;
+                }
                 let dy = self.channels_first(&dy, group.samples);
-                let mut columns = Columns::im2col(geometry, &x[group.fine(geometry)], group.samples);
+                let mut columns = Columns::im2col(geometry, x, group.samples);
                 let dy = Matrix::new(&dy, geometry.coarse_channels, columns.count, columns.count);
                 matmul(&mut gradients.weight, geometry.patch_len(), dy, columns.matrix(geometry).transposed());
-                matmul(&mut columns.data, columns.stride, self.matrix().transposed(), dy);
-                columns.col2im(geometry, dx);
+                if input_needs_it {
+                    matmul(&mut columns.data, columns.stride, self.matrix().transposed(), dy);
+                    columns.col2im(geometry, dx);
+                }
             });
         Gradients { x: dx, weight, bias }
     }
 
     /// Gradients of `conv_up` from its input, its output if a ReLU follows, and the gradient `dy` with respect to its
     /// output.
-    fn conv_up_backward(&self, x: &[f32], y: Option<&[f32]>, dy: &[f32]) -> Gradients {
+    pub fn conv_up_backward(&self, x: &[f32], y: Option<&[f32]>, dy: &[f32]) -> Gradients {
         let geometry = &self.geometry;
         let (channels, cells) = (geometry.coarse_channels, geometry.coarse_cells());
         let mut dx = vec![0.0; x.len()];
+        let zeros = vec![0.0; geometry.coarse_channels];
         let ParameterGradients { weight, bias } =
             self.sum_over_groups(&mut dx, geometry.coarse_len(), geometry.fine_channels, |group, dx, gradients| {
                 let range = group.fine(geometry);
                 let dy = relu_backward(&dy[range.clone()], y.map(|y| &y[range]));
                 add_channel_sums(&mut gradients.bias, &dy, geometry.fine_cells());
+                if Direct::fits(geometry) {
+                    let (x, gradient) = (&x[group.coarse(geometry)], &mut gradients.weight);
+                    WeightGradient { geometry, coarse: x, fine: &dy, gradient }.compute();
+                    Direct { geometry, weight: self.weight, bias: &zeros, relu: false, x: &dy, y: dx }.conv_down();
+                    return;
+                }
                 let columns = Columns::im2col(geometry, &dy, group.samples);
                 let x = self.channels_first(&x[group.coarse(geometry)], group.samples);
                 let x = Matrix::new(&x, channels, columns.count, columns.count);
@@ -119,86 +134,6 @@ fn add_channel_sums(sums: &mut [f32], images: &[f32], cells: usize) {
     }
 }
 
-#[derive(Debug)]
-struct ConvDown;
-
-#[derive(Debug)]
-struct ConvUp {
-    relu: bool,
-}
-
-/// What the backward pass needs of the forward pass: input, weights and output of a layer.
-type SavedTensors = [FloatTensor<Flex>; 3];
-
-impl Backward<Flex, 3> for ConvDown {
-    type State = SavedTensors;
-
-    fn backward(self, ops: Ops<SavedTensors, 3>, store: &mut GradientStore, _: &mut Checkpointer) {
-        let dy = store.consume::<Flex>(&ops.node).to_contiguous();
-        let [x, weight, y] = ops.state.each_ref().map(|tensor| tensor.to_contiguous());
-        let layer = Layer { geometry: geometry(&weight, y.shape()[2]), weight: slice(&weight) };
-        let gradients = layer.conv_down_backward(slice(&x), slice(&y), slice(&dy));
-        register(ops.parents.map(|parent| parent.map(|node| node.id)), &ops.state, gradients, store);
-    }
-}
-
-impl Backward<Flex, 3> for ConvUp {
-    type State = SavedTensors;
-
-    fn backward(self, ops: Ops<SavedTensors, 3>, store: &mut GradientStore, _: &mut Checkpointer) {
-        let dy = store.consume::<Flex>(&ops.node).to_contiguous();
-        let [x, weight, y] = ops.state.each_ref().map(|tensor| tensor.to_contiguous());
-        let layer = Layer { geometry: geometry(&weight, x.shape()[2]), weight: slice(&weight) };
-        let gradients = layer.conv_up_backward(slice(&x), self.relu.then_some(slice(&y)), slice(&dy));
-        register(ops.parents.map(|parent| parent.map(|node| node.id)), &ops.state, gradients, store);
-    }
-}
-
-/// Registers the gradients for those of input, weights and bias that need one.
-fn register(
-    parents: [Option<NodeId>; 3],
-    [x, weight, _]: &SavedTensors,
-    gradients: Gradients,
-    store: &mut GradientStore,
-) {
-    let bias_shape = [gradients.bias.len()].into();
-    let values = [(gradients.x, x.shape()), (gradients.weight, weight.shape()), (gradients.bias, bias_shape)];
-    for (parent, (values, shape)) in parents.into_iter().zip(values) {
-        if let Some(id) = parent {
-            store.register::<Flex>(id, FloatTensor::<Flex>::from_data(TensorData::new(values, shape)));
-        }
-    }
-}
-
-impl<C: CheckpointStrategy> StridedConv for Autodiff<Flex, C> {
-    fn conv_down(x: FloatTensor<Self>, weight: FloatTensor<Self>, bias: FloatTensor<Self>) -> FloatTensor<Self> {
-        let y = Flex::conv_down(x.primitive().clone(), weight.primitive().clone(), bias.primitive().clone());
-        let nodes = [x.node(), weight.node(), bias.node()];
-        match ConvDown.prepare::<C>(nodes).compute_bound().stateful() {
-            OpsKind::Tracked(step) => step.finish([x.primitive().clone(), weight.primitive().clone(), y.clone()], y),
-            OpsKind::UnTracked(step) => step.finish(y),
-        }
-    }
-
-    fn conv_up(
-        x: FloatTensor<Self>,
-        weight: FloatTensor<Self>,
-        bias: FloatTensor<Self>,
-        relu: bool,
-    ) -> FloatTensor<Self> {
-        let y = Flex::conv_up(x.primitive().clone(), weight.primitive().clone(), bias.primitive().clone(), relu);
-        let nodes = [x.node(), weight.node(), bias.node()];
-        match (ConvUp { relu }).prepare::<C>(nodes).compute_bound().stateful() {
-            OpsKind::Tracked(step) => step.finish([x.primitive().clone(), weight.primitive().clone(), y.clone()], y),
-            OpsKind::UnTracked(step) => step.finish(y),
-        }
-    }
-}
-
-/// ndarray differentiates burn's own operations: the reference backend of the differential tests.
-#[cfg(feature = "ndarray")]
-impl<C: CheckpointStrategy> StridedConv for Autodiff<burn::backend::NdArray, C> {}
-
 #[cfg(test)]
 mod tests {
     use super::super::im2col::Geometry;
@@ -209,10 +144,11 @@ mod tests {
     /// Step of the central difference. The layers are linear but for the ReLU, so a long step is exact and rounds less.
     const STEP: f32 = 0.125;
 
-    /// Both kernels, and batches of one group and of several.
-    const CASES: [(Geometry, usize); 3] = [
+    /// Both kernels, batches of one group and of several, matrix products and direct convolutions.
+    const CASES: [(Geometry, usize); 4] = [
         (Geometry { fine_channels: 3, coarse_channels: 8, coarse_side: 4, kernel: 4 }, 2),
         (Geometry { fine_channels: 8, coarse_channels: 16, coarse_side: 1, kernel: 2 }, 20),
+        (Geometry { fine_channels: 8, coarse_channels: 16, coarse_side: 8, kernel: 4 }, 3),
         (Geometry { fine_channels: 5, coarse_channels: 8, coarse_side: 32, kernel: 4 }, 3),
     ];
 
@@ -257,7 +193,7 @@ mod tests {
             let bias: Vec<f32> = (0..geometry.coarse_channels).map(|i| if i % 2 == 0 { 20.0 } else { -20.0 }).collect();
             let dy = random(batch * geometry.coarse_len(), &mut rng);
             let y = Layer { geometry, weight: &weight }.conv_down(&x, &bias);
-            let gradients = Layer { geometry, weight: &weight }.conv_down_backward(&x, &y, &dy);
+            let gradients = Layer { geometry, weight: &weight }.conv_down_backward(&x, &y, &dy, true);
             let f = |x: &[f32], weight: &[f32], bias: &[f32]| dot(&Layer { geometry, weight }.conv_down(x, bias), &dy);
             let offset = f(&x, &weight, &bias);
             assert!(offset != 0.0);

@@ -6,6 +6,7 @@
 #[cfg(not(target_arch = "wasm32"))]
 use rayon::prelude::*;
 
+use super::direct::Direct;
 use super::im2col::Geometry;
 use super::matmul::{Matrix, matmul};
 
@@ -14,6 +15,9 @@ const GROUP_LEN: usize = 1 << 16;
 
 /// Most samples in a group, so that a batch of 32 keeps two cores busy.
 const MAX_GROUP: usize = 16;
+
+/// Most samples in a group of direct convolutions, which need no columns: the weights are packed once for a group.
+const DIRECT_GROUP: usize = 4;
 
 /// A layer with its weights, `[coarse_channels, fine_channels, kernel, kernel]`.
 #[derive(Clone, Copy)]
@@ -30,6 +34,11 @@ impl Layer<'_> {
         let batch = x.len() / geometry.fine_len();
         let mut y = vec![0.0; batch * geometry.coarse_len()];
         self.for_each_group(&mut y, geometry.coarse_len(), |group, y| {
+            if Direct::fits(geometry) {
+                let x = &x[group.fine(geometry)];
+                Direct { geometry, weight: self.weight, bias, relu: true, x, y }.conv_down();
+                return;
+            }
             let columns = Columns::im2col(geometry, &x[group.fine(geometry)], group.samples);
             let mut sums = vec![0.0; channels * columns.count];
             matmul(&mut sums, columns.count, self.matrix(), columns.matrix(geometry));
@@ -51,6 +60,11 @@ impl Layer<'_> {
         let batch = x.len() / geometry.coarse_len();
         let mut y = vec![0.0; batch * geometry.fine_len()];
         self.for_each_group(&mut y, geometry.fine_len(), |group, y| {
+            if Direct::fits(geometry) {
+                let x = &x[group.coarse(geometry)];
+                Direct { geometry, weight: self.weight, bias, relu, x, y }.conv_up();
+                return;
+            }
             let x = self.channels_first(&x[group.coarse(geometry)], group.samples);
             let mut columns = Columns::zeros(geometry, group.samples);
             let x = Matrix::new(&x, geometry.coarse_channels, columns.count, columns.count);
@@ -100,6 +114,9 @@ impl Layer<'_> {
     }
 
     fn group_samples(&self) -> usize {
+        if Direct::fits(&self.geometry) {
+            return DIRECT_GROUP;
+        }
         (GROUP_LEN / (self.geometry.patch_len() * self.geometry.coarse_cells())).clamp(1, MAX_GROUP)
     }
 }

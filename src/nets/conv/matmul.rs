@@ -1,11 +1,19 @@
-//! The matrix product under both layers: the gemm crate natively, our own loops in wasm.
+//! The matrix product under the layers of few cells: our own loops for one scene, the gemm crate for batches.
 //!
-//! gemm packs both matrices into tiles first, which pays off for batches. For the single scene that a browser
-//! evaluates, each weight is read only once, and packing costs more than the sums: `wasm_matmul` reads the
-//! weights where they lie. Used by `forward` and `backward` only.
+//! gemm packs both matrices into tiles first, which pays off for batches, where its products are also those of the
+//! weight gradients. For one scene each weight is read only once or a few times, and packing costs more than the sums:
+//! `few_columns` reads the weights where they lie. Used by `forward` and `backward`.
 
-/// Rows of `a` that `wasm_matmul` takes at once: their number must be a multiple of this, unless `b` is one column.
+use pulp::{Simd, WithSimd};
+
+use super::simd::{load, multiply_add, vectorize, vectorize_by_four};
+
+/// Rows of `a` that `few_columns` takes at once: their number must be a multiple of this, unless `b` is one column.
 pub const TILE_ROWS: usize = 8;
+
+/// Most columns of `b` for which gemm does not pay off.
+#[cfg(not(target_arch = "wasm32"))]
+const FEW_COLUMNS: usize = 32;
 
 /// A matrix in a slice. Element (row, column) is `data[row * row_stride + column * column_stride]`, and every element
 /// lies within the slice: only the constructor sets the fields, and the unsafe call below relies on it.
@@ -36,11 +44,17 @@ impl<'a> Matrix<'a> {
 /// `out = a b`; the rows of `out` begin `stride` values apart.
 pub fn matmul(out: &mut [f32], stride: usize, a: Matrix, b: Matrix) {
     assert!(a.columns == b.rows && (a.rows - 1) * stride + b.columns <= out.len(), "the product fits its slice");
-    #[cfg(target_arch = "wasm32")]
-    {
-        wasm_matmul::matmul(out, stride, a, b);
-    }
     #[cfg(not(target_arch = "wasm32"))]
+    if b.column_stride != 1 || b.columns > FEW_COLUMNS {
+        gemm(out, stride, a, b);
+        return;
+    }
+    few_columns(out, stride, a, b);
+}
+
+#[cfg(not(target_arch = "wasm32"))]
+fn gemm(out: &mut [f32], stride: usize, a: Matrix, b: Matrix) {
+    assert!(a.columns == b.rows && (a.rows - 1) * stride + b.columns <= out.len(), "the product fits its slice");
     // SAFETY: every element of `a` and `b` lies within its slice (`Matrix::new`), and by the assertion above so does
     // every element of the product in `out`.
     unsafe {
@@ -68,87 +82,148 @@ pub fn matmul(out: &mut [f32], stride: usize, a: Matrix, b: Matrix) {
     }
 }
 
-/// A product that reads its matrices where they lie, in tiles that stay in wasm's vector registers.
-#[cfg(any(target_arch = "wasm32", test))]
-mod wasm_matmul {
-    use super::{Matrix, TILE_ROWS};
+/// `out = a b` for a `b` of contiguous rows: one column, or a multiple of four.
+fn few_columns(out: &mut [f32], stride: usize, a: Matrix, b: Matrix) {
+    assert!(b.column_stride == 1, "rows of b are contiguous");
+    let work = FewColumns { out, stride, a, b };
+    if b.columns == 1 || b.columns.is_multiple_of(8) { vectorize(work) } else { vectorize_by_four(work) }
+}
 
-    /// The values of a 128-bit register.
-    type Vector = [f32; 4];
+struct FewColumns<'a> {
+    out: &'a mut [f32],
+    stride: usize,
+    a: Matrix<'a>,
+    b: Matrix<'a>,
+}
 
-    /// `out = a b` for a `b` of contiguous rows: one column, or a multiple of four.
-    pub fn matmul(out: &mut [f32], stride: usize, a: Matrix, b: Matrix) {
-        assert!(b.column_stride == 1, "rows of b are contiguous");
-        match b.columns {
-            1 => matvec(out, stride, a, b),
-            4 => tiles::<TILE_ROWS, 1>(out, stride, a, b),
-            _ => tiles::<{ TILE_ROWS / 2 }, 2>(out, stride, a, b),
+impl WithSimd for FewColumns<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        let FewColumns { out, stride, a, b } = self;
+        if b.columns == 1 {
+            matvec(out, stride, a, b);
+        } else if b.columns == S::F32_LANES && a.column_stride != 1 {
+            one_register::<S>(simd, out, stride, a, b);
+        } else if b.columns.is_multiple_of(2 * S::F32_LANES) {
+            tiles::<S, { TILE_ROWS / 2 }, 2>(simd, out, stride, a, b);
+        } else {
+            tiles::<S, TILE_ROWS, 1>(simd, out, stride, a, b);
         }
     }
+}
 
-    /// Tiles of `ROWS` rows by `4 * VECTORS` columns, accumulated in registers.
-    fn tiles<const ROWS: usize, const VECTORS: usize>(out: &mut [f32], stride: usize, a: Matrix, b: Matrix) {
-        assert!(a.rows.is_multiple_of(ROWS) && b.columns.is_multiple_of(4 * VECTORS), "whole tiles");
-        for row in (0..a.rows).step_by(ROWS) {
-            for column in (0..b.columns).step_by(4 * VECTORS) {
-                let mut sums = [[[0.0; 4]; VECTORS]; ROWS];
+/// Tiles of `ROWS` rows by `REGISTERS` registers of columns.
+#[expect(clippy::needless_range_loop, reason = "iterators make the code for wasm slower")]
+#[inline(always)]
+fn tiles<S: Simd, const ROWS: usize, const REGISTERS: usize>(
+    simd: S,
+    out: &mut [f32],
+    stride: usize,
+    a: Matrix,
+    b: Matrix,
+) {
+    let width = REGISTERS * S::F32_LANES;
+    assert!(a.rows.is_multiple_of(ROWS) && b.columns.is_multiple_of(width), "whole tiles");
+    for row in (0..a.rows).step_by(ROWS) {
+        for column in (0..b.columns).step_by(width) {
+            let mut sums = [[simd.splat_f32s(0.0); REGISTERS]; ROWS];
+            let right = |k: usize| -> [S::f32s; REGISTERS] {
+                let right = &b.data[k * b.row_stride + column..][..width];
+                std::array::from_fn(|register| load::<S>(right, register * S::F32_LANES))
+            };
+            if a.column_stride == 1 {
+                let rows: [&[f32]; ROWS] =
+                    std::array::from_fn(|index| &a.data[(row + index) * a.row_stride..][..a.columns]);
                 for k in 0..a.columns {
-                    let right: [Vector; VECTORS] = std::array::from_fn(|vector| {
-                        let at = k * b.row_stride + column + 4 * vector;
-                        b.data[at..at + 4].try_into().expect("four values")
-                    });
-                    for (i, sums) in sums.iter_mut().enumerate() {
-                        let left = a.data[(row + i) * a.row_stride + k * a.column_stride];
-                        for (sum, right) in sums.iter_mut().zip(right) {
-                            for (sum, right) in sum.iter_mut().zip(right) {
-                                *sum += left * right;
-                            }
-                        }
+                    let right = right(k);
+                    for index in 0..ROWS {
+                        multiply_add(simd, &mut sums[index], rows[index][k], right);
                     }
                 }
-                for (i, sums) in sums.iter().enumerate() {
-                    let at = (row + i) * stride + column;
-                    out[at..at + 4 * VECTORS].copy_from_slice(sums.as_flattened());
+            } else {
+                for k in 0..a.columns {
+                    let right = right(k);
+                    let left = &a.data[k * a.column_stride + row..][..ROWS];
+                    for index in 0..ROWS {
+                        multiply_add(simd, &mut sums[index], left[index], right);
+                    }
                 }
             }
+            for (index, sums) in sums.iter().enumerate() {
+                let out = &mut out[(row + index) * stride + column..][..width];
+                S::as_mut_simd_f32s(out).0.copy_from_slice(sums);
+            }
         }
     }
+}
 
-    /// A matrix times one column.
-    fn matvec(out: &mut [f32], stride: usize, a: Matrix, b: Matrix) {
-        if a.column_stride == 1 {
-            let right: Vec<f32> = (0..b.rows).map(|k| b.data[k * b.row_stride]).collect();
-            for row in 0..a.rows {
-                let left = &a.data[row * a.row_stride..][..a.columns];
-                out[row * stride] = dot(left, &right);
+/// A transposed matrix times one register of columns: four rows of the untransposed matrix at a time, so that memory is
+/// read in its order.
+#[inline(always)]
+fn one_register<S: Simd>(simd: S, out: &mut [f32], stride: usize, a: Matrix, b: Matrix) {
+    assert!(a.columns.is_multiple_of(4) && a.row_stride == 1, "whole tiles");
+    for k in (0..a.columns).step_by(4) {
+        let left: [&[f32]; 4] = std::array::from_fn(|index| &a.data[(k + index) * a.column_stride..][..a.rows]);
+        let right: [S::f32s; 4] = std::array::from_fn(|index| load::<S>(b.data, (k + index) * b.row_stride));
+        for (row, out) in out.chunks_mut(stride).take(a.rows).enumerate() {
+            let out = &mut S::as_mut_simd_f32s(&mut out[..S::F32_LANES]).0[0];
+            let mut sum = [if k == 0 { simd.splat_f32s(0.0) } else { *out }];
+            for (left, right) in left.iter().zip(right) {
+                multiply_add(simd, &mut sum, left[row], [right]);
             }
-        } else {
-            let mut sums = vec![0.0; a.rows];
-            for k in 0..a.columns {
-                let right = b.data[k * b.row_stride];
-                let left = &a.data[k * a.column_stride..][..a.rows];
-                for (sum, left) in sums.iter_mut().zip(left) {
-                    *sum += left * right;
-                }
-            }
-            for (row, sum) in sums.into_iter().enumerate() {
-                out[row * stride] = sum;
-            }
+            *out = sum[0];
         }
     }
+}
 
-    /// Sixteen partial sums, so that no addition waits for the previous one.
-    fn dot(left: &[f32], right: &[f32]) -> f32 {
-        let mut sums = [0.0; 16];
-        let ((left, left_rest), (right, right_rest)) = (left.as_chunks::<16>(), right.as_chunks::<16>());
-        for (left, right) in left.iter().zip(right) {
-            for (sum, (left, right)) in sums.iter_mut().zip(left.iter().zip(right)) {
-                *sum += left * right;
-            }
+/// A matrix times one column.
+#[inline(always)]
+fn matvec(out: &mut [f32], stride: usize, a: Matrix, b: Matrix) {
+    let right: Vec<f32> = (0..b.rows).map(|k| b.data[k * b.row_stride]).collect();
+    if a.column_stride == 1 {
+        for row in 0..a.rows {
+            let left = &a.data[row * a.row_stride..][..a.columns];
+            out[row * stride] = dot(left, &right);
         }
-        let rest: f32 = left_rest.iter().zip(right_rest).map(|(left, right)| left * right).sum();
-        sums.iter().sum::<f32>() + rest
+        return;
     }
+    let mut sums = vec![0.0; a.rows];
+    let (fours, rest) = right.as_chunks::<4>();
+    for (index, right) in fours.iter().enumerate() {
+        let column = |k: usize| &a.data[(4 * index + k) * a.column_stride..][..a.rows];
+        let columns = column(0).iter().zip(column(1)).zip(column(2)).zip(column(3));
+        for (sum, (((first, second), third), fourth)) in sums.iter_mut().zip(columns) {
+            *sum += first * right[0];
+            *sum += second * right[1];
+            *sum += third * right[2];
+            *sum += fourth * right[3];
+        }
+    }
+    for (k, right) in rest.iter().enumerate() {
+        let left = &a.data[(4 * fours.len() + k) * a.column_stride..][..a.rows];
+        for (sum, left) in sums.iter_mut().zip(left) {
+            *sum += left * right;
+        }
+    }
+    for (row, sum) in sums.into_iter().enumerate() {
+        out[row * stride] = sum;
+    }
+}
+
+/// Sixteen partial sums, so that no addition waits for the previous one.
+#[inline(always)]
+fn dot(left: &[f32], right: &[f32]) -> f32 {
+    let mut sums = [0.0; 16];
+    let ((left, left_rest), (right, right_rest)) = (left.as_chunks::<16>(), right.as_chunks::<16>());
+    for (left, right) in left.iter().zip(right) {
+        for (sum, (left, right)) in sums.iter_mut().zip(left.iter().zip(right)) {
+            *sum += left * right;
+        }
+    }
+    let rest: f32 = left_rest.iter().zip(right_rest).map(|(left, right)| left * right).sum();
+    sums.iter().sum::<f32>() + rest
 }
 
 #[cfg(test)]
@@ -157,15 +232,15 @@ mod tests {
 
     /// The shapes of one scene: tiles, four columns, one column; weights as they are and transposed.
     #[test]
-    fn the_loops_of_wasm_agree_with_gemm() {
+    fn the_loops_for_few_columns_agree_with_gemm() {
         let values = |count: usize| -> Vec<f32> { (0..count).map(|i| ((i * 37 % 101) as f32 - 50.0) / 50.0).collect() };
         for (rows, depth, columns) in [(8, 80, 1024), (64, 512, 16), (128, 1024, 4), (256, 512, 1)] {
             let (a, b) = (values(rows * depth), values(depth * (columns + 16)));
             let b = Matrix::new(&b, depth, columns, columns + 16);
             for a in [Matrix::new(&a, rows, depth, depth), Matrix::new(&a, depth, rows, rows).transposed()] {
                 let (mut ours, mut gemm) = (vec![0.0; rows * columns], vec![0.0; rows * columns]);
-                wasm_matmul::matmul(&mut ours, columns, a, b);
-                matmul(&mut gemm, columns, a, b);
+                few_columns(&mut ours, columns, a, b);
+                super::gemm(&mut gemm, columns, a, b);
                 let worst = ours.iter().zip(&gemm).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
                 assert!(worst < 1e-3 && gemm.iter().any(|x| x.abs() > 1.0), "{rows} x {depth} x {columns}: {worst}");
             }

@@ -1,15 +1,14 @@
 //! The two layers of all nets: a stride-2 convolution and a stride-2 transposed convolution, fast on the CPU.
 //!
 //! burn's own `conv2d` and `conv_transpose2d` define the result: they are the default bodies of `StridedConv`,
-//! which ndarray runs. On flex both layers are one matrix product by im2col (Chellapilla et al. 2006), with bias
-//! and ReLU in the same pass. The columns `[fine channels * kernel^2, samples * coarse cells]` hold, for each
-//! coarse cell, the patch of the fine image that its kernel covers. With weights `W` `[coarse channels, fine
-//! channels * kernel^2]`, `conv_down` is `W * im2col(x)` and `conv_up` is `col2im(W^T * x)`.
+//! which ndarray runs. On flex, layers of at least 8 x 8 coarse cells are direct convolutions whose sums stay in registers
+//! (`direct`). The deeper layers, with few cells and many weights, are one matrix product by im2col (Chellapilla et al.
+//! 2006): the columns `[fine channels * kernel^2, samples * coarse cells]` hold, for each coarse cell, the patch of the
+//! fine image that its kernel covers. With weights `W` `[coarse channels, fine channels * kernel^2]`, `conv_down` is
+//! `W * im2col(x)` and `conv_up` is `col2im(W^T * x)`. Bias and ReLU follow in the same pass.
 //!
-//! A direct convolution loads every input again for each output channel. The copy costs `kernel^2 / 4` writes per
-//! input, once for all output channels, and the product then works on tiles that stay in registers: several times
-//! as fast here as burn's general layers, which also support the strides, dilations and groups that no net of ours
-//! has. Used by `hourglass` and `judge`.
+//! burn's general layers also support the strides, dilations and groups that no net of ours has. Used by `hourglass` and
+//! `judge`.
 
 // burn has deprecated its ndarray backend; it is kept as the reference backend of the differential tests.
 #![allow(deprecated)]
@@ -22,16 +21,23 @@ use burn::nn::conv::{Conv2d, Conv2dConfig, ConvTranspose2d, ConvTranspose2dConfi
 use burn::tensor::{Device, Tensor, TensorData};
 
 #[cfg(not(target_arch = "wasm32"))]
+mod autodiff;
+#[cfg(not(target_arch = "wasm32"))]
 mod backward;
+mod direct;
 mod forward;
 mod im2col;
 mod matmul;
+mod planes;
+mod simd;
+#[cfg(not(target_arch = "wasm32"))]
+mod weight_gradient;
 
 use forward::Layer;
 use im2col::Geometry;
 
-/// Whether layers of these output channels divide into whole tiles of the matrix product that wasm runs. A net
-/// asserts it of its widths at compile time, because natively any width works.
+/// Whether layers of these output channels divide into whole tiles of the kernels. A net asserts it of its widths at
+/// compile time.
 pub const fn fit_tiles(widths: &[usize]) -> bool {
     let mut index = 0;
     while index < widths.len() {

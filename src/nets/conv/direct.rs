@@ -1,0 +1,243 @@
+//! Both layers as direct convolutions of 4 x 4 kernels, for coarse images of at least 8 x 8 cells.
+//!
+//! Tiles of some output channels by some columns of a row are summed up in registers. With stride 2, the taps of a kernel
+//! row that meet the same phase, the even or the odd columns of the fine image, are neighbours in that phase: so both layers
+//! are sums over pairs of neighbouring taps, and one tile serves both. `conv_down` reads the fine image split into phases;
+//! `conv_up` computes each phase of the fine image from the coarse one and interleaves them. Used by `forward` and
+//! `backward`.
+
+use pulp::{Simd, WithSimd, bytemuck};
+
+use super::im2col::Geometry;
+use super::planes::Planes;
+use super::simd::{load, multiply_add, vectorize};
+
+/// Output channels and registers of a tile: eight sums, as many as wasm has registers for besides the factors.
+const CHANNELS: usize = if cfg!(target_arch = "wasm32") { 4 } else { 8 };
+const REGISTERS: usize = 8 / CHANNELS;
+
+/// Registers of a tile of one output channel: a row of 32 cells.
+const ROW_REGISTERS: usize = if cfg!(target_arch = "wasm32") { 8 } else { 4 };
+
+/// Widest coarse row that a net has.
+const WIDEST: usize = 32;
+
+/// A layer and where its images are. The channels of the images and the cells of the bias are those of `geometry`.
+pub struct Direct<'a> {
+    pub geometry: &'a Geometry,
+    /// `[coarse_channels, fine_channels, 4, 4]`.
+    pub weight: &'a [f32],
+    pub bias: &'a [f32],
+    pub relu: bool,
+    /// Input images.
+    pub x: &'a [f32],
+    /// Output images.
+    pub y: &'a mut [f32],
+}
+
+impl Direct<'_> {
+    /// Whether the tiles fit a layer.
+    pub fn fits(geometry: &Geometry) -> bool {
+        let whole = |channels: usize| channels.is_multiple_of(8);
+        geometry.kernel == 4
+            && geometry.coarse_side.is_multiple_of(8)
+            && whole(geometry.coarse_channels)
+            && (whole(geometry.fine_channels) || geometry.coarse_side == WIDEST)
+    }
+
+    /// Fine images in, coarse images out.
+    pub fn conv_down(self) {
+        vectorize(Down(self));
+    }
+
+    /// Coarse images in, fine images out.
+    pub fn conv_up(self) {
+        vectorize(Up(self));
+    }
+}
+
+struct Down<'a>(Direct<'a>);
+
+impl WithSimd for Down<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        let Direct { geometry, weight, bias, relu, x, y } = self.0;
+        let side = geometry.coarse_side;
+        let taps = 16 * geometry.fine_channels;
+        let mut planes = Planes::with_phases(geometry.fine_channels, side);
+        let offsets = planes.pairs_of_taps();
+        let mut packed = vec![[[[0.0; CHANNELS]; 2]; 8]; geometry.fine_channels];
+        let epilogue = Epilogue::new(simd, relu);
+        for (image, y) in x.chunks_exact(geometry.fine_len()).zip(y.chunks_exact_mut(geometry.coarse_len())) {
+            planes.fill_with_phases(image, side);
+            for (block, y) in y.chunks_exact_mut(CHANNELS * geometry.coarse_cells()).enumerate() {
+                let channels = block * CHANNELS..(block + 1) * CHANNELS;
+                for (index, weight) in weight[channels.start * taps..].chunks_exact(taps).take(CHANNELS).enumerate() {
+                    for (pairs, kernel) in packed.iter_mut().zip(weight.as_chunks::<16>().0) {
+                        for (pair, [left, right]) in pairs.iter_mut().enumerate() {
+                            let tap = pair / 2 * 4 + pair % 2;
+                            (left[index], right[index]) = (kernel[tap], kernel[tap + 2]);
+                        }
+                    }
+                }
+                for row in 0..side {
+                    for column in (0..side).step_by(REGISTERS * S::F32_LANES) {
+                        let at = 2 * row * planes.row + column;
+                        let sums = tile::<S, REGISTERS, CHANNELS, 8>(simd, &planes, at, &offsets, &packed);
+                        let cells = y.chunks_exact_mut(geometry.coarse_cells());
+                        for ((sums, bias), y) in sums.iter().zip(&bias[channels.clone()]).zip(cells) {
+                            let y = &mut y[row * side + column..][..REGISTERS * S::F32_LANES];
+                            for (y, sum) in S::as_mut_simd_f32s(y).0.iter_mut().zip(sums) {
+                                *y = epilogue.apply(simd, *sum, *bias);
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+struct Up<'a>(Direct<'a>);
+
+impl WithSimd for Up<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        if self.0.geometry.fine_channels.is_multiple_of(CHANNELS) {
+            conv_up::<S, REGISTERS, CHANNELS>(simd, self.0);
+        } else {
+            conv_up::<S, ROW_REGISTERS, 1>(simd, self.0);
+        }
+    }
+}
+
+#[inline(always)]
+fn conv_up<S: Simd, const REGISTERS: usize, const CHANNELS: usize>(simd: S, layer: Direct) {
+    let Direct { geometry, weight, bias, relu, x, y } = layer;
+    let side = geometry.coarse_side;
+    let mut planes = Planes::new(geometry.coarse_channels, side);
+    let offsets = [0, planes.row];
+    // For each phase of the fine image, rows before columns.
+    let mut packed: [_; 4] = std::array::from_fn(|_| vec![[[[0.0; CHANNELS]; 2]; 2]; geometry.coarse_channels]);
+    let epilogue = Epilogue::new(simd, relu);
+    for (image, y) in x.chunks_exact(geometry.coarse_len()).zip(y.chunks_exact_mut(geometry.fine_len())) {
+        planes.fill(image, side);
+        for (block, y) in y.chunks_exact_mut(CHANNELS * geometry.fine_cells()).enumerate() {
+            let channels = block * CHANNELS..(block + 1) * CHANNELS;
+            for (phase, packed) in packed.iter_mut().enumerate() {
+                for (pairs, kernels) in packed.iter_mut().zip(weight.chunks_exact(16 * geometry.fine_channels)) {
+                    for (index, kernel) in kernels.as_chunks::<16>().0[channels.clone()].iter().enumerate() {
+                        // The farthest coarse cell up and left meets the last tap of the phase.
+                        let last = (3 - phase / 2) * 4 + 3 - phase % 2;
+                        for (pair, [left, right]) in pairs.iter_mut().enumerate() {
+                            (left[index], right[index]) = (kernel[last - 8 * pair], kernel[last - 8 * pair - 2]);
+                        }
+                    }
+                }
+            }
+            for fine_row in 0..2 * side {
+                let (row, phase) = (fine_row / 2, fine_row % 2);
+                for column in (0..side).step_by(REGISTERS * S::F32_LANES) {
+                    let at = (row + phase) * planes.row + column;
+                    let even = tile::<S, REGISTERS, CHANNELS, 2>(simd, &planes, at, &offsets, &packed[2 * phase]);
+                    let odd =
+                        tile::<S, REGISTERS, CHANNELS, 2>(simd, &planes, at + 1, &offsets, &packed[2 * phase + 1]);
+                    let cells = y.chunks_exact_mut(geometry.fine_cells());
+                    for (((even, odd), bias), y) in even.iter().zip(&odd).zip(&bias[channels.clone()]).zip(cells) {
+                        let y = &mut y[fine_row * 2 * side + 2 * column..][..2 * REGISTERS * S::F32_LANES];
+                        for ((y, even), odd) in y.chunks_exact_mut(2 * S::F32_LANES).zip(even).zip(odd) {
+                            let even = [epilogue.apply(simd, *even, *bias)];
+                            let odd = [epilogue.apply(simd, *odd, *bias)];
+                            interleave(y, bytemuck::cast_slice(&even), bytemuck::cast_slice(&odd));
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[inline(always)]
+fn interleave(to: &mut [f32], even: &[f32], odd: &[f32]) {
+    for ((pair, even), odd) in to.as_chunks_mut::<2>().0.iter_mut().zip(even).zip(odd) {
+        *pair = [*even, *odd];
+    }
+}
+
+/// Sums of `REGISTERS` registers of neighbouring columns in `CHANNELS` output channels. For each input channel, a pair of
+/// taps covers the cells from its offset on and their right neighbours; `weights` are `[input channels][pairs][left,
+/// right][output channels]`.
+#[inline(always)]
+fn tile<S: Simd, const REGISTERS: usize, const CHANNELS: usize, const PAIRS: usize>(
+    simd: S,
+    planes: &Planes,
+    at: usize,
+    offsets: &[usize; PAIRS],
+    weights: &[[[[f32; CHANNELS]; 2]; PAIRS]],
+) -> [[S::f32s; REGISTERS]; CHANNELS] {
+    let mut sums = [[simd.splat_f32s(0.0); REGISTERS]; CHANNELS];
+    for (plane, pairs) in planes.data.chunks_exact(planes.len).zip(weights) {
+        for (offset, taps) in offsets.iter().zip(pairs) {
+            let cells = &plane[at + offset..][..REGISTERS * S::F32_LANES + 1];
+            let left: [_; REGISTERS] = std::array::from_fn(|index| load::<S>(cells, index * S::F32_LANES));
+            for channel in 0..CHANNELS {
+                multiply_add(simd, &mut sums[channel], taps[0][channel], left);
+            }
+            let right: [_; REGISTERS] = std::array::from_fn(|index| load::<S>(cells, index * S::F32_LANES + 1));
+            for channel in 0..CHANNELS {
+                multiply_add(simd, &mut sums[channel], taps[1][channel], right);
+            }
+        }
+    }
+    sums
+}
+
+/// What follows the sums of a layer: its bias and, if there is one, its ReLU.
+struct Epilogue<S: Simd> {
+    least: S::f32s,
+}
+
+impl<S: Simd> Epilogue<S> {
+    #[inline(always)]
+    fn new(simd: S, relu: bool) -> Epilogue<S> {
+        Epilogue { least: simd.splat_f32s(if relu { 0.0 } else { f32::NEG_INFINITY }) }
+    }
+
+    #[inline(always)]
+    fn apply(&self, simd: S, sum: S::f32s, bias: f32) -> S::f32s {
+        simd.max_f32s(simd.add_f32s(sum, simd.splat_f32s(bias)), self.least)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use pulp::Scalar128b;
+
+    use super::*;
+
+    fn values(count: usize) -> Vec<f32> {
+        (0..count).map(|i| ((i * 37 % 101) as f32 - 50.0) / 77.0).collect()
+    }
+
+    /// Proposals are the same on every machine and in wasm, whose registers have four lanes.
+    #[test]
+    fn the_number_of_lanes_changes_no_bit() {
+        for (fine_channels, coarse_side) in [(5, 32), (8, 16), (16, 8)] {
+            let geometry = &Geometry { fine_channels, coarse_channels: 16, coarse_side, kernel: 4 };
+            let (coarse, fine) = (values(geometry.coarse_len()), values(geometry.fine_len()));
+            let (weight, bias) = (values(16 * 16 * fine_channels), values(16));
+            let layer = |x, y| Direct { geometry, weight: &weight, bias: &bias, relu: true, x, y };
+            let [mut wide, mut narrow] = [(); 2].map(|()| (vec![0.0; coarse.len()], vec![0.0; fine.len()]));
+            layer(&fine, &mut wide.0).conv_down();
+            layer(&coarse, &mut wide.1).conv_up();
+            Simd::vectorize(Scalar128b, Down(layer(&fine, &mut narrow.0)));
+            Simd::vectorize(Scalar128b, Up(layer(&coarse, &mut narrow.1)));
+            assert!(wide == narrow, "{fine_channels} channels, {coarse_side} cells");
+            assert!(wide.0.iter().chain(&wide.1).filter(|&&y| y > 0.0).count() > 1000);
+        }
+    }
+}

@@ -1,0 +1,62 @@
+//! Vector registers by pulp, which selects the instructions of the processor at run time: AVX2 or SSE4.1 natively, and
+//! simd128 in wasm.
+//!
+//! No kernel fuses a multiplication with an addition, and each sum has an order of its own that does not depend on the
+//! number of lanes. So all instruction sets compute the same bits, and so does wasm.
+
+use pulp::{Simd, WithSimd};
+
+/// Runs `work` on the widest registers that the kernels are written for.
+pub fn vectorize<W: WithSimd>(work: W) -> W::Output {
+    #[cfg(target_arch = "x86_64")]
+    {
+        if let Some(simd) = pulp::x86::V3::try_new() {
+            return Simd::vectorize(simd, work);
+        }
+        if let Some(simd) = pulp::x86::V2::try_new() {
+            return Simd::vectorize(simd, work);
+        }
+    }
+    baseline(work)
+}
+
+/// Runs `work` on registers of four lanes.
+pub fn vectorize_by_four<W: WithSimd>(work: W) -> W::Output {
+    #[cfg(target_arch = "x86_64")]
+    if let Some(simd) = pulp::x86::V2::try_new() {
+        return Simd::vectorize(simd, work);
+    }
+    baseline(work)
+}
+
+/// Runs `work` on what every processor of the architecture has.
+fn baseline<W: WithSimd>(work: W) -> W::Output {
+    #[cfg(target_arch = "wasm32")]
+    return Simd::vectorize(pulp::wasm::Simd128::try_new().expect("`.cargo/config.toml` enables simd128"), work);
+    #[cfg(target_arch = "aarch64")]
+    if let Some(simd) = pulp::aarch64::Neon::try_new() {
+        return Simd::vectorize(simd, work);
+    }
+    #[cfg(not(target_arch = "wasm32"))]
+    Simd::vectorize(pulp::Scalar128b, work)
+}
+
+/// The values of a register, from `at` on.
+#[inline(always)]
+pub fn load<S: Simd>(values: &[f32], at: usize) -> S::f32s {
+    S::as_simd_f32s(&values[at..at + S::F32_LANES]).0[0]
+}
+
+/// Adds the products of a weight and some registers to sums, each rounded twice.
+#[inline(always)]
+pub fn multiply_add<S: Simd, const REGISTERS: usize>(
+    simd: S,
+    sums: &mut [S::f32s; REGISTERS],
+    weight: f32,
+    x: [S::f32s; REGISTERS],
+) {
+    let weight = simd.splat_f32s(weight);
+    for (sum, x) in sums.iter_mut().zip(x) {
+        *sum = simd.add_f32s(*sum, simd.mul_f32s(weight, x));
+    }
+}
