@@ -7,7 +7,9 @@ use rapier2d::math::{Pose, Vector};
 use rapier2d::parry::bounding_volume::BoundingVolume;
 use rapier2d::parry::query::{ContactManifold, DefaultQueryDispatcher, PersistentQueryDispatcher};
 
-use super::body::{Fixture, RigidBody};
+use super::body::RigidBody;
+use super::fixture::Fixture;
+use super::scalar::length;
 
 /// The accumulated impulse of a contact point, kg m/s. The solver of the next step starts from it (warm starting).
 #[derive(Clone, Copy, Debug, Default)]
@@ -138,7 +140,7 @@ impl Contact {
     pub fn normal(&self, a: &Pose, b: &Pose) -> Vector {
         if self.both_circles {
             let delta = b.translation - a.translation;
-            let length = delta.length();
+            let length = length(delta);
             // As in b2WorldManifold for two circles with the same centre.
             if length > f32::EPSILON { delta / length } else { Vector::X }
         } else {

@@ -1,17 +1,13 @@
-//! The contact solver: sequential impulses for the velocities, then nonlinear Gauss-Seidel for the positions
-//! (b2ContactSolver of Box2D 2.3).
+//! The contact solver for the velocities: sequential impulses (b2ContactSolver of Box2D 2.3).
 //!
-//! Velocities: friction first, then the normal impulses; the two points of a contact are solved together as a block.
-//! Positions: overlap beyond the slop is resolved without adding velocity. Depends on bodies and contacts, not on shapes.
+//! Friction first, then the normal impulses; the two points of a contact are solved together as a block. Depends on bodies and contacts, not on shapes.
 
 use rapier2d::math::Vector;
 
-use super::body::{Position, RigidBody, SolverBody};
-use super::constants::{
-    FRICTION, LINEAR_SLOP, MAX_CONDITION_NUMBER, MAX_LINEAR_CORRECTION, RESTITUTION, RESTITUTION_THRESHOLD,
-    VELOCITY_ITERATIONS,
-};
+use super::body::{RigidBody, SolverBody};
+use super::constants::{FRICTION, MAX_CONDITION_NUMBER, RESTITUTION, RESTITUTION_THRESHOLD, VELOCITY_ITERATIONS};
 use super::contact::{Contact, Impulse};
+use super::scalar::{max, min};
 
 /// A contact as the velocity solver sees it (b2ContactVelocityConstraint).
 pub struct VelocityConstraint {
@@ -119,45 +115,67 @@ impl VelocityConstraint {
 
     /// Solves the constraint by itself. Returns whether any impulse has changed.
     fn solve(&mut self, solver_bodies: &mut [SolverBody]) -> bool {
+        let [a, b] = self.bodies.map(|body| solver_bodies[body].inv_mass > 0.0);
+        match (a, b) {
+            (false, true) => self.solve_moving::<false, true>(solver_bodies),
+            (true, false) => self.solve_moving::<true, false>(solver_bodies),
+            _ => self.solve_moving::<true, true>(solver_bodies),
+        }
+    }
+
+    /// Solves the constraint for bodies of which at least one moves: `A` and `B` tell which. A static body takes up no
+    /// impulse, and what is not computed for it would be exactly zero.
+    fn solve_moving<const A: bool, const B: bool>(&mut self, solver_bodies: &mut [SolverBody]) -> bool {
         let [mut a, mut b] = self.bodies.map(|body| solver_bodies[body]);
         let tangent = self.tangent();
         let mut changed = false;
         for point in &mut self.points[..self.point_count] {
-            let tangent_velocity = point.relative_velocity(&a, &b).dot(tangent);
+            let tangent_velocity = point.relative_velocity_of::<A, B>(&a, &b).dot(tangent);
             let max_friction = FRICTION * point.impulse.normal;
-            let impulse =
-                (point.impulse.tangent - point.tangent_mass * tangent_velocity).max(-max_friction).min(max_friction);
+            let unlimited = point.impulse.tangent - point.tangent_mass * tangent_velocity;
+            let impulse = min(max(unlimited, -max_friction), max_friction);
             let change = impulse - point.impulse.tangent;
             point.impulse.tangent = impulse;
-            point.apply_impulse(&mut a, &mut b, tangent * change);
+            point.apply_impulse_to::<A, B>(&mut a, &mut b, tangent * change);
             changed |= change != 0.0;
         }
         match self.block {
-            Some(block) => changed |= self.solve_block(block, &mut a, &mut b),
+            Some(block) => changed |= self.solve_block::<A, B>(block, &mut a, &mut b),
             None => {
                 for point in &mut self.points[..self.point_count] {
-                    let normal_velocity = point.relative_velocity(&a, &b).dot(self.normal);
-                    let impulse =
-                        (point.impulse.normal - point.normal_mass * (normal_velocity - point.velocity_bias)).max(0.0);
+                    let normal_velocity = point.relative_velocity_of::<A, B>(&a, &b).dot(self.normal);
+                    let error = normal_velocity - point.velocity_bias;
+                    let impulse = max(point.impulse.normal - point.normal_mass * error, 0.0);
                     let change = impulse - point.impulse.normal;
                     point.impulse.normal = impulse;
-                    point.apply_impulse(&mut a, &mut b, self.normal * change);
+                    point.apply_impulse_to::<A, B>(&mut a, &mut b, self.normal * change);
                     changed |= change != 0.0;
                 }
             }
         }
-        self.store_velocities(solver_bodies, a, b);
+        if A {
+            solver_bodies[self.bodies[0]] = a;
+        }
+        if B {
+            solver_bodies[self.bodies[1]] = b;
+        }
         changed
     }
 
     /// The block solver: solves the linear complementarity problem of two normal impulses by total enumeration of its four
     /// cases. Both impulses are at least zero, and an impulse is zero unless its point would otherwise approach.
-    fn solve_block(&mut self, block: Block, a: &mut SolverBody, b: &mut SolverBody) -> bool {
+    fn solve_block<const A: bool, const B: bool>(
+        &mut self,
+        block: Block,
+        a: &mut SolverBody,
+        b: &mut SolverBody,
+    ) -> bool {
         let Block { k: [k11, k12, k22], inverse } = block;
         let [first, second] = &mut self.points;
         let (old1, old2) = (first.impulse.normal, second.impulse.normal);
-        let error =
-            |point: &VelocityConstraintPoint| point.relative_velocity(a, b).dot(self.normal) - point.velocity_bias;
+        let error = |point: &VelocityConstraintPoint| {
+            point.relative_velocity_of::<A, B>(a, b).dot(self.normal) - point.velocity_bias
+        };
         let b1 = error(first) - (k11 * old1 + k12 * old2);
         let b2 = error(second) - (k12 * old1 + k22 * old2);
         let both = [-(inverse[0] * b1 + inverse[1] * b2), -(inverse[1] * b1 + inverse[2] * b2)];
@@ -173,8 +191,8 @@ impl VelocityConstraint {
         } else {
             return false;
         };
-        first.apply_impulse(a, b, self.normal * (new1 - old1));
-        second.apply_impulse(a, b, self.normal * (new2 - old2));
+        first.apply_impulse_to::<A, B>(a, b, self.normal * (new1 - old1));
+        second.apply_impulse_to::<A, B>(a, b, self.normal * (new2 - old2));
         first.impulse.normal = new1;
         second.impulse.normal = new2;
         new1 != old1 || new2 != old2
@@ -189,12 +207,28 @@ impl VelocityConstraint {
 impl VelocityConstraintPoint {
     /// Returns the velocity of b relative to a at the point, m/s: positive along the normal if they separate.
     fn relative_velocity(&self, a: &SolverBody, b: &SolverBody) -> Vector {
-        b.velocity_at(self.arms[1]) - a.velocity_at(self.arms[0])
+        self.relative_velocity_of::<true, true>(a, b)
     }
 
     fn apply_impulse(&self, a: &mut SolverBody, b: &mut SolverBody, impulse: Vector) {
-        a.apply_impulse(-impulse, self.arms[0]);
-        b.apply_impulse(impulse, self.arms[1]);
+        self.apply_impulse_to::<true, true>(a, b, impulse);
+    }
+
+    fn relative_velocity_of<const A: bool, const B: bool>(&self, a: &SolverBody, b: &SolverBody) -> Vector {
+        match (A, B) {
+            (false, _) => b.velocity_at(self.arms[1]),
+            (_, false) => -a.velocity_at(self.arms[0]),
+            _ => b.velocity_at(self.arms[1]) - a.velocity_at(self.arms[0]),
+        }
+    }
+
+    fn apply_impulse_to<const A: bool, const B: bool>(&self, a: &mut SolverBody, b: &mut SolverBody, impulse: Vector) {
+        if A {
+            a.apply_impulse(-impulse, self.arms[0]);
+        }
+        if B {
+            b.apply_impulse(impulse, self.arms[1]);
+        }
     }
 }
 
@@ -222,54 +256,4 @@ pub fn store_impulses(constraints: &[VelocityConstraint], contacts: &mut [Contac
             contacts[constraint.contact].store_impulse(i, point.impulse);
         }
     }
-}
-
-/// One position iteration for a contact (SolvePositionConstraints): resolves the fraction `baumgarte` of the overlap at
-/// each of its points. A body that is not `movable` counts as static. Returns the smallest separation that it met, m, at
-/// most 0.
-pub fn solve_position_constraint(
-    contact: &Contact,
-    bodies: &mut [RigidBody],
-    solver_bodies: &[SolverBody],
-    baumgarte: f32,
-    movable: impl Fn(usize) -> bool,
-) -> f32 {
-    let mut min_separation = 0.0_f32;
-    let [index_a, index_b] = contact.bodies;
-    let mass_scale = |body: usize| if movable(body) { 1.0 } else { 0.0 };
-    let (scale_a, scale_b) = (mass_scale(index_a), mass_scale(index_b));
-    for point in contact.points() {
-        let (pose_a, pose_b) = (bodies[index_a].pose(), bodies[index_b].pose());
-        let normal = contact.normal(&pose_a, &pose_b);
-        let separation = contact.separation(point, normal, &pose_a, &pose_b);
-        min_separation = min_separation.min(separation);
-        let world_point = if contact.both_circles {
-            (pose_a.translation + pose_b.translation) / 2.0
-        } else {
-            pose_b * point.local_point_b
-        };
-        let (arm_a, arm_b) = (world_point - pose_a.translation, world_point - pose_b.translation);
-        let correction = (baumgarte * (separation + LINEAR_SLOP)).clamp(-MAX_LINEAR_CORRECTION, 0.0);
-        let (a, b) = (&solver_bodies[index_a], &solver_bodies[index_b]);
-        let k = scale_a * a.inv_effective_mass(arm_a, normal) + scale_b * b.inv_effective_mass(arm_b, normal);
-        if correction == 0.0 || k <= 0.0 {
-            continue;
-        }
-        let impulse = normal * (-correction / k);
-        let mut displace = |body: usize, arm: Vector, impulse: Vector| {
-            let (solver_body, body) = (&solver_bodies[body], &mut bodies[body]);
-            let Position { centre, angle } = body.sweep.position;
-            body.set_position(Position {
-                centre: centre + solver_body.inv_mass * impulse,
-                angle: angle + solver_body.inv_inertia * arm.perp_dot(impulse),
-            });
-        };
-        if scale_a > 0.0 {
-            displace(index_a, arm_a, -impulse);
-        }
-        if scale_b > 0.0 {
-            displace(index_b, arm_b, impulse);
-        }
-    }
-    min_separation
 }

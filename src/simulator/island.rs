@@ -6,9 +6,9 @@ use super::constants::{
     ANGULAR_DAMPING, ANGULAR_SLEEP_TOLERANCE, BAUMGARTE, GRAVITY, LINEAR_SLEEP_TOLERANCE, LINEAR_SLOP, MAX_ROTATION,
     MAX_TRANSLATION, POSITION_ITERATIONS, TIME_STEP, TIME_TO_SLEEP,
 };
-use super::contact_solver::{
-    VelocityConstraint, solve_position_constraint, solve_velocity_constraints, store_impulses,
-};
+use super::contact_solver::{VelocityConstraint, solve_velocity_constraints, store_impulses};
+use super::position_solver::solve_position_constraint;
+use super::scalar::{length, min};
 use super::world::World;
 
 /// Bodies and contacts of an island, in the order in which they are solved.
@@ -21,8 +21,9 @@ pub struct Island {
 impl World {
     pub(super) fn solve_islands(&mut self) {
         self.contacts.iter_mut().for_each(|contact| contact.in_island = false);
-        let mut in_island = vec![false; self.bodies.len()];
-        let mut island = std::mem::take(&mut self.island);
+        let (mut in_island, mut island) = (std::mem::take(&mut self.in_island), std::mem::take(&mut self.island));
+        in_island.clear();
+        in_island.resize(self.bodies.len(), false);
         for seed in (0..self.bodies.len()).rev() {
             if !in_island[seed] && self.bodies[seed].awake {
                 self.build_island(seed, &mut in_island, &mut island);
@@ -34,18 +35,18 @@ impl World {
             }
         }
         self.island = island;
-        for (body, in_island) in in_island.into_iter().enumerate() {
-            if in_island {
-                self.synchronize_fixtures(body);
-            }
+        for (body, _) in in_island.iter().enumerate().filter(|&(_, &in_island)| in_island) {
+            self.synchronize_fixtures(body);
         }
+        self.in_island = in_island;
     }
 
     /// Collects the island of a body by depth-first search over its touching contacts. Static bodies end a branch.
     fn build_island(&mut self, seed: usize, in_island: &mut [bool], island: &mut Island) {
         island.bodies.clear();
         island.contacts.clear();
-        let mut stack = vec![seed];
+        let mut stack = std::mem::take(&mut self.stack);
+        stack.push(seed);
         in_island[seed] = true;
         while let Some(body) = stack.pop() {
             island.bodies.push(body);
@@ -66,6 +67,7 @@ impl World {
                 }
             }
         }
+        self.stack = stack;
     }
 
     /// Integrates forces, solves velocities, integrates positions and corrects them: one step of an island.
@@ -108,7 +110,7 @@ impl World {
                 let contact = &self.contacts[contact];
                 let (bodies, solver_bodies) = (&mut self.bodies, &self.solver_bodies);
                 let separation = solve_position_constraint(contact, bodies, solver_bodies, baumgarte, &movable);
-                min_separation = min_separation.min(separation);
+                min_separation = min(min_separation, separation);
             }
             if min_separation >= tolerance {
                 return true;
@@ -124,7 +126,7 @@ impl World {
             if !body.dynamic {
                 continue;
             }
-            let translation = (solver_body.velocity * time).length();
+            let translation = length(solver_body.velocity * time);
             if translation > MAX_TRANSLATION {
                 solver_body.velocity *= MAX_TRANSLATION / translation;
             }

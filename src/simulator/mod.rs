@@ -8,9 +8,10 @@
 //! | file | ports |
 //! | --- | --- |
 //! | `constants` | b2Settings.h, and PHYRE's parameters |
-//! | `body` | b2Body, b2Fixture, b2Sweep |
+//! | `body` | b2Body, b2Sweep |
+//! | `fixture` | b2Fixture, b2FixtureProxy |
 //! | `contact` | b2Contact, b2WorldManifold |
-//! | `contact_solver` | b2ContactSolver |
+//! | `contact_solver`, `position_solver` | b2ContactSolver |
 //! | `time_of_impact` | b2TimeOfImpact |
 //! | `world` | b2World::Step, b2ContactManager |
 //! | `island` | b2World::Solve, b2Island::Solve |
@@ -26,7 +27,10 @@ mod body;
 pub mod constants;
 mod contact;
 mod contact_solver;
+mod fixture;
 mod island;
+mod position_solver;
+mod scalar;
 mod time_of_impact;
 mod toi_solver;
 mod world;

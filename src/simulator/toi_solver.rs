@@ -63,7 +63,8 @@ impl World {
         if !fixtures[0].swept_aabb.intersects(&fixtures[1].swept_aabb) {
             return 1.0;
         }
-        match time_of_impact(fixtures, [&self.bodies[a], &self.bodies[b]]) {
+        let normal = self.bodies[a].pose().rotation * self.contacts[index].local_normal;
+        match time_of_impact(fixtures, [&self.bodies[a], &self.bodies[b]], normal) {
             Some(beta) => (alpha0 + (1.0 - alpha0) * beta).min(1.0),
             None => 1.0,
         }

@@ -7,9 +7,10 @@
 
 use rapier2d::parry::bounding_volume::BoundingVolume;
 
-use super::body::{Fixture, RigidBody, SolverBody};
+use super::body::{RigidBody, SolverBody};
 use super::contact::Contact;
 use super::contact_solver::VelocityConstraint;
+use super::fixture::Fixture;
 use super::island::Island;
 use crate::puzzle::scene::Body;
 
@@ -24,6 +25,9 @@ pub struct World {
     // Kept from step to step only to save allocations.
     pub(super) constraints: Vec<VelocityConstraint>,
     pub(super) island: Island,
+    pub(super) in_island: Vec<bool>,
+    pub(super) stack: Vec<usize>,
+    moved: Vec<usize>,
 }
 
 impl World {
@@ -58,24 +62,33 @@ impl World {
 
     /// The broad phase: adds a contact for every new pair of fixtures whose fat AABBs overlap.
     pub(super) fn find_new_contacts(&mut self) {
-        if !self.fixtures.iter().any(|fixture| fixture.moved) {
+        self.moved.clear();
+        self.moved.extend((0..self.fixtures.len()).filter(|&fixture| self.fixtures[fixture].moved));
+        if self.moved.is_empty() {
             return;
         }
+        let moved = std::mem::take(&mut self.moved);
         for a in 0..self.fixtures.len() {
-            for b in a + 1..self.fixtures.len() {
-                let (first, second) = (&self.fixtures[a], &self.fixtures[b]);
-                let candidates = (first.moved || second.moved) && first.body != second.body;
-                let dynamic = self.bodies[first.body].dynamic || self.bodies[second.body].dynamic;
-                if candidates
-                    && dynamic
-                    && first.fat_aabb.intersects(&second.fat_aabb)
-                    && !self.contacts.iter().any(|contact| contact.fixtures == [a, b] || contact.fixtures == [b, a])
-                {
-                    self.contacts.push(Contact::new([a, b], &self.fixtures));
-                }
+            // Two fixtures that have not moved are no new pair.
+            if self.fixtures[a].moved {
+                (a + 1..self.fixtures.len()).for_each(|b| self.add_contact_if_near(a, b));
+            } else {
+                moved.iter().filter(|&&b| b > a).for_each(|&b| self.add_contact_if_near(a, b));
             }
         }
-        self.fixtures.iter_mut().for_each(|fixture| fixture.moved = false);
+        moved.iter().for_each(|&fixture| self.fixtures[fixture].moved = false);
+        self.moved = moved;
+    }
+
+    fn add_contact_if_near(&mut self, a: usize, b: usize) {
+        let (first, second) = (&self.fixtures[a], &self.fixtures[b]);
+        if first.fat_aabb.intersects(&second.fat_aabb)
+            && first.body != second.body
+            && (self.bodies[first.body].dynamic || self.bodies[second.body].dynamic)
+            && !self.contacts.iter().any(|contact| contact.fixtures == [a, b] || contact.fixtures == [b, a])
+        {
+            self.contacts.push(Contact::new([a, b], &self.fixtures));
+        }
     }
 
     /// The narrow phase: removes contacts whose fat AABBs no longer overlap, and updates the others of bodies that are
