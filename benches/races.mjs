@@ -12,7 +12,7 @@ import { contender } from './web/contender.mjs';
 
 const root = join(dirname(fileURLToPath(import.meta.url)), '..');
 const WEIGHTS = 'assets/within-0.safetensors';
-const NETS = ['target/bench/nets.onnx', 'target/bench/scene.f32'];
+const onnx = (what) => [`target/bench/${what}.onnx`, 'target/bench/scene.f32'];
 const ROLLOUTS = 'target/bench/rollouts.txt';
 
 // Built with the features of the tests, so that nothing is built twice.
@@ -20,8 +20,8 @@ const ours = (bench, ...args) => ['cargo', 'bench', '--quiet', '--features', 'nd
 const python = (script, ...args) => ['target/bench/venv/bin/python', `benches/nets/${script}`, ...args];
 const torch = (...args) => python('torch_step.py', WEIGHTS, 'target/bench/batch.f32', '2', ...args);
 const child = (command, threads = 1) => () => startChild(root, command, { RAYON_NUM_THREADS: threads });
-const inNode = (module) => () => contender(module, (path) => new Uint8Array(readFileSync(join(root, path))));
-const inPage = (module) => (page) => page.contender(module);
+const inNode = (module, what) => () => contender([module, what], (path) => new Uint8Array(readFileSync(join(root, path))));
+const inPage = (module, what) => (page) => page.contender([module, what]);
 const openPage = async () => (await import('./web/page.mjs')).openPage(root);
 
 /** Numbers that differ by at most `tolerance`. */
@@ -48,11 +48,23 @@ const steps = (result) => result.reduce((sum, [, number]) => sum + number, 0);
 
 const simulator = { agree: sameRollouts, repetitions: 1 };
 const nets = { agree: within(1e-4), repetitions: 20 };
-const web = (where) => [
-  ['ours', where('nets/web/ours.mjs')],
-  ['onnxruntime-web', where('nets/web/onnxruntime-web.mjs')],
-  ['tract', where('nets/web/tract.mjs')],
+/** In wasm ours shows no logits; those of the peers' file are compared natively. */
+const fourMaps = (these, those) => nets.agree(...[these, those].map((maps) => maps.slice(0, 4 * 64 * 64)));
+/** Logits are larger than the values of maps. */
+const allNets = { agree: within(1e-3), repetitions: 10 };
+const web = (where, what) => [
+  ['ours', where('nets/web/ours.mjs', what)],
+  ['onnxruntime-web', where('nets/web/onnxruntime-web.mjs', what)],
+  ['tract', where('nets/web/tract.mjs', what)],
 ];
+const native = (what, bench) => [
+  ['ours', child(ours('nets', bench, TASK))],
+  ['onnxruntime', child(python('onnxruntime_forward.py', ...onnx(what)))],
+  ['tract', child(['target/bench/tract/release/tract-nets', ...onnx(what)])],
+];
+
+// Ours also finds out which balls fit; the peers run the nets alone.
+const FIVE_MAPS = 'five maps of a scene';
 
 export const parts = {
   simulator: [
@@ -74,22 +86,22 @@ export const parts = {
     {
       title: 'steps of these rollouts, wasm in Node', ...simulator, steps,
       contenders: [
-        ['ours', inNode('simulator/web/ours.mjs')],
+        ['ours', inNode('simulator/web/ours.mjs', 'rollouts')],
         ['Box2D 2.4 by box2d-wasm', inNode('simulator/web/box2d.mjs')],
         ['ours natively', child(ours('simulator', 'rollouts'))],
       ],
     },
   ],
   nets: [
-    { title: 'four nets of a scene, wasm in Node', ...nets, contenders: web(inNode) },
-    { title: 'four nets of a scene, wasm in Chromium', ...nets, open: openPage, contenders: web(inPage) },
+    { title: 'four nets of a scene, wasm in Node', ...nets, contenders: web(inNode, 'nets') },
+    { title: 'four nets of a scene, wasm in Chromium', ...nets, open: openPage, contenders: web(inPage, 'nets') },
+    { title: 'four nets of a scene, native, one thread', ...nets, contenders: native('nets', 'forward') },
+    { title: `${FIVE_MAPS}, wasm in Node`, ...allNets, agree: fourMaps, contenders: web(inNode, 'all-nets') },
+    { title: `${FIVE_MAPS}, wasm in Chromium`, ...allNets, agree: fourMaps, open: openPage, contenders: web(inPage, 'all-nets') },
+    { title: `${FIVE_MAPS}, native, one thread`, ...allNets, contenders: native('all-nets', 'maps') },
     {
-      title: 'four nets of a scene, native, one thread', ...nets,
-      contenders: [
-        ['ours', child(ours('nets', 'forward', TASK))],
-        ['onnxruntime', child(python('onnxruntime_forward.py', ...NETS))],
-        ['tract', child(['target/bench/tract/release/tract-nets', ...NETS])],
-      ],
+      title: 'a hundred proposed balls, wasm in Node', agree: within(1e-9), repetitions: 5,
+      contenders: [['ours', inNode('nets/web/ours.mjs', 'propose')], ['ours natively', child(ours('nets', 'propose', TASK))]],
     },
   ],
   training: [

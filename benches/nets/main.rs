@@ -1,6 +1,7 @@
 //! The nets natively, as one contender of `make bench`; `benches/bench.mjs` decides when each contender runs.
 //!
-//! `inputs TASK FOLDER` writes the input of all contenders. `forward TASK` and `train` prepare, print a line of numbers
+//! `inputs TASK FOLDER` writes the input of all contenders. `forward TASK`, the four nets, `maps TASK`, all five maps,
+//! `propose TASK`, a hundred balls, and `train` prepare, print a line of numbers
 //! that the other contenders have to agree with, and then read a number of repetitions per line of standard input and
 //! print the milliseconds of each.
 
@@ -8,6 +9,8 @@ use std::path::Path;
 use std::time::Instant;
 use std::{env, fs};
 
+use pathlight::agents::{self, ranking};
+use pathlight::benchmark::auccess::MAX_ATTEMPTS;
 use pathlight::dataset::samples::Sample;
 use pathlight::dataset::solutions::Solution;
 use pathlight::nets::training::{Batch, Trainer};
@@ -44,6 +47,21 @@ fn main() {
             let imagine = || nets.imagine(&task.scene);
             let Imagined { base, target, action, placement } = imagine();
             repeat(&format!("{:?}", [base, target, action, placement].concat()), || stopwatch(imagine));
+        }
+        ["maps", task] => {
+            let (nets, task) = (nets(), load(task));
+            let logits = || nets.judge_logits(&task.scene).expect("the weights have a judge");
+            let Imagined { base, target, action, placement } = nets.imagine(&task.scene);
+            let result = [base, target, action, placement, logits()].concat();
+            repeat(&format!("{result:?}"), || {
+                stopwatch(|| (nets.imagine(&task.scene), ranking::probability_map(&logits(), &task.scene)))
+            });
+        }
+        ["propose", task] => {
+            let (nets, task) = (nets(), load(task));
+            let propose = || agents::propose(&nets, task.id, &task.scene, 0, MAX_ATTEMPTS);
+            let balls: Vec<[f64; 3]> = propose().into_iter().map(|proposal| proposal.ball.into()).collect();
+            repeat(&format!("{:?}", balls.concat()), || stopwatch(propose));
         }
         ["train"] => {
             let mut step = training();

@@ -17,4 +17,4 @@ def forward():
     return session.run(None, inputs)
 
 
-repeat(np.concatenate(forward()).ravel(), forward)
+repeat(np.concatenate([map.ravel() for map in forward()]), forward)

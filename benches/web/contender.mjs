@@ -1,12 +1,12 @@
 // A contender in wasm, in Node or in a page: a module of this folder's neighbours, by its path from `benches`.
 
 /**
- * `read` returns the bytes of a file of the repository. A module's `load(read)` returns the result to compare and `time()`,
+ * `read` returns the bytes of a file of the repository, `what` says which of its works the contender does. `load` returns the result to compare and `time()`,
  * which does the work once and returns how many milliseconds it took.
  */
-export async function contender(module, read) {
+export async function contender([module, what], read) {
   const { load } = await import(`../${module}`);
-  const { result, time } = await load(read);
+  const { result, time } = await load(read, what);
   return {
     result,
     async times(repetitions) {

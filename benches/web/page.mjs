@@ -8,7 +8,7 @@ import { launch } from '../../tests/browser/harness.mjs';
 
 const TYPES = { '.mjs': 'text/javascript', '.js': 'text/javascript', '.wasm': 'application/wasm' };
 
-/** `{ contender(module), stop() }`; a contender's wasm runs on the page's thread. */
+/** `{ contender([module, what]), stop() }`; a contender's wasm runs on the page's thread. */
 export async function openPage(root) {
   const browser = await launch();
   const server = createServer(async ({ url }, answer) => {

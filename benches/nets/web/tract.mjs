@@ -2,7 +2,8 @@
 
 import { ofMaps } from '../../web/contender.mjs';
 
-export async function load(read) {
+/** `what` is 'nets', the four nets, or 'all-nets', the judge too. */
+export async function load(read, what) {
   const { instance } = await WebAssembly.instantiate(await read('target/bench/tract.wasm'));
   const { memory, room, load, imagine } = instance.exports;
   const put = (bytes) => {
@@ -10,12 +11,13 @@ export async function load(read) {
     new Uint8Array(memory.buffer, at, bytes.length).set(bytes);
     return at;
   };
-  const onnx = await read('target/bench/nets.onnx');
+  const onnx = await read(`target/bench/${what}.onnx`);
   const nets = load(put(onnx), onnx.length);
   const scene = put(await read('target/bench/scene.f32'));
-  const maps = room(4 * 64 * 64 * 4);
+  const count = what === 'nets' ? 4 : 4 + 8;
+  const maps = room(count * 64 * 64 * 4);
   return ofMaps(() => {
     imagine(nets, scene, maps);
-    return [0, 1, 2, 3].map((map) => new Float32Array(memory.buffer, maps, 4 * 64 * 64).slice(map * 64 * 64, (map + 1) * 64 * 64));
+    return [new Float32Array(memory.buffer, maps, count * 64 * 64).slice()];
   });
 }

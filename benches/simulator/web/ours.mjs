@@ -1,8 +1,8 @@
 // The simulator in wasm, built from ../wasm.rs. It needs nothing from outside: the imports are those of the page's exports,
 // which come along in the library.
 
-/** `what` is 'rollouts', the stepping alone, or 'worlds'. */
-async function loadFor(what, read) {
+/** `what` is 'rollouts', the stepping alone, or 'worlds', the building. */
+export async function load(read, what) {
   const module = await WebAssembly.compile(await read('target/bench/simulator.wasm'));
   const imports = {};
   for (const { module: from, name } of WebAssembly.Module.imports(module)) {
@@ -28,5 +28,3 @@ async function loadFor(what, read) {
     },
   };
 }
-
-export const load = (read) => loadFor('rollouts', read);

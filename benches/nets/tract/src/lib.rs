@@ -14,10 +14,10 @@ impl Nets {
         Ok(Nets(model.into_runnable()?))
     }
 
-    /// Returns the four maps of a scene, one after the other.
+    /// Returns the maps of a scene, one after the other.
     pub fn imagine(&self, scene: &[f32]) -> TractResult<Vec<f32>> {
         let scene = Tensor::from_shape(&[1, 5, 64, 64], scene)?;
-        let mut maps = Vec::with_capacity(4 * 64 * 64);
+        let mut maps = Vec::new();
         for map in self.0.run(tvec!(scene.into()))? {
             maps.extend_from_slice(map.to_plain_array_view::<f32>()?.as_slice().expect("contiguous"));
         }
@@ -44,11 +44,11 @@ mod exports {
     }
 
     /// # Safety
-    /// `scene` points to 5 x 64 x 64 values allocated by `room`, `maps` to 4 x 64 x 64.
+    /// `scene` points to 5 x 64 x 64 values allocated by `room`, `maps` to as many as there are in all maps.
     #[unsafe(no_mangle)]
     pub unsafe extern "C" fn imagine(nets: &Nets, scene: *const f32, maps: *mut f32) {
         let scene = unsafe { std::slice::from_raw_parts(scene, 5 * 64 * 64) };
         let found = nets.imagine(scene).expect("the shapes are right");
-        unsafe { std::slice::from_raw_parts_mut(maps, 4 * 64 * 64) }.copy_from_slice(&found);
+        unsafe { std::slice::from_raw_parts_mut(maps, found.len()) }.copy_from_slice(&found);
     }
 }
