@@ -23,7 +23,7 @@ PACKAGED := Cargo.toml Cargo.lock .cargo/config.toml scripts/build-wasm scripts/
 .PHONY: play test bench build package dist timings pictures clean
 
 play: $(PACKAGE)
-	@echo "== compiling the server (about a minute on 2 cores, once)"
+	@[ -x target/release/pathlight-serve ] || echo "== compiling the server (about a minute on 2 cores, once)"
 	@cargo build --release --workspace --bin pathlight-serve
 	@target/release/pathlight-serve --port $(PORT)
 

@@ -42,7 +42,7 @@ pub struct Args {
     #[arg(long, default_value = "assets")]
     assets: PathBuf,
 
-    /// Let pages of these origins show the page in a frame, like https://school.example; by default none may
+    /// Let pages of these origins show the page in a frame, like `https://school.example`; by default none may
     #[arg(long, value_name = "ORIGIN", num_args = 1.., value_parser = origin)]
     frame_ancestors: Vec<String>,
 }
