@@ -55,7 +55,7 @@ test('a solving ball is tapped, run and solved', async () => {
   await says(page, /^Solved!/);
 });
 
-for (const [width, height] of [[390, 844], [360, 640], [844, 390]]) {
+for (const [width, height] of [[390, 844], [360, 640], [844, 390], [640, 400]]) {
   test(`at ${width} x ${height} nothing sticks out and the scene stays in sight`, async () => {
     const page = await openPuzzle(session, { ...PHONE, viewport: { width, height } });
     for (const panel of ['play', 'imagine', 'compare', 'predict', 'map']) {
@@ -66,7 +66,7 @@ for (const [width, height] of [[390, 844], [360, 640], [844, 390]]) {
       assert.ok(box.x >= 0 && box.y >= 0 && box.x + box.width <= width && box.y + box.height <= height, panel);
       assert.ok(Math.abs(box.width - box.height) < 2, 'the scene is square');
       assert.ok(box.width > Math.min(width, height) / 2, `the scene is large: ${box.width} px`);
-      for (const button of await page.locator('button:visible, select:visible').all()) {
+      for (const button of await page.locator('button:visible, select:visible, #time').all()) {
         const size = await button.boundingBox();
         assert.ok(size.width >= 24 && size.height >= 24, `${await button.textContent()} is ${size.width} x ${size.height}`);
       }
