@@ -64,8 +64,7 @@ impl PathNet {
     /// Returns the maps that the nets predict for a scene.
     pub fn imagine(&self, scene: &Scene) -> Imagined {
         let ([.., placement], [base, target, action]) = self.chain(self.encode(scene));
-        let [base, target, action, placement] =
-            [base, target, action, sigmoid(placement)].map(|map| map.into_data().iter::<f32>().collect());
+        let [base, target, action, placement] = [base, target, action, sigmoid(placement)].map(values);
         Imagined { base, target, action, placement }
     }
 
@@ -76,7 +75,7 @@ impl PathNet {
         let scene = self.encode(scene);
         let logits = judge.forward(Tensor::cat(vec![scene.clone(), scene.flip([3])], 0)); // [2, RADII, 64, 64]
         let [logits, mirrored] = logits.chunk(2, 0).try_into().expect("two scenes");
-        Some(((logits + mirrored.flip([3])) / 2.0).into_data().iter::<f32>().collect())
+        Some(values((logits + mirrored.flip([3])) / 2.0))
     }
 
     /// The input of the nets for a scene, `[1, 5, 64, 64]`.
@@ -85,6 +84,10 @@ impl PathNet {
         let device = self.devices().into_iter().next().expect("the nets have parameters");
         Tensor::from_data(TensorData::new(channels, [1, CHANNELS, SIDE, SIDE]), &device)
     }
+}
+
+fn values(tensor: Tensor<4>) -> Vec<f32> {
+    tensor.into_data().try_into_vec().expect("the nets are of f32")
 }
 
 /// The predicted maps of a scene: 64 x 64 values in 0..=1 each, row 0 at the bottom.

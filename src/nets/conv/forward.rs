@@ -46,7 +46,7 @@ impl Layer<'_> {
                 let (sample, channel) = (index / channels, index % channels);
                 let sums = &sums[channel * columns.count + sample * cells..][..cells];
                 for (y, sum) in y.iter_mut().zip(sums) {
-                    *y = (sum + bias[channel]).max(0.0);
+                    *y = at_least(sum + bias[channel], 0.0);
                 }
             }
         });
@@ -73,7 +73,7 @@ impl Layer<'_> {
             for (index, y) in y.chunks_exact_mut(geometry.fine_cells()).enumerate() {
                 let (bias, least) = (bias[index % geometry.fine_channels], if relu { 0.0 } else { f32::NEG_INFINITY });
                 for y in y {
-                    *y = (*y + bias).max(least);
+                    *y = at_least(*y + bias, least);
                 }
             }
         });
@@ -119,6 +119,11 @@ impl Layer<'_> {
         }
         (GROUP_LEN / (self.geometry.patch_len() * self.geometry.coarse_cells())).clamp(1, MAX_GROUP)
     }
+}
+
+/// `f32::max` without its care for NaN, which is a call in wasm.
+fn at_least(value: f32, least: f32) -> f32 {
+    if value > least { value } else { least }
 }
 
 /// Consecutive samples of a batch.

@@ -45,7 +45,7 @@ impl<'a> Matrix<'a> {
 pub fn matmul(out: &mut [f32], stride: usize, a: Matrix, b: Matrix) {
     assert!(a.columns == b.rows && (a.rows - 1) * stride + b.columns <= out.len(), "the product fits its slice");
     #[cfg(not(target_arch = "wasm32"))]
-    if b.column_stride != 1 || b.columns > FEW_COLUMNS {
+    if b.column_stride != 1 || b.columns > FEW_COLUMNS || !(b.columns == 1 || b.columns.is_multiple_of(4)) {
         gemm(out, stride, a, b);
         return;
     }
