@@ -31,7 +31,7 @@ test:
 	@scripts/test
 
 bench: $(PACKAGE)
-	@BENCH="$(BENCH)" benches/run
+	@BENCH="$(BENCH)" ROUNDS="$(ROUNDS)" benches/run
 
 build: $(PACKAGE)
 	cargo build --release --bin pathlight
