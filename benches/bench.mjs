@@ -62,7 +62,7 @@ async function run({ title, agree, repetitions, steps, open, contenders }) {
   const [ours, ...peers] = there;
   const speed = (one) => shown(one, steps);
   const beside = peers.map((one) => `${one.name} ${speed(one)} (${ratio(one, ours, steps).toFixed(2)}x)`);
-  return `| ${title} | ${speed(ours)} | ${[...beside, ...out].join(', ')} |`;
+  return `| ${title} | ${speed(ours)} | ${[...beside, ...out].join('; ')} |`;
 }
 
 /** Wasm is recompiled while it runs, and threads have to be started. */

@@ -72,15 +72,15 @@ export const parts = {
       title: 'steps of 500 rollouts, native, one core', ...simulator, steps,
       contenders: [
         ['ours', child(ours('simulator', 'rollouts'))],
-        ['Box2D 2.3, -O2', child(['target/bench/box2d', 'rollouts', ROLLOUTS])],
-        ['Box2D 2.3, -O3 -flto, its timers removed', child(['target/bench/box2d-fastest', 'rollouts', ROLLOUTS])],
+        ['Box2D 2.3 (-O2)', child(['target/bench/box2d', 'rollouts', ROLLOUTS])],
+        ['Box2D 2.3 (-O3 -flto, without its timers)', child(['target/bench/box2d-fastest', 'rollouts', ROLLOUTS])],
       ],
     },
     {
       title: 'worlds of these rollouts, native', ...simulator,
       contenders: [
         ['ours', child(ours('simulator', 'worlds'))],
-        ['Box2D 2.3, -O2', child(['target/bench/box2d', 'worlds', ROLLOUTS])],
+        ['Box2D 2.3 (-O2)', child(['target/bench/box2d', 'worlds', ROLLOUTS])],
       ],
     },
     {
