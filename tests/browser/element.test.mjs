@@ -169,6 +169,21 @@ test('it follows its attributes, and they follow the person', async () => {
   assert.equal(await one.locator('[data-stage=target] input').isChecked(), false);
 });
 
+test('properties that were set before the element was defined count', async () => {
+  const early = `<!doctype html><html lang="en"><title>Early</title><main><h1>Early</h1></main>
+    <script>
+      const puzzle = document.createElement('pathlight-puzzle');
+      Object.assign(puzzle, { task: '00007:008', panel: 'map', hrefOf: (task) => '#' + task });
+      document.querySelector('main').append(puzzle);
+    </script>
+    <script type="module" src="/element/pathlight-puzzle.js"></script></html>`;
+  const page = await embed(early);
+  const puzzle = page.locator('pathlight-puzzle');
+  await puzzle.locator('#map').waitFor();
+  assert.equal(await puzzle.getAttribute('task'), '00007:008');
+  assert.equal(await puzzle.evaluate((element) => element.hrefOf('00000:000')), '#00000:000');
+});
+
 test('a puzzle that is removed frees its worker and its memory, and plays again when it comes back', async () => {
   const page = await embed();
   await imagined(page.locator('#two'));

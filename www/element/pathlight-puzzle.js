@@ -17,6 +17,7 @@ import { styleSheets } from "./style-sheets.js";
 /** @typedef {import("../shell/url-state.js").State} State */
 /** @typedef {import("../shell/url-state.js").Panel} Panel */
 /** @typedef {import("./controller.js").PlayedAttempt} PlayedAttempt */
+/** @typedef {(task: string, panel: Panel) => string | null} HrefOf */
 
 /** The attributes that make up the state; shell/url-state.js knows their values. */
 const STATE_ATTRIBUTES = ["task", "model", "panel", "stage", "proposal", "layers", "opacity", "ball", "hide"];
@@ -46,11 +47,8 @@ const darkScheme = matchMedia("(prefers-color-scheme: dark)");
 export class PathlightPuzzle extends HTMLElement {
   static observedAttributes = [...STATE_ATTRIBUTES, "theme"];
 
-  /**
-   * Returns the address of another puzzle, for links to it; null where it has none. Null: there are no such links.
-   * @type {((task: string, panel: Panel) => string | null) | null}
-   */
-  hrefOf = null;
+  /** @type {HrefOf | null} */
+  #hrefOf = null;
   #root = this.attachShadow({ mode: "open" });
   #placeholder = document.createElement("div");
   /** @type {import("./controller.js").PuzzleController | null} */
@@ -73,6 +71,7 @@ export class PathlightPuzzle extends HTMLElement {
   }
 
   connectedCallback() {
+    this.#takeEarlyProperties();
     this.#disconnected.abort();
     this.#disconnected = new AbortController();
     darkScheme.addEventListener("change", () => this.#scheduleUpdate(), { signal: this.#disconnected.signal });
@@ -91,6 +90,19 @@ export class PathlightPuzzle extends HTMLElement {
 
   attributeChangedCallback() {
     this.#scheduleUpdate();
+  }
+
+  /**
+   * Takes over the properties that were set before this file had defined the element: they are the object's own, and hide the
+   * accessors.
+   */
+  #takeEarlyProperties() {
+    for (const name of ["hrefOf", "state", ...PathlightPuzzle.observedAttributes]) {
+      if (!Object.hasOwn(this, name)) continue;
+      const value = Reflect.get(this, name);
+      Reflect.deleteProperty(this, name);
+      Reflect.set(this, name, value);
+    }
   }
 
   /** The puzzle, "00007:008"; null for none. */
@@ -123,6 +135,13 @@ export class PathlightPuzzle extends HTMLElement {
   /** "light", "dark" or "auto"; null for "auto", which follows the system. */
   get theme() { return this.getAttribute("theme"); }
   set theme(value) { this.#setAttribute("theme", value); }
+
+  /**
+   * Returns the address of another puzzle, for links to it; null where it has none. Null: there are no such links.
+   * @type {HrefOf | null}
+   */
+  get hrefOf() { return this.#hrefOf; }
+  set hrefOf(value) { this.#hrefOf = value; }
 
   /**
    * All that the attributes say, as one object; null until the wasm is there, if it has not been set.
@@ -173,7 +192,7 @@ export class PathlightPuzzle extends HTMLElement {
       this.#root.adoptedStyleSheets = [placeholderSheet, ...sheets];
       this.#root.append(puzzleMarkup());
       const progress = sharedProgress(this.hasAttribute("remember") ? "kept" : "forgotten");
-      this.#controller = this.#listened(new PuzzleController(this.#root, module, progress, () => this.hrefOf));
+      this.#controller = this.#listened(new PuzzleController(this.#root, module, progress, () => this.#hrefOf));
       this.#placeholder.remove();
       this.#update();
     } catch (error) {
