@@ -109,8 +109,9 @@ export class Page {
     const name = (task !== null && this.#templateOf(task)?.name) || "";
     byId(document, "puzzle-name").textContent = name;
     document.title = task === null ? "Pathlight" : `${name} ${task} – Pathlight`;
-    if (task !== null) this.#progressView.showTask(task);
+    // First, so that the worker imagines while the page goes on.
     this.#puzzle.state = state;
+    if (task !== null) this.#progressView.showTask(task);
     this.#applyLinks();
     if (task !== null && cameFromGallery) this.#puzzle.focus({ preventScroll: true });
   }

@@ -24,6 +24,11 @@ export class Imagine extends Component {
   #rows;
   /** @type {Imagined | null} */
   #imagined = null;
+  /**
+   * The stages whose outlines are drawn.
+   * @type {Set<Stage>}
+   */
+  #outlined = new Set();
   #trouble = new TroubleBox(this.byId("imagine-trouble"));
   /**
    * The call to the worker that counts.
@@ -88,7 +93,23 @@ export class Imagine extends Component {
    * @param {Stage[]} stages
    */
   canvasesOf(stages) {
-    return this.#imagined ? stages.flatMap((stage) => [this.#rows[stage].map.canvas, this.#rows[stage].outline.canvas]) : [];
+    return this.#imagined ? stages.flatMap((stage) => [this.#rows[stage].map.canvas, this.#outlineOf(stage)]) : [];
+  }
+
+  /**
+   * The outlines of a stage, which are drawn when they are first asked for.
+   * @param {Stage} stage
+   */
+  #outlineOf(stage) {
+    const { outline } = this.#rows[stage];
+    const values = this.#imagined?.maps[stage];
+    if (!this.#outlined.has(stage)) {
+      this.#outlined.add(stage);
+      outline.clearRect(0, 0, OUTLINE_SIDE, OUTLINE_SIDE);
+      const most = values ? Math.max(...values) : 0;
+      if (values) paintOutline(outline, stage, values.map((value) => value / most), this.dark);
+    }
+    return outline.canvas;
   }
 
   /**
@@ -186,17 +207,14 @@ export class Imagine extends Component {
 
   #paint() {
     const imagined = this.#imagined;
+    this.#outlined.clear();
     for (const stage of STAGES) {
-      const { map, outline, peak, summary: said } = this.#rows[stage];
+      const { map, peak, summary: said } = this.#rows[stage];
       const values = imagined?.maps[stage];
       map.clearRect(0, 0, GRID_SIDE, GRID_SIDE);
-      outline.clearRect(0, 0, OUTLINE_SIDE, OUTLINE_SIDE);
       // Each map is drawn up to its own peak, which the legend names.
       const most = values ? Math.max(...values) : 0;
-      if (values) {
-        paintMap(map, stage, values, most, this.dark);
-        paintOutline(outline, stage, values.map((value) => value / most), this.dark);
-      }
+      if (values) paintMap(map, stage, values, most, this.dark);
       setText(peak, values ? most.toFixed(2) : "");
       // Weights may come without a judge.
       const words = values ? summary(values) : imagined ? "this model has no such map" : "not imagined yet";

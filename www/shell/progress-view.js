@@ -38,7 +38,9 @@ export class ProgressView {
   showTask(id) {
     const tasks = this.#templates.find((template) => template.tasks.includes(id))?.tasks ?? [id];
     const picker = byId(document, "task", HTMLSelectElement);
-    picker.replaceChildren(...tasks.map((task) => new Option(this.#label(task), task, task === id, task === id)));
+    const listed = Array.from(picker.options, (option) => option.value);
+    if (String(listed) !== String(tasks)) picker.replaceChildren(...tasks.map((task) => new Option(this.#label(task), task)));
+    picker.value = id;
     picker.title = `Puzzle ${tasks.indexOf(id) + 1} of ${tasks.length}`;
   }
 
