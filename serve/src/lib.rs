@@ -34,13 +34,13 @@ pub struct Args {
     #[arg(long, default_value = "127.0.0.1")]
     host: String,
 
-    /// Folder to serve: the page, with the wasm package in its subfolder pkg
+    /// Folder to serve: the page, with the wasm package in its subfolder pkg, or what `make dist` builds
     #[arg(long, default_value = "www")]
     dir: PathBuf,
 
-    /// Folder to serve as /assets/
-    #[arg(long, default_value = "assets")]
-    assets: PathBuf,
+    /// Folder to serve as /assets/; by default the subfolder assets of DIR, or if it has none, `assets`
+    #[arg(long)]
+    assets: Option<PathBuf>,
 
     /// Let pages of these origins show the page in a frame, like `https://school.example`; by default none may
     #[arg(long, value_name = "ORIGIN", num_args = 1.., value_parser = origin)]
@@ -69,10 +69,15 @@ impl Args {
     pub fn run(self) -> anyhow::Result<()> {
         let page = Folder::open(&self.dir)
             .with_context(|| format!("cannot serve {}: name the folder of the page with --dir", self.dir.display()))?;
-        let assets = Folder::open(&self.assets).with_context(|| {
-            format!("cannot serve {}: name the folder of the weights with --assets", self.assets.display())
+        let assets = self.assets.unwrap_or_else(|| {
+            let own = self.dir.join("assets");
+            if own.is_dir() { own } else { PathBuf::from("assets") }
+        });
+        let assets = Folder::open(&assets).with_context(|| {
+            format!("cannot serve {}: name the folder of the weights with --assets", assets.display())
         })?;
-        if !self.dir.join("pkg").is_dir() {
+        // A built page has its wasm in the folder of its version.
+        if !self.dir.join("pkg").is_dir() && !self.dir.join("service-worker.js").is_file() {
             say(&format!(
                 "warning: {} has no wasm package, so the page cannot start: run `make play`",
                 self.dir.display()

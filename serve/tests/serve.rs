@@ -28,30 +28,38 @@ struct Server {
     folder: TempDir,
 }
 
+/// Makes a folder as `make play` serves it: `www` and `assets`.
+fn page() -> TempDir {
+    let folder = tempdir().expect("a folder");
+    let root = folder.path();
+    for inner in ["www/pkg", "assets"] {
+        fs::create_dir_all(root.join(inner)).expect("a folder");
+    }
+    fs::write(root.join("www/index.html"), "<!doctype html><title>page</title>".repeat(10)).expect("a file");
+    fs::write(root.join("www/main.js"), "// script\n".repeat(100)).expect("a file");
+    fs::write(root.join("www/style.css"), "a { color: red }").expect("a file");
+    fs::write(root.join("www/pkg/pathlight_bg.wasm"), [b'w'; 100_000]).expect("a file");
+    fs::write(root.join("assets/weights.safetensors"), [b's'; 5_000]).expect("a file");
+    fs::write(root.join("secret.txt"), "secret").expect("a file");
+    folder
+}
+
 impl Server {
     fn start() -> Server {
         Server::with(&[])
     }
 
-    /// Starts it with these further arguments.
+    /// Starts it with these arguments.
     fn with(args: &[&str]) -> Server {
-        let folder = tempdir().expect("a folder");
-        let root = folder.path();
-        for inner in ["www/pkg", "assets"] {
-            fs::create_dir_all(root.join(inner)).expect("a folder");
-        }
-        fs::write(root.join("www/index.html"), "<!doctype html><title>page</title>".repeat(10)).expect("a file");
-        fs::write(root.join("www/main.js"), "// script\n".repeat(100)).expect("a file");
-        fs::write(root.join("www/style.css"), "a { color: red }").expect("a file");
-        fs::write(root.join("www/pkg/pathlight_bg.wasm"), [b'w'; 100_000]).expect("a file");
-        fs::write(root.join("assets/weights.safetensors"), [b's'; 5_000]).expect("a file");
-        fs::write(root.join("secret.txt"), "secret").expect("a file");
+        Server::serving(page(), args)
+    }
+
+    /// Starts it in a folder.
+    fn serving(folder: TempDir, args: &[&str]) -> Server {
         let mut child = pathlight_serve()
-            .args(["--port", "0", "--dir"])
-            .arg(root.join("www"))
-            .arg("--assets")
-            .arg(root.join("assets"))
+            .args(["--port", "0"])
             .args(args)
+            .current_dir(folder.path())
             .stdout(Stdio::piped())
             .spawn()
             .expect("the binary starts");
@@ -209,6 +217,19 @@ fn wasm_comes_compressed_and_weights_with_their_length() {
         assert_eq!(value(&head, "content-encoding"), None);
         assert_eq!((value(&head, "content-length"), body.len()), (Some("5000"), 5000));
     }
+}
+
+#[test]
+fn a_built_page_brings_its_weights_along() {
+    let folder = page();
+    let dist = folder.path().join("dist");
+    fs::create_dir_all(dist.join("assets")).expect("a folder");
+    fs::write(dist.join("service-worker.js"), "// worker").expect("a file");
+    fs::write(dist.join("assets/weights-0123.safetensors"), "weights").expect("a file");
+    let server = Server::serving(folder, &["--dir", "dist"]);
+    let (head, body) = server.get("/assets/weights-0123.safetensors", &[]);
+    assert!(is(&head, 200), "{head}");
+    assert_eq!(body, b"weights");
 }
 
 #[test]
