@@ -16,10 +16,14 @@ TOOLS := $(or $(XDG_CACHE_HOME),$(HOME)/.cache)/pathlight/tools
 export TOOLS
 export PATH := $(TOOLS)/bin:$(PATH)
 
+# All look for what is built there, wherever else cargo is told to build.
+export CARGO_TARGET_DIR := $(CURDIR)/target
+
 PACKAGE := www/pkg/pathlight_bg.wasm
 PACKAGED := Cargo.toml Cargo.lock .cargo/config.toml scripts/build-wasm scripts/optimise-wasm \
 	src/web/types.d.ts $(shell find src -name '*.rs' -not -path 'src/commands/*' -not -path src/main.rs)
 
+.DELETE_ON_ERROR:
 .PHONY: play test bench build package dist timings pictures clean
 
 play: $(PACKAGE)

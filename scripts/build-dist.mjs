@@ -37,7 +37,7 @@ const PLACEHOLDER = "VERSION";
  */
 export async function buildDist({ page = join(ROOT, "www"), assets = join(ROOT, "assets"), out = join(ROOT, "dist"), compress = true } = {}) {
   if (existsSync(out) && !existsSync(join(out, "service-worker.js")) && (await readdir(out)).length > 0) {
-    throw new Error(`${out} holds something else than a built page: empty it, or name another folder`);
+    throw new Error(`${out} holds files that are not a built page: empty it, or name another folder`);
   }
   const files = await distFiles(page, assets);
   await rm(out, { recursive: true, force: true });

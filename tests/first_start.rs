@@ -28,10 +28,16 @@ impl Machine {
         Machine { programs }
     }
 
-    /// Adds a program that prints this, whatever it is asked.
-    fn with(self, name: &str, says: &str) -> Machine {
+    /// Adds a program of this version, which does nothing else.
+    fn with(self, name: &str, version: &str) -> Machine {
+        self.with_failing(name, version, 0)
+    }
+
+    /// Adds a program of this version, which does nothing and ends with this code.
+    fn with_failing(self, name: &str, version: &str, code: i32) -> Machine {
         let file = self.programs.path().join(name);
-        fs::write(&file, format!("#!/usr/bin/env bash\nprintf '%s' '{says}'\n")).expect("a file");
+        let script = format!("#!/usr/bin/env bash\n[[ $1 != --version ]] || printf '%s' '{version}'\nexit {code}\n");
+        fs::write(&file, script).expect("a file");
         fs::set_permissions(&file, fs::Permissions::from_mode(0o755)).expect("its owner may");
         self
     }
@@ -60,18 +66,37 @@ fn with_an_old_rust() {
 }
 
 #[test]
+fn with_rustup_but_no_toolchain() {
+    let machine = Machine::bare().with_failing("cargo", "", 1).with_failing("rustc", "", 1);
+    machine.assert_stops("Rust's toolchain is missing: rustup default stable");
+}
+
+#[test]
 fn without_a_linker() {
     rust(Machine::bare()).assert_stops("install one (apt-get install gcc)");
 }
 
 #[test]
 fn without_node() {
-    rust(Machine::bare()).with("cc", "").assert_stops("Node.js is missing: install version 20 or later");
+    let machine = rust(Machine::bare()).with("cc", "");
+    machine.assert_stops("Node.js is missing: install version 20.16 or later (https://nodejs.org)");
+}
+
+#[test]
+fn with_an_old_node() {
+    let machine = rust(Machine::bare()).with("cc", "").with_failing("node", "v18.19.0", 1);
+    machine.assert_stops("Node.js 20.16 is missing: v18.19.0 is too old");
 }
 
 #[test]
 fn without_npm() {
     rust(Machine::bare()).with("cc", "").with("node", "").assert_stops("npm is missing");
+}
+
+#[test]
+fn without_the_wasm_target_and_without_rustup() {
+    let machine = rust(Machine::bare()).with("cc", "").with("node", "").with("npm", "");
+    machine.assert_stops("Rust's target wasm32-unknown-unknown is missing: install Rust with rustup");
 }
 
 fn rust(machine: Machine) -> Machine {

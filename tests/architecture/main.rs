@@ -4,6 +4,8 @@
 //! `rust` has the rules of `src/`, `page` those of `www/`. Comments are left out, so a rule may be named in one.
 #![cfg(not(target_arch = "wasm32"))]
 
+use std::process::Command;
+
 mod files;
 mod page;
 mod rule;
@@ -50,4 +52,14 @@ fn a_file_is_too_long_from_301_lines_without_a_reason() {
 fn is_too_long(text: &str) -> bool {
     let mut head = text.lines().take_while(|line| line.starts_with("//"));
     text.lines().count() > MAX_LINES && !head.any(|line| line.contains(LONG))
+}
+
+/// Cargo refuses a package below a workspace that is neither its member nor a workspace of its own.
+#[test]
+fn the_packages_beside_the_workspace_are_workspaces_of_their_own() {
+    let manifest = concat!(env!("CARGO_MANIFEST_DIR"), "/benches/nets/tract/Cargo.toml");
+    let mut metadata = Command::new(env!("CARGO"));
+    metadata.args(["metadata", "--no-deps", "--offline", "--format-version=1", "--manifest-path", manifest]);
+    let output = metadata.output().expect("cargo runs");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
 }
