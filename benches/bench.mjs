@@ -2,7 +2,7 @@
 //
 // `run` has installed the peers. Contenders of a race take turns, so that whatever else the machine does falls on
 // all of them; before, their results are compared with ours. A peer that is missing or fails is left out, and the table
-// says so. ROUNDS is how many turns each has.
+// says so; the exit code is 1 if ours fails or a peer computes something else. ROUNDS is how many turns each has.
 
 import { execFileSync } from 'node:child_process';
 import { availableParallelism, cpus, loadavg } from 'node:os';
@@ -36,17 +36,29 @@ async function run({ title, agree, repetitions, steps, open, contenders }) {
   const stops = [];
   const there = [];
   const out = [];
+  let place;
   try {
-    const place = await open?.();
-    if (place) stops.push(() => place.stop());
+    place = await open?.();
+  } catch (error) {
+    return `| ${title} | left out (${reason(error)}) | |`;
+  }
+  if (place) stops.push(() => place.stop());
+  try {
     for (const [name, start] of contenders) {
+      let one;
       try {
-        const one = await start(place);
-        if (one.stop) stops.push(one.stop);
+        one = await start(place);
+      } catch (error) {
+        if (there.length === 0) throw error;
+        out.push(`${name}: left out (${reason(error)})`);
+        continue;
+      }
+      if (one.stop) stops.push(one.stop);
+      try {
         if (there.length > 0) agree(one.result, there[0].result);
         there.push({ ...one, name, blocks: [] });
       } catch (error) {
-        if (there.length === 0) throw error;
+        process.exitCode = 1;
         out.push(`${name}: left out (${reason(error)})`);
       }
     }
@@ -55,7 +67,8 @@ async function run({ title, agree, repetitions, steps, open, contenders }) {
       for (const one of there) one.blocks.push(await one.times(repetitions));
     }
   } catch (error) {
-    return `| ${title} | left out (${reason(error)}) | |`;
+    process.exitCode = 1;
+    return `| ${title} | failed (${reason(error)}) | |`;
   } finally {
     for (const stop of stops.reverse()) await stop();
   }

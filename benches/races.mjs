@@ -26,9 +26,8 @@ const openPage = async () => (await import('./web/page.mjs')).openPage(root);
 
 /** Numbers that differ by at most `tolerance`. */
 const within = (tolerance) => (these, those) => {
-  const apart = these.length === those.length
-    ? these.reduce((most, number, index) => Math.max(most, Math.abs(number - those[index])), 0)
-    : Infinity;
+  if (these.length !== those.length) throw new Error(`it has ${these.length} results, and ours ${those.length}`);
+  const apart = these.reduce((most, number, index) => Math.max(most, Math.abs(number - those[index])), 0);
   if (!(apart <= tolerance)) throw new Error(`its results are ${apart} from ours`);
 };
 
@@ -37,10 +36,11 @@ const within = (tolerance) => (these, those) => {
  * last bit, so not every body has to come to rest at the same place.
  */
 const sameRollouts = (these, those) => {
+  if (these.length !== those.length) throw new Error(`it has ${these.length} rollouts, and ours ${those.length}`);
   const different = these.filter(([solved], index) => solved !== those[index][0]).length;
   const near = these.flatMap((end, index) => end.slice(2).map((at, coordinate) => Math.abs(at - those[index][coordinate + 2]) < 1));
   const share = near.filter(Boolean).length / near.length;
-  if (these.length !== those.length || different > 0 || !(share >= 0.95)) {
+  if (different > 0 || !(share >= 0.95)) {
     throw new Error(`${different} rollouts end otherwise, and ${(100 * share).toFixed(1)} % of the positions are within 1 px of ours`);
   }
 };

@@ -151,7 +151,7 @@ struct Rollout {
 };
 
 // Prints [solved, steps, x and y of each dynamic body in px] for each rollout.
-void printEnds(const Input& input) {
+void printFinalStates(const Input& input) {
     std::ostringstream line;
     line.precision(9);
     line << "[";
@@ -198,7 +198,7 @@ int main(int count, char** arguments) {
         return 2;
     }
     const Input input = read(arguments[2]);
-    printEnds(input);
+    printFinalStates(input);
     for (int repetitions; std::cin >> repetitions;) {
         std::cout << "[";
         for (int done = 0; done < repetitions; ++done) std::cout << (done ? ", " : "") << repeat(input, what == "rollouts");

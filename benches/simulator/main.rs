@@ -8,7 +8,7 @@ use std::{env, fs};
 
 use export::export;
 use repeat::{repeat, stopwatch};
-use rollouts::{ends, rollouts, start};
+use rollouts::{final_states, rollouts, start};
 
 mod export;
 #[path = "../repeat.rs"]
@@ -20,7 +20,7 @@ fn main() {
     let rollouts = rollouts();
     match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         ["export", file] => fs::write(file, export(&rollouts)).expect("the file can be written"),
-        ["rollouts"] => repeat(&ends(&rollouts), || {
+        ["rollouts"] => repeat(&final_states(&rollouts), || {
             let step = |rollout| {
                 let simulation = start(rollout);
                 stopwatch(|| simulation.run())
@@ -28,7 +28,7 @@ fn main() {
             rollouts.iter().map(step).sum::<Duration>()
         }),
         ["worlds"] => {
-            repeat(&ends(&rollouts), || stopwatch(|| rollouts.iter().for_each(|rollout| drop(start(rollout)))))
+            repeat(&final_states(&rollouts), || stopwatch(|| rollouts.iter().for_each(|rollout| drop(start(rollout)))))
         }
         _ => println!("`make bench` runs this, with contenders to compare it with"),
     }

@@ -24,14 +24,14 @@ pub fn rollouts() -> Vec<(Scene, Ball)> {
 }
 
 /// Returns how each rollout ends, to compare: `[solved, steps, x and y of each dynamic body in px]`.
-pub fn ends(rollouts: &[(Scene, Ball)]) -> String {
-    let end = |(scene, ball): &(Scene, Ball)| {
+pub fn final_states(rollouts: &[(Scene, Ball)]) -> String {
+    let final_state = |(scene, ball): &(Scene, Ball)| {
         let rollout = simulator::simulate(scene, Some(*ball)).expect("a valid ball");
         let positions = rollout.row(rollout.steps).iter().flat_map(|[x, y, _]| [*x, *y]);
         let numbers = [f32::from(u8::from(rollout.solved)), rollout.steps as f32].into_iter().chain(positions);
         numbers.collect::<Vec<_>>()
     };
-    format!("{:?}", rollouts.iter().map(end).collect::<Vec<_>>())
+    format!("{:?}", rollouts.iter().map(final_state).collect::<Vec<_>>())
 }
 
 /// Returns a rollout before its first step.

@@ -13,10 +13,10 @@ thread_local! {
     static STARTED: RefCell<Option<Simulation>> = const { RefCell::new(None) };
 }
 
-/// Returns where the text of the ends is in memory: the address of its bytes and their number.
+/// Returns where the text of the final states is in memory: the address of its bytes and their number.
 #[unsafe(no_mangle)]
-pub extern "C" fn ends() -> *const [usize; 2] {
-    let text = ROLLOUTS.with(|rollouts| rollouts::ends(rollouts)).leak();
+pub extern "C" fn final_states() -> *const [usize; 2] {
+    let text = ROLLOUTS.with(|rollouts| rollouts::final_states(rollouts)).leak();
     Box::leak(Box::new([text.as_ptr() as usize, text.len()]))
 }
 

@@ -9,7 +9,7 @@ export async function load(read, what) {
     (imports[from] ??= {})[name] = () => { throw new Error(`the simulator called ${name}`); };
   }
   const { exports } = await WebAssembly.instantiate(module, imports);
-  const at = exports.ends();
+  const at = exports.final_states();
   const [text, length] = new Uint32Array(exports.memory.buffer, at, 2);
   const result = JSON.parse(new TextDecoder().decode(new Uint8Array(exports.memory.buffer, text, length)));
   const count = exports.count();
