@@ -1,4 +1,4 @@
-//! The shipped weights compute what plain nested loops compute, natively and, by the loops that only wasm runs, in Node.
+//! The shipped weights compute what plain nested loops compute, natively and in Node.
 
 use pathlight::nets::{Imagined, PathNet, flex};
 use pathlight::puzzle::scene::Scene;

@@ -293,8 +293,10 @@ fn values_have_the_fields_that_their_types_declare() {
     let proposals = json(model.propose(TASK, 0, None).expect("proposals"));
     assert_eq!(fields(&proposals[0]), declared("Proposal"));
     assert_eq!(proposals[0]["origin"]["kind"], "judge");
-    assert_eq!(json(model.propose(TASK, 0, Some(3)).expect("three")).as_array().expect("a list").len(), 3);
-    assert_eq!(code(model.propose(TASK, 0, Some(0)).expect_err("refused")), "bad_data");
+    assert_eq!(json(model.propose(TASK, 0, Some(3.0)).expect("three")).as_array().expect("a list").len(), 3);
+    for count in [0.0, 2.5, -1.0, 1001.0, f64::INFINITY, f64::NAN] {
+        assert_eq!(code(model.propose(TASK, 0, Some(count)).expect_err("refused")), "bad_data", "{count}");
+    }
 }
 
 #[wasm_bindgen_test]

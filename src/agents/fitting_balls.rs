@@ -51,3 +51,25 @@ impl FittingBalls {
         Ball { x: self.coordinates[cell % SIDE], y: self.coordinates[cell / SIDE], r: self.radii[radius] }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::puzzle::task::{Task, ids};
+    use crate::puzzle::templates::TEMPLATES;
+
+    /// The rule of all actions, for one task of each template and every ball that the judge scores.
+    #[test]
+    fn the_balls_that_fit_are_those_that_their_actions_place() {
+        for (number, template) in TEMPLATES.iter().enumerate() {
+            let id = ids(template).nth(4 * number).expect("a hundred tasks");
+            let scene = Task::load(id).expect("an id of the template").scene;
+            let (balls, obstacles) = (FittingBalls::new(&scene), Obstacles::new(&scene));
+            for index in 0..RADII * CELLS {
+                let placed = obstacles.place(ball_at(index).action()).ok();
+                let fits = index / CELLS < balls.count(index % CELLS);
+                assert_eq!(fits.then(|| balls.ball(index)), placed, "{id}, {index}");
+            }
+        }
+    }
+}

@@ -1,4 +1,5 @@
-//! Operations on numbers that are single instructions in wasm too, with the results of those that they replace.
+//! Operations on numbers that are single instructions in wasm too: the same results as those that they replace for all
+//! numbers but NaN, which does not occur here.
 
 use rapier2d::math::Vector;
 

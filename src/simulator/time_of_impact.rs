@@ -20,7 +20,8 @@ const MAX_ITERATIONS: usize = 40;
 const MARGIN: f32 = 1e-3;
 
 /// Returns the fraction of the rest of the sweeps after which two fixtures meet; `None` if they do not meet, or overlap
-/// from the start. `normal` is a guess of the direction from the first to the second, a unit vector: that of their contact.
+/// from the start. `normal` is a guess of the direction from the first to the second, that of their contact: a unit vector,
+/// or zero for a contact that was never updated, which disables the shortcut.
 pub fn time_of_impact(fixtures: [&Fixture; 2], bodies: [&RigidBody; 2], normal: Vector) -> Option<f32> {
     // Box2D's target: the radii overlap by three slops, to within a quarter of a slop.
     let radii: f32 = fixtures.iter().map(|fixture| fixture.radius()).sum();
@@ -37,7 +38,7 @@ pub fn time_of_impact(fixtures: [&Fixture; 2], bodies: [&RigidBody; 2], normal: 
     let turn_bound = turn_bound(0) + turn_bound(1);
     let angular_bound = angular_bound(0) + angular_bound(1);
     let approach = (displacement_a - displacement_b).dot(normal);
-    // Back from the end of the sweeps, whose rotations are known.
+    // Bound from the end of the sweeps, whose rotations are already computed.
     if separation_at_end(fixtures, bodies, normal) + min(approach, 0.0) - turn_bound > met + MARGIN {
         return None;
     }
@@ -55,7 +56,7 @@ pub fn time_of_impact(fixtures: [&Fixture; 2], bodies: [&RigidBody; 2], normal: 
             return Some(time);
         }
         let approach = (displacement_a - displacement_b).dot(normal);
-        // Along this normal they never come near enough: what follows would only take longer to find that out.
+        // They cannot meet along this normal; stop early.
         if distance - max(approach + turn_bound, 0.0) * (1.0 - time) > met + MARGIN {
             return None;
         }

@@ -180,12 +180,12 @@ fn stage_named(name: &str) -> Result<Stage, JsValue> {
 
 thread_local! {
     /// The task that was loaded last: a script tries many balls on one task, and loading it may take longer than a rollout.
-    static LAST: RefCell<Option<Task>> = const { RefCell::new(None) };
+    static LAST_TASK: RefCell<Option<Task>> = const { RefCell::new(None) };
 }
 
 fn load(id: &str) -> Result<Task, JsValue> {
     let id: TaskId = id.parse().map_err(|reason: TaskError| error(Code::BadTask, reason))?;
-    LAST.with_borrow_mut(|last| match last {
+    LAST_TASK.with_borrow_mut(|last| match last {
         Some(task) if task.id == id => Ok(task.clone()),
         _ => {
             let task = Task::load(id).map_err(|reason| error(Code::BadTask, reason))?;

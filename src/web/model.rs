@@ -97,14 +97,11 @@ impl Model {
     /// count as many as there are attempts.
     ///
     /// # Errors
-    /// `bad_task` if there is no such task, `bad_data` if the count is out of range.
+    /// `bad_task` if there is no such task, `bad_data` if the count is out of range or not a whole number.
     #[wasm_bindgen(unchecked_return_type = "Proposal[]")]
-    pub fn propose(&self, id: &str, seed: u32, count: Option<usize>) -> Result<JsValue, JsValue> {
+    pub fn propose(&self, id: &str, seed: u32, count: Option<f64>) -> Result<JsValue, JsValue> {
         let Task { id, scene, .. } = load(id)?;
-        let count = count.unwrap_or(ATTEMPT_LIMIT);
-        if !(1..=MAX_PROPOSALS).contains(&count) {
-            return Err(error(Code::BadData, format!("the model proposes 1 to {MAX_PROPOSALS} balls, not {count}")));
-        }
+        let count = count.map_or(Ok(ATTEMPT_LIMIT), whole_count)?;
         to_js(&agents::propose(&self.net, id, &scene, seed.into(), count))
     }
 
@@ -147,4 +144,11 @@ impl Turn {
         self.solved = rollout.solved;
         to_js(&Attempt { ball, ending: Ending::of(&rollout) })
     }
+}
+
+/// Returns a number of proposals. It comes as JavaScript's number, because wasm-bindgen would wrap or truncate others.
+fn whole_count(count: f64) -> Result<usize, JsValue> {
+    let whole = (1.0..=MAX_PROPOSALS as f64).contains(&count) && count.fract() == 0.0;
+    let refused = || error(Code::BadData, format!("the model proposes 1 to {MAX_PROPOSALS} balls, not {count}"));
+    whole.then_some(count as usize).ok_or_else(refused)
 }

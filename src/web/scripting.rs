@@ -1,5 +1,6 @@
 //! The exports for scripts, which experiment with tasks without playing them: the scene of a task, its raster, why a ball
-//! is invalid in it, and the rollout of a ball. They keep nothing between calls, so there is nothing to free.
+//! is invalid in it, and the rollout of a ball. Between calls only the task that was loaded last is kept, so there is
+//! nothing to free.
 
 use js_sys::{Float32Array, Object, Reflect, Uint8Array, Uint32Array};
 use serde::Serialize;

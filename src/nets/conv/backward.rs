@@ -7,7 +7,7 @@
 
 use std::sync::Mutex;
 
-use super::direct::Direct;
+use super::direct::DirectConv;
 use super::forward::{Columns, Group, Layer};
 use super::matmul::{Matrix, matmul};
 use super::weight_gradient::WeightGradient;
@@ -33,11 +33,12 @@ impl Layer<'_> {
                 let dy = relu_backward(&dy[range.clone()], Some(&y[range]));
                 add_channel_sums(&mut gradients.bias, &dy, geometry.coarse_cells());
                 let x = &x[group.fine(geometry)];
-                if Direct::fits(geometry) {
+                if DirectConv::fits(geometry) {
                     let gradient = &mut gradients.weight;
                     WeightGradient { geometry, coarse: &dy, fine: x, gradient }.compute();
                     if input_needs_it {
-                        Direct { geometry, weight: self.weight, bias: &zeros, relu: false, x: &dy, y: dx }.conv_up();
+                        DirectConv { geometry, weight: self.weight, bias: &zeros, relu: false, x: &dy, y: dx }
+                            .conv_up();
                     }
                     return;
                 }
@@ -65,10 +66,10 @@ impl Layer<'_> {
                 let range = group.fine(geometry);
                 let dy = relu_backward(&dy[range.clone()], y.map(|y| &y[range]));
                 add_channel_sums(&mut gradients.bias, &dy, geometry.fine_cells());
-                if Direct::fits(geometry) {
+                if DirectConv::fits(geometry) {
                     let (x, gradient) = (&x[group.coarse(geometry)], &mut gradients.weight);
                     WeightGradient { geometry, coarse: x, fine: &dy, gradient }.compute();
-                    Direct { geometry, weight: self.weight, bias: &zeros, relu: false, x: &dy, y: dx }.conv_down();
+                    DirectConv { geometry, weight: self.weight, bias: &zeros, relu: false, x: &dy, y: dx }.conv_down();
                     return;
                 }
                 let columns = Columns::im2col(geometry, &dy, group.samples);

@@ -23,7 +23,7 @@ const ROW_REGISTERS: usize = if cfg!(target_arch = "wasm32") { 8 } else { 4 };
 const WIDEST: usize = 32;
 
 /// A layer and where its images are. The channels of the images and the cells of the bias are those of `geometry`.
-pub struct Direct<'a> {
+pub struct DirectConv<'a> {
     pub geometry: &'a Geometry,
     /// `[coarse_channels, fine_channels, 4, 4]`.
     pub weight: &'a [f32],
@@ -35,7 +35,7 @@ pub struct Direct<'a> {
     pub y: &'a mut [f32],
 }
 
-impl Direct<'_> {
+impl DirectConv<'_> {
     /// Whether the tiles fit a layer.
     pub fn fits(geometry: &Geometry) -> bool {
         let whole = |channels: usize| channels.is_multiple_of(8);
@@ -47,23 +47,23 @@ impl Direct<'_> {
 
     /// Fine images in, coarse images out.
     pub fn conv_down(self) {
-        vectorize(Down(self));
+        vectorize(ConvDown(self));
     }
 
     /// Coarse images in, fine images out.
     pub fn conv_up(self) {
-        vectorize(Up(self));
+        vectorize(ConvUp(self));
     }
 }
 
-struct Down<'a>(Direct<'a>);
+struct ConvDown<'a>(DirectConv<'a>);
 
-impl WithSimd for Down<'_> {
+impl WithSimd for ConvDown<'_> {
     type Output = ();
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        let Direct { geometry, weight, bias, relu, x, y } = self.0;
+        let DirectConv { geometry, weight, bias, relu, x, y } = self.0;
         let side = geometry.coarse_side;
         let taps = 16 * geometry.fine_channels;
         let mut planes = Planes::with_phases(geometry.fine_channels, side);
@@ -100,9 +100,9 @@ impl WithSimd for Down<'_> {
     }
 }
 
-struct Up<'a>(Direct<'a>);
+struct ConvUp<'a>(DirectConv<'a>);
 
-impl WithSimd for Up<'_> {
+impl WithSimd for ConvUp<'_> {
     type Output = ();
 
     #[inline(always)]
@@ -116,8 +116,8 @@ impl WithSimd for Up<'_> {
 }
 
 #[inline(always)]
-fn conv_up<S: Simd, const REGISTERS: usize, const CHANNELS: usize>(simd: S, layer: Direct) {
-    let Direct { geometry, weight, bias, relu, x, y } = layer;
+fn conv_up<S: Simd, const REGISTERS: usize, const CHANNELS: usize>(simd: S, layer: DirectConv) {
+    let DirectConv { geometry, weight, bias, relu, x, y } = layer;
     let side = geometry.coarse_side;
     let mut planes = Planes::new(geometry.coarse_channels, side);
     let offsets = [0, planes.row];
@@ -230,12 +230,12 @@ mod tests {
             let geometry = &Geometry { fine_channels, coarse_channels: 16, coarse_side, kernel: 4 };
             let (coarse, fine) = (values(geometry.coarse_len()), values(geometry.fine_len()));
             let (weight, bias) = (values(16 * 16 * fine_channels), values(16));
-            let layer = |x, y| Direct { geometry, weight: &weight, bias: &bias, relu: true, x, y };
+            let layer = |x, y| DirectConv { geometry, weight: &weight, bias: &bias, relu: true, x, y };
             let [mut wide, mut narrow] = [(); 2].map(|()| (vec![0.0; coarse.len()], vec![0.0; fine.len()]));
             layer(&fine, &mut wide.0).conv_down();
             layer(&coarse, &mut wide.1).conv_up();
-            Simd::vectorize(Scalar128b, Down(layer(&fine, &mut narrow.0)));
-            Simd::vectorize(Scalar128b, Up(layer(&coarse, &mut narrow.1)));
+            Simd::vectorize(Scalar128b, ConvDown(layer(&fine, &mut narrow.0)));
+            Simd::vectorize(Scalar128b, ConvUp(layer(&coarse, &mut narrow.1)));
             assert!(wide == narrow, "{fine_channels} channels, {coarse_side} cells");
             assert!(wide.0.iter().chain(&wide.1).filter(|&&y| y > 0.0).count() > 1000);
         }

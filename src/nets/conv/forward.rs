@@ -6,7 +6,7 @@
 #[cfg(not(target_arch = "wasm32"))]
 use rayon::prelude::*;
 
-use super::direct::Direct;
+use super::direct::DirectConv;
 use super::im2col::Geometry;
 use super::matmul::{Matrix, matmul};
 
@@ -34,9 +34,9 @@ impl Layer<'_> {
         let batch = x.len() / geometry.fine_len();
         let mut y = vec![0.0; batch * geometry.coarse_len()];
         self.for_each_group(&mut y, geometry.coarse_len(), |group, y| {
-            if Direct::fits(geometry) {
+            if DirectConv::fits(geometry) {
                 let x = &x[group.fine(geometry)];
-                Direct { geometry, weight: self.weight, bias, relu: true, x, y }.conv_down();
+                DirectConv { geometry, weight: self.weight, bias, relu: true, x, y }.conv_down();
                 return;
             }
             let columns = Columns::im2col(geometry, &x[group.fine(geometry)], group.samples);
@@ -60,9 +60,9 @@ impl Layer<'_> {
         let batch = x.len() / geometry.coarse_len();
         let mut y = vec![0.0; batch * geometry.fine_len()];
         self.for_each_group(&mut y, geometry.fine_len(), |group, y| {
-            if Direct::fits(geometry) {
+            if DirectConv::fits(geometry) {
                 let x = &x[group.coarse(geometry)];
-                Direct { geometry, weight: self.weight, bias, relu, x, y }.conv_up();
+                DirectConv { geometry, weight: self.weight, bias, relu, x, y }.conv_up();
                 return;
             }
             let x = self.channels_first(&x[group.coarse(geometry)], group.samples);
@@ -114,7 +114,7 @@ impl Layer<'_> {
     }
 
     fn group_samples(&self) -> usize {
-        if Direct::fits(&self.geometry) {
+        if DirectConv::fits(&self.geometry) {
             return DIRECT_GROUP;
         }
         (GROUP_LEN / (self.geometry.patch_len() * self.geometry.coarse_cells())).clamp(1, MAX_GROUP)

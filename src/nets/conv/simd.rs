@@ -1,8 +1,9 @@
 //! Vector registers by pulp, which selects the instructions of the processor at run time: AVX2 or SSE4.1 natively, and
 //! simd128 in wasm.
 //!
-//! No kernel fuses a multiplication with an addition, and each sum has an order of its own that does not depend on the
-//! number of lanes. So all instruction sets compute the same bits, and so does wasm.
+//! The kernels of the forward pass do not fuse a multiplication with an addition, and each sum has an order of its own that
+//! does not depend on the number of lanes. So all instruction sets compute the same maps, bit for bit, and so does wasm.
+//! `weight_gradient` and gemm, which multiplies only batches, do fuse, so trained weights depend on the processor.
 
 use pulp::{Simd, WithSimd};
 
@@ -31,13 +32,15 @@ pub fn vectorize_by_four<W: WithSimd>(work: W) -> W::Output {
 
 /// Runs `work` on what every processor of the architecture has.
 fn baseline<W: WithSimd>(work: W) -> W::Output {
+    // `.cargo/config.toml` enables it here; a build of the published crate, or with RUSTFLAGS of its own, may lack it.
     #[cfg(target_arch = "wasm32")]
-    return Simd::vectorize(pulp::wasm::Simd128::try_new().expect("`.cargo/config.toml` enables simd128"), work);
+    if let Some(simd) = pulp::wasm::Simd128::try_new() {
+        return Simd::vectorize(simd, work);
+    }
     #[cfg(target_arch = "aarch64")]
     if let Some(simd) = pulp::aarch64::Neon::try_new() {
         return Simd::vectorize(simd, work);
     }
-    #[cfg(not(target_arch = "wasm32"))]
     Simd::vectorize(pulp::Scalar128b, work)
 }
 

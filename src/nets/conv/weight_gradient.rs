@@ -13,7 +13,7 @@ use super::simd::{load, vectorize};
 const CHANNELS: usize = 4;
 
 /// The images of some samples, and where the gradient `[coarse_channels, fine_channels, 4, 4]` is written to. The layer is one
-/// that `Direct::fits`.
+/// that `DirectConv::fits`.
 pub struct WeightGradient<'a> {
     pub geometry: &'a Geometry,
     pub coarse: &'a [f32],
