@@ -37,7 +37,7 @@ fn every_proposal_is_as_it_was() {
     assert!(changed.is_empty() && digests.len() == GOLDEN.len(), "not as in tests/golden/proposals.txt: {changed:?}");
 }
 
-/// MD5 over the balls, and where each comes from; probabilities are left out, they differ in the last bits.
+/// MD5 over the balls, and where each comes from; of probabilities it takes all bits.
 fn digest(template: &'static Template, models: &[PathNet; 2]) -> String {
     let mut md5 = Md5::new();
     for (index, id) in ids(template).step_by(25).enumerate() {
@@ -50,7 +50,7 @@ fn digest(template: &'static Template, models: &[PathNet; 2]) -> String {
         assert_eq!(from_map.len(), FROM_MAP, "{id}");
         for proposal in judged.into_iter().chain(from_map) {
             let origin = match proposal.origin {
-                Origin::Judge { .. } => "judge".to_string(),
+                Origin::Judge { probability } => format!("judge {:016x}", probability.to_bits()),
                 origin => format!("{origin:?}"),
             };
             md5.update(format!("{id} {} {origin}\n", proposal.ball));

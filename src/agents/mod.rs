@@ -1,10 +1,10 @@
 //! The agents that propose balls: the model and the random agent.
 //!
 //! The page, `propose` and `evaluate` all call these functions, so the same seed yields the same attempts.
-//! The judge's logits are the same natively and in wasm, bit for bit; the maps of the four nets differ in the last bits
-//! where the exponential functions of the two do, so that the placement map may start from another ball. No agent calls
-//! the simulator. All balls are valid and in the order of the attempts. `seed` is that of the whole run; each task derives
-//! its own from it.
+//! The judge's logits and probabilities are the same natively and in wasm, bit for bit; the maps of the four nets differ in
+//! the last bits where the exponential functions of the two do, so that the placement map may start from another ball. No
+//! agent calls the simulator. All balls are valid and in the order of the attempts. `seed` is that of the whole run; each
+//! task derives its own from it.
 
 mod fitting_balls;
 pub mod placement;
