@@ -5,10 +5,10 @@
 import { WorkerClient } from "./worker-client.js";
 
 /**
- * The workers that are in use, by the name that they were asked for: null for the first model.
- * @type {Map<string | null, { client: WorkerClient, users: number }>}
+ * The workers that are in use, and by how many puzzles.
+ * @type {Map<WorkerClient, number>}
  */
-const shared = new Map();
+const userCounts = new Map();
 
 export class SharedClient extends EventTarget {
   /**
@@ -19,7 +19,7 @@ export class SharedClient extends EventTarget {
   #module;
   /** @type {WorkerClient | null} */
   #client = null;
-  /** Is another worker taken, so that nothing of the one before counts? */
+  /** True while switching to another worker; the getters then report no model. */
   #changing = false;
   #onChange = () => this.dispatchEvent(new Event("change"));
 
@@ -107,27 +107,36 @@ export class SharedClient extends EventTarget {
 
   /** @param {string | null} name */
   #take(name) {
-    const entry = shared.get(name) ?? { client: new WorkerClient(this.#module), users: 0 };
-    entry.users += 1;
-    shared.set(name, entry);
+    const client = [...userCounts.keys()].find((one) => serves(one, name)) ?? new WorkerClient(this.#module);
+    userCounts.set(client, (userCounts.get(client) ?? 0) + 1);
     this.#leave();
-    this.#client = entry.client;
+    this.#client = client;
     this.requestedName = name;
-    entry.client.addEventListener("change", this.#onChange);
-    return entry.client;
+    client.addEventListener("change", this.#onChange);
+    return client;
   }
 
   #leave() {
     const client = this.#client;
-    const entry = shared.get(this.requestedName);
-    if (!client || !entry) return;
+    if (!client) return;
     client.removeEventListener("change", this.#onChange);
     this.#client = null;
-    entry.users -= 1;
-    if (entry.users === 0) {
-      shared.delete(this.requestedName);
+    this.requestedName = null;
+    const others = (userCounts.get(client) ?? 1) - 1;
+    if (others > 0) {
+      userCounts.set(client, others);
+    } else {
+      userCounts.delete(client);
       client.stop();
     }
-    this.requestedName = null;
   }
+}
+
+/**
+ * Does a worker load, or has it loaded, the model of this name? Null stands for the first model, which has a name too.
+ * @param {WorkerClient} client
+ * @param {string | null} name
+ */
+function serves({ requestedName, loaded }, name) {
+  return requestedName === name || (loaded !== null && loaded.name === (name ?? loaded.names[0]));
 }

@@ -65,21 +65,28 @@ export class WorkerClient extends EventTarget {
     this.#terminate("The model was started again.");
     this.requestedName = name;
     this.#set({ status: "loading" });
-    const worker = createWorker();
-    this.#worker = worker;
-    worker.addEventListener("message", ({ data }) => worker === this.#worker && this.#onMessage(data));
-    worker.addEventListener("error", (event) => {
-      event.preventDefault();
-      if (worker === this.#worker) this.#onCrash(event.message);
-    });
+    /** @type {Worker | null} */
+    let worker = null;
     try {
+      worker = this.#worker = this.#listened(createWorker());
       await this.#call("start", { module: this.#module });
       const loaded = await this.#call("load", { name }, undefined, ({ progress }) => this.#set({ status: "loading", progress }));
       this.#set({ status: "ready", loaded });
     } catch (error) {
       const { code = "broken", message } = /** @type {Error & { code?: string }} */ (error);
+      // Not after another start or a crash, which have set the status themselves.
       if (worker === this.#worker) this.#set({ status: "failed", failure: { code, message } });
     }
+  }
+
+  /** @param {Worker} worker */
+  #listened(worker) {
+    worker.addEventListener("message", ({ data }) => worker === this.#worker && this.#onMessage(data));
+    worker.addEventListener("error", (event) => {
+      event.preventDefault();
+      if (worker === this.#worker) this.#onCrash(event.message);
+    });
+    return worker;
   }
 
   /**
@@ -158,7 +165,7 @@ export class WorkerClient extends EventTarget {
   /** @param {string | undefined} reason none if not even its code could be loaded */
   #onCrash(reason) {
     const message = reason === undefined
-      ? "The model’s worker could not be loaded. If Pathlight has been updated meanwhile, load the page again."
+      ? "The model’s worker could not be loaded. If Pathlight has been updated meanwhile, load the page again. A page with a Content Security Policy has to allow workers (worker-src)."
       : `The model’s worker has stopped${reason ? ` (${reason})` : ""}.`;
     this.#terminate(message);
     this.#set({ status: "failed", failure: { code: "crashed", message } });
