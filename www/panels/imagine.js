@@ -24,11 +24,6 @@ export class Imagine extends Component {
   #rows;
   /** @type {Imagined | null} */
   #imagined = null;
-  /**
-   * The stages whose outlines are drawn.
-   * @type {Set<Stage>}
-   */
-  #outlined = new Set();
   #trouble = new TroubleBox(this.byId("imagine-trouble"));
   /**
    * The call to the worker that counts.
@@ -97,19 +92,29 @@ export class Imagine extends Component {
   }
 
   /**
-   * The outlines of a stage, which are drawn when they are first asked for.
+   * The outline of a stage, which is made when it is first asked for, because it is large and most are not.
    * @param {Stage} stage
    */
   #outlineOf(stage) {
-    const { outline } = this.#rows[stage];
-    const values = this.#imagined?.maps[stage];
-    if (!this.#outlined.has(stage)) {
-      this.#outlined.add(stage);
-      outline.clearRect(0, 0, OUTLINE_SIDE, OUTLINE_SIDE);
-      const most = values ? Math.max(...values) : 0;
-      if (values) paintOutline(outline, stage, values.map((value) => value / most), this.dark);
+    const row = this.#rows[stage];
+    if (!row.outline) {
+      const canvas = document.createElement("canvas");
+      canvas.width = canvas.height = OUTLINE_SIDE;
+      row.outline = contextOf(canvas);
+      this.#paintOutline(stage);
     }
-    return outline.canvas;
+    return row.outline.canvas;
+  }
+
+  /** @param {Stage} stage */
+  #paintOutline(stage) {
+    const { outline } = this.#rows[stage];
+    if (!outline) return;
+    outline.clearRect(0, 0, OUTLINE_SIDE, OUTLINE_SIDE);
+    const values = this.#imagined?.maps[stage];
+    if (!values) return;
+    const most = Math.max(...values);
+    paintOutline(outline, stage, values.map((value) => value / most), this.dark);
   }
 
   /**
@@ -131,14 +136,12 @@ export class Imagine extends Component {
     find(element, "details p").textContent = how;
     const box = find(element, "input", HTMLInputElement);
     box.addEventListener("change", () => this.requestState({ layers: STAGES.filter((one) => this.#rows[one].box.checked) }));
-    const outline = document.createElement("canvas");
-    outline.width = outline.height = OUTLINE_SIDE;
     return {
       element,
       box,
       scene: find(element, ".scene-layer", HTMLCanvasElement),
       map: contextOf(find(element, ".shade-layer", HTMLCanvasElement)),
-      outline: contextOf(outline),
+      outline: /** @type {CanvasRenderingContext2D | null} */ (null),
       legend: contextOf(find(element, ".legend", HTMLCanvasElement)),
       peak: find(element, ".peak"),
       summary: find(element, ".summary"),
@@ -207,7 +210,6 @@ export class Imagine extends Component {
 
   #paint() {
     const imagined = this.#imagined;
-    this.#outlined.clear();
     for (const stage of STAGES) {
       const { map, peak, summary: said } = this.#rows[stage];
       const values = imagined?.maps[stage];
@@ -215,6 +217,7 @@ export class Imagine extends Component {
       // Each map is drawn up to its own peak, which the legend names.
       const most = values ? Math.max(...values) : 0;
       if (values) paintMap(map, stage, values, most, this.dark);
+      this.#paintOutline(stage);
       setText(peak, values ? most.toFixed(2) : "");
       // Weights may come without a judge.
       const words = values ? summary(values) : imagined ? "this model has no such map" : "not imagined yet";
