@@ -99,7 +99,7 @@ function someOf(names) {
   return {
     format: (chosen) => chosen.join(","),
     parse: (text) => {
-      const chosen = text.split(",").filter(Boolean);
+      const chosen = text.split(",").map((name) => name.trim()).filter(Boolean);
       return chosen.every((name) => names.includes(name)) ? names.filter((name) => chosen.includes(name)) : undefined;
     },
   };
