@@ -2,8 +2,9 @@
 // errors are shown here.
 
 import "./element/pathlight-puzzle.js";
+import { byId } from "./shell/dom.js";
 import { showNotice } from "./shell/notice.js";
-import { wasmLoaded } from "./shell/load-wasm.js";
+import { loadWasm } from "./shell/load-wasm.js";
 
 const reload = () => location.reload();
 
@@ -18,10 +19,11 @@ addEventListener("unhandledrejection", ({ reason }) => showCrash(reason));
 
 let loaded = false;
 try {
-  await wasmLoaded;
+  await loadWasm();
   loaded = true;
 } catch (error) {
-  // Loads the same address again, with what follows # in it.
+  // The notice says it once for the page and its puzzle. Loads the same address again, with what follows # in it.
+  byId(document, "puzzle").hidden = true;
   showNotice(/** @type {Error} */ (error).message, [["Try again", reload]]);
 }
 if (loaded) {

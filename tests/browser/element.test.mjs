@@ -1,23 +1,11 @@
-// <pathlight-puzzle> in a page of someone else's: two puzzles are played independently of each other, follow their attributes
-// and the width that they are given, and free everything when they go.
+// <pathlight-puzzle> in another page: two puzzles are played independently of each other, follow their attributes and the
+// width of their container, and free their worker and memory when they are removed.
 
-import AxeBuilder from '@axe-core/playwright';
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
+import { LESSON, embed, imagined, single, wait, workers } from './embedding.mjs';
 import { start } from './harness.mjs';
 import { focused, known } from './page-actions.mjs';
-
-/** The whole page of a lesson. */
-const LESSON = `<!doctype html>
-<html lang="en">
-<title>A lesson</title>
-<script type="module" src="/element/pathlight-puzzle.js"></script>
-<main>
-  <h1>A lesson</h1>
-  <pathlight-puzzle id="one" task="00000:000"></pathlight-puzzle>
-  <pathlight-puzzle id="two" task="00007:008" panel="imagine" theme="dark"></pathlight-puzzle>
-</main>
-</html>`;
 
 let session, models;
 before(async () => {
@@ -25,23 +13,6 @@ before(async () => {
   models = (await (await fetch(`${session.origin}/assets/model.json`)).json()).models.map(({ name }) => name);
 });
 after(() => session.stop());
-
-/**
- * Opens a page with this markup, served beside the modules, and waits until its puzzles are there.
- * @param {string} [markup]
- * @param {import('playwright-core').BrowserContextOptions} [options]
- */
-async function embed(markup = LESSON, options = {}) {
-  const page = await session.open('', { viewport: { width: 1280, height: 800 }, reducedMotion: 'reduce', ...options });
-  await page.route('**/lesson.html', (route) => route.fulfill({ body: markup, contentType: 'text/html' }));
-  await page.goto(`${session.origin}/lesson.html`);
-  return page;
-}
-
-/** A page with one element. */
-const single = (attributes, style = '') =>
-  `<!doctype html><html lang="en"><title>One</title><script type="module" src="/element/pathlight-puzzle.js"></script>
-  <main><h1>One</h1><div style="${style}"><pathlight-puzzle ${attributes}></pathlight-puzzle></div></main></html>`;
 
 /** The place on the screen of a point of a puzzle's scene, px. */
 async function spot(puzzle, x, y) {
@@ -53,18 +24,9 @@ async function spot(puzzle, x, y) {
 
 const ballOf = async (puzzle) => Promise.all(['x', 'y', 'r'].map(async (name) => Number(await puzzle.locator(`#ball-${name}`).inputValue())));
 const status = (puzzle, pattern) => puzzle.locator('#status').filter({ hasText: pattern }).waitFor();
-const imagined = (puzzle) => puzzle.locator('#imagined-in').filter({ hasText: /Imagined in \d+ ms/ }).waitFor();
-const workers = (page, count) => assert.equal(page.workers().length, count, 'workers');
 
-async function wait(passes, what) {
-  for (const end = Date.now() + 20_000; !(await passes()); ) {
-    assert.ok(Date.now() < end, what);
-    await new Promise((resume) => setTimeout(resume, 20));
-  }
-}
-
-test('two puzzles in one page are played with the mouse, each for itself', async () => {
-  const page = await embed();
+test('two puzzles in one page are played with the mouse, independently of each other', async () => {
+  const page = await embed(session);
   const [one, two] = [page.locator('#one'), page.locator('#two')];
   await imagined(two);
   const { solving } = await known(page);
@@ -85,8 +47,8 @@ test('two puzzles in one page are played with the mouse, each for itself', async
   assert.equal(await page.evaluate(() => Object.keys(localStorage).length), 0, 'nothing is kept in the browser of a page that did not ask for it');
 });
 
-test('keys act in the puzzle that has the focus, and nowhere else', async () => {
-  const page = await embed();
+test('keys act only in the puzzle that has the focus', async () => {
+  const page = await embed(session);
   const [one, two] = [page.locator('#one'), page.locator('#two')];
   await imagined(two);
   await two.evaluate((element) => element.focus());
@@ -113,7 +75,7 @@ test('keys act in the puzzle that has the focus, and nowhere else', async () => 
 });
 
 test('a finger places and drags', async () => {
-  const page = await embed(LESSON, { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+  const page = await embed(session, LESSON, { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
   const two = page.locator('#two');
   await imagined(two);
   await two.locator('#tab-play').tap();
@@ -123,21 +85,8 @@ test('a finger places and drags', async () => {
   assert.deepEqual(await ballOf(page.locator('#one')), [0, 0, 0]);
 });
 
-for (const colorScheme of /** @type {const} */ (['light', 'dark'])) {
-  test(`axe finds nothing in an embedded puzzle, ${colorScheme}`, async () => {
-    const page = await embed(LESSON, { colorScheme });
-    await imagined(page.locator('#two'));
-    const names = await page.getByRole('group', { name: /^Puzzle / }).evaluateAll((groups) => groups.map((group) => group.getAttribute('aria-label')));
-    assert.equal(names.length, 2);
-    assert.match(names[1], /^Puzzle Funnel 00007:008$/);
-    const { violations } = await new AxeBuilder({ page }).analyze();
-    const bad = violations.filter(({ impact }) => impact === 'serious' || impact === 'critical');
-    assert.deepEqual(bad.map(({ id, nodes }) => [id, nodes.map(({ html }) => html)]), []);
-  });
-}
-
-test('it follows its attributes, and they follow the person', async () => {
-  const page = await embed();
+test('the puzzle follows its attributes, and the attributes follow the person', async () => {
+  const page = await embed(session);
   const one = page.locator('#one');
   await one.locator('#scene').waitFor();
   const goal = await one.locator('#goal').textContent();
@@ -169,7 +118,7 @@ test('it follows its attributes, and they follow the person', async () => {
   assert.equal(await one.locator('[data-stage=target] input').isChecked(), false);
 });
 
-test('properties that were set before the element was defined count', async () => {
+test('properties that were set before the element was defined take effect', async () => {
   const early = `<!doctype html><html lang="en"><title>Early</title><main><h1>Early</h1></main>
     <script>
       const puzzle = document.createElement('pathlight-puzzle');
@@ -177,15 +126,15 @@ test('properties that were set before the element was defined count', async () =
       document.querySelector('main').append(puzzle);
     </script>
     <script type="module" src="/element/pathlight-puzzle.js"></script></html>`;
-  const page = await embed(early);
+  const page = await embed(session, early);
   const puzzle = page.locator('pathlight-puzzle');
   await puzzle.locator('#map').waitFor();
   assert.equal(await puzzle.getAttribute('task'), '00007:008');
   assert.equal(await puzzle.evaluate((element) => element.hrefOf('00000:000')), '#00000:000');
 });
 
-test('a puzzle that is removed frees its worker and its memory, and plays again when it comes back', async () => {
-  const page = await embed();
+test('a puzzle that is removed frees its worker and its memory, and can be played again when it is put back', async () => {
+  const page = await embed(session);
   await imagined(page.locator('#two'));
   await page.evaluate(async () => {
     const { Puzzle } = await import('/pkg/pathlight.js');
@@ -206,14 +155,14 @@ test('a puzzle that is removed frees its worker and its memory, and plays again 
   await page.locator('#one').evaluate((element, ball) => element.setAttribute('ball', ball), String(solving));
   await page.locator('#one #run').click();
   await status(page.locator('#one'), /^Solved!/);
-  // One that is only moved keeps what was played.
+  // A puzzle that is moved within its page keeps its attempts.
   await page.evaluate(() => document.querySelector('main')?.prepend(globalThis.puzzles[0]));
   await page.waitForTimeout(100);
   assert.equal(await page.locator('#one #play-attempts li').count(), 1);
 });
 
 test('puzzles of one model share its worker, those of another have their own', async () => {
-  const page = await embed();
+  const page = await embed(session);
   const [one, two] = [page.locator('#one'), page.locator('#two')];
   await imagined(two);
   workers(page, 1);
@@ -231,6 +180,16 @@ test('puzzles of one model share its worker, those of another have their own', a
   await two.locator('#card').filter({ hasText: `model “${models[0]}”` }).waitFor({ state: 'attached' });
   await imagined(two);
   await wait(() => page.workers().length === 1, 'the worker of the second model ends');
+  // The first model by its name is the same model.
+  await two.evaluate((element, name) => element.setAttribute('model', name), models[0]);
+  await page.evaluate((name) => {
+    const third = Object.assign(document.createElement('pathlight-puzzle'), { id: 'three', task: '00000:001', panel: 'imagine', model: name });
+    document.querySelector('main')?.append(third);
+  }, models[0]);
+  await imagined(two);
+  await imagined(page.locator('#three'));
+  workers(page, 1);
+  assert.equal(await two.getAttribute('model'), models[0]);
 });
 
 for (const { attributes, words, playable = false } of [
@@ -239,7 +198,7 @@ for (const { attributes, words, playable = false } of [
   { attributes: 'task="00007:008" panel="soup" layers="soup"', words: /panel="soup" and layers="soup"/, playable: true },
 ]) {
   test(`a bad attribute (${attributes}) is a sentence in the element`, async () => {
-    const page = await embed(single(attributes));
+    const page = await embed(session, single(attributes));
     await page.locator('#problem').filter({ hasText: words }).waitFor();
     assert.equal(await page.locator('#scene').isVisible(), playable);
     if (playable) {
@@ -255,17 +214,8 @@ for (const { attributes, words, playable = false } of [
   });
 }
 
-test('without the wasm the element says so', async () => {
-  const page = await session.open('');
-  await page.route('**/*.wasm', (route) => route.fulfill({ status: 404 }));
-  await page.route('**/lesson.html', (route) => route.fulfill({ body: single('task="00000:000"'), contentType: 'text/html' }));
-  await page.goto(`${session.origin}/lesson.html`);
-  await page.getByRole('alert').filter({ hasText: 'the server answered 404' }).waitFor();
-  session.takeProblems();
-});
-
 test('a puzzle that hides all panels of the model loads no weights', async () => {
-  const page = await embed(single('task="00000:000" hide="imagine,compare,predict,map,story"'));
+  const page = await embed(session, single('task="00000:000" hide="imagine, compare,predict, map ,story"'));
   await page.locator('#run').waitFor();
   for (const hidden of ['#tab-imagine', '#tab-compare', '#tab-predict', '#tab-map', '#story']) assert.ok(await page.locator(hidden).isHidden(), hidden);
   workers(page, 0);
@@ -273,7 +223,7 @@ test('a puzzle that hides all panels of the model loads no weights', async () =>
 
 for (const width of [320, 400, 700, 1200]) {
   test(`${width} px wide, everything fits its container, whatever the window is`, async () => {
-    const page = await embed(single('task="00007:008"', `width: ${width}px`));
+    const page = await embed(session, single('task="00007:008"', `width: ${width}px`));
     await page.locator('#scene').waitFor();
     for (const panel of ['play', 'imagine', 'compare', 'predict', 'map']) {
       await page.locator(`#tab-${panel}`).click();
@@ -291,17 +241,3 @@ for (const width of [320, 400, 700, 1200]) {
     else assert.ok(tabs.y > scene.y + scene.height, 'the panel is under the scene');
   });
 }
-
-test('modules from another origin bring their worker along', async () => {
-  const page = await session.open('');
-  await page.context().route('http://elsewhere.test/**', async (route) => {
-    const { pathname } = new URL(route.request().url());
-    const response = await route.fetch({ url: session.origin + pathname });
-    await route.fulfill({ response, headers: { 'content-type': response.headers()['content-type'], 'access-control-allow-origin': '*' } });
-  });
-  const markup = single('task="00007:008" panel="imagine"').replace('/element/', 'http://elsewhere.test/element/');
-  await page.route('**/lesson.html', (route) => route.fulfill({ body: markup, contentType: 'text/html' }));
-  await page.goto(`${session.origin}/lesson.html`);
-  await imagined(page.locator('pathlight-puzzle'));
-  workers(page, 1);
-});

@@ -73,8 +73,15 @@ export async function compileWasm(source) {
 
 /** @param {URL} address */
 async function compileFile(address) {
-  /** @param {string} reason */
-  const refuse = (reason) => failure("no_wasm", `Pathlight’s wasm could not be loaded: ${reason} for ${address}. Build or install Pathlight again.`);
+  /**
+   * @param {string} reason
+   * @param {number} [status]
+   */
+  const refuse = (reason, status) => {
+    const missing = status === 404 || diskOf(address);
+    const remedy = missing ? "Build or install Pathlight again." : "Check the connection and try again.";
+    return failure("no_wasm", `Pathlight’s wasm could not be loaded: ${reason} for ${address}. ${remedy}`);
+  };
   if (diskOf(address)) return WebAssembly.compile(await readFile(address, refuse));
   const response = await answerOf(address, refuse);
   // Compiled while it arrives; not every static server knows wasm's media type, without which browsers refuse that.

@@ -53,7 +53,7 @@ export class PuzzleController extends EventTarget {
   #dark = null;
 
   /**
-   * Fires "statechange" when the person has changed the state, "modelchange" when the model comes or goes, and "attempt", a
+   * Fires "statechange" when the person has changed the state, "modelchange" when the model's status changes, and "attempt", a
    * CustomEvent with a PlayedAttempt, when an attempt of the player's has run to its end or was left.
    * @param {ShadowRoot} root
    * @param {WebAssembly.Module} module
@@ -116,17 +116,17 @@ export class PuzzleController extends EventTarget {
     ];
   }
 
-  /** A copy of the state. */
+  /** Returns a copy of the state. */
   get state() {
     return { ...this.#state };
   }
 
-  /** The state as text by key; null where it is as at the start. */
+  /** Returns the state as text by key; null where it is as at the start. */
   get texts() {
     return formatState(this.#state);
   }
 
-  /** The model: the name of the one that is loaded, or null, and how far it has come. */
+  /** Returns the name of the model that is loaded, or null, and its status. */
   get model() {
     const { status, loaded } = this.#client;
     return { name: loaded?.name ?? null, status };

@@ -19,9 +19,9 @@ template.innerHTML = `
   <symbol id="icon-delete" viewBox="0 0 24 24"><path d="M5 7h14M10 7V4.5h4V7M7 7l.8 12.5h8.4L17 7M10.3 10.5v5.5M13.7 10.5v5.5" class="line"/></symbol>
 </svg>
 
-<p id="problem" role="alert" hidden></p>
+<p id="problem" lang="en" role="alert" hidden></p>
 
-<div class="puzzle" role="group" hidden>
+<div class="puzzle" lang="en" role="group" hidden>
   <div class="stage">
     <div class="scene">
       <canvas id="scene" tabindex="0" role="application" aria-roledescription="puzzle scene" aria-labelledby="goal" aria-describedby="description"></canvas>
@@ -61,7 +61,7 @@ template.innerHTML = `
   </div>
 </div>
 
-<p class="visually-hidden" id="announcement" role="status"></p>
+<p class="visually-hidden" id="announcement" lang="en" role="status"></p>
 
 <template id="attempt-row">
   <li>
@@ -92,7 +92,7 @@ template.innerHTML = `
   </li>
 </template>
 
-<dialog id="keys-dialog" aria-labelledby="keys-title">
+<dialog id="keys-dialog" lang="en" aria-labelledby="keys-title">
   <h2 id="keys-title">Keys</h2>
   <dl>
     <dt><kbd>←</kbd> <kbd>→</kbd> <kbd>↑</kbd> <kbd>↓</kbd></dt><dd>in the scene: move the ball by 1, with <kbd>Shift</kbd> by 10</dd>
@@ -108,7 +108,7 @@ template.innerHTML = `
   <form method="dialog"><button>Close</button></form>
 </dialog>
 
-<dialog id="about-dialog" aria-labelledby="about-title">
+<dialog id="about-dialog" lang="en" aria-labelledby="about-title">
   <h2 id="about-title" tabindex="-1" autofocus>About Pathlight</h2>
   <p>You choose where one red ball starts. After that nobody touches anything: balls fall and roll, bars tip, and everything bumps into everything else. The model plays by the same rules, in the same simulator.</p>
   <h3>How the model thinks</h3>

@@ -7,12 +7,14 @@
 // The attributes say what is shown, follow the person, and can be changed at any time: `task`, `model`, `panel`, `stage`,
 // `proposal`, `layers`, `opacity`, `ball` and `hide`, as in the links of Pathlight, and `theme`. Besides:
 //   fill       takes the height of its container too, which must have one; else it is as high as its content
-//   remember   keeps attempts and results in this browser (localStorage); else they are forgotten with the page
+//   remember   keeps for each puzzle the number of attempts and the one that solved it in this browser (localStorage); else
+//              they are forgotten with the page. Read once, when the puzzle is loaded
 // This file knows only the element; everything else is loaded once the wasm is there.
 
-import { wasmLoaded } from "../shell/load-wasm.js";
+import { loadWasm } from "../shell/load-wasm.js";
 import { puzzleMarkup } from "./markup.js";
-import { styleSheets } from "./style-sheets.js";
+import { Placeholder, placeholderSheet } from "./placeholder.js";
+import { loadStyleSheets } from "./style-sheets.js";
 
 /** @typedef {import("../shell/url-state.js").State} State */
 /** @typedef {import("../shell/url-state.js").Panel} Panel */
@@ -22,27 +24,13 @@ import { styleSheets } from "./style-sheets.js";
 /** The attributes that make up the state; shell/url-state.js knows their values. */
 const STATE_ATTRIBUTES = ["task", "model", "panel", "stage", "proposal", "layers", "opacity", "ball", "hide"];
 
-/**
- * What stands in for a puzzle that is on its way, in the size that it is going to have. Nothing is inherited from the page
- * around it.
- */
-const placeholderSheet = new CSSStyleSheet();
-placeholderSheet.replaceSync(`
-  :host { all: initial; display: block; container-type: inline-size; }
-  :host([hidden]) { display: none; }
-  .placeholder { block-size: calc(100cqi + 384px); border-radius: 14px; background: rgb(128 128 128 / 0.12); }
-  .placeholder:not(:empty) { block-size: auto; padding: 16px; color-scheme: light dark; background: Canvas; color: CanvasText; font: 16px/1.45 system-ui, sans-serif; }
-  :host([fill]) .placeholder:empty, :host(:not([task])) .placeholder:empty { display: none; }
-  @container (min-width: 760px) { .placeholder:empty { block-size: calc(min(55cqi, 640px) + 112px); } }
-`);
-
 const darkScheme = matchMedia("(prefers-color-scheme: dark)");
 
 /**
  * Fires, all bubbling:
  *   "statechange"  the person has changed the state; `detail` is the State
  *   "attempt"      an attempt of the player's has run to its end, or was left; `detail` is a PlayedAttempt
- *   "modelchange"  the model comes or goes; `detail` is { name, status: "off" | "loading" | "ready" | "failed" }
+ *   "modelchange"  the model's status changes; `detail` is { name, status: "off" | "loading" | "ready" | "failed" }
  */
 export class PathlightPuzzle extends HTMLElement {
   static observedAttributes = [...STATE_ATTRIBUTES, "theme"];
@@ -50,7 +38,7 @@ export class PathlightPuzzle extends HTMLElement {
   /** @type {HrefOf | null} */
   #hrefOf = null;
   #root = this.attachShadow({ mode: "open" });
-  #placeholder = document.createElement("div");
+  #placeholder = new Placeholder();
   /** @type {import("./controller.js").PuzzleController | null} */
   #controller = null;
   /**
@@ -58,6 +46,7 @@ export class PathlightPuzzle extends HTMLElement {
    * @type {State | null}
    */
   #awaited = null;
+  /** The puzzle is on its way, or there. */
   #loading = false;
   #updating = false;
   /** Ends what the element listens to while it is connected. */
@@ -65,9 +54,8 @@ export class PathlightPuzzle extends HTMLElement {
 
   constructor() {
     super();
-    this.#placeholder.className = "placeholder";
     this.#root.adoptedStyleSheets = [placeholderSheet];
-    this.#root.append(this.#placeholder);
+    this.#root.append(this.#placeholder.element);
   }
 
   connectedCallback() {
@@ -187,18 +175,31 @@ export class PathlightPuzzle extends HTMLElement {
   async #load() {
     this.#loading = true;
     try {
-      const [module, sheets] = await Promise.all([wasmLoaded, styleSheets]);
+      const [module, sheets] = await Promise.all([loadWasm(), loadStyleSheets()]);
       const [{ PuzzleController }, { sharedProgress }] = await Promise.all([import("./controller.js"), import("../shell/progress-store.js")]);
       this.#root.adoptedStyleSheets = [placeholderSheet, ...sheets];
       this.#root.append(puzzleMarkup());
       const progress = sharedProgress(this.hasAttribute("remember") ? "kept" : "forgotten");
       this.#controller = this.#listened(new PuzzleController(this.#root, module, progress, () => this.#hrefOf));
-      this.#placeholder.remove();
-      this.#update();
     } catch (error) {
-      this.#placeholder.setAttribute("role", "alert");
-      this.#placeholder.textContent = /** @type {Error} */ (error).message;
+      this.#loading = false;
+      const { code, message } = /** @type {Error & { code?: string }} */ (error);
+      this.#placeholder.showFailure(message, () => this.#loadAgain());
+      this.#root.replaceChildren(this.#placeholder.element);
+      // An error without a code is a bug of ours.
+      if (!code) reportError(error);
+      return;
     }
+    this.#placeholder.element.remove();
+    this.#update();
+  }
+
+  async #loadAgain() {
+    this.#placeholder.showLoading();
+    await this.#load();
+    // The focus was on the button that has gone.
+    if (this.#controller) this.focus();
+    else this.#placeholder.focus();
   }
 
   /** @param {import("./controller.js").PuzzleController} controller */
@@ -266,4 +267,5 @@ export class PathlightPuzzle extends HTMLElement {
   }
 }
 
-customElements.define("pathlight-puzzle", PathlightPuzzle);
+// A page may load a second copy of this file from elsewhere; the first one stays.
+if (!customElements.get("pathlight-puzzle")) customElements.define("pathlight-puzzle", PathlightPuzzle);

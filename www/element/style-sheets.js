@@ -1,17 +1,27 @@
 // Reads the style sheets of a puzzle once; all puzzles of a page adopt the same ones.
 
+import { failure } from "../api/failure.js";
 import { readFile } from "../api/files.js";
 
 const ADDRESSES = [new URL("../base.css", import.meta.url), new URL("./puzzle.css", import.meta.url), new URL("./panels.css", import.meta.url)];
 
-/** Resolves to the style sheets. Rejects with a sentence for the person. */
-export const styleSheets = Promise.all(ADDRESSES.map(readSheet));
+/** @type {Promise<CSSStyleSheet[]> | null} */
+let loaded = null;
 
-// The element handles the rejection, but may attach its handler only later.
-styleSheets.catch(() => {});
+/** Returns the style sheets. Rejects with a sentence for the person; the next call then tries again. */
+export function loadStyleSheets() {
+  loaded ??= Promise.all(ADDRESSES.map(readSheet)).catch((error) => {
+    loaded = null;
+    throw error;
+  });
+  return loaded;
+}
 
 /** @param {URL} address */
 async function readSheet(address) {
-  const bytes = await readFile(address, (reason) => new Error(`Pathlight’s style sheet could not be loaded: ${reason} for ${address}. Load the page again.`));
+  const bytes = await readFile(address, (reason, status) => {
+    const remedy = status === 404 ? "Build or install Pathlight again." : "Check the connection and try again.";
+    return failure("no_style", `Pathlight’s style sheet could not be loaded: ${reason} for ${address}. ${remedy}`);
+  });
   return new CSSStyleSheet().replace(new TextDecoder().decode(bytes));
 }

@@ -3,14 +3,23 @@
 
 import { compileWasm } from "../api/files.js";
 
-/**
- * Resolves to the compiled module once the exports of pkg/pathlight.js can be called. Rejects with a sentence for the
- * person.
- */
-export const wasmLoaded = load();
+/** @type {Promise<WebAssembly.Module> | null} */
+let loaded = null;
 
-// main.js handles the rejection, but may attach its handler only later.
-wasmLoaded.catch(() => {});
+/**
+ * Returns the compiled module once the exports of pkg/pathlight.js can be called. Rejects with a sentence for the person;
+ * the next call then tries again.
+ */
+export function loadWasm() {
+  loaded ??= load().catch((error) => {
+    loaded = null;
+    throw error;
+  });
+  return loaded;
+}
+
+// Those who call handle the rejection.
+loadWasm().catch(() => {});
 
 async function load() {
   const [module, { default: initialise }] = await Promise.all([compileWasm(), import("../pkg/pathlight.js")]);
