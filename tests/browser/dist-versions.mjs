@@ -1,6 +1,6 @@
 // Builds of dist/ in temporary folders, for tests that upload another version.
 
-import { cp, mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
+import { appendFile, cp, mkdtemp, rm } from 'node:fs/promises';
 import { rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
@@ -22,11 +22,11 @@ export async function plainDist() {
   return { folder, files: await buildDist({ out: folder, compress: false }) };
 }
 
-/** A build of another version: main.js has one more line. */
-export async function changedDist() {
+/** A build of another version: a file of the page has one more line. */
+export async function changedDist(path = 'main.js', line = '// changed') {
   const [page, folder] = [await temporaryFolder(), await temporaryFolder()];
   await cp(www, page, { recursive: true });
-  await writeFile(join(page, 'main.js'), `${await readFile(join(page, 'main.js'), 'utf8')}// changed\n`);
+  await appendFile(join(page, path), `${line}\n`);
   const files = await buildDist({ page, out: folder, compress: false });
   await rm(page, { recursive: true });
   return { folder, files };

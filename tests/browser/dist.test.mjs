@@ -1,5 +1,5 @@
-// dist/ is a folder that goes anywhere: under any path, on a host that sends no header but the media type, in a frame, and
-// uploaded anew while it is open.
+// dist/ works wherever it is put: under any path, on a host that sends no header but the media type, in a frame, and when
+// another version is uploaded while it is open.
 
 import assert from 'node:assert/strict';
 import { readFile, readdir } from 'node:fs/promises';

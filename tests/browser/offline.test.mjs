@@ -1,62 +1,24 @@
-// dist/ after one visit: everything works without a network, another version is offered and never forced, and whatever goes
-// wrong with the service worker, the page plays on.
+// dist/ after one visit: everything works without a network, and the page works whatever goes wrong with the service worker.
 
-import AxeBuilder from '@axe-core/playwright';
 import assert from 'node:assert/strict';
-import { appendFile, cp } from 'node:fs/promises';
-import { join } from 'node:path';
 import { after, before, beforeEach, test } from 'node:test';
-import { changedDist, plainDist, temporaryFolder } from './dist-versions.mjs';
+import { comeBack, eventually, imagine, kept, solve } from './dist-page.mjs';
+import { plainDist } from './dist-versions.mjs';
 import { start, startOn } from './harness.mjs';
-import { EASY, known, modelLoaded, openPuzzle, playModelTurn, says, type } from './page-actions.mjs';
+import { EASY, modelLoaded, openPuzzle, playModelTurn } from './page-actions.mjs';
 import { serveStatic } from './static-server.mjs';
 
 /** A name of this machine that browsers do not trust as they trust 127.0.0.1. */
 const UNTRUSTED = 'pathlight.test';
 
-let first;
-let second;
 let server;
 let session;
 before(async () => {
-  [first, second] = [await plainDist(), await changedDist()];
-  server = await serveStatic(first.folder);
+  server = await serveStatic((await plainDist()).folder);
   session = await startOn(server, [`--host-resolver-rules=MAP ${UNTRUSTED} 127.0.0.1`]);
 });
-beforeEach(() => (server.folder = first.folder));
+beforeEach(() => (server.isDown = false));
 after(() => session.stop());
-
-/** Waits until a version is kept for offline. */
-const kept = (page) => page.evaluate(async () => void (await navigator.serviceWorker.ready));
-/** The folder of the version that the page is from. */
-const versionOf = (page) => page.locator('script[src$="/main.js"]').getAttribute('src').then((src) => src.split('/')[0]);
-/** Makes the page look for another version, as it does when it comes back into sight. */
-const comeBack = (page) => page.evaluate(() => void document.dispatchEvent(new Event('visibilitychange')));
-const sentence = (page) => page.locator('#update').filter({ hasText: 'A new version is here.' });
-const cachedVersions = (page) => page.evaluate(async () => (await caches.keys()).map((name) => name.split('/').at(-2)));
-
-async function solve(page) {
-  await page.locator('#tab-play').click();
-  await type(page, (await known(page)).solving);
-  await page.locator('#run').click();
-  await says(page, /^Solved!/);
-}
-
-async function imagine(page) {
-  await page.locator('#tab-imagine').click();
-  await page.locator('#imagined-in').filter({ hasText: 'Imagined' }).waitFor();
-}
-
-/** Waits until something is as expected. */
-async function eventually(actual, expected) {
-  const end = Date.now() + 20_000;
-  for (;;) {
-    const now = await actual();
-    if (JSON.stringify(now) === JSON.stringify(expected)) return;
-    assert.ok(Date.now() < end, `it stays ${JSON.stringify(now)}`);
-    await new Promise((resume) => setTimeout(resume, 50));
-  }
-}
 
 test('after one visit everything works without a network', async () => {
   const visit = await session.open('/', { reducedMotion: 'reduce' });
@@ -89,159 +51,37 @@ test('after one visit everything works without a network', async () => {
   await server.start();
 });
 
-test('weights are kept for later only once the page is there', async () => {
-  const since = server.answers.length;
-  const page = await session.open('/');
-  await kept(page);
-  const urls = server.answers.slice(since).map(({ url }) => url);
-  const at = (end) => urls.findIndex((url) => url.endsWith(end));
-  assert.ok(at('service-worker.js') > at('/main.js') && at('.safetensors') > at('service-worker.js'), urls.join('\n'));
-  await page.context().close();
-});
-
-test('an update while the page is open is offered, and taken when the person says so', async () => {
-  const page = await openPuzzle(session, { reducedMotion: true });
-  await kept(page);
-  const old = await versionOf(page);
-  server.folder = second.folder;
-  await comeBack(page);
-  await sentence(page).waitFor();
-
-  // The server has no file of the old version any more; the worker and the weights are loaded only now.
-  await page.locator('#next').click();
-  await imagine(page);
-  await page.locator('#model-select').selectOption('cross-0');
-  await modelLoaded(page, 'cross-0');
-  await page.locator('#previous').click();
-  await solve(page);
-  assert.equal(await versionOf(page), old);
-  await sentence(page).waitFor();
-
-  const address = page.url();
-  await sentence(page).getByRole('button', { name: 'Load it' }).click();
-  await page.waitForFunction((old) => document.querySelector('script[src$="/main.js"]')?.getAttribute('src')?.startsWith(old) === false, old);
-  assert.equal(page.url(), address);
-  await solve(page);
-  assert.equal(await sentence(page).count(), 0);
-  // The old version is not kept any longer.
-  await eventually(() => cachedVersions(page), [await versionOf(page)]);
-  await page.context().close();
-});
-
-for (const [screen, size] of Object.entries({ 'a desktop': { viewport: { width: 1280, height: 800 } }, 'a phone': { viewport: { width: 360, height: 740 } } })) {
-  for (const colorScheme of /** @type {const} */ (['light', 'dark'])) {
-    test(`the sentence is in nobody's way on ${screen}, ${colorScheme}`, async () => {
-      const page = await openPuzzle(session, { ...size, colorScheme });
-      await kept(page);
-      const scene = await page.locator('#scene').boundingBox();
-      server.folder = second.folder;
-      await comeBack(page);
-      await sentence(page).waitFor();
-      assert.deepEqual(await page.locator('#scene').boundingBox(), scene);
-      const bar = await page.locator('#update').boundingBox();
-      assert.ok(bar.height < 60, 'it takes one line');
-      for (const id of ['scene', 'run', 'status', 'tab-play', 'radius']) {
-        await page.locator(`#${id}`).scrollIntoViewIfNeeded();
-        const box = await page.locator(`#${id}`).boundingBox();
-        assert.ok(box.x + box.width <= bar.x + 1 || box.y + box.height <= bar.y + 1, `it covers #${id}`);
-      }
-      assert.deepEqual((await new AxeBuilder({ page }).include('#update').analyze()).violations.map(({ help }) => help), []);
-      await page.context().close();
-    });
-  }
-}
-
-test('“Later” puts the new version off until no page is open', async () => {
-  const page = await openPuzzle(session);
-  await kept(page);
-  const old = await versionOf(page);
-  server.folder = second.folder;
-  await comeBack(page);
-  await sentence(page).getByRole('button', { name: 'Later' }).click();
-  assert.equal(await sentence(page).count(), 0);
-  await page.reload();
-  assert.equal(await versionOf(page), old);
-  const context = page.context();
-  await page.close();
-  const visit = async () => {
-    // The browser replaces the service worker some time after the last page was closed.
-    await new Promise((resume) => setTimeout(resume, 500));
-    const next = await session.openIn(context);
-    await next.locator('#templates canvas.drawn').first().waitFor();
-    const version = await versionOf(next);
-    await next.close();
-    return version !== old;
-  };
-  await eventually(visit, true);
-  await context.close();
-});
-
-test('of two open pages one takes the new version, and the other goes on in the old one', async () => {
-  const one = await openPuzzle(session, { reducedMotion: true });
-  await kept(one);
-  const context = one.context();
-  const other = await session.openIn(context, `/#task=${EASY}`);
-  const old = await versionOf(one);
-  server.folder = second.folder;
-  await comeBack(one);
-  await sentence(one).getByRole('button', { name: 'Load it' }).click();
-  await one.waitForFunction((old) => document.querySelector('script[src$="/main.js"]')?.getAttribute('src')?.startsWith(old) === false, old);
-  const renewed = await versionOf(one);
-
-  // Its worker is started anew, and fetches the weights of the other model.
-  await sentence(other).waitFor();
-  await imagine(other);
-  await other.locator('#model-select').selectOption('cross-0');
-  await modelLoaded(other, 'cross-0');
-  assert.equal(await versionOf(other), old);
-  assert.deepEqual((await cachedVersions(other)).sort(), [old, renewed].sort());
-
-  await other.locator('#home').click();
-  await sentence(other).getByRole('button', { name: 'Load it' }).click();
-  await other.waitForFunction((old) => document.querySelector('script[src$="/main.js"]')?.getAttribute('src')?.startsWith(old) === false, old);
-  await eventually(() => cachedVersions(other), [renewed]);
-  await context.close();
-});
-
-test('a version that arrives damaged is not taken', async () => {
-  const page = await openPuzzle(session, { reducedMotion: true });
-  await kept(page);
-  const old = await versionOf(page);
-  const damaged = await temporaryFolder();
-  await cp(second.folder, damaged, { recursive: true });
-  await appendFile(join(damaged, [...second.files.keys()].find((path) => path.endsWith('/page.js')) ?? ''), '// half of another version\n');
-  server.folder = damaged;
-  const context = page.context();
-  const failed = page.evaluate(async () => {
-    const registration = await navigator.serviceWorker.ready;
-    return new Promise((resolve) => registration.addEventListener('updatefound', () => {
-      const { installing } = registration;
-      installing?.addEventListener('statechange', () => resolve(installing.state));
-    }));
+test('files are kept for later only once the page is there', async () => {
+  const page = await session.open('');
+  await page.addInitScript(() => {
+    const { serviceWorker } = navigator;
+    const register = serviceWorker.register.bind(serviceWorker);
+    serviceWorker.register = (...options) => {
+      document.documentElement.dataset.registered = document.querySelector('#templates a') ? 'after the page' : 'before the page';
+      return register(...options);
+    };
   });
-  await comeBack(page);
-  assert.equal(await failed, 'redundant');
-  assert.equal(await sentence(page).count(), 0);
-  await context.setOffline(true);
-  await page.reload();
-  assert.equal(await versionOf(page), old);
-  await solve(page);
-  await context.close();
+  await page.goto(`${server.origin}/`);
+  await kept(page);
+  assert.equal(await page.locator('html').getAttribute('data-registered'), 'after the page');
+  await page.context().close();
 });
 
-test('another page at the same address ends the service worker', async () => {
-  const page = await session.open('/', { reducedMotion: 'reduce' });
+test('an error of the server ends nothing', async () => {
+  const page = await openPuzzle(session, { reducedMotion: true });
   await kept(page);
+  const since = server.answers.length;
+  server.isDown = true;
+  await comeBack(page);
+  await eventually(async () => server.answers.slice(since).map(({ status }) => status).slice(0, 2), [503, 503]);
+  await page.waitForTimeout(500);
+  assert.equal(await page.locator('#update').count(), 0);
   const context = page.context();
   await page.close();
-  // As if the sources were served here, by `pathlight serve`: they have no service worker.
-  const folder = await temporaryFolder();
-  await cp(first.folder, folder, { recursive: true, filter: (path) => !path.endsWith('service-worker.js') });
-  server.folder = folder;
-  const stale = await session.openIn(context);
-  await sentence(stale).waitFor();
-  await sentence(stale).getByRole('button', { name: 'Load it' }).click();
-  await eventually(() => stale.evaluate(() => navigator.serviceWorker.controller), null);
+  await context.setOffline(true);
+  const next = await session.openIn(context, `/#task=${EASY}`);
+  await solve(next);
+  await imagine(next);
   await context.close();
   session.takeProblems();
 });

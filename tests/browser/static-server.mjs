@@ -1,7 +1,8 @@
-// The plainest static host there is: the files of a folder under a sub-path, with a media type and no other header.
+// A static host that sends only what it must: the files of a folder under a sub-path, with a media type and no other header.
 //
 //     const server = await serveStatic(folder);
 //     server.folder = newer;       // another version is uploaded
+//     server.isDown = true;        // it answers 503 with a page of its own, as a content delivery network does
 //     await server.stop();         // the network is cut; server.start() brings it back under the same address
 
 import { once } from 'node:events';
@@ -35,6 +36,7 @@ class StaticServer {
   origin = '';
   /** The addresses that were asked for, without the origin, and how they were answered. */
   answers = /** @type {{ url: string, status: number }[]} */ ([]);
+  isDown = false;
   #port = 0;
   #path;
   /** @type {import('node:http').Server | null} */
@@ -71,6 +73,11 @@ class StaticServer {
    */
   async #answer(url, response) {
     response.sendDate = false;
+    if (this.isDown) {
+      this.answers.push({ url, status: 503 });
+      response.writeHead(503, { 'content-type': 'text/html' }).end('<h1>Service Unavailable</h1>');
+      return;
+    }
     const [path] = url.split('?');
     const inside = path.startsWith(this.#path) ? path.slice(this.#path.length) || 'index.html' : null;
     const content = inside === null ? null : await readFile(join(this.folder, inside)).catch(() => null);

@@ -17,12 +17,13 @@ const { scope } = worker.registration;
 const PREFIX = `pathlight ${scope}`;
 /** The cache of this version, and the lock of its pages. */
 const CACHE = `${PREFIX}${PRECACHE.version}/`;
-/** What the folder of a version is called, and where weights are: a file there never changes. */
+/** The folder of a version, which is named by a hash. */
 const VERSION_FOLDER = /^[0-9a-f]{12}\/$/;
+/** Files that never change: those in the folder of a version, and weights. */
 const IMMUTABLE = /^([0-9a-f]{12}|assets)\//;
 const PATHS = new Set(PRECACHE.files.map(([path]) => path));
 
-worker.addEventListener("install", (event) => event.waitUntil(precache()));
+worker.addEventListener("install", (event) => event.waitUntil(install()));
 worker.addEventListener("activate", (event) => event.waitUntil(worker.clients.claim()));
 
 worker.addEventListener("message", (event) => {
@@ -40,6 +41,11 @@ worker.addEventListener("fetch", (event) => {
     event.respondWith(cachedOrFetched(scope + path, request));
   }
 });
+
+/** Keeps all files. The lock, as long as it takes, keeps another version's worker from deleting this cache as unused. */
+function install() {
+  return navigator.locks.request(CACHE, { mode: "shared" }, precache);
+}
 
 /** Fetches the files that are not here yet. If one fails, this version is not installed, and the one before stays. */
 async function precache() {
@@ -84,10 +90,15 @@ async function cachedOrFetched(address, request) {
 
 /** Deletes the caches of other versions that no page uses. */
 async function deleteUnusedVersions() {
-  // The next version has a cache, but no pages yet.
-  if (worker.registration.installing || worker.registration.waiting) return;
   for (const name of await caches.keys()) {
     if (name === CACHE || !name.startsWith(PREFIX) || !VERSION_FOLDER.test(name.slice(PREFIX.length))) continue;
-    await navigator.locks.request(name, { ifAvailable: true }, (lock) => lock && caches.delete(name));
+    await navigator.locks.request(name, { ifAvailable: true }, async (lock) => {
+      // The next version has a cache, but no pages yet.
+      if (lock && !hasNextVersion()) await caches.delete(name);
+    });
   }
+}
+
+function hasNextVersion() {
+  return Boolean(worker.registration.installing || worker.registration.waiting);
 }

@@ -1,12 +1,13 @@
 // Starts the service worker, and offers a new version of the page in a sentence. Only the index.html of dist/ names this
 // file. Where service workers are missing or denied, or storage is full, the page works as it does without them.
 
-// This module goes on once that one has shown the page: the first puzzle waits for nothing that is kept for later.
-import "../main.js";
-
 const SERVICE_WORKER = "service-worker.js";
-/** Later than this after the start, files are kept even if the page is still busy, ms. */
+/** Longest wait for an idle page before registering the service worker, ms. */
 const PATIENCE = 5000;
+/** Time after which screen readers have noticed an empty live region, ms. */
+const LIVE_REGION_DELAY = 100;
+/** The name of the cache of this version, and of the lock that its pages hold. */
+const VERSION = `pathlight ${new URL("../", import.meta.url)}`;
 
 // Without a network, in a private window or in a sandboxed frame there is nothing to do, and nothing to tell.
 start().catch(() => {});
@@ -14,25 +15,40 @@ start().catch(() => {});
 async function start() {
   const { serviceWorker, locks } = navigator;
   if (!serviceWorker || !locks) return;
-  // Held until the page is closed; the service worker keeps this version's files as long.
-  await new Promise((held, denied) => {
-    const hold = () => {
-      held(undefined);
-      return new Promise(() => {});
-    };
-    locks.request(`pathlight ${new URL("../", import.meta.url)}`, { mode: "shared" }, hold).catch(denied);
-  });
+  const releaseVersion = await holdVersion();
+  // The first puzzle does not wait for files that are kept for later. A version that fails to start, and tells so itself,
+  // must still find the next one.
+  await import("../main.js").catch(() => {});
   serviceWorker.controller?.postMessage("started");
   await idle();
-  // The browser shall not take the worker itself from its HTTP cache.
+  // Do not read the worker's script from the HTTP cache.
   const registration = await serviceWorker.register(SERVICE_WORKER, { updateViaCache: "none" });
-  if (registration.waiting) offer(registration);
+  if (registration.waiting) offer(() => load(registration));
   registration.addEventListener("updatefound", () => watch(registration));
   watch(registration);
   document.addEventListener("visibilitychange", () => {
-    if (document.visibilityState === "visible") checkForUpdate(registration);
+    if (document.visibilityState === "visible") checkForUpdate(registration, releaseVersion);
   });
-  if (serviceWorker.controller) await checkForUpdate(registration);
+  if (serviceWorker.controller) await checkForUpdate(registration, releaseVersion);
+}
+
+/**
+ * Resolves once this page holds the lock of its version, for which the service worker keeps the files. The result releases
+ * the lock, and resolves when that is done.
+ * @returns {Promise<() => Promise<void>>}
+ */
+function holdVersion() {
+  return new Promise((held, denied) => {
+    const ended = navigator.locks.request(VERSION, { mode: "shared" }, () => {
+      return new Promise((end) => {
+        held(() => {
+          end(undefined);
+          return ended;
+        });
+      });
+    });
+    ended.catch(denied);
+  });
 }
 
 /** Resolves once the page has nothing urgent to do. */
@@ -52,30 +68,32 @@ function watch(registration) {
   const { installing } = registration;
   installing?.addEventListener("statechange", () => {
     // The first version of all replaces none.
-    if (installing.state === "installed" && registration.active) offer(registration);
+    if (installing.state === "installed" && registration.active) offer(() => load(registration));
   });
 }
 
 /**
  * @param {ServiceWorkerRegistration} registration
+ * @param {() => Promise<void>} releaseVersion
  */
-async function checkForUpdate(registration) {
+async function checkForUpdate(registration, releaseVersion) {
   try {
     await registration.update();
   } catch {
     // Something else is served at this address now: without this, the kept version would be shown for ever.
     if (await isGone()) {
       await registration.unregister();
-      offer(registration);
+      offer(() => leave(registration.scope, releaseVersion));
     }
   }
 }
 
-/** Does the server answer that there is no service worker, or with a page for every address? */
+/** Does the server answer that there is no service worker, or with a page for every address? An error is no such answer. */
 async function isGone() {
   try {
-    const { status, headers } = await fetch(SERVICE_WORKER, { method: "HEAD", cache: "no-store" });
-    return status === 404 || status === 410 || headers.get("content-type")?.startsWith("text/html");
+    const { status, ok, redirected, headers } = await fetch(SERVICE_WORKER, { method: "HEAD", cache: "no-store" });
+    const isPage = headers.get("content-type")?.startsWith("text/html");
+    return status === 404 || status === 410 || (ok && !redirected && isPage);
   } catch {
     return false;
   }
@@ -83,19 +101,41 @@ async function isGone() {
 
 /**
  * Shows the sentence, once.
- * @param {ServiceWorkerRegistration} registration
+ * @param {() => void} act what the person may choose
  */
-function offer(registration) {
+function offer(act) {
   if (document.getElementById("update")) return;
   const bar = document.createElement("aside");
   bar.id = "update";
   bar.ariaLabel = "Update";
   const sentence = document.createElement("p");
   sentence.role = "status";
-  bar.append(sentence, button("Load it", () => load(registration)), button("Later", () => bar.remove()));
+  const closed = new AbortController();
+  /** @type {EventTarget | undefined} */
+  let focusedBefore;
+  const close = () => {
+    const hasFocus = bar.contains(document.activeElement);
+    closed.abort();
+    bar.remove();
+    if (hasFocus && focusedBefore instanceof HTMLElement) focusedBefore.focus({ preventScroll: true });
+  };
+  const leavesPage = (/** @type {FocusEvent} */ event) => {
+    const [element] = event.composedPath();
+    if (isInside(bar, event.relatedTarget) && !isInside(bar, element)) focusedBefore = element;
+  };
+  document.addEventListener("focusout", leavesPage, { signal: closed.signal });
+  bar.append(sentence, button("Load the new version", act), button("Later", close));
   document.body.append(bar);
-  // Screen readers read what changes in an element that is there already.
-  sentence.textContent = "A new version is here.";
+  // Screen readers read what changes in an element that they know already.
+  setTimeout(() => (sentence.textContent = "A new version of Pathlight is available."), LIVE_REGION_DELAY);
+}
+
+/**
+ * @param {Node} container
+ * @param {EventTarget | null} target
+ */
+function isInside(container, target) {
+  return target instanceof Node && container.contains(target);
 }
 
 /**
@@ -107,6 +147,24 @@ function load({ waiting }) {
   if (!waiting) return location.reload();
   navigator.serviceWorker.addEventListener("controllerchange", () => location.reload(), { once: true });
   waiting.postMessage("activate");
+}
+
+/**
+ * Deletes the versions kept for this address that no other page uses, and loads what the server has now.
+ * @param {string} scope
+ * @param {() => Promise<void>} releaseVersion
+ */
+async function leave(scope, releaseVersion) {
+  try {
+    await releaseVersion();
+    for (const name of await caches.keys()) {
+      // Caches of pages in a folder below have a longer path.
+      if (!name.startsWith(`pathlight ${scope}`) || !/^[^/]+\/$/.test(name.slice(`pathlight ${scope}`.length))) continue;
+      await navigator.locks.request(name, { ifAvailable: true }, (lock) => lock && caches.delete(name));
+    }
+  } finally {
+    location.reload();
+  }
 }
 
 /**
