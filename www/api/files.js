@@ -7,27 +7,32 @@ import { failure } from "./failure.js";
 const WASM = new URL("../pkg/pathlight_bg.wasm", import.meta.url);
 
 /**
- * Hears the fraction of a file that has arrived, 0..1, or null if its size is unknown.
+ * Called with the fraction of a file that has arrived, 0..1, or null if its size is unknown.
  * @typedef {(fraction: number | null) => void} OnProgress
  */
 
 /**
- * Returns the bytes at an address. Rejects with the error that `refuse` makes.
+ * Makes an error out of a reason like “the server answered 404”.
+ * @typedef {(reason: string, status?: number) => Error} Refuse
+ */
+
+/**
+ * Returns the bytes at an address. Rejects with the error that `refuse` makes, also if the transfer breaks off.
  * @param {URL} address
- * @param {(reason: string, status?: number) => Error} refuse makes the error out of a reason like “the server answered 404”
+ * @param {Refuse} refuse
  * @param {OnProgress} [onProgress]
  * @returns {Promise<Uint8Array<ArrayBuffer>>}
  */
 export async function readFile(address, refuse, onProgress = () => {}) {
   const disk = diskOf(address);
-  if (disk) return new Uint8Array(await disk(address).catch((/** @type {Error} */ { message }) => Promise.reject(refuse(message))));
+  if (disk) return new Uint8Array(await orRefuse(disk(address), refuse));
   const response = await answerOf(address, refuse);
   if (!response.body) throw refuse("the answer is empty");
   const size = Number(response.headers.get("content-length")) || null;
   const chunks = [];
   let length = 0;
   for (const reader = response.body.getReader(); ; ) {
-    const { done, value } = await reader.read();
+    const { done, value } = await orRefuse(reader.read(), refuse);
     if (done) break;
     chunks.push(value);
     length += value.length;
@@ -50,7 +55,7 @@ export async function readFile(address, refuse, onProgress = () => {}) {
 let compiled = null;
 
 /**
- * Compiles the wasm.
+ * Compiles the wasm. Rejects with `no_wasm` if it cannot be read or is no wasm.
  * @param {WebAssembly.Module | BufferSource | URL | string} [source] the module itself, its bytes or their address; without
  * it, the wasm beside this module
  * @returns {Promise<WebAssembly.Module>}
@@ -67,26 +72,25 @@ export async function compileWasm(source) {
     });
   }
   if (source instanceof WebAssembly.Module) return source;
-  if (typeof source !== "string" && !(source instanceof URL)) return WebAssembly.compile(source);
+  if (typeof source !== "string" && !(source instanceof URL)) {
+    return orRefuse(WebAssembly.compile(source), (reason) => failure("no_wasm", `Pathlight’s wasm could not be compiled: ${reason}. Give the wasm file of this version.`));
+  }
   return compileFile(addressOf(source));
 }
 
 /** @param {URL} address */
 async function compileFile(address) {
-  /**
-   * @param {string} reason
-   * @param {number} [status]
-   */
+  /** @type {Refuse} */
   const refuse = (reason, status) => {
     const missing = status === 404 || diskOf(address);
     const remedy = missing ? "Build or install Pathlight again." : "Check the connection and try again.";
     return failure("no_wasm", `Pathlight’s wasm could not be loaded: ${reason} for ${address}. ${remedy}`);
   };
-  if (diskOf(address)) return WebAssembly.compile(await readFile(address, refuse));
+  if (diskOf(address)) return orRefuse(WebAssembly.compile(await readFile(address, refuse)), refuse);
   const response = await answerOf(address, refuse);
   // Compiled while it arrives; not every static server knows wasm's media type, without which browsers refuse that.
   const streams = response.headers.get("content-type") === "application/wasm";
-  return streams ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
+  return orRefuse(streams ? WebAssembly.compileStreaming(response) : response.arrayBuffer().then((bytes) => WebAssembly.compile(bytes)), refuse);
 }
 
 /**
@@ -102,12 +106,22 @@ export function addressOf(address) {
 
 /**
  * @param {URL} address
- * @param {(reason: string, status?: number) => Error} refuse
+ * @param {Refuse} refuse
  */
 async function answerOf(address, refuse) {
-  const response = await fetch(address).catch((/** @type {Error} */ { message }) => Promise.reject(refuse(message)));
+  const response = await orRefuse(fetch(address), refuse);
   if (!response.ok) throw refuse(`the server answered ${response.status}`, response.status);
   return response;
+}
+
+/**
+ * Returns what a promise resolves to; if it rejects, rejects with the error that `refuse` makes of the reason.
+ * @template T
+ * @param {Promise<T>} promise
+ * @param {Refuse} refuse
+ */
+function orRefuse(promise, refuse) {
+  return promise.catch((/** @type {Error} */ { message }) => Promise.reject(refuse(message)));
 }
 
 /**

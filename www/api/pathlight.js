@@ -34,13 +34,13 @@ import { readModelList, readWeights } from "./weights.js";
  * default the file that Pathlight comes with. A module or page has one instance: later calls use that of the first
  * @property {string} [model] the name of one of the models that Pathlight comes with; by default the first
  * @property {BufferSource | URL | string | null} [weights] other weights, or their address; null loads none
- * @property {OnProgress} [onProgress] hears what fraction of the weights has arrived
+ * @property {OnProgress} [onProgress] called with the fraction of the weights that has arrived
  */
 
 /**
  * Loads the wasm, and the weights of a model.
  *
- * Rejects with an Error with a `code`: `no_wasm` or `no_weights` if a file cannot be read, `no_model` if there is no model of
+ * Rejects with an Error with a `code`: `no_wasm` or `no_weights` if a file cannot be read or compiled, `no_model` if there is no model of
  * this name, `bad_weights` if the weights are damaged or belong to other nets.
  * @param {LoadOptions} [options]
  */
@@ -233,20 +233,24 @@ export class Pathlight {
 
   /**
    * Maps where a ball of a radius solves a task. Tries one of the 64 x 64 cells each time the next value is asked for; a
-   * value is the fraction of the cells that has been tried, and `outcomes` copies the map as it is then: for each cell 0
-   * untried, 1 invalid, 2 not solved, 3 solved.
+   * value is the fraction of the cells that has been tried, and `outcomes`, which returns a copy of the map at the time of
+   * the call, also after the last value: for each cell 0 untried, 1 invalid, 2 not solved, 3 solved.
    * @param {string} task
    * @param {number} radius 2 to 32 px
    * @returns {Generator<{ progress: number, outcomes: () => Uint8Array }, void, void>}
    */
   *solveMap(task, radius) {
     const map = new wasm.SolveMap(String(task), radius);
+    /** @type {Uint8Array | null} */
+    let final = null;
+    const outcomes = () => final?.slice() ?? map.outcomes();
     try {
       for (let more = true; more; ) {
         more = map.advance();
-        yield { progress: map.progress(), outcomes: () => map.outcomes() };
+        yield { progress: map.progress(), outcomes };
       }
     } finally {
+      final = map.outcomes();
       map.free();
     }
   }

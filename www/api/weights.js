@@ -18,12 +18,14 @@ export async function readModelList() {
   const bytes = await readFile(LIST, (reason, status) =>
     failure("no_weights", status === 404
       ? "The model’s weights are missing here: there is no assets/model.json. If Pathlight has been updated meanwhile, load the page again; if not, the model can neither imagine nor play, but you can."
-      : `The list of models could not be loaded: ${reason}.`));
-  const list = await new Response(bytes).json().then((json) => json.models, () => null);
-  if (!Array.isArray(list) || list.length === 0) {
-    throw failure("no_weights", "The list of models, assets/model.json, names none. Write it again by “pathlight publish”.");
+      : `The list of models could not be loaded: ${reason} for ${LIST}.`));
+  const list = await new Response(bytes).json().catch(() => {
+    throw failure("no_weights", `The list of models is damaged: what ${LIST} holds is not JSON. Put the file there again.`);
+  });
+  if (!Array.isArray(list?.models) || list.models.length === 0) {
+    throw failure("no_weights", `The list of models, ${LIST}, names none. Write it again by “pathlight publish”.`);
   }
-  return list;
+  return list.models;
 }
 
 /**
@@ -34,11 +36,11 @@ export async function readModelList() {
 export async function readWeights({ file, sha256 }, onProgress) {
   // In this form bundlers find the files.
   const address = new URL(`../assets/${file}`, import.meta.url);
-  const bytes = await readFile(address, (reason) =>
-    failure("no_weights", `The model’s weights are missing here: ${reason} for assets/${file}.`), onProgress);
+  const bytes = await readFile(address, (reason, status) =>
+    failure("no_weights", `The model’s weights ${status === 404 ? "are missing here" : "could not be loaded"}: ${reason} for ${address}.`), onProgress);
   // Browsers hash only on secure and local addresses.
   if (sha256 && globalThis.crypto?.subtle && (await digest(bytes)) !== sha256) {
-    throw failure("bad_weights", `assets/${file} is not the file that assets/model.json names: it is damaged or old.`);
+    throw failure("bad_weights", `${address} is not the file that ${LIST} names: it is damaged or old.`);
   }
   return bytes;
 }
