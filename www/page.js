@@ -1,12 +1,13 @@
 // The page: the grid of puzzles, the header, the progress and the address, round one <pathlight-puzzle>. The state of the page
 // is the puzzle's; with no task the grid is shown.
 
-import { palette, templates } from "./pkg/pathlight.js";
+import { palette } from "./pkg/pathlight.js";
 import { PathlightPuzzle } from "./element/pathlight-puzzle.js";
 import { byId } from "./shell/dom.js";
 import { Gallery } from "./shell/gallery.js";
 import { hideParts } from "./shell/hidden-parts.js";
 import { dismissNotice, showNotice } from "./shell/notice.js";
+import { pathlight } from "./shell/pathlight.js";
 import { sharedProgress } from "./shell/progress-store.js";
 import { ProgressView } from "./shell/progress-view.js";
 import { leavesPlainKeys } from "./shell/shortcuts.js";
@@ -22,7 +23,7 @@ const gallerySection = byId(document, "gallery");
 const taskPicker = byId(document, "task", HTMLSelectElement);
 
 export class Page {
-  #templates = templates();
+  #templates = pathlight.templates();
   #puzzle = byId(document, "puzzle", PathlightPuzzle);
   #gallery = new Gallery(byId(document, "templates"), this.#templates);
   #progressView = new ProgressView(sharedProgress("kept").player, this.#templates, this.#gallery);

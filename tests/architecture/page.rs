@@ -4,9 +4,12 @@ use crate::files::{Source, files};
 use crate::rule::{Never, Only, Rule, unknown_files};
 
 /// The folders and files of `www/` in the order in which they import each other: each only those before it. `pkg` is the
-/// wasm package, which all may import. Imports in JSDoc are types only and are not looked at.
+/// wasm package, of which all may import what the API does not have. Imports in JSDoc are types only and are not looked at.
 const LAYERS: [&str; 10] =
     ["pkg", "api", "shell", "model", "play", "panels", "element", "page.js", "main.js", "offline"];
+
+/// What modules outside of `api/` may import of `pkg`: what the API does not have, because only the player needs it.
+const PLAYER_ONLY: [&str; 6] = ["Puzzle", "constants", "palette", "paintLegend", "paintOutcomes", "paintOutline"];
 
 const RULES: &[Rule] = &[
     Rule {
@@ -89,6 +92,25 @@ fn an_import_of_a_later_folder_is_found() {
 }
 
 #[test]
+fn what_the_api_has_is_called_through_it() {
+    let sources = sources();
+    let outside = sources.iter().filter(|source| layer_of(&source.path) != "api");
+    let past_it = outside.flat_map(|source| wasm_imports(&source.code).map(move |name| (&source.path, name)));
+    let broken: Vec<_> = past_it.filter(|(_, name)| !PLAYER_ONLY.contains(name)).collect();
+    assert!(broken.is_empty(), "the page has no second interface; these imports go past api/: {broken:?}");
+}
+
+#[test]
+fn imports_of_the_wasm_are_found() {
+    let names = |code| wasm_imports(code).collect::<Vec<_>>();
+    assert_eq!(names("import { palette, templates as all } from \"../pkg/pathlight.js\";"), ["palette", "templates"]);
+    assert_eq!(names("import {\n  Puzzle,\n} from './pkg/pathlight.js';"), ["Puzzle"]);
+    assert_eq!(names("import * as wasm from \"../pkg/pathlight.js\";"), ["*"]);
+    assert_eq!(names("const wasm = await import(\"../pkg/pathlight.js\");"), ["*"]);
+    assert_eq!(names("import { load } from \"../api/pathlight.js\";"), [""; 0]);
+}
+
+#[test]
 fn no_file_breaks_a_rule() {
     let sources = sources();
     assert!(sources.len() > 25, "only {} files found", sources.len());
@@ -126,6 +148,18 @@ fn addresses(code: &str) -> Vec<&str> {
         })
     });
     quoted.filter(|address| address.starts_with('.')).collect()
+}
+
+/// The names that a module imports of the wasm package; `*` if it imports the whole.
+fn wasm_imports(code: &str) -> impl Iterator<Item = &str> {
+    let statements = code.match_indices("pkg/pathlight.js").map(|(end, _)| {
+        let before = &code[..end];
+        &before[before.rfind("import").unwrap_or(0)..]
+    });
+    statements.flat_map(|statement| {
+        let list = statement.split_once('{').and_then(|(_, rest)| rest.split_once('}')).map_or("*", |(list, _)| list);
+        list.split(',').filter_map(|entry| entry.split_whitespace().next())
+    })
 }
 
 /// The path below `www/` of an address that a file names.

@@ -2,7 +2,7 @@
 // to all of them. Each component knows the session and the wasm; only this file knows all of them. shell/component.js
 // describes their lifecycle. Knows nothing of the page around the shadow tree, nor of its address.
 
-import { palette, templates } from "../pkg/pathlight.js";
+import { palette } from "../pkg/pathlight.js";
 import { SharedClient } from "../model/shared-client.js";
 import { Compare } from "../panels/compare.js";
 import { Imagine } from "../panels/imagine.js";
@@ -22,6 +22,7 @@ import { Session } from "../play/session.js";
 import { About } from "../shell/about.js";
 import { byId, find, setText } from "../shell/dom.js";
 import { hideParts } from "../shell/hidden-parts.js";
+import { pathlight } from "../shell/pathlight.js";
 import { onShortcut } from "../shell/shortcuts.js";
 import { Tabs } from "../shell/tabs.js";
 import { INITIAL_STATE, formatFragment, formatState, parseState, viewOf, visiblePanels } from "../shell/url-state.js";
@@ -34,7 +35,7 @@ import { INITIAL_STATE, formatFragment, formatState, parseState, viewOf, visible
  * @typedef {{ task: string, number: number, ball: import("../pkg/pathlight.js").Ball, solved: boolean }} PlayedAttempt
  */
 
-const TASKS = new Set(templates().flatMap(({ tasks }) => tasks));
+const TASKS = new Set(pathlight.templates().flatMap(({ tasks }) => tasks));
 const reducedMotion = matchMedia("(prefers-reduced-motion: reduce)");
 
 export class PuzzleController extends EventTarget {

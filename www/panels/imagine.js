@@ -1,10 +1,11 @@
 // The Imagine panel: the maps of the open puzzle, each with a sentence, a legend and a switch that lays it over the scene.
 // Other components read the maps here; "maps" is fired when they have come or gone.
 
-import { paintLegend, paintMap, paintOutline } from "../pkg/pathlight.js";
+import { paintLegend, paintOutline } from "../pkg/pathlight.js";
 import { Component } from "../shell/component.js";
 import { GRID_SIDE, STAGES } from "../shell/constants.js";
 import { contextOf, find, setText } from "../shell/dom.js";
+import { pathlight } from "../shell/pathlight.js";
 import { summary } from "../model/map-summary.js";
 import { STAGE_TEXT } from "../model/stage-text.js";
 import { TroubleBox } from "./trouble-box.js";
@@ -216,7 +217,7 @@ export class Imagine extends Component {
       map.clearRect(0, 0, GRID_SIDE, GRID_SIDE);
       // Each map is drawn up to its own peak, which the legend names.
       const most = values ? Math.max(...values) : 0;
-      if (values) paintMap(map, stage, values, most, this.dark);
+      if (values) pathlight.paintMap(map, stage, values, { max: most, dark: this.dark });
       this.#paintOutline(stage);
       setText(peak, values ? most.toFixed(2) : "");
       // Weights may come without a judge.

@@ -1,8 +1,9 @@
 // A small picture of the scene with a shade over it, predicted or drawn, and a line round the real path; below it what it
 // is and how well the two overlap.
 
-import { paintMap, paintOutline, softIou } from "../pkg/pathlight.js";
+import { paintOutline } from "../pkg/pathlight.js";
 import { contextOf, find } from "../shell/dom.js";
+import { pathlight } from "../shell/pathlight.js";
 
 /** @param {number} fraction */
 export const percent = (fraction) => `${Math.round(100 * fraction)} %`;
@@ -38,10 +39,10 @@ export class OverlapCard {
   draw({ name, stage, values, real, dark }) {
     const { canvas } = this.#outline;
     this.#scenePicture.drawOn(this.#scene);
-    paintMap(this.#shade, stage, values, Math.max(...values), dark);
+    pathlight.paintMap(this.#shade, stage, values, { max: Math.max(...values), dark });
     this.#outline.clearRect(0, 0, canvas.width, canvas.height);
     paintOutline(this.#outline, "real", real, dark);
-    const fraction = softIou(values, real);
+    const fraction = pathlight.softIou(values, real);
     find(this.element, "b").textContent = percent(fraction);
     find(this.element, "span").textContent = name;
     canvas.setAttribute("aria-label", `${name}, and a line round the real path: they overlap by ${percent(fraction)}`);

@@ -2,9 +2,9 @@
 // attempts count, up to the limit; a puzzle that one has not solved counts nothing for it. The model's progress is kept
 // beside the player's, for each model by its name.
 
-import { auccess } from "../pkg/pathlight.js";
 import { Component } from "../shell/component.js";
 import { ATTEMPT_LIMIT } from "../shell/constants.js";
+import { pathlight } from "../shell/pathlight.js";
 
 /** @typedef {import("../shell/progress-store.js").ProgressStore} ProgressStore */
 
@@ -61,7 +61,7 @@ export class Scoreboard extends Component {
     this.byId("score-table").hidden = tasks.length === 0;
     if (!modelStore || tasks.length === 0) return;
     /** @param {ProgressStore} store */
-    const score = (store) => auccess(tasks.map((task) => store.of(task).solved)).toFixed(1);
+    const score = (store) => pathlight.auccess(tasks.map((task) => store.of(task).solved)).toFixed(1);
     this.byId("score-player").textContent = score(player);
     this.byId("score-model").textContent = score(modelStore);
     this.byId("score-count").textContent = tasks.length === 1 ? "over one puzzle" : `over ${tasks.length} puzzles`;

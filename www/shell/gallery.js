@@ -1,7 +1,7 @@
 // The grid of templates, each with the scene of its first puzzle and what has been solved of it.
 
-import { paintThumbnail } from "../pkg/pathlight.js";
 import { LazyThumbnails } from "./lazy-thumbnails.js";
+import { pathlight } from "./pathlight.js";
 import { hrefOf } from "./url-state.js";
 
 /** @typedef {import("../pkg/pathlight.js").Template} Template */
@@ -11,7 +11,7 @@ const SIDE = 176;
 
 export class Gallery {
   #dark = false;
-  #thumbnails = new LazyThumbnails((context, { dataset }) => paintThumbnail(context, dataset.task ?? "", this.#dark));
+  #thumbnails = new LazyThumbnails((context, { dataset }) => pathlight.paintScene(context, dataset.task ?? "", { dark: this.#dark }));
   /** @type {Map<string, HTMLElement>} */
   #marks = new Map();
   /** @type {{ link: HTMLAnchorElement, task: string }[]} */

@@ -7,8 +7,8 @@ import { compileWasm } from "../api/files.js";
 let loaded = null;
 
 /**
- * Returns the compiled module once the exports of pkg/pathlight.js can be called. Rejects with a sentence for the person;
- * the next call then tries again.
+ * Returns the compiled module once the API can be called. Rejects with a sentence for the person; the next call then tries
+ * again.
  */
 export function loadWasm() {
   loaded ??= load().catch((error) => {
@@ -22,7 +22,7 @@ export function loadWasm() {
 loadWasm().catch(() => {});
 
 async function load() {
-  const [module, { default: initialise }] = await Promise.all([compileWasm(), import("../pkg/pathlight.js")]);
-  await initialise({ module_or_path: module });
+  const [module, pathlight] = await Promise.all([compileWasm(), import("../api/pathlight.js")]);
+  await pathlight.load({ wasm: module, weights: null });
   return module;
 }

@@ -1,0 +1,6 @@
+// The API for the page's own thread, without a model: the worker has that. The wasm has to be loaded before this module is
+// used: main.js imports the page only then.
+
+import { Pathlight } from "../api/pathlight.js";
+
+export const pathlight = new Pathlight();
