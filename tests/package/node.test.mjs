@@ -2,7 +2,9 @@
 
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { once } from 'node:events';
+import { cpSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { createServer } from 'node:http';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { examples, makeProject, root } from './project.mjs';
@@ -19,7 +21,7 @@ test('it brings no other packages and one model', () => {
 
 test('the script of the README prints the auccess that was measured natively', async (context) => {
   const [script] = examples(project, 'js');
-  assert.ok(script.trim().split('\n').length <= 11, 'it is short');
+  assert.ok(script.trim().split('\n').length <= 10, 'it is short');
   writeFileSync(join(project, 'auccess.js'), script);
   const words = execFileSync(process.execPath, ['auccess.js'], { cwd: project, encoding: 'utf8' });
   context.diagnostic(words);
@@ -101,7 +103,7 @@ test('bad input is refused in a sentence with a code', async () => {
     no_weights: [() => pathlight.imagine(TASK), () => load({ weights: './nowhere.safetensors' }), () => load({ weights: 'http://127.0.0.1:1/' })],
     no_model: [() => load({ model: 'within-9' })],
     bad_weights: [() => load({ weights: new Uint8Array(8) })],
-    no_wasm: [() => load({ wasm: './nowhere.wasm' })],
+    no_wasm: [() => load({ wasm: './nowhere.wasm' }), () => load({ wasm: new Uint8Array(8) })],
   };
   for (const [code, refused] of Object.entries(calls)) {
     for (const call of refused) {
@@ -111,4 +113,57 @@ test('bad input is refused in a sentence with a code', async () => {
   assert.equal(pathlight.card, null);
   const { status, reason, steps } = pathlight.simulate(TASK, [1, 1, 30]);
   assert.deepEqual([status, reason, steps], ['invalid', 'the ball sticks out of the scene', 0]);
+});
+
+test('a transfer that breaks off is refused with a code and the address', async (context) => {
+  const server = createServer((request, response) => {
+    const { pathname, searchParams } = new URL(request.url ?? '', 'http://127.0.0.1');
+    const content = readFileSync(join(installed, pathname));
+    response.writeHead(200, { 'content-type': searchParams.get('type') ?? '', 'content-length': content.length });
+    response.write(content.subarray(0, content.length / 2), () => response.destroy());
+  });
+  server.listen(0, '127.0.0.1');
+  await once(server, 'listening');
+  context.after(() => server.close());
+  const { port } = /** @type {import('node:net').AddressInfo} */ (server.address());
+  const cut = (path, type) => `http://127.0.0.1:${port}/${path}?type=${type}`;
+  const wasm = 'pkg/pathlight_bg.wasm';
+  for (const [code, options] of /** @type {const} */ ([
+    ['no_wasm', { wasm: cut(wasm, 'application/wasm'), weights: null }],
+    ['no_wasm', { wasm: cut(wasm, 'application/octet-stream'), weights: null }],
+    ['no_weights', { weights: cut('assets/within-0.safetensors', 'application/octet-stream') }],
+  ])) {
+    const address = String('wasm' in options ? options.wasm : options.weights);
+    await assert.rejects(load(options), (/** @type {any} */ error) => error.code === code && error.message.includes(`could not be loaded: `) && error.message.includes(address));
+  }
+});
+
+test('what is wrong with the files of the models is said, with the address', async () => {
+  const copy = join(project, 'copy');
+  cpSync(installed, copy, { recursive: true });
+  const { load } = await import(join(copy, 'api/pathlight.js'));
+  rmSync(join(copy, 'assets/within-0.safetensors'));
+  await assert.rejects(load(), { code: 'no_weights', message: /^The model’s weights could not be loaded: ENOENT.* for file:.*\/copy\/assets\/within-0\.safetensors\.$/ });
+  const list = join(copy, 'assets/model.json');
+  writeFileSync(list, '<!doctype html>');
+  await assert.rejects(load(), { code: 'no_weights', message: /model\.json holds is not JSON/ });
+  for (const empty of ['null', '{ "models": [] }']) {
+    writeFileSync(list, empty);
+    await assert.rejects(load(), { code: 'no_weights', message: /names none/ });
+  }
+});
+
+test('a map of outcomes can be read while it grows, and afterwards', async () => {
+  const pathlight = await load({ weights: null });
+  let during;
+  for (const { progress, outcomes } of pathlight.solveMap(TASK, 32)) if (progress === 1) during = outcomes();
+  const last = [...pathlight.solveMap(TASK, 32)].at(-1);
+  assert.equal(last.progress, 1);
+  assert.deepEqual(last.outcomes(), during);
+  assert.ok([1, 2, 3].every((outcome) => during.includes(outcome)) && !during.includes(0));
+  // Each call returns a copy.
+  last.outcomes().fill(0);
+  assert.deepEqual(last.outcomes(), during);
+  const [first] = pathlight.solveMap(TASK, 32);
+  assert.equal(first.outcomes().filter((outcome) => outcome > 0).length, 1);
 });
