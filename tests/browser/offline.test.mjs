@@ -61,6 +61,11 @@ test('files are kept for later only once the page is there', async () => {
       return register(...options);
     };
   });
+  // On a slow connection, where the page comes late.
+  await page.route('**/*.wasm', async (route) => {
+    await new Promise((resume) => setTimeout(resume, 1000));
+    await route.continue();
+  });
   await page.goto(`${server.origin}/`);
   await kept(page);
   assert.equal(await page.locator('html').getAttribute('data-registered'), 'after the page');
