@@ -95,7 +95,7 @@ for (const { what, files, answer, words } of [
   { what: 'no way to a style sheet', files: '**/*.css', answer: (route) => route.abort(), words: /style sheet could not be loaded: .*Check the connection and try again/ },
 ]) {
   test(`${what} is a sentence in the element, and it is loaded when asked again`, async () => {
-    const page = await session.open('');
+    const page = await session.open('', { reducedMotion: 'reduce' });
     await page.route(files, answer);
     await page.route('**/lesson.html', (route) => route.fulfill({ body: single('task="00000:000"'), contentType: 'text/html' }));
     await page.goto(`${session.origin}/lesson.html`);
