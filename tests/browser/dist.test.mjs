@@ -109,8 +109,8 @@ async function filesOf(folder) {
   return entries.filter((entry) => entry.isFile()).map((entry) => join(entry.parentPath ?? entry.path, entry.name).slice(folder.length + 1)).sort();
 }
 
-test('a folder that holds something else is not replaced', async () => {
-  await assert.rejects(buildDist({ out: join(folder, 'icons') }), /holds something else/);
+test('a folder that holds other files is not replaced', async () => {
+  await assert.rejects(buildDist({ out: join(folder, 'icons') }), /holds files that are not a built page/);
 });
 
 test('another version has another folder for its code, and the same weights', async () => {
