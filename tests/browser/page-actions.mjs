@@ -215,3 +215,16 @@ export async function unsolvedTask() {
   const { first_solved: solved } = report.agents.find(({ agent }) => agent === 'judge');
   return solved.find(([, attempt]) => attempt === null)[0];
 }
+
+/** Fails if the page runs a script that is not its own, or refuses it for another reason than its policy. */
+export async function assertPolicyHolds(session, page) {
+  const ran = await page.evaluate(() => {
+    const script = document.createElement('script');
+    script.textContent = 'document.title = "intruder"';
+    document.head.append(script);
+    return document.title === 'intruder';
+  });
+  assert.equal(ran, false);
+  const problems = session.takeProblems();
+  assert.ok(problems.length > 0 && problems.every((problem) => /Content Security Policy/.test(problem)), problems.join());
+}

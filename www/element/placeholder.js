@@ -1,6 +1,8 @@
 // What stands in for a puzzle that is on its way, in the size that it is going to have, or says why there is none. Nothing is
 // inherited from the page around it.
 
+import { createButton } from "../shell/dom.js";
+
 export const placeholderSheet = new CSSStyleSheet();
 placeholderSheet.replaceSync(`
   :host { all: initial; display: block; container-type: inline-size; }
@@ -34,12 +36,8 @@ export class Placeholder {
   showFailure(message, onRetry) {
     const sentence = document.createElement("p");
     sentence.textContent = message;
-    const button = document.createElement("button");
-    button.type = "button";
-    button.textContent = "Try again";
-    button.addEventListener("click", onRetry);
     this.element.setAttribute("role", "alert");
-    this.element.replaceChildren(sentence, button);
+    this.element.replaceChildren(sentence, createButton("Try again", onRetry));
   }
 
   /** Puts the focus on the button, if there is one. */

@@ -1,5 +1,6 @@
 // Starts the service worker, and offers a new version of the page in a sentence. Only the index.html of dist/ names this
-// file. Where service workers are missing or denied, or storage is full, the page works as it does without them.
+// file. Where service workers are missing or denied, or storage is full, the page works as it does without them. It imports
+// nothing statically, so that a version with a broken module can still be replaced.
 
 const SERVICE_WORKER = "service-worker.js";
 /** Longest wait for an idle page before registering the service worker, ms. */

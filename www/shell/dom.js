@@ -42,6 +42,19 @@ export function fromTemplate(root, id) {
 }
 
 /**
+ * Returns a new button.
+ * @param {string} label
+ * @param {() => void} act
+ */
+export function createButton(label, act) {
+  const button = document.createElement("button");
+  button.type = "button";
+  button.textContent = label;
+  button.addEventListener("click", act);
+  return button;
+}
+
+/**
  * @param {HTMLCanvasElement} canvas
  * @returns {CanvasRenderingContext2D}
  */

@@ -1,6 +1,6 @@
 // One sentence above everything else: what is wrong, and what the person can do about it.
 
-import { byId } from "./dom.js";
+import { byId, createButton } from "./dom.js";
 
 const bar = byId(document, "notice");
 
@@ -11,8 +11,8 @@ const bar = byId(document, "notice");
  */
 export function showNotice(sentence, actions = []) {
   byId(document, "notice-text").textContent = sentence;
-  const controls = actions.map(([label, action]) => (typeof action === "string" ? link(label, action) : button(label, action)));
-  byId(document, "notice-actions").replaceChildren(...controls, button("Close", dismissNotice));
+  const controls = actions.map(([label, action]) => (typeof action === "string" ? link(label, action) : createButton(label, action)));
+  byId(document, "notice-actions").replaceChildren(...controls, createButton("Close", dismissNotice));
   bar.hidden = false;
 }
 
@@ -28,17 +28,5 @@ function link(label, href) {
   const element = document.createElement("a");
   element.href = href;
   element.textContent = label;
-  return element;
-}
-
-/**
- * @param {string} label
- * @param {() => void} act
- */
-function button(label, act) {
-  const element = document.createElement("button");
-  element.type = "button";
-  element.textContent = label;
-  element.addEventListener("click", act);
   return element;
 }
