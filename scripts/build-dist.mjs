@@ -85,7 +85,7 @@ async function distFiles(page, assets) {
  */
 async function pageSources(page) {
   const entries = await readdir(page, { recursive: true, withFileTypes: true });
-  const paths = entries.filter((entry) => entry.isFile()).map((entry) => join(entry.parentPath ?? entry.path, entry.name).slice(page.length + 1));
+  const paths = entries.filter((entry) => entry.isFile()).map((entry) => join(entry.parentPath, entry.name).slice(page.length + 1));
   const read = paths.map((path) => path.replaceAll("\\", "/")).sort().map(async (path) => /** @type {const} */ ([path, await readFile(join(page, path))]));
   const sources = new Map(await Promise.all(read));
   const missing = PACKAGED.find((path) => !sources.has(path));

@@ -5,7 +5,7 @@ import AxeBuilder from '@axe-core/playwright';
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { start } from './harness.mjs';
-import { EASY, known, openPuzzle, says, type } from './page-actions.mjs';
+import { EASY, known, openPuzzle, playModelTurn, says, type } from './page-actions.mjs';
 
 let session;
 before(async () => (session = await start()));
@@ -68,8 +68,7 @@ for (const [screen, size] of Object.entries(SCREENS)) {
       await check(page, 'imagine');
       await page.locator('#tab-compare').click();
       await check(page, 'compare, before');
-      await page.locator('#model-turn:enabled').click();
-      await page.locator('#model-turn').filter({ hasText: 'The model has played' }).waitFor({ timeout: 120_000 });
+      await playModelTurn(page);
       await check(page, 'compare, after');
     });
 

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { start } from './harness.mjs';
-import { known, openPuzzle, picture, says, type } from './page-actions.mjs';
+import { known, openPuzzle, picture, playModelTurn, says, type } from './page-actions.mjs';
 
 let session;
 before(async () => (session = await start()));
@@ -29,8 +29,7 @@ test('runs of the player, of the model and without a ball stand beside each othe
   await page.locator('#run').click();
   await says(page, /^Solved!/);
   await tab(page, 'compare');
-  await page.locator('#model-turn:enabled').click();
-  await page.locator('#model-turn').filter({ hasText: 'The model has played' }).waitFor({ timeout: 120_000 });
+  await playModelTurn(page);
   await tab(page, 'imagine');
   assert.equal(await run(page, 'player').locator('h3').textContent(), 'Your attempt 1');
   assert.match(await run(page, 'model').locator('h3').textContent(), /^The model’s attempt \d+$/);

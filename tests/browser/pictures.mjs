@@ -6,7 +6,7 @@ import { mkdir } from 'node:fs/promises';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { start } from './harness.mjs';
-import { known, openPuzzle, says, type } from './page-actions.mjs';
+import { known, openPuzzle, playModelTurn, says, type } from './page-actions.mjs';
 
 const TASK = process.argv[2] ?? '00007:008';
 const folder = join(dirname(fileURLToPath(import.meta.url)), '..', '..', 'target', 'pictures');
@@ -68,8 +68,7 @@ for (const [screen, size] of Object.entries(SCREENS)) {
     await page.keyboard.press('Escape');
 
     await page.locator('#tab-compare').click();
-    await page.locator('#model-turn:enabled').click();
-    await page.locator('#model-turn').filter({ hasText: 'The model has played' }).waitFor({ timeout: 120_000 });
+    await playModelTurn(page);
     await take('compare');
 
     await page.locator('#proposal-slider').fill('8');

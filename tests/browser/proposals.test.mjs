@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { start } from './harness.mjs';
-import { openPuzzle, picture, says, spot } from './page-actions.mjs';
+import { openPuzzle, picture, playModelTurn, says, spot } from './page-actions.mjs';
 
 let session;
 before(async () => (session = await start()));
@@ -44,8 +44,7 @@ test('every ball from 1 to 100 can be looked at: where it is, whether it is allo
 
 test('a ball of the turn is the same ball with the same outcome', async () => {
   const page = await compare();
-  await page.locator('#model-turn:enabled').click();
-  await page.locator('#model-turn').filter({ hasText: 'The model has played' }).waitFor({ timeout: 120_000 });
+  await playModelTurn(page);
   const title = await page.locator('#model-attempts li').first().locator('button').first().getAttribute('title');
   const words = await page.locator('#model-attempts li').first().locator('.words').textContent();
   await page.locator('#proposal-next').click();

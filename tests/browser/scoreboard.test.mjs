@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { start } from './harness.mjs';
-import { known, openPuzzle, says, type } from './page-actions.mjs';
+import { known, openPuzzle, playModelTurn, says, type } from './page-actions.mjs';
 
 let session;
 before(async () => (session = await start()));
@@ -11,7 +11,7 @@ after(() => session.stop());
 
 const rows = (page) => page.locator('#score-rows tr');
 
-/** Lets the model play, and the player solve the puzzle after a number of misses. */
+/** The player misses, then solves the puzzle, and the model plays. */
 async function playBoth(page) {
   const { solving, missing } = await known(page);
   for (const ball of [missing, solving]) {
@@ -21,8 +21,7 @@ async function playBoth(page) {
     await says(page, /olved/);
   }
   await page.locator('#tab-compare').click();
-  await page.locator('#model-turn:enabled').click();
-  await page.locator('#model-turn').filter({ hasText: 'The model has played' }).waitFor({ timeout: 120_000 });
+  await playModelTurn(page);
 }
 
 test('a puzzle counts once both have played, by the same measure, and is kept', async () => {

@@ -33,7 +33,7 @@ template.innerHTML = `
       <button type="button" id="step" title="One step  ."><svg><use href="#icon-step"/></svg><span class="visually-hidden">One step</span></button>
       <input type="range" id="time" min="0" max="0" value="0" step="1" aria-label="Time" disabled>
       <span id="clock" aria-hidden="true">0.0 s</span>
-      <label class="speed"><span class="visually-hidden">Speed</span><select id="speed">
+      <label><span class="visually-hidden">Speed</span><select id="speed">
         <option value="0.25">0.25×</option><option value="0.5">0.5×</option><option value="1" selected>1×</option><option value="2">2×</option><option value="4">4×</option>
       </select></label>
       <button type="button" id="reset" title="Back to placing  R"><svg><use href="#icon-reset"/></svg><span class="visually-hidden">Reset</span></button>
@@ -50,11 +50,11 @@ template.innerHTML = `
   <div class="side">
     <p id="goal"></p>
     <div class="tabs" role="tablist" aria-label="Panels">
-      <button type="button" role="tab" id="tab-play" aria-controls="play" data-panel="play">Play</button>
-      <button type="button" role="tab" id="tab-imagine" aria-controls="imagine" data-panel="imagine" data-hideable="imagine">Imagine</button>
-      <button type="button" role="tab" id="tab-compare" aria-controls="compare" data-panel="compare" data-hideable="compare">Compare</button>
-      <button type="button" role="tab" id="tab-predict" aria-controls="predict" data-panel="predict" data-hideable="predict">Predict</button>
-      <button type="button" role="tab" id="tab-map" aria-controls="map" data-panel="map" data-hideable="map">Map</button>
+      <button type="button" role="tab" id="tab-play" aria-controls="play">Play</button>
+      <button type="button" role="tab" id="tab-imagine" aria-controls="imagine" data-hideable="imagine">Imagine</button>
+      <button type="button" role="tab" id="tab-compare" aria-controls="compare" data-hideable="compare">Compare</button>
+      <button type="button" role="tab" id="tab-predict" aria-controls="predict" data-hideable="predict">Predict</button>
+      <button type="button" role="tab" id="tab-map" aria-controls="map" data-hideable="map">Map</button>
     </div>
 
     ${PANELS_MARKUP}

@@ -61,7 +61,7 @@ export const PANELS_MARKUP = `
     <button type="button" id="model-turn" class="primary">Let the model play</button>
     <button type="button" id="compare-both">Run both</button>
   </p>
-  <p class="small key"><span class="line solid"></span> you <span class="line dashed"></span> the model</p>
+  <p class="small key"><span class="line"></span> you <span class="line dashed"></span> the model</p>
   <div class="columns">
     <section aria-labelledby="player-title"><h2 id="player-title">You <span class="count" id="player-count"></span></h2><ol class="attempts" id="player-attempts"></ol><p class="empty">You have not tried yet.</p></section>
     <section aria-labelledby="model-title"><h2 id="model-title">The model <span class="count" id="model-count"></span></h2><ol class="attempts" id="model-attempts"></ol><p class="empty">It has not played yet.</p></section>

@@ -8,7 +8,7 @@ const PATIENCE = 5000;
 /** Time after which screen readers have noticed an empty live region, ms. */
 const LIVE_REGION_DELAY = 100;
 /** The name of the cache of this version, and of the lock that its pages hold. */
-const VERSION = `pathlight ${new URL("../", import.meta.url)}`;
+const CACHE = `pathlight ${new URL("../", import.meta.url)}`;
 
 // Without a network, in a private window or in a sandboxed frame there is nothing to do, and nothing to tell.
 start().catch(() => {});
@@ -40,7 +40,7 @@ async function start() {
  */
 function holdVersion() {
   return new Promise((held, denied) => {
-    const ended = navigator.locks.request(VERSION, { mode: "shared" }, () => {
+    const ended = navigator.locks.request(CACHE, { mode: "shared" }, () => {
       return new Promise((end) => {
         held(() => {
           end(undefined);

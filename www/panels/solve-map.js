@@ -117,18 +117,19 @@ export class SolveMapPanel extends Component {
     } catch (error) {
       if (!search.signal.aborted) this.#callFailure = `The search ended: ${/** @type {Error} */ (error).message} Press the button to search again.`;
     }
-    if (search !== this.#search) return;
-    this.#search = null;
-    this.#update();
-    // Announced only now: during the search each announcement would replace the one before.
-    this.announce(this.byId("solve-map-words").textContent ?? "");
+    if (search === this.#search) this.#endSearch();
   }
 
   #stop() {
     if (!this.#search) return;
     this.#search.abort();
+    this.#endSearch();
+  }
+
+  #endSearch() {
     this.#search = null;
     this.#update();
+    // Announced only now: during the search each announcement would replace the one before.
     this.announce(this.byId("solve-map-words").textContent ?? "");
   }
 

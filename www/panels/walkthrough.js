@@ -3,7 +3,7 @@
 
 import { Component } from "../shell/component.js";
 import { STAGES } from "../shell/constants.js";
-import { setText } from "../shell/dom.js";
+import { createButton, setText } from "../shell/dom.js";
 import { summary } from "../model/map-summary.js";
 import { STAGE_TEXT } from "../model/stage-text.js";
 
@@ -74,12 +74,9 @@ export class Walkthrough extends Component {
    * @param {number} index
    */
   #createDot(stage, index) {
-    const dot = document.createElement("button");
-    dot.type = "button";
-    dot.textContent = String(index + 1);
+    const dot = createButton(String(index + 1), () => this.#select(stage));
     dot.title = STAGE_TEXT[stage].name;
     dot.setAttribute("aria-label", `Step ${index + 1}: ${STAGE_TEXT[stage].name}`);
-    dot.addEventListener("click", () => this.#select(stage));
     return dot;
   }
 

@@ -10,7 +10,7 @@ import { ATTEMPT_LIMIT, MAX_RADIUS, MIN_RADIUS, SCENE_SIZE, STAGES } from "./con
 
 export const PANELS = /** @type {const} */ (["play", "imagine", "compare", "predict", "map"]);
 /** What a link can hide: every panel but Play, and what the document marks with data-hideable. */
-export const HIDEABLE = /** @type {const} */ (["puzzles", "story", "fields", "watch", "attempts", "imagine", "compare", "predict", "map"]);
+const HIDEABLE = /** @type {const} */ (["puzzles", "story", "fields", "watch", "attempts", "imagine", "compare", "predict", "map"]);
 /** @typedef {typeof PANELS[number]} Panel */
 /** @typedef {typeof HIDEABLE[number]} Hideable */
 
