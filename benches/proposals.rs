@@ -7,13 +7,11 @@ use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use pathlight::agents::{self, ranking};
+use pathlight::benchmark::auccess::MAX_ATTEMPTS;
 use pathlight::nets::{PathNet, flex};
 use pathlight::puzzle::task::{Task, TaskId, ids};
 use pathlight::puzzle::templates::TEMPLATES;
 use pathlight::raster::scene_channels;
-
-/// Balls that the page asks for.
-const COUNT: usize = 100;
 
 fn proposals(criterion: &mut Criterion) {
     let bytes = include_bytes!("../assets/within-0.safetensors");
@@ -41,10 +39,15 @@ fn proposals(criterion: &mut Criterion) {
     bench("four nets", &|task, _| drop(black_box(nets.imagine(&task.scene))));
     bench("judge", &|task, _| drop(black_box(nets.judge_logits(&task.scene))));
     bench("probability map", &|task, logits| drop(black_box(ranking::probability_map(logits, &task.scene))));
-    bench("ranked", &|task, logits| drop(black_box(ranking::ranked(logits, &task.scene, COUNT))));
-    bench("a hundred balls", &|task, _| drop(black_box(agents::propose(&nets, task.id, &task.scene, 0, COUNT))));
+    bench("ranked", &|task, logits| drop(black_box(ranking::ranked(logits, &task.scene, MAX_ATTEMPTS))));
+    bench("a hundred balls", &|task, _| drop(black_box(agents::propose(&nets, task.id, &task.scene, 0, MAX_ATTEMPTS))));
     bench("a hundred balls from the placement map", &|task, _| {
-        drop(black_box(agents::placement::proposals(&nets.imagine(&task.scene).placement, &task.scene, 0, COUNT)));
+        drop(black_box(agents::placement::proposals(
+            &nets.imagine(&task.scene).placement,
+            &task.scene,
+            0,
+            MAX_ATTEMPTS,
+        )));
     });
     group.finish();
 }

@@ -86,7 +86,7 @@ export const parts = {
     {
       title: 'steps of these rollouts, wasm in Node', ...simulator, steps,
       contenders: [
-        ['ours', inNode('simulator/web/ours.mjs', 'rollouts')],
+        ['ours', inNode('simulator/web/ours.mjs')],
         ['Box2D 2.4 by box2d-wasm', inNode('simulator/web/box2d.mjs')],
         ['ours natively', child(ours('simulator', 'rollouts'))],
       ],

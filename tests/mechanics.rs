@@ -1,7 +1,7 @@
 //! The mechanics of a rollout: friction, restitution, stacks and thin walls behave as a textbook says.
 //!
-//! px and seconds throughout, 6 px to the metre. Momentum, the restitution threshold and sleep need the inside of the world: they are tested in
-//! `simulator/world.rs`.
+//! px and seconds throughout, 6 px to the metre. Momentum, the restitution threshold and sleep need the inside of the
+//! world: they are tested in `simulator/world.rs`.
 #![cfg(not(target_arch = "wasm32"))]
 
 use pathlight::puzzle::rollout::{MAX_STEPS, Pose, Rollout, STEPS_PER_SECOND};

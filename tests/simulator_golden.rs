@@ -5,12 +5,11 @@
 //! purpose, raise `simulator::VERSION` and run `UPDATE_GOLDEN=1 cargo test --release --test simulator_golden`.
 
 use md5::{Digest, Md5};
-use pathlight::puzzle::action::{Action, Ball};
-use pathlight::puzzle::scene::Scene;
+use pathlight::dataset::sampling::random_ball;
 use pathlight::puzzle::task::{Task, ids};
 use pathlight::puzzle::templates::{TEMPLATES, Template};
 use pathlight::simulator::{VERSION, outcome, simulate};
-use rand::{RngExt, SeedableRng};
+use rand::SeedableRng;
 use rand_pcg::Pcg32;
 
 const GOLDEN: &str = include_str!("golden/rollouts.txt");
@@ -37,7 +36,8 @@ fn digest(template: &'static Template) -> String {
     for id in ids(template).step_by(40) {
         let scene = Task::load(id).expect("an id of the template").scene;
         let mut random = Pcg32::seed_from_u64(id.number.into());
-        let balls = [None, Some(random_ball(&scene, &mut random)), Some(random_ball(&scene, &mut random))];
+        let mut ball = || Some(random_ball(&scene, &mut random).expect("the scene has room"));
+        let balls = [None, ball(), ball()];
         for ball in balls {
             let rollout = simulate(&scene, ball).expect("a valid ball");
             let short = outcome(&scene, ball).expect("a valid ball");
@@ -50,10 +50,4 @@ fn digest(template: &'static Template) -> String {
         }
     }
     md5.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
-}
-
-/// Returns the ball of the first valid action of a uniform sequence.
-fn random_ball(scene: &Scene, random: &mut Pcg32) -> Ball {
-    let mut action = || Action { x: random.random(), y: random.random(), r: random.random() };
-    std::iter::repeat_with(|| action().place(scene)).find_map(Result::ok).expect("the sequence has no end")
 }

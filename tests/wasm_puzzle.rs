@@ -98,7 +98,7 @@ fn attempts_run_until_solved_and_replay_the_same() {
     assert_eq!(puzzle.steps(), steps);
     assert_eq!(json(puzzle.standing("player").expect("a score"))["solved_at"], number);
     // The object touched its goal for the last three seconds.
-    let touches = json(puzzle.touches().expect("stretches"));
+    let touches = json(puzzle.touches().expect("intervals"));
     let last = touches.as_array().and_then(|all| all.last()).expect("it touched");
     assert_eq!(last[1], steps);
 }

@@ -1,11 +1,12 @@
 //! The rollouts that all contenders of the simulator's bench run: 20 tasks of each template, all with a random valid ball.
 
-use pathlight::puzzle::action::{Action, Ball};
+use pathlight::dataset::sampling::random_ball;
+use pathlight::puzzle::action::Ball;
 use pathlight::puzzle::scene::Scene;
 use pathlight::puzzle::task::Task;
 use pathlight::puzzle::templates::TEMPLATES;
 use pathlight::simulator::{self, Simulation};
-use rand::{RngExt, SeedableRng};
+use rand::SeedableRng;
 use rand_pcg::Pcg32;
 
 /// Returns the scenes with their balls, the same on every machine.
@@ -14,10 +15,7 @@ pub fn rollouts() -> Vec<(Scene, Ball)> {
     let tasks = TEMPLATES.iter().flat_map(|template| Task::of(template).step_by(5));
     tasks
         .map(|Task { scene, .. }| {
-            let mut action = || Action { x: random.random(), y: random.random(), r: random.random() };
-            let ball = std::iter::repeat_with(|| action().place(&scene))
-                .find_map(Result::ok)
-                .expect("the sequence has no end");
+            let ball = random_ball(&scene, &mut random).expect("the scene has room");
             (scene, ball)
         })
         .collect()

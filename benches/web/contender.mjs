@@ -1,8 +1,8 @@
-// A contender in wasm, in Node or in a page: a module of this folder's neighbours, by its path from `benches`.
+// A contender in wasm, in Node or in a page: a module named by its path from `benches`.
 
 /**
- * `read` returns the bytes of a file of the repository, `what` says which of its works the contender does. `load` returns the result to compare and `time()`,
- * which does the work once and returns how many milliseconds it took.
+ * `read` returns the bytes of a file of the repository; `what` selects the work that is timed. The module's `load`
+ * returns the result to compare and `time()`, which does the work once and returns its duration, ms.
  */
 export async function contender([module, what], read) {
   const { load } = await import(`../${module}`);

@@ -21,7 +21,7 @@ pub struct FittingBalls {
 impl FittingBalls {
     pub fn new(scene: &Scene) -> FittingBalls {
         let obstacles = Obstacles::new(scene);
-        // x and y follow the same rule, so the balls on the diagonal of an empty scene tell it for both.
+        // x and y follow the same rule, so the balls on the diagonal of an empty scene are enough for both axes.
         let nothing = Obstacles::default();
         let placed =
             |index: usize, radius: usize| nothing.place(ball_at(radius * CELLS + index * SIDE + index).action()).ok();

@@ -1,4 +1,4 @@
-//! Every constant of the simulator with its unit, its source and its effect.
+//! The constants of PHYRE and Box2D, each with its unit, its source and its effect.
 //!
 //! "PHYRE" is its v0.2.2 simulator, "Box2D" the 2.3 that it runs on (b2Settings.h unless another place is named). They are
 //! measured or published facts of those engines; none is tuned to outcomes.

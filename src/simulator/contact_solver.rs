@@ -1,6 +1,7 @@
 //! The contact solver for the velocities: sequential impulses (b2ContactSolver of Box2D 2.3).
 //!
-//! Friction first, then the normal impulses; the two points of a contact are solved together as a block. Depends on bodies and contacts, not on shapes.
+//! Friction first, then the normal impulses; the two points of a contact are solved together as a block. Depends on
+//! bodies and contacts, not on shapes.
 
 use rapier2d::math::Vector;
 

@@ -3,7 +3,7 @@
 //! A scene and perhaps a ball in, the complete rollout out. The only user of rapier2d, which supplies shapes, mass
 //! properties, contact manifolds and distances; each file names the class or function of Box2D that it ports. Results are
 //! bit-identical natively and in wasm: f32 throughout, libm for the trigonometry, and no order that depends on a hash.
-//! Used by the page, the wasm exports and the commands. Must not depend on tasks, images or nets.
+//! Used by `dataset`, `play`, `web` and `commands`. Must not depend on tasks, images or nets.
 //!
 //! | file | ports |
 //! | --- | --- |
@@ -108,8 +108,8 @@ impl Simulation {
         self.run_with(|_, _| ())
     }
 
-    /// Runs like `run`. Calls `on_step` for the start and after each step, with
-    /// whether the object touches the goal.
+    /// Runs like `run`. Calls `on_step` for the start and after each step, with whether the object touches the
+    /// goal.
     fn run_with(mut self, mut on_step: impl FnMut(&Simulation, bool)) -> Outcome {
         on_step(&self, self.touches());
         let mut touch_steps = 0;

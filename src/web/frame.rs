@@ -1,7 +1,7 @@
 //! One frame of the page: the order in which its layers are drawn.
 //!
 //! From the bottom: static bodies, maps, paths, dynamic bodies, balls, marks, the sketch, and the ring or the knob.
-//! Used by `puzzle`; `paint` and `marks` do the drawing.
+//! Used by `puzzle_view`; `paint` and `marks` do the drawing.
 
 use serde::Deserialize;
 use wasm_bindgen::prelude::*;
@@ -115,9 +115,9 @@ fn draw_ball(
     if outlined && let Some(pose) = recording.pose(step, scene.body1) {
         painter.outline(&scene.bodies[scene.body1], pose, recording.line_style)?;
     }
-    match (recording.attempt, recording.pose(step, scene.bodies.len())) {
-        (Some((_, ball)), Some(pose)) if outlined => painter.outline(&ball.body(), pose, recording.line_style),
-        (Some((_, ball)), Some([x, y, angle])) => {
+    match (recording.ball, recording.pose(step, scene.bodies.len())) {
+        (Some(ball), Some(pose)) if outlined => painter.outline(&ball.body(), pose, recording.line_style),
+        (Some(ball), Some([x, y, angle])) => {
             painter.ball(Ball { x: x.into(), y: y.into(), ..ball }, angle.into(), true)
         }
         _ => Ok(()),

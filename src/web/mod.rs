@@ -2,9 +2,9 @@
 //!
 //! `puzzle` is one puzzle on the page, `puzzle_view` what is drawn of it; `model` is the nets in the worker and
 //! `solve_map` its search for all solutions; `scripting` is what a script asks of a task, and `metrics` how agents are
-//! compared. This file holds the exports that need no state: the constants, the templates, thumbnails, maps and legends. Data go to JavaScript as plain
-//! objects with the field names of the Rust types (`types.d.ts` declares them), or as typed arrays; an error is an `Error`
-//! with a `code`.
+//! compared. This file holds the exports that need no state: the constants, the templates, thumbnails, maps and legends.
+//! Data go to JavaScript as plain objects with the field names of the Rust types (`types.d.ts` declares them), or as typed
+//! arrays; an error is an `Error` with a `code`.
 
 use std::cell::RefCell;
 

@@ -87,8 +87,7 @@ impl Puzzle {
     pub fn attempt(&mut self, x: f64, y: f64, r: f64) -> Result<JsValue, JsValue> {
         let ball = Ball { x, y, r };
         let (number, rollout) = self.game.play(Contender::Player, ball).map_err(|why| self.refusal(why))?;
-        self.recordings =
-            vec![Recording { attempt: Some((Contender::Player, ball)), rollout, line_style: LineStyle::Solid }];
+        self.recordings = vec![Recording { ball: Some(ball), rollout, line_style: LineStyle::Solid }];
         to_js(&ListedAttempt::new(number, self.game.attempts(Contender::Player)[number - 1]))
     }
 

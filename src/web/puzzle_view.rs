@@ -21,7 +21,7 @@ impl Puzzle {
     /// Shows the scene running without a ball.
     pub fn watch(&mut self) -> Result<(), JsValue> {
         let rollout = simulate(&self.task.scene, None).map_err(|why| self.refusal(why.into()))?;
-        self.recordings = vec![Recording { attempt: None, rollout, line_style: LineStyle::Solid }];
+        self.recordings = vec![Recording { ball: None, rollout, line_style: LineStyle::Solid }];
         Ok(())
     }
 
@@ -70,8 +70,7 @@ impl Puzzle {
         let ball = Ball { x, y, r };
         let rollout = simulate(&self.task.scene, Some(ball)).map_err(|why| self.refusal(why.into()))?;
         let attempt = Attempt { ball, ending: Ending::of(&rollout) };
-        self.recordings =
-            vec![Recording { attempt: Some((Contender::Model, ball)), rollout, line_style: LineStyle::Dashed }];
+        self.recordings = vec![Recording { ball: Some(ball), rollout, line_style: LineStyle::Dashed }];
         to_js(&ListedAttempt::new(0, attempt))
     }
 
@@ -147,7 +146,7 @@ impl Puzzle {
     fn record_again(&self, who: Contender, attempt: Attempt) -> Result<Recording, JsValue> {
         let rollout = simulate(&self.task.scene, Some(attempt.ball)).map_err(|why| self.refusal(why.into()))?;
         let line_style = if who == Contender::Model { LineStyle::Dashed } else { LineStyle::Solid };
-        Ok(Recording { attempt: Some((who, attempt.ball)), rollout, line_style })
+        Ok(Recording { ball: Some(attempt.ball), rollout, line_style })
     }
 
     /// Simulates an earlier attempt once more.

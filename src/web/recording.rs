@@ -1,11 +1,10 @@
-//! A rollout that is shown: whose attempt it is, and the interpolated pose of every body at any time. Used by `puzzle`;
-//! draws nothing itself.
+//! A rollout that is shown: its ball, and the interpolated pose of every body at any time. Used by `puzzle`, `puzzle_view`
+//! and `frame`; draws nothing itself.
 
 use js_sys::{Float32Array, Object, Reflect};
 use wasm_bindgen::JsValue;
 
 use super::paint::LineStyle;
-use crate::play::game::Contender;
 use crate::puzzle::action::Ball;
 use crate::puzzle::rollout::{Pose, Rollout};
 use crate::puzzle::scene::Scene;
@@ -14,7 +13,7 @@ use crate::raster::{Bitmap, path_image};
 /// One rollout that is shown.
 pub struct Recording {
     /// `None` if the scene runs without a ball.
-    pub attempt: Option<(Contender, Ball)>,
+    pub ball: Option<Ball>,
     pub rollout: Rollout,
     /// Line style of its paths.
     pub line_style: LineStyle,
@@ -43,7 +42,7 @@ impl Recording {
         let paths = Object::new();
         let object = path_image(&scene.bodies[scene.body1], &self.rollout, scene.body1);
         Reflect::set(&paths, &"object".into(), &to_array(object))?;
-        if let Some((_, ball)) = self.attempt {
+        if let Some(ball) = self.ball {
             let path = path_image(&ball.body(), &self.rollout, scene.bodies.len());
             Reflect::set(&paths, &"ball".into(), &to_array(path))?;
         }

@@ -174,7 +174,7 @@ export interface Proposal {
 
 /** How weights were trained. */
 export interface ModelCard {
-    setup: "within" | "cross";
+    setup: Setup;
     fold: number;
     seed: number;
     epochs: number;

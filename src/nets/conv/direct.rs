@@ -22,11 +22,12 @@ const ROW_REGISTERS: usize = if cfg!(target_arch = "wasm32") { 8 } else { 4 };
 /// Widest coarse row that a net has.
 const WIDEST: usize = 32;
 
-/// A layer and where its images are. The channels of the images and the cells of the bias are those of `geometry`.
+/// A layer with its input and output images, whose sizes are those of `geometry`.
 pub struct DirectConv<'a> {
     pub geometry: &'a Geometry,
     /// `[coarse_channels, fine_channels, 4, 4]`.
     pub weight: &'a [f32],
+    /// One value for each output channel.
     pub bias: &'a [f32],
     pub relu: bool,
     /// Input images.
