@@ -25,6 +25,14 @@ async function spot(puzzle, x, y) {
 const ballOf = async (puzzle) => Promise.all(['x', 'y', 'r'].map(async (name) => Number(await puzzle.locator(`#ball-${name}`).inputValue())));
 const status = (puzzle, pattern) => puzzle.locator('#status').filter({ hasText: pattern }).waitFor();
 
+test('the page ends where the last puzzle ends', async () => {
+  const page = await embed(session, LESSON, { viewport: { width: 1000, height: 700 } });
+  const two = page.locator('#two');
+  await imagined(two);
+  const below = await two.evaluate((puzzle) => document.documentElement.scrollHeight - scrollY - puzzle.getBoundingClientRect().bottom);
+  assert.ok(below < 30, `${below} px below the last puzzle`);
+});
+
 test('two puzzles in one page are played with the mouse, independently of each other', async () => {
   const page = await embed(session);
   const [one, two] = [page.locator('#one'), page.locator('#two')];
