@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, ensure};
 use pathlight::benchmark::folds::{FOLDS, Fold, Setup};
-use pathlight::dataset::labels::LabelledBalls;
+use pathlight::dataset::labels::{LabelledBalls, PATHS_LEN};
 use pathlight::puzzle::action::{Ball, RADIUS};
 use pathlight::puzzle::scene::SIZE;
 use pathlight::puzzle::task::{Task, TaskId};
@@ -95,6 +95,10 @@ impl journal::Entry for LabelledBalls {
             let span = ball.r..=SIZE - ball.r;
             RADIUS.contains(&ball.r) && span.contains(&ball.x) && span.contains(&ball.y)
         };
+        let (paths, balls) = (self.paths.0.len(), self.solved.len() + self.failed.len());
+        if paths != 0 && paths != balls * PATHS_LEN {
+            return Err(format!("{} has {balls} balls, but {paths} bytes of paths", self.task));
+        }
         match self.solved.iter().chain(&self.failed).find(|ball| !inside(ball)) {
             Some(ball) => {
                 Err(format!("the ball {ball} of {} has a wrong radius or is not inside the scene", self.task))

@@ -120,7 +120,7 @@ fn labelled_scenes(path: &Path, fold: &FoldArgs, without_dev: bool) -> anyhow::R
         );
     }
     let mut scenes: BTreeMap<TaskId, LabelledScene> = BTreeMap::new();
-    for LabelledBalls { task, solved, failed } in lines {
+    for LabelledBalls { task, solved, failed, .. } in lines {
         if tasks.binary_search(&task).is_err() {
             continue;
         }

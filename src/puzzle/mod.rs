@@ -5,6 +5,7 @@
 pub mod action;
 pub mod layout;
 pub mod rollout;
+pub mod sampled_paths;
 pub mod scene;
 pub mod stable_shuffle;
 pub mod task;

@@ -19,6 +19,7 @@
 
 use crate::puzzle::action::{Ball, Invalid};
 use crate::puzzle::rollout::{GOAL_STEPS, MAX_STEPS, Pose, Rollout};
+use crate::puzzle::sampled_paths::{SAMPLED_STEPS, SAMPLES, SampledPaths};
 use crate::puzzle::scene::{Scene, walls};
 use constants::{BALL_TOUCH_DISTANCE, PX_PER_METRE};
 use world::World;
@@ -67,6 +68,28 @@ pub fn simulate(scene: &Scene, ball: Option<Ball>) -> Result<Rollout, Invalid> {
 /// The reason why the ball is invalid in this scene.
 pub fn outcome(scene: &Scene, ball: Option<Ball>) -> Result<Outcome, Invalid> {
     Ok(Simulation::new(scene, ball)?.run())
+}
+
+/// Simulates like `outcome`, and keeps the sampled paths of the green object and of the ball: for labels.
+///
+/// # Errors
+/// The reason why the ball is invalid in this scene.
+pub fn sampled_paths(scene: &Scene, ball: Ball) -> Result<(Outcome, SampledPaths), Invalid> {
+    let simulation = Simulation::new(scene, Some(ball))?;
+    let [object, ball] = [simulation.goal[0], simulation.world.bodies.len() - 1];
+    let mut paths = SampledPaths { object: [[0.0; 2]; SAMPLES], ball: [[0.0; 2]; SAMPLES] };
+    let (mut step, mut sample, mut latest) = (0, 0, [[0.0; 2]; 2]);
+    let outcome = simulation.run_with(|simulation, _| {
+        latest = [object, ball].map(|body| simulation.pose(body)).map(|[x, y, _]| [x, y]);
+        if SAMPLED_STEPS.get(sample) == Some(&step) {
+            [paths.object[sample], paths.ball[sample]] = latest;
+            sample += 1;
+        }
+        step += 1;
+    });
+    paths.object[sample..].fill(latest[0]);
+    paths.ball[sample..].fill(latest[1]);
+    Ok((outcome, paths))
 }
 
 /// A rollout before its first step: the world of a scene, and what decides whether its goal is reached.
@@ -141,10 +164,13 @@ impl Simulation {
 
     /// Returns the pose of every dynamic body, px and radians.
     fn poses(&self) -> impl Iterator<Item = Pose> {
-        self.dynamic_bodies.iter().map(|&(_, index)| {
-            let body = &self.world.bodies[index];
-            let origin = body.origin() * PX_PER_METRE as f32;
-            [origin.x, origin.y, body.sweep.position.angle]
-        })
+        self.dynamic_bodies.iter().map(|&(_, index)| self.pose(index))
+    }
+
+    /// Returns the pose of a body by its index in the world, px and radians.
+    fn pose(&self, index: usize) -> Pose {
+        let body = &self.world.bodies[index];
+        let origin = body.origin() * PX_PER_METRE as f32;
+        [origin.x, origin.y, body.sweep.position.angle]
     }
 }
