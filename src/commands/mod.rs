@@ -33,6 +33,7 @@ mod solve_rates;
 mod task_selection;
 mod tasks;
 mod train;
+mod train_dynamics;
 mod train_judge;
 mod training_args;
 mod training_run;
@@ -52,6 +53,7 @@ enum Command {
     Train(train::Args),
     Label(label::Args),
     TrainJudge(train_judge::Args),
+    TrainDynamics(train_dynamics::Args),
     Publish(publish::Args),
     Propose(propose::Args),
     Evaluate(evaluate::Args),
@@ -70,6 +72,7 @@ impl Command {
             Command::Train(args) => args.run(),
             Command::Label(args) => args.run(),
             Command::TrainJudge(args) => args.run(),
+            Command::TrainDynamics(args) => args.run(),
             Command::Publish(args) => args.run(),
             Command::Propose(args) => args.run(),
             Command::Evaluate(args) => args.run(),

@@ -126,6 +126,7 @@ impl Args {
             tasks: chosen.chunk_by(|a, b| a.task == b.task).count(),
             simulator: version,
             judge: None,
+            dynamics: None,
         };
         Ok((samples, card))
     }

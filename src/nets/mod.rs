@@ -11,16 +11,21 @@ use burn::tensor::{Device, Tensor, TensorData};
 use crate::puzzle::scene::Scene;
 use crate::raster::{Bitmap, CHANNELS, SIDE, scene_channels};
 
+pub mod ball_head;
 mod conv;
+pub mod dynamics;
 mod hourglass;
+pub mod imagined_balls;
 pub mod judge;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod training;
 mod weights;
 
+pub use dynamics::DynamicsNet;
 pub use hourglass::Hourglass;
+pub use imagined_balls::{ImaginedBall, ReadScene};
 pub use judge::Judge;
-pub use weights::{Card, JudgeCard, WeightsError, read_card};
+pub use weights::{Card, DynamicsCard, JudgeCard, WeightsError, read_card};
 
 /// The four nets together.
 #[derive(Module, Debug)]
@@ -31,6 +36,8 @@ pub struct PathNet {
     placement: Hourglass,
     /// Not part of the paper; weights may come without it.
     pub judge: Option<Judge>,
+    /// Not part of the paper; weights may come without it.
+    pub dynamics: Option<DynamicsNet>,
 }
 
 /// Logits of the four maps, each `[batch, 1, 64, 64]`, in the order base, target, action, placement.
@@ -41,7 +48,7 @@ impl PathNet {
     pub fn new(device: &Device) -> PathNet {
         let net = |channels| Hourglass::new(channels, device);
         let (base, target) = (net(CHANNELS), net(CHANNELS));
-        PathNet { base, target, action: net(CHANNELS + 2), placement: net(CHANNELS + 2), judge: None }
+        PathNet { base, target, action: net(CHANNELS + 2), placement: net(CHANNELS + 2), judge: None, dynamics: None }
     }
 
     /// Scenes `[batch, 5, 64, 64]` in, logits out; gradients flow through the whole chain.
@@ -76,6 +83,13 @@ impl PathNet {
         let logits = judge.forward(Tensor::cat(vec![scene.clone(), scene.flip([3])], 0)); // [2, RADII, 64, 64]
         let [logits, mirrored] = logits.chunk(2, 0).try_into().expect("two scenes");
         Some(values((logits + mirrored.flip([3])) / 2.0))
+    }
+
+    /// Returns a scene as the dynamics net reads it, or `None` if the weights have none.
+    pub fn read(&self, scene: &Scene) -> Option<ReadScene> {
+        let dynamics = self.dynamics.as_ref()?;
+        let images = self.encode(scene);
+        Some(dynamics.read(scene, Tensor::cat(vec![images.clone(), images.flip([3])], 0)))
     }
 
     /// The input of the nets for a scene, `[1, 5, 64, 64]`.

@@ -14,7 +14,7 @@ use half::f16;
 use safetensors::tensor::{Dtype, SafeTensors, TensorView};
 use serde::{Deserialize, Serialize};
 
-use super::{Judge, PathNet};
+use super::{DynamicsNet, Judge, PathNet};
 use crate::benchmark::folds::Setup;
 
 /// The key of the card in the file's metadata.
@@ -52,6 +52,9 @@ pub struct Card {
     /// The settings of the judge's training, if there is a judge.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub judge: Option<JudgeCard>,
+    /// The settings of the dynamics net's training, if there is one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub dynamics: Option<DynamicsCard>,
 }
 
 /// The settings that a judge was trained with. It has seen the same tasks as the nets.
@@ -68,6 +71,25 @@ pub struct JudgeCard {
     pub balls_per_scene: u16,
     /// Highest learning rate of Adam.
     #[serde(alias = "rate")]
+    pub learning_rate: f64,
+    /// Labelled balls that these are drawn from.
+    pub balls: usize,
+}
+
+/// The settings that a dynamics net was trained with. It has seen the same tasks as the nets.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct DynamicsCard {
+    /// Seed of the initial weights and of the order of the scenes.
+    pub seed: u64,
+    /// Passes over the scenes.
+    pub epochs: usize,
+    /// Scenes per batch.
+    pub batch: u16,
+    /// Balls drawn per scene in a batch.
+    pub balls_per_scene: u16,
+    /// Of these, balls whose paths are learned.
+    pub imagined_per_scene: u16,
+    /// Highest learning rate of Adam.
     pub learning_rate: f64,
     /// Labelled balls that these are drawn from.
     pub balls: usize,
@@ -108,6 +130,9 @@ impl PathNet {
         let mut nets = PathNet::new(device);
         if file.names().iter().any(|name| name.starts_with("judge.")) {
             nets.judge = Some(Judge::new(device));
+        }
+        if file.names().iter().any(|name| name.starts_with("dynamics.")) {
+            nets.dynamics = Some(DynamicsNet::new(device));
         }
         let nets = nets.map(&mut loader);
         let extra = file.len().saturating_sub(loader.loaded);
@@ -256,6 +281,7 @@ mod tests {
             tasks: 1,
             simulator: 0,
             judge: None,
+            dynamics: None,
         };
         let saved = |value: f32| PathNet::new(&flex()).map(&mut SetBiases(value)).save(&card);
         assert!(saved(f16::MAX.to_f32()).is_ok());

@@ -35,6 +35,7 @@ mod weight_gradient;
 
 use forward::Layer;
 use im2col::Geometry;
+pub use matmul::{Matrix, matmul};
 
 /// Whether layers of these output channels divide into whole tiles of the kernels. A net asserts it of its widths at
 /// compile time.

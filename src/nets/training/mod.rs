@@ -1,8 +1,10 @@
 //! Training of the nets; native only. Used by the commands that train and by the benches.
 
 mod adam;
+mod dynamics;
 mod schedule;
 mod trainer;
 
+pub use dynamics::{DynamicsBatch, LabelledBall};
 pub use schedule::{Schedule, WARMUP_STEPS};
 pub use trainer::{Batch, JudgeBatch, Module, Trainer};

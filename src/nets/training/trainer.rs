@@ -24,9 +24,9 @@ use crate::raster::{Bitmap, CELLS, CHANNELS, SIDE};
 
 /// Nets, all four or the judge, and their optimiser.
 pub struct Trainer<M> {
-    nets: M,
+    pub(super) nets: M,
     optimiser: ModuleOptimizer,
-    device: Device,
+    pub(super) device: Device,
 }
 
 /// Samples as tensor data: scenes `[samples, 5, 64, 64]` and target maps `[samples, 4, 64, 64]`.
@@ -78,7 +78,7 @@ impl JudgeBatch {
 }
 
 /// Appends images as values of 0 and 1.
-fn extend(values: &mut Vec<f32>, images: &[Bitmap], mirrored: bool) {
+pub(super) fn extend(values: &mut Vec<f32>, images: &[Bitmap], mirrored: bool) {
     let flipped = |image: &Bitmap| if mirrored { image.mirrored() } else { *image };
     values.extend(images.iter().flat_map(|image| flipped(image).to_f32()));
 }
@@ -129,14 +129,14 @@ impl<M: Module> Trainer<M> {
         Trainer { nets: nets.train(), optimiser: FusedAdam.into(), device: device.autodiff() }
     }
 
-    fn fresh(device: Device, seed: u64, new: impl FnOnce(&Device) -> M) -> Trainer<M> {
+    pub(super) fn fresh(device: Device, seed: u64, new: impl FnOnce(&Device) -> M) -> Trainer<M> {
         let device = device.autodiff();
         device.seed(seed);
         Trainer { nets: new(&device), optimiser: FusedAdam.into(), device }
     }
 
     /// One optimiser step on the sum of the losses; returns the separate losses.
-    fn backward_step(&mut self, losses: Tensor<1>, learning_rate: f64) -> Vec<f32> {
+    pub(super) fn backward_step(&mut self, losses: Tensor<1>, learning_rate: f64) -> Vec<f32> {
         let gradients = GradientsParams::from_grads(losses.clone().sum().backward(), &self.nets);
         self.nets = self.optimiser.step(learning_rate, self.nets.clone(), gradients);
         losses.into_data().iter::<f32>().collect()
@@ -167,7 +167,7 @@ impl<M: Module> Trainer<M> {
 }
 
 /// Mean binary cross-entropy between the sigmoid of logits and targets in 0..=1 of the same shape. `[1]` out.
-fn binary_cross_entropy_with_logits<const D: usize>(logits: Tensor<D>, targets: Tensor<D>) -> Tensor<1> {
+pub(super) fn binary_cross_entropy_with_logits<const D: usize>(logits: Tensor<D>, targets: Tensor<D>) -> Tensor<1> {
     // softplus(x) = ln(1 + e^x), written so that no x overflows.
     let softplus = relu(logits.clone()) + logits.clone().abs().neg().exp().log1p();
     (softplus - logits * targets).mean()

@@ -1,0 +1,103 @@
+//! The dynamics net: imagines for any ball where the green object and the ball go, and how likely it solves the scene.
+//!
+//! A forward model of the scene's dynamics that is conditioned on an action (Ahmed et al. 2021, "Physical Reasoning Using
+//! Dynamics-Aware Models", show that such knowledge helps to choose actions). A U-Net reads the scene once; a small
+//! perceptron then answers for each ball from the hypercolumn at its place (Hariharan et al. 2015: the features of all
+//! sizes), its exact position and its radius. So a ball costs little, and hundreds are imagined at once. It also returns
+//! one map of logits for each of a few radii, as the judge does: they say which balls are worth imagining.
+
+use burn::module::Module;
+use burn::nn::conv::{Conv2d, ConvTranspose2d};
+use burn::tensor::activation::relu;
+use burn::tensor::{Device, Tensor};
+
+use super::ball_head::{BallHead, BallTensors, Predictions};
+use super::conv::{conv_down, conv_up, fit_tiles, new_conv_down, new_conv_up};
+use super::judge::RADII;
+use crate::raster::{CHANNELS, SIDE};
+
+/// Channels after each of the five convolutions.
+pub const WIDTHS: [usize; 5] = [16, 32, 64, 96, 128];
+
+/// Features of the finest level, 64 x 64.
+pub const FINEST: usize = 16;
+
+/// The levels of the hypercolumn, finest first: side and channels. Those with a skip connection have the channels of
+/// decoder and encoder.
+pub const LEVELS: [(usize, usize); 5] = [
+    (SIDE, FINEST),
+    (SIDE / 2, 2 * WIDTHS[0]),
+    (SIDE / 4, 2 * WIDTHS[1]),
+    (SIDE / 8, 2 * WIDTHS[2]),
+    (SIDE / 16, 2 * WIDTHS[3]),
+];
+
+/// Values of the code, the innermost output of the encoder: 2 x 2 cells.
+pub const CODE: usize = 4 * WIDTHS[4];
+
+const _: () = assert!(fit_tiles(&WIDTHS), "a width is not a multiple of conv::matmul::TILE_ROWS");
+
+/// A net from the channels of a scene and balls in it to their paths and chances.
+#[derive(Module, Debug)]
+pub struct DynamicsNet {
+    down: Vec<Conv2d>,
+    up: Vec<ConvTranspose2d>,
+    pub head: BallHead,
+}
+
+/// What the U-Net makes of scenes.
+pub struct SceneFeatures {
+    /// Logits of the balls on each cell, `[batch, RADII, 64, 64]`.
+    pub logits: Tensor<4>,
+    /// The levels of the hypercolumn in the order of `LEVELS`, each `[batch, channels, side, side]`.
+    pub levels: Vec<Tensor<4>>,
+    /// `[batch, CODE]`
+    pub code: Tensor<2>,
+}
+
+impl DynamicsNet {
+    /// Returns a fresh net.
+    pub fn new(device: &Device) -> DynamicsNet {
+        let down = (0..WIDTHS.len()).map(|layer| {
+            let input = if layer == 0 { CHANNELS } else { WIDTHS[layer - 1] };
+            new_conv_down(input, WIDTHS[layer], 4, device)
+        });
+        let up = (0..WIDTHS.len()).rev().map(|layer| {
+            // All but the innermost see the layer before and, over the skip connection, the encoder's output.
+            let input = if layer == WIDTHS.len() - 1 { WIDTHS[layer] } else { 2 * WIDTHS[layer] };
+            new_conv_up(input, if layer == 0 { RADII + FINEST } else { WIDTHS[layer - 1] }, 4, device)
+        });
+        DynamicsNet { down: down.collect(), up: up.collect(), head: BallHead::new(device) }
+    }
+
+    /// Reads scenes, `[batch, 5, 64, 64]`.
+    pub fn encode(&self, scenes: Tensor<4>) -> SceneFeatures {
+        let mut skips = Vec::with_capacity(self.down.len());
+        let mut x = scenes;
+        for layer in &self.down {
+            x = conv_down(layer, x);
+            skips.push(x.clone());
+        }
+        skips.pop();
+        let code = x.clone().flatten(1, 3); // [batch, CODE]
+        let mut levels = Vec::with_capacity(LEVELS.len());
+        for layer in &self.up {
+            x = conv_up(layer, x, !skips.is_empty());
+            if let Some(skip) = skips.pop() {
+                x = Tensor::cat(vec![x, skip], 1);
+                levels.push(x.clone());
+            }
+        }
+        let [logits, finest] = x.split_with_sizes(vec![RADII, FINEST], 1).try_into().expect("two parts");
+        levels.push(relu(finest));
+        levels.reverse();
+        SceneFeatures { logits, levels, code }
+    }
+
+    /// Scenes `[batch, 5, 64, 64]` and balls in them, in; the logits of all cells and what each ball leads to, out.
+    pub fn forward(&self, scenes: Tensor<4>, balls: BallTensors) -> (Tensor<4>, Predictions) {
+        let features = self.encode(scenes);
+        let predictions = self.head.forward(&features, balls);
+        (features.logits, predictions)
+    }
+}

@@ -1,0 +1,109 @@
+//! One optimiser step of the dynamics net.
+//!
+//! The loss is the sum of: the binary cross-entropies of the three chances (of the ball's cell, of the ball, and from its
+//! paths alone), and the mean distances of the coordinates and of the expected errors, weighted.
+
+use burn::tensor::{Int, Tensor, TensorData};
+
+use super::trainer::{Trainer, binary_cross_entropy_with_logits, extend};
+use crate::nets::DynamicsNet;
+use crate::nets::ball_head::{BallBatch, COORDINATES, POSITIONS, Starts, UNIT};
+use crate::nets::judge::{RADII, logit_index};
+use crate::puzzle::action::{Ball, Invalid};
+use crate::puzzle::scene::SIZE;
+use crate::raster::{Bitmap, CELLS, CHANNELS, SIDE};
+use burn::tensor::Device;
+
+/// Weight of the mean distance between imagined and real coordinates, in `UNIT`.
+const PATH_WEIGHT: f64 = 0.5;
+
+/// Weight of the mean distance between expected and actual errors, in `UNIT`.
+const ERROR_WEIGHT: f64 = 0.1;
+
+/// Scenes and balls with what they led to.
+#[derive(Default)]
+pub struct DynamicsBatch {
+    scenes: Vec<f32>,
+    count: usize,
+    logit_indices: Vec<i64>,
+    logit_labels: Vec<f32>,
+    balls: BallBatch,
+    labels: Vec<f32>,
+    /// `[balls, COORDINATES]`, in `UNIT`.
+    coordinates: Vec<f32>,
+}
+
+/// A ball, whether it solves, and its paths: x and y at each sample, first of the object, then of the ball, px.
+pub type LabelledBall<'a> = (Ball, bool, &'a [u8]);
+
+impl DynamicsBatch {
+    /// Adds a scene and labelled balls of it, as they are or mirrored left to right; the paths of the first `imagined`
+    /// are learned too.
+    ///
+    /// # Errors
+    /// If a ball has no cell (`judge::logit_index`); the batch is then of no use.
+    pub fn add<'a>(
+        &mut self,
+        scene: &[Bitmap; CHANNELS],
+        starts: Starts,
+        balls: impl Iterator<Item = LabelledBall<'a>>,
+        imagined: usize,
+        mirrored: bool,
+    ) -> Result<(), Invalid> {
+        extend(&mut self.scenes, scene, mirrored);
+        let starts = if mirrored { starts.mirrored() } else { starts };
+        for (number, (ball, solved, paths)) in balls.enumerate() {
+            let ball = Ball { x: if mirrored { SIZE - ball.x } else { ball.x }, ..ball };
+            let label = if solved { 1.0 } else { 0.0 };
+            self.logit_indices.push((self.count * RADII * CELLS + logit_index(ball)?) as i64);
+            self.logit_labels.push(label);
+            if number < imagined {
+                self.balls.add(self.count, ball, starts);
+                self.labels.push(label);
+                let coordinates = paths.iter().enumerate().map(|(index, &at)| {
+                    let mirrored = mirrored && index % 2 == 0;
+                    (if mirrored { SIZE as f32 - f32::from(at) } else { f32::from(at) }) / UNIT
+                });
+                self.coordinates.extend(coordinates);
+            }
+        }
+        self.count += 1;
+        Ok(())
+    }
+}
+
+impl Trainer<DynamicsNet> {
+    /// Returns a trainer of a fresh net, whose weights depend only on the seed.
+    pub fn new(device: Device, seed: u64) -> Trainer<DynamicsNet> {
+        Trainer::fresh(device, seed, DynamicsNet::new)
+    }
+
+    /// One optimiser step on a batch; returns the losses: of the logits of the cells, of the balls, of the paths alone,
+    /// the mean distance of a coordinate and of an expected error, both in `UNIT`.
+    pub fn step(&mut self, batch: DynamicsBatch, learning_rate: f64) -> Vec<f32> {
+        let device = self.device.clone();
+        let shape = [batch.count, CHANNELS, SIDE, SIDE];
+        let scenes = Tensor::from_data(TensorData::new(batch.scenes, shape), &device);
+        let (logits, predictions) = self.nets.forward(scenes, batch.balls.tensors(&device));
+        let vector = |values: Vec<f32>| {
+            let len = values.len();
+            Tensor::<1>::from_data(TensorData::new(values, [len]), &device)
+        };
+        let (cells, count) = (batch.logit_indices.len(), batch.labels.len());
+        let indices = Tensor::<1, Int>::from_data(TensorData::new(batch.logit_indices, [cells]), &device);
+        let of_cells = logits.reshape([-1]).select(0, indices); // [cells]
+        let labels = vector(batch.labels);
+        let real = vector(batch.coordinates).reshape([count, COORDINATES]);
+        let apart = predictions.coordinates - real; // [balls, COORDINATES]
+        let squared = apart.clone().detach().powi_scalar(2).reshape([count, POSITIONS, 2]);
+        let distance = squared.sum_dim(2).squeeze_dim::<2>(2).sqrt(); // [balls, POSITIONS]
+        let losses = vec![
+            binary_cross_entropy_with_logits(of_cells, vector(batch.logit_labels)),
+            binary_cross_entropy_with_logits(predictions.logits, labels.clone()),
+            binary_cross_entropy_with_logits(predictions.path_logits, labels),
+            apart.abs().mean() * PATH_WEIGHT,
+            (predictions.errors - distance).abs().mean() * ERROR_WEIGHT,
+        ];
+        self.backward_step(Tensor::cat(losses, 0), learning_rate)
+    }
+}
