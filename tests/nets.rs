@@ -29,6 +29,7 @@ fn card() -> Card {
         tasks: 0,
         simulator: 0,
         judge: None,
+        dynamics: None,
     }
 }
 
