@@ -40,7 +40,9 @@ fn proposals(criterion: &mut Criterion) {
     bench("judge", &|task, _| drop(black_box(nets.judge_logits(&task.scene))));
     bench("probability map", &|task, logits| drop(black_box(ranking::probability_map(logits, &task.scene))));
     bench("ranked", &|task, logits| drop(black_box(ranking::ranked(logits, &task.scene, MAX_ATTEMPTS))));
-    bench("a hundred balls", &|task, _| drop(black_box(agents::propose(&nets, task.id, &task.scene, 0, MAX_ATTEMPTS))));
+    bench("a hundred balls", &|task, _| {
+        drop(black_box(agents::propose(&nets, &task.scene, task.id.seed(0), MAX_ATTEMPTS)))
+    });
     bench("a hundred balls from the placement map", &|task, _| {
         drop(black_box(agents::placement::proposals(
             &nets.imagine(&task.scene).placement,

@@ -11,8 +11,8 @@
 //! let ball = Action { x: 0.1, y: 0.9, r: 0.5 }.place(&task.scene)?;
 //! let rollout = simulate(&task.scene, Some(ball))?;
 //! println!("{} Solved: {}, after {} steps", task.goal, rollout.solved, rollout.steps);
-//! let attempts = agents::random(task.id, &task.scene, 0, 100);
-//! assert!(attempts.iter().all(|ball| ball.check(&task.scene).is_ok()));
+//! let attempts = agents::random(&task.scene, task.id.seed(0), 100);
+//! assert!(attempts.iter().all(|attempt| attempt.ball.check(&task.scene).is_ok()));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
@@ -27,7 +27,7 @@
 //! | `dataset` | what nets learn from: solutions, labelled balls, samples |
 //! | `nets` | the four nets that imagine paths, the judge, their weights and their training |
 //! | `agents` | who proposes balls: from the placement map, from the judge, at random |
-//! | `play` | one session on one puzzle, the map of all solutions, soft IoU |
+//! | `play` | one session on one puzzle, an agent's turn, the map of all solutions, soft IoU |
 //! | `web` | the wasm exports; wasm32 only |
 
 pub mod agents;

@@ -43,10 +43,10 @@ fn digest(template: &'static Template, models: &[PathNet; 2]) -> String {
     for (index, id) in ids(template).step_by(25).enumerate() {
         let scene = Task::load(id).expect("an id of the template").scene;
         let mut nets = models[index % 2].clone();
-        let judged = agents::propose(&nets, id, &scene, 0, JUDGED);
+        let judged = agents::propose(&nets, &scene, id.seed(0), JUDGED);
         assert_eq!(judged.len(), JUDGED, "{id}");
         nets.judge = None;
-        let from_map = agents::propose(&nets, id, &scene, 0, FROM_MAP);
+        let from_map = agents::propose(&nets, &scene, id.seed(0), FROM_MAP);
         assert_eq!(from_map.len(), FROM_MAP, "{id}");
         for proposal in judged.into_iter().chain(from_map) {
             let origin = match proposal.origin {

@@ -1,11 +1,10 @@
 //! A floor under the shipped model: on test tasks that it has not seen it is far better than chance.
 #![cfg(not(target_arch = "wasm32"))]
 
-use pathlight::agents;
+use pathlight::agents::{self, Proposal};
 use pathlight::benchmark::auccess::{MAX_ATTEMPTS, auccess};
 use pathlight::benchmark::folds::Fold;
 use pathlight::nets::{PathNet, flex};
-use pathlight::puzzle::action::Ball;
 use pathlight::puzzle::scene::Scene;
 use pathlight::puzzle::task::{Task, TaskId};
 use pathlight::simulator::outcome;
@@ -17,30 +16,23 @@ const MARGIN: f64 = 40.0;
 
 #[test]
 fn one_test_task_of_each_template_is_solved_much_sooner_than_at_random() {
-    let (mut nets, card) = PathNet::load(WEIGHTS, &flex()).expect("our own weights");
+    let (nets, card) = PathNet::load(WEIGHTS, &flex()).expect("our own weights");
     let test = Fold::new(card.setup, card.fold).test;
     let tasks: Vec<TaskId> = test.chunk_by(|a, b| a.template == b.template).map(|tasks| tasks[0]).collect();
-    let score = |propose: &dyn Fn(TaskId, &Scene) -> Vec<Ball>| {
+    let score = |propose: &dyn Fn(TaskId, &Scene) -> Vec<Proposal>| {
         let first_solved: Vec<Option<usize>> = tasks
             .iter()
             .map(|&id| {
                 let scene = Task::load(id).expect("a task of the fold").scene;
-                let solves = |&ball: &Ball| outcome(&scene, Some(ball)).expect("a valid ball").solved;
+                let solves = |one: &Proposal| outcome(&scene, Some(one.ball)).expect("a valid ball").solved;
                 propose(id, &scene).iter().position(solves).map(|index| index + 1)
             })
             .collect();
         auccess(&first_solved)
     };
-    let model = |nets: &PathNet| {
-        score(&|id, scene| {
-            let proposals = agents::propose(nets, id, scene, 0, MAX_ATTEMPTS);
-            proposals.into_iter().map(|proposal| proposal.ball).collect()
-        })
-    };
-    let random = score(&|id, scene| agents::random(id, scene, 0, MAX_ATTEMPTS));
-    let judge = model(&nets);
-    nets.judge = None;
-    let paper = model(&nets);
+    let random = score(&|id, scene| agents::random(scene, id.seed(0), MAX_ATTEMPTS));
+    let judge = score(&|id, scene| agents::propose(&nets, scene, id.seed(0), MAX_ATTEMPTS));
+    let paper = score(&|id, scene| agents::from_map(&nets, scene, id.seed(0), MAX_ATTEMPTS));
     println!("{} tasks: judge {judge:.1}, paper {paper:.1}, random {random:.1}", tasks.len());
     assert!(judge > random + MARGIN, "judge {judge:.1}, random {random:.1}");
     assert!(paper > random + MARGIN / 2.0, "paper {paper:.1}, random {random:.1}");

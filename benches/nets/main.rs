@@ -59,7 +59,7 @@ fn main() {
         }
         ["propose", task] => {
             let (nets, task) = (nets(), load(task));
-            let propose = || agents::propose(&nets, task.id, &task.scene, 0, MAX_ATTEMPTS);
+            let propose = || agents::propose(&nets, &task.scene, task.id.seed(0), MAX_ATTEMPTS);
             let balls: Vec<[f64; 3]> = propose().into_iter().map(|proposal| proposal.ball.into()).collect();
             repeat(&format!("{:?}", balls.concat()), || stopwatch(propose));
         }

@@ -3,8 +3,8 @@
 //! The page, `propose` and `evaluate` all call these functions, so the same seed yields the same attempts.
 //! The judge's logits and probabilities are the same natively and in wasm, bit for bit; the maps of the four nets differ in
 //! the last bits where the exponential functions of the two do, so that the placement map may start from another ball. No
-//! agent calls the simulator. All balls are valid and in the order of the attempts. `seed` is that of the whole run; each
-//! task derives its own from it.
+//! agent calls the simulator. All balls are valid and in the order of the attempts. `seed` is that of one puzzle:
+//! `TaskId::seed`.
 
 mod fitting_balls;
 pub mod placement;
@@ -17,8 +17,34 @@ use serde::Serialize;
 use crate::dataset::sampling::random_ball;
 use crate::nets::PathNet;
 use crate::puzzle::action::Ball;
+use crate::puzzle::sampled_paths::SampledPaths;
 use crate::puzzle::scene::Scene;
-use crate::puzzle::task::TaskId;
+
+/// An agent at work on one puzzle: it proposes balls one by one, and may learn from what became of them.
+pub trait Agent: Send {
+    /// Returns the next ball; `None` if it has no more.
+    fn propose(&mut self) -> Option<Proposal>;
+
+    /// Tells the outcome of the attempt with the ball that it proposed last.
+    fn observe(&mut self, observation: &Observation);
+}
+
+/// What an agent is told about an attempt.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Observation {
+    pub solved: bool,
+    /// What really happened, if it was recorded.
+    pub paths: Option<SampledPaths>,
+}
+
+/// A list that was ordered beforehand: it learns nothing.
+impl Agent for std::vec::IntoIter<Proposal> {
+    fn propose(&mut self) -> Option<Proposal> {
+        self.next()
+    }
+
+    fn observe(&mut self, _: &Observation) {}
+}
 
 /// A valid ball that an agent proposes, and how it was found.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -37,7 +63,7 @@ pub enum Origin {
     Map { x: f64, y: f64 },
     /// An earlier proposal, by its number from 1, with Gaussian noise.
     Perturbed { number: usize },
-    /// Uniform over the action space: the placement map has no place where a ball may be.
+    /// Uniform over the action space: by the random agent, or because the placement map has no place where a ball may be.
     Uniform,
     /// The judge's maps: the probability, 0..=1, that the ball solves, lowered by the proposals before it.
     Judge { probability: f64 },
@@ -50,17 +76,23 @@ pub const VERSION: u32 = 1;
 
 /// Returns up to `count` proposals of the model: the balls that its judge finds most probable, or, from weights without
 /// a judge, the balls that its placement map suggests.
-pub fn propose(nets: &PathNet, task: TaskId, scene: &Scene, seed: u64, count: usize) -> Vec<Proposal> {
+pub fn propose(nets: &PathNet, scene: &Scene, seed: u64, count: usize) -> Vec<Proposal> {
     let ranked = nets.judge_logits(scene).map(|logits| ranking::ranked(&logits, scene, count)).unwrap_or_default();
     // Damaged weights may have a judge whose logits are NaN; it ranks nothing.
     if !ranked.is_empty() {
         return ranked;
     }
-    placement::proposals(&nets.imagine(scene).placement, scene, task.seed(seed), count)
+    from_map(nets, scene, seed, count)
+}
+
+/// Returns up to `count` proposals of the paper's four nets alone: the balls that the placement map suggests.
+pub fn from_map(nets: &PathNet, scene: &Scene, seed: u64, count: usize) -> Vec<Proposal> {
+    placement::proposals(&nets.imagine(scene).placement, scene, seed, count)
 }
 
 /// Returns `count` balls drawn uniformly from the action space; none if the scene has no room for a ball.
-pub fn random(task: TaskId, scene: &Scene, seed: u64, count: usize) -> Vec<Ball> {
-    let mut rng = Pcg64Mcg::seed_from_u64(task.seed(seed));
-    std::iter::repeat_with(|| random_ball(scene, &mut rng)).map_while(|ball| ball).take(count).collect()
+pub fn random(scene: &Scene, seed: u64, count: usize) -> Vec<Proposal> {
+    let mut rng = Pcg64Mcg::seed_from_u64(seed);
+    let balls = std::iter::repeat_with(|| random_ball(scene, &mut rng)).map_while(|ball| ball);
+    balls.map(|ball| Proposal { ball, origin: Origin::Uniform, rejected: 0 }).take(count).collect()
 }

@@ -1,7 +1,7 @@
 //! `pathlight evaluate`: auccess of agents on a fold's test tasks, beside the random agent, as a table and as JSON.
 //!
-//! Only counted attempts are simulated: an agent proposes all its balls first, then they are tried in order until
-//! one solves the task.
+//! Only counted attempts are simulated: an agent proposes one ball at a time and observes what became of it, until one
+//! solves the task.
 
 use std::fmt::Write as _;
 use std::io::Write as _;
@@ -9,19 +9,19 @@ use std::path::PathBuf;
 use std::{fmt, fs, io};
 
 use anyhow::{Context, ensure};
-use clap::ValueEnum;
-use pathlight::agents;
+use pathlight::agents::{self, Agent};
 use pathlight::benchmark::auccess::{MAX_ATTEMPTS, auccess, solved_within};
 use pathlight::benchmark::folds::Setup;
-use pathlight::nets::{Card, PathNet};
-use pathlight::puzzle::action::Ball;
+use pathlight::nets::Card;
+use pathlight::play::turn::Turn;
 use pathlight::puzzle::scene::Scene;
 use pathlight::puzzle::task::{Task, TaskId};
 use pathlight::puzzle::templates::TEMPLATES;
-use pathlight::simulator::{self, outcome};
+use pathlight::simulator;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
+use super::agent_name::AgentName;
 use super::fold_args::FoldArgs;
 use super::model_args::ModelArgs;
 use super::progress::Progress;
@@ -31,7 +31,7 @@ use super::progress::Progress;
 pub struct Args {
     /// Agent to measure; can be repeated. The random agent is always measured too [default: all that the weights allow]
     #[arg(long = "agent", value_enum)]
-    pub agents: Vec<Agent>,
+    pub agents: Vec<AgentName>,
 
     #[command(flatten)]
     pub fold: FoldArgs,
@@ -56,24 +56,6 @@ pub struct Args {
     pub model: ModelArgs,
 }
 
-/// What proposes balls.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Agent {
-    /// The model with its judge, which orders the balls
-    Judge,
-    /// The model without the judge: balls from its placement map, as in the paper
-    Paper,
-    /// Uniformly random balls
-    Random,
-}
-
-impl fmt::Display for Agent {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.to_possible_value().expect("no agent is hidden").get_name())
-    }
-}
-
 /// What was measured, and how. The `--json` file.
 #[derive(Serialize, Deserialize)]
 pub struct Report {
@@ -95,7 +77,7 @@ pub struct Report {
 /// The results of an agent.
 #[derive(Serialize, Deserialize)]
 pub struct Score {
-    pub agent: Agent,
+    pub agent: AgentName,
     /// 0..=100
     pub auccess: f64,
     /// Fraction of the tasks solved at the first attempt.
@@ -140,53 +122,48 @@ impl Args {
             agents: Vec::new(),
         };
         let measures = |agent| self.agents.is_empty() || self.agents.contains(&agent);
-        if measures(Agent::Judge) || measures(Agent::Paper) {
-            let (mut nets, mut card) = self.model.load(&self.fold)?;
+        let nets = if AgentName::MODEL.into_iter().any(measures) {
+            let (nets, mut card) = self.model.load(&self.fold)?;
             ensure!(
                 !self.dev || card.without_dev,
                 "these weights were trained on the dev tasks too, so --dev would measure nothing new: train with \
                  `pathlight train --without-dev`"
             );
-            ensure!(
-                nets.judge.is_some() || !self.agents.contains(&Agent::Judge),
-                "the weights have no judge: train one with `pathlight train-judge`, or leave --agent judge out"
-            );
-            if !measures(Agent::Judge) {
+            for agent in &self.agents {
+                agent.check(&nets)?;
+            }
+            if !measures(AgentName::Judge) {
                 card.judge = None;
             }
             report.card = Some(card);
-            let model = |nets: &PathNet, task, scene: &Scene| {
-                let proposals = agents::propose(nets, task, scene, self.seed, MAX_ATTEMPTS);
-                proposals.into_iter().map(|proposal| proposal.ball).collect()
-            };
-            if nets.judge.is_some() && measures(Agent::Judge) {
-                report.agents.push(score(Agent::Judge, |task, scene| model(&nets, task, scene), &tasks)?);
-            }
-            nets.judge = None;
-            if measures(Agent::Paper) {
-                report.agents.push(score(Agent::Paper, |task, scene| model(&nets, task, scene), &tasks)?);
-            }
+            Some(nets)
+        } else {
+            None
+        };
+        let can_be_measured =
+            |agent: &AgentName| measures(*agent) && nets.as_ref().is_some_and(|nets| agent.check(nets).is_ok());
+        for agent in AgentName::MODEL.into_iter().filter(can_be_measured).chain([AgentName::Random]) {
+            let start =
+                |task: TaskId, scene: &Scene| agent.start(nets.as_ref(), scene, task.seed(self.seed), MAX_ATTEMPTS);
+            report.agents.push(score(agent, start, &tasks)?);
         }
-        let random = |task, scene: &Scene| agents::random(task, scene, self.seed, MAX_ATTEMPTS);
-        report.agents.push(score(Agent::Random, random, &tasks)?);
         Ok(report)
     }
 }
 
 /// Measures an agent on some tasks.
 fn score(
-    agent: Agent,
-    propose: impl Fn(TaskId, &Scene) -> Vec<Ball> + Sync,
+    agent: AgentName,
+    start: impl Fn(TaskId, &Scene) -> Box<dyn Agent> + Sync,
     tasks: &[TaskId],
 ) -> anyhow::Result<Score> {
     let mut progress = Progress::new(Some(tasks.len() as u64));
     let mut first_solved = Vec::with_capacity(tasks.len());
     for chunk in tasks.chunks(20) {
         let played = chunk.par_iter().map(|&task| {
-            let scene = &Task::load(task)?.scene;
-            let balls = propose(task, scene);
-            let solves = |&ball| outcome(scene, Some(ball)).expect("agents propose valid balls").solved;
-            Ok((task, balls.iter().position(solves).map(|index| index + 1)))
+            let scene = Task::load(task)?.scene;
+            let agent = start(task, &scene);
+            Ok((task, Turn::new(scene, agent).first_solved().expect("agents propose valid balls")))
         });
         first_solved.extend(played.collect::<anyhow::Result<Vec<_>>>()?);
         progress.advance(chunk.len() as u64, format!("tasks attempted by {agent}"));

@@ -15,6 +15,8 @@ use pathlight::puzzle::task::TaskError;
 use pathlight::puzzle::templates::{TEMPLATES, Template};
 use sha2::{Digest, Sha256};
 
+mod agent;
+mod agent_name;
 mod collect;
 mod differences;
 mod evaluate;
@@ -56,6 +58,7 @@ enum Command {
     TrainDynamics(train_dynamics::Args),
     Publish(publish::Args),
     Propose(propose::Args),
+    Agent(agent::Args),
     Evaluate(evaluate::Args),
     Reproduce(reproduce::Args),
     Simulate(simulate::Args),
@@ -75,6 +78,7 @@ impl Command {
             Command::TrainDynamics(args) => args.run(),
             Command::Publish(args) => args.run(),
             Command::Propose(args) => args.run(),
+            Command::Agent(args) => args.run(),
             Command::Evaluate(args) => args.run(),
             Command::Reproduce(args) => args.run(),
             Command::Simulate(args) => args.run(),

@@ -64,8 +64,8 @@ impl Args {
             let lines: Vec<TaskProposals> = tasks
                 .par_iter()
                 .map(|&task| {
-                    let proposals =
-                        agents::propose(&nets, task, &Task::load(task)?.scene, self.seed, self.attempts.into());
+                    let scene = Task::load(task)?.scene;
+                    let proposals = agents::propose(&nets, &scene, task.seed(self.seed), self.attempts.into());
                     Ok(TaskProposals { task, balls: proposals.into_iter().map(|proposal| proposal.ball).collect() })
                 })
                 .collect::<anyhow::Result<_>>()?;

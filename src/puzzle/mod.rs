@@ -4,6 +4,7 @@
 
 pub mod action;
 pub mod layout;
+pub mod recorded_paths;
 pub mod rollout;
 pub mod sampled_paths;
 pub mod scene;

@@ -8,16 +8,14 @@ use wasm_bindgen::prelude::*;
 use super::error::{Code, error, to_js};
 use super::load;
 use super::stage::Stage;
-use crate::agents;
 use crate::agents::ranking::probability_map;
+use crate::agents::{self, Proposal};
 use crate::benchmark::folds::Fold;
 use crate::nets::{Card, Imagined, PathNet, flex};
 use crate::play::ending::Ending;
 use crate::play::game::{ATTEMPT_LIMIT, Attempt};
-use crate::puzzle::action::Ball;
-use crate::puzzle::scene::Scene;
+use crate::play::turn;
 use crate::puzzle::task::{Task, TaskId};
-use crate::simulator::simulate;
 
 /// Most balls of one list of proposals, as on the command line.
 const MAX_PROPOSALS: usize = 1000;
@@ -31,13 +29,9 @@ pub struct Model {
     seen: Vec<TaskId>,
 }
 
-/// The model's turn on one puzzle: its proposals, tried in order.
+/// The model's turn on one puzzle.
 #[wasm_bindgen]
-pub struct Turn {
-    scene: Scene,
-    balls: std::vec::IntoIter<Ball>,
-    solved: bool,
-}
+pub struct Turn(turn::Turn);
 
 #[wasm_bindgen]
 impl Model {
@@ -102,7 +96,7 @@ impl Model {
     pub fn propose(&self, id: &str, seed: u32, count: Option<f64>) -> Result<JsValue, JsValue> {
         let Task { id, scene, .. } = load(id)?;
         let count = count.map_or(Ok(ATTEMPT_LIMIT), whole_count)?;
-        to_js(&agents::propose(&self.net, id, &scene, seed.into(), count))
+        to_js(&agents::propose(&self.net, &scene, id.seed(seed.into()), count))
     }
 
     /// Starts the model's turn on a task. The same seed leads to the same attempts.
@@ -111,9 +105,8 @@ impl Model {
     /// `bad_task` if there is no such task.
     pub fn turn(&self, id: &str, seed: u32) -> Result<Turn, JsValue> {
         let Task { id, scene, .. } = load(id)?;
-        let proposals = agents::propose(&self.net, id, &scene, seed.into(), ATTEMPT_LIMIT);
-        let balls: Vec<Ball> = proposals.into_iter().map(|proposal| proposal.ball).collect();
-        Ok(Turn { scene, balls: balls.into_iter(), solved: false })
+        let proposals = agents::propose(&self.net, &scene, id.seed(seed.into()), ATTEMPT_LIMIT);
+        Ok(Turn(turn::Turn::new(scene, Box::new(proposals.into_iter()))))
     }
 
     /// Returns the maps of the paper's four nets alone, without the judge: base, target, action and placement in one
@@ -136,13 +129,10 @@ impl Turn {
     /// `invalid_ball` if the model proposes an invalid ball.
     #[wasm_bindgen(unchecked_return_type = "Attempt | undefined")]
     pub fn attempt(&mut self) -> Result<JsValue, JsValue> {
-        let ball = match self.balls.next() {
-            Some(ball) if !self.solved => ball,
-            _ => return Ok(JsValue::UNDEFINED),
-        };
-        let rollout = simulate(&self.scene, Some(ball)).map_err(|why| error(Code::InvalidBall, why))?;
-        self.solved = rollout.solved;
-        to_js(&Attempt { ball, ending: Ending::of(&rollout) })
+        match self.0.attempt().map_err(|why| error(Code::InvalidBall, why))? {
+            Some((Proposal { ball, .. }, rollout)) => to_js(&Attempt { ball, ending: Ending::of(&rollout) }),
+            None => Ok(JsValue::UNDEFINED),
+        }
     }
 }
 

@@ -12,8 +12,9 @@ use pathlight::benchmark::folds::{FOLDS, Setup};
 use pathlight::simulator;
 use serde::{Deserialize, Serialize};
 
+use crate::commands::agent_name::AgentName;
 use crate::commands::differences::differences;
-use crate::commands::evaluate::{Agent, Report};
+use crate::commands::evaluate::Report;
 use crate::commands::fold_args::FoldArgs;
 use crate::commands::progress::say;
 use crate::commands::training_run::Checkpoint;
@@ -178,14 +179,14 @@ impl FoldResult {
     }
 
     /// The first solving attempts of an agent, on all tasks or those of a template; empty if it was not measured.
-    pub fn first_solved(&self, agent: Agent, template: Option<usize>) -> Vec<Option<usize>> {
+    pub fn first_solved(&self, agent: AgentName, template: Option<usize>) -> Vec<Option<usize>> {
         let score = self.report.agents.iter().find(|score| score.agent == agent);
         let all = score.into_iter().flat_map(|score| &score.first_solved);
         all.filter(|(task, _)| template.is_none_or(|one| task.template == one)).map(|&(_, first)| first).collect()
     }
 
     /// Auccess, and the percentages of tasks solved at the first attempt, within 10 and within 100.
-    pub fn score(&self, agent: Agent) -> [f64; 4] {
+    pub fn score(&self, agent: AgentName) -> [f64; 4] {
         let firsts = self.first_solved(agent, None);
         let [one, ten, hundred] = [1, 10, MAX_ATTEMPTS].map(|attempts| 100.0 * solved_within(&firsts, attempts));
         [auccess(&firsts), one, ten, hundred]

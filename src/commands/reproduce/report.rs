@@ -15,14 +15,14 @@ use pathlight::puzzle::templates::TEMPLATES;
 
 use super::fold_result::FoldResult;
 use super::plot;
+use crate::commands::agent_name::AgentName;
 use crate::commands::collect::{Collected, read_solutions};
-use crate::commands::evaluate::Agent;
 use crate::commands::label::BALLS;
 use crate::commands::training_run::Checkpoint;
 
 /// Our agents, the best first, and their names in the report.
-pub const AGENTS: [(Agent, &str); 3] =
-    [(Agent::Judge, "with the judge"), (Agent::Paper, "the paper's four nets"), (Agent::Random, "random")];
+pub const AGENTS: [(AgentName, &str); 3] =
+    [(AgentName::Judge, "with the judge"), (AgentName::Paper, "the paper's four nets"), (AgentName::Random, "random")];
 
 /// Published auccess, mean over the ten folds, within and cross, on PHYRE's own engine: Harter et al. (2020), Table 1,
 /// for their nets and for DQN; the benchmark (PHYRE 0.2.2) for the random agent.
@@ -111,7 +111,7 @@ fn folds(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
             let [auccess, one, ten, hundred] = result.score(agent);
             format!("**{auccess:.1}** {one:.0} / {ten:.0} / {hundred:.0} %")
         });
-        let tasks = result.first_solved(Agent::Random, None).len();
+        let tasks = result.first_solved(AgentName::Random, None).len();
         writeln!(text, "| {} | {} | {tasks} | {} |", result.report.setup, result.report.fold, cells.join(" | "))?;
     }
     Ok(())

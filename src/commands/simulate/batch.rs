@@ -8,7 +8,7 @@ use std::io::{self, BufRead, BufReader, BufWriter, Read, Write};
 
 use anyhow::{Context, ensure};
 use pathlight::puzzle::task::Task;
-use pathlight::simulator::outcome;
+use pathlight::simulator::{outcome, simulate};
 use rayon::prelude::*;
 
 use super::Answer;
@@ -24,7 +24,7 @@ const MAX_LINE: usize = 1 << 16;
 const EXAMPLE: &str = r#"{"task":"00007:008","ball":[128,200,15]}"#;
 
 /// Simulates the lines of a file, or of standard input if it is `-`.
-pub fn run(file: &str) -> anyhow::Result<()> {
+pub fn run(file: &str, with_paths: bool) -> anyhow::Result<()> {
     let (source, bytes): (Box<dyn Read>, _) = match file {
         "-" => (Box::new(io::stdin().lock()), None),
         path => {
@@ -43,7 +43,7 @@ pub fn run(file: &str) -> anyhow::Result<()> {
             break;
         }
         let too_long = lines.pop_if(|line| line.len() > MAX_LINE).is_some();
-        let answers: Vec<_> = lines.par_iter().map(|line| answer(line)).collect();
+        let answers: Vec<_> = lines.par_iter().map(|line| answer(line, with_paths)).collect();
         for (number, answer) in (first..).zip(answers) {
             match answer {
                 Ok(Some(answer)) => {
@@ -94,7 +94,7 @@ fn next_lines(source: &mut BufReader<impl Read>) -> io::Result<Vec<Vec<u8>>> {
 }
 
 /// The answer to a line, nothing to a blank one, or what is wrong with it.
-fn answer(line: &[u8]) -> Result<Option<Answer>, anyhow::Error> {
+fn answer(line: &[u8], with_paths: bool) -> Result<Option<Answer>, anyhow::Error> {
     if line.trim_ascii().is_empty() {
         return Ok(None);
     }
@@ -103,8 +103,13 @@ fn answer(line: &[u8]) -> Result<Option<Answer>, anyhow::Error> {
         let what = error.to_string().replace(" at line 1 column", " at column");
         anyhow::anyhow!("{what}; write it like {EXAMPLE}")
     })?;
-    let scene = Task::load(task)?.scene;
-    let ball = start.place(&scene);
-    let outcome = ball.and_then(|ball| outcome(&scene, ball));
-    Ok(Some(Answer::new(task, ball.ok().flatten(), outcome)))
+    let task = Task::load(task)?;
+    let ball = start.place(&task.scene);
+    let placed = ball.ok().flatten();
+    Ok(Some(if with_paths {
+        Answer::of_rollout(&task, placed, &ball.and_then(|ball| simulate(&task.scene, ball)), true)
+    } else {
+        // Keeps no poses.
+        Answer::new(task.id, placed, ball.and_then(|ball| outcome(&task.scene, ball)))
+    }))
 }

@@ -6,6 +6,7 @@ use std::io::{self, Write};
 
 use clap::ArgGroup;
 use pathlight::puzzle::action::{Action, Ball, Invalid};
+use pathlight::puzzle::recorded_paths::RecordedPaths;
 use pathlight::puzzle::rollout::{Pose, Rollout, Status};
 use pathlight::puzzle::task::{Task, TaskId};
 use pathlight::simulator::{Outcome, simulate};
@@ -36,6 +37,11 @@ pub struct Args {
     #[arg(long)]
     poses: bool,
 
+    /// Also print the poses of the green object and of the ball at every tenth step, for an agent that observes its
+    /// attempts; without a ball there are none
+    #[arg(long)]
+    paths: bool,
+
     /// Simulate each line of this file ("-" is standard input) on all cores: {"task":"00007:008","ball":[X,Y,R]},
     /// with "action":[x,y,r] instead of "ball", or with "ball":null for no ball
     #[arg(long, value_name = "FILE", conflicts_with_all = ["task", "action", "ball", "poses"])]
@@ -49,18 +55,17 @@ impl Args {
             None => Start::Ball(self.ball),
         };
         match (self.batch, self.task) {
-            (Some(file), _) => batch::run(&file),
-            (None, id) => one(id.expect("clap requires a task or a batch"), start, self.poses),
+            (Some(file), _) => batch::run(&file, self.paths),
+            (None, id) => one(id.expect("clap requires a task or a batch"), start, self.paths, self.poses),
         }
     }
 }
 
-fn one(id: TaskId, start: Start, with_poses: bool) -> anyhow::Result<()> {
+fn one(id: TaskId, start: Start, with_paths: bool, with_poses: bool) -> anyhow::Result<()> {
     let task = Task::load(id)?;
     let ball = start.place(&task.scene);
     let rollout = ball.and_then(|ball| simulate(&task.scene, ball));
-    let outcome = rollout.as_ref().map(|rollout| Outcome { solved: rollout.solved, steps: rollout.steps });
-    let answer = Answer::new(id, ball.ok().flatten(), outcome.map_err(|invalid| *invalid));
+    let answer = Answer::of_rollout(&task, ball.ok().flatten(), &rollout, with_paths);
     let poses = rollout.as_ref().ok().filter(|_| with_poses).map(Poses::of);
     Ok(writeln!(io::stdout(), "{}", serde_json::to_string(&ResultLine { answer, poses })?)?)
 }
@@ -77,21 +82,31 @@ struct Answer {
     reason: Option<String>,
     /// Steps simulated; 0 if invalid.
     steps: usize,
+    /// What happened, if it was asked for and there is a ball.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    paths: Option<RecordedPaths>,
 }
 
 impl Answer {
+    fn of_rollout(task: &Task, ball: Option<Ball>, rollout: &Result<Rollout, Invalid>, with_paths: bool) -> Answer {
+        let outcome = rollout.as_ref().map(|rollout| Outcome { solved: rollout.solved, steps: rollout.steps });
+        let simulated = rollout.as_ref().ok().filter(|_| with_paths);
+        let paths = simulated.and_then(|rollout| RecordedPaths::of(rollout, &task.scene));
+        Answer { paths, ..Answer::new(task.id, ball, outcome.map_err(|invalid| *invalid)) }
+    }
+
     fn new(task: TaskId, ball: Option<Ball>, outcome: Result<Outcome, Invalid>) -> Answer {
         let (status, reason, steps) = match outcome {
             Ok(Outcome { solved: true, steps }) => (Status::Solved, None, steps),
             Ok(Outcome { solved: false, steps }) => (Status::NotSolved, None, steps),
             Err(invalid) => (Status::Invalid, Some(invalid.to_string()), 0),
         };
-        Answer { task, ball, status, reason, steps }
+        Answer { task, ball, status, reason, steps, paths: None }
     }
 }
 
 /// Writes a ball of whole px as integers.
-fn whole_numbers<S: Serializer>(ball: &Option<Ball>, serializer: S) -> Result<S::Ok, S::Error> {
+pub(super) fn whole_numbers<S: Serializer>(ball: &Option<Ball>, serializer: S) -> Result<S::Ok, S::Error> {
     ball.map(|ball| <[f64; 3]>::from(ball).map(|number| number as i32)).serialize(serializer)
 }
 

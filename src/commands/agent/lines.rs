@@ -1,0 +1,111 @@
+//! The lines that an agent is told: a task or a scene to begin with, and what became of a ball.
+
+use std::io::{self, BufRead};
+
+use anyhow::{Context, bail, ensure};
+use pathlight::puzzle::action::Ball;
+use pathlight::puzzle::recorded_paths::RecordedPaths;
+use pathlight::puzzle::rollout::Status;
+use pathlight::puzzle::sampled_paths::SampledPaths;
+use pathlight::puzzle::scene::{Scene, Shape};
+use pathlight::puzzle::task::TaskId;
+use serde::Deserialize;
+
+/// Longest line, bytes. The paths of a rollout need about 10,000, a scene less.
+const MAX_LINE: u64 = 1 << 18;
+
+/// Largest coordinate or length of a scene that is accepted, px: far outside of any scene.
+const FARTHEST: f64 = 1e4;
+
+const EXAMPLES: &str = r#"write a line like {"task":"00007:008"} or {"status":"not_solved"}"#;
+
+/// What a line says.
+pub enum Line {
+    Task(TaskId),
+    Scene(Scene),
+    Outcome {
+        /// The task and the ball that it is the outcome of, if the line names them, as those of `simulate` do.
+        task: Option<TaskId>,
+        ball: Option<Ball>,
+        status: Status,
+        paths: Option<SampledPaths>,
+    },
+}
+
+/// The keys of a line; others are ignored.
+#[derive(Deserialize)]
+struct Keys {
+    task: Option<TaskId>,
+    scene: Option<Scene>,
+    ball: Option<Ball>,
+    status: Option<Status>,
+    paths: Option<RecordedPaths>,
+}
+
+impl Line {
+    /// # Errors
+    /// Says what is wrong with the line, and how to write it.
+    pub fn parse(line: &[u8]) -> anyhow::Result<Line> {
+        let keys: Keys = serde_json::from_slice(line).map_err(|error| {
+            // The parser sees a single line and calls it line 1.
+            anyhow::anyhow!("{}; {EXAMPLES}", error.to_string().replace(" at line 1 column", " at column"))
+        })?;
+        match keys {
+            Keys { task, scene: None, ball, status: Some(status), paths } => {
+                let sampled = |paths: RecordedPaths| {
+                    paths.sampled().context(
+                    "`paths` needs at least one pose [x,y,angle] for each of `object` and `ball`: leave it out if there are none",
+                )
+                };
+                Ok(Line::Outcome { task, ball, status, paths: paths.map(sampled).transpose()? })
+            }
+            Keys { task: Some(task), scene: None, status: None, .. } => Ok(Line::Task(task)),
+            Keys { task: None, scene: Some(scene), status: None, .. } => checked(scene).map(Line::Scene),
+            Keys { task: None, scene: None, status: None, .. } => {
+                bail!("`task`, `scene` and `status` are missing; {EXAMPLES}")
+            }
+            _ => bail!("`task`, `scene` and `status` belong on lines of their own; {EXAMPLES}"),
+        }
+    }
+}
+
+/// Refuses a scene that the nets cannot see.
+fn checked(scene: Scene) -> anyhow::Result<Scene> {
+    let Scene { body1, body2, bodies } = &scene;
+    ensure!(
+        body1 != body2 && *body1.max(body2) < bodies.len(),
+        "`body1` and `body2` of a scene are the indices of two of its bodies, from 0"
+    );
+    for (index, body) in bodies.iter().enumerate() {
+        let lengths = body.shapes.iter().flat_map(|shape| match shape {
+            Shape::Circle(radius) => vec![*radius],
+            Shape::Polygon(corners) => corners.concat(),
+        });
+        let far = lengths.chain([body.x, body.y, body.angle]).any(|number| number.abs() > FARTHEST);
+        let part = |shape: &Shape| match shape {
+            Shape::Circle(radius) => *radius > 0.0,
+            Shape::Polygon(corners) => corners.len() >= 3,
+        };
+        ensure!(
+            !far && !body.shapes.is_empty() && body.shapes.iter().all(part),
+            "body {index} of the scene is not one: it needs circles or polygons of at least three corners, in px"
+        );
+    }
+    Ok(scene)
+}
+
+/// Returns the next line, or why it cannot be used; `None` at the end.
+///
+/// # Errors
+/// If the input cannot be read.
+pub fn next_line(source: &mut impl BufRead) -> io::Result<Option<anyhow::Result<Vec<u8>>>> {
+    let mut line = Vec::new();
+    if source.by_ref().take(MAX_LINE).read_until(b'\n', &mut line)? == 0 {
+        return Ok(None);
+    }
+    if line.len() as u64 == MAX_LINE && !line.ends_with(b"\n") {
+        source.skip_until(b'\n')?;
+        return Ok(Some(Err(anyhow::anyhow!("the line is longer than {MAX_LINE} bytes; {EXAMPLES}"))));
+    }
+    Ok(Some(Ok(line)))
+}

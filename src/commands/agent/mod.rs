@@ -1,0 +1,173 @@
+//! `pathlight agent`: an agent that plays against any simulator, over JSON lines. `simulate --batch - --paths` is the other
+//! side: it reads the agent's lines and writes the lines that the agent reads.
+//!
+//! Each line that is not blank gets exactly one line as its answer, at once, so that a driver that writes one and reads one
+//! never waits in vain. A line that cannot be used is answered with an error and changes nothing.
+
+use std::io::{self, BufRead, Write};
+
+use anyhow::ensure;
+use pathlight::agents::{Agent, Observation};
+use pathlight::benchmark::auccess::MAX_ATTEMPTS;
+use pathlight::nets::PathNet;
+use pathlight::puzzle::action::Ball;
+use pathlight::puzzle::rollout::Status;
+use pathlight::puzzle::sampled_paths::SampledPaths;
+use pathlight::puzzle::scene::Scene;
+use pathlight::puzzle::task::{Task, TaskId};
+use serde::Serialize;
+
+use super::agent_name::AgentName;
+use super::fold_args::FoldArgs;
+use super::model_args::ModelArgs;
+use super::simulate::whole_numbers;
+use lines::{Line, next_line};
+
+mod lines;
+
+/// Balls that an agent has ready for one puzzle: another simulator may find some of them invalid, which are no attempts.
+const BALLS: usize = 2 * MAX_ATTEMPTS;
+
+/// Play against any simulator: reads tasks and outcomes as JSON lines, answers each with the next ball
+///
+/// {"task":"00007:008"} begins a puzzle; so does {"scene":{"body1","body2","bodies"}} with a scene as `tasks --json` prints
+/// it. The answer is {"task","ball":[x,y,r]}, px. {"status":"solved"|"not_solved"|"invalid"} tells what became of the ball;
+/// "paths":{"object":[[x,y,angle],…],"ball":[…]} beside it, the poses at every tenth step from the start in px and radians,
+/// tell what happened and may be missing. The answer is the next ball, or "ball":null once the puzzle is solved, 100
+/// attempts are made or no ball is left. A line that cannot be used is answered with {"error"} and changes nothing; if there
+/// was one, the command ends with exit code 2.
+#[derive(clap::Args)]
+pub struct Args {
+    #[command(flatten)]
+    fold: FoldArgs,
+
+    /// Agent that plays
+    #[arg(long, value_enum, default_value = "judge")]
+    agent: AgentName,
+
+    /// Seed of all random draws
+    #[arg(long, default_value_t = 0)]
+    seed: u64,
+
+    #[command(flatten)]
+    model: ModelArgs,
+}
+
+/// An answer to a line.
+#[derive(Serialize)]
+#[serde(untagged)]
+enum Answer {
+    Next {
+        /// Absent if the puzzle was given as a scene.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        task: Option<TaskId>,
+        /// Null if there is nothing more to try.
+        #[serde(serialize_with = "whole_numbers")]
+        ball: Option<Ball>,
+    },
+    Error {
+        error: String,
+    },
+}
+
+impl Args {
+    pub fn run(self) -> anyhow::Result<()> {
+        let nets = match self.agent {
+            AgentName::Random => None,
+            model => {
+                let (nets, _) = self.model.load(&self.fold)?;
+                model.check(&nets)?;
+                Some(nets)
+            }
+        };
+        let mut player = Player { agent: self.agent, nets, seed: self.seed, puzzle: None };
+        let (mut source, mut out) = (io::stdin().lock(), io::stdout().lock());
+        let mut refused = 0;
+        while let Some(line) = next_line(&mut source)? {
+            if line.as_ref().is_ok_and(|line| line.trim_ascii().is_empty()) {
+                continue;
+            }
+            let answer = line.and_then(|line| player.answer(Line::parse(&line)?)).unwrap_or_else(|error| {
+                refused += 1;
+                Answer::Error { error: format!("{error:#}") }
+            });
+            serde_json::to_writer(&mut out, &answer)?;
+            writeln!(out)?;
+            out.flush()?;
+        }
+        ensure!(
+            refused == 0,
+            "{refused} line{} could not be used; the answers say why",
+            if refused == 1 { "" } else { "s" }
+        );
+        Ok(())
+    }
+}
+
+/// The agent, and the puzzle that it is at work on.
+struct Player {
+    agent: AgentName,
+    nets: Option<PathNet>,
+    seed: u64,
+    puzzle: Option<Puzzle>,
+}
+
+struct Puzzle {
+    task: Option<TaskId>,
+    agent: Box<dyn Agent>,
+    /// The ball whose outcome is awaited.
+    ball: Option<Ball>,
+    /// Attempts made; invalid balls are none.
+    used: usize,
+}
+
+impl Player {
+    fn answer(&mut self, line: Line) -> anyhow::Result<Answer> {
+        let puzzle = match line {
+            Line::Task(id) => self.begin(Some(id), &Task::load(id)?.scene),
+            Line::Scene(scene) => self.begin(None, &scene),
+            Line::Outcome { task, ball, status, paths } => {
+                let Some(Puzzle { task: own, ball: Some(asked), .. }) = &self.puzzle else {
+                    anyhow::bail!("no ball is waiting for its outcome: begin a puzzle with {{\"task\":\"00007:008\"}}");
+                };
+                ensure!(task.is_none() || task == *own, "this is the outcome of another task");
+                ensure!(
+                    ball.is_none_or(|ball| ball == *asked),
+                    "this is the outcome of another ball: the one that waits is {asked}"
+                );
+                let puzzle = self.puzzle.as_mut().expect("looked at above");
+                puzzle.observe(status, paths);
+                puzzle
+            }
+        };
+        Ok(Answer::Next { task: puzzle.task, ball: puzzle.ball })
+    }
+
+    fn begin(&mut self, task: Option<TaskId>, scene: &Scene) -> &Puzzle {
+        let seed = task.map_or(self.seed, |task| task.seed(self.seed));
+        let agent = self.agent.start(self.nets.as_ref(), scene, seed, BALLS);
+        let mut puzzle = Puzzle { task, agent, ball: None, used: 0 };
+        puzzle.propose();
+        self.puzzle.insert(puzzle)
+    }
+}
+
+impl Puzzle {
+    /// Takes the outcome of the ball that is waiting for it, and proposes the next.
+    fn observe(&mut self, status: Status, paths: Option<SampledPaths>) {
+        if status != Status::Invalid {
+            self.agent.observe(&Observation { solved: status == Status::Solved, paths });
+            self.used += 1;
+        }
+        self.ball = None;
+        if status != Status::Solved {
+            self.propose();
+        }
+    }
+
+    fn propose(&mut self) {
+        if self.used < MAX_ATTEMPTS {
+            self.ball = self.agent.propose().map(|proposal| proposal.ball);
+        }
+    }
+}
