@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 
 use crate::{assert_refused, output_of, pathlight, run, stderr, stdout};
 
-/// A task that the shipped model of fold 0 within solves at its fifth attempt or so, and one that it never saw.
+/// Those of the example in the README.
 const TASKS: [&str; 2] = ["00007:008", "00002:007"];
 
 const AGENT: [&str; 1] = ["agent"];
@@ -140,7 +140,8 @@ fn a_bad_line_is_answered_with_an_error_and_changes_nothing() {
     lines.extend([String::new(), json!({"status": "invalid", "ball": ball, "task": TASKS[0]}).to_string()]);
     let output = run(&AGENT, &lines.join("\n"));
     let said: Vec<Value> = stdout(&output).lines().map(parsed).collect();
-    let expected = bad.iter().map(|(_, words)| *words).chain([""]).chain(unlike.iter().map(|(_, words)| *words)).chain([""]);
+    let expected =
+        bad.iter().map(|(_, words)| *words).chain([""]).chain(unlike.iter().map(|(_, words)| *words)).chain([""]);
     assert_eq!(said.len(), bad.len() + unlike.len() + 2);
     for (said, words) in said.iter().zip(expected) {
         match words {
@@ -162,9 +163,9 @@ fn the_example_in_python_plays() {
     let readme = std::fs::read_to_string("README.md").expect("it is there");
     let example = readme.split("```python\n").nth(1).and_then(|rest| rest.split("```").next()).expect("an example");
     let binary = std::path::Path::new(env!("CARGO_BIN_EXE_pathlight")).parent().expect("a folder");
-    let path = std::env::join_paths([binary.to_path_buf()].into_iter().chain(std::env::split_paths(
-        &std::env::var_os("PATH").unwrap_or_default(),
-    )));
+    let path = std::env::join_paths(
+        [binary.to_path_buf()].into_iter().chain(std::env::split_paths(&std::env::var_os("PATH").unwrap_or_default())),
+    );
     let output = Command::new("python3").args(["-c", example]).env("PATH", path.expect("a path")).output();
     let output = output.expect("it starts");
     assert!(output.status.success(), "{}", stderr(&output));

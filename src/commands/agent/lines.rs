@@ -1,6 +1,6 @@
 //! The lines that an agent is told: a task or a scene to begin with, and what became of a ball.
 
-use std::io::{self, BufRead};
+use std::io::{self, BufRead, Read};
 
 use anyhow::{Context, bail, ensure};
 use pathlight::puzzle::action::Ball;
@@ -28,7 +28,7 @@ pub enum Line {
         task: Option<TaskId>,
         ball: Option<Ball>,
         status: Status,
-        paths: Option<SampledPaths>,
+        paths: Option<Box<SampledPaths>>,
     },
 }
 
@@ -57,7 +57,7 @@ impl Line {
                     "`paths` needs at least one pose [x,y,angle] for each of `object` and `ball`: leave it out if there are none",
                 )
                 };
-                Ok(Line::Outcome { task, ball, status, paths: paths.map(sampled).transpose()? })
+                Ok(Line::Outcome { task, ball, status, paths: paths.map(sampled).transpose()?.map(Box::new) })
             }
             Keys { task: Some(task), scene: None, status: None, .. } => Ok(Line::Task(task)),
             Keys { task: None, scene: Some(scene), status: None, .. } => checked(scene).map(Line::Scene),
@@ -100,7 +100,7 @@ fn checked(scene: Scene) -> anyhow::Result<Scene> {
 /// If the input cannot be read.
 pub fn next_line(source: &mut impl BufRead) -> io::Result<Option<anyhow::Result<Vec<u8>>>> {
     let mut line = Vec::new();
-    if source.by_ref().take(MAX_LINE).read_until(b'\n', &mut line)? == 0 {
+    if (&mut *source).take(MAX_LINE).read_until(b'\n', &mut line)? == 0 {
         return Ok(None);
     }
     if line.len() as u64 == MAX_LINE && !line.ends_with(b"\n") {

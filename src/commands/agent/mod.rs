@@ -4,7 +4,7 @@
 //! Each line that is not blank gets exactly one line as its answer, at once, so that a driver that writes one and reads one
 //! never waits in vain. A line that cannot be used is answered with an error and changes nothing.
 
-use std::io::{self, BufRead, Write};
+use std::io::{self, Write};
 
 use anyhow::ensure;
 use pathlight::agents::{Agent, Observation};
@@ -136,7 +136,7 @@ impl Player {
                     "this is the outcome of another ball: the one that waits is {asked}"
                 );
                 let puzzle = self.puzzle.as_mut().expect("looked at above");
-                puzzle.observe(status, paths);
+                puzzle.observe(status, paths.map(|paths| *paths));
                 puzzle
             }
         };
