@@ -4,12 +4,15 @@
 //! says where an interrupted run continues. The balls depend only on the settings and the solutions.
 
 use std::collections::BTreeMap;
+use std::fs;
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, ensure};
+use pathlight::agents::ranking::ranked;
 use pathlight::benchmark::folds::{FOLDS, Fold, Setup};
 use pathlight::dataset::labels::{LabelledBalls, PATHS_LEN};
+use pathlight::nets::{PathNet, flex};
 use pathlight::puzzle::action::{Ball, RADIUS};
 use pathlight::puzzle::scene::SIZE;
 use pathlight::puzzle::task::{Task, TaskId};
@@ -49,6 +52,11 @@ pub struct Args {
     #[command(flatten)]
     pub selection: TaskSelection,
 
+    /// Label the balls that the dynamics net of these weights finds most probable, instead of sampled ones: hard negatives.
+    /// Every round takes the next 64
+    #[arg(long, value_name = "FILE")]
+    pub weights: Option<PathBuf>,
+
     /// Use only the training tasks of one fold of this setup: only they are labelled, and only their solutions are
     /// sampled around
     #[arg(long, value_parser = setup(), requires = "fold")]
@@ -76,6 +84,9 @@ pub struct LabelSettings {
     simulator: u32,
     /// SHA-256 of the file of solutions.
     solutions: String,
+    /// SHA-256 of the weights whose most probable balls are labelled; absent if balls were sampled.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    weights: Option<String>,
     /// Setup and fold if only the fold's training tasks were used; absent if all tasks were.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     training_tasks_of: Option<(Setup, u8)>,
@@ -123,6 +134,7 @@ impl Args {
             limit: self.selection.limit,
             simulator: simulator::VERSION,
             solutions: digest(&self.solutions)?,
+            weights: self.weights.as_deref().map(digest).transpose()?,
             training_tasks_of,
         };
         let mut own_solutions: BTreeMap<TaskId, Vec<Ball>> = BTreeMap::new();
@@ -131,6 +143,7 @@ impl Args {
             own_solutions.entry(solution.task).or_default().push(solution.ball);
             sibling_solutions[solution.task.template].push(solution.ball);
         }
+        let nets = self.weights.as_deref().map(load).transpose()?;
         let total = self.rounds * tasks.len();
         let (mut journal, lines) = Journal::open::<LabelledBalls>(&self.out, &settings)?;
         for (line, task) in lines.iter().zip(tasks.iter().cycle()) {
@@ -150,6 +163,11 @@ impl Args {
                 .into_par_iter()
                 .map(|line| {
                     let (round, task) = (line / tasks.len(), &tasks[line % tasks.len()]);
+                    if let Some(read) = nets.as_ref().and_then(|nets| nets.read(&task.scene)) {
+                        let ranked = ranked(&read.logits, &task.scene, (round + 1) * BALLS);
+                        let balls = ranked.into_iter().skip(round * BALLS).map(|proposal| proposal.ball);
+                        return LabelledBalls::simulate(task, balls.collect());
+                    }
                     let own = own_solutions.get(&task.id).map_or(&[][..], Vec::as_slice);
                     LabelledBalls::sample(task, own, &sibling_solutions[task.id.template], BALLS, self.seed, round)
                 })
@@ -161,6 +179,16 @@ impl Args {
         progress.finish(&format!("{} balls of {} tasks", done * BALLS, tasks.len()));
         Ok(())
     }
+}
+
+/// The nets of a weights file, with their dynamics net.
+fn load(path: &Path) -> anyhow::Result<PathNet> {
+    let name = path.display();
+    let bytes = fs::read(path).with_context(|| format!("cannot read {name}"))?;
+    let (nets, _) = PathNet::load(&bytes, &flex()).with_context(|| format!("cannot use {name}"))?;
+    let has = nets.dynamics.is_some();
+    ensure!(has, "{name} has no dynamics net: name weights of `pathlight train-dynamics`");
+    Ok(nets)
 }
 
 /// What a file of `pathlight label` holds.

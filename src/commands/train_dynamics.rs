@@ -1,4 +1,5 @@
-//! `pathlight train-dynamics`: trains the net that imagines what balls lead to, and adds it to the weights of the four nets.
+//! `pathlight train-dynamics`: trains the net that imagines what balls lead to, and adds it to the weights of the four nets,
+//! where it takes the place of a judge.
 //!
 //! It learns from labelled balls of the tasks that the four nets were trained on, so that the weights as a whole have
 //! seen no other tasks. `training_run` keeps the run in a folder.
@@ -8,6 +9,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, ensure};
+use pathlight::benchmark::folds::Setup;
 use pathlight::dataset::labels::{LabelledBalls, PATHS_LEN};
 use pathlight::nets::ball_head::Starts;
 use pathlight::nets::training::{DynamicsBatch, Schedule, Trainer, WARMUP_STEPS};
@@ -36,9 +38,9 @@ pub struct Args {
     #[command(flatten)]
     pub model: ModelArgs,
 
-    /// Balls with their outcome, from `pathlight label`
+    /// Balls with their outcomes and paths, from `pathlight label`; can be repeated
     #[arg(long, default_value = "target/labels.jsonl")]
-    pub labels: PathBuf,
+    pub labels: Vec<PathBuf>,
 
     /// Passes over the scenes
     #[arg(long, default_value_t = 100)]
@@ -78,6 +80,7 @@ impl Args {
     pub fn run(self) -> anyhow::Result<()> {
         let (mut nets, mut card) = self.model.load(&self.fold)?;
         let scenes = labelled_scenes(&self.labels, &self.fold, self.without_dev || card.without_dev)?;
+        card.judge = None;
         card.dynamics = Some(DynamicsCard {
             seed: self.training.seed,
             epochs: self.epochs,
@@ -93,7 +96,13 @@ impl Args {
             None => Trainer::<DynamicsNet>::new(flex(), self.training.seed),
         };
         let losses = ["cell", "ball", "from paths", "paths", "errors"];
-        let mut run = TrainingRun::open(folder, card, digest(&self.labels)?, &losses, trainer)?;
+        let mut run = TrainingRun::open(
+            folder,
+            card,
+            self.labels.iter().map(|path| digest(path)).collect::<anyhow::Result<Vec<_>>>()?.join(" "),
+            &losses,
+            trainer,
+        )?;
         let schedule = Schedule::WarmupLinear { peak: self.training.learning_rate, warmup_steps: WARMUP_STEPS };
         let batches_per_epoch = scenes.len().div_ceil(self.training.batch.into());
         let plan = Plan { epochs: self.epochs, batches_per_epoch, schedule };
@@ -104,7 +113,8 @@ impl Args {
             |trainer, batch, learning_rate| trainer.step(batch, learning_rate),
         )?;
         if complete {
-            nets.dynamics = Some(run.trainer.nets());
+            // Its own logits of the cells take the place of the judge's.
+            (nets.judge, nets.dynamics) = (None, Some(run.trainer.nets()));
             say(&format!("the weights of all nets are in {}", run.write_weights(&nets)?.display()));
         }
         Ok(())
@@ -142,39 +152,42 @@ fn dynamics_of(path: &Path) -> anyhow::Result<DynamicsNet> {
 }
 
 /// The labelled balls of the fold's training tasks, by scene.
-fn labelled_scenes(path: &Path, fold: &FoldArgs, without_dev: bool) -> anyhow::Result<Vec<LabelledScene>> {
+fn labelled_scenes(files: &[PathBuf], fold: &FoldArgs, without_dev: bool) -> anyhow::Result<Vec<LabelledScene>> {
     let tasks = fold.training_tasks(without_dev);
-    let Labelled { lines, training_tasks_of, .. } = read_labels(path)?;
-    let name = path.display();
-    if let Some((setup, number)) = training_tasks_of {
-        ensure!(
-            (setup, number) == (fold.setup, fold.fold),
-            "{name} holds balls of the training tasks of {setup} {number} only: label those of {} {}",
-            fold.setup,
-            fold.fold
-        );
-    }
     let mut scenes: BTreeMap<TaskId, LabelledScene> = BTreeMap::new();
-    for LabelledBalls { task, solved, failed, paths } in lines {
-        if tasks.binary_search(&task).is_err() {
-            continue;
+    for path in files {
+        let Labelled { lines, training_tasks_of, .. } = read_labels(path)?;
+        let name = path.display();
+        // Balls of a template are sampled around solutions of its tasks alone, so across templates every file will do.
+        if let (Some((setup, number)), Setup::Within) = (training_tasks_of, fold.setup) {
+            ensure!(
+                (setup, number) == (fold.setup, fold.fold),
+                "{name} holds balls of the training tasks of {setup} {number} only: label those of {} {}",
+                fold.setup,
+                fold.fold
+            );
         }
-        let entry = match scenes.entry(task) {
-            Entry::Occupied(entry) => entry.into_mut(),
-            Entry::Vacant(entry) => {
-                let scene = Task::load(task)?.scene;
-                let (starts, scene) = (Starts::of(&scene), scene_channels(&scene));
-                entry.insert(LabelledScene { scene, starts, balls: Vec::new(), paths: Vec::new() })
+        for LabelledBalls { task, solved, failed, paths } in lines {
+            if tasks.binary_search(&task).is_err() {
+                continue;
             }
-        };
-        ensure!(
-            paths.0.len() == (solved.len() + failed.len()) * PATHS_LEN,
-            "{name} holds balls without their paths: label them again"
-        );
-        entry.paths.extend(paths.0);
-        entry.balls.extend(solved.into_iter().map(|ball| (ball, true)));
-        entry.balls.extend(failed.into_iter().map(|ball| (ball, false)));
+            let entry = match scenes.entry(task) {
+                Entry::Occupied(entry) => entry.into_mut(),
+                Entry::Vacant(entry) => {
+                    let scene = Task::load(task)?.scene;
+                    let (starts, scene) = (Starts::of(&scene), scene_channels(&scene));
+                    entry.insert(LabelledScene { scene, starts, balls: Vec::new(), paths: Vec::new() })
+                }
+            };
+            ensure!(
+                paths.0.len() == (solved.len() + failed.len()) * PATHS_LEN,
+                "{name} holds balls without their paths: label them again"
+            );
+            entry.paths.extend(paths.0);
+            entry.balls.extend(solved.into_iter().map(|ball| (ball, true)));
+            entry.balls.extend(failed.into_iter().map(|ball| (ball, false)));
+        }
     }
-    ensure!(!scenes.is_empty(), "{name} holds no balls of the training tasks of {fold}: label all templates");
+    ensure!(!scenes.is_empty(), "the labels hold no balls of the training tasks of {fold}: label all templates");
     Ok(scenes.into_values().collect())
 }

@@ -75,10 +75,11 @@ impl PathNet {
         Imagined { base, target, action, placement }
     }
 
-    /// Returns the judge's logits for a scene, `[RADII, 64, 64]`, or `None` if the weights have no judge. PHYRE's world
+    /// Returns the judge's logits for a scene, `[RADII, 64, 64]`, or `None` if the weights have none: the
+    /// judge's, or else those of the dynamics net. PHYRE's world
     /// is symmetric, so the logits of the scene and of its mirror image are averaged, which is more accurate than one.
     pub fn judge_logits(&self, scene: &Scene) -> Option<Vec<f32>> {
-        let judge = self.judge.as_ref()?;
+        let Some(judge) = &self.judge else { return self.read(scene).map(|read| read.logits) };
         let scene = self.encode(scene);
         let logits = judge.forward(Tensor::cat(vec![scene.clone(), scene.flip([3])], 0)); // [2, RADII, 64, 64]
         let [logits, mirrored] = logits.chunk(2, 0).try_into().expect("two scenes");

@@ -4,10 +4,11 @@ use std::fs;
 use std::path::Path;
 
 use pathlight::benchmark::folds::{Fold, Setup};
-use pathlight::dataset::labels::LabelledBalls;
+use pathlight::dataset::labels::{LabelledBalls, PATHS_LEN};
 use pathlight::dataset::solutions::Solution;
+use pathlight::puzzle::sampled_paths::SampledPaths;
 use pathlight::puzzle::task::Task;
-use pathlight::simulator::{self, outcome};
+use pathlight::simulator::{self, outcome, simulate};
 use tempfile::tempdir;
 
 use super::{assert_refused, output_of};
@@ -35,6 +36,12 @@ fn labels_are_true_and_the_same_after_a_cut() {
         let solves = |ball| outcome(&scene, Some(ball)).expect("a valid ball").solved;
         assert!(labels.solved.iter().all(|&ball| solves(ball)));
         assert!(!labels.failed.iter().any(|&ball| solves(ball)));
+        let ball = labels.solved.iter().chain(&labels.failed).next().expect("a ball");
+        let rollout = simulate(&scene, Some(*ball)).expect("a valid ball");
+        let paths = SampledPaths::of(&rollout, scene.body1, scene.bodies.len()).expect("both move");
+        let positions = paths.object.iter().chain(&paths.ball).flatten();
+        let expected: Vec<u8> = positions.map(|at| at.round().clamp(0.0, 255.0) as u8).collect();
+        assert_eq!(labels.paths.0[..PATHS_LEN], expected, "the paths of its rollout");
         (solved, failed) = (solved + labels.solved.len(), failed + labels.failed.len());
     }
     assert!(solved > 0 && failed > 0 && solved + failed == 3 * 64);

@@ -16,6 +16,7 @@ mod serve;
 mod simulate;
 mod tasks;
 mod train;
+mod train_dynamics;
 mod train_judge;
 
 /// The binary, without arguments yet.

@@ -1,0 +1,53 @@
+//! `pathlight train-dynamics`: the net that learns from labelled balls what a ball leads to.
+
+use std::fs;
+
+use pathlight::nets::{PathNet, flex};
+use pathlight::puzzle::action::Ball;
+use pathlight::puzzle::task::Task;
+use tempfile::tempdir;
+
+use super::label::label;
+use super::{assert_refused, output_of};
+
+const WEIGHTS: &str = "assets/within-0.safetensors";
+
+#[test]
+fn a_dynamics_net_joins_the_weights_and_can_be_trained_further() {
+    let folder = tempdir().expect("a folder");
+    let file = |name: &str| folder.path().join(name).display().to_string();
+    let labels = label(folder.path(), "1");
+    let train = |run: &str, more: &[&str]| {
+        let words = ["train-dynamics", "--weights", WEIGHTS, "--labels", &labels, "--epochs", "4", "--batch", "3"];
+        let sizes = ["--balls-per-scene", "32", "--imagined-per-scene", "8", "--checkpoint", "2"];
+        output_of(&[&words[..], &sizes, &["--out", &file(run)], more].concat());
+        folder.path().join(run).join("weights.safetensors")
+    };
+    let whole = train("whole", &[]);
+    let bytes = fs::read(&whole).expect("weights");
+    let (nets, card) = PathNet::load(&bytes, &flex()).expect("weights that fit");
+    assert!(card.judge.is_none() && card.dynamics.expect("a card").balls > 64);
+    let scene = Task::load("00002:007".parse().expect("an id")).expect("a task").scene;
+    let read = nets.read(&scene).expect("a dynamics net");
+    assert_eq!(nets.judge_logits(&scene).as_ref(), Some(&read.logits), "it takes the place of the judge");
+    let balls = [Ball { x: 60.0, y: 200.0, r: 5.0 }, Ball { x: 200.0, y: 200.0, r: 25.0 }];
+    let [left, right] = read.imagine(&balls).try_into().expect("two balls");
+    assert!(left.paths.ball[0][0] < right.paths.ball[0][0], "a path begins where its ball starts");
+
+    let cut = train("cut", &["--stop-after", "3"]);
+    assert!(!cut.exists(), "it should have stopped before the end");
+    assert_eq!(fs::read(train("cut", &[])).expect("weights"), bytes, "cut off or not, the same net");
+
+    let from = whole.display().to_string();
+    let proposed = file("proposed.jsonl");
+    let words = ["label", "--template", "2", "--limit", "6", "--rounds", "1", "--weights", &from, "--out", &proposed];
+    output_of(&words);
+    let further = train("further", &["--from", &from, "--labels", &proposed]);
+    assert_ne!(fs::read(further).expect("weights"), bytes);
+    assert_refused(
+        &["train-dynamics", "--weights", WEIGHTS, "--labels", "Cargo.toml"],
+        "not a file of `pathlight label`",
+    );
+    assert_refused(&["train-dynamics", "--from", WEIGHTS, "--labels", &labels], "has no dynamics net");
+    assert_refused(&["label", "--weights", WEIGHTS, "--out", &file("refused.jsonl")], "has no dynamics net");
+}
