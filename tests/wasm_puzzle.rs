@@ -2,6 +2,7 @@
 #![cfg(target_arch = "wasm32")]
 
 use js_sys::Reflect;
+use pathlight::nets::{DynamicsNet, PathNet, flex};
 use pathlight::play::game::ATTEMPT_LIMIT;
 use pathlight::web::{
     Model, Puzzle, SolveMap, auccess, constants, fold, palette, raster, scene, simulate, soft_iou, templates,
@@ -288,7 +289,13 @@ fn values_have_the_fields_that_their_types_declare() {
     let model = Model::new(bytes).expect("the shipped weights");
     let card = json(model.card().expect("a card"));
     let optional = |name: &str| declared(name).into_iter().map(|field| field.replace('?', "")).collect::<Vec<_>>();
-    assert_eq!(fields(&card), optional("ModelCard"));
+    let mut expected = optional("ModelCard");
+    if card["dynamics"].is_null() {
+        expected.retain(|field| field != "dynamics");
+    } else {
+        assert_eq!(fields(&card["dynamics"]), declared("DynamicsCard"));
+    }
+    assert_eq!(fields(&card), expected);
     assert_eq!(fields(&card["judge"]), declared("JudgeCard"));
     let proposals = json(model.propose(TASK, 0, None).expect("proposals"));
     assert_eq!(fields(&proposals[0]), declared("Proposal"));
@@ -316,4 +323,39 @@ fn the_model_imagines_a_map_for_each_stage() {
     let declared = include_str!("../src/web/types.d.ts").split("export type Stage = ").nth(1).expect("the type Stage");
     let declared = declared.split(';').next().expect("its end");
     assert_eq!(declared, stages.iter().map(|stage| format!("\"{stage}\"")).collect::<Vec<_>>().join(" | "));
+}
+
+#[wasm_bindgen_test]
+fn a_ball_is_imagined_by_weights_that_have_a_dynamics_net() {
+    let bytes = include_bytes!("../assets/within-0.safetensors");
+    let (mut nets, mut card) = PathNet::load(bytes, &flex()).expect("the shipped weights");
+    (nets.dynamics, card.dynamics) = (None, None);
+    let without = Model::new(&nets.save(&card).expect("weights")).expect("a model");
+    let ball = |x: f64, y: f64, r: f64| serde_wasm_bindgen::to_value(&[x, y, r]).expect("a ball");
+    assert!(without.imagine_ball(TASK, ball(128.0, 230.0, 8.0)).expect("no error").is_undefined());
+    nets.dynamics = Some(DynamicsNet::new(&flex()));
+    let model = Model::new(&nets.save(&card).expect("weights")).expect("a model");
+    let imagined = |id: &str, x: f64| model.imagine_ball(id, ball(x, 230.0, 8.0)).expect("a valid ball");
+    let first = imagined(TASK, 128.0);
+    let mut names: Vec<String> =
+        js_sys::Object::keys(&first.clone().into()).iter().filter_map(|key| key.as_string()).collect();
+    names.sort_unstable();
+    assert_eq!(names, declared("ImaginedBall"));
+    let values = |from: &JsValue, name: &str| -> Vec<f64> {
+        let field = Reflect::get(from, &name.into()).expect("a field");
+        js_sys::Array::from(&field).iter().filter_map(|value| value.as_f64()).collect()
+    };
+    for (name, length) in [("steps", 16), ("object", 32), ("ball", 32), ("errors", 32)] {
+        assert_eq!(values(&first, name).len(), length, "{name}");
+    }
+    let probability = Reflect::get(&first, &"probability".into()).expect("a field").as_f64().expect("a number");
+    assert!((0.0..=1.0).contains(&probability));
+    // The task that was read last is kept; another one is read anew.
+    assert_ne!(values(&imagined("00007:008", 128.0), "object"), values(&first, "object"));
+    assert_eq!(values(&imagined(TASK, 128.0), "object"), values(&first, "object"));
+    assert_ne!(values(&imagined(TASK, 90.0), "ball"), values(&first, "ball"));
+    let refused = |id: &str, ball: JsValue| code(model.imagine_ball(id, ball).expect_err("refused"));
+    assert_eq!(refused(TASK, ball(2.0, 2.0, 8.0)), "invalid_ball");
+    assert_eq!(refused(TASK, JsValue::NULL), "bad_data");
+    assert_eq!(refused("7:1", ball(128.0, 230.0, 8.0)), "bad_task");
 }

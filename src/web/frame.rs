@@ -1,12 +1,13 @@
 //! One frame of the page: the order in which its layers are drawn.
 //!
-//! From the bottom: static bodies, maps, paths, dynamic bodies, balls, marks, the sketch, and the ring or the knob.
-//! Used by `puzzle_view`; `paint` and `marks` do the drawing.
+//! From the bottom: ribbons, static bodies, maps, imagined paths, paths, dynamic bodies, balls, ghosts, marks, the sketch, and
+//! the ring or the knob. Used by `puzzle_view`; `paint`, `ribbon` and `marks` do the drawing.
 
 use serde::Deserialize;
 use wasm_bindgen::prelude::*;
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 
+use super::imagined_ball::ImaginedPaths;
 use super::paint::{Painter, bounding_radius};
 use super::recording::Recording;
 use crate::play::ending::touch_streak;
@@ -37,6 +38,9 @@ pub struct View {
     /// What a person has drawn as the path of the green object, px.
     #[serde(default)]
     sketch: Vec<[f64; 2]>,
+    /// What the model imagines for a ball.
+    #[serde(default)]
+    imagined: Option<ImaginedPaths>,
 }
 
 /// A ball that is only marked.
@@ -52,8 +56,8 @@ struct Mark {
 impl View {
     /// A view of the end of the current recordings: every body in its last pose, whole paths.
     pub fn ended(dark: bool) -> View {
-        let (marks, sketch) = (Vec::new(), Vec::new());
-        View { step: f64::INFINITY, ball: None, knob: 0.0, whole: true, opacity: 0.0, dark, marks, sketch }
+        let (marks, sketch, imagined) = (Vec::new(), Vec::new(), None);
+        View { step: f64::INFINITY, ball: None, knob: 0.0, whole: true, opacity: 0.0, dark, marks, sketch, imagined }
     }
 }
 
@@ -74,6 +78,9 @@ pub fn paint(
             painter.body(body, pose, index == scene.body2)
         })
     };
+    if let Some(imagined) = &view.imagined {
+        painter.ribbons(scene, imagined)?;
+    }
     bodies(false)?;
     for map in maps {
         painter.overlay(map, view.opacity)?;
@@ -83,6 +90,9 @@ pub fn paint(
         bodies(false)?;
         painter.set_alpha(1.0);
     }
+    if let Some(imagined) = &view.imagined {
+        painter.imagined_paths(scene, imagined)?;
+    }
     let until = if view.whole { f64::INFINITY } else { view.step };
     for recording in recordings {
         painter.path(recording.path(until, scene.body1), Role::Green, recording.line_style)?;
@@ -91,6 +101,9 @@ pub fn paint(
     bodies(true)?;
     for (index, recording) in recordings.iter().enumerate() {
         draw_ball(&painter, scene, recording, view.step, index > 0)?;
+    }
+    if let Some(imagined) = &view.imagined {
+        painter.ghosts(scene, imagined, first.map(|_| view.step))?;
     }
     for mark in &view.marks {
         painter.mark(mark.ball, mark.from, mark.chosen)?;

@@ -3,6 +3,8 @@
 //! The page never calls it, because it is slow: the nets take some ten milliseconds per scene, a rollout about one, and a
 //! turn simulates up to a hundred rollouts. `Turn` makes one attempt per call, so that the worker can stop in between.
 
+use std::cell::RefCell;
+
 use wasm_bindgen::prelude::*;
 
 use super::error::{Code, error, to_js};
@@ -11,7 +13,7 @@ use super::stage::Stage;
 use crate::agents::ranking::probability_map;
 use crate::agents::{self, Proposal};
 use crate::benchmark::folds::Fold;
-use crate::nets::{Card, Imagined, PathNet, flex};
+use crate::nets::{Card, Imagined, PathNet, ReadScene, flex};
 use crate::play::ending::Ending;
 use crate::play::game::{ATTEMPT_LIMIT, Attempt};
 use crate::play::turn;
@@ -23,7 +25,9 @@ const MAX_PROPOSALS: usize = 1000;
 /// The nets with their weights.
 #[wasm_bindgen]
 pub struct Model {
-    net: PathNet,
+    pub(super) net: PathNet,
+    /// The last task that the dynamics net has read.
+    pub(super) last_read: RefCell<Option<(TaskId, ReadScene)>>,
     card: Card,
     /// The tasks that it was trained on or chosen by, ascending.
     seen: Vec<TaskId>,
@@ -43,7 +47,7 @@ impl Model {
     pub fn new(bytes: &[u8]) -> Result<Model, JsValue> {
         let (net, card) = PathNet::load(bytes, &flex()).map_err(|why| error(Code::BadWeights, why))?;
         let seen = Fold::new(card.setup, card.fold).all_train();
-        Ok(Model { net, card, seen })
+        Ok(Model { net, last_read: RefCell::new(None), card, seen })
     }
 
     /// Returns how the weights were trained.

@@ -36,11 +36,12 @@ pub struct Painter<'a> {
     scale: f64,
 }
 
-/// Line style: solid for the player, dashed for the model.
+/// Line style: solid for the player, dashed for the model, dotted for what is imagined.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum LineStyle {
     Solid,
     Dashed,
+    Dotted,
 }
 
 impl<'a> Painter<'a> {
@@ -190,10 +191,13 @@ impl<'a> Painter<'a> {
     pub(super) fn set_stroke(&self, colour: &str, width: f64, style: LineStyle) -> Result<(), JsValue> {
         self.context.set_stroke_style_str(colour);
         self.context.set_line_width(width);
-        let dashes = match style {
-            LineStyle::Solid => js_sys::Array::new(),
-            LineStyle::Dashed => [4.0, 4.0].into_iter().map(JsValue::from).collect(),
+        let dashes: &[f64] = match style {
+            LineStyle::Solid => &[],
+            LineStyle::Dashed => &[4.0, 4.0],
+            // The round caps make a dot of each dash.
+            LineStyle::Dotted => &[0.1, 3.6],
         };
+        let dashes: js_sys::Array = dashes.iter().copied().map(JsValue::from).collect();
         self.context.set_line_dash(&dashes)
     }
 

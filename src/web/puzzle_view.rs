@@ -8,12 +8,14 @@ use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 
 use super::error::{from_js, to_js};
 use super::frame::{self, View};
+use super::imagined_ball::paths_to_js;
 use super::paint::LineStyle;
 use super::puzzle::{ListedAttempt, Puzzle, contender_named, no_attempt};
 use super::recording::Recording;
 use crate::play::ending::Ending;
 use crate::play::game::{Attempt, Contender};
 use crate::puzzle::action::Ball;
+use crate::puzzle::sampled_paths::SampledPaths;
 use crate::simulator::simulate;
 
 #[wasm_bindgen]
@@ -78,6 +80,18 @@ impl Puzzle {
     #[wasm_bindgen(js_name = pathMasks, unchecked_return_type = "PathMasks[]")]
     pub fn path_masks(&self) -> Result<js_sys::Array, JsValue> {
         self.recordings.iter().map(|recording| recording.path_masks(&self.task.scene)).collect()
+    }
+
+    /// Returns where the green object and the ball really were in the first of the current recordings, after the steps of an
+    /// `ImaginedBall`; undefined without a ball.
+    #[wasm_bindgen(js_name = sampledPaths, unchecked_return_type = "Pick<ImaginedBall, \"object\" | \"ball\"> | undefined")]
+    pub fn sampled_paths(&self) -> Result<JsValue, JsValue> {
+        let scene = &self.task.scene;
+        let sampled = |recording: &Recording| SampledPaths::of(&recording.rollout, scene.body1, scene.bodies.len());
+        self.recordings
+            .first()
+            .and_then(sampled)
+            .map_or(Ok(JsValue::UNDEFINED), |paths| paths_to_js(&paths).map(Into::into))
     }
 
     /// Shows the best attempts of player and model over each other and returns both; null for a contender without attempts.

@@ -85,7 +85,7 @@ pub fn simulate(
 }
 
 /// Returns the ball of a JavaScript value; `T` says whether there has to be one.
-fn ball_from<T: DeserializeOwned>(ball: JsValue) -> Result<T, JsValue> {
+pub(super) fn ball_from<T: DeserializeOwned>(ball: JsValue) -> Result<T, JsValue> {
     from_js(ball).map_err(|_| error(Code::BadData, "a ball is an array of three numbers, px: x, y and its radius"))
 }
 

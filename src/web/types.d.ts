@@ -172,6 +172,20 @@ export interface Proposal {
     rejected: number;
 }
 
+/** What the dynamics net imagines for a ball. */
+export interface ImaginedBall {
+    /** The 16 steps after which positions are imagined. */
+    steps: Uint32Array;
+    /** The position of the green object after each of these steps: x, y, x, y, … in px. */
+    object: Float32Array;
+    /** The position of the ball after each of these steps. */
+    ball: Float32Array;
+    /** How far each position is expected to be from the real one, px: first those of the object, then those of the ball. */
+    errors: Float32Array;
+    /** The probability that the ball solves the task, 0..1. */
+    probability: number;
+}
+
 /** How weights were trained. */
 export interface ModelCard {
     setup: Setup;
@@ -187,6 +201,7 @@ export interface ModelCard {
     tasks: number;
     simulator: number;
     judge?: JudgeCard;
+    dynamics?: DynamicsCard;
 }
 
 /** How the judge of weights was trained. */
@@ -195,6 +210,17 @@ export interface JudgeCard {
     epochs: number;
     batch: number;
     balls_per_scene: number;
+    learning_rate: number;
+    balls: number;
+}
+
+/** How the dynamics net of weights was trained. */
+export interface DynamicsCard {
+    seed: number;
+    epochs: number;
+    batch: number;
+    balls_per_scene: number;
+    imagined_per_scene: number;
     learning_rate: number;
     balls: number;
 }
@@ -216,6 +242,14 @@ export interface View {
     marks?: Mark[];
     /** What a person has drawn as the path of the green object, px. */
     sketch?: [x: number, y: number][];
+    /** What the model imagines for a ball. */
+    imagined?: ImaginedPaths | null;
+}
+
+/** The imagined paths of a ball, as in `ImaginedBall`. */
+export interface ImaginedPaths extends Pick<ImaginedBall, "object" | "ball" | "errors"> {
+    /** The ball that they are imagined for. */
+    of: Ball;
 }
 
 /** A ball that is only marked. */

@@ -43,6 +43,15 @@ for (const [screen, size] of Object.entries(SCREENS)) {
     await take('missed');
     await page.locator('#reset').click();
 
+    // The paths that the model imagines for the ball, before and after it has run.
+    await page.locator('#forecast-on').setChecked(true);
+    await page.locator('#forecast-words').filter({ hasText: 'thinks' }).waitFor();
+    await take('forecast');
+    await run(balls.missing, /^Not solved/);
+    await take('forecast-and-real');
+    await page.locator('#reset').click();
+    await page.locator('#forecast-on').setChecked(false);
+
     // Half way through a run that is played.
     await page.emulateMedia({ reducedMotion: 'no-preference' });
     await run(balls.solving, /is running/);

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { start } from './harness.mjs';
-import { openPuzzle, picture, playModelTurn, says, spot } from './page-actions.mjs';
+import { openPuzzle, picture, playModelTurn, says, spot, withoutDynamics } from './page-actions.mjs';
 
 let session;
 before(async () => (session = await start()));
@@ -80,4 +80,17 @@ test('another puzzle opens without a ball of the model’s', async () => {
 test('a number past the last proposal is refused in a sentence', async () => {
   const page = await session.open('/#task=00000:000&proposal=101');
   await page.locator('#notice-text').filter({ hasText: '“proposal=101”' }).waitFor();
+});
+
+test('each shows what the model imagined for it, beside what really happened', { skip: await withoutDynamics() }, async () => {
+  const page = await compare('&proposal=1');
+  const imagined = page.locator('#proposal-imagined');
+  await imagined.filter({ hasText: /^[A-Z][a-z ]+ \(.+ %\)\. It imagined the green object \d+ px from where it really was, on average\.$/ }).waitFor();
+  await page.waitForTimeout(150);
+  const first = await picture(page);
+  await page.locator('#proposal-next').click();
+  await page.locator('#proposal-number', { hasText: '2 of' }).waitFor();
+  await imagined.filter({ hasText: 'It imagined' }).waitFor();
+  await page.waitForTimeout(150);
+  assert.notEqual(await picture(page), first);
 });

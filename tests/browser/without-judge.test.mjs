@@ -1,4 +1,4 @@
-// Weights without a judge: the paper's four maps, and balls from the placement map.
+// Weights of the paper's four nets alone: four maps, balls from the placement map, and no ball is imagined.
 
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
@@ -7,7 +7,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { binary, start } from './harness.mjs';
-import { openPuzzle } from './page-actions.mjs';
+import { modelLoaded, openPuzzle } from './page-actions.mjs';
 
 let session, folder;
 before(async () => {
@@ -44,4 +44,11 @@ test('four maps are drawn, and the fifth says that there is none', async () => {
 test('its balls come from the placement map', async () => {
   const page = await openPuzzle(session, { fragment: '&panel=compare&proposal=1' });
   await page.locator('#proposal-origin').filter({ hasText: /placement map/ }).waitFor();
+});
+
+test('it does not imagine balls, and the page does not offer it', async () => {
+  const page = await openPuzzle(session, { fragment: '&forecast=on&ball=128,230,8' });
+  await modelLoaded(page);
+  await page.locator('#forecast').waitFor({ state: 'hidden' });
+  assert.doesNotMatch(await page.locator('#forecast-words').textContent(), /thinks/);
 });

@@ -15,6 +15,7 @@ import { readModelList, readWeights } from "./weights.js";
 /** @typedef {import("../pkg/pathlight.js").Ending} Ending */
 /** @typedef {import("../pkg/pathlight.js").Fold} Fold */
 /** @typedef {import("../pkg/pathlight.js").GridMap} GridMap */
+/** @typedef {import("../pkg/pathlight.js").ImaginedBall} ImaginedBall */
 /** @typedef {import("../pkg/pathlight.js").Maps} Maps */
 /** @typedef {import("../pkg/pathlight.js").ModelCard} ModelCard */
 /** @typedef {import("../pkg/pathlight.js").Proposal} Proposal */
@@ -203,6 +204,18 @@ export class Pathlight {
    */
   imagine(task) {
     return this.#loaded.imagine(String(task));
+  }
+
+  /**
+   * Returns what the model imagines for one ball: the paths of the green object and of the ball, how far off they are expected
+   * to be, and the probability that the ball solves the task; null if the weights have no dynamics net. Further balls of the
+   * same task cost little. Throws `invalid_ball` if the ball may not be placed.
+   * @param {string} task
+   * @param {Ball} ball
+   * @returns {ImaginedBall | null}
+   */
+  imagineBall(task, ball) {
+    return this.#loaded.imagineBall(String(task), ball) ?? null;
   }
 
   /**

@@ -5,6 +5,7 @@
 import { palette } from "../pkg/pathlight.js";
 import { SharedClient } from "../model/shared-client.js";
 import { Compare } from "../panels/compare.js";
+import { Forecast } from "../panels/forecast.js";
 import { Imagine } from "../panels/imagine.js";
 import { ImaginedVsReal } from "../panels/imagined-vs-real.js";
 import { Overlays } from "../panels/overlays.js";
@@ -83,18 +84,16 @@ export class PuzzleController extends EventTarget {
   }
 
   /**
-   * All components, in the order in which they are opened: the maps are asked for first, and what others read comes before
-   * them.
+   * All components in the order in which they are opened: the maps are asked for first; what others read comes before them.
    * @returns {Component[]}
    */
   #createComponents() {
-    const root = this.#root;
-    const client = this.#client;
+    const [root, client] = [this.#root, this.#client];
     const scenePicture = new ScenePicture(root);
     const imagine = new Imagine(root, client, scenePicture);
     const predict = new Predict(root, imagine, scenePicture);
     const proposals = new Proposals(root, client, imagine);
-    const solveMap = new SolveMapPanel(root, client, imagine);
+    const [solveMap, forecast] = [new SolveMapPanel(root, client, imagine), new Forecast(root, client)];
     return [
       new Tabs(root),
       new About(root, client),
@@ -109,11 +108,12 @@ export class PuzzleController extends EventTarget {
       new Probe(root, imagine),
       new ImaginedVsReal(root, imagine, scenePicture),
       predict,
+      forecast,
       new Compare(root, client),
       proposals,
       solveMap,
       new Scoreboard(root, client, this.#progress, (task) => this.#hrefOf()?.(task, "compare") ?? null),
-      new Overlays(root, this.#canvas, { imagine, predict, proposals, solveMap }),
+      new Overlays(root, this.#canvas, { forecast, imagine, predict, proposals, solveMap }),
     ];
   }
 

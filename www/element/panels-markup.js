@@ -3,6 +3,11 @@
 export const PANELS_MARKUP = `
 <div role="tabpanel" id="play" aria-labelledby="tab-play" tabindex="0" hidden>
   <p id="story" data-hideable="story"></p>
+  <div id="forecast" data-hideable="imagine"><div data-hideable="forecast">
+    <label class="check"><input type="checkbox" id="forecast-on"> What would this ball do?</label>
+    <p id="forecast-words" hidden></p>
+    <details id="forecast-how" hidden><summary>What do I see?</summary><p>Dotted lines, and outlines of the bodies along them: where a net imagines this very ball and the green object, before anything moves. The wider the ribbon around a line, the less sure it is of it. Nothing is simulated for that, so it can be wrong: run the ball, and see how far off it was.</p></details>
+  </div></div>
   <form id="ball-form" class="ball-form" autocomplete="off" data-hideable="fields">
     <label class="radius">Radius <input type="range" id="radius" step="1"></label>
     <div class="ball-fields">
@@ -82,6 +87,7 @@ export const PANELS_MARKUP = `
       <dt>Ball</dt><dd id="proposal-ball"></dd>
       <dt>Allowed?</dt><dd id="proposal-valid"></dd>
       <dt>Outcome</dt><dd id="proposal-outcome"></dd>
+      <dt id="proposal-imagined-term">Imagined</dt><dd id="proposal-imagined"></dd>
       <dt>From</dt><dd id="proposal-origin"></dd>
     </dl>
     <p><button type="button" id="proposal-close" hidden>Back to placing</button></p>

@@ -5,7 +5,7 @@
 //     <pathlight-puzzle task="00007:008" panel="imagine"></pathlight-puzzle>
 //
 // The attributes say what is shown, follow the person, and can be changed at any time: `task`, `model`, `panel`, `stage`,
-// `proposal`, `layers`, `opacity`, `ball` and `hide`, as in the links of Pathlight, and `theme`. Besides:
+// `proposal`, `layers`, `opacity`, `forecast`, `ball` and `hide`, as in the links of Pathlight, and `theme`. Besides:
 //   fill       takes the height of its container too, which must have one; else it is as high as its content
 //   remember   keeps for each puzzle the number of attempts and the one that solved it in this browser (localStorage); else
 //              they are forgotten with the page. Read once, when the puzzle is loaded
@@ -22,7 +22,7 @@ import { loadStyleSheets } from "./style-sheets.js";
 /** @typedef {(task: string, panel: Panel) => string | null} HrefOf */
 
 /** The attributes that make up the state; shell/url-state.js knows their values. */
-const STATE_ATTRIBUTES = ["task", "model", "panel", "stage", "proposal", "layers", "opacity", "ball", "hide"];
+const STATE_ATTRIBUTES = ["task", "model", "panel", "stage", "proposal", "layers", "opacity", "forecast", "ball", "hide"];
 
 const darkScheme = matchMedia("(prefers-color-scheme: dark)");
 
@@ -114,6 +114,9 @@ export class PathlightPuzzle extends HTMLElement {
   /** How much the maps cover, 0 to 1. */
   get opacity() { return this.getAttribute("opacity"); }
   set opacity(value) { this.#setAttribute("opacity", value); }
+  /** "on" if the model imagines what the ball being placed would do, else "off" or null. */
+  get forecast() { return this.getAttribute("forecast"); }
+  set forecast(value) { this.#setAttribute("forecast", value); }
   /** The ball that is being placed: "x,y,r" in px of the scene; null for none. */
   get ball() { return this.getAttribute("ball"); }
   set ball(value) { this.#setAttribute("ball", value); }

@@ -4,6 +4,8 @@
 // one `value` or one `error`. A Cancel ends a request that is still running; nobody waits for its answer.
 
 /** @typedef {import("../pkg/pathlight.js").Attempt} Attempt */
+/** @typedef {import("../pkg/pathlight.js").Ball} Ball */
+/** @typedef {import("../pkg/pathlight.js").ImaginedBall} ImaginedBall */
 /** @typedef {import("../pkg/pathlight.js").Proposal} Proposal */
 
 /**
@@ -26,11 +28,12 @@
 /**
  * The calls of the worker: their arguments and their values.
  * `start` takes the compiled wasm; `load` the name of weights in assets/model.json (null: the first); `propose` returns the
- * balls of a turn without trying them; `turn` tries them in order; `solve` maps where a ball of a radius (px) solves.
+ * balls of a turn without trying them; `imagineBall` returns null if the weights have no dynamics net; `turn` tries them in order; `solve` maps where a ball of a radius (px) solves.
  * @typedef {object} Calls
  * @property {{ args: { module: WebAssembly.Module }, value: void }} start
  * @property {{ args: { name: string | null }, value: LoadedModel }} load
  * @property {{ args: { task: string }, value: Imagined }} imagine
+ * @property {{ args: { task: string, ball: Ball }, value: ImaginedBall | null }} imagineBall
  * @property {{ args: { task: string, seed: number }, value: Proposal[] }} propose
  * @property {{ args: { task: string, seed: number }, value: Finished }} turn
  * @property {{ args: { task: string, radius: number }, value: Finished }} solve

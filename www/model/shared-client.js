@@ -85,6 +85,11 @@ export class SharedClient extends EventTarget {
     return this.#taken.imagine(...args);
   }
 
+  /** @param {Parameters<WorkerClient["imagineBall"]>} args */
+  imagineBall(...args) {
+    return this.#taken.imagineBall(...args);
+  }
+
   /** @param {Parameters<WorkerClient["turn"]>} args */
   turn(...args) {
     return this.#taken.turn(...args);

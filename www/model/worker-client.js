@@ -98,6 +98,16 @@ export class WorkerClient extends EventTarget {
   }
 
   /**
+   * What the model imagines for a ball; null if its weights have no dynamics net.
+   * @param {string} task
+   * @param {import("./messages.js").Ball} ball
+   * @param {AbortSignal} signal
+   */
+  imagineBall(task, ball, signal) {
+    return this.#call("imagineBall", { task, ball }, signal);
+  }
+
+  /**
    * Plays the model's turn: tries its balls in order until one solves the task.
    * @param {string} task
    * @param {AbortSignal} signal

@@ -11,7 +11,7 @@ import { load as loadPathlight } from "../api/pathlight.js";
 const SLICE = 100;
 
 /** @type {{ [Name in keyof Calls]: (args: Calls[Name]["args"], sendUpdate: SendUpdate, isCancelled: IsCancelled) => Calls[Name]["value"] | Promise<Calls[Name]["value"]> }} */
-const calls = { start, load, imagine, propose, turn, solve };
+const calls = { start, load, imagine, imagineBall, propose, turn, solve };
 
 /** @type {import("../api/pathlight.js").Pathlight} */
 let pathlight;
@@ -70,6 +70,11 @@ function imagine({ task }) {
   const begin = performance.now();
   const maps = pathlight.imagine(task);
   return { maps, seen, milliseconds: performance.now() - begin };
+}
+
+/** @param {Calls["imagineBall"]["args"]} args */
+function imagineBall({ task, ball }) {
+  return pathlight.imagineBall(task, ball);
 }
 
 /** @param {Calls["propose"]["args"]} args */

@@ -1,10 +1,11 @@
-// What lies over the scene: the maps that are switched on, the map of all solutions, the marks of the model's proposals and
-// the line of a prediction. Collects them from the panels and hands them to the canvas of the scene.
+// What lies over the scene: the maps that are switched on, the map of all solutions, the marks of the model's proposals, the
+// paths that it imagines for a ball, and the line of a prediction. Collects them from the panels and hands them to the canvas of the scene.
 
 import { Component } from "../shell/component.js";
 
 export class Overlays extends Component {
   #canvas;
+  #forecast;
   #imagine;
   #predict;
   #proposals;
@@ -16,20 +17,24 @@ export class Overlays extends Component {
    * @param {import("../shell/dom.js").Root} root
    * @param {import("../play/canvas.js").SceneCanvas} canvas
    * @param {object} panels
+   * @param {import("./forecast.js").Forecast} panels.forecast
    * @param {import("./imagine.js").Imagine} panels.imagine
    * @param {import("./predict.js").Predict} panels.predict
    * @param {import("./proposals.js").Proposals} panels.proposals
    * @param {import("./solve-map.js").SolveMapPanel} panels.solveMap
    */
-  constructor(root, canvas, { imagine, predict, proposals, solveMap }) {
+  constructor(root, canvas, { forecast, imagine, predict, proposals, solveMap }) {
     super(root);
     this.#canvas = canvas;
+    this.#forecast = forecast;
     this.#imagine = imagine;
     this.#predict = predict;
     this.#proposals = proposals;
     this.#solveMap = solveMap;
+    forecast.addEventListener("forecast", () => this.#update());
     imagine.addEventListener("maps", () => this.#update());
     predict.addEventListener("sketch", () => this.#update());
+    proposals.addEventListener("imagined", () => this.#update());
     solveMap.addEventListener("map", () => this.#update());
   }
 
@@ -58,6 +63,7 @@ export class Overlays extends Component {
         opacity,
         marks: this.#proposals.marks,
         sketch: drawing ? this.#predict.sketch : [],
+        imagined: this.#forecast.paths ?? this.#proposals.paths,
       },
       drawing ? this.#predict : null,
     );

@@ -1,9 +1,12 @@
-// The model's proposals, one by one, whether it has tried them or not: the outcome of each, whether it may be placed, and
-// which map it comes from. The one that is looked at is shown at its end at once, with its paths over the scene and the
-// balls before it marked. Its number is in the address.
+// The model's proposals, one by one, whether it has tried them or not: the outcome of each, whether it may be placed, what the
+// model imagined for it, and where it comes from. The one that is looked at is shown at its end at once, with its paths,
+// imagined and real, over the scene and the balls before it marked. Its number is in the address. Fires "imagined" when there
+// are other imagined paths to show.
 
 import { Component } from "../shell/component.js";
 import { setText } from "../shell/dom.js";
+import { BallImaginer } from "../model/ball-imaginer.js";
+import { chanceWords, errorWords } from "../model/chance-words.js";
 import { valueAt } from "../model/map-summary.js";
 import { sentence } from "../play/session.js";
 import { TroubleBox } from "./trouble-box.js";
@@ -14,6 +17,7 @@ import { TroubleBox } from "./trouble-box.js";
 export class Proposals extends Component {
   #client;
   #imagine;
+  #imaginer;
   #slider = this.byId("proposal-slider", HTMLInputElement);
   /**
    * Null until the model has proposed them.
@@ -49,6 +53,11 @@ export class Proposals extends Component {
     super(root);
     this.#client = client;
     this.#imagine = imagine;
+    this.#imaginer = new BallImaginer(client);
+    this.#imaginer.addEventListener("answer", () => {
+      this.#updateFacts(this.#proposals ?? []);
+      this.dispatchEvent(new Event("imagined"));
+    });
     this.#slider.addEventListener("input", () => this.#request(Number(this.#slider.value)));
     this.byId("proposal-back").addEventListener("click", () => this.#request((this.#requested ?? 2) - 1));
     this.byId("proposal-next").addEventListener("click", () => this.#request((this.#requested ?? 0) + 1));
@@ -70,6 +79,7 @@ export class Proposals extends Component {
   close() {
     super.close();
     this.#drop();
+    this.#imaginer.forget();
     this.#shown = null;
   }
 
@@ -96,6 +106,17 @@ export class Proposals extends Component {
       const chosen = index + 1 === this.#shown;
       return { ball: proposal.ball, from: chosen ? this.#sourceOf(proposal) : null, chosen };
     });
+  }
+
+  /** The imagined paths of the ball that is looked at, or null. */
+  get paths() {
+    return this.active && this.#answer ? this.#imaginer.paths : null;
+  }
+
+  /** What the model imagines for the ball that is looked at; null until it has come. */
+  get #answer() {
+    const { answer } = this.#imaginer;
+    return String(answer?.of) === String(this.session?.shown?.ball) ? answer : null;
   }
 
   /** @param {number} number */
@@ -152,6 +173,7 @@ export class Proposals extends Component {
       this.#shown = number;
       const tried = session.attempts("model").some(({ ball }) => String(ball) === String(proposal.ball));
       session.preview(number, proposal.ball, tried);
+      this.#imaginer.imagine(session.about.id, proposal.ball);
     }
     this.#updateFacts(proposals);
   }
@@ -184,6 +206,9 @@ export class Proposals extends Component {
     setText(this.byId("proposal-valid"), rejectedWords(proposal));
     setText(this.byId("proposal-outcome"), `${shown.ending.solved ? "✓" : "×"} ${sentence(shown.words)} ${shown.tried ? "" : "It was not tried in its turn."}`);
     setText(this.byId("proposal-origin"), this.#originWords(proposal));
+    const real = this.session?.puzzle.sampledPaths();
+    this.byId("proposal-imagined").hidden = this.byId("proposal-imagined-term").hidden = !this.#imaginer.able;
+    setText(this.byId("proposal-imagined"), this.#answer && real ? `${sentence(chanceWords(this.#answer.imagined.probability))} ${errorWords(this.#answer.imagined, real)}` : "");
   }
 
   /** @param {Proposal} proposal */

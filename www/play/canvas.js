@@ -23,6 +23,7 @@ import { contextOf } from "../shell/dom.js";
  * @property {number} opacity of the maps, 0..1
  * @property {import("../pkg/pathlight.js").Mark[]} marks
  * @property {Point[]} sketch a line that the person has drawn
+ * @property {import("../pkg/pathlight.js").ImaginedPaths | null} imagined what the model imagines for a ball
  */
 
 /** How near a pointer has to come to grab the knob, CSS px. */
@@ -61,7 +62,7 @@ export class SceneCanvas extends Component {
    */
   #keyGesture = null;
   /** @type {Overlay} */
-  #overlay = { maps: [], opacity: 1, marks: [], sketch: [] };
+  #overlay = { maps: [], opacity: 1, marks: [], sketch: [], imagined: null };
   /** @type {Pen | null} */
   #pen = null;
 
@@ -121,7 +122,7 @@ export class SceneCanvas extends Component {
   #paint() {
     const session = this.session;
     if (!session || this.#canvas.width < 2) return;
-    const { maps, opacity, marks, sketch } = this.#overlay;
+    const { maps, opacity, marks, sketch, imagined } = this.#overlay;
     const view = {
       step: session.playback.step,
       ball: session.ball,
@@ -130,6 +131,7 @@ export class SceneCanvas extends Component {
       opacity,
       marks,
       sketch,
+      imagined,
       dark: this.dark,
     };
     session.puzzle.paint(this.#context, view, maps);

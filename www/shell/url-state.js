@@ -10,7 +10,7 @@ import { ATTEMPT_LIMIT, MAX_RADIUS, MIN_RADIUS, SCENE_SIZE, STAGES } from "./con
 
 export const PANELS = /** @type {const} */ (["play", "imagine", "compare", "predict", "map"]);
 /** What a link can hide: every panel but Play, and what the document marks with data-hideable. */
-const HIDEABLE = /** @type {const} */ (["puzzles", "story", "fields", "watch", "attempts", "imagine", "compare", "predict", "map"]);
+const HIDEABLE = /** @type {const} */ (["puzzles", "story", "fields", "watch", "attempts", "forecast", "imagine", "compare", "predict", "map"]);
 /** @typedef {typeof PANELS[number]} Panel */
 /** @typedef {typeof HIDEABLE[number]} Hideable */
 
@@ -23,13 +23,14 @@ const HIDEABLE = /** @type {const} */ (["puzzles", "story", "fields", "watch", "
  * @property {number | null} proposal the number of the model's ball that is looked at, from 1, or null
  * @property {Stage[]} layers the maps to lay over the scene, in the order of STAGES
  * @property {number} opacity how much the maps cover, 0..1
+ * @property {boolean} forecast whether the model imagines what the ball being placed would do; see `viewOf`
  * @property {Ball | null} ball the ball being placed
  * @property {Hideable[]} hide the parts of the page that are hidden, in the order of HIDEABLE
  */
 
 /**
  * What is on the page: the state, but `panel` is the one that is shown, which is never hidden, and `layers` are those
- * that lie over the scene there; `checkedLayers` are those that the address names.
+ * that lie over the scene there; `checkedLayers` are those that the address names. `forecast` is whether it is seen there.
  * @typedef {State & { checkedLayers: Stage[] }} View
  */
 
@@ -45,6 +46,7 @@ export const INITIAL_STATE = Object.freeze({
   proposal: null,
   layers: [],
   opacity: 0.8,
+  forecast: false,
   ball: null,
   hide: [],
 });
@@ -70,6 +72,10 @@ const CODECS = {
   opacity: {
     format: String,
     parse: (text) => (/^(0|1|0?\.\d+)$/.test(text) ? Number(text) : undefined),
+  },
+  forecast: {
+    format: (on) => (on ? "on" : "off"),
+    parse: (text) => (text === "on" ? true : text === "off" ? false : undefined),
   },
   ball: {
     format: (ball) => ball.join(","),
@@ -186,7 +192,9 @@ export function visiblePanels({ hide }) {
  */
 export function viewOf(state) {
   const panel = visiblePanels(state).includes(state.panel) ? state.panel : "play";
-  return { ...state, panel, layers: visibleLayers(state, panel), checkedLayers: state.layers };
+  // It belongs to placing the ball; in Predict it would reveal the answer.
+  const forecast = state.forecast && panel === "play" && !["forecast", "imagine"].some((part) => state.hide.some((one) => one === part));
+  return { ...state, panel, forecast, layers: visibleLayers(state, panel), checkedLayers: state.layers };
 }
 
 /**

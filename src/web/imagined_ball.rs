@@ -1,0 +1,104 @@
+//! What the dynamics net imagines for one ball: asked for in the worker by `Model.imagineBall`, and drawn on the page in a
+//! frame. Between the two it is a plain JavaScript object of typed arrays.
+
+use js_sys::{Float32Array, Object, Reflect, Uint32Array};
+use serde::Deserialize;
+use wasm_bindgen::prelude::*;
+
+use super::describe::invalid_reason;
+use super::error::{Code, error};
+use super::load;
+use super::model::Model;
+use super::scripting::ball_from;
+use crate::nets::ImaginedBall;
+use crate::nets::ball_head::POSITIONS;
+use crate::puzzle::action::Ball;
+use crate::puzzle::sampled_paths::{SAMPLED_STEPS, SAMPLES, SampledPath, SampledPaths};
+use crate::puzzle::task::Task;
+
+/// The imagined paths of one ball, as a frame draws them.
+#[derive(Deserialize)]
+#[serde(try_from = "PlainPaths")]
+pub struct ImaginedPaths {
+    /// The ball that they are imagined for.
+    pub of: Ball,
+    pub object: SampledPath,
+    pub ball: SampledPath,
+    /// Expected errors of the positions, px.
+    pub object_errors: [f32; SAMPLES],
+    pub ball_errors: [f32; SAMPLES],
+}
+
+/// The same as JavaScript has it.
+#[derive(Deserialize)]
+struct PlainPaths {
+    of: Ball,
+    object: Vec<f32>,
+    ball: Vec<f32>,
+    errors: Vec<f32>,
+}
+
+impl TryFrom<PlainPaths> for ImaginedPaths {
+    type Error = String;
+
+    fn try_from(plain: PlainPaths) -> Result<ImaginedPaths, String> {
+        let PlainPaths { of, object, ball, errors } = plain;
+        let path = |values: Vec<f32>| SampledPath::try_from(values.as_chunks().0).ok();
+        let half = |index: usize| errors.chunks(SAMPLES).nth(index).and_then(|half| half.try_into().ok());
+        let paths = || {
+            let (object_errors, ball_errors) = (half(0)?, half(1)?);
+            Some(ImaginedPaths { of, object: path(object)?, ball: path(ball)?, object_errors, ball_errors })
+        };
+        let wrong = || format!("imagined paths hold {SAMPLES} positions each and {POSITIONS} errors");
+        paths().ok_or_else(wrong)
+    }
+}
+
+#[wasm_bindgen]
+impl Model {
+    /// Imagines what a ball of a task leads to: the paths of the green object and of the ball, and the probability that it
+    /// solves. Undefined if the weights have no dynamics net. The task of the last call is kept as the net has read it, so
+    /// that the next of its balls costs little.
+    ///
+    /// # Errors
+    /// `bad_task` if there is no such task, `bad_data` if it is not a ball, `invalid_ball`.
+    #[wasm_bindgen(js_name = imagineBall, unchecked_return_type = "ImaginedBall | undefined")]
+    pub fn imagine_ball(
+        &self,
+        id: &str,
+        #[wasm_bindgen(unchecked_param_type = "Ball")] ball: JsValue,
+    ) -> Result<JsValue, JsValue> {
+        let Task { id, scene, .. } = load(id)?;
+        let ball: Ball = ball_from(ball)?;
+        ball.check(&scene).map_err(|why| error(Code::InvalidBall, invalid_reason(why, &scene)))?;
+        let mut last = self.last_read.borrow_mut();
+        if last.as_ref().is_none_or(|(task, _)| *task != id) {
+            *last = self.net.read(&scene).map(|read| (id, read));
+        }
+        let Some((_, read)) = last.as_ref() else { return Ok(JsValue::UNDEFINED) };
+        let imagined = read.imagine(&[ball]);
+        imagined.first().map_or(Ok(JsValue::UNDEFINED), to_object)
+    }
+}
+
+/// Returns paths as `{ object, ball }`, x and y in turn.
+pub fn paths_to_js(paths: &SampledPaths) -> Result<Object, JsValue> {
+    let js = Object::new();
+    for (name, path) in [("object", &paths.object), ("ball", &paths.ball)] {
+        Reflect::set(&js, &name.into(), &Float32Array::from(path.as_flattened()))?;
+    }
+    Ok(js)
+}
+
+fn to_object(imagined: &ImaginedBall) -> Result<JsValue, JsValue> {
+    let js = paths_to_js(&imagined.paths)?;
+    let fields: [(&str, JsValue); 3] = [
+        ("steps", Uint32Array::from(SAMPLED_STEPS.map(|step| step as u32).as_slice()).into()),
+        ("errors", Float32Array::from(imagined.errors.as_slice()).into()),
+        ("probability", JsValue::from(1.0 / (1.0 + libm::exp(-f64::from(imagined.logit))))),
+    ];
+    for (name, value) in fields {
+        Reflect::set(&js, &name.into(), &value)?;
+    }
+    Ok(js.into())
+}

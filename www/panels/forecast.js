@@ -1,0 +1,100 @@
+// "What would this ball do?": while a person places the ball, the paths that the model imagines for this very ball lie over
+// the scene, and its chance stands in the panel Play. After a run they stay beside the real paths until the ball changes.
+// Fires "forecast" when what lies over the scene may have changed.
+
+import { Component } from "../shell/component.js";
+import { setText } from "../shell/dom.js";
+import { BallImaginer } from "../model/ball-imaginer.js";
+import { chanceWords, errorWords, expectedErrorWords } from "../model/chance-words.js";
+
+/** @typedef {import("../play/session.js").Session} Session */
+
+/** A ball that has not moved for so long is at rest, and its chance is announced, ms. */
+const REST = 700;
+
+export class Forecast extends Component {
+  #client;
+  #imaginer;
+  #box = this.byId("forecast-on", HTMLInputElement);
+  /** Is it switched on, and may it be seen in this panel? */
+  #on = false;
+  /** @type {number | undefined} */
+  #timer;
+
+  /**
+   * @param {import("../shell/dom.js").Root} root
+   * @param {import("../model/shared-client.js").SharedClient} client
+   */
+  constructor(root, client) {
+    super(root);
+    this.#client = client;
+    this.#imaginer = new BallImaginer(client);
+    this.#box.addEventListener("change", () => this.requestState({ forecast: this.#box.checked }));
+    this.#imaginer.addEventListener("answer", () => this.#update());
+    client.addEventListener("change", () => this.#follow());
+  }
+
+  /** @param {Session} session */
+  open(session) {
+    super.open(session);
+    this.listen("change", () => this.#follow());
+    this.#follow();
+  }
+
+  close() {
+    super.close();
+    this.#imaginer.forget();
+    clearTimeout(this.#timer);
+  }
+
+  /** @param {import("../shell/url-state.js").View} view */
+  setState({ forecast }) {
+    this.#on = this.#box.checked = forecast;
+    this.#follow();
+  }
+
+  /** What to lay over the scene, or null. While the ball is dragged it may be that of a moment ago. */
+  get paths() {
+    return this.#ball && this.#imaginer.paths;
+  }
+
+  /** The ball to imagine: the one that is being placed, or the player's whose attempt is shown; null if there is none. */
+  get #ball() {
+    if (!this.session || !this.#on) return null;
+    const { ball, placing, invalidReason, shown } = this.session;
+    const isRun = shown?.contender === "player" && String(shown.ball) === String(ball);
+    return (placing && invalidReason === null) || isRun ? ball : null;
+  }
+
+  #follow() {
+    if (this.session && this.#ball) this.#imaginer.imagine(this.session.about.id, this.#ball);
+    this.#update();
+  }
+
+  #update() {
+    const { status, loaded } = this.#client;
+    this.byId("forecast").hidden = status === "failed" || (loaded !== null && !this.#imaginer.able);
+    const line = this.byId("forecast-words");
+    line.hidden = this.byId("forecast-how").hidden = !this.#on;
+    const words = this.#on ? this.#words() : "";
+    if (line.textContent !== words) {
+      setText(line, words);
+      clearTimeout(this.#timer);
+      if (this.paths) this.#timer = setTimeout(() => this.announce(words), REST);
+    }
+    this.dispatchEvent(new Event("forecast"));
+  }
+
+  #words() {
+    const { able, answer, failure } = this.#imaginer;
+    const { session } = this;
+    if (failure) return failure;
+    if (!able) return "The model is on its way.";
+    if (!session || !this.#ball) return session?.invalidReason ? "The model imagines only balls that may be placed." : "Place the ball: the model imagines what it would do.";
+    if (!answer) return "The model imagines it.";
+    const chance = chanceWords(answer.imagined.probability);
+    const ended = session.finished && String(answer.of) === String(session.shown?.ball);
+    const real = ended ? session.puzzle.sampledPaths() : undefined;
+    return real ? `The model thought: ${chance}. ${errorWords(answer.imagined, real)}` : `The model thinks: ${chance}. ${expectedErrorWords(answer.imagined)}`;
+  }
+}
