@@ -26,7 +26,7 @@
 //! | `benchmark` | PHYRE's folds and its metric, auccess |
 //! | `dataset` | what nets learn from: solutions, labelled balls, samples |
 //! | `nets` | the four nets that imagine paths, the judge, their weights and their training |
-//! | `agents` | who proposes balls: from the placement map, from the judge, at random |
+//! | `agents` | who proposes balls: from imagined paths, from the judge, from the placement map, at random |
 //! | `play` | one session on one puzzle, an agent's turn, the map of all solutions, soft IoU |
 //! | `web` | the wasm exports; wasm32 only |
 

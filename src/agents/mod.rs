@@ -1,4 +1,4 @@
-//! The agents that propose balls: the model and the random agent.
+//! The agents that propose balls: the model, which may learn from its attempts, and the random agent.
 //!
 //! The page, `propose` and `evaluate` all call these functions, so the same seed yields the same attempts.
 //! The judge's logits and probabilities are the same natively and in wasm, bit for bit; the maps of the four nets differ in
@@ -7,12 +7,18 @@
 //! `TaskId::seed`.
 
 mod fitting_balls;
+mod gaussian_process;
+pub mod imagined_candidates;
+pub mod online;
 pub mod placement;
 pub mod ranking;
 
 use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
 use serde::Serialize;
+
+use imagined_candidates::imagined_candidates;
+use online::OnlineAgent;
 
 use crate::dataset::sampling::random_ball;
 use crate::nets::PathNet;
@@ -67,6 +73,9 @@ pub enum Origin {
     Uniform,
     /// The judge's maps: the probability, 0..=1, that the ball solves, lowered by the proposals before it.
     Judge { probability: f64 },
+    /// The dynamics net: the probability, 0..=1, that the ball solves, as imagined before any attempt, and after the attempts
+    /// so far; and the attempt, by its number from 1, that lowered it most, if one did noticeably.
+    Imagined { prior: f64, probability: f64, lowered_by: Option<usize> },
 }
 
 /// Version of the proposals, as `simulator::VERSION` is of the rollouts. Raise it whenever the same weights or the same
@@ -74,15 +83,31 @@ pub enum Origin {
 /// comparable. `tests/proposals_golden.rs` fails when proposals change.
 pub const VERSION: u32 = 1;
 
-/// Returns up to `count` proposals of the model: the balls that its judge finds most probable, or, from weights without
-/// a judge, the balls that its placement map suggests.
-pub fn propose(nets: &PathNet, scene: &Scene, seed: u64, count: usize) -> Vec<Proposal> {
-    let ranked = nets.judge_logits(scene).map(|logits| ranking::ranked(&logits, scene, count)).unwrap_or_default();
-    // Damaged weights may have a judge whose logits are NaN; it ranks nothing.
-    if !ranked.is_empty() {
-        return ranked;
+/// Returns the model at work on a scene: the online agent, or, from weights without a dynamics net, the list of up to
+/// `count` proposals.
+pub fn start(nets: &PathNet, scene: &Scene, seed: u64, count: usize) -> Box<dyn Agent> {
+    match imagined_candidates(nets, scene) {
+        Some(candidates) => Box::new(OnlineAgent::by_paths(candidates)),
+        None => Box::new(propose(nets, scene, seed, count).into_iter()),
     }
-    from_map(nets, scene, seed, count)
+}
+
+/// Returns up to `count` proposals of the model, without learning from attempts: the balls that its dynamics net finds most
+/// probable; from weights without one those of its judge; without a judge those that its placement map suggests.
+pub fn propose(nets: &PathNet, scene: &Scene, seed: u64, count: usize) -> Vec<Proposal> {
+    if let Some(candidates) = imagined_candidates(nets, scene) {
+        return OnlineAgent::by_paths(candidates).list(count);
+    }
+    // Damaged weights may have a judge whose logits are NaN; it ranks nothing.
+    match from_judge(nets, scene, count) {
+        Some(ranked) if !ranked.is_empty() => ranked,
+        _ => from_map(nets, scene, seed, count),
+    }
+}
+
+/// Returns up to `count` proposals of the judge alone; `None` if the weights have none.
+pub fn from_judge(nets: &PathNet, scene: &Scene, count: usize) -> Option<Vec<Proposal>> {
+    Some(ranking::ranked(&nets.judge_logits(scene)?, scene, count))
 }
 
 /// Returns up to `count` proposals of the paper's four nets alone: the balls that the placement map suggests.
@@ -95,4 +120,8 @@ pub fn random(scene: &Scene, seed: u64, count: usize) -> Vec<Proposal> {
     let mut rng = Pcg64Mcg::seed_from_u64(seed);
     let balls = std::iter::repeat_with(|| random_ball(scene, &mut rng)).map_while(|ball| ball);
     balls.map(|ball| Proposal { ball, origin: Origin::Uniform, rejected: 0 }).take(count).collect()
+}
+
+fn sigmoid(logit: f64) -> f64 {
+    1.0 / (1.0 + libm::exp(-logit))
 }

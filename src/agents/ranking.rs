@@ -9,7 +9,7 @@ use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 use super::fitting_balls::FittingBalls;
-use super::{Origin, Proposal};
+use super::{Origin, Proposal, sigmoid};
 use crate::nets::judge::RADII;
 use crate::puzzle::action::Ball;
 use crate::puzzle::scene::Scene;
@@ -124,10 +124,6 @@ pub fn probability_map(logits: &[f32], scene: &Scene) -> Option<Vec<f32>> {
         best.map_or(0.0, |logit| sigmoid(logit.into()) as f32)
     };
     logits.iter().any(|logit| logit.is_finite()).then(|| (0..CELLS).map(probability).collect())
-}
-
-fn sigmoid(logit: f64) -> f64 {
-    1.0 / (1.0 + libm::exp(-logit))
 }
 
 #[cfg(test)]

@@ -4,6 +4,8 @@ use std::fmt;
 
 use anyhow::ensure;
 use clap::ValueEnum;
+use pathlight::agents::imagined_candidates::imagined_candidates;
+use pathlight::agents::online::OnlineAgent;
 use pathlight::agents::{self, Agent};
 use pathlight::nets::PathNet;
 use pathlight::puzzle::scene::Scene;
@@ -11,11 +13,17 @@ use serde::{Deserialize, Serialize};
 
 /// What proposes balls.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
+#[serde(rename_all = "kebab-case")]
 pub enum AgentName {
-    /// The model with its judge, which orders the balls
+    /// The dynamics net, which imagines what balls lead to, and learns from its attempts
+    Online,
+    /// The same with balls compared by place and radius, not by the paths that they lead to; measured only if it is named
+    OnlineByBalls,
+    /// The dynamics net without learning from attempts
+    Dynamics,
+    /// The judge, which orders the balls
     Judge,
-    /// The model without the judge: balls from its placement map, as in the paper
+    /// The paper's four nets: balls from the placement map
     Paper,
     /// Uniformly random balls
     Random,
@@ -23,17 +31,25 @@ pub enum AgentName {
 
 impl AgentName {
     /// The agents that need nets.
-    pub const MODEL: [AgentName; 2] = [AgentName::Judge, AgentName::Paper];
+    pub const MODEL: [AgentName; 5] =
+        [AgentName::Online, AgentName::OnlineByBalls, AgentName::Dynamics, AgentName::Judge, AgentName::Paper];
 
     /// Checks that the weights have what this agent needs.
     ///
     /// # Errors
     /// Says what they lack.
     pub fn check(self, nets: &PathNet) -> anyhow::Result<()> {
-        ensure!(
-            self != AgentName::Judge || nets.judge.is_some(),
-            "the weights have no judge: train one with `pathlight train-judge`, or leave --agent judge out"
-        );
+        match self {
+            AgentName::Judge => ensure!(
+                nets.judge.is_some(),
+                "the weights have no judge: train one with `pathlight train-judge`, or leave --agent judge out"
+            ),
+            AgentName::Online | AgentName::OnlineByBalls | AgentName::Dynamics => ensure!(
+                nets.dynamics.is_some(),
+                "the weights have no dynamics net: train one with `pathlight train-dynamics`, or leave --agent {self} out"
+            ),
+            AgentName::Paper | AgentName::Random => (),
+        }
         Ok(())
     }
 
@@ -41,8 +57,13 @@ impl AgentName {
     /// goes without nets.
     pub fn start(self, nets: Option<&PathNet>, scene: &Scene, seed: u64, count: usize) -> Box<dyn Agent> {
         let nets = || nets.expect("the weights of a model are loaded first");
+        // Damaged weights know no candidates.
+        let candidates = || imagined_candidates(nets(), scene).unwrap_or_default();
         let proposals = match self {
-            AgentName::Judge => agents::propose(nets(), scene, seed, count),
+            AgentName::Online => return Box::new(OnlineAgent::by_paths(candidates())),
+            AgentName::OnlineByBalls => return Box::new(OnlineAgent::by_balls(candidates())),
+            AgentName::Dynamics => OnlineAgent::by_paths(candidates()).list(count),
+            AgentName::Judge => agents::from_judge(nets(), scene, count).unwrap_or_default(),
             AgentName::Paper => agents::from_map(nets(), scene, seed, count),
             AgentName::Random => agents::random(scene, seed, count),
         };

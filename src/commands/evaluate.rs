@@ -121,7 +121,10 @@ impl Args {
             card: None,
             agents: Vec::new(),
         };
-        let measures = |agent| self.agents.is_empty() || self.agents.contains(&agent);
+        let measures = |agent| match self.agents.as_slice() {
+            [] => agent != AgentName::OnlineByBalls,
+            named => named.contains(&agent),
+        };
         let nets = if AgentName::MODEL.into_iter().any(measures) {
             let (nets, mut card) = self.model.load(&self.fold)?;
             ensure!(

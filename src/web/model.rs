@@ -109,8 +109,8 @@ impl Model {
     /// `bad_task` if there is no such task.
     pub fn turn(&self, id: &str, seed: u32) -> Result<Turn, JsValue> {
         let Task { id, scene, .. } = load(id)?;
-        let proposals = agents::propose(&self.net, &scene, id.seed(seed.into()), ATTEMPT_LIMIT);
-        Ok(Turn(turn::Turn::new(scene, Box::new(proposals.into_iter()))))
+        let agent = agents::start(&self.net, &scene, id.seed(seed.into()), ATTEMPT_LIMIT);
+        Ok(Turn(turn::Turn::new(scene, agent)))
     }
 
     /// Returns the maps of the paper's four nets alone, without the judge: base, target, action and placement in one

@@ -156,9 +156,11 @@ export interface PathMasks {
     ball?: GridMap;
 }
 
-/** Where a proposed ball comes from: the judge, a cell of the placement map (px), an earlier proposal
- * with noise, or the whole action space. */
+/** Where a proposed ball comes from: what the dynamics net imagines (the probability before any attempt and now, and the
+ * attempt, from 1, that lowered it most), the judge, a cell of the placement map (px), an earlier proposal with noise, or the
+ * whole action space. */
 export type Origin =
+    | { kind: "imagined"; prior: number; probability: number; lowered_by: number | null }
     | { kind: "judge"; probability: number }
     | { kind: "map"; x: number; y: number }
     | { kind: "perturbed"; number: number }

@@ -214,6 +214,11 @@ export class Proposals extends Component {
   /** @param {Proposal} proposal */
   #originWords({ origin }) {
     if (origin.kind === "perturbed") return `Ball ${origin.number}, moved at random.`;
+    if (origin.kind === "imagined") {
+      const [prior, now] = [origin.prior, origin.probability].map((chance) => `${Math.round(100 * chance)} %`);
+      const why = origin.lowered_by === null ? "." : `; ball ${origin.lowered_by}, which leads to a similar path, lowered it most.`;
+      return `A sixth net imagines what balls lead to: this one solves with a chance of ${prior}, after what was tried before ${now}${why}`;
+    }
     if (origin.kind === "judge") return `The judge, a fifth net: after what was tried before, this ball has the highest probability of solving, ${Math.round(100 * origin.probability)} %.`;
     if (origin.kind === "uniform") return "Random: the placement map shows no place where a ball may be.";
     const map = this.#imagine.maps?.placement;

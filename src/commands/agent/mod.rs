@@ -41,9 +41,9 @@ pub struct Args {
     #[command(flatten)]
     fold: FoldArgs,
 
-    /// Agent that plays
-    #[arg(long, value_enum, default_value = "judge")]
-    agent: AgentName,
+    /// Agent that plays [default: online, or judge if the weights have no dynamics net]
+    #[arg(long, value_enum)]
+    agent: Option<AgentName>,
 
     /// Seed of all random draws
     #[arg(long, default_value_t = 0)]
@@ -72,15 +72,16 @@ enum Answer {
 
 impl Args {
     pub fn run(self) -> anyhow::Result<()> {
-        let nets = match self.agent {
-            AgentName::Random => None,
-            model => {
-                let (nets, _) = self.model.load(&self.fold)?;
-                model.check(&nets)?;
-                Some(nets)
-            }
+        let (agent, nets) = if self.agent == Some(AgentName::Random) {
+            (AgentName::Random, None)
+        } else {
+            let (nets, _) = self.model.load(&self.fold)?;
+            let default = if nets.dynamics.is_some() { AgentName::Online } else { AgentName::Judge };
+            let agent = self.agent.unwrap_or(default);
+            agent.check(&nets)?;
+            (agent, Some(nets))
         };
-        let mut player = Player { agent: self.agent, nets, seed: self.seed, puzzle: None };
+        let mut player = Player { agent, nets, seed: self.seed, puzzle: None };
         let (mut source, mut out) = (io::stdin().lock(), io::stdout().lock());
         let mut refused = 0;
         while let Some(line) = next_line(&mut source)? {

@@ -1,0 +1,169 @@
+//! Gaussian process classification, one outcome at a time (Csató and Opper 2002, "Sparse On-Line Gaussian Processes";
+//! Rasmussen and Williams 2006, chapter 3).
+//!
+//! The logit of the chance that a ball solves is a latent function of an input, here the path that is imagined for it:
+//! Gaussian, with the net's logit as its prior mean and a covariance that falls with the distance between two inputs. So
+//! an outcome changes the logits of all balls whose inputs resemble the one that was observed. Each is taken in by one
+//! Laplace step: the mode and the curvature of the posterior along the observed logit make a rank-one update.
+//! Deterministic: libm, and sums in a fixed order. Used by `online`.
+
+use super::sigmoid;
+
+/// Halvings of the interval that holds the mode, which is as wide as the variance: to less than f64 resolves.
+const HALVINGS: usize = 60;
+
+/// The covariance of two inputs: squared exponential.
+#[derive(Clone, Copy, Debug)]
+pub struct Kernel {
+    /// Variance of a logit before any observation.
+    pub variance: f64,
+    /// The root mean square difference of two inputs at which their correlation has fallen to exp(-1/2), 0.61.
+    pub length_scale: f64,
+}
+
+/// The logits of some candidates, given the outcomes observed so far. An input is a point of any fixed dimension.
+pub struct GaussianProcessClassifier<const D: usize> {
+    kernel: Kernel,
+    inputs: Vec<[f32; D]>,
+    prior: Vec<f64>,
+    means: Vec<f64>,
+    observations: Vec<RankOne<D>>,
+}
+
+/// One observation: means = prior + Σ gain · covariances, covariance = kernel − Σ weight · covariances · covariancesᵀ.
+struct RankOne<const D: usize> {
+    input: [f32; D],
+    gain: f64,
+    weight: f64,
+    /// Its covariance with each candidate, given the observations before it.
+    covariances: Vec<f64>,
+    /// Its covariance with each observation before it, given the observations before that one.
+    with_earlier: Vec<f64>,
+}
+
+impl<const D: usize> GaussianProcessClassifier<D> {
+    /// Returns the prior: the mean logit and the input of each candidate.
+    pub fn new(kernel: Kernel, prior: Vec<f64>, inputs: Vec<[f32; D]>) -> GaussianProcessClassifier<D> {
+        assert_eq!(prior.len(), inputs.len(), "an input for each candidate");
+        GaussianProcessClassifier { kernel, means: prior.clone(), prior, inputs, observations: Vec::new() }
+    }
+
+    /// Returns the posterior mean of each candidate's logit.
+    pub fn means(&self) -> &[f64] {
+        &self.means
+    }
+
+    /// Takes in the outcome of a candidate, whose input turned out to be `input`. Returns by how much the mean logit of each
+    /// candidate has risen; negative if it has fallen.
+    pub fn observe(&mut self, candidate: usize, input: [f32; D], solved: bool) -> Vec<f64> {
+        let (mut mean, mut variance) = (self.prior[candidate], self.kernel.variance);
+        let mut with_earlier: Vec<f64> = Vec::with_capacity(self.observations.len());
+        for earlier in &self.observations {
+            let prior = self.kernel.covariance(&earlier.input, &input);
+            let shared = prior - self.explained(&with_earlier, &earlier.with_earlier);
+            mean += earlier.gain * shared;
+            variance -= earlier.weight * shared * shared;
+            with_earlier.push(shared);
+        }
+        let (gain, weight) = laplace_step(mean, variance.max(0.0), solved);
+        let mut covariances: Vec<f64> =
+            self.inputs.iter().map(|candidate| self.kernel.covariance(candidate, &input)).collect();
+        for (earlier, shared) in self.observations.iter().zip(&with_earlier) {
+            let explained = earlier.weight * shared;
+            for (covariance, with_candidate) in covariances.iter_mut().zip(&earlier.covariances) {
+                *covariance -= explained * with_candidate;
+            }
+        }
+        let rises: Vec<f64> = covariances.iter().map(|covariance| gain * covariance).collect();
+        self.means.iter_mut().zip(&rises).for_each(|(mean, rise)| *mean += rise);
+        self.observations.push(RankOne { input, gain, weight, covariances, with_earlier });
+        rises
+    }
+
+    /// How much of the covariance of two inputs the first observations explain. `a` and `b` hold the covariances of each
+    /// with these observations.
+    fn explained(&self, a: &[f64], b: &[f64]) -> f64 {
+        self.observations.iter().zip(a.iter().zip(b)).map(|(one, (a, b))| one.weight * a * b).sum()
+    }
+}
+
+impl Kernel {
+    fn covariance<const D: usize>(&self, a: &[f32; D], b: &[f32; D]) -> f64 {
+        let squares = a.iter().zip(b).map(|(a, b)| f64::from(a - b) * f64::from(a - b));
+        let mean_square = squares.sum::<f64>() / D as f64;
+        self.variance * libm::exp(-mean_square / (2.0 * self.length_scale * self.length_scale))
+    }
+}
+
+/// Returns the derivative of the log likelihood at the mode of the posterior of one logit, and the weight of the rank-one
+/// update of the covariance: w / (1 + w variance), where w is the curvature there.
+fn laplace_step(mean: f64, variance: f64, solved: bool) -> (f64, f64) {
+    let target = if solved { 1.0 } else { 0.0 };
+    // The mode is where logit = mean + variance (target − sigmoid(logit)), of which the right side falls. Newton's method
+    // would have to be guarded: from a large logit it jumps back and forth.
+    let (mut low, mut high) = (mean - variance * (1.0 - target), mean + variance * target);
+    for _ in 0..HALVINGS {
+        let middle = (low + high) / 2.0;
+        if middle < mean + variance * (target - sigmoid(middle)) { low = middle } else { high = middle }
+    }
+    let chance = sigmoid(low);
+    let curvature = chance * (1.0 - chance);
+    (target - chance, curvature / (1.0 + curvature * variance))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const KERNEL: Kernel = Kernel { variance: 9.0, length_scale: 2.0 };
+
+    /// The posterior of one logit by numerical integration of prior times likelihood on a fine grid has the same mode.
+    #[test]
+    fn one_failure_moves_its_own_logit_to_the_mode_of_its_posterior() {
+        for prior in [-6.0, 0.0, 1.5, 7.0] {
+            let mut process = GaussianProcessClassifier::new(KERNEL, vec![prior], vec![[0.0]]);
+            process.observe(0, [0.0], false);
+            let log_posterior = |logit: f64| {
+                -(logit - prior) * (logit - prior) / (2.0 * KERNEL.variance) - libm::log1p(libm::exp(logit))
+            };
+            let grid = (-30_000..30_000).map(|step| f64::from(step) / 1000.0);
+            let mode = grid.max_by(|a, b| log_posterior(*a).total_cmp(&log_posterior(*b))).expect("a grid");
+            assert!((process.means()[0] - mode).abs() < 2e-3, "{prior}: {} {mode}", process.means()[0]);
+        }
+    }
+
+    #[test]
+    fn the_nearer_an_input_is_to_a_failure_the_more_it_falls() {
+        let inputs: Vec<[f32; 2]> = (0..6).map(|x| [2.0 * x as f32, 1.0]).collect();
+        let mut process = GaussianProcessClassifier::new(KERNEL, vec![2.0; 6], inputs);
+        let rises = process.observe(0, [0.0, 1.0], false);
+        assert!(rises.windows(2).all(|pair| pair[0] < pair[1]), "{rises:?}");
+        assert!(rises[0] < -1.0 && rises[5] > -0.05, "{rises:?}");
+        assert!(process.means().iter().zip(&rises).all(|(mean, rise)| (mean - 2.0 - rise).abs() < 1e-12));
+        let solved = process.observe(5, [10.0, 1.0], true);
+        assert!(solved[5] > solved[3] && solved[5] > 0.0);
+    }
+
+    /// The rank-one updates are those of the dense covariance matrix.
+    #[test]
+    fn many_outcomes_leave_what_a_dense_covariance_leaves() {
+        let inputs: Vec<[f32; 1]> = (0..9).map(|x| [x as f32 * 0.7]).collect();
+        let prior: Vec<f64> = (0..9).map(|x| 1.0 - 0.3 * f64::from(x)).collect();
+        let mut process = GaussianProcessClassifier::new(KERNEL, prior.clone(), inputs.clone());
+        let mut dense: Vec<Vec<f64>> =
+            inputs.iter().map(|a| inputs.iter().map(|b| KERNEL.covariance(a, b)).collect()).collect();
+        let mut means = prior;
+        for (candidate, solved) in [(0, false), (4, false), (1, true), (8, false), (4, false), (2, false)] {
+            process.observe(candidate, inputs[candidate], solved);
+            let column: Vec<f64> = dense.iter().map(|row| row[candidate]).collect();
+            let (gain, weight) = laplace_step(means[candidate], column[candidate], solved);
+            for (index, row) in dense.iter_mut().enumerate() {
+                means[index] += gain * column[index];
+                row.iter_mut().zip(&column).for_each(|(value, other)| *value -= weight * column[index] * other);
+            }
+            for (mean, expected) in process.means().iter().zip(&means) {
+                assert!((mean - expected).abs() < 1e-9, "{:?} {means:?}", process.means());
+            }
+        }
+    }
+}

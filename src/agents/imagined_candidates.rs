@@ -1,0 +1,34 @@
+//! The candidates of the agents that reason in paths: the most promising balls of a scene, each imagined by the dynamics net.
+
+use super::online::Candidate;
+use super::ranking;
+use crate::nets::PathNet;
+use crate::nets::judge::logit_index;
+use crate::puzzle::action::Ball;
+use crate::puzzle::scene::Scene;
+
+/// Balls that are imagined for a scene.
+const CANDIDATES: usize = 400;
+
+/// Returns the candidates of a scene, some of which may be much alike; `None` if the weights have no dynamics net, or
+/// damaged weights know no chance. The logit of a candidate is the mean of the one that the dynamics net reads from what it
+/// imagines and, from weights with a judge, the judge's.
+pub fn imagined_candidates(nets: &PathNet, scene: &Scene) -> Option<Vec<Candidate>> {
+    let read = nets.read(scene)?;
+    let judge = nets.judge_logits(scene);
+    let mean = |ours: f32, judge: Option<f32>| judge.map_or(ours, |judge| (ours + judge) / 2.0);
+    let judged = |index: usize| judge.as_ref().map(|logits| logits[index]);
+    let logits: Vec<f32> = read.logits.iter().enumerate().map(|(index, &logit)| mean(logit, judged(index))).collect();
+    let ranked = ranking::ranked(&logits, scene, CANDIDATES);
+    let balls: Vec<Ball> = ranked.into_iter().map(|proposal| proposal.ball).collect();
+    let candidates = balls.iter().zip(read.imagine(&balls)).map(|(&ball, imagined)| {
+        let index = logit_index(ball).expect("a valid ball");
+        Candidate { ball, logit: mean(imagined.logit, judged(index)).into(), paths: imagined.paths }
+    });
+    let finite = |candidate: &Candidate| {
+        let paths = candidate.paths.object.iter().chain(&candidate.paths.ball).flatten();
+        candidate.logit.is_finite() && paths.into_iter().all(|coordinate| coordinate.is_finite())
+    };
+    let candidates: Vec<Candidate> = candidates.filter(finite).collect();
+    (!candidates.is_empty()).then_some(candidates)
+}

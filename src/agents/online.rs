@@ -1,0 +1,210 @@
+//! The online agent: tries the most promising of some candidates, and learns from each attempt that fails. Candidates whose
+//! imagined paths resemble what has just failed become less probable, the others stay.
+//!
+//! PHYRE's paper (Bakhtin et al. 2019) calls an agent online that learns at the counted attempts. Here the learning is
+//! Gaussian process classification in closed form, which takes some microseconds for an attempt. Draws nothing at random.
+
+use super::gaussian_process::{GaussianProcessClassifier, Kernel};
+use super::{Agent, Observation, Origin, Proposal, sigmoid};
+use crate::puzzle::action::Ball;
+use crate::puzzle::sampled_paths::{SAMPLES, SampledPath, SampledPaths};
+
+/// Coordinates of the path of the green object.
+const COORDINATES: usize = 2 * SAMPLES;
+
+/// Logits are equal if they round to the same multiple of this: the order must not depend on the last bits.
+const RESOLUTION: f64 = 1.0 / 65536.0;
+
+/// How much an attempt must have lowered a logit to be named as a reason.
+const NOTICEABLE: f64 = 0.25;
+
+/// How alike two paths of the green object are, px; and two balls, px. Chosen on dev tasks, with candidates whose imagined
+/// paths are the real ones with noise.
+const PATHS: Kernel = Kernel { variance: 16.0, length_scale: 18.0 };
+const BALLS: Kernel = Kernel { variance: 16.0, length_scale: 6.0 };
+
+/// A valid ball that may be tried, and what is expected of it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Candidate {
+    pub ball: Ball,
+    /// The logit of the chance that it solves; finite.
+    pub logit: f64,
+    /// What is imagined to happen.
+    pub paths: SampledPaths,
+}
+
+/// An agent at work on one scene. `D` is the dimension of what it compares.
+pub struct OnlineAgent<const D: usize> {
+    candidates: Vec<Candidate>,
+    process: GaussianProcessClassifier<D>,
+    /// What is compared: of the paths that really happened, if they were recorded.
+    input: fn(&Candidate, &SampledPaths) -> [f32; D],
+    tried: Vec<bool>,
+    /// The candidate that was proposed last.
+    last: Option<usize>,
+    /// Attempts observed.
+    attempts: usize,
+    /// For each candidate the attempt that lowered its logit most, by its number from 1, and by how much.
+    lowered: Vec<(usize, f64)>,
+}
+
+impl OnlineAgent<COORDINATES> {
+    /// Returns an agent to which candidates are alike if the green object goes the same way.
+    pub fn by_paths(candidates: Vec<Candidate>) -> OnlineAgent<COORDINATES> {
+        OnlineAgent::new(candidates, PATHS, |_, paths| flat(&paths.object))
+    }
+}
+
+impl OnlineAgent<3> {
+    /// Returns an agent to which candidates are alike if the balls are, wherever they lead: to be compared with `by_paths`.
+    pub fn by_balls(candidates: Vec<Candidate>) -> OnlineAgent<3> {
+        OnlineAgent::new(candidates, BALLS, |&Candidate { ball: Ball { x, y, r }, .. }, _| {
+            [x, y, r].map(|px| px as f32)
+        })
+    }
+}
+
+impl<const D: usize> OnlineAgent<D> {
+    fn new(
+        candidates: Vec<Candidate>,
+        kernel: Kernel,
+        input: fn(&Candidate, &SampledPaths) -> [f32; D],
+    ) -> OnlineAgent<D> {
+        let inputs = candidates.iter().map(|candidate| input(candidate, &candidate.paths)).collect();
+        let logits = candidates.iter().map(|candidate| candidate.logit).collect();
+        OnlineAgent {
+            process: GaussianProcessClassifier::new(kernel, logits, inputs),
+            tried: vec![false; candidates.len()],
+            lowered: vec![(0, 0.0); candidates.len()],
+            input,
+            candidates,
+            last: None,
+            attempts: 0,
+        }
+    }
+
+    /// Returns the `count` balls that it tries if every attempt fails just as imagined: a fixed list, which learns nothing
+    /// from the attempts.
+    pub fn list(mut self, count: usize) -> Vec<Proposal> {
+        let next = || {
+            let proposal = self.propose()?;
+            self.observe(&Observation { solved: false, paths: None });
+            Some(proposal)
+        };
+        std::iter::from_fn(next).take(count).collect()
+    }
+}
+
+impl<const D: usize> Agent for OnlineAgent<D> {
+    fn propose(&mut self) -> Option<Proposal> {
+        let means = self.process.means();
+        let rounded = |index: usize| (means[index] / RESOLUTION).round() as i64;
+        let untried = (0..means.len()).filter(|&index| !self.tried[index]);
+        // `max_by_key` returns the last of equals; in reverse order that is the first.
+        let best = untried.rev().max_by_key(|&index| rounded(index))?;
+        self.tried[best] = true;
+        self.last = Some(best);
+        let (attempt, fall) = self.lowered[best];
+        let origin = Origin::Imagined {
+            prior: sigmoid(self.candidates[best].logit),
+            probability: sigmoid(means[best]),
+            lowered_by: (fall >= NOTICEABLE).then_some(attempt),
+        };
+        Some(Proposal { ball: self.candidates[best].ball, origin, rejected: 0 })
+    }
+
+    fn observe(&mut self, observation: &Observation) {
+        let Some(last) = self.last.take() else { return };
+        self.attempts += 1;
+        let candidate = &self.candidates[last];
+        let paths = observation.paths.as_ref().unwrap_or(&candidate.paths);
+        let rises = self.process.observe(last, (self.input)(candidate, paths), observation.solved);
+        for (lowered, rise) in self.lowered.iter_mut().zip(rises) {
+            if -rise > lowered.1 {
+                *lowered = (self.attempts, -rise);
+            }
+        }
+    }
+}
+
+fn flat(path: &SampledPath) -> [f32; COORDINATES] {
+    std::array::from_fn(|index| path[index / 2][index % 2])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A ball after which the green object lies still at `object`.
+    fn candidate(x: f64, logit: f64, object: f32) -> Candidate {
+        let paths = SampledPaths { object: [[object, 50.0]; SAMPLES], ball: [[x as f32, 10.0]; SAMPLES] };
+        Candidate { ball: Ball { x, y: 100.0, r: 5.0 }, logit, paths }
+    }
+
+    /// Two ideas: the first three candidates lead the object to 60 px, the others, next to them, to 200 px.
+    fn two_ideas() -> Vec<Candidate> {
+        vec![
+            candidate(100.0, 2.0, 60.0),
+            candidate(140.0, 1.9, 61.0),
+            candidate(180.0, 1.8, 62.0),
+            candidate(101.0, 0.5, 200.0),
+            candidate(102.0, 0.4, 201.0),
+        ]
+    }
+
+    const FAILED: Observation = Observation { solved: false, paths: None };
+
+    fn places(agent: &mut dyn Agent, observation: Observation) -> Vec<f64> {
+        let mut next = || {
+            let proposal = agent.propose()?;
+            agent.observe(&observation);
+            Some(proposal.ball.x)
+        };
+        std::iter::from_fn(&mut next).collect()
+    }
+
+    #[test]
+    fn a_failure_lowers_what_leads_to_the_same_paths() {
+        assert_eq!(places(&mut OnlineAgent::by_paths(two_ideas()), FAILED)[..2], [100.0, 101.0]);
+        assert_eq!(places(&mut OnlineAgent::by_balls(two_ideas()), FAILED)[..3], [100.0, 140.0, 180.0]);
+    }
+
+    #[test]
+    fn what_really_happened_counts_not_what_was_imagined() {
+        let elsewhere = Observation { paths: Some(candidate(0.0, 0.0, 201.0).paths), ..FAILED };
+        assert_eq!(places(&mut OnlineAgent::by_paths(two_ideas()), elsewhere)[..2], [100.0, 140.0]);
+    }
+
+    #[test]
+    fn a_proposal_names_the_attempt_that_lowered_it_most() {
+        let mut agent = OnlineAgent::by_paths(two_ideas());
+        let mut origins = Vec::new();
+        while let Some(Proposal { origin: Origin::Imagined { prior, probability, lowered_by }, .. }) = agent.propose() {
+            origins.push((prior, probability, lowered_by));
+            agent.observe(&FAILED);
+        }
+        assert_eq!(origins.len(), 5);
+        assert_eq!(origins[0], (sigmoid(2.0), sigmoid(2.0), None));
+        assert_eq!(origins[1].2, None, "nothing like it was tried");
+        for (prior, probability, lowered_by) in &origins[2..] {
+            assert!(probability < prior);
+            assert!(matches!(lowered_by, Some(1 | 2)), "{origins:?}");
+        }
+    }
+
+    #[test]
+    fn a_list_is_what_it_tries_if_all_fails_as_imagined() {
+        let list: Vec<f64> = OnlineAgent::by_paths(two_ideas()).list(3).iter().map(|one| one.ball.x).collect();
+        assert_eq!(list, places(&mut OnlineAgent::by_paths(two_ideas()), FAILED)[..3]);
+        assert!(OnlineAgent::by_paths(Vec::new()).list(3).is_empty());
+    }
+
+    #[test]
+    fn of_equal_candidates_the_first_comes_first_and_an_invalid_ball_teaches_nothing() {
+        let equal = (0..4).map(|index| candidate(10.0 * f64::from(index), 1.0 + 1e-9 * f64::from(index), 70.0));
+        let mut agent = OnlineAgent::by_paths(equal.collect());
+        // Nothing is observed of balls that another simulator calls invalid.
+        let places: Vec<f64> = std::iter::from_fn(|| agent.propose()).map(|proposal| proposal.ball.x).collect();
+        assert_eq!(places, [0.0, 10.0, 20.0, 30.0]);
+    }
+}
