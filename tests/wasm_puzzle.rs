@@ -333,6 +333,7 @@ fn a_ball_is_imagined_by_weights_that_have_a_dynamics_net() {
     let without = Model::new(&nets.save(&card).expect("weights")).expect("a model");
     let ball = |x: f64, y: f64, r: f64| serde_wasm_bindgen::to_value(&[x, y, r]).expect("a ball");
     assert!(without.imagine_ball(TASK, ball(128.0, 230.0, 8.0)).expect("no error").is_undefined());
+    assert!(without.candidates(TASK).expect("no error").is_undefined());
     nets.dynamics = Some(DynamicsNet::new(&flex()));
     let model = Model::new(&nets.save(&card).expect("weights")).expect("a model");
     let imagined = |id: &str, x: f64| model.imagine_ball(id, ball(x, 230.0, 8.0)).expect("a valid ball");
@@ -354,6 +355,13 @@ fn a_ball_is_imagined_by_weights_that_have_a_dynamics_net() {
     assert_ne!(values(&imagined("00007:008", 128.0), "object"), values(&first, "object"));
     assert_eq!(values(&imagined(TASK, 128.0), "object"), values(&first, "object"));
     assert_ne!(values(&imagined(TASK, 90.0), "ball"), values(&first, "ball"));
+    let candidate = js_sys::Array::from(&model.candidates(TASK).expect("candidates")).get(0);
+    let names = js_sys::Object::keys(&candidate.clone().into());
+    assert_eq!(names.length() as usize, declared("Candidate").len());
+    assert_eq!(values(&candidate, "object").len(), 32);
+    let tried = json(model.turn(TASK, 0).expect("a turn").attempt().expect("an attempt"));
+    assert_eq!(fields(&tried), ["ball", "ending", "origin", "rejected"]);
+    assert_eq!(tried["origin"]["kind"], "imagined");
     let refused = |id: &str, ball: JsValue| code(model.imagine_ball(id, ball).expect_err("refused"));
     assert_eq!(refused(TASK, ball(2.0, 2.0, 8.0)), "invalid_ball");
     assert_eq!(refused(TASK, JsValue::NULL), "bad_data");

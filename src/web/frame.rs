@@ -7,7 +7,7 @@ use serde::Deserialize;
 use wasm_bindgen::prelude::*;
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 
-use super::imagined_ball::ImaginedPaths;
+use super::imagined_ball::{Hint, ImaginedPaths};
 use super::paint::{Painter, bounding_radius};
 use super::recording::Recording;
 use crate::play::ending::touch_streak;
@@ -41,6 +41,8 @@ pub struct View {
     /// What the model imagines for a ball.
     #[serde(default)]
     imagined: Option<ImaginedPaths>,
+    #[serde(default)]
+    hints: Vec<Hint>,
 }
 
 /// A ball that is only marked.
@@ -56,8 +58,19 @@ struct Mark {
 impl View {
     /// A view of the end of the current recordings: every body in its last pose, whole paths.
     pub fn ended(dark: bool) -> View {
-        let (marks, sketch, imagined) = (Vec::new(), Vec::new(), None);
-        View { step: f64::INFINITY, ball: None, knob: 0.0, whole: true, opacity: 0.0, dark, marks, sketch, imagined }
+        let (marks, sketch, imagined, hints) = (Vec::new(), Vec::new(), None, Vec::new());
+        View {
+            step: f64::INFINITY,
+            ball: None,
+            knob: 0.0,
+            whole: true,
+            opacity: 0.0,
+            dark,
+            marks,
+            sketch,
+            imagined,
+            hints,
+        }
     }
 }
 
@@ -90,6 +103,7 @@ pub fn paint(
         bodies(false)?;
         painter.set_alpha(1.0);
     }
+    view.hints.iter().try_for_each(|hint| painter.hint(scene, hint))?;
     if let Some(imagined) = &view.imagined {
         painter.imagined_paths(scene, imagined)?;
     }

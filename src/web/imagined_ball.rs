@@ -1,15 +1,17 @@
 //! What the dynamics net imagines for one ball: asked for in the worker by `Model.imagineBall`, and drawn on the page in a
 //! frame. Between the two it is a plain JavaScript object of typed arrays.
 
-use js_sys::{Float32Array, Object, Reflect, Uint32Array};
+use js_sys::{Array, Float32Array, Object, Reflect, Uint32Array};
 use serde::Deserialize;
 use wasm_bindgen::prelude::*;
 
 use super::describe::invalid_reason;
-use super::error::{Code, error};
+use super::error::{Code, error, to_js};
 use super::load;
 use super::model::Model;
 use super::scripting::ball_from;
+use crate::agents::imagined_candidates::imagined_candidates;
+use crate::agents::online::Candidate;
 use crate::nets::ImaginedBall;
 use crate::nets::ball_head::POSITIONS;
 use crate::puzzle::action::Ball;
@@ -29,7 +31,16 @@ pub struct ImaginedPaths {
     pub ball_errors: [f32; SAMPLES],
 }
 
-/// The same as JavaScript has it.
+/// An imagined path of the green object that is only hinted at.
+#[derive(Deserialize)]
+pub struct Hint {
+    /// x and y in turn, px.
+    pub object: Vec<f64>,
+    /// 0..=1
+    pub opacity: f64,
+}
+
+/// `ImaginedPaths` as JavaScript has them.
 #[derive(Deserialize)]
 struct PlainPaths {
     of: Ball,
@@ -79,6 +90,32 @@ impl Model {
         let imagined = read.imagine(&[ball]);
         imagined.first().map_or(Ok(JsValue::UNDEFINED), to_object)
     }
+
+    /// Returns the balls that the model considers in a task before it chooses, some hundred. Undefined if the weights have no
+    /// dynamics net.
+    ///
+    /// # Errors
+    /// `bad_task` if there is no such task.
+    #[wasm_bindgen(unchecked_return_type = "Candidate[] | undefined")]
+    pub fn candidates(&self, id: &str) -> Result<JsValue, JsValue> {
+        let Some(candidates) = imagined_candidates(&self.net, &load(id)?.scene) else { return Ok(JsValue::UNDEFINED) };
+        candidates.iter().map(candidate_to_js).collect::<Result<Array, _>>().map(Into::into)
+    }
+}
+
+fn candidate_to_js(candidate: &Candidate) -> Result<JsValue, JsValue> {
+    let js = Object::new();
+    let object = Float32Array::from(candidate.paths.object.as_flattened());
+    let fields =
+        [("ball", to_js(&candidate.ball)?), ("probability", probability(candidate.logit)), ("object", object.into())];
+    for (name, value) in fields {
+        Reflect::set(&js, &name.into(), &value)?;
+    }
+    Ok(js.into())
+}
+
+fn probability(logit: f64) -> JsValue {
+    JsValue::from(1.0 / (1.0 + libm::exp(-logit)))
 }
 
 /// Returns paths as `{ object, ball }`, x and y in turn.
@@ -95,7 +132,7 @@ fn to_object(imagined: &ImaginedBall) -> Result<JsValue, JsValue> {
     let fields: [(&str, JsValue); 3] = [
         ("steps", Uint32Array::from(SAMPLED_STEPS.map(|step| step as u32).as_slice()).into()),
         ("errors", Float32Array::from(imagined.errors.as_slice()).into()),
-        ("probability", JsValue::from(1.0 / (1.0 + libm::exp(-f64::from(imagined.logit))))),
+        ("probability", probability(imagined.logit.into())),
     ];
     for (name, value) in fields {
         Reflect::set(&js, &name.into(), &value)?;

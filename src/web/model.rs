@@ -5,6 +5,7 @@
 
 use std::cell::RefCell;
 
+use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
 use super::error::{Code, error, to_js};
@@ -15,7 +16,7 @@ use crate::agents::{self, Proposal};
 use crate::benchmark::folds::Fold;
 use crate::nets::{Card, Imagined, PathNet, ReadScene, flex};
 use crate::play::ending::Ending;
-use crate::play::game::{ATTEMPT_LIMIT, Attempt};
+use crate::play::game::ATTEMPT_LIMIT;
 use crate::play::turn;
 use crate::puzzle::task::{Task, TaskId};
 
@@ -31,6 +32,14 @@ pub struct Model {
     card: Card,
     /// The tasks that it was trained on or chosen by, ascending.
     seen: Vec<TaskId>,
+}
+
+/// A ball of the model's turn: proposed, then simulated.
+#[derive(Serialize)]
+struct TriedProposal {
+    #[serde(flatten)]
+    proposal: Proposal,
+    ending: Ending,
 }
 
 /// The model's turn on one puzzle.
@@ -131,10 +140,10 @@ impl Turn {
     ///
     /// # Errors
     /// `invalid_ball` if the model proposes an invalid ball.
-    #[wasm_bindgen(unchecked_return_type = "Attempt | undefined")]
+    #[wasm_bindgen(unchecked_return_type = "TriedProposal | undefined")]
     pub fn attempt(&mut self) -> Result<JsValue, JsValue> {
         match self.0.attempt().map_err(|why| error(Code::InvalidBall, why))? {
-            Some((Proposal { ball, .. }, rollout)) => to_js(&Attempt { ball, ending: Ending::of(&rollout) }),
+            Some((proposal, rollout)) => to_js(&TriedProposal { proposal, ending: Ending::of(&rollout) }),
             None => Ok(JsValue::UNDEFINED),
         }
     }

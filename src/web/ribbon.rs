@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 
 use wasm_bindgen::prelude::*;
 
-use super::imagined_ball::ImaginedPaths;
+use super::imagined_ball::{Hint, ImaginedPaths};
 use super::paint::{LineStyle, Painter, bounding_radius};
 use crate::puzzle::sampled_paths::{SAMPLED_STEPS, SAMPLES, SampledPath};
 use crate::puzzle::scene::{Body, Scene};
@@ -21,6 +21,9 @@ const GHOST_SPACING: f64 = 3.0;
 
 /// Radius of the dot that stands for a body whose rotation is not imagined, px.
 const DOT_RADIUS: f64 = 2.4;
+
+/// Width of a path that is only hinted at, px.
+const HINT_WIDTH: f64 = 1.2;
 
 /// The imagined path of one body, from its start.
 struct Track {
@@ -85,6 +88,19 @@ impl Painter<'_> {
     pub fn imagined_paths(&self, scene: &Scene, imagined: &ImaginedPaths) -> Result<(), JsValue> {
         let line = |track: Track| self.path(track.points.into_iter(), track.body.role, LineStyle::Dotted);
         tracks(scene, imagined).into_iter().try_for_each(line)
+    }
+
+    /// Draws an imagined path of the green object, without a ribbon.
+    pub fn hint(&self, scene: &Scene, hint: &Hint) -> Result<(), JsValue> {
+        let object = &scene.bodies[scene.body1];
+        self.context.begin_path();
+        self.context.move_to(object.x, object.y);
+        hint.object.chunks_exact(2).for_each(|point| self.context.line_to(point[0], point[1]));
+        self.set_stroke(self.palette.role(object.role), HINT_WIDTH, LineStyle::Dotted)?;
+        self.set_alpha(hint.opacity);
+        self.context.stroke();
+        self.set_alpha(1.0);
+        Ok(())
     }
 
     /// Draws ghosts of the green object and of the ball: where they are imagined after so many steps, or all along their

@@ -188,6 +188,18 @@ export interface ImaginedBall {
     probability: number;
 }
 
+/** A ball of the model's turn: proposed, then simulated. */
+export interface TriedProposal extends Attempt, Proposal {}
+
+/** A ball that the model considers before it chooses one. */
+export interface Candidate {
+    ball: Ball;
+    /** The probability that it solves, from what is imagined and, if there is one, from the judge; 0..1. */
+    probability: number;
+    /** The imagined path of the green object, as in `ImaginedBall`. */
+    object: Float32Array;
+}
+
 /** How weights were trained. */
 export interface ModelCard {
     setup: Setup;
@@ -246,6 +258,8 @@ export interface View {
     sketch?: [x: number, y: number][];
     /** What the model imagines for a ball. */
     imagined?: ImaginedPaths | null;
+    /** Imagined paths of the green object that are only hinted at, each with its opacity, 0..1. */
+    hints?: { object: Float32Array; opacity: number }[];
 }
 
 /** The imagined paths of a ball, as in `ImaginedBall`. */

@@ -86,6 +86,9 @@ for (const [screen, size] of Object.entries(SCREENS)) {
       await page.locator('[data-stage=base] .map').press('ArrowUp');
       for (const sum of await page.locator('#imagine summary:visible').all()) await sum.click();
       await check(page, 'a step of the story, read');
+      await page.locator('#walkthrough-dots button:visible').last().click();
+      await page.waitForTimeout(300);
+      await check(page, 'the last step of the story');
       await tab('predict');
       await check(page, 'predict');
       await page.locator('#scene').press('Shift+ArrowDown');

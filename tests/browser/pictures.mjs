@@ -90,6 +90,8 @@ for (const [screen, size] of Object.entries(SCREENS)) {
     await take('imagined-and-real');
     await page.locator('#walkthrough-next').click();
     await take('story');
+    await page.locator('#walkthrough-dots button:visible').last().click();
+    await take('story-ends');
 
     await page.locator('#tab-predict').click();
     for (const key of ['ArrowDown', 'ArrowDown', 'ArrowLeft', 'ArrowDown', 'ArrowDown', 'ArrowDown']) await page.locator('#scene').press(`Shift+${key}`);

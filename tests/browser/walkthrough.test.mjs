@@ -3,9 +3,12 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { start } from './harness.mjs';
-import { openImagined, spot } from './page-actions.mjs';
+import { openImagined, picture, spot, withoutDynamics } from './page-actions.mjs';
 
 const STAGES = ['base', 'target', 'action', 'placement', 'judge'];
+const noDynamics = await withoutDynamics();
+/** How a model that imagines balls chooses one. */
+const CHOICE = noDynamics ? [] : ['candidates', 'imagined', 'chosen'];
 
 let session;
 before(async () => (session = await start()));
@@ -31,9 +34,12 @@ test('each step shows one stage alone, forward and back, and all again', async (
     assert.match(await row.locator('.summary').textContent(), /^Strongest at x \d+, y \d+; \d+ percent on the left, \d+ on the right\.$/);
     assert.match(await page.locator('#announcement').textContent(), /Where .+ It is strongest at x/, 'it is said aloud');
   }
+  await page.locator('#walkthrough-dots button:visible').last().click();
+  const last = await page.locator('#walkthrough-step').textContent();
+  assert.equal(last, `Step ${STAGES.length + CHOICE.length} of ${STAGES.length + CHOICE.length}`);
   await page.locator('#walkthrough-next').press('Enter');
-  assert.deepEqual((await shown(page)).rows, ['judge'], 'there is no sixth');
-  await page.locator('#walkthrough-back').click();
+  assert.equal(await page.locator('#walkthrough-step').textContent(), last, 'there is no more');
+  for (let back = 0; back <= CHOICE.length; back += 1) await page.locator('#walkthrough-back').click();
   assert.deepEqual((await shown(page)).rows, ['placement']);
   await page.locator('#walkthrough-dots button').first().click();
   assert.deepEqual((await shown(page)).rows, ['base']);
@@ -44,13 +50,13 @@ test('each step shows one stage alone, forward and back, and all again', async (
 test('it plays by itself to the end, and a step is in the link', async () => {
   const page = await imagine();
   await page.locator('#walkthrough-play').click();
-  for (const stage of STAGES) {
+  for (const stage of [...STAGES, ...CHOICE]) {
     await page.waitForFunction((stage) => location.hash.includes(`stage=${stage}`), stage, { timeout: 8000 });
   }
   await page.locator('#walkthrough-play-label', { hasText: 'Play' }).waitFor();
   await page.reload();
   await page.locator('#imagined-in').filter({ hasText: 'Imagined' }).waitFor();
-  assert.deepEqual(await shown(page), { rows: ['judge'], laid: ['judge'] });
+  assert.deepEqual(await shown(page), noDynamics ? { rows: ['judge'], laid: ['judge'] } : { rows: [], laid: [] });
 });
 
 test('keys go through the steps', async () => {
@@ -91,4 +97,28 @@ test('arrow keys on a small map read it', async () => {
   await page.keyboard.press('Shift+ArrowUp');
   assert.match(await page.locator('#announcement').textContent(), /^x 132, y 160: \d\.\d\d$/);
   assert.match(await page.locator('[data-stage=target] .value').textContent(), /^\d\.\d\d at x 132, y 160$/);
+});
+
+test('it ends with the choice: the candidates, what is imagined for them, the ball that is tried first', { skip: noDynamics }, async () => {
+  const page = await imagine();
+  const pictures = new Set([await picture(page)]);
+  await page.locator('[aria-label="Step 5: Judge"]').click();
+  for (const [name, words] of Object.entries({
+    Candidates: /^Here there are \d+; a ring stands for the middle of each\.$/,
+    Imagined: /^Here \d+ of the \d+ balls are more likely to solve the puzzle than not\./,
+    Chosen: /^Here it is the ball at x \d+, y \d+ with radius \d+: [a-z ]+ \(.+ %\)\.$/,
+  })) {
+    await page.locator('#walkthrough-next').press('Enter');
+    assert.equal(await page.locator('#choice-title').textContent(), name);
+    await page.locator('#choice-result').filter({ hasText: words }).waitFor();
+    assert.deepEqual(await shown(page), { rows: [], laid: [] });
+    assert.match(await page.locator('#announcement').textContent(), new RegExp(`^${name}\\. `), 'it is said aloud');
+    await page.waitForTimeout(200);
+    pictures.add(await picture(page));
+  }
+  assert.equal(pictures.size, 4, 'each lays something else over the scene');
+  const [, x, y, r] = (await page.locator('#choice-result').textContent()).match(/x (\d+), y (\d+) with radius (\d+)/) ?? [];
+  await page.locator('#tab-compare').click();
+  await page.locator('#proposal-next').click();
+  assert.equal(await page.locator('#proposal-ball').textContent(), `x ${x}, y ${y}, radius ${r}`, 'it is the first of its turn');
 });

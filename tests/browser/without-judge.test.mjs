@@ -37,7 +37,7 @@ test('four maps are drawn, and the fifth says that there is none', async () => {
   await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
   assert.match(await page.locator('#probe').textContent(), /Placement \d\.\d\dJudge none/);
   assert.match(await judge.locator('.value').textContent(), /^none at x/);
-  await page.locator('#walkthrough-dots button').last().click();
+  await page.locator('#walkthrough-dots button:visible').last().click();
   assert.match(await page.locator('#announcement').textContent(), /^Judge\. Where .+\. $/);
 });
 
@@ -51,4 +51,12 @@ test('it does not imagine balls, and the page does not offer it', async () => {
   await modelLoaded(page);
   await page.locator('#forecast').waitFor({ state: 'hidden' });
   assert.doesNotMatch(await page.locator('#forecast-words').textContent(), /thinks/);
+});
+
+test('its story ends with the stages, also if a link asks for more', async () => {
+  const page = await openPuzzle(session, { fragment: '&panel=imagine&stage=chosen' });
+  await page.locator('#imagined-in').filter({ hasText: /Imagined in \d+ ms/ }).waitFor();
+  assert.ok(await page.locator('#choice').isHidden());
+  assert.equal(await page.locator('#walkthrough-dots button:visible').count(), 5);
+  assert.equal(await page.locator('#walkthrough-all').getAttribute('aria-pressed'), 'true');
 });

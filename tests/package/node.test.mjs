@@ -57,6 +57,7 @@ test('100 tasks in a row leave nothing behind in the memory', async () => {
     const [{ ball }] = pathlight.propose(task, { count: 1 });
     assert.equal(pathlight.whyInvalid(task, ball), undefined);
     const imagined = pathlight.imagineBall(task, ball);
+    assert.equal(pathlight.candidates(task) !== null, imagined !== null);
     assert.equal(imagined !== null, pathlight.card?.dynamics !== undefined);
     if (imagined) assert.deepEqual([imagined.steps.length, imagined.object.length, imagined.ball.length, imagined.errors.length], [16, 32, 32, 32]);
     const [attempt] = pathlight.turn(task);

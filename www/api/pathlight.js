@@ -1,7 +1,8 @@
 // The programming interface: load the wasm and weights, then ask for scenes, rollouts, images, maps, proposals and figures.
 // Scripts in Node, other pages and the page's own worker all use it. Needs no document, except where a method draws.
 //
-// A task is named by its id, like "00007:008". Lengths are in px: a scene is 256 x 256, y up.
+// A task is named by its id, like "00007:008". Lengths are in px: a scene is 256 x 256, y up. The file is over 300 lines long
+// for its JSDoc.
 
 import * as wasm from "../pkg/pathlight.js";
 import { failure } from "./failure.js";
@@ -9,9 +10,9 @@ import { addressOf, compileWasm, readFile } from "./files.js";
 import { readModelList, readWeights } from "./weights.js";
 
 /** @typedef {import("../pkg/pathlight.js").About} About */
-/** @typedef {import("../pkg/pathlight.js").Attempt} Attempt */
 /** @typedef {import("../pkg/pathlight.js").Ball} Ball */
 /** @typedef {import("../pkg/pathlight.js").Body} Body */
+/** @typedef {import("../pkg/pathlight.js").Candidate} Candidate */
 /** @typedef {import("../pkg/pathlight.js").Ending} Ending */
 /** @typedef {import("../pkg/pathlight.js").Fold} Fold */
 /** @typedef {import("../pkg/pathlight.js").GridMap} GridMap */
@@ -24,6 +25,7 @@ import { readModelList, readWeights } from "./weights.js";
 /** @typedef {import("../pkg/pathlight.js").Setup} Setup */
 /** @typedef {import("../pkg/pathlight.js").Stage} Stage */
 /** @typedef {import("../pkg/pathlight.js").Template} Template */
+/** @typedef {import("../pkg/pathlight.js").TriedProposal} TriedProposal */
 /** @typedef {import("./failure.js").ErrorCode} ErrorCode */
 /** @typedef {import("./files.js").OnProgress} OnProgress */
 /** @typedef {Error & { code: ErrorCode }} CodedError */
@@ -219,6 +221,16 @@ export class Pathlight {
   }
 
   /**
+   * Returns the balls that the model considers before it chooses, some hundred, each with the path that it imagines for the
+   * green object and the probability that the ball solves the task; null if the weights have no dynamics net.
+   * @param {string} task
+   * @returns {Candidate[] | null}
+   */
+  candidates(task) {
+    return this.#loaded.candidates(String(task)) ?? null;
+  }
+
+  /**
    * Returns the balls that the model would try, in order. All are valid; fewer than `count` if the scene has no room.
    * @param {string} task
    * @param {{ seed?: number, count?: number }} [options] `seed`: a whole number from 0 to 2^32 - 1; `count`: 1 to 1,000, by default the 100 attempts that count
@@ -233,7 +245,7 @@ export class Pathlight {
    * task or all 100 have been tried.
    * @param {string} task
    * @param {{ seed?: number }} [options]
-   * @returns {Generator<Attempt, void, void>}
+   * @returns {Generator<TriedProposal, void, void>}
    */
   *turn(task, { seed = 0 } = {}) {
     const turn = this.#loaded.turn(String(task), seed);

@@ -4,6 +4,7 @@
 
 import { palette } from "../pkg/pathlight.js";
 import { SharedClient } from "../model/shared-client.js";
+import { Choice } from "../panels/choice.js";
 import { Compare } from "../panels/compare.js";
 import { Forecast } from "../panels/forecast.js";
 import { Imagine } from "../panels/imagine.js";
@@ -93,7 +94,7 @@ export class PuzzleController extends EventTarget {
     const imagine = new Imagine(root, client, scenePicture);
     const predict = new Predict(root, imagine, scenePicture);
     const proposals = new Proposals(root, client, imagine);
-    const [solveMap, forecast] = [new SolveMapPanel(root, client, imagine), new Forecast(root, client)];
+    const [choice, forecast, solveMap] = [new Choice(root, client), new Forecast(root, client), new SolveMapPanel(root, client, imagine)];
     return [
       new Tabs(root),
       new About(root, client),
@@ -104,16 +105,15 @@ export class PuzzleController extends EventTarget {
       new AttemptList(root, byId(root, "play-attempts"), byId(root, "play-count"), "player"),
       new AttemptList(root, byId(root, "player-attempts"), byId(root, "player-count"), "player"),
       new AttemptList(root, byId(root, "model-attempts"), byId(root, "model-count"), "model"),
-      new Walkthrough(root, imagine),
+      choice,
+      new Walkthrough(root, imagine, choice),
       new Probe(root, imagine),
       new ImaginedVsReal(root, imagine, scenePicture),
-      predict,
-      forecast,
+      predict, forecast,
       new Compare(root, client),
-      proposals,
-      solveMap,
+      proposals, solveMap,
       new Scoreboard(root, client, this.#progress, (task) => this.#hrefOf()?.(task, "compare") ?? null),
-      new Overlays(root, this.#canvas, { forecast, imagine, predict, proposals, solveMap }),
+      new Overlays(root, this.#canvas, { choice, forecast, imagine, predict, proposals, solveMap }),
     ];
   }
 

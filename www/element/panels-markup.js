@@ -45,6 +45,7 @@ export const PANELS_MARKUP = `
     </div>
     <p class="visually-hidden" id="walkthrough-step"></p>
     <ul class="stages" id="stages"></ul>
+    <section id="choice" aria-labelledby="choice-title" hidden><h2 id="choice-title"></h2><p id="choice-meaning"></p><p id="choice-result"></p><details><summary>How?</summary><p id="choice-how"></p></details></section>
     <label class="opacity">Opacity <input type="range" id="opacity" min="0" max="1" step="0.05"></label>
     <label id="model-choice" hidden>Model <select id="model-select"></select></label>
     <section class="section" aria-labelledby="overlap-title">
@@ -88,7 +89,7 @@ export const PANELS_MARKUP = `
       <dt>Allowed?</dt><dd id="proposal-valid"></dd>
       <dt>Outcome</dt><dd id="proposal-outcome"></dd>
       <dt id="proposal-imagined-term">Imagined</dt><dd id="proposal-imagined"></dd>
-      <dt>From</dt><dd id="proposal-origin"></dd>
+      <dt>Why this one</dt><dd id="proposal-origin"></dd>
     </dl>
     <p><button type="button" id="proposal-close" hidden>Back to placing</button></p>
   </section>

@@ -102,7 +102,7 @@ export class PathlightPuzzle extends HTMLElement {
   /** "play", "imagine", "compare", "predict" or "map"; null for "play". */
   get panel() { return this.getAttribute("panel"); }
   set panel(value) { this.#setAttribute("panel", value); }
-  /** The stage that the walkthrough is at: "base", "target", "action", "placement" or "judge"; null for all together. */
+  /** The stage that the walkthrough is at: "base", "target", "action", "placement" or "judge", or "candidates", "imagined" or "chosen"; null for all together. */
   get stage() { return this.getAttribute("stage"); }
   set stage(value) { this.#setAttribute("stage", value); }
   /** The number of the model's ball that is looked at, from 1; null for none. */

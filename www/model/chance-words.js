@@ -26,8 +26,11 @@ export function chanceWords(probability) {
   return `${words} (${percent(probability)})`;
 }
 
-/** @param {number} probability */
-function percent(probability) {
+/**
+ * A probability in percent, never as none or all.
+ * @param {number} probability 0..1
+ */
+export function percent(probability) {
   if (probability < 0.01) return "under 1 %";
   return probability > 0.99 ? "over 99 %" : `${Math.round(100 * probability)} %`;
 }

@@ -23,17 +23,23 @@
  * @typedef {{ outcomes: Uint8Array, progress: number }} SolveMapUpdate
  */
 
+/**
+ * The balls that the model considers, and the one of them that it tries first.
+ * @typedef {{ candidates: import("../pkg/pathlight.js").Candidate[], chosen: Proposal }} Considered
+ */
+
 /** @typedef {{ finished: boolean }} Finished */
 
 /**
  * The calls of the worker: their arguments and their values.
  * `start` takes the compiled wasm; `load` the name of weights in assets/model.json (null: the first); `propose` returns the
- * balls of a turn without trying them; `imagineBall` returns null if the weights have no dynamics net; `turn` tries them in order; `solve` maps where a ball of a radius (px) solves.
+ * balls of a turn without trying them; `imagineBall` and `consider` return null if the weights have no dynamics net; `turn` tries them in order; `solve` maps where a ball of a radius (px) solves.
  * @typedef {object} Calls
  * @property {{ args: { module: WebAssembly.Module }, value: void }} start
  * @property {{ args: { name: string | null }, value: LoadedModel }} load
  * @property {{ args: { task: string }, value: Imagined }} imagine
  * @property {{ args: { task: string, ball: Ball }, value: ImaginedBall | null }} imagineBall
+ * @property {{ args: { task: string, seed: number }, value: Considered | null }} consider
  * @property {{ args: { task: string, seed: number }, value: Proposal[] }} propose
  * @property {{ args: { task: string, seed: number }, value: Finished }} turn
  * @property {{ args: { task: string, radius: number }, value: Finished }} solve

@@ -90,6 +90,11 @@ export class SharedClient extends EventTarget {
     return this.#taken.imagineBall(...args);
   }
 
+  /** @param {Parameters<WorkerClient["consider"]>} args */
+  consider(...args) {
+    return this.#taken.consider(...args);
+  }
+
   /** @param {Parameters<WorkerClient["turn"]>} args */
   turn(...args) {
     return this.#taken.turn(...args);

@@ -1,4 +1,5 @@
-// The stages in words: what each means and how its net makes it. Knows nothing of the document.
+// The steps of the story in words: what each stage means and how its net makes it, and how a model that imagines balls
+// chooses one. Knows nothing of the document.
 
 /** @typedef {import("../pkg/pathlight.js").Stage} Stage */
 
@@ -25,11 +26,33 @@ export const STAGE_TEXT = {
   placement: {
     name: "Placement",
     meaning: "Where the red ball should start.",
-    how: "The fourth net sees the scene and the three paths. In the paper, balls that cover much of this map are tried first; a judge, where there is one, orders them otherwise.",
+    how: "The fourth net sees the scene and the three paths. In the paper, balls that cover much of this map are tried first; the later nets, where there are any, order them otherwise.",
   },
   judge: {
     name: "Judge",
     meaning: "Where a ball is likely to solve the puzzle.",
-    how: "A fifth net, which the paper does not have. It sees the scene alone, and has learned from balls that solved puzzles and balls that did not. It says of eight sizes of ball at every place how likely one solves; the map shows the best size. The likeliest ball is tried first, and balls like one that was tried wait.",
+    how: "A fifth net, which the paper does not have. It sees the scene alone, and has learned from balls that solved puzzles and balls that did not. It says of eight sizes of ball at every place how likely one solves; the map shows the best size. If no other net imagines what balls do, the likeliest ball is tried first, and balls like one that was tried wait.",
+  },
+};
+
+/**
+ * The same for the steps by which a model that imagines balls chooses one.
+ * @type {Record<import("../shell/url-state.js").ChoiceStep, { name: string, meaning: string, how: string }>}
+ */
+export const CHOICE_TEXT = {
+  candidates: {
+    name: "Candidates",
+    meaning: "Which balls are worth thinking about.",
+    how: "Another net has learned from balls of all kinds what they led to. Before it imagines any ball, it says for eight sizes at every place how likely one solves the puzzle. Together with the judge, if there is one, that picks the most promising balls.",
+  },
+  imagined: {
+    name: "Imagined",
+    meaning: "What each of these balls would do.",
+    how: "The same net imagines for each ball where the green object and the ball would go, and reads from what it imagines how likely the ball solves the puzzle. The judge, if there is one, has as much of a say in it. Nothing is simulated.",
+  },
+  chosen: {
+    name: "Chosen",
+    meaning: "The likeliest ball is tried first.",
+    how: "If it fails, the model has seen how things really went. Balls for which it had imagined much the same become less likely, the others stay, and the likeliest of those left is next. The panel Compare shows them one by one.",
   },
 };

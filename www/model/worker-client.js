@@ -108,6 +108,15 @@ export class WorkerClient extends EventTarget {
   }
 
   /**
+   * The balls that the model considers, and the first that it tries; null if its weights have no dynamics net.
+   * @param {string} task
+   * @param {AbortSignal} signal
+   */
+  consider(task, signal) {
+    return this.#call("consider", { task, seed: SEED }, signal);
+  }
+
+  /**
    * Plays the model's turn: tries its balls in order until one solves the task.
    * @param {string} task
    * @param {AbortSignal} signal

@@ -11,7 +11,7 @@ import { load as loadPathlight } from "../api/pathlight.js";
 const SLICE = 100;
 
 /** @type {{ [Name in keyof Calls]: (args: Calls[Name]["args"], sendUpdate: SendUpdate, isCancelled: IsCancelled) => Calls[Name]["value"] | Promise<Calls[Name]["value"]> }} */
-const calls = { start, load, imagine, imagineBall, propose, turn, solve };
+const calls = { start, load, imagine, imagineBall, consider, propose, turn, solve };
 
 /** @type {import("../api/pathlight.js").Pathlight} */
 let pathlight;
@@ -77,9 +77,28 @@ function imagineBall({ task, ball }) {
   return pathlight.imagineBall(task, ball);
 }
 
-/** @param {Calls["propose"]["args"]} args */
-function propose({ task, seed }) {
-  return pathlight.propose(task, { seed });
+/** @param {Calls["consider"]["args"]} args */
+function consider({ task, seed }) {
+  const candidates = pathlight.candidates(task);
+  const [chosen] = candidates ? pathlight.propose(task, { seed, count: 1 }) : [];
+  return candidates && chosen ? { candidates, chosen } : null;
+}
+
+/**
+ * Lists the balls of a turn. A model that learns from its attempts knows the next ball only when the one before has been tried.
+ * @param {Calls["propose"]["args"]} args
+ * @param {SendUpdate} _
+ * @param {IsCancelled} isCancelled
+ */
+async function propose({ task, seed }, _, isCancelled) {
+  if (!pathlight.card?.dynamics) return pathlight.propose(task, { seed });
+  const proposals = [];
+  for (const { ball, origin, rejected } of pathlight.turn(task, { seed })) {
+    proposals.push({ ball, origin, rejected });
+    await yieldToMessages();
+    if (isCancelled()) break;
+  }
+  return proposals;
 }
 
 /**

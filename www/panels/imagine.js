@@ -119,12 +119,14 @@ export class Imagine extends Component {
   }
 
   /**
-   * Shows one stage alone, or all for null.
+   * Shows one stage alone; for null all, or none.
    * @param {Stage | null} stage
+   * @param {boolean} none
    */
-  showOnly(stage) {
-    this.byId("stages").classList.toggle("alone", stage !== null);
-    for (const one of STAGES) this.#rows[one].element.hidden = stage !== null && one !== stage;
+  showOnly(stage, none) {
+    this.byId("stages").hidden = none;
+    this.byId("stages").classList.toggle("alone", stage !== null || none);
+    for (const one of STAGES) this.#rows[one].element.hidden = none || (stage !== null && one !== stage);
   }
 
   /** @param {Stage} stage */

@@ -5,6 +5,7 @@ import { Component } from "../shell/component.js";
 
 export class Overlays extends Component {
   #canvas;
+  #choice;
   #forecast;
   #imagine;
   #predict;
@@ -17,20 +18,23 @@ export class Overlays extends Component {
    * @param {import("../shell/dom.js").Root} root
    * @param {import("../play/canvas.js").SceneCanvas} canvas
    * @param {object} panels
+   * @param {import("./choice.js").Choice} panels.choice
    * @param {import("./forecast.js").Forecast} panels.forecast
    * @param {import("./imagine.js").Imagine} panels.imagine
    * @param {import("./predict.js").Predict} panels.predict
    * @param {import("./proposals.js").Proposals} panels.proposals
    * @param {import("./solve-map.js").SolveMapPanel} panels.solveMap
    */
-  constructor(root, canvas, { forecast, imagine, predict, proposals, solveMap }) {
+  constructor(root, canvas, { choice, forecast, imagine, predict, proposals, solveMap }) {
     super(root);
     this.#canvas = canvas;
+    this.#choice = choice;
     this.#forecast = forecast;
     this.#imagine = imagine;
     this.#predict = predict;
     this.#proposals = proposals;
     this.#solveMap = solveMap;
+    choice.addEventListener("choice", () => this.#update());
     forecast.addEventListener("forecast", () => this.#update());
     imagine.addEventListener("maps", () => this.#update());
     predict.addEventListener("sketch", () => this.#update());
@@ -53,9 +57,9 @@ export class Overlays extends Component {
   #update() {
     if (!this.#view) return;
     const { panel, opacity, layers } = this.#view;
-    // The origin of a proposal is seen on the map that orders the proposals.
-    const source = this.#imagine.maps?.judge ? "judge" : "placement";
-    const stages = this.#proposals.active ? [source] : layers;
+    // The origin of a proposal is seen on the map that orders the proposals, if a map does.
+    const source = this.#proposals.able ? [] : [this.#imagine.maps?.judge ? "judge" : "placement"];
+    const stages = this.#proposals.active ? source : layers;
     const drawing = panel === "predict";
     this.#canvas.setOverlay(
       {
@@ -64,6 +68,8 @@ export class Overlays extends Component {
         marks: this.#proposals.marks,
         sketch: drawing ? this.#predict.sketch : [],
         imagined: this.#forecast.paths ?? this.#proposals.paths,
+        hints: [],
+        ...this.#choice.overlay,
       },
       drawing ? this.#predict : null,
     );

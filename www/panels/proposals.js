@@ -6,7 +6,7 @@
 import { Component } from "../shell/component.js";
 import { setText } from "../shell/dom.js";
 import { BallImaginer } from "../model/ball-imaginer.js";
-import { chanceWords, errorWords } from "../model/chance-words.js";
+import { chanceWords, errorWords, percent } from "../model/chance-words.js";
 import { valueAt } from "../model/map-summary.js";
 import { sentence } from "../play/session.js";
 import { TroubleBox } from "./trouble-box.js";
@@ -108,6 +108,11 @@ export class Proposals extends Component {
     });
   }
 
+  /** Does the model imagine balls? Then it learns from its attempts, and the list ends with the ball that solves. */
+  get able() {
+    return this.#imaginer.able;
+  }
+
   /** The imagined paths of the ball that is looked at, or null. */
   get paths() {
     return this.active && this.#answer ? this.#imaginer.paths : null;
@@ -204,26 +209,32 @@ export class Proposals extends Component {
     const [x, y, r] = proposal.ball;
     setText(this.byId("proposal-ball"), `x ${x}, y ${y}, radius ${r}`);
     setText(this.byId("proposal-valid"), rejectedWords(proposal));
-    setText(this.byId("proposal-outcome"), `${shown.ending.solved ? "✓" : "×"} ${sentence(shown.words)} ${shown.tried ? "" : "It was not tried in its turn."}`);
+    setText(this.byId("proposal-outcome"), `${shown.ending.solved ? "✓" : "×"} ${sentence(shown.words)} ${shown.tried || this.able ? "" : "It was not tried in its turn."}`);
     setText(this.byId("proposal-origin"), this.#originWords(proposal));
     const real = this.session?.puzzle.sampledPaths();
-    this.byId("proposal-imagined").hidden = this.byId("proposal-imagined-term").hidden = !this.#imaginer.able;
+    this.byId("proposal-imagined").hidden = this.byId("proposal-imagined-term").hidden = !this.able;
     setText(this.byId("proposal-imagined"), this.#answer && real ? `${sentence(chanceWords(this.#answer.imagined.probability))} ${errorWords(this.#answer.imagined, real)}` : "");
   }
 
   /** @param {Proposal} proposal */
   #originWords({ origin }) {
     if (origin.kind === "perturbed") return `Ball ${origin.number}, moved at random.`;
-    if (origin.kind === "imagined") {
-      const [prior, now] = [origin.prior, origin.probability].map((chance) => `${Math.round(100 * chance)} %`);
-      const why = origin.lowered_by === null ? "." : `; ball ${origin.lowered_by}, which leads to a similar path, lowered it most.`;
-      return `A sixth net imagines what balls lead to: this one solves with a chance of ${prior}, after what was tried before ${now}${why}`;
-    }
+    if (origin.kind === "imagined") return this.#imaginedWords(origin);
     if (origin.kind === "judge") return `The judge, a fifth net: after what was tried before, this ball has the highest probability of solving, ${Math.round(100 * origin.probability)} %.`;
     if (origin.kind === "uniform") return "Random: the placement map shows no place where a ball may be.";
     const map = this.#imagine.maps?.placement;
     const value = map ? ` it is ${valueAt(map, [origin.x, origin.y]).toFixed(2)} at x ${origin.x}, y ${origin.y}.` : "";
     return `The placement map:${value} From there the ball was moved to cover more of the map.`;
+  }
+
+  /**
+   * Why a ball that was imagined is next. Its chance is that of its imagined paths, and the judge has a say in it.
+   * @param {Extract<Proposal["origin"], { kind: "imagined" }>} origin
+   */
+  #imaginedWords({ prior, probability, lowered_by: number }) {
+    const basis = this.#client.loaded?.card.judge ? "what it imagines and the judge together" : "what it imagines";
+    if (number === null) return `By ${basis} it was the likeliest to solve the puzzle of all balls not tried yet: ${chanceWords(probability)}.`;
+    return `By ${basis} its chance was ${percent(prior)} before the first attempt. Then ball ${number} failed much as this one is imagined to go: ${percent(probability)}, but still the likeliest of those left.`;
   }
 
   /**

@@ -1,25 +1,37 @@
 // The stages explained one after another: a row of steps above the maps. A step lays its map alone over the scene and
-// leaves only its own map in the panel. The stage it is at is in the address.
+// leaves only its own map in the panel. With a model that imagines balls, the story goes on with how it chooses one. The step
+// it is at is in the address.
 
 import { Component } from "../shell/component.js";
 import { STAGES } from "../shell/constants.js";
+import { CHOICE_STEPS } from "../shell/url-state.js";
 import { createButton, setText } from "../shell/dom.js";
 import { summary } from "../model/map-summary.js";
-import { STAGE_TEXT } from "../model/stage-text.js";
+import { CHOICE_TEXT, STAGE_TEXT } from "../model/stage-text.js";
 
 /** @typedef {import("../pkg/pathlight.js").Stage} Stage */
+/** @typedef {Stage | import("../shell/url-state.js").ChoiceStep} Step */
 
 /** How long a step stays while the walkthrough plays, ms: time to read a sentence and look. */
 const STEP_TIME = 4500;
-const LAST = STAGES[STAGES.length - 1];
+/** @type {Step[]} */
+const ALL_STEPS = [...STAGES, ...CHOICE_STEPS];
+const TEXT = { ...STAGE_TEXT, ...CHOICE_TEXT };
 
 export class Walkthrough extends Component {
   #imagine;
+  #choice;
   /**
-   * The stage that is explained, or null for all together.
-   * @type {Stage | null}
+   * The step that is explained, or null for all together.
+   * @type {Step | null}
    */
-  #stage = null;
+  #step = null;
+  /**
+   * The step that the address asks for.
+   * @type {Step | null}
+   */
+  #requested = null;
+  #visible = false;
   /** @type {number | undefined} */
   #timer;
   #dots;
@@ -27,17 +39,24 @@ export class Walkthrough extends Component {
   /**
    * @param {import("../shell/dom.js").Root} root
    * @param {import("./imagine.js").Imagine} imagine
+   * @param {import("./choice.js").Choice} choice
    */
-  constructor(root, imagine) {
+  constructor(root, imagine, choice) {
     super(root);
     this.#imagine = imagine;
-    this.#dots = STAGES.map((stage, index) => this.#createDot(stage, index));
+    this.#choice = choice;
+    this.#dots = ALL_STEPS.map((step, index) => this.#createDot(step, index));
     this.byId("walkthrough-dots").append(...this.#dots);
-    this.byId("walkthrough-back").addEventListener("click", () => this.#select(STAGES[this.#index - 1] ?? null));
-    this.byId("walkthrough-next").addEventListener("click", () => this.#select(STAGES[this.#index + 1]));
+    this.byId("walkthrough-back").addEventListener("click", () => this.#select(this.#steps[this.#index - 1] ?? null));
+    this.byId("walkthrough-next").addEventListener("click", () => this.#select(this.#steps[this.#index + 1]));
     this.byId("walkthrough-all").addEventListener("click", () => this.#select(null));
     this.byId("walkthrough-play").addEventListener("click", () => (this.#timer ? this.#pause() : this.#play()));
-    imagine.addEventListener("maps", () => this.#announceStage());
+    choice.addEventListener("choice", () => !STAGES.some((stage) => stage === this.#step) && this.#announceStep());
+    // The maps come as soon as it is known what the model can do.
+    imagine.addEventListener("maps", () => {
+      this.#update();
+      this.#announceStep();
+    });
   }
 
   close() {
@@ -47,60 +66,78 @@ export class Walkthrough extends Component {
 
   /** @param {import("../shell/url-state.js").View} view */
   setState({ stage, panel }) {
-    if (panel !== "imagine") this.#pause();
-    const changed = stage !== this.#stage;
-    this.#stage = stage;
-    this.#imagine.showOnly(stage);
+    this.#visible = panel === "imagine";
+    this.#requested = stage;
+    if (!this.#visible) this.#pause();
+    this.#update();
+  }
+
+  #update() {
+    const steps = this.#steps;
+    const step = this.#requested && steps.includes(this.#requested) ? this.#requested : null;
+    const changed = step !== this.#step;
+    this.#step = step;
+    const stage = STAGES.find((one) => one === step) ?? null;
+    const choice = CHOICE_STEPS.find((one) => one === step) ?? null;
+    this.#imagine.showOnly(stage, choice !== null);
+    this.#choice.show(this.#visible ? choice : null);
     const index = this.#index;
     this.#dots.forEach((dot, place) => {
+      dot.hidden = place >= steps.length;
       if (place === index) dot.setAttribute("aria-current", "step");
       else dot.removeAttribute("aria-current");
     });
     // A button with the focus stays enabled: otherwise the focus would be lost.
     this.byId("walkthrough-back").setAttribute("aria-disabled", String(index < 0));
-    this.byId("walkthrough-next").setAttribute("aria-disabled", String(index === STAGES.length - 1));
-    this.byId("walkthrough-all").setAttribute("aria-pressed", String(stage === null));
-    setText(this.byId("walkthrough-step"), stage ? `Step ${index + 1} of ${STAGES.length}` : "All together");
-    if (changed) this.#announceStage();
+    this.byId("walkthrough-next").setAttribute("aria-disabled", String(index === steps.length - 1));
+    this.byId("walkthrough-all").setAttribute("aria-pressed", String(step === null));
+    setText(this.byId("walkthrough-step"), step ? `Step ${index + 1} of ${steps.length}` : "All together");
+    if (changed) this.#announceStep();
   }
 
-  /** The index of the stage; -1 for all together. */
+  /** The steps of the loaded model's story. */
+  get #steps() {
+    return this.#choice.able ? ALL_STEPS : /** @type {Step[]} */ (STAGES);
+  }
+
+  /** The index of the step; -1 for all together. */
   get #index() {
-    return this.#stage ? STAGES.indexOf(this.#stage) : -1;
+    return this.#step ? this.#steps.indexOf(this.#step) : -1;
   }
 
   /**
-   * @param {Stage} stage
+   * @param {Step} step
    * @param {number} index
    */
-  #createDot(stage, index) {
-    const dot = createButton(String(index + 1), () => this.#select(stage));
-    dot.title = STAGE_TEXT[stage].name;
-    dot.setAttribute("aria-label", `Step ${index + 1}: ${STAGE_TEXT[stage].name}`);
+  #createDot(step, index) {
+    const dot = createButton(String(index + 1), () => this.#select(step));
+    dot.title = TEXT[step].name;
+    dot.setAttribute("aria-label", `Step ${index + 1}: ${TEXT[step].name}`);
     return dot;
   }
 
   /**
-   * The person chooses a stage; undefined is past the last.
-   * @param {Stage | null | undefined} stage
+   * The person chooses a step; undefined is past the last.
+   * @param {Step | null | undefined} step
    */
-  #select(stage) {
+  #select(step) {
     this.#pause();
-    this.#goTo(stage);
+    this.#goTo(step);
   }
 
-  /** @param {Stage | null | undefined} stage */
-  #goTo(stage) {
-    if (stage === undefined || stage === this.#stage) return;
-    this.requestState(stage ? { stage, layers: [stage] } : { stage });
+  /** @param {Step | null | undefined} step */
+  #goTo(step) {
+    if (step === undefined || step === this.#step) return;
+    const stage = STAGES.find((one) => one === step);
+    this.requestState(step ? { stage: step, layers: stage ? [stage] : [] } : { stage: step });
   }
 
   /** Plays from the first step, or on from the present one. */
   #play() {
-    this.#goTo(this.#stage === LAST ? STAGES[0] : STAGES[this.#index + 1]);
+    this.#goTo(this.#steps[this.#index + 1] ?? this.#steps[0]);
     this.#timer = setInterval(() => {
-      this.#goTo(STAGES[this.#index + 1]);
-      if (this.#stage === LAST) this.#pause();
+      this.#goTo(this.#steps[this.#index + 1]);
+      if (this.#index === this.#steps.length - 1) this.#pause();
     }, STEP_TIME);
     this.#updatePlayButton();
   }
@@ -116,10 +153,12 @@ export class Walkthrough extends Component {
     this.byId("walkthrough-play-icon", SVGUseElement).setAttribute("href", this.#timer ? "#icon-pause" : "#icon-run");
   }
 
-  #announceStage() {
-    if (!this.#stage) return;
-    const map = this.#imagine.maps?.[this.#stage];
-    const { name, meaning } = STAGE_TEXT[this.#stage];
-    this.announce(`${name}. ${meaning} ${map ? `It is ${summary(map)}.` : ""}`);
+  #announceStep() {
+    if (!this.#step || !this.#visible) return;
+    const { name, meaning } = TEXT[this.#step];
+    const stage = STAGES.find((one) => one === this.#step);
+    const map = stage && this.#imagine.maps?.[stage];
+    if (!stage) this.announce(`${name}. ${this.#choice.words}`);
+    else this.announce(`${name}. ${meaning} ${map ? `It is ${summary(map)}.` : ""}`);
   }
 }

@@ -8,6 +8,9 @@ import { ATTEMPT_LIMIT, MAX_RADIUS, MIN_RADIUS, SCENE_SIZE, STAGES } from "./con
 /** @typedef {import("../pkg/pathlight.js").Ball} Ball */
 /** @typedef {import("../pkg/pathlight.js").Stage} Stage */
 
+/** The steps by which a model that imagines balls chooses one; in the story they follow the stages. */
+export const CHOICE_STEPS = /** @type {const} */ (["candidates", "imagined", "chosen"]);
+/** @typedef {typeof CHOICE_STEPS[number]} ChoiceStep */
 export const PANELS = /** @type {const} */ (["play", "imagine", "compare", "predict", "map"]);
 /** What a link can hide: every panel but Play, and what the document marks with data-hideable. */
 const HIDEABLE = /** @type {const} */ (["puzzles", "story", "fields", "watch", "attempts", "forecast", "imagine", "compare", "predict", "map"]);
@@ -19,7 +22,7 @@ const HIDEABLE = /** @type {const} */ (["puzzles", "story", "fields", "watch", "
  * @property {string | null} task "00007:008", or null for the grid
  * @property {string | null} model a name in assets/model.json, or null for the first
  * @property {Panel} panel as the address names it; it may be hidden, see `viewOf`
- * @property {Stage | null} stage the stage that the walkthrough is at, or null for all together
+ * @property {Stage | ChoiceStep | null} stage the step that the walkthrough is at, or null for all together
  * @property {number | null} proposal the number of the model's ball that is looked at, from 1, or null
  * @property {Stage[]} layers the maps to lay over the scene, in the order of STAGES
  * @property {number} opacity how much the maps cover, 0..1
@@ -63,7 +66,7 @@ const CODECS = {
   task: { format: String, parse: (text) => (/^\d{5}:\d{3}$/.test(text) ? text : undefined) },
   model: { format: String, parse: (text) => (/^[\w.-]+$/.test(text) ? text : undefined) },
   panel: oneOf(PANELS),
-  stage: oneOf(STAGES),
+  stage: oneOf([...STAGES, ...CHOICE_STEPS]),
   proposal: {
     format: String,
     parse: (text) => (INTEGER.test(text) && !text.startsWith("0") && Number(text) <= ATTEMPT_LIMIT ? Number(text) : undefined),
