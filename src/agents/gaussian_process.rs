@@ -1,8 +1,8 @@
 //! Gaussian process classification, one outcome at a time (Csató and Opper 2002, "Sparse On-Line Gaussian Processes";
 //! Rasmussen and Williams 2006, chapter 3).
 //!
-//! The logit of the chance that a ball solves is a latent function of an input, here the path that is imagined for it:
-//! Gaussian, with the net's logit as its prior mean and a covariance that falls with the distance between two inputs. So
+//! The logit of the chance that a ball solves is a latent function of an input, here the ball and the path that is imagined
+//! for it: Gaussian, with the net's logit as its prior mean and a covariance that falls with the distance between two inputs. So
 //! an outcome changes the logits of all balls whose inputs resemble the one that was observed. Each is taken in by one
 //! Laplace step: the mode and the curvature of the posterior along the observed logit make a rank-one update.
 //! Deterministic: libm, and sums in a fixed order. Used by `online`.
@@ -12,27 +12,34 @@ use super::sigmoid;
 /// Halvings of the interval that holds the mode, which is as wide as the variance: to less than f64 resolves.
 const HALVINGS: usize = 60;
 
-/// The covariance of two inputs: squared exponential.
+/// The prior covariance of the logits of two inputs.
+pub trait Kernel {
+    type Input: Copy;
+
+    fn covariance(&self, a: &Self::Input, b: &Self::Input) -> f64;
+}
+
+/// A squared exponential covariance.
 #[derive(Clone, Copy, Debug)]
-pub struct Kernel {
+pub struct SquaredExponential {
     /// Variance of a logit before any observation.
     pub variance: f64,
-    /// The root mean square difference of two inputs at which their correlation has fallen to exp(-1/2), 0.61.
+    /// The root mean square difference of the coordinates of two points at which their correlation has fallen to 0.61.
     pub length_scale: f64,
 }
 
-/// The logits of some candidates, given the outcomes observed so far. An input is a point of any fixed dimension.
-pub struct GaussianProcessClassifier<const D: usize> {
-    kernel: Kernel,
-    inputs: Vec<[f32; D]>,
+/// The logits of some candidates, given the outcomes observed so far.
+pub struct GaussianProcessClassifier<K: Kernel> {
+    kernel: K,
+    inputs: Vec<K::Input>,
     prior: Vec<f64>,
     means: Vec<f64>,
-    observations: Vec<RankOne<D>>,
+    observations: Vec<RankOne<K::Input>>,
 }
 
 /// One observation: means = prior + Σ gain · covariances, covariance = kernel − Σ weight · covariances · covariancesᵀ.
-struct RankOne<const D: usize> {
-    input: [f32; D],
+struct RankOne<I> {
+    input: I,
     gain: f64,
     weight: f64,
     /// Its covariance with each candidate, given the observations before it.
@@ -41,9 +48,9 @@ struct RankOne<const D: usize> {
     with_earlier: Vec<f64>,
 }
 
-impl<const D: usize> GaussianProcessClassifier<D> {
+impl<K: Kernel> GaussianProcessClassifier<K> {
     /// Returns the prior: the mean logit and the input of each candidate.
-    pub fn new(kernel: Kernel, prior: Vec<f64>, inputs: Vec<[f32; D]>) -> GaussianProcessClassifier<D> {
+    pub fn new(kernel: K, prior: Vec<f64>, inputs: Vec<K::Input>) -> GaussianProcessClassifier<K> {
         assert_eq!(prior.len(), inputs.len(), "an input for each candidate");
         GaussianProcessClassifier { kernel, means: prior.clone(), prior, inputs, observations: Vec::new() }
     }
@@ -55,8 +62,8 @@ impl<const D: usize> GaussianProcessClassifier<D> {
 
     /// Takes in the outcome of a candidate, whose input turned out to be `input`. Returns by how much the mean logit of each
     /// candidate has risen; negative if it has fallen.
-    pub fn observe(&mut self, candidate: usize, input: [f32; D], solved: bool) -> Vec<f64> {
-        let (mut mean, mut variance) = (self.prior[candidate], self.kernel.variance);
+    pub fn observe(&mut self, candidate: usize, input: K::Input, solved: bool) -> Vec<f64> {
+        let (mut mean, mut variance) = (self.prior[candidate], self.kernel.covariance(&input, &input));
         let mut with_earlier: Vec<f64> = Vec::with_capacity(self.observations.len());
         for earlier in &self.observations {
             let prior = self.kernel.covariance(&earlier.input, &input);
@@ -87,10 +94,11 @@ impl<const D: usize> GaussianProcessClassifier<D> {
     }
 }
 
-impl Kernel {
-    fn covariance<const D: usize>(&self, a: &[f32; D], b: &[f32; D]) -> f64 {
+impl SquaredExponential {
+    /// Returns the covariance of two points of equal dimension.
+    pub fn of(&self, a: &[f32], b: &[f32]) -> f64 {
         let squares = a.iter().zip(b).map(|(a, b)| f64::from(a - b) * f64::from(a - b));
-        let mean_square = squares.sum::<f64>() / D as f64;
+        let mean_square = squares.sum::<f64>() / a.len() as f64;
         self.variance * libm::exp(-mean_square / (2.0 * self.length_scale * self.length_scale))
     }
 }
@@ -115,14 +123,22 @@ fn laplace_step(mean: f64, variance: f64, solved: bool) -> (f64, f64) {
 mod tests {
     use super::*;
 
-    const KERNEL: Kernel = Kernel { variance: 9.0, length_scale: 2.0 };
+    const KERNEL: SquaredExponential = SquaredExponential { variance: 9.0, length_scale: 2.0 };
+
+    impl Kernel for SquaredExponential {
+        type Input = f32;
+
+        fn covariance(&self, a: &f32, b: &f32) -> f64 {
+            self.of(&[*a], &[*b])
+        }
+    }
 
     /// The posterior of one logit by numerical integration of prior times likelihood on a fine grid has the same mode.
     #[test]
     fn one_failure_moves_its_own_logit_to_the_mode_of_its_posterior() {
         for prior in [-6.0, 0.0, 1.5, 7.0] {
-            let mut process = GaussianProcessClassifier::new(KERNEL, vec![prior], vec![[0.0]]);
-            process.observe(0, [0.0], false);
+            let mut process = GaussianProcessClassifier::new(KERNEL, vec![prior], vec![0.0]);
+            process.observe(0, 0.0, false);
             let log_posterior = |logit: f64| {
                 -(logit - prior) * (logit - prior) / (2.0 * KERNEL.variance) - libm::log1p(libm::exp(logit))
             };
@@ -134,20 +150,20 @@ mod tests {
 
     #[test]
     fn the_nearer_an_input_is_to_a_failure_the_more_it_falls() {
-        let inputs: Vec<[f32; 2]> = (0..6).map(|x| [2.0 * x as f32, 1.0]).collect();
+        let inputs: Vec<f32> = (0..6).map(|x| 1.5 * x as f32).collect();
         let mut process = GaussianProcessClassifier::new(KERNEL, vec![2.0; 6], inputs);
-        let rises = process.observe(0, [0.0, 1.0], false);
+        let rises = process.observe(0, 0.0, false);
         assert!(rises.windows(2).all(|pair| pair[0] < pair[1]), "{rises:?}");
         assert!(rises[0] < -1.0 && rises[5] > -0.05, "{rises:?}");
         assert!(process.means().iter().zip(&rises).all(|(mean, rise)| (mean - 2.0 - rise).abs() < 1e-12));
-        let solved = process.observe(5, [10.0, 1.0], true);
+        let solved = process.observe(5, 7.5, true);
         assert!(solved[5] > solved[3] && solved[5] > 0.0);
     }
 
     /// The rank-one updates are those of the dense covariance matrix.
     #[test]
     fn many_outcomes_leave_what_a_dense_covariance_leaves() {
-        let inputs: Vec<[f32; 1]> = (0..9).map(|x| [x as f32 * 0.7]).collect();
+        let inputs: Vec<f32> = (0..9).map(|x| x as f32 * 0.7).collect();
         let prior: Vec<f64> = (0..9).map(|x| 1.0 - 0.3 * f64::from(x)).collect();
         let mut process = GaussianProcessClassifier::new(KERNEL, prior.clone(), inputs.clone());
         let mut dense: Vec<Vec<f64>> =

@@ -10,6 +10,9 @@ use crate::puzzle::scene::Scene;
 /// Balls that are imagined for a scene.
 const CANDIDATES: usize = 400;
 
+/// What the logits are multiplied by: the highest of many logits are too high. Chosen on dev tasks.
+const CONFIDENCE: f64 = 0.7;
+
 /// Returns the candidates of a scene, some of which may be much alike; `None` if the weights have no dynamics net, or
 /// damaged weights know no chance. The logit of a candidate is the mean of the one that the dynamics net reads from what it
 /// imagines and, from weights with a judge, the judge's.
@@ -23,7 +26,7 @@ pub fn imagined_candidates(nets: &PathNet, scene: &Scene) -> Option<Vec<Candidat
     let balls: Vec<Ball> = ranked.into_iter().map(|proposal| proposal.ball).collect();
     let candidates = balls.iter().zip(read.imagine(&balls)).map(|(&ball, imagined)| {
         let index = logit_index(ball).expect("a valid ball");
-        Candidate { ball, logit: mean(imagined.logit, judged(index)).into(), paths: imagined.paths }
+        Candidate { ball, logit: CONFIDENCE * f64::from(mean(imagined.logit, judged(index))), paths: imagined.paths }
     });
     let finite = |candidate: &Candidate| {
         let paths = candidate.paths.object.iter().chain(&candidate.paths.ball).flatten();

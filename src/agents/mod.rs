@@ -7,7 +7,7 @@
 //! `TaskId::seed`.
 
 mod fitting_balls;
-mod gaussian_process;
+pub mod gaussian_process;
 pub mod imagined_candidates;
 pub mod online;
 pub mod placement;
@@ -18,7 +18,7 @@ use rand_pcg::Pcg64Mcg;
 use serde::Serialize;
 
 use imagined_candidates::imagined_candidates;
-use online::OnlineAgent;
+use online::{OnlineAgent, Similarity};
 
 use crate::dataset::sampling::random_ball;
 use crate::nets::PathNet;
@@ -87,7 +87,7 @@ pub const VERSION: u32 = 1;
 /// `count` proposals.
 pub fn start(nets: &PathNet, scene: &Scene, seed: u64, count: usize) -> Box<dyn Agent> {
     match imagined_candidates(nets, scene) {
-        Some(candidates) => Box::new(OnlineAgent::by_paths(candidates)),
+        Some(candidates) => Box::new(OnlineAgent::new(candidates, Similarity::DEFAULT)),
         None => Box::new(propose(nets, scene, seed, count).into_iter()),
     }
 }
@@ -96,7 +96,7 @@ pub fn start(nets: &PathNet, scene: &Scene, seed: u64, count: usize) -> Box<dyn 
 /// probable; from weights without one those of its judge; without a judge those that its placement map suggests.
 pub fn propose(nets: &PathNet, scene: &Scene, seed: u64, count: usize) -> Vec<Proposal> {
     if let Some(candidates) = imagined_candidates(nets, scene) {
-        return OnlineAgent::by_paths(candidates).list(count);
+        return OnlineAgent::new(candidates, Similarity::DEFAULT).list(count);
     }
     // Damaged weights may have a judge whose logits are NaN; it ranks nothing.
     match from_judge(nets, scene, count) {

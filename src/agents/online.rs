@@ -1,27 +1,19 @@
-//! The online agent: tries the most promising of some candidates, and learns from each attempt that fails. Candidates whose
-//! imagined paths resemble what has just failed become less probable, the others stay.
+//! The online agent: tries the most promising of some candidates, and learns from each attempt that fails. Candidates that
+//! resemble it, and those whose imagined paths resemble what has just failed, become less probable; the others stay.
 //!
 //! PHYRE's paper (Bakhtin et al. 2019) calls an agent online that learns at the counted attempts. Here the learning is
 //! Gaussian process classification in closed form, which takes some microseconds for an attempt. Draws nothing at random.
 
-use super::gaussian_process::{GaussianProcessClassifier, Kernel};
+use super::gaussian_process::{GaussianProcessClassifier, Kernel, SquaredExponential};
 use super::{Agent, Observation, Origin, Proposal, sigmoid};
 use crate::puzzle::action::Ball;
-use crate::puzzle::sampled_paths::{SAMPLES, SampledPath, SampledPaths};
-
-/// Coordinates of the path of the green object.
-const COORDINATES: usize = 2 * SAMPLES;
+use crate::puzzle::sampled_paths::SampledPaths;
 
 /// Logits are equal if they round to the same multiple of this: the order must not depend on the last bits.
 const RESOLUTION: f64 = 1.0 / 65536.0;
 
 /// How much an attempt must have lowered a logit to be named as a reason.
 const NOTICEABLE: f64 = 0.25;
-
-/// How alike two paths of the green object are, px; and two balls, px. Chosen on dev tasks, with candidates whose imagined
-/// paths are the real ones with noise.
-const PATHS: Kernel = Kernel { variance: 16.0, length_scale: 18.0 };
-const BALLS: Kernel = Kernel { variance: 16.0, length_scale: 6.0 };
 
 /// A valid ball that may be tried, and what is expected of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,12 +25,47 @@ pub struct Candidate {
     pub paths: SampledPaths,
 }
 
-/// An agent at work on one scene. `D` is the dimension of what it compares.
-pub struct OnlineAgent<const D: usize> {
+/// What makes two candidates alike: the sum of the covariances of their balls and of their paths.
+#[derive(Clone, Copy, Debug)]
+pub struct Similarity {
+    /// Of x, y and radius, px.
+    pub balls: SquaredExponential,
+    /// Of the positions of the green object, px.
+    pub paths: SquaredExponential,
+}
+
+impl Similarity {
+    /// Chosen on dev tasks: `cargo bench --bench online`.
+    pub const DEFAULT: Similarity = Similarity {
+        balls: SquaredExponential { variance: 16.0, length_scale: 4.5 },
+        paths: SquaredExponential { variance: 4.0, length_scale: 10.0 },
+    };
+
+    /// Balls alone, wherever they lead.
+    pub const OF_BALLS: Similarity =
+        Similarity { paths: SquaredExponential { variance: 0.0, ..Similarity::DEFAULT.paths }, ..Similarity::DEFAULT };
+}
+
+/// What candidates are compared by.
+type Idea = (Ball, SampledPaths);
+
+impl Kernel for Similarity {
+    type Input = Idea;
+
+    fn covariance(&self, (ball, paths): &Idea, (other_ball, other_paths): &Idea) -> f64 {
+        let place = |ball: &Ball| [ball.x as f32, ball.y as f32, ball.r as f32];
+        let balls = self.balls.of(&place(ball), &place(other_ball));
+        if self.paths.variance == 0.0 {
+            return balls;
+        }
+        balls + self.paths.of(paths.object.as_flattened(), other_paths.object.as_flattened())
+    }
+}
+
+/// An agent at work on one scene.
+pub struct OnlineAgent {
     candidates: Vec<Candidate>,
-    process: GaussianProcessClassifier<D>,
-    /// What is compared: of the paths that really happened, if they were recorded.
-    input: fn(&Candidate, &SampledPaths) -> [f32; D],
+    process: GaussianProcessClassifier<Similarity>,
     tried: Vec<bool>,
     /// The candidate that was proposed last.
     last: Option<usize>,
@@ -48,35 +75,15 @@ pub struct OnlineAgent<const D: usize> {
     lowered: Vec<(usize, f64)>,
 }
 
-impl OnlineAgent<COORDINATES> {
-    /// Returns an agent to which candidates are alike if the green object goes the same way.
-    pub fn by_paths(candidates: Vec<Candidate>) -> OnlineAgent<COORDINATES> {
-        OnlineAgent::new(candidates, PATHS, |_, paths| flat(&paths.object))
-    }
-}
-
-impl OnlineAgent<3> {
-    /// Returns an agent to which candidates are alike if the balls are, wherever they lead: to be compared with `by_paths`.
-    pub fn by_balls(candidates: Vec<Candidate>) -> OnlineAgent<3> {
-        OnlineAgent::new(candidates, BALLS, |&Candidate { ball: Ball { x, y, r }, .. }, _| {
-            [x, y, r].map(|px| px as f32)
-        })
-    }
-}
-
-impl<const D: usize> OnlineAgent<D> {
-    fn new(
-        candidates: Vec<Candidate>,
-        kernel: Kernel,
-        input: fn(&Candidate, &SampledPaths) -> [f32; D],
-    ) -> OnlineAgent<D> {
-        let inputs = candidates.iter().map(|candidate| input(candidate, &candidate.paths)).collect();
+impl OnlineAgent {
+    /// Returns an agent that has made no attempt yet.
+    pub fn new(candidates: Vec<Candidate>, similarity: Similarity) -> OnlineAgent {
+        let ideas = candidates.iter().map(|candidate| (candidate.ball, candidate.paths)).collect();
         let logits = candidates.iter().map(|candidate| candidate.logit).collect();
         OnlineAgent {
-            process: GaussianProcessClassifier::new(kernel, logits, inputs),
+            process: GaussianProcessClassifier::new(similarity, logits, ideas),
             tried: vec![false; candidates.len()],
             lowered: vec![(0, 0.0); candidates.len()],
-            input,
             candidates,
             last: None,
             attempts: 0,
@@ -95,7 +102,7 @@ impl<const D: usize> OnlineAgent<D> {
     }
 }
 
-impl<const D: usize> Agent for OnlineAgent<D> {
+impl Agent for OnlineAgent {
     fn propose(&mut self) -> Option<Proposal> {
         let means = self.process.means();
         let rounded = |index: usize| (means[index] / RESOLUTION).round() as i64;
@@ -116,9 +123,13 @@ impl<const D: usize> Agent for OnlineAgent<D> {
     fn observe(&mut self, observation: &Observation) {
         let Some(last) = self.last.take() else { return };
         self.attempts += 1;
-        let candidate = &self.candidates[last];
-        let paths = observation.paths.as_ref().unwrap_or(&candidate.paths);
-        let rises = self.process.observe(last, (self.input)(candidate, paths), observation.solved);
+        let Candidate { ball, paths, .. } = self.candidates[last];
+        // It failed although it was imagined so, and it fails to go as it really went.
+        let mut rises = self.process.observe(last, (ball, paths), observation.solved);
+        if let Some(paths) = observation.paths {
+            let more = self.process.observe(last, (ball, paths), observation.solved);
+            rises.iter_mut().zip(more).for_each(|(rise, more)| *rise += more);
+        }
         for (lowered, rise) in self.lowered.iter_mut().zip(rises) {
             if -rise > lowered.1 {
                 *lowered = (self.attempts, -rise);
@@ -127,13 +138,10 @@ impl<const D: usize> Agent for OnlineAgent<D> {
     }
 }
 
-fn flat(path: &SampledPath) -> [f32; COORDINATES] {
-    std::array::from_fn(|index| path[index / 2][index % 2])
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::puzzle::sampled_paths::SAMPLES;
 
     /// A ball after which the green object lies still at `object`.
     fn candidate(x: f64, logit: f64, object: f32) -> Candidate {
@@ -141,14 +149,14 @@ mod tests {
         Candidate { ball: Ball { x, y: 100.0, r: 5.0 }, logit, paths }
     }
 
-    /// Two ideas: the first three candidates lead the object to 60 px, the others, next to them, to 200 px.
+    /// Two ideas: the first three candidates lead the object to 60 px, the others to 200 px.
     fn two_ideas() -> Vec<Candidate> {
         vec![
             candidate(100.0, 2.0, 60.0),
             candidate(140.0, 1.9, 61.0),
             candidate(180.0, 1.8, 62.0),
-            candidate(101.0, 0.5, 200.0),
-            candidate(102.0, 0.4, 201.0),
+            candidate(220.0, 1.5, 200.0),
+            candidate(221.0, 0.4, 201.0),
         ]
     }
 
@@ -163,21 +171,35 @@ mod tests {
         std::iter::from_fn(&mut next).collect()
     }
 
-    #[test]
-    fn a_failure_lowers_what_leads_to_the_same_paths() {
-        assert_eq!(places(&mut OnlineAgent::by_paths(two_ideas()), FAILED)[..2], [100.0, 101.0]);
-        assert_eq!(places(&mut OnlineAgent::by_balls(two_ideas()), FAILED)[..3], [100.0, 140.0, 180.0]);
+    fn agent(candidates: Vec<Candidate>) -> OnlineAgent {
+        OnlineAgent::new(candidates, Similarity::DEFAULT)
     }
 
     #[test]
-    fn what_really_happened_counts_not_what_was_imagined() {
+    fn a_failure_lowers_what_leads_to_the_same_paths_wherever_it_starts() {
+        assert_eq!(places(&mut agent(two_ideas()), FAILED)[..2], [100.0, 220.0]);
+        let balls = &mut OnlineAgent::new(two_ideas(), Similarity::OF_BALLS);
+        assert_eq!(places(balls, FAILED)[..3], [100.0, 140.0, 180.0]);
+    }
+
+    #[test]
+    fn what_really_happened_counts_too() {
         let elsewhere = Observation { paths: Some(candidate(0.0, 0.0, 201.0).paths), ..FAILED };
-        assert_eq!(places(&mut OnlineAgent::by_paths(two_ideas()), elsewhere)[..2], [100.0, 140.0]);
+        let mut agent = agent(two_ideas());
+        agent.propose();
+        agent.observe(&elsewhere);
+        assert!(agent.process.means()[3] < 1.5 - NOTICEABLE, "the other idea fails too");
+    }
+
+    #[test]
+    fn a_ball_beside_one_that_failed_falls() {
+        let near = vec![candidate(100.0, 2.0, 60.0), candidate(103.0, 1.9, 120.0), candidate(140.0, 1.0, 200.0)];
+        assert_eq!(places(&mut agent(near), FAILED), [100.0, 140.0, 103.0]);
     }
 
     #[test]
     fn a_proposal_names_the_attempt_that_lowered_it_most() {
-        let mut agent = OnlineAgent::by_paths(two_ideas());
+        let mut agent = agent(two_ideas());
         let mut origins = Vec::new();
         while let Some(Proposal { origin: Origin::Imagined { prior, probability, lowered_by }, .. }) = agent.propose() {
             origins.push((prior, probability, lowered_by));
@@ -194,15 +216,15 @@ mod tests {
 
     #[test]
     fn a_list_is_what_it_tries_if_all_fails_as_imagined() {
-        let list: Vec<f64> = OnlineAgent::by_paths(two_ideas()).list(3).iter().map(|one| one.ball.x).collect();
-        assert_eq!(list, places(&mut OnlineAgent::by_paths(two_ideas()), FAILED)[..3]);
-        assert!(OnlineAgent::by_paths(Vec::new()).list(3).is_empty());
+        let list: Vec<f64> = agent(two_ideas()).list(3).iter().map(|one| one.ball.x).collect();
+        assert_eq!(list, places(&mut agent(two_ideas()), FAILED)[..3]);
+        assert!(agent(Vec::new()).list(3).is_empty());
     }
 
     #[test]
     fn of_equal_candidates_the_first_comes_first_and_an_invalid_ball_teaches_nothing() {
         let equal = (0..4).map(|index| candidate(10.0 * f64::from(index), 1.0 + 1e-9 * f64::from(index), 70.0));
-        let mut agent = OnlineAgent::by_paths(equal.collect());
+        let mut agent = agent(equal.collect());
         // Nothing is observed of balls that another simulator calls invalid.
         let places: Vec<f64> = std::iter::from_fn(|| agent.propose()).map(|proposal| proposal.ball.x).collect();
         assert_eq!(places, [0.0, 10.0, 20.0, 30.0]);

@@ -5,7 +5,7 @@ use std::fmt;
 use anyhow::ensure;
 use clap::ValueEnum;
 use pathlight::agents::imagined_candidates::imagined_candidates;
-use pathlight::agents::online::OnlineAgent;
+use pathlight::agents::online::{OnlineAgent, Similarity};
 use pathlight::agents::{self, Agent};
 use pathlight::nets::PathNet;
 use pathlight::puzzle::scene::Scene;
@@ -60,9 +60,9 @@ impl AgentName {
         // Damaged weights know no candidates.
         let candidates = || imagined_candidates(nets(), scene).unwrap_or_default();
         let proposals = match self {
-            AgentName::Online => return Box::new(OnlineAgent::by_paths(candidates())),
-            AgentName::OnlineByBalls => return Box::new(OnlineAgent::by_balls(candidates())),
-            AgentName::Dynamics => OnlineAgent::by_paths(candidates()).list(count),
+            AgentName::Online => return Box::new(OnlineAgent::new(candidates(), Similarity::DEFAULT)),
+            AgentName::OnlineByBalls => return Box::new(OnlineAgent::new(candidates(), Similarity::OF_BALLS)),
+            AgentName::Dynamics => OnlineAgent::new(candidates(), Similarity::DEFAULT).list(count),
             AgentName::Judge => agents::from_judge(nets(), scene, count).unwrap_or_default(),
             AgentName::Paper => agents::from_map(nets(), scene, seed, count),
             AgentName::Random => agents::random(scene, seed, count),
