@@ -1,4 +1,5 @@
-# make play      builds what is missing and serves the page on PORT
+# make play      builds what is missing and serves the page on PORT; PAGE=www serves its sources as they are, so that a change
+#                shows when the page is loaded again
 # make test      runs every check and test, natively, in Node and in Chromium
 # make build     builds the wasm package and the binary with all commands
 # make package   packs the npm package for scripts and other pages: target/pathlight-VERSION.tgz
@@ -10,6 +11,7 @@
 # make clean     removes what was built or installed here
 
 PORT ?= 8080
+PAGE ?= target/page
 
 # Cargo's tools are installed here: shared by all clones, apart from those of the system.
 TOOLS := $(or $(XDG_CACHE_HOME),$(HOME)/.cache)/pathlight/tools
@@ -23,13 +25,17 @@ PACKAGE := www/pkg/pathlight_bg.wasm
 PACKAGED := Cargo.toml Cargo.lock .cargo/config.toml scripts/build-wasm scripts/optimise-wasm \
 	src/web/types.d.ts $(shell find src -name '*.rs' -not -path 'src/commands/*' -not -path src/main.rs)
 
+BUNDLE := scripts/install-tools js-tools && node scripts/bundle-page.mjs
+
 .DELETE_ON_ERROR:
 .PHONY: play test bench build package dist timings pictures clean
 
 play: $(PACKAGE)
 	@[ -x target/release/pathlight-serve ] || echo "== compiling the server (about a minute on 2 cores, once)"
 	@cargo build --release --workspace --bin pathlight-serve
-	@target/release/pathlight-serve --port $(PORT)
+	@page=$(PAGE); \
+	$(BUNDLE) || { echo "warning: the page could not be bundled, so it starts more slowly; run make play again when npm reaches its registry" >&2; page=www; }; \
+	target/release/pathlight-serve --port $(PORT) --dir $$page
 
 test:
 	@scripts/test
@@ -45,10 +51,12 @@ package: $(PACKAGE)
 	node scripts/build-package.mjs
 
 dist: $(PACKAGE)
+	@scripts/install-tools js-tools
 	@node scripts/build-dist.mjs
 
 timings pictures: build
 	scripts/install-tools browser-tests chromium
+	$(BUNDLE)
 	node tests/browser/$@.mjs
 
 $(PACKAGE): $(PACKAGED)

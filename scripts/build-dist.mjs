@@ -1,8 +1,8 @@
 // Builds dist/, a folder for any static host: node scripts/build-dist.mjs (needs www/pkg; `make dist` builds that first).
 //
 //   index.html  manifest.webmanifest  icon.svg  icons/  service-worker.js    their addresses stay, their contents change
-//   VERSION/    the code, the wasm and the list of models; VERSION is a hash of the whole page, so that a page that is open
-//               while another version is uploaded never gets a file of that one
+//   VERSION/    the bundled code, the wasm and the list of models; VERSION is a hash of the whole page, so that a page that
+//               is open while another version is uploaded never gets a file of that one
 //   assets/     weights, named by their own hash: most versions share them
 //
 // All addresses are relative. Beside every file that compresses well are FILE.br and FILE.gz, for hosts that send those.
@@ -15,27 +15,26 @@ import { dirname, extname, join, posix } from "node:path";
 import { fileURLToPath } from "node:url";
 import { promisify } from "node:util";
 import { brotliCompress, constants, gzip } from "node:zlib";
+import { SOURCES, bundledPage } from "./bundle-page.mjs";
 
 const ROOT = join(dirname(fileURLToPath(import.meta.url)), "..");
 const SERVICE_WORKER = "offline/service-worker.js";
-/** Of the wasm package; the rest is for npm. */
-const PACKAGED = ["pkg/pathlight.js", "pkg/pathlight_bg.wasm"];
 /** Beside index.html; everything else belongs to a version. */
 const UNVERSIONED = /^(manifest\.webmanifest|icon\.svg|icons\/.*\.png)$/;
-const VERSIONED = /\.(js|css)$/;
+const VERSIONED = /\.(js|css|wasm)$/;
 /** Weights and pictures do not become much smaller, and the progress bar of the weights needs their length. */
 const COMPRESSIBLE = new Set([".html", ".css", ".js", ".json", ".svg", ".wasm", ".webmanifest"]);
 /** Stands for the version until it is known. */
 const PLACEHOLDER = "VERSION";
 
-/** @typedef {Map<string, Buffer>} Files contents by path, with `/` */
+/** @typedef {import("./bundle-page.mjs").Files} Files */
 
 /**
  * Builds the folder and returns its files without the compressed ones.
  * @param {{ page?: string, assets?: string, out?: string, compress?: boolean }} [options] folders of the page, of the
  *     weights and of the result, whose contents are replaced
  */
-export async function buildDist({ page = join(ROOT, "www"), assets = join(ROOT, "assets"), out = join(ROOT, "dist"), compress = true } = {}) {
+export async function buildDist({ page = SOURCES, assets = join(ROOT, "assets"), out = join(ROOT, "dist"), compress = true } = {}) {
   if (existsSync(out) && !existsSync(join(out, "service-worker.js")) && (await readdir(out)).length > 0) {
     throw new Error(`${out} holds files that are not a built page: empty it, or name another folder`);
   }
@@ -60,11 +59,10 @@ export async function buildDist({ page = join(ROOT, "www"), assets = join(ROOT, 
  * @returns {Promise<Files>}
  */
 async function distFiles(page, assets) {
-  const sources = await pageSources(page);
+  const sources = await bundledPage(page);
   const { list, weights } = await modelFiles(assets);
   const unversioned = pick(sources, (path) => UNVERSIONED.test(path));
   const versioned = pick(sources, (path) => VERSIONED.test(path) && path !== SERVICE_WORKER).set("assets/model.json", list);
-  for (const path of PACKAGED) versioned.set(path, contentOf(sources, path));
   const index = indexOf(contentOf(sources, "index.html").toString(), versioned);
   const worker = contentOf(sources, SERVICE_WORKER).toString();
 
@@ -76,21 +74,6 @@ async function distFiles(page, assets) {
   for (const [path, content] of weights) files.set(path, content);
   files.set("service-worker.js", Buffer.from(workerOf(worker, version, files)));
   return new Map([...files].sort(([one], [other]) => (one < other ? -1 : 1)));
-}
-
-/**
- * All files of the page, sorted by path.
- * @param {string} page
- * @returns {Promise<Files>}
- */
-async function pageSources(page) {
-  const entries = await readdir(page, { recursive: true, withFileTypes: true });
-  const paths = entries.filter((entry) => entry.isFile()).map((entry) => join(entry.parentPath, entry.name).slice(page.length + 1));
-  const read = paths.map((path) => path.replaceAll("\\", "/")).sort().map(async (path) => /** @type {const} */ ([path, await readFile(join(page, path))]));
-  const sources = new Map(await Promise.all(read));
-  const missing = PACKAGED.find((path) => !sources.has(path));
-  if (missing) throw new Error(`${join(page, missing)} is missing: \`make dist\` builds it`);
-  return sources;
 }
 
 /**
@@ -142,7 +125,7 @@ function workerOf(source, version, files) {
  * @returns {Files}
  */
 function pick(files, isPicked) {
-  return new Map([...files].filter(([path]) => !path.startsWith("pkg/") && isPicked(path)));
+  return new Map([...files].filter(([path]) => isPicked(path)));
 }
 
 /**

@@ -5,8 +5,7 @@ use crate::rule::{Never, Only, Rule, unknown_files};
 
 /// The folders and files of `www/` in the order in which they import each other: each only those before it. `pkg` is the
 /// wasm package, of which all may import what the API does not have. Imports in JSDoc are types only and are not looked at.
-const LAYERS: [&str; 10] =
-    ["pkg", "api", "shell", "model", "play", "panels", "element", "page.js", "main.js", "offline"];
+const LAYERS: [&str; 9] = ["pkg", "api", "shell", "model", "play", "panels", "element", "page", "offline"];
 
 /// What modules outside of `api/` may import of `pkg`: what the API does not have, because only the player needs it.
 const PLAYER_ONLY: [&str; 6] = ["Puzzle", "constants", "palette", "paintLegend", "paintOutcomes", "paintOutline"];
@@ -40,8 +39,13 @@ const RULES: &[Rule] = &[
     },
     Rule {
         words: &["history.", "location."],
-        files: Only(&["page.js", "main.js", "offline/updates.js"]),
+        files: Only(&["page/", "offline/updates.js"]),
         reason: "one file reads and writes the address",
+    },
+    Rule {
+        words: &["URL(\"./"],
+        files: Never(&["api/", "shell/", "model/", "play/", "panels/", "element/", "page/"]),
+        reason: "a bundle takes the place of its entry in another folder: addresses begin with that of the folder, \"../\"",
     },
     Rule {
         words: &["new Worker("],
@@ -83,7 +87,7 @@ fn an_import_of_a_later_folder_is_found() {
     let imports = |path, text| later_imports(&Source::new(path, text)).len();
     assert_eq!(imports("model/worker.js", "import { Session } from \"../play/session.js\";"), 1);
     assert_eq!(imports("model/worker.js", "import {\n  Session,\n} from '../play/session.js';"), 1);
-    assert_eq!(imports("shell/load-wasm.js", "const page = await import(\"../page.js\");"), 1);
+    assert_eq!(imports("shell/load-wasm.js", "const page = await import(\"../page/page.js\");"), 1);
     assert_eq!(imports("shell/dom.js", "import \"../model/stage-text.js\";"), 1);
     assert_eq!(imports("panels/compare.js", "import { byId } from \"../shell/dom.js\";"), 0);
     assert_eq!(imports("panels/compare.js", "import { TroubleBox } from \"./trouble-box.js\";"), 0);

@@ -47,6 +47,7 @@ test('the sheet names the paper, the benchmark and what the model learned from',
 for (const [what, viewport] of Object.entries({ 'a desktop': { width: 1280, height: 800 }, 'a phone': { width: 360, height: 640 } })) {
   test(`it opens from the grid on ${what} and closes by key`, async () => {
     const page = await session.open('/', { viewport });
+    await page.locator('#templates a').first().waitFor();
     await page.locator('#about-button').click();
     const box = await page.locator('#about-dialog[open]').boundingBox();
     assert.ok(box && box.x >= 0 && box.x + box.width <= viewport.width && box.height <= viewport.height, JSON.stringify(box));

@@ -42,7 +42,7 @@ for (const [screen, size] of Object.entries(SCREENS)) {
 
     test(`placing, running, solved, missed and overlaid on ${screen}, ${colorScheme}`, async () => {
       const page = await openPuzzle(session, { ...size, colorScheme });
-      const { solving, missing, invalid } = await known(page);
+      const { solving, missing, invalid } = await known();
       await check(page, 'placing');
       await type(page, missing);
       if (!(await withoutDynamics())) {

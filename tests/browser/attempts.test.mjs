@@ -14,7 +14,7 @@ const row = (page, number) => page.locator(`#play-attempts li[data-number="${num
 /** A puzzle on which two balls have been tried: one that misses, then one that solves. */
 async function tried(options = {}) {
   const page = await openPuzzle(session, { reducedMotion: true, ...options });
-  const { missing, solving } = await known(page);
+  const { missing, solving } = await known();
   for (const { ball, words } of [{ ball: missing, words: /^Not solved\. Your attempt 1/ }, { ball: solving, words: /^Solved! Your attempt 2/ }]) {
     await type(page, ball);
     await page.locator('#run').click();

@@ -14,7 +14,7 @@ export const cachedVersions = (page) => page.evaluate(async () => (await caches.
 
 export async function solve(page) {
   await page.locator('#tab-play').click();
-  await type(page, (await known(page)).solving);
+  await type(page, (await known()).solving);
   await page.locator('#run').click();
   await says(page, /^Solved!/);
 }

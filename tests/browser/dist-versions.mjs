@@ -23,7 +23,7 @@ export async function plainDist() {
 }
 
 /** A build of another version: a file of the page has one more line. */
-export async function changedDist(path = 'main.js', line = '// changed') {
+export async function changedDist(path = 'page/main.js', line = 'globalThis.changed = true;') {
   const [page, folder] = [await temporaryFolder(), await temporaryFolder()];
   await cp(www, page, { recursive: true });
   await appendFile(join(page, path), `${line}\n`);

@@ -29,7 +29,7 @@ after(() => session.stop());
 
 test('under a sub-path, without a header, the first puzzle is played to its solution', async () => {
   const page = await openPuzzle(session, { reducedMotion: true });
-  await type(page, (await known(page)).solving);
+  await type(page, (await known()).solving);
   await page.locator('#run').click();
   await says(page, /^Solved!/);
   await page.locator('#tab-imagine').click();
@@ -123,7 +123,7 @@ test('a page whose files are gone from the server says how to go on', async () =
   const trouble = page.locator('#imagine-trouble:visible').filter({ hasText: 'load the page again' });
   await trouble.waitFor();
   await page.locator('#tab-play').click();
-  await type(page, (await known(page)).solving);
+  await type(page, (await known()).solving);
   await page.locator('#run').click();
   await says(page, /^Solved!/);
   await page.reload();

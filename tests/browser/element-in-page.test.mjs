@@ -13,7 +13,7 @@ after(() => session.stop());
 
 /** Plays a ball that solves the puzzle. */
 async function solve(page) {
-  const { solving } = await known(page);
+  const { solving } = await known();
   await page.locator('pathlight-puzzle').evaluate((element, ball) => element.setAttribute('ball', ball), String(solving));
   await page.locator('#run').click();
   await page.locator('#status').filter({ hasText: /^Solved!/ }).waitFor();

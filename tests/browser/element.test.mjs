@@ -37,7 +37,7 @@ test('two puzzles in one page are played with the mouse, independently of each o
   const page = await embed(session);
   const [one, two] = [page.locator('#one'), page.locator('#two')];
   await imagined(two);
-  const { solving } = await known(page);
+  const { solving } = await known();
   await page.evaluate(() => {
     globalThis.heard = [];
     document.addEventListener('attempt', (/** @type {any} */ { target, detail }) => globalThis.heard.push([target.id, detail]));
@@ -159,7 +159,7 @@ test('a puzzle that is removed frees its worker and its memory, and can be playe
   assert.equal(await page.evaluate(() => globalThis.freed), 2);
   await page.evaluate(() => document.querySelector('main')?.append(...globalThis.puzzles));
   await imagined(page.locator('#two'));
-  const { solving } = await known(page);
+  const { solving } = await known();
   await page.locator('#one').evaluate((element, ball) => element.setAttribute('ball', ball), String(solving));
   await page.locator('#one #run').click();
   await status(page.locator('#one'), /^Solved!/);

@@ -129,7 +129,7 @@ test('of many moves at once only the first and the last are asked for', { skip }
 
 test('after a run it stays beside the real paths until the ball changes', { skip }, async () => {
   const page = await open('', { reducedMotion: true });
-  const { missing } = await known(page);
+  const { missing } = await known();
   await type(page, missing);
   await followsTheBall(page);
   await page.locator('#run').click();
@@ -161,7 +161,7 @@ test('after a run it stays beside the real paths until the ball changes', { skip
 test('a ball that may not be placed is not imagined', { skip }, async () => {
   const page = await open('&ball=128,230,8');
   await followsTheBall(page);
-  const { invalid } = await known(page);
+  const { invalid } = await known();
   await type(page, invalid);
   await forecasts(page, /only balls that may be placed/);
 });

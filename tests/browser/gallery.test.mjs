@@ -12,8 +12,8 @@ after(() => session.stop());
 test('the grid draws 25 thumbnails when they scroll into sight', async () => {
   const page = await session.open('/');
   const canvases = page.locator('#templates canvas');
-  assert.equal(await canvases.count(), 25);
   await page.locator('#templates canvas.drawn').first().waitFor();
+  assert.equal(await canvases.count(), 25);
   // Below the fold nothing is drawn before it is needed.
   assert.ok((await page.locator('#templates canvas.drawn').count()) < 25);
   for (let index = 0; index < 25; index += 1) await canvases.nth(index).scrollIntoViewIfNeeded();
@@ -22,9 +22,9 @@ test('the grid draws 25 thumbnails when they scroll into sight', async () => {
 
 test('every template opens from the grid with its scene and its goal', async () => {
   const page = await session.open('/');
-  const colours = await palette(page);
   const links = page.locator('#templates a');
   await links.first().waitFor();
+  const colours = await palette(page);
   for (let index = 0; index < 25; index += 1) {
     const name = await links.nth(index).locator('strong').textContent();
     await links.nth(index).click();

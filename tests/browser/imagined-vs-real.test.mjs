@@ -19,7 +19,7 @@ async function overlapsOf(page, who) {
 
 test('runs of the player, of the model and without a ball stand beside each other with their overlaps', async () => {
   const page = await openPuzzle(session, { reducedMotion: true });
-  const { solving } = await known(page);
+  const { solving } = await known();
   await page.locator('#watch').click();
   await page.locator('#tab-imagine').click();
   await page.locator('#overlap-words').filter({ hasText: 'Without a ball: green object' }).waitFor({ state: 'attached' });
@@ -43,7 +43,7 @@ test('runs of the player, of the model and without a ball stand beside each othe
 
 test('the line goes round the path of this run, and goes with its attempt', async () => {
   const page = await openPuzzle(session, { reducedMotion: true });
-  const { solving, missing } = await known(page);
+  const { solving, missing } = await known();
   const pictures = [];
   for (const ball of [solving, missing]) {
     await type(await tab(page, 'play'), ball);

@@ -38,7 +38,7 @@ async function moveTo(page, [x, y, r]) {
 test('a puzzle is opened, solved and compared by keys alone', async () => {
   const page = await session.open('/', { reducedMotion: 'reduce' });
   await page.locator('#templates a').first().waitFor();
-  const { solving } = await known(page);
+  const { solving } = await known();
   while (!(await page.evaluate(() => document.activeElement?.matches('#templates a')))) await page.keyboard.press('Tab');
   await page.keyboard.press('Enter');
   await page.locator('#scene').waitFor();
@@ -59,7 +59,7 @@ test('a puzzle is opened, solved and compared by keys alone', async () => {
 
 test('keys step, pause, reset, change the puzzle and the panel', async () => {
   const page = await openPuzzle(session);
-  const { missing } = await known(page);
+  const { missing } = await known();
   const time = page.locator('#time');
   await page.locator('#scene').focus();
   await page.keyboard.press('ArrowLeft');

@@ -195,7 +195,7 @@ test('without weights a person can still play', async () => {
     await page.locator('#compare-trouble:visible').filter({ hasText: 'weights are missing' }).waitFor();
     assert.ok(await page.locator('#model-turn').isDisabled());
     await page.locator('#tab-play').click();
-    const { solving } = await known(page);
+    const { solving } = await known();
     await type(page, solving);
     await page.locator('#run').click();
     await says(page, /^Solved!/);

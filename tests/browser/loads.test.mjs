@@ -1,10 +1,14 @@
 // The page loads: served by the real binary, its wasm compiled, and without errors in the console.
 
 import assert from 'node:assert/strict';
+import { mkdtemp, rm } from 'node:fs/promises';
 import { get } from 'node:http';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
 import { after, before, test } from 'node:test';
+import { writeBundledPage } from '../../scripts/bundle-page.mjs';
 import { start } from './harness.mjs';
-import { EASY, assertPolicyHolds, known, says, type } from './page-actions.mjs';
+import { EASY, assertPolicyHolds, known, openImagined, says, type } from './page-actions.mjs';
 
 let session;
 before(async () => (session = await start()));
@@ -44,16 +48,20 @@ test('wasm and weights are small to download', async (context) => {
   }
 });
 
-test('every module of the page is named in its head, so that none waits for another', async () => {
-  const page = await session.open('/', { viewport: { width: 1280, height: 800 } });
-  await page.locator('#templates canvas.drawn').first().waitFor();
-  const [loaded, named] = await page.evaluate(() => {
-    const path = (url) => new URL(url, location.href).pathname;
-    const scripts = performance.getEntriesByType('resource').map(({ name }) => path(name)).filter((name) => name.endsWith('.js'));
-    const links = [...document.querySelectorAll('link[rel=modulepreload], script[src]')].map((one) => path(one.getAttribute('href') ?? one.getAttribute('src')));
-    return [[...new Set(scripts)].sort(), links.sort()];
-  });
-  assert.deepEqual(loaded, named);
+test('what make play serves loads one script, and one more for the model', async () => {
+  const folder = await mkdtemp(join(tmpdir(), 'pathlight-'));
+  await writeBundledPage(folder);
+  const bundled = await start({ serve: ['--dir', folder] });
+  const page = await openImagined(bundled, { reducedMotion: true });
+  const scripts = () => performance.getEntriesByType('resource').map(({ name }) => new URL(name).pathname).filter((path) => path.endsWith('.js'));
+  assert.deepEqual(await page.evaluate(scripts), ['/page/main.js', '/model/worker.js']);
+  assert.deepEqual(await page.workers()[0].evaluate(scripts), []);
+  await page.locator('#tab-play').click();
+  await type(page, (await known()).solving);
+  await page.locator('#run').click();
+  await says(page, /^Solved!/);
+  await bundled.stop();
+  await rm(folder, { recursive: true });
 });
 
 test('the policy keeps scripts from elsewhere out', async () => {
@@ -72,7 +80,7 @@ test('a puzzle is drawn and played before the weights are there', async () => {
   const weights = await held;
   await page.locator('#imagine-loading:visible').filter({ hasText: 'Loading the model' }).waitFor();
   await page.locator('#tab-play').click();
-  await type(page, (await known(page)).solving);
+  await type(page, (await known()).solving);
   await page.locator('#run').click();
   await says(page, /^Solved!/);
   await weights.continue();

@@ -32,7 +32,7 @@ async function choose(page, name) {
 
 test('the attempts of the first model go, the player’s stay, and no store takes one model’s result for the other’s', async () => {
   const page = await open({ fragment: '' });
-  const { missing } = await known(page);
+  const { missing } = await known();
   await type(page, missing);
   await page.locator('#run').click();
   await says(page, /^Not solved/);

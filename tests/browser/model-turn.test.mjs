@@ -66,7 +66,7 @@ test('a turn that is stopped and started again at once is played to its end', as
 test('player and model side by side, both paths over each other', async () => {
   const page = await compare();
   assert.equal(await page.locator('#verdict').textContent(), 'Nobody has tried yet.');
-  const { solving } = await known(page);
+  const { solving } = await known();
   await page.locator('#tab-play').click();
   await type(page, solving);
   await page.locator('#run').click();

@@ -1,14 +1,16 @@
 // What tests do on the page as a person would: open a puzzle, point at px of the scene, read the status line.
-// It also finds a solving ball by simulation, through the page's own wasm, so that no test holds a solution.
+// It also finds a solving ball by simulation, with the page's own wasm, so that no test holds a solution.
 
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { Puzzle, initSync } from '../../www/pkg/pathlight.js';
 
 const ROOT = join(dirname(fileURLToPath(import.meta.url)), '..', '..');
 const RESULTS = join(ROOT, 'results');
 const ASSETS = join(ROOT, 'assets');
+const WASM = join(ROOT, 'www', 'pkg', 'pathlight_bg.wasm');
 
 /** A puzzle that many balls solve. */
 export const EASY = '00000:000';
@@ -147,35 +149,30 @@ export function attempts(page) {
 
 /**
  * Balls of a puzzle, found by simulation: one that solves it, one that does not, one that may not be placed.
- * @param {Page} page
  * @param {string} [task]
  * @returns {Promise<{ solving: Ball, missing: Ball, invalid: Ball }>}
  */
-export async function known(page, task = EASY) {
-  return page.evaluate(async (task) => {
-    /** @type {HTMLLinkElement | null} */
-    const link = document.querySelector('link[href$="pkg/pathlight.js"]');
-    const { Puzzle } = await import(link?.href ?? '/pkg/pathlight.js');
-    const puzzle = new Puzzle(task);
-    /** @type {{ solving?: Ball, missing?: Ball, invalid?: Ball }} */
-    const found = {};
-    for (let r = 8; r <= 24; r += 8) {
-      for (let y = 250; y > 0; y -= 12) {
-        for (let x = 4; x < 256; x += 8) {
-          if (puzzle.whyInvalid(x, y, r)) {
-            found.invalid ??= [x, y, r];
-            continue;
-          }
-          const { number, ending } = puzzle.attempt(x, y, r);
-          found[ending.solved ? 'solving' : 'missing'] ??= [x, y, r];
-          if (number === 100) puzzle.clear('player');
-          const { solving, missing, invalid } = found;
-          if (solving && missing && invalid) return { solving, missing, invalid };
+export async function known(task = EASY) {
+  initSync({ module: await readFile(WASM) });
+  const puzzle = new Puzzle(task);
+  /** @type {{ solving?: Ball, missing?: Ball, invalid?: Ball }} */
+  const found = {};
+  for (let r = 8; r <= 24; r += 8) {
+    for (let y = 250; y > 0; y -= 12) {
+      for (let x = 4; x < 256; x += 8) {
+        if (puzzle.whyInvalid(x, y, r)) {
+          found.invalid ??= [x, y, r];
+          continue;
         }
+        const { number, ending } = puzzle.attempt(x, y, r);
+        found[ending.solved ? 'solving' : 'missing'] ??= [x, y, r];
+        if (number === 100) puzzle.clear('player');
+        const { solving, missing, invalid } = found;
+        if (solving && missing && invalid) return { solving, missing, invalid };
       }
     }
-    throw new Error(`no ball of the grid solves ${task}`);
-  }, task);
+  }
+  throw new Error(`no ball of the grid solves ${task}`);
 }
 
 /** Types a ball into the fields. */

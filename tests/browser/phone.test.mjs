@@ -46,7 +46,7 @@ test('a finger need not hit a small ball, nor its knob, exactly', async () => {
 
 test('a solving ball is tapped, run and solved', async () => {
   const page = await openPuzzle(session, { ...PHONE, reducedMotion: true });
-  const { solving: [x, y, r] } = await known(page);
+  const { solving: [x, y, r] } = await known();
   await page.touchscreen.tap(...(await spot(page, x, y)));
   await page.locator('#ball-r').fill(String(r));
   await page.locator('#ball-r').press('Tab');

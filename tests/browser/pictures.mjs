@@ -24,7 +24,7 @@ let knownBalls;
 for (const [screen, size] of Object.entries(SCREENS)) {
   for (const colorScheme of /** @type {const} */ (['light', 'dark'])) {
     const page = await openPuzzle(session, { ...size, task: TASK, reducedMotion: true, colorScheme });
-    const balls = (knownBalls ??= await known(page, TASK));
+    const balls = (knownBalls ??= await known(TASK));
     const take = async (view) => {
       await page.waitForTimeout(400);
       await page.screenshot({ path: join(folder, `${view}-${screen}-${colorScheme}.png`) });

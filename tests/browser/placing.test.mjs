@@ -12,7 +12,7 @@ after(() => session.stop());
 test('a click places the ball there, in whole px', async () => {
   const page = await openPuzzle(session);
   await says(page, /place the red ball/);
-  const { missing: [x, y] } = await known(page);
+  const { missing: [x, y] } = await known();
   await click(page, x, y);
   const [atX, atY, r] = await ball(page);
   assert.ok(Math.abs(atX - x) <= 1 && Math.abs(atY - y) <= 1, `${atX}, ${atY}`);
@@ -49,7 +49,7 @@ test('a drag moves the ball, the knob and the wheel change its radius', async ()
 
 test('an invalid ball is outlined, named and never counts', async () => {
   const page = await openPuzzle(session);
-  const { invalid } = await known(page);
+  const { invalid } = await known();
   await type(page, invalid);
   const words = await says(page, /^Not here: The ball (sticks out of the scene|overlaps the [\w ]+)\.$/);
   // It is announced, in the page's only live region.

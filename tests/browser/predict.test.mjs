@@ -64,7 +64,7 @@ test('a line is drawn with the mouse, places no ball, and is measured when it ha
 
 test('with a ball the run is an attempt, and the net’s target path is measured', async () => {
   const page = await predict();
-  const { solving } = await known(page);
+  const { solving } = await known();
   const [x, y] = await green(page);
   await draw(page, [[x, y], [x, 10]]);
   assert.ok(await page.locator('#predict-run').isDisabled(), 'there is no ball');

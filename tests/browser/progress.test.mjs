@@ -23,7 +23,7 @@ async function run(page, ball, words) {
 
 /** A miss, then a solution, on the easy puzzle. */
 async function played(page) {
-  const { missing, solving } = await known(page);
+  const { missing, solving } = await known();
   await run(page, missing, /^Not solved/);
   assert.equal(await label(page), `${EASY} × 1`);
   await page.locator('#reset').click();
@@ -45,7 +45,7 @@ test('progress is told on the grid and in the picker, and outlasts the page', as
 
 test('an attempt is not told before it has run, and counts when it is left', async () => {
   const page = await openPuzzle(session);
-  const { solving } = await known(page);
+  const { solving } = await known();
   await run(page, solving, /is running/);
   assert.equal(await label(page), EASY);
   await page.locator('#next').click();
@@ -57,7 +57,7 @@ test('another tab’s attempts are seen, and added to', async () => {
   const page = await openPuzzle(session, { reducedMotion: true });
   const other = await page.context().newPage();
   await other.goto(page.url());
-  const { missing, solving } = await known(page);
+  const { missing, solving } = await known();
   await run(page, missing, /^Not solved/);
   await other.locator('#task option:checked').filter({ hasText: `${EASY} × 1` }).waitFor({ state: 'attached' });
   await other.emulateMedia({ reducedMotion: 'reduce' });
@@ -100,7 +100,7 @@ for (const [what, kept, tried] of [
     assert.equal((await page.locator('#templates em').allTextContents()).filter(Boolean).length, tried);
     await page.emulateMedia({ reducedMotion: 'reduce' });
     await page.locator('#templates a').first().click();
-    await run(page, (await known(page)).solving, /^Solved/);
+    await run(page, (await known()).solving, /^Solved/);
     assert.equal(await label(page), `${EASY} ✓ in ${tried ? 3 : 1}`);
   });
 }

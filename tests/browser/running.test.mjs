@@ -13,7 +13,7 @@ const seconds = async (page) => parseFloat(await page.locator('#clock').textCont
 
 test('a solving ball runs to "Solved!", with the ring while the goal holds', async () => {
   const page = await openPuzzle(session);
-  const { solving } = await known(page);
+  const { solving } = await known();
   await type(page, solving);
   await says(page, /may start here/);
   await page.locator('#speed').selectOption('4');
@@ -28,7 +28,7 @@ test('a solving ball runs to "Solved!", with the ring while the goal holds', asy
 
 test('a miss says why, and joins the list', async () => {
   const page = await openPuzzle(session, { reducedMotion: true });
-  const { missing } = await known(page);
+  const { missing } = await known();
   await type(page, missing);
   await page.locator('#run').click();
   await says(page, /^Not solved\. Your attempt 1: (never touched|touched for .+, then lost|touching for .+ when time ran out)\.$/);
@@ -37,7 +37,7 @@ test('a miss says why, and joins the list', async () => {
 
 test('pause, step, scrub and go on', async () => {
   const page = await openPuzzle(session);
-  const { missing } = await known(page);
+  const { missing } = await known();
   await type(page, missing);
   await page.locator('#run').click();
   await waitForValue(page, '#time', (value) => Number(value) > 20);
@@ -61,7 +61,7 @@ test('pause, step, scrub and go on', async () => {
 
 test('a quarter of the speed takes longer than four times', async () => {
   const page = await openPuzzle(session);
-  const { missing } = await known(page);
+  const { missing } = await known();
   await type(page, missing);
   const after = async (speed) => {
     await page.locator('#speed').selectOption(speed);
@@ -77,7 +77,7 @@ test('a quarter of the speed takes longer than four times', async () => {
 
 test('an attempt is replayed from the list and does not count again', async () => {
   const page = await openPuzzle(session, { reducedMotion: true });
-  const { missing, solving } = await known(page);
+  const { missing, solving } = await known();
   for (const one of [missing, solving]) {
     await type(page, one);
     await page.locator('#run').click();
@@ -105,7 +105,7 @@ test('the scene runs without a ball too, and that is no attempt', async () => {
 
 test('the ring tells how long the goal has held, of the three seconds', async () => {
   const page = await openPuzzle(session, { reducedMotion: true });
-  const { solving } = await known(page);
+  const { solving } = await known();
   const goalMeter = page.locator('#goal-meter');
   assert.ok(await goalMeter.isHidden());
   await type(page, solving);
@@ -123,7 +123,7 @@ test('the ring tells how long the goal has held, of the three seconds', async ()
 
 test('with reduced motion a run shows its end and its path at once', async () => {
   const page = await openPuzzle(session, { reducedMotion: true });
-  const { missing } = await known(page);
+  const { missing } = await known();
   await type(page, missing);
   await page.locator('#run').click();
   await says(page, /^Not solved/, 1000);
@@ -138,7 +138,7 @@ test('with reduced motion a run shows its end and its path at once', async () =>
 
 test('the path is drawn as it goes', async () => {
   const page = await openPuzzle(session, { reducedMotion: true });
-  const { missing } = await known(page);
+  const { missing } = await known();
   await type(page, missing);
   await page.locator('#run').click();
   const red = (await palette(page)).red;

@@ -13,7 +13,7 @@ const rows = (page) => page.locator('#score-rows tr');
 
 /** The player misses, then solves the puzzle, and the model plays. */
 async function playBoth(page) {
-  const { solving, missing } = await known(page);
+  const { solving, missing } = await known();
   for (const ball of [missing, solving]) {
     await page.locator('#tab-play').click();
     await type(page, ball);

@@ -33,7 +33,7 @@ test('the map grows while the page stays alive, and ends when it is told to', as
 
 test('it says of a ball what its simulation says', async () => {
   const page = await openPuzzle(session);
-  const { solving } = await known(page);
+  const { solving } = await known();
   const outcomes = await page.evaluate(async (r) => {
     const { Puzzle, SolveMap } = await import('/pkg/pathlight.js');
     const map = new SolveMap('00000:000', r);

@@ -1,4 +1,5 @@
-// Prints how long a person waits, on this machine: make timings. A tool, not a test: it asserts nothing.
+// Prints how long a person waits for what `make play` serves, on this machine: make timings. A tool, not a test: it asserts
+// nothing.
 //
 //   first puzzle   from asking for the page, with an empty cache, until the scene (or the grid's first picture) is
 //                  drawn; the page is the one asked for, a puzzle by its link or the grid
@@ -15,7 +16,7 @@ const TIMES = 7;
 /** The templates whose first task is opened. */
 const TEMPLATES = [1, 7, 12, 16, 20, 23, 24];
 
-const session = await start();
+const session = await start({ serve: ['--dir', 'target/page'] });
 const rows = [];
 const row = (what, values, unit, wanted) => {
   const sorted = values.toSorted((a, b) => a - b);
@@ -23,10 +24,11 @@ const row = (what, values, unit, wanted) => {
   rows.push({ what, median: `${median.toFixed(1)} ${unit}`, worst: `${worst.toFixed(1)} ${unit}`, wanted });
 };
 
-const grid = await session.open('/');
-await grid.locator('#templates a').first().waitFor();
-const tasks = await grid.evaluate(async () => (await import('/pkg/pathlight.js')).templates().map((template) => template.tasks[0]));
-await grid.context().close();
+// The page's own instance of the wasm is in its bundle.
+const sources = await start();
+const plain = await sources.open('/');
+await plain.locator('#templates a').first().waitFor();
+const tasks = await plain.evaluate(async () => (await import('/pkg/pathlight.js')).templates().map((template) => template.tasks[0]));
 const task = (time) => tasks[TEMPLATES[time]];
 
 /** From the start of the navigation until this selector's canvas has something on it. */
@@ -112,7 +114,7 @@ const maps = (task) =>
   }, task);
 row('maps of another puzzle', await repeat((time) => maps(task(time))), 'ms', '< 100 ms');
 
-const spent = await page.evaluate(
+const spent = await plain.evaluate(
   async (tasks) => {
     const { Model } = await import('/pkg/pathlight.js');
     const { models } = await (await fetch('/assets/model.json')).json();
@@ -135,3 +137,4 @@ row('the next ball imagined, in wasm', spent.imagined.map(([, next]) => next), '
 
 console.table(rows);
 await session.stop();
+await sources.stop();

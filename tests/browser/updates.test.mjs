@@ -139,7 +139,7 @@ test('a version that arrives damaged is not taken', async () => {
   const old = await versionOf(page);
   const damaged = await temporaryFolder();
   await cp(second.folder, damaged, { recursive: true });
-  await appendFile(join(damaged, [...second.files.keys()].find((path) => path.endsWith('/page.js')) ?? ''), '// half of another version\n');
+  await appendFile(join(damaged, [...second.files.keys()].find((path) => path.endsWith('/page/main.js')) ?? ''), '// half of another version\n');
   server.folder = damaged;
   const context = page.context();
   const failed = page.evaluate(async () => {
@@ -160,7 +160,7 @@ test('a version that arrives damaged is not taken', async () => {
 });
 
 test('a version that fails to start is replaced by the next one', async () => {
-  server.folder = (await changedDist('page.js', "throw new Error('a mistake in this version');")).folder;
+  server.folder = (await changedDist('page/page.js', "throw new Error('a mistake in this version');")).folder;
   const page = await session.open(`/#task=${EASY}`, { reducedMotion: 'reduce' });
   await kept(page);
   await page.locator('#notice').filter({ hasText: 'a mistake in this version' }).waitFor();

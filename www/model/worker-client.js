@@ -219,7 +219,7 @@ export class WorkerClient extends EventTarget {
  */
 function createWorker() {
   // In this form bundlers find the worker.
-  if (new URL(import.meta.url).origin === globalThis.origin) return new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
+  if (new URL(import.meta.url).origin === globalThis.origin) return new Worker(new URL("../model/worker.js", import.meta.url), { type: "module" });
   return new Worker(importingScript(), { type: "module" });
 }
 
@@ -227,6 +227,6 @@ function createWorker() {
 let scriptAddress;
 
 function importingScript() {
-  const address = import.meta.url.replace(/[^/]*$/, "worker.js");
+  const address = import.meta.url.replace(/[^/]*\/[^/]*$/, "model/worker.js");
   return (scriptAddress ??= URL.createObjectURL(new Blob([`import ${JSON.stringify(address)};`], { type: "text/javascript" })));
 }

@@ -19,7 +19,7 @@ async function start() {
   const releaseVersion = await holdVersion();
   // The first puzzle does not wait for files that are kept for later. A version that fails to start, and tells so itself,
   // must still find the next one.
-  await import("../main.js").catch(() => {});
+  await import("../page/main.js").catch(() => {});
   serviceWorker.controller?.postMessage("started");
   await idle();
   // Do not read the worker's script from the HTTP cache.

@@ -1,5 +1,5 @@
-// Fetches the wasm and compiles it once, for all puzzles of a page and their workers. It starts as soon as this file has
-// arrived, while the other modules are still on their way, because the first picture waits for nothing longer.
+// Fetches the wasm and compiles it once, for all puzzles of a page and their workers. It starts with this
+// module, because the first picture waits for nothing longer.
 
 import { compileWasm } from "../api/files.js";
 

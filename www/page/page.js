@@ -1,19 +1,19 @@
 // The page: the grid of puzzles, the header, the progress and the address, round one <pathlight-puzzle>. The state of the page
 // is the puzzle's; with no task the grid is shown.
 
-import { palette } from "./pkg/pathlight.js";
-import { PathlightPuzzle } from "./element/pathlight-puzzle.js";
-import { byId } from "./shell/dom.js";
-import { Gallery } from "./shell/gallery.js";
-import { hideParts } from "./shell/hidden-parts.js";
-import { dismissNotice, showNotice } from "./shell/notice.js";
-import { pathlight } from "./shell/pathlight.js";
-import { sharedProgress } from "./shell/progress-store.js";
-import { ProgressView } from "./shell/progress-view.js";
-import { leavesPlainKeys } from "./shell/shortcuts.js";
-import { INITIAL_STATE, formatFragment, hrefOf, parseFragment } from "./shell/url-state.js";
+import { palette } from "../pkg/pathlight.js";
+import { PathlightPuzzle } from "../element/pathlight-puzzle.js";
+import { byId } from "../shell/dom.js";
+import { Gallery } from "../shell/gallery.js";
+import { hideParts } from "../shell/hidden-parts.js";
+import { dismissNotice, showNotice } from "../shell/notice.js";
+import { pathlight } from "../shell/pathlight.js";
+import { sharedProgress } from "../shell/progress-store.js";
+import { ProgressView } from "../shell/progress-view.js";
+import { leavesPlainKeys } from "../shell/shortcuts.js";
+import { INITIAL_STATE, formatFragment, hrefOf, parseFragment } from "../shell/url-state.js";
 
-/** @typedef {import("./shell/url-state.js").State} State */
+/** @typedef {import("../shell/url-state.js").State} State */
 
 /** Browsers refuse to change the address at every step of a drag; it is changed this much later, ms. */
 const URL_DELAY = 200;

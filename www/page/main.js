@@ -1,10 +1,10 @@
 // The entry: waits for the wasm, then loads the page, whose modules may call its exports from their first line on. Unhandled
 // errors are shown here.
 
-import "./element/pathlight-puzzle.js";
-import { byId } from "./shell/dom.js";
-import { showNotice } from "./shell/notice.js";
-import { loadWasm } from "./shell/load-wasm.js";
+import "../element/pathlight-puzzle.js";
+import { byId } from "../shell/dom.js";
+import { showNotice } from "../shell/notice.js";
+import { loadWasm } from "../shell/load-wasm.js";
 
 const reload = () => location.reload();
 
