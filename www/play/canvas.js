@@ -54,6 +54,8 @@ const RADIUS_KEYS = { "+": 1, "=": 1, "-": -1, "−": -1 };
 export class SceneCanvas extends Component {
   #canvas = this.byId("scene", HTMLCanvasElement);
   #context = contextOf(this.#canvas);
+  /** CSS px per px of the scene, as last observed: to ask for it while painting would force a layout. */
+  #scale = 1;
   #drawScheduled = false;
   /** @type {Drag | null} */
   #drag = null;
@@ -137,6 +139,7 @@ export class SceneCanvas extends Component {
 
   /** @param {ResizeObserverEntry} entry */
   #onResize(entry) {
+    this.#scale = entry.contentRect.width / SCENE_SIZE;
     const rounded = entry.contentRect.width * devicePixelRatio;
     const exact = entry.devicePixelContentBoxSize?.[0].inlineSize;
     // The exact size avoids a blur where the ratio is no integer; emulated screens report it wrongly.
@@ -146,11 +149,6 @@ export class SceneCanvas extends Component {
     this.#canvas.height = side;
     // At once: a canvas that has been resized is empty until it is drawn.
     this.#paint();
-  }
-
-  /** CSS px per px of the scene. */
-  get #scale() {
-    return this.#canvas.clientWidth / SCENE_SIZE;
   }
 
   /**
