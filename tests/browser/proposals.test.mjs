@@ -14,7 +14,7 @@ const noDynamics = await withoutDynamics();
 const HARD = await unsolvedTask();
 const ORIGIN = noDynamics
   ? /^The judge, a fifth net: .+ the highest probability of solving, \d+ %\.$/
-  : /^By .+ (it was the likeliest .+ \(.+ %\)\.|its chance was .+ % before the first attempt\. Then ball \d+ failed much as .+ of those left\.)$/;
+  : /^By .+ (it was the likeliest .+ \(.+ %\)\.|its chance was .+ % before the first attempt\. Then ball \d+ failed, and it resembles this one, .+ of those left\.)$/;
 
 async function compare(fragment = '', task = HARD) {
   const page = await openPuzzle(session, { task, fragment: `&panel=compare${fragment}`, reducedMotion: true });

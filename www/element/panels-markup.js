@@ -36,12 +36,12 @@ export const PANELS_MARKUP = `
     <p>Before anything moves, four small nets imagine, one after the other, and a fifth judges:</p>
     <div class="steps" role="group" aria-labelledby="walkthrough-step">
       <button type="button" id="walkthrough-play"><svg><use id="walkthrough-play-icon" href="#icon-run"/></svg><span id="walkthrough-play-label">Play</span></button>
+      <button type="button" id="walkthrough-all" aria-pressed="true">All</button>
       <span class="dots">
         <button type="button" id="walkthrough-back" title="Back"><svg><use href="#icon-previous"/></svg><span class="visually-hidden">Back</span></button>
         <span class="dots" id="walkthrough-dots"></span>
         <button type="button" id="walkthrough-next" title="Next"><svg><use href="#icon-next"/></svg><span class="visually-hidden">Next</span></button>
       </span>
-      <button type="button" id="walkthrough-all" aria-pressed="true">All</button>
     </div>
     <p class="visually-hidden" id="walkthrough-step"></p>
     <ul class="stages" id="stages"></ul>

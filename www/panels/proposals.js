@@ -234,7 +234,7 @@ export class Proposals extends Component {
   #imaginedWords({ prior, probability, lowered_by: number }) {
     const basis = this.#client.loaded?.card.judge ? "what it imagines and the judge together" : "what it imagines";
     if (number === null) return `By ${basis} it was the likeliest to solve the puzzle of all balls not tried yet: ${chanceWords(probability)}.`;
-    return `By ${basis} its chance was ${percent(prior)} before the first attempt. Then ball ${number} failed much as this one is imagined to go: ${percent(probability)}, but still the likeliest of those left.`;
+    return `By ${basis} its chance was ${percent(prior)} before the first attempt. Then ball ${number} failed, and it resembles this one, by where it starts or by what happened: ${percent(probability)}, but still the likeliest of those left.`;
   }
 
   /**
