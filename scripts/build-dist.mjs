@@ -22,8 +22,8 @@ const SERVICE_WORKER = "offline/service-worker.js";
 /** Beside index.html; everything else belongs to a version. */
 const UNVERSIONED = /^(manifest\.webmanifest|icon\.svg|icons\/.*\.png)$/;
 const VERSIONED = /\.(js|css|wasm)$/;
-/** Weights and pictures do not become much smaller, and the progress bar of the weights needs their length. */
-const COMPRESSIBLE = new Set([".html", ".css", ".js", ".json", ".svg", ".wasm", ".webmanifest"]);
+/** Pictures do not become smaller. */
+const COMPRESSIBLE = new Set([".html", ".css", ".js", ".json", ".svg", ".wasm", ".webmanifest", ".safetensors"]);
 /** Stands for the version until it is known. */
 const PLACEHOLDER = "VERSION";
 
@@ -31,10 +31,10 @@ const PLACEHOLDER = "VERSION";
 
 /**
  * Builds the folder and returns its files without the compressed ones.
- * @param {{ page?: string, assets?: string, out?: string, compress?: boolean }} [options] folders of the page, of the
- *     weights and of the result, whose contents are replaced
+ * @param {{ page?: string, assets?: string, out?: string, quality?: number }} [options] folders of the page, of the
+ *     weights and of the result, whose contents are replaced; brotli's quality, 0 to compress nothing
  */
-export async function buildDist({ page = SOURCES, assets = join(ROOT, "assets"), out = join(ROOT, "dist"), compress = true } = {}) {
+export async function buildDist({ page = SOURCES, assets = join(ROOT, "assets"), out = join(ROOT, "dist"), quality = constants.BROTLI_MAX_QUALITY } = {}) {
   if (existsSync(out) && !existsSync(join(out, "service-worker.js")) && (await readdir(out)).length > 0) {
     throw new Error(`${out} holds files that are not a built page: empty it, or name another folder`);
   }
@@ -44,8 +44,8 @@ export async function buildDist({ page = SOURCES, assets = join(ROOT, "assets"),
     const target = join(out, path);
     await mkdir(dirname(target), { recursive: true });
     await writeFile(target, content);
-    if (!compress || !COMPRESSIBLE.has(extname(path))) return;
-    const { br, gz } = await compressed(content);
+    if (!quality || !COMPRESSIBLE.has(extname(path))) return;
+    const { br, gz } = await compressed(content, quality);
     await writeFile(`${target}.br`, br);
     await writeFile(`${target}.gz`, gz);
   });
@@ -143,9 +143,12 @@ function hash(content) {
   return createHash("sha256").update(content).digest("hex").slice(0, 12);
 }
 
-/** @param {Buffer} content */
-async function compressed(content) {
-  const params = { [constants.BROTLI_PARAM_QUALITY]: constants.BROTLI_MAX_QUALITY, [constants.BROTLI_PARAM_SIZE_HINT]: content.length };
+/**
+ * @param {Buffer} content
+ * @param {number} quality
+ */
+async function compressed(content, quality) {
+  const params = { [constants.BROTLI_PARAM_QUALITY]: quality, [constants.BROTLI_PARAM_SIZE_HINT]: content.length };
   const [br, gz] = await Promise.all([promisify(brotliCompress)(content, { params }), promisify(gzip)(content, { level: constants.Z_BEST_COMPRESSION })]);
   return { br, gz };
 }

@@ -1,4 +1,5 @@
-//! The shipped models are complete: assets/model.json lists every weights file with its hash, and the nets load it.
+//! The shipped models are complete: assets/model.json lists every weights file with its size and hash, the nets load it, and it
+//! is rounded.
 #![cfg(not(target_arch = "wasm32"))]
 
 use std::fs;
@@ -9,7 +10,7 @@ use pathlight::simulator;
 use serde_json::Value;
 use sha2::{Digest, Sha256};
 
-/// Largest download of a model, bytes.
+/// Largest size of a model, bytes.
 const MAX_BYTES: usize = 6_000_000;
 
 #[test]
@@ -24,10 +25,13 @@ fn every_model_of_the_list_is_there_whole_and_up_to_date() {
         let bytes = fs::read(assets.join(text("file"))).unwrap_or_else(|error| panic!("{}: {error}", text("file")));
         let digest: String = Sha256::digest(&bytes).iter().map(|byte| format!("{byte:02x}")).collect();
         assert_eq!(digest, text("sha256"), "run `pathlight publish` again");
-        let (_, card) = PathNet::load(&bytes, &flex()).expect("weights that fit");
+        assert_eq!(model["size"], bytes.len(), "run `pathlight publish` again");
+        let (nets, card) = PathNet::load(&bytes, &flex()).expect("weights that fit");
         assert_eq!(text("name"), format!("{}-{}", card.setup, card.fold));
         assert_eq!(card.simulator, simulator::VERSION, "trained on rollouts of another simulator");
         assert!(bytes.len() < MAX_BYTES, "{} is {} bytes", text("name"), bytes.len());
+        let rounded = nets.rounded().save(&card).expect("weights that can be saved");
+        assert!(rounded == bytes, "{} is not rounded: run `pathlight publish` on it", text("name"));
         println!("{}: {} bytes, {card:?}", text("name"), bytes.len());
     }
 }

@@ -1,7 +1,7 @@
 //! `pathlight publish`: copies trained weights to where the page loads them from.
 //!
-//! They are named by their setup and fold. The list of all weights beside them has the hash by which the page checks
-//! a download.
+//! They are rounded there, so that a compressed download is about half as large, and named by their setup and fold. The list
+//! of all weights beside them has the hash by which the page checks a download, and the size that tells its progress.
 
 use std::fs;
 use std::io::{self, Write};
@@ -13,7 +13,7 @@ use serde::Serialize;
 
 use super::digest;
 
-/// Copy trained weights to the assets, where the page loads them from
+/// Copy trained weights, rounded, to the assets, where the page loads them from
 #[derive(clap::Args)]
 pub struct Args {
     /// Weights files of `pathlight train` or `train-judge`; without any, only the list is rewritten
@@ -34,6 +34,8 @@ struct List {
 struct ModelEntry {
     name: String,
     file: String,
+    /// Bytes.
+    size: u64,
     sha256: String,
 }
 
@@ -43,9 +45,11 @@ impl Args {
         let mut written = Vec::new();
         for path in &self.weights {
             let bytes = fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
-            let (_, card) = PathNet::load(&bytes, &flex()).with_context(|| format!("cannot use {}", path.display()))?;
+            let (nets, card) =
+                PathNet::load(&bytes, &flex()).with_context(|| format!("cannot use {}", path.display()))?;
             let copy = self.assets.join(format!("{}-{}.safetensors", card.setup, card.fold));
-            fs::write(&copy, bytes).with_context(|| format!("cannot write {}", copy.display()))?;
+            let rounded = nets.rounded().save(&card).with_context(|| format!("cannot use {}", path.display()))?;
+            fs::write(&copy, rounded).with_context(|| format!("cannot write {}", copy.display()))?;
             written.push(copy);
         }
         let list = List { models: entries(&self.assets)? };
@@ -70,8 +74,9 @@ fn entries(folder: &Path) -> anyhow::Result<Vec<ModelEntry>> {
     for file in fs::read_dir(folder)? {
         let file = file?.file_name().to_string_lossy().into_owned();
         if let Some(name) = file.strip_suffix(".safetensors") {
-            let sha256 = digest(&folder.join(&file))?;
-            entries.push(ModelEntry { name: name.to_string(), sha256, file });
+            let path = folder.join(&file);
+            let (size, sha256) = (fs::metadata(&path)?.len(), digest(&path)?);
+            entries.push(ModelEntry { name: name.to_string(), size, sha256, file });
         }
     }
     entries.sort_by(|a, b| (a.name.starts_with("cross"), &a.name).cmp(&(b.name.starts_with("cross"), &b.name)));

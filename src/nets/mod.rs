@@ -18,6 +18,8 @@ mod hourglass;
 pub mod imagined_balls;
 pub mod judge;
 #[cfg(not(target_arch = "wasm32"))]
+mod rounding;
+#[cfg(not(target_arch = "wasm32"))]
 pub mod training;
 mod weights;
 

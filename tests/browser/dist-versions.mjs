@@ -19,7 +19,7 @@ export async function temporaryFolder() {
 /** A build of the page as it is, not compressed. */
 export async function plainDist() {
   const folder = await temporaryFolder();
-  return { folder, files: await buildDist({ out: folder, compress: false }) };
+  return { folder, files: await buildDist({ out: folder, quality: 0 }) };
 }
 
 /** A build of another version: a file of the page has one more line. */
@@ -27,7 +27,7 @@ export async function changedDist(path = 'page/main.js', line = 'globalThis.chan
   const [page, folder] = [await temporaryFolder(), await temporaryFolder()];
   await cp(www, page, { recursive: true });
   await appendFile(join(page, path), `${line}\n`);
-  const files = await buildDist({ page, out: folder, compress: false });
+  const files = await buildDist({ page, out: folder, quality: 0 });
   await rm(page, { recursive: true });
   return { folder, files };
 }

@@ -15,13 +15,16 @@ import { drawIcons } from './icons.mjs';
 import { assertPolicyHolds, known, openPuzzle, says, type } from './page-actions.mjs';
 import { serveStatic } from './static-server.mjs';
 
+/** Brotli's quality here: the highest takes half a minute for the weights. */
+const QUALITY = 4;
+
 let folder;
 let files;
 let server;
 let session;
 before(async () => {
   folder = await temporaryFolder();
-  files = await buildDist({ out: folder });
+  files = await buildDist({ out: folder, quality: QUALITY });
   server = await serveStatic(folder);
   session = await startOn(server);
 });
@@ -36,6 +39,27 @@ test('under a sub-path, without a header, the first puzzle is played to its solu
   await page.locator('#imagined-in').filter({ hasText: 'Imagined' }).waitFor();
   const failed = server.answers.filter(({ status }) => status !== 200);
   assert.deepEqual(failed, []);
+});
+
+test('a host that sends compressed files sends little of the weights, and their progress is right', async () => {
+  const compressing = await start({ serve: ['--dir', folder] });
+  const page = await compressing.open('');
+  await page.addInitScript(() => {
+    const shown = /** @type {PropertyDescriptor} */ (Object.getOwnPropertyDescriptor(HTMLProgressElement.prototype, 'value'));
+    globalThis.fractions = [];
+    Object.defineProperty(HTMLProgressElement.prototype, 'value', { ...shown, set: (fraction) => void globalThis.fractions.push(fraction) });
+  });
+  const answer = page.waitForResponse((response) => response.url().endsWith('.safetensors'));
+  await page.goto(`${compressing.origin}/#task=00000:000&panel=imagine`);
+  const headers = (await answer).headers();
+  await page.locator('#imagined-in').filter({ hasText: 'Imagined' }).waitFor();
+  const fractions = await page.evaluate(() => globalThis.fractions.filter((fraction) => fraction > 0));
+  await compressing.stop();
+  assert.equal(headers['content-encoding'], 'br');
+  const size = [...files].find(([path]) => path.endsWith('.safetensors'))?.[1].length ?? 0;
+  assert.ok(Number(headers['content-length']) < 0.7 * size, `${headers['content-length']} of ${size} bytes`);
+  assert.ok(fractions.length > 2 && fractions.every((fraction, index) => index === 0 || fraction > fractions[index - 1]), `${fractions}`);
+  assert.equal(fractions.at(-1), 1);
 });
 
 test('its policy is in the page, and keeps scripts from elsewhere out', async () => {
@@ -85,12 +109,12 @@ function foreignAddresses(path, text) {
 
 test('the same sources give the same bytes, and the compressed files are those beside them', async () => {
   const again = await temporaryFolder();
-  await buildDist({ out: again });
+  await buildDist({ out: again, quality: QUALITY });
   const paths = await filesOf(folder);
   assert.deepEqual(await filesOf(again), paths);
   for (const path of paths) assert.ok((await readFile(join(again, path))).equals(await readFile(join(folder, path))), path);
   for (const [path, content] of files) {
-    if (/\.(png|safetensors)$/.test(path)) continue;
+    if (/\.png$/.test(path)) continue;
     assert.ok(brotliDecompressSync(await readFile(join(folder, `${path}.br`))).equals(content), path);
     assert.ok(gunzipSync(await readFile(join(folder, `${path}.gz`))).equals(content), path);
   }

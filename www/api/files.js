@@ -21,14 +21,15 @@ const WASM = new URL("../pkg/pathlight_bg.wasm", import.meta.url);
  * @param {URL} address
  * @param {Refuse} refuse
  * @param {OnProgress} [onProgress]
+ * @param {number | null} [size] of the file in bytes, if it is known: a compressed answer does not say it
  * @returns {Promise<Uint8Array<ArrayBuffer>>}
  */
-export async function readFile(address, refuse, onProgress = () => {}) {
+export async function readFile(address, refuse, onProgress = () => {}, size = null) {
   const disk = diskOf(address);
   if (disk) return new Uint8Array(await orRefuse(disk(address), refuse));
   const response = await answerOf(address, refuse);
   if (!response.body) throw refuse("the answer is empty");
-  const size = Number(response.headers.get("content-length")) || null;
+  const whole = size ?? (Number(response.headers.get("content-length")) || null);
   const chunks = [];
   let length = 0;
   for (const reader = response.body.getReader(); ; ) {
@@ -36,8 +37,8 @@ export async function readFile(address, refuse, onProgress = () => {}) {
     if (done) break;
     chunks.push(value);
     length += value.length;
-    // A compressed file may become longer than the server said.
-    onProgress(size && Math.min(length / size, 1));
+    // What a host compresses becomes longer than it says.
+    onProgress(whole && Math.min(length / whole, 1));
   }
   const bytes = new Uint8Array(length);
   let end = 0;

@@ -1,12 +1,12 @@
 // Finds and reads the weights of the models.
 //
-// assets/model.json lists them: { "models": [{ "name", "file", "sha256" }, …] }.
+// assets/model.json lists them: { "models": [{ "name", "file", "size", "sha256" }, …] }; the size is in bytes.
 
 import { failure } from "./failure.js";
 import { readFile } from "./files.js";
 
 /** @typedef {import("./files.js").OnProgress} OnProgress */
-/** @typedef {{ name: string, file: string, sha256?: string }} ModelEntry */
+/** @typedef {{ name: string, file: string, size?: number, sha256?: string }} ModelEntry */
 
 const LIST = new URL("../assets/model.json", import.meta.url);
 
@@ -33,11 +33,11 @@ export async function readModelList() {
  * @param {ModelEntry} entry
  * @param {OnProgress} [onProgress]
  */
-export async function readWeights({ file, sha256 }, onProgress) {
+export async function readWeights({ file, size, sha256 }, onProgress) {
   // In this form bundlers find the files.
   const address = new URL(`../assets/${file}`, import.meta.url);
   const bytes = await readFile(address, (reason, status) =>
-    failure("no_weights", `The model’s weights ${status === 404 ? "are missing here" : "could not be loaded"}: ${reason} for ${address}.`), onProgress);
+    failure("no_weights", `The model’s weights ${status === 404 ? "are missing here" : "could not be loaded"}: ${reason} for ${address}.`), onProgress, size);
   // Browsers hash only on secure and local addresses.
   if (sha256 && globalThis.crypto?.subtle && (await digest(bytes)) !== sha256) {
     throw failure("bad_weights", `${address} is not the file that ${LIST} names: it is damaged or old.`);
