@@ -47,7 +47,7 @@ test('a host that sends compressed files sends little of the weights, and their 
   await page.addInitScript(() => {
     const shown = /** @type {PropertyDescriptor} */ (Object.getOwnPropertyDescriptor(HTMLProgressElement.prototype, 'value'));
     globalThis.fractions = [];
-    Object.defineProperty(HTMLProgressElement.prototype, 'value', { ...shown, set: (fraction) => void globalThis.fractions.push(fraction) });
+    Object.defineProperty(HTMLProgressElement.prototype, 'value', { ...shown, set(fraction) { globalThis.fractions.push(fraction); } });
   });
   const answer = page.waitForResponse((response) => response.url().endsWith('.safetensors'));
   await page.goto(`${compressing.origin}/#task=00000:000&panel=imagine`);
