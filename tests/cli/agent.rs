@@ -152,6 +152,12 @@ fn a_bad_line_is_answered_with_an_error_and_changes_nothing() {
     assert_eq!(output.status.code(), Some(2));
     assert!(stderr(&output).contains("error: 12 lines could not be used"), "{}", stderr(&output));
     assert_refused(&["agent", "--weights", "no/such/file"], "cannot read the weights in no/such/file");
+    for agent in ["online", "online-by-balls", "dynamics"] {
+        let words = format!(
+            "the weights have no dynamics net: train one with `pathlight train-dynamics`, or leave --agent {agent} out"
+        );
+        assert_refused(&["agent", "--agent", agent], &words);
+    }
 }
 
 /// The example of the README runs as it stands there.
