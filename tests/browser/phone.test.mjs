@@ -69,6 +69,7 @@ for (const [width, height] of [[390, 844], [360, 640], [844, 390], [640, 400]]) 
       for (const button of await page.locator('button:visible, select:visible, #time').all()) {
         const size = await button.boundingBox();
         assert.ok(size.width >= 24 && size.height >= 24, `${await button.textContent()} is ${size.width} x ${size.height}`);
+        assert.ok(size.x >= 0 && size.x + size.width <= width, `${panel}: ${await button.textContent()} sticks out`);
       }
     }
   });
