@@ -35,3 +35,29 @@ pub fn imagined_candidates(nets: &PathNet, scene: &Scene) -> Option<Vec<Candidat
     let candidates: Vec<Candidate> = candidates.filter(finite).collect();
     (!candidates.is_empty()).then_some(candidates)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::agents::{Origin, propose, start};
+    use crate::nets::{DynamicsNet, flex};
+    use crate::puzzle::task::Task;
+
+    #[test]
+    fn a_dynamics_net_yields_valid_balls_that_the_model_tries() {
+        let scene = Task::load("00002:007".parse().expect("an id")).expect("a task").scene;
+        let mut nets = PathNet::new(&flex());
+        assert!(imagined_candidates(&nets, &scene).is_none());
+        let kind = |nets: &PathNet| start(nets, &scene, 0, 1).propose().expect("a ball").origin;
+        assert!(!matches!(kind(&nets), Origin::Imagined { .. }));
+        nets.dynamics = Some(DynamicsNet::new(&flex()));
+        assert!(matches!(kind(&nets), Origin::Imagined { .. }));
+        let candidates = imagined_candidates(&nets, &scene).expect("a dynamics net");
+        assert_eq!(candidates.len(), CANDIDATES);
+        for (index, Candidate { ball, .. }) in candidates.iter().enumerate() {
+            assert_eq!(ball.check(&scene), Ok(()));
+            assert!(candidates[..index].iter().all(|before| before.ball != *ball), "{ball} twice");
+        }
+        assert_eq!(propose(&nets, &scene, 0, 100).len(), 100);
+    }
+}
