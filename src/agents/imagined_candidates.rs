@@ -15,18 +15,15 @@ const CONFIDENCE: f64 = 0.7;
 
 /// Returns the candidates of a scene, some of which may be much alike; `None` if the weights have no dynamics net, or
 /// damaged weights know no chance. The logit of a candidate is the mean of the one that the dynamics net reads from what it
-/// imagines and, from weights with a judge, the judge's.
+/// imagines, and of the one of the ball's cell.
 pub fn imagined_candidates(nets: &PathNet, scene: &Scene) -> Option<Vec<Candidate>> {
     let read = nets.read(scene)?;
-    let judge = nets.judge_logits(scene);
-    let mean = |ours: f32, judge: Option<f32>| judge.map_or(ours, |judge| (ours + judge) / 2.0);
-    let judged = |index: usize| judge.as_ref().map(|logits| logits[index]);
-    let logits: Vec<f32> = read.logits.iter().enumerate().map(|(index, &logit)| mean(logit, judged(index))).collect();
-    let ranked = ranking::ranked(&logits, scene, CANDIDATES);
+    let ranked = ranking::ranked(&read.logits, scene, CANDIDATES);
     let balls: Vec<Ball> = ranked.into_iter().map(|proposal| proposal.ball).collect();
     let candidates = balls.iter().zip(read.imagine(&balls)).map(|(&ball, imagined)| {
-        let index = logit_index(ball).expect("a valid ball");
-        Candidate { ball, logit: CONFIDENCE * f64::from(mean(imagined.logit, judged(index))), paths: imagined.paths }
+        let of_cell = read.logits[logit_index(ball).expect("a valid ball")];
+        let logit = CONFIDENCE * f64::from((imagined.logit + of_cell) / 2.0);
+        Candidate { ball, logit, paths: imagined.paths }
     });
     let finite = |candidate: &Candidate| {
         let paths = candidate.paths.object.iter().chain(&candidate.paths.ball).flatten();
