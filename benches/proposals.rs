@@ -22,7 +22,7 @@ fn proposals(criterion: &mut Criterion) {
         .iter()
         .map(load)
         .map(|task| {
-            let logits = nets.judge_logits(&task.scene).expect("the weights have a judge");
+            let logits = nets.judge_logits(&task.scene).expect("the weights have a dynamics net");
             (task, logits)
         })
         .collect();

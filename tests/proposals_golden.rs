@@ -1,7 +1,7 @@
 //! The shipped models propose the same balls as before, natively and in wasm, on a hundred tasks.
 //!
-//! One digest for each template, over the proposals for four of its tasks: two by each shipped model, ordered by its
-//! judge and from its placement map. The same file runs under `cargo test` and `wasm-pack test --node`, against the same
+//! One digest for each template, over the proposals for four of its tasks: two by each shipped model, ordered by what
+//! its dynamics net imagines and from its placement map. The same file runs under `cargo test` and `wasm-pack test --node`, against the same
 //! digests: the layers of the nets round alike on both.
 //! When proposals are meant to change, raise `agents::VERSION` and run `UPDATE_GOLDEN=1 cargo test --release --test proposals_golden`;
 //! when other weights are published, run this alone.
@@ -17,8 +17,8 @@ const GOLDEN: &str = include_str!("golden/proposals.txt");
 const WEIGHTS: [&[u8]; 2] =
     [include_bytes!("../assets/within-0.safetensors"), include_bytes!("../assets/cross-0.safetensors")];
 
-/// Proposals for each task: those ordered by the judge, and those from the placement map.
-const JUDGED: usize = 100;
+/// Proposals for each task: those ordered by what the dynamics net imagines, and those from the placement map.
+const IMAGINED: usize = 100;
 const FROM_MAP: usize = 20;
 
 #[cfg_attr(not(target_arch = "wasm32"), test)]
@@ -43,15 +43,16 @@ fn digest(template: &'static Template, models: &[PathNet; 2]) -> String {
     let mut md5 = Md5::new();
     for (index, id) in ids(template).step_by(25).enumerate() {
         let scene = Task::load(id).expect("an id of the template").scene;
-        let mut nets = models[index % 2].clone();
-        let judged = agents::propose(&nets, &scene, id.seed(0), JUDGED);
-        assert_eq!(judged.len(), JUDGED, "{id}");
-        nets.judge = None;
-        let from_map = agents::propose(&nets, &scene, id.seed(0), FROM_MAP);
+        let nets = &models[index % 2];
+        let imagined = agents::propose(nets, &scene, id.seed(0), IMAGINED);
+        assert_eq!(imagined.len(), IMAGINED, "{id}");
+        let from_map = agents::from_map(nets, &scene, id.seed(0), FROM_MAP);
         assert_eq!(from_map.len(), FROM_MAP, "{id}");
-        for proposal in judged.into_iter().chain(from_map) {
+        for proposal in imagined.into_iter().chain(from_map) {
             let origin = match proposal.origin {
-                Origin::Judge { probability } => format!("judge {:016x}", probability.to_bits()),
+                Origin::Imagined { prior, probability, lowered_by } => {
+                    format!("imagined {:016x} {:016x} {lowered_by:?}", prior.to_bits(), probability.to_bits())
+                }
                 origin => format!("{origin:?}"),
             };
             md5.update(format!("{id} {} {origin}\n", proposal.ball));

@@ -31,9 +31,9 @@ fn one_test_task_of_each_template_is_solved_much_sooner_than_at_random() {
         auccess(&first_solved)
     };
     let random = score(&|id, scene| agents::random(scene, id.seed(0), MAX_ATTEMPTS));
-    let judge = score(&|id, scene| agents::propose(&nets, scene, id.seed(0), MAX_ATTEMPTS));
+    let dynamics = score(&|id, scene| agents::propose(&nets, scene, id.seed(0), MAX_ATTEMPTS));
     let paper = score(&|id, scene| agents::from_map(&nets, scene, id.seed(0), MAX_ATTEMPTS));
-    println!("{} tasks: judge {judge:.1}, paper {paper:.1}, random {random:.1}", tasks.len());
-    assert!(judge > random + MARGIN, "judge {judge:.1}, random {random:.1}");
+    println!("{} tasks: dynamics {dynamics:.1}, paper {paper:.1}, random {random:.1}", tasks.len());
+    assert!(dynamics > random + MARGIN, "dynamics {dynamics:.1}, random {random:.1}");
     assert!(paper > random + MARGIN / 2.0, "paper {paper:.1}, random {random:.1}");
 }

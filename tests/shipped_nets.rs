@@ -46,13 +46,13 @@ fn the_shipped_nets_agree_with_plain_loops() {
     }
 }
 
-/// Logits of the shipped judge span some tens, and are sums of up to a thousand products.
+/// Logits of the shipped dynamics net span some tens, and are sums of up to a thousand products.
 #[cfg_attr(not(target_arch = "wasm32"), test)]
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
-fn the_shipped_judge_agrees_with_plain_loops() {
+fn the_shipped_dynamics_net_agrees_with_plain_loops() {
     let (nets, file) = (nets(), file());
     for (id, scene) in scenes() {
-        let logits = nets.judge_logits(&scene).expect("the shipped weights have a judge");
-        assert_close(&format!("{id}: judge"), &logits, &reference_nets::judge_logits(&file, &scene), 1e-3, 1.0);
+        let logits = nets.judge_logits(&scene).expect("the shipped weights have a dynamics net");
+        assert_close(&format!("{id}: cells"), &logits, &reference_nets::cell_logits(&file, &scene), 1e-3, 1.0);
     }
 }

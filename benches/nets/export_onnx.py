@@ -1,7 +1,7 @@
 """Writes the nets of a weights file as ONNX graphs, wired as in src/nets: export_onnx.py WEIGHTS FOUR-NETS ALL-NETS
 
 Scene [1, 5, 64, 64] in; the maps base, target, action, placement out, each [1, 1, 64, 64] after its sigmoid. The second graph
-has the judge too: its logits [1, 8, 64, 64], averaged over the scene and its mirror image.
+has the logits of the cells too: [1, 8, 64, 64], averaged over the scene and its mirror image.
 """
 
 import sys
@@ -66,9 +66,13 @@ def mirror(x, output):
 maps = [(name, 1) for name in (base, goal, action, placement)]
 save(four_nets, maps)
 
-# The judge: a U-Net whose decoder sees the encoder's output of the same size.
+# The logits of the cells: a U-Net whose decoder sees the encoder's output of the same size.
 LAYERS = 5
-RADII = tensors[f"judge.up.{LAYERS - 1}.weight"].shape[1]
+RADII = 8
+# The other channels of the last layer are features of balls, which no map shows.
+LAST = f"dynamics.up.{LAYERS - 1}"
+tensors[f"{LAST}.weight"] = np.ascontiguousarray(tensors[f"{LAST}.weight"][:, :RADII])
+tensors[f"{LAST}.bias"] = np.ascontiguousarray(tensors[f"{LAST}.bias"][:RADII])
 tensors["columns"] = np.arange(63, -1, -1)
 tensors["two"] = np.float32(2)
 tensors["halves"] = np.array([1, 1])
@@ -76,9 +80,9 @@ x = add("Concat", ["scene", mirror("scene", "mirrored.scene")], "both", axis=0)
 skips = []
 for half, operator in [("down", "Conv"), ("up", "ConvTranspose")]:
     for layer in range(LAYERS):
-        name = f"judge.{half}.{layer}"
+        name = f"dynamics.{half}.{layer}"
         x = add(operator, [x, f"{name}.weight", f"{name}.bias"], name, strides=[2, 2], pads=[1] * 4, kernel_shape=[4, 4])
-        last = name == f"judge.up.{LAYERS - 1}"
+        last = name == LAST
         x = x if last else add("Relu", [x], f"{name}.relu")
         if half == "down":
             skips.append(x)

@@ -47,8 +47,8 @@ class PathNet(nn.Module):
 
 
 nets = PathNet()
-# The judge is not trained in this step.
-nets.load_state_dict({name: tensor.float() for name, tensor in load_file(weights).items() if not name.startswith("judge.")})
+# Only the four nets are trained in this step.
+nets.load_state_dict({name: tensor.float() for name, tensor in load_file(weights).items() if not name.startswith("dynamics.")})
 adam = torch.optim.Adam(nets.parameters(), lr=3e-3, eps=1e-8, fused=bool(fused))
 scene, targets = torch.from_numpy(np.fromfile(batch, np.float32).reshape(-1, 9, 64, 64)).split([5, 4], 1)
 scene, targets = scene.contiguous(), [target.contiguous() for target in targets.split(1, 1)]

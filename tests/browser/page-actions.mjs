@@ -218,8 +218,8 @@ export async function withoutDynamics() {
 
 /** A puzzle that the first model does not solve within its hundred attempts, as the results of its evaluation say. */
 export async function unsolvedTask() {
-  const { report } = JSON.parse(await readFile(join(RESULTS, 'within-0.json'), 'utf8'));
-  const { first_solved: solved } = report.agents.find(({ agent }) => agent === 'judge');
+  const { agents } = JSON.parse(await readFile(join(RESULTS, 'shipped/within-0.json'), 'utf8'));
+  const { first_solved: solved } = agents.find(({ agent }) => agent === 'online');
   return solved.find(([, attempt]) => attempt === null)[0];
 }
 

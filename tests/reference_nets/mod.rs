@@ -2,8 +2,9 @@
 //! channel by channel, row by row.
 
 use half::f16;
+use pathlight::nets::judge::RADII;
 use pathlight::puzzle::scene::Scene;
-use pathlight::raster::{CHANNELS, SIDE, scene_channels};
+use pathlight::raster::{CELLS, CHANNELS, SIDE, scene_channels};
 use safetensors::SafeTensors;
 
 /// The four maps of a scene, in the order base, target, action, placement.
@@ -17,8 +18,8 @@ pub fn imagine(file: &SafeTensors, scene: &Scene) -> [Vec<f32>; 4] {
     [base, target, action, placement]
 }
 
-/// The judge's logits: the mean over the scene and its mirror image.
-pub fn judge_logits(file: &SafeTensors, scene: &Scene) -> Vec<f32> {
+/// The dynamics net's logits of the cells: the mean over the scene and its mirror image.
+pub fn cell_logits(file: &SafeTensors, scene: &Scene) -> Vec<f32> {
     let mirror = |image: &[f32]| -> Vec<f32> { image.chunks(SIDE).flat_map(|row| row.iter().rev()).copied().collect() };
     let scene = channels(scene);
     let mirrored = mirror(&u_net(file, &mirror(&scene)));
@@ -48,12 +49,13 @@ fn hourglass(file: &SafeTensors, net: &str, images: &[f32], channels: usize) -> 
     x.iter().map(|&logit| 1.0 / (1.0 + (-logit).exp())).collect()
 }
 
-/// Five convolutions; five transposed ones, each but the first on the one before and the encoder's output of its size.
+/// Five convolutions; five transposed ones, each but the first on the one before and the encoder's output of its size. The
+/// first channels of the last are the logits.
 fn u_net(file: &SafeTensors, images: &[f32]) -> Vec<f32> {
     let (mut x, mut inputs, mut side) = (images.to_vec(), CHANNELS, SIDE);
     let mut encoded = Vec::new();
     for layer in 0..5 {
-        let (weight, bias) = layer_of(file, &format!("judge.down.{layer}"));
+        let (weight, bias) = layer_of(file, &format!("dynamics.down.{layer}"));
         x = relu(convolve(&x, inputs, side, &weight, &bias));
         (inputs, side) = (bias.len(), side / 2);
         encoded.push(x.clone());
@@ -64,13 +66,14 @@ fn u_net(file: &SafeTensors, images: &[f32]) -> Vec<f32> {
             x.extend_from_slice(skip);
             inputs += skip.len() / (side * side);
         }
-        let (weight, bias) = layer_of(file, &format!("judge.up.{layer}"));
+        let (weight, bias) = layer_of(file, &format!("dynamics.up.{layer}"));
         x = convolve_transposed(&x, inputs, side, &weight, &bias);
         (inputs, side) = (bias.len(), side * 2);
         if layer < 4 {
             x = relu(x);
         }
     }
+    x.truncate(RADII * CELLS);
     x
 }
 

@@ -228,13 +228,12 @@ export class Proposals extends Component {
   }
 
   /**
-   * Why a ball that was imagined is next. Its chance is that of its imagined paths, and the judge has a say in it.
+   * Why a ball that was imagined is next.
    * @param {Extract<Proposal["origin"], { kind: "imagined" }>} origin
    */
   #imaginedWords({ prior, probability, lowered_by: number }) {
-    const basis = this.#client.loaded?.card.judge ? "what it imagines and the judge together" : "what it imagines";
-    if (number === null) return `By ${basis} it was the likeliest to solve the puzzle of all balls not tried yet: ${chanceWords(probability)}.`;
-    return `By ${basis} its chance was ${percent(prior)} before the first attempt. Then ball ${number} failed, and it resembles this one, by where it starts or by what happened: ${percent(probability)}, but still the likeliest of those left.`;
+    if (number === null) return `By what the model imagines it was the likeliest to solve the puzzle of all balls not tried yet: ${chanceWords(probability)}.`;
+    return `By what the model imagines its chance was ${percent(prior)} before the first attempt. Then ball ${number} failed, and it resembles this one, by where it starts or by what happened: ${percent(probability)}, but still the likeliest of those left.`;
   }
 
   /**
