@@ -59,7 +59,7 @@ fn the_nets_agree_with_plain_loops() {
     let bytes = weights();
     let file = SafeTensors::deserialize(&bytes).expect("a safetensors file");
     let [base, target, action, placement] = reference_nets::imagine(&file, &scene());
-    let references = [base, target, action, placement, reference_nets::judge_logits(&file, &scene())];
+    let references = [base, target, action, placement, reference_nets::cell_logits(&file, "judge", &scene())];
     for ((name, map), reference) in maps(&bytes, &flex()).iter().zip(&references) {
         assert_close(name, map, reference);
         let (low, high) = map.iter().fold((f32::MAX, f32::MIN), |(low, high), &x| (low.min(x), high.max(x)));

@@ -53,6 +53,12 @@ fn the_shipped_dynamics_net_agrees_with_plain_loops() {
     let (nets, file) = (nets(), file());
     for (id, scene) in scenes() {
         let logits = nets.judge_logits(&scene).expect("the shipped weights have a dynamics net");
-        assert_close(&format!("{id}: cells"), &logits, &reference_nets::cell_logits(&file, &scene), 1e-3, 1.0);
+        assert_close(
+            &format!("{id}: cells"),
+            &logits,
+            &reference_nets::cell_logits(&file, "dynamics", &scene),
+            1e-3,
+            1.0,
+        );
     }
 }

@@ -18,12 +18,12 @@ pub fn imagine(file: &SafeTensors, scene: &Scene) -> [Vec<f32>; 4] {
     [base, target, action, placement]
 }
 
-/// The dynamics net's logits of the cells: the mean over the scene and its mirror image.
-pub fn cell_logits(file: &SafeTensors, scene: &Scene) -> Vec<f32> {
+/// The logits of the cells, of the judge or of the dynamics net: the mean over the scene and its mirror image.
+pub fn cell_logits(file: &SafeTensors, net: &str, scene: &Scene) -> Vec<f32> {
     let mirror = |image: &[f32]| -> Vec<f32> { image.chunks(SIDE).flat_map(|row| row.iter().rev()).copied().collect() };
     let scene = channels(scene);
-    let mirrored = mirror(&u_net(file, &mirror(&scene)));
-    u_net(file, &scene).iter().zip(mirrored).map(|(a, b)| (a + b) / 2.0).collect()
+    let mirrored = mirror(&u_net(file, net, &mirror(&scene)));
+    u_net(file, net, &scene).iter().zip(mirrored).map(|(a, b)| (a + b) / 2.0).collect()
 }
 
 fn channels(scene: &Scene) -> Vec<f32> {
@@ -51,11 +51,11 @@ fn hourglass(file: &SafeTensors, net: &str, images: &[f32], channels: usize) -> 
 
 /// Five convolutions; five transposed ones, each but the first on the one before and the encoder's output of its size. The
 /// first channels of the last are the logits.
-fn u_net(file: &SafeTensors, images: &[f32]) -> Vec<f32> {
+fn u_net(file: &SafeTensors, net: &str, images: &[f32]) -> Vec<f32> {
     let (mut x, mut inputs, mut side) = (images.to_vec(), CHANNELS, SIDE);
     let mut encoded = Vec::new();
     for layer in 0..5 {
-        let (weight, bias) = layer_of(file, &format!("dynamics.down.{layer}"));
+        let (weight, bias) = layer_of(file, &format!("{net}.down.{layer}"));
         x = relu(convolve(&x, inputs, side, &weight, &bias));
         (inputs, side) = (bias.len(), side / 2);
         encoded.push(x.clone());
@@ -66,7 +66,7 @@ fn u_net(file: &SafeTensors, images: &[f32]) -> Vec<f32> {
             x.extend_from_slice(skip);
             inputs += skip.len() / (side * side);
         }
-        let (weight, bias) = layer_of(file, &format!("dynamics.up.{layer}"));
+        let (weight, bias) = layer_of(file, &format!("{net}.up.{layer}"));
         x = convolve_transposed(&x, inputs, side, &weight, &bias);
         (inputs, side) = (bias.len(), side * 2);
         if layer < 4 {
