@@ -25,7 +25,7 @@ use super::progress::say;
 use super::training_args::TrainingArgs;
 use super::training_run::{Plan, TrainingRun};
 
-/// Train the net that judges balls, and add it to the weights of the four nets
+/// Train the net that judges balls, and add it to the weights of the four nets, in place of a dynamics net
 #[derive(clap::Args)]
 pub struct Args {
     #[command(flatten)]
@@ -61,6 +61,7 @@ impl Args {
     pub fn run(self) -> anyhow::Result<()> {
         let (mut nets, mut card) = self.model.load(&self.fold)?;
         let scenes = labelled_scenes(&self.labels, &self.fold, card.without_dev)?;
+        card.dynamics = None;
         card.judge = Some(JudgeCard {
             seed: self.training.seed,
             epochs: self.epochs,
@@ -82,7 +83,8 @@ impl Args {
             |trainer, batch, learning_rate| vec![trainer.step(batch, learning_rate)],
         )?;
         if complete {
-            nets.judge = Some(run.trainer.nets());
+            // Agents would prefer a dynamics net.
+            (nets.judge, nets.dynamics) = (Some(run.trainer.nets()), None);
             say(&format!("the weights of all five nets are in {}", run.write_weights(&nets)?.display()));
         }
         Ok(())

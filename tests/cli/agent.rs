@@ -4,8 +4,9 @@ use std::io::{BufRead, BufReader, Lines, Write};
 use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 
 use serde_json::{Value, json};
+use tempfile::tempdir;
 
-use crate::{assert_refused, output_of, pathlight, run, stderr, stdout};
+use crate::{assert_refused, output_of, pathlight, run, stderr, stdout, without_dynamics};
 
 /// Those of the example in the README.
 const TASKS: [&str; 2] = ["00007:008", "00002:007"];
@@ -48,7 +49,8 @@ impl Partner {
 /// The two sides understand each other's lines as they are, and the attempts are those that `propose` lists.
 #[test]
 fn agent_and_simulator_play_several_tasks_by_their_own_lines() {
-    let (mut agent, mut simulator) = (Partner::new(&AGENT), Partner::new(&SIMULATOR));
+    let mut agent = Partner::new(&["agent", "--agent", "dynamics"]);
+    let mut simulator = Partner::new(&SIMULATOR);
     for task in TASKS {
         let listed = parsed(&output_of(&["propose", "--task", task]))["balls"].clone();
         let mut asked = agent.ask(&json!({ "task": task }).to_string());
@@ -152,11 +154,13 @@ fn a_bad_line_is_answered_with_an_error_and_changes_nothing() {
     assert_eq!(output.status.code(), Some(2));
     assert!(stderr(&output).contains("error: 12 lines could not be used"), "{}", stderr(&output));
     assert_refused(&["agent", "--weights", "no/such/file"], "cannot read the weights in no/such/file");
+    let folder = tempdir().expect("a folder");
+    let without = without_dynamics(folder.path());
     for agent in ["online", "online-by-balls", "dynamics"] {
         let words = format!(
             "the weights have no dynamics net: train one with `pathlight train-dynamics`, or leave --agent {agent} out"
         );
-        assert_refused(&["agent", "--agent", agent], &words);
+        assert_refused(&["agent", "--weights", &without, "--agent", agent], &words);
     }
 }
 

@@ -3,8 +3,12 @@
 //! One module per command, or per behaviour of several. This file runs the binary.
 #![cfg(not(target_arch = "wasm32"))]
 
+use std::fs;
 use std::io::Write;
+use std::path::Path;
 use std::process::{Command, Output, Stdio};
+
+use pathlight::nets::{PathNet, flex};
 
 mod agent;
 mod collect;
@@ -53,6 +57,16 @@ fn assert_refused(args: &[&str], words: &str) {
     let said = stderr(&output);
     let is_error = said.lines().any(|line| line.starts_with("error: "));
     assert!(is_error && said.contains(words), "{args:?} said {said:?} without {words:?}");
+}
+
+/// Writes the shipped weights without their dynamics net; returns the file.
+fn without_dynamics(folder: &Path) -> String {
+    let bytes = fs::read("assets/within-0.safetensors").expect("weights");
+    let (mut nets, mut card) = PathNet::load(&bytes, &flex()).expect("our own weights");
+    (nets.dynamics, card.dynamics) = (None, None);
+    let out = folder.join("without-dynamics.safetensors");
+    fs::write(&out, nets.save(&card).expect("weights")).expect("a file");
+    out.display().to_string()
 }
 
 fn stdout(output: &Output) -> String {

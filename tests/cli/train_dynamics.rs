@@ -8,7 +8,7 @@ use pathlight::puzzle::task::Task;
 use tempfile::tempdir;
 
 use super::label::label;
-use super::{assert_refused, output_of};
+use super::{assert_refused, output_of, without_dynamics};
 
 const WEIGHTS: &str = "assets/within-0.safetensors";
 
@@ -48,6 +48,7 @@ fn a_dynamics_net_joins_the_weights_and_can_be_trained_further() {
         &["train-dynamics", "--weights", WEIGHTS, "--labels", "Cargo.toml"],
         "not a file of `pathlight label`",
     );
-    assert_refused(&["train-dynamics", "--from", WEIGHTS, "--labels", &labels], "has no dynamics net");
-    assert_refused(&["label", "--weights", WEIGHTS, "--out", &file("refused.jsonl")], "has no dynamics net");
+    let without = without_dynamics(folder.path());
+    assert_refused(&["train-dynamics", "--from", &without, "--labels", &labels], "has no dynamics net");
+    assert_refused(&["label", "--weights", &without, "--out", &file("refused.jsonl")], "has no dynamics net");
 }
