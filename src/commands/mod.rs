@@ -23,6 +23,7 @@ mod evaluate;
 mod fidelity;
 mod file_lock;
 mod fold_args;
+mod forecasts;
 mod journal;
 mod label;
 mod model_args;
@@ -60,6 +61,7 @@ enum Command {
     Propose(propose::Args),
     Agent(agent::Args),
     Evaluate(evaluate::Args),
+    Forecasts(forecasts::Args),
     Reproduce(reproduce::Args),
     Simulate(simulate::Args),
     Serve(pathlight_serve::Args),
@@ -80,6 +82,7 @@ impl Command {
             Command::Propose(args) => args.run(),
             Command::Agent(args) => args.run(),
             Command::Evaluate(args) => args.run(),
+            Command::Forecasts(args) => args.run(),
             Command::Reproduce(args) => args.run(),
             Command::Simulate(args) => args.run(),
             Command::Serve(args) => args.run(),

@@ -12,6 +12,7 @@ use pathlight::nets::{PathNet, flex};
 
 mod agent;
 mod collect;
+mod forecasts;
 mod label;
 mod pipes;
 mod reference;

@@ -1,0 +1,173 @@
+//! `pathlight forecasts`: how well the dynamics net imagines what balls lead to, on test tasks of a fold.
+//!
+//! Uniformly random balls, and the known solutions of the tasks, because few random balls solve. The path of a body is drawn
+//! along its sampled positions, the imagined one like the real one, and compared by soft IoU. Half of the image of a path
+//! may be the body at its start; so the path of a body that stays where it is is compared too.
+
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+use std::io::{self, Write};
+use std::path::PathBuf;
+
+use anyhow::Context;
+use pathlight::dataset::sampling::random_ball;
+use pathlight::nets::PathNet;
+use pathlight::play::soft_iou::soft_iou;
+use pathlight::puzzle::action::Ball;
+use pathlight::puzzle::sampled_paths::{SAMPLED_STEPS, SAMPLES, SampledPath};
+use pathlight::puzzle::scene::Body;
+use pathlight::puzzle::task::{Task, TaskId};
+use pathlight::raster::trail_image;
+use pathlight::simulator::{self, sampled_paths};
+use rand::SeedableRng;
+use rand_pcg::Pcg64Mcg;
+use rayon::prelude::*;
+
+use super::collect::read_solutions;
+use super::fold_args::FoldArgs;
+use super::model_args::ModelArgs;
+
+/// Samples whose distances are printed: after 1, 3 and 6.7 s, and at the end.
+const PRINTED: [usize; 4] = [3, 8, 12, SAMPLES - 1];
+
+/// Measure how well the dynamics net imagines what balls lead to, on the test tasks of a fold
+#[derive(clap::Args)]
+pub struct Args {
+    #[command(flatten)]
+    fold: FoldArgs,
+
+    /// Random balls for each task; its known solutions come on top
+    #[arg(long, value_name = "N", default_value_t = 20)]
+    balls: usize,
+
+    /// Solutions, from `pathlight collect`
+    #[arg(long, default_value = "assets/solutions.jsonl")]
+    solutions: PathBuf,
+
+    /// Use at most the first N test tasks of each template
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    limit: Option<u16>,
+
+    /// Seed of the random balls
+    #[arg(long, default_value_t = 0)]
+    seed: u64,
+
+    #[command(flatten)]
+    model: ModelArgs,
+}
+
+/// What came of a ball beside what was imagined.
+struct Forecast {
+    solved: bool,
+    /// 0..=1
+    chance: f64,
+    /// Of the path of the green object, imagined and real.
+    object_iou: f64,
+    /// Of an object that stays where it starts.
+    resting_iou: f64,
+    /// Of the path of the action ball.
+    ball_iou: f64,
+    /// Between imagined and real positions of the object at each of `PRINTED`, px.
+    distances: [f64; PRINTED.len()],
+}
+
+impl Args {
+    pub fn run(self) -> anyhow::Result<()> {
+        let (nets, _) = self.model.load(&self.fold)?;
+        nets.dynamics
+            .as_ref()
+            .context("the weights have no dynamics net: train one with `pathlight train-dynamics`")?;
+        let mut solutions: BTreeMap<TaskId, Vec<Ball>> = BTreeMap::new();
+        for solution in read_solutions(&self.solutions)?.solutions {
+            solutions.entry(solution.task).or_default().push(solution.ball);
+        }
+        let limit = self.limit.map_or(usize::MAX, usize::from);
+        let test = self.fold.tasks().test;
+        let tasks: Vec<TaskId> = test
+            .chunk_by(|a, b| a.template == b.template)
+            .flat_map(|tasks| tasks.iter().copied().take(limit))
+            .collect();
+        let known = |id: &TaskId| solutions.get(id).map_or(&[][..], Vec::as_slice);
+        let forecasts: Vec<Vec<Forecast>> =
+            tasks.par_iter().map(|id| self.forecasts(&nets, *id, known(id))).collect::<anyhow::Result<_>>()?;
+        let forecasts: Vec<Forecast> = forecasts.into_iter().flatten().collect();
+        let mut text = format!(
+            "{} {}, {} test tasks, {} random balls each and known solutions, seed {}, simulator {}\n",
+            self.fold.setup,
+            self.fold.fold,
+            tasks.len(),
+            self.balls,
+            self.seed,
+            simulator::VERSION
+        );
+        let steps = PRINTED.map(|sample| format!("{:>7}", format!("{:.1} s", SAMPLED_STEPS[sample] as f64 / 60.0)));
+        writeln!(text, "{:42}{:^21}  distance of the object, px, after", "", "soft IoU of the paths")?;
+        writeln!(
+            text,
+            "{:12}{:>9}{:>12}  {:>7}{:>14}{:>7}{}",
+            "",
+            "balls",
+            "mean chance",
+            "object",
+            "(at rest",
+            "ball",
+            steps.concat()
+        )?;
+        for (name, solved) in [("solved", true), ("not solved", false)] {
+            let of: Vec<&Forecast> = forecasts.iter().filter(|forecast| forecast.solved == solved).collect();
+            let mean = |value: &dyn Fn(&Forecast) -> f64| {
+                of.iter().map(|forecast| value(forecast)).sum::<f64>() / of.len().max(1) as f64
+            };
+            let distances: Vec<String> =
+                (0..PRINTED.len()).map(|index| format!("{:>7.1}", mean(&|one| one.distances[index]))).collect();
+            writeln!(
+                text,
+                "{name:12}{:>9}{:>10.1} %  {:>7.2}{:>13.2}){:>7.2}{}",
+                of.len(),
+                100.0 * mean(&|one| one.chance),
+                mean(&|one| one.object_iou),
+                mean(&|one| one.resting_iou),
+                mean(&|one| one.ball_iou),
+                distances.concat()
+            )?;
+        }
+        io::stdout().write_all(text.as_bytes())?;
+        Ok(())
+    }
+
+    /// Random balls of a task, and its solutions.
+    fn forecasts(&self, nets: &PathNet, id: TaskId, solutions: &[Ball]) -> anyhow::Result<Vec<Forecast>> {
+        let scene = Task::load(id)?.scene;
+        let mut rng = Pcg64Mcg::seed_from_u64(id.seed(self.seed));
+        let random = std::iter::repeat_with(|| random_ball(&scene, &mut rng)).map_while(|ball| ball).take(self.balls);
+        let balls: Vec<Ball> = random.chain(solutions.iter().copied()).collect();
+        let read = nets.read(&scene).context("the weights have no dynamics net")?;
+        let object = &scene.bodies[scene.body1];
+        let simulated = |ball: Ball| sampled_paths(&scene, ball).map_err(|why| anyhow::anyhow!("{id}, {ball}: {why}"));
+        let forecasts = balls.iter().zip(read.imagine(&balls)).map(|(&ball, imagined)| {
+            let (outcome, real) = simulated(ball)?;
+            let path_of_object = image(object, &real.object);
+            let iou = |body: &Body, imagined: &SampledPath, real: &SampledPath| {
+                soft_iou(&image(body, imagined), &image(body, real))
+            };
+            Ok(Forecast {
+                solved: outcome.solved,
+                chance: 1.0 / (1.0 + (-f64::from(imagined.logit)).exp()),
+                object_iou: iou(object, &imagined.paths.object, &real.object),
+                resting_iou: soft_iou(&image(object, &[]), &path_of_object),
+                ball_iou: iou(&ball.body(), &imagined.paths.ball, &real.ball),
+                distances: PRINTED.map(|sample| {
+                    let ([x, y], [u, v]) = (imagined.paths.object[sample], real.object[sample]);
+                    f64::from((x - u).hypot(y - v))
+                }),
+            })
+        });
+        forecasts.collect()
+    }
+}
+
+/// The image of a path, `CELLS` values.
+fn image(body: &Body, path: &[[f32; 2]]) -> Vec<f32> {
+    let points: Vec<[f64; 2]> = path.iter().map(|point| point.map(f64::from)).collect();
+    trail_image(body, &points).to_f32().collect()
+}
