@@ -1,10 +1,9 @@
 //! Chooses how alike the online agent finds two candidates: auccess on the dev tasks of the weights' fold for a grid of
 //! similarities.
 //!
-//! Every candidate of these tasks is simulated once beforehand, so that a turn takes microseconds. That is for choosing
+//! Every candidate of these tasks is simulated once beforehand, so that a turn takes little time. That is for choosing
 //! constants only: an agent is told nothing but its counted attempts. Only weights that were trained without the dev tasks
-//! tell how it does on new ones: `cargo bench --features ndarray --bench online -- WEIGHTS`. `without-judge` after it leaves out
-//! the judge, which knows the dev tasks of the shipped weights best.
+//! tell how it does on new ones: `cargo bench --features ndarray --bench online -- WEIGHTS`.
 
 use std::io::{self, Write};
 
@@ -32,12 +31,9 @@ fn main() -> io::Result<()> {
         return writeln!(io::stderr(), "name the weights: cargo bench --features ndarray --bench online -- FILE");
     };
     let bytes = std::fs::read(weights)?;
-    let (mut nets, card) = PathNet::load(&bytes, &flex()).map_err(io::Error::other)?;
-    if words.iter().any(|word| word == "without-judge") {
-        nets.judge = None;
-    }
+    let (nets, card) = PathNet::load(&bytes, &flex()).map_err(io::Error::other)?;
     let mut out = io::stdout();
-    if !card.without_dev {
+    if !card.dynamics.is_some_and(|dynamics| dynamics.without_dev) {
         writeln!(out, "{weights} was trained on the dev tasks too: the figures are too good")?;
     }
     let tasks: Vec<_> = Fold::new(card.setup, card.fold).dev.into_iter().step_by(2).collect();
@@ -45,7 +41,7 @@ fn main() -> io::Result<()> {
         .par_iter()
         .map(|&id| {
             let scene = Task::load(id).expect("a task of the fold").scene;
-            let candidates = imagined_candidates(&nets, &scene).expect("the weights have a dynamics net");
+            let candidates = imagined_candidates(&nets, &scene, MAX_ATTEMPTS).expect("the weights have a dynamics net");
             let told = candidates.iter().map(|candidate| {
                 let (outcome, paths) = sampled_paths(&scene, candidate.ball).expect("a valid ball");
                 Observation { solved: outcome.solved, paths: Some(paths) }

@@ -3,27 +3,22 @@
 use super::online::Candidate;
 use super::ranking;
 use crate::nets::PathNet;
-use crate::nets::judge::logit_index;
 use crate::puzzle::action::Ball;
 use crate::puzzle::scene::Scene;
 
-/// Balls that are imagined for a scene.
+/// Balls that are imagined for a scene, unless more are asked for: four times as many as there are attempts.
 const CANDIDATES: usize = 400;
 
-/// What the logits are multiplied by: the highest of many logits are too high. Chosen on dev tasks.
-const CONFIDENCE: f64 = 0.7;
-
-/// Returns the candidates of a scene, some of which may be much alike; `None` if the weights have no dynamics net, or
-/// damaged weights know no chance. The logit of a candidate is the mean of the one that the dynamics net reads from what it
-/// imagines, and of the one of the ball's cell.
-pub fn imagined_candidates(nets: &PathNet, scene: &Scene) -> Option<Vec<Candidate>> {
+/// Returns the candidates of a scene, at least `count` if as many balls fit, some of which may be much alike; `None` if the
+/// weights have no dynamics net, or damaged weights know no chance.
+pub fn imagined_candidates(nets: &PathNet, scene: &Scene, count: usize) -> Option<Vec<Candidate>> {
     let read = nets.read(scene)?;
-    let ranked = ranking::ranked(&read.logits, scene, CANDIDATES);
+    let ranked = ranking::ranked(&read.logits, scene, count.max(CANDIDATES));
     let balls: Vec<Ball> = ranked.into_iter().map(|proposal| proposal.ball).collect();
-    let candidates = balls.iter().zip(read.imagine(&balls)).map(|(&ball, imagined)| {
-        let of_cell = read.logits[logit_index(ball).expect("a valid ball")];
-        let logit = CONFIDENCE * f64::from((imagined.logit + of_cell) / 2.0);
-        Candidate { ball, logit, paths: imagined.paths }
+    let candidates = balls.iter().zip(read.imagine(&balls)).map(|(&ball, imagined)| Candidate {
+        ball,
+        logit: imagined.logit.into(),
+        paths: imagined.paths,
     });
     let finite = |candidate: &Candidate| {
         let paths = candidate.paths.object.iter().chain(&candidate.paths.ball).flatten();
@@ -44,12 +39,12 @@ mod tests {
     fn a_dynamics_net_yields_valid_balls_that_the_model_tries() {
         let scene = Task::load("00002:007".parse().expect("an id")).expect("a task").scene;
         let mut nets = PathNet::new(&flex());
-        assert!(imagined_candidates(&nets, &scene).is_none());
+        assert!(imagined_candidates(&nets, &scene, 100).is_none());
         let kind = |nets: &PathNet| start(nets, &scene, 0, 1).propose().expect("a ball").origin;
         assert!(!matches!(kind(&nets), Origin::Imagined { .. }));
         nets.dynamics = Some(DynamicsNet::new(&flex()));
         assert!(matches!(kind(&nets), Origin::Imagined { .. }));
-        let candidates = imagined_candidates(&nets, &scene).expect("a dynamics net");
+        let candidates = imagined_candidates(&nets, &scene, 100).expect("a dynamics net");
         assert_eq!(candidates.len(), CANDIDATES);
         for (index, Candidate { ball, .. }) in candidates.iter().enumerate() {
             assert_eq!(ball.check(&scene), Ok(()));

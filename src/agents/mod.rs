@@ -86,7 +86,7 @@ pub const VERSION: u32 = 1;
 /// Returns the model at work on a scene: the online agent, or, from weights without a dynamics net, the list of up to
 /// `count` proposals.
 pub fn start(nets: &PathNet, scene: &Scene, seed: u64, count: usize) -> Box<dyn Agent> {
-    match imagined_candidates(nets, scene) {
+    match imagined_candidates(nets, scene, count) {
         Some(candidates) => Box::new(OnlineAgent::new(candidates, Similarity::DEFAULT)),
         None => Box::new(propose(nets, scene, seed, count).into_iter()),
     }
@@ -95,7 +95,7 @@ pub fn start(nets: &PathNet, scene: &Scene, seed: u64, count: usize) -> Box<dyn 
 /// Returns up to `count` proposals of the model, without learning from attempts: the balls that its dynamics net finds most
 /// probable; from weights without one those of its judge; without a judge those that its placement map suggests.
 pub fn propose(nets: &PathNet, scene: &Scene, seed: u64, count: usize) -> Vec<Proposal> {
-    if let Some(candidates) = imagined_candidates(nets, scene) {
+    if let Some(candidates) = imagined_candidates(nets, scene, count) {
         return OnlineAgent::new(candidates, Similarity::DEFAULT).list(count);
     }
     // Damaged weights may have a judge whose logits are NaN; it ranks nothing.
@@ -105,7 +105,8 @@ pub fn propose(nets: &PathNet, scene: &Scene, seed: u64, count: usize) -> Vec<Pr
     }
 }
 
-/// Returns up to `count` proposals of the judge alone; `None` if the weights have none.
+/// Returns up to `count` proposals of the judge alone, or of the dynamics net's logits of the cells; `None` if the weights have
+/// neither.
 pub fn from_judge(nets: &PathNet, scene: &Scene, count: usize) -> Option<Vec<Proposal>> {
     Some(ranking::ranked(&nets.judge_logits(scene)?, scene, count))
 }

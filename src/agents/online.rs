@@ -2,7 +2,7 @@
 //! resemble it, and those whose imagined paths resemble what has just failed, become less probable; the others stay.
 //!
 //! PHYRE's paper (Bakhtin et al. 2019) calls an agent online that learns at the counted attempts. Here the learning is
-//! Gaussian process classification in closed form, which takes some microseconds for an attempt. Draws nothing at random.
+//! Gaussian process classification, updated by each outcome. Draws nothing at random.
 
 use super::gaussian_process::{GaussianProcessClassifier, Kernel, SquaredExponential};
 use super::{Agent, Observation, Origin, Proposal, sigmoid};
@@ -90,8 +90,8 @@ impl OnlineAgent {
         }
     }
 
-    /// Returns the `count` balls that it tries if every attempt fails just as imagined: a fixed list, which learns nothing
-    /// from the attempts.
+    /// Returns the `count` balls that it tries if every attempt fails and it is never told the paths: a fixed list, which
+    /// learns nothing from the attempts.
     pub fn list(mut self, count: usize) -> Vec<Proposal> {
         let next = || {
             let proposal = self.propose()?;

@@ -11,7 +11,6 @@ use std::collections::BinaryHeap;
 use super::fitting_balls::FittingBalls;
 use super::{Origin, Proposal, sigmoid};
 use crate::nets::judge::RADII;
-use crate::puzzle::action::Ball;
 use crate::puzzle::scene::Scene;
 use crate::raster::{CELLS, PX_PER_CELL, SIDE};
 
@@ -58,15 +57,6 @@ pub fn ranked(logits: &[f32], scene: &Scene, attempts: usize) -> Vec<Proposal> {
         found.push(Proposal { ball, origin: Origin::Judge { probability: sigmoid(logit) }, rejected: 0 });
     }
     found
-}
-
-/// Returns the `count` valid balls with the greatest logits, greatest first; of equal ones the one with the lower index.
-pub fn candidates(logits: &[f32], scene: &Scene, count: usize) -> Vec<Ball> {
-    let balls = FittingBalls::new(scene);
-    let valid = (0..CELLS).flat_map(|cell| (0..balls.count(cell)).map(move |radius| radius * CELLS + cell));
-    let mut finite: Vec<usize> = valid.filter(|&index| logits[index].is_finite()).collect();
-    finite.sort_by(|&a, &b| logits[b].total_cmp(&logits[a]).then(a.cmp(&b)));
-    finite.into_iter().take(count).map(|index| balls.ball(index)).collect()
 }
 
 /// A ball that has not been selected, with the logit that it had when it was queued. Of equal logits, as the two halves of

@@ -58,7 +58,7 @@ impl AgentName {
     pub fn start(self, nets: Option<&PathNet>, scene: &Scene, seed: u64, count: usize) -> Box<dyn Agent> {
         let nets = || nets.expect("the weights of a model are loaded first");
         // Damaged weights know no candidates.
-        let candidates = || imagined_candidates(nets(), scene).unwrap_or_default();
+        let candidates = || imagined_candidates(nets(), scene, count).unwrap_or_default();
         let proposals = match self {
             AgentName::Online => return Box::new(OnlineAgent::new(candidates(), Similarity::DEFAULT)),
             AgentName::OnlineByBalls => return Box::new(OnlineAgent::new(candidates(), Similarity::OF_BALLS)),

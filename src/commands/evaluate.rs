@@ -197,6 +197,9 @@ impl Report {
             if let Some(judge) = &card.judge {
                 write!(text, "; judge: {} balls, {} epochs", judge.balls, judge.epochs)?;
             }
+            if let Some(dynamics) = &card.dynamics {
+                write!(text, "; dynamics net: {} balls, {} epochs", dynamics.balls, dynamics.epochs)?;
+            }
             writeln!(text)?;
         }
         write!(text, "{:30} {:>5}", "template", "tasks")?;

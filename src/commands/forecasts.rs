@@ -61,6 +61,8 @@ struct Forecast {
     solved: bool,
     /// 0..=1
     chance: f64,
+    /// From the imagined paths alone, 0..=1.
+    path_chance: f64,
     /// Of the path of the green object, imagined and real.
     object_iou: f64,
     /// Of an object that stays where it starts.
@@ -101,15 +103,20 @@ impl Args {
             simulator::VERSION
         );
         let steps = PRINTED.map(|sample| format!("{:>7}", format!("{:.1} s", SAMPLED_STEPS[sample] as f64 / 60.0)));
-        writeln!(text, "{:42}{:^21}  distance of the object, px, after", "", "soft IoU of the paths")?;
         writeln!(
             text,
-            "{:12}{:>9}{:>12}  {:>7}{:>14}{:>7}{}",
+            "{:21}{:^22}{:^28}  distance of the object, px, after",
+            "", "mean chance", "soft IoU of the paths"
+        )?;
+        writeln!(
+            text,
+            "{:12}{:>9}{:>9}{:>13}{:>8}{:>13}{:>7}{}",
             "",
             "balls",
-            "mean chance",
+            "all",
+            "paths alone",
             "object",
-            "(at rest",
+            "(at rest)",
             "ball",
             steps.concat()
         )?;
@@ -122,9 +129,10 @@ impl Args {
                 (0..PRINTED.len()).map(|index| format!("{:>7.1}", mean(&|one| one.distances[index]))).collect();
             writeln!(
                 text,
-                "{name:12}{:>9}{:>10.1} %  {:>7.2}{:>13.2}){:>7.2}{}",
+                "{name:12}{:>9}{:>7.1} %{:>11.1} %{:>8.2}{:>12.2}){:>7.2}{}",
                 of.len(),
                 100.0 * mean(&|one| one.chance),
+                100.0 * mean(&|one| one.path_chance),
                 mean(&|one| one.object_iou),
                 mean(&|one| one.resting_iou),
                 mean(&|one| one.ball_iou),
@@ -152,7 +160,8 @@ impl Args {
             };
             Ok(Forecast {
                 solved: outcome.solved,
-                chance: 1.0 / (1.0 + (-f64::from(imagined.logit)).exp()),
+                chance: sigmoid(imagined.logit),
+                path_chance: sigmoid(imagined.path_logit),
                 object_iou: iou(object, &imagined.paths.object, &real.object),
                 resting_iou: soft_iou(&image(object, &[]), &path_of_object),
                 ball_iou: iou(&ball.body(), &imagined.paths.ball, &real.ball),
@@ -170,4 +179,8 @@ impl Args {
 fn image(body: &Body, path: &[[f32; 2]]) -> Vec<f32> {
     let points: Vec<[f64; 2]> = path.iter().map(|point| point.map(f64::from)).collect();
     trail_image(body, &points).to_f32().collect()
+}
+
+fn sigmoid(logit: f32) -> f64 {
+    1.0 / (1.0 + (-f64::from(logit)).exp())
 }

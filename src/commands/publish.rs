@@ -16,7 +16,7 @@ use super::digest;
 /// Copy trained weights, rounded, to the assets, where the page loads them from
 #[derive(clap::Args)]
 pub struct Args {
-    /// Weights files of `pathlight train` or `train-judge`; without any, only the list is rewritten
+    /// Weights files of `pathlight train`, `train-judge` or `train-dynamics`; without any, only the list is rewritten
     weights: Vec<PathBuf>,
 
     /// The folder that the page loads weights from

@@ -5,7 +5,6 @@
 //! seen no other tasks. `training_run` keeps the run in a folder.
 
 use std::collections::btree_map::{BTreeMap, Entry};
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, ensure};
@@ -13,7 +12,7 @@ use pathlight::benchmark::folds::Setup;
 use pathlight::dataset::labels::{LabelledBalls, PATHS_LEN};
 use pathlight::nets::ball_head::Starts;
 use pathlight::nets::training::{DynamicsBatch, Schedule, Trainer, WARMUP_STEPS};
-use pathlight::nets::{DynamicsCard, DynamicsNet, PathNet, flex};
+use pathlight::nets::{DynamicsCard, DynamicsNet, flex};
 use pathlight::puzzle::action::Ball;
 use pathlight::puzzle::task::{Task, TaskId};
 use pathlight::raster::{Bitmap, CHANNELS, scene_channels};
@@ -89,10 +88,12 @@ impl Args {
             imagined_per_scene: self.imagined_per_scene,
             learning_rate: self.training.learning_rate,
             balls: scenes.iter().map(|scene| scene.balls.len()).sum(),
+            without_dev: self.without_dev || card.without_dev,
+            from: self.from.as_deref().map(digest).transpose()?,
         });
         let folder = self.training.out.clone().unwrap_or_else(|| self.fold.folder().join("dynamics"));
         let trainer = match &self.from {
-            Some(path) => Trainer::from_nets(dynamics_of(path)?, flex()),
+            Some(path) => Trainer::from_nets(self.dynamics_of(path)?, flex()),
             None => Trainer::<DynamicsNet>::new(flex(), self.training.seed),
         };
         let losses = ["cell", "ball", "from paths", "paths", "errors"];
@@ -120,6 +121,20 @@ impl Args {
         Ok(())
     }
 
+    /// The dynamics net of a weights file of this fold.
+    fn dynamics_of(&self, path: &Path) -> anyhow::Result<DynamicsNet> {
+        let name = path.display();
+        let (nets, card) = ModelArgs { weights: Some(path.to_path_buf()) }.load(&self.fold)?;
+        let trained = nets.dynamics.zip(card.dynamics);
+        let (net, trained) = trained
+            .with_context(|| format!("{name} has no dynamics net: name weights of `pathlight train-dynamics`"))?;
+        ensure!(
+            trained.without_dev || !self.without_dev,
+            "{name} was trained on dev tasks: leave --without-dev out, or name weights that were trained with it"
+        );
+        Ok(net)
+    }
+
     /// A batch of the run; it depends only on the seed and its number.
     fn batch(&self, scenes: &[LabelledScene], number: usize) -> DynamicsBatch {
         let size = usize::from(self.training.batch);
@@ -141,14 +156,6 @@ impl Args {
         }
         dynamics_batch
     }
-}
-
-/// The dynamics net of a weights file.
-fn dynamics_of(path: &Path) -> anyhow::Result<DynamicsNet> {
-    let name = path.display();
-    let bytes = fs::read(path).with_context(|| format!("cannot read {name}"))?;
-    let (nets, _) = PathNet::load(&bytes, &flex()).with_context(|| format!("cannot use {name}"))?;
-    nets.dynamics.with_context(|| format!("{name} has no dynamics net: name weights of `pathlight train-dynamics`"))
 }
 
 /// The labelled balls of the fold's training tasks, by scene.

@@ -10,6 +10,7 @@ use burn::tensor::Tensor;
 use super::ball_head::{BallHead, COORDINATES, PLACES, POSITIONS, Starts, UNIT, ball_numbers, corners, places};
 use super::conv::{Matrix, matmul};
 use super::dynamics::{DynamicsNet, LEVELS, SceneFeatures};
+use super::judge::logit_index;
 use super::values;
 use crate::puzzle::action::Ball;
 use crate::puzzle::sampled_paths::{SAMPLES, SampledPaths};
@@ -18,13 +19,18 @@ use crate::puzzle::scene::{SIZE, Scene};
 /// Balls whose answers are computed together: the columns of the matrix products.
 const BLOCK: usize = 16;
 
+/// What the mean of the two logits is multiplied by. Trained nets are too sure of new scenes, and the likeliest of many balls
+/// are those that the net is most wrong about. Set by hand, not tuned.
+const CONFIDENCE: f32 = 0.7;
+
 /// What the net imagines for a ball.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ImaginedBall {
     pub paths: SampledPaths,
     /// Expected distance between imagined and real positions at each sample: of the object, then of the ball, px.
     pub errors: [f32; POSITIONS],
-    /// The logit of the chance that the ball solves, from the paths and the features that draw them.
+    /// The logit of the chance that the ball solves: the mean of the one that is read from the paths and the features that
+    /// draw them, and of the one of the ball's cell, times `CONFIDENCE`.
     pub logit: f32,
     /// The logit from the paths alone.
     pub path_logit: f32,
@@ -205,6 +211,11 @@ impl ReadScene {
             let answers = self.head.forward(views, block);
             let mirrored = self.head.forward(mirrored_view, &mirrored);
             imagined.extend(answers.into_iter().zip(mirrored).map(|(ours, theirs)| ours.mean(&theirs)));
+        }
+        for (imagined, &ball) in imagined.iter_mut().zip(balls) {
+            // Only a ball that is not valid has no cell.
+            let of_cell = logit_index(ball).map_or(imagined.logit, |index| self.logits[index]);
+            imagined.logit = CONFIDENCE * (imagined.logit + of_cell) / 2.0;
         }
         imagined
     }

@@ -93,6 +93,12 @@ pub struct DynamicsCard {
     pub learning_rate: f64,
     /// Labelled balls that these are drawn from.
     pub balls: usize,
+    /// The fold's dev tasks were left out, whatever the four nets have seen.
+    #[serde(default)]
+    pub without_dev: bool,
+    /// SHA-256 of the weights whose dynamics net it started from, if it did not start fresh.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub from: Option<String>,
 }
 
 /// Why weights cannot be loaded or saved.

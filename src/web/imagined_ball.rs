@@ -98,7 +98,9 @@ impl Model {
     /// `bad_task` if there is no such task.
     #[wasm_bindgen(unchecked_return_type = "Candidate[] | undefined")]
     pub fn candidates(&self, id: &str) -> Result<JsValue, JsValue> {
-        let Some(candidates) = imagined_candidates(&self.net, &load(id)?.scene) else { return Ok(JsValue::UNDEFINED) };
+        let Some(candidates) = imagined_candidates(&self.net, &load(id)?.scene, ATTEMPT_LIMIT) else {
+            return Ok(JsValue::UNDEFINED);
+        };
         candidates.iter().map(candidate_to_js).collect::<Result<Array, _>>().map(Into::into)
     }
 }

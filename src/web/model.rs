@@ -75,7 +75,7 @@ impl Model {
     }
 
     /// Returns the maps of a task: for each stage a Float32Array of 64 x 64 values in 0..=1, row 0 at the bottom. Weights
-    /// without a judge have no map `judge`.
+    /// with neither a judge nor a dynamics net have no map `judge`.
     ///
     /// # Errors
     /// `bad_task` if there is no such task.

@@ -237,6 +237,9 @@ export interface DynamicsCard {
     imagined_per_scene: number;
     learning_rate: number;
     balls: number;
+    without_dev: boolean;
+    /** SHA-256 of the weights that it started from. */
+    from?: string;
 }
 
 /** What a frame shows. */

@@ -13,11 +13,12 @@ fn solved_and_missed_balls_are_counted_and_imagined_better_than_at_rest() {
         numbers.collect()
     };
     let (solved, missed) = (row("solved "), row("not solved"));
-    assert_eq!((solved.len(), missed.len()), (9, 9), "{table}");
+    assert_eq!((solved.len(), missed.len()), (10, 10), "{table}");
     assert!(solved[0] > 25.0 && solved[0] + missed[0] <= 25.0 * (4.0 + 10.0), "{table}");
     assert!(solved[1] > missed[1] + 10.0, "the chance tells them apart: {table}");
-    for [_, _, object, at_rest, ball, first, .., last] in
-        [solved, missed].map(|row| <[f64; 9]>::try_from(row).expect("nine"))
+    assert!(solved[2] > missed[2] + 10.0, "and the paths alone do: {table}");
+    for [_, _, _, object, at_rest, ball, first, .., last] in
+        [solved, missed].map(|row| <[f64; 10]>::try_from(row).expect("ten"))
     {
         assert!(at_rest < object && object < 1.0 && object < ball && first < last, "{table}");
     }

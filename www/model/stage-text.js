@@ -43,12 +43,12 @@ export const CHOICE_TEXT = {
   candidates: {
     name: "Candidates",
     meaning: "Which balls are worth thinking about.",
-    how: "Another net has learned from balls of all kinds what they led to. Before it imagines any ball, it says for eight sizes at every place how likely one solves the puzzle. Together with the judge, if there is one, that picks the most promising balls.",
+    how: "The fifth net has learned from balls of all kinds what they led to. Before it imagines any ball, it says for eight sizes at every place how likely one solves the puzzle. That picks the most promising balls.",
   },
   imagined: {
     name: "Imagined",
     meaning: "What each of these balls would do.",
-    how: "The same net imagines for each ball where the green object and the ball would go, and reads from what it imagines how likely the ball solves the puzzle. The judge, if there is one, has as much of a say in it. Nothing is simulated.",
+    how: "The same net imagines for each ball where the green object and the ball would go, and reads from that how likely the ball solves the puzzle. What it said of the place before counts as much. Nothing is simulated.",
   },
   chosen: {
     name: "Chosen",

@@ -105,6 +105,7 @@ export class Choice extends Component {
   async #ask() {
     if (!this.#step || !this.able || this.#call || this.#considered || !this.session) return;
     const call = (this.#call = new AbortController());
+    this.#failure = null;
     const task = this.session.about.id;
     try {
       const considered = await this.#client.consider(task, call.signal);

@@ -23,7 +23,7 @@ const ENTRIES = [
   ["without_dev", "Dev tasks", (without) => (without ? "left out, to choose settings by them" : "learned from, like the other training puzzles")],
   ["mirror", "Mirrored", (mirror) => (mirror ? "half of the time, left to right" : "never")],
   ["judge", "The judge learned from", ({ balls, epochs }) => `${number(balls)} balls with their outcome, ${epochs} times over`],
-  ["dynamics", "The net that imagines balls learned from", ({ balls, epochs }) => `${number(balls)} balls with their paths, in ${epochs} passes over the puzzles`],
+  ["dynamics", "The net that imagines balls learned from", ({ balls, epochs, from }) => `${number(balls)} balls with their paths, in ${epochs} passes over the puzzles${from ? ", after an earlier training" : ""}`],
   ["simulator", "Version of the simulator", String],
   ["seed", "Random seed", String],
 ];

@@ -76,7 +76,11 @@ impl Args {
             (AgentName::Random, None)
         } else {
             let (nets, _) = self.model.load(&self.fold)?;
-            let default = if nets.dynamics.is_some() { AgentName::Online } else { AgentName::Judge };
+            let default = match (&nets.dynamics, &nets.judge) {
+                (Some(_), _) => AgentName::Online,
+                (None, Some(_)) => AgentName::Judge,
+                (None, None) => AgentName::Paper,
+            };
             let agent = self.agent.unwrap_or(default);
             agent.check(&nets)?;
             (agent, Some(nets))
