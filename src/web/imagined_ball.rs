@@ -14,6 +14,7 @@ use crate::agents::imagined_candidates::imagined_candidates;
 use crate::agents::online::Candidate;
 use crate::nets::ImaginedBall;
 use crate::nets::ball_head::POSITIONS;
+use crate::play::game::ATTEMPT_LIMIT;
 use crate::puzzle::action::Ball;
 use crate::puzzle::sampled_paths::{SAMPLED_STEPS, SAMPLES, SampledPath, SampledPaths};
 use crate::puzzle::task::Task;
