@@ -70,8 +70,26 @@ impl DynamicsNet {
         DynamicsNet { down: down.collect(), up: up.collect(), head: BallHead::new(device) }
     }
 
+    /// The logits of the cells alone, `[batch, RADII, 64, 64]`, without the features of balls: half of the work.
+    pub fn cell_logits(&self, scenes: Tensor<4>) -> Tensor<4> {
+        let mut cells = self.clone();
+        let last = cells.up.last_mut().expect("five layers");
+        last.weight = last.weight.clone().map(|weight| weight.narrow(1, 0, RADII));
+        last.bias = last.bias.take().map(|bias| bias.map(|bias| bias.narrow(0, 0, RADII)));
+        cells.u_net(scenes).0
+    }
+
     /// Reads scenes, `[batch, 5, 64, 64]`.
     pub fn encode(&self, scenes: Tensor<4>) -> SceneFeatures {
+        let (last, mut levels, code) = self.u_net(scenes);
+        let [logits, finest] = last.split_with_sizes(vec![RADII, FINEST], 1).try_into().expect("two parts");
+        levels.push(relu(finest));
+        levels.reverse();
+        SceneFeatures { logits, levels, code }
+    }
+
+    /// The output of the last layer, the levels that have a skip connection, coarsest first, and the code.
+    fn u_net(&self, scenes: Tensor<4>) -> (Tensor<4>, Vec<Tensor<4>>, Tensor<2>) {
         let mut skips = Vec::with_capacity(self.down.len());
         let mut x = scenes;
         for layer in &self.down {
@@ -88,10 +106,7 @@ impl DynamicsNet {
                 levels.push(x.clone());
             }
         }
-        let [logits, finest] = x.split_with_sizes(vec![RADII, FINEST], 1).try_into().expect("two parts");
-        levels.push(relu(finest));
-        levels.reverse();
-        SceneFeatures { logits, levels, code }
+        (x, levels, code)
     }
 
     /// Scenes `[batch, 5, 64, 64]` and balls in them, in; the logits of all cells and what each ball leads to, out.

@@ -48,7 +48,7 @@ pub struct ReadScene {
 /// The features of a scene or of its mirror image.
 struct View {
     starts: Starts,
-    /// For each level `[channels, side * side]`.
+    /// For each level `[side * side, channels]`: the features of a cell lie together, because a ball needs all of them.
     levels: Vec<Vec<f32>>,
     /// The output of the head's layer `scene`.
     code: Vec<f32>,
@@ -117,7 +117,7 @@ impl DynamicsNet {
         let starts = Starts::of(scene);
         let scene_layer = Layer::new(&head.scene);
         let code: Vec<f32> = code.into_data().try_into_vec().expect("the nets are of f32");
-        let levels: Vec<Vec<f32>> = levels.into_iter().map(values).collect();
+        let levels: Vec<Vec<f32>> = levels.into_iter().map(|level| values(level.permute([0, 2, 3, 1]))).collect();
         let view = |index: usize, starts: Starts| {
             let half = |all: &Vec<f32>| all[index * all.len() / 2..][..all.len() / 2].to_vec();
             let mut columns = vec![0.0; code.len() / 2 * BLOCK];
@@ -155,10 +155,9 @@ impl PlainHead {
             ball_numbers(ball, view.starts).into_iter().for_each(&mut push);
             view.code.iter().copied().for_each(&mut push);
             for (level, (side, channels)) in view.levels.iter().zip(LEVELS) {
-                let corners = corners(side, ball);
+                let corners = corners(side, ball).map(|(cell, weight)| (&level[cell * channels..][..channels], weight));
                 for channel in 0..channels {
-                    let plane = &level[channel * side * side..][..side * side];
-                    push(corners.iter().map(|&(cell, weight)| plane[cell] * weight).sum());
+                    push(corners.iter().map(|&(cell, weight)| cell[channel] * weight).sum());
                 }
             }
         }

@@ -77,13 +77,17 @@ impl PathNet {
         Imagined { base, target, action, placement }
     }
 
-    /// Returns the judge's logits for a scene, `[RADII, 64, 64]`, or `None` if the weights have none: the
-    /// judge's, or else those of the dynamics net. PHYRE's world
-    /// is symmetric, so the logits of the scene and of its mirror image are averaged, which is more accurate than one.
+    /// Returns the logits of the cells of a scene, `[RADII, 64, 64]`: the judge's, or else the dynamics net's; `None` if the
+    /// weights have neither. PHYRE's world is symmetric, so the logits of the scene and of its mirror image are averaged,
+    /// which is more accurate than one.
     pub fn judge_logits(&self, scene: &Scene) -> Option<Vec<f32>> {
-        let Some(judge) = &self.judge else { return self.read(scene).map(|read| read.logits) };
-        let scene = self.encode(scene);
-        let logits = judge.forward(Tensor::cat(vec![scene.clone(), scene.flip([3])], 0)); // [2, RADII, 64, 64]
+        let image = || self.encode(scene);
+        let both = || Tensor::cat(vec![image(), image().flip([3])], 0); // [2, 5, 64, 64]
+        let logits = match (&self.judge, &self.dynamics) {
+            (Some(judge), _) => judge.forward(both()),
+            (None, Some(dynamics)) => dynamics.cell_logits(both()),
+            (None, None) => return None,
+        }; // [2, RADII, 64, 64]
         let [logits, mirrored] = logits.chunk(2, 0).try_into().expect("two scenes");
         Some(values((logits + mirrored.flip([3])) / 2.0))
     }
