@@ -4,7 +4,6 @@
 //! says where an interrupted run continues. The balls depend only on the settings and the solutions.
 
 use std::collections::BTreeMap;
-use std::fs;
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 
@@ -12,7 +11,7 @@ use anyhow::{Context, ensure};
 use pathlight::agents::ranking::ranked;
 use pathlight::benchmark::folds::{FOLDS, Fold, Setup};
 use pathlight::dataset::labels::{LabelledBalls, PATHS_LEN};
-use pathlight::nets::{PathNet, flex};
+use pathlight::nets::PathNet;
 use pathlight::puzzle::action::{Ball, RADIUS};
 use pathlight::puzzle::scene::SIZE;
 use pathlight::puzzle::task::{Task, TaskId};
@@ -23,8 +22,9 @@ use serde::{Deserialize, Serialize};
 
 use super::collect::read_solutions;
 use super::digest;
-use super::fold_args::setup;
+use super::fold_args::{FoldArgs, setup};
 use super::journal::{self, Journal, check_task};
+use super::model_args::ModelArgs;
 use super::progress::Progress;
 use super::task_selection::TaskSelection;
 
@@ -53,8 +53,8 @@ pub struct Args {
     pub selection: TaskSelection,
 
     /// Label the balls that the dynamics net of these weights finds most probable, instead of sampled ones: hard negatives.
-    /// Every round takes the next 64
-    #[arg(long, value_name = "FILE")]
+    /// Every round takes the next 64. They have to be of the fold of --setup
+    #[arg(long, value_name = "FILE", requires = "setup")]
     pub weights: Option<PathBuf>,
 
     /// Use only the training tasks of one fold of this setup: only they are labelled, and only their solutions are
@@ -143,7 +143,10 @@ impl Args {
             own_solutions.entry(solution.task).or_default().push(solution.ball);
             sibling_solutions[solution.task.template].push(solution.ball);
         }
-        let nets = self.weights.as_deref().map(load).transpose()?;
+        let nets = match (&self.weights, training_tasks_of) {
+            (Some(path), Some((setup, fold))) => Some(self.proposing_nets(path, FoldArgs { setup, fold })?),
+            _ => None,
+        };
         let total = self.rounds * tasks.len();
         let (mut journal, lines) = Journal::open::<LabelledBalls>(&self.out, &settings)?;
         for (line, task) in lines.iter().zip(tasks.iter().cycle()) {
@@ -179,16 +182,14 @@ impl Args {
         progress.finish(&format!("{} balls of {} tasks", done * BALLS, tasks.len()));
         Ok(())
     }
-}
 
-/// The nets of a weights file, with their dynamics net.
-fn load(path: &Path) -> anyhow::Result<PathNet> {
-    let name = path.display();
-    let bytes = fs::read(path).with_context(|| format!("cannot read {name}"))?;
-    let (nets, _) = PathNet::load(&bytes, &flex()).with_context(|| format!("cannot use {name}"))?;
-    let has = nets.dynamics.is_some();
-    ensure!(has, "{name} has no dynamics net: name weights of `pathlight train-dynamics`");
-    Ok(nets)
+    /// The nets of a fold's weights, with their dynamics net.
+    fn proposing_nets(&self, path: &Path, fold: FoldArgs) -> anyhow::Result<PathNet> {
+        let (nets, _) = ModelArgs { weights: Some(path.to_path_buf()) }.load(&fold)?;
+        let has = nets.dynamics.is_some();
+        ensure!(has, "{} has no dynamics net: name weights of `pathlight train-dynamics`", path.display());
+        Ok(nets)
+    }
 }
 
 /// What a file of `pathlight label` holds.
@@ -197,6 +198,8 @@ pub struct Labelled {
     pub lines: Vec<LabelledBalls>,
     /// Setup and fold if only the fold's training tasks were used.
     pub training_tasks_of: Option<(Setup, u8)>,
+    /// The balls are those that a net proposed.
+    pub proposed: bool,
     tasks: NonZeroUsize,
 }
 
@@ -214,12 +217,12 @@ impl Labelled {
 /// If the file is missing or damaged, or was made with another version of the simulator.
 pub fn read_labels(path: &Path) -> anyhow::Result<Labelled> {
     let (settings, lines) = journal::read::<LabelledBalls>(path)?;
-    let LabelSettings { simulator: version, tasks, training_tasks_of, .. } = settings;
+    let LabelSettings { simulator: version, tasks, training_tasks_of, weights, .. } = settings;
     ensure!(
         version == simulator::VERSION,
         "{} was labelled by simulator {version}, this is simulator {}: label the balls again",
         path.display(),
         simulator::VERSION
     );
-    Ok(Labelled { lines, training_tasks_of, tasks })
+    Ok(Labelled { lines, training_tasks_of, proposed: weights.is_some(), tasks })
 }

@@ -26,6 +26,7 @@ mod fold_args;
 mod forecasts;
 mod journal;
 mod label;
+mod labelled_scenes;
 mod model_args;
 mod progress;
 mod propose;

@@ -4,25 +4,15 @@
 //! It learns from labelled balls of the tasks that the four nets were trained on, so that the weights as a whole have
 //! seen no other tasks. `training_run` keeps the run in a folder.
 
-use std::collections::btree_map::{BTreeMap, Entry};
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, ensure};
-use pathlight::benchmark::folds::Setup;
-use pathlight::dataset::labels::{LabelledBalls, PATHS_LEN};
-use pathlight::nets::ball_head::Starts;
 use pathlight::nets::training::{DynamicsBatch, Schedule, Trainer, WARMUP_STEPS};
 use pathlight::nets::{DynamicsCard, DynamicsNet, flex};
-use pathlight::puzzle::action::Ball;
-use pathlight::puzzle::task::{Task, TaskId};
-use pathlight::raster::{Bitmap, CHANNELS, scene_channels};
-use rand::seq::{SliceRandom, index};
-use rand::{RngExt, SeedableRng};
-use rand_pcg::Pcg64Mcg;
 
 use super::digest;
 use super::fold_args::FoldArgs;
-use super::label::{Labelled, read_labels};
+use super::labelled_scenes::{Drawn, LabelledScenes};
 use super::model_args::ModelArgs;
 use super::progress::say;
 use super::training_args::TrainingArgs;
@@ -65,20 +55,12 @@ pub struct Args {
     pub training: TrainingArgs,
 }
 
-/// A scene and its labelled balls.
-struct LabelledScene {
-    scene: [Bitmap; CHANNELS],
-    starts: Starts,
-    /// Each with whether it solves the task.
-    balls: Vec<(Ball, bool)>,
-    /// `PATHS_LEN` bytes for each ball.
-    paths: Vec<u8>,
-}
-
 impl Args {
     pub fn run(self) -> anyhow::Result<()> {
         let (mut nets, mut card) = self.model.load(&self.fold)?;
-        let scenes = labelled_scenes(&self.labels, &self.fold, self.without_dev || card.without_dev)?;
+        let without_dev = self.without_dev || card.without_dev;
+        let scenes = LabelledScenes::read(&self.labels, &self.fold, without_dev)?;
+        ensure!(scenes.have_paths(), "the labels hold balls without their paths: label them again");
         card.judge = None;
         card.dynamics = Some(DynamicsCard {
             seed: self.training.seed,
@@ -87,8 +69,8 @@ impl Args {
             balls_per_scene: self.balls_per_scene,
             imagined_per_scene: self.imagined_per_scene,
             learning_rate: self.training.learning_rate,
-            balls: scenes.iter().map(|scene| scene.balls.len()).sum(),
-            without_dev: self.without_dev || card.without_dev,
+            balls: scenes.balls(),
+            without_dev,
             from: self.from.as_deref().map(digest).transpose()?,
         });
         let folder = self.training.out.clone().unwrap_or_else(|| self.fold.folder().join("dynamics"));
@@ -97,15 +79,10 @@ impl Args {
             None => Trainer::<DynamicsNet>::new(flex(), self.training.seed),
         };
         let losses = ["cell", "ball", "from paths", "paths", "errors"];
-        let mut run = TrainingRun::open(
-            folder,
-            card,
-            self.labels.iter().map(|path| digest(path)).collect::<anyhow::Result<Vec<_>>>()?.join(" "),
-            &losses,
-            trainer,
-        )?;
+        let digests = self.labels.iter().map(|path| digest(path)).collect::<anyhow::Result<Vec<_>>>()?;
+        let mut run = TrainingRun::open(folder, card, digests.join(" "), &losses, trainer)?;
         let schedule = Schedule::WarmupLinear { peak: self.training.learning_rate, warmup_steps: WARMUP_STEPS };
-        let batches_per_epoch = scenes.len().div_ceil(self.training.batch.into());
+        let batches_per_epoch = scenes.batches_per_epoch(&self.training);
         let plan = Plan { epochs: self.epochs, batches_per_epoch, schedule };
         let complete = run.train(
             &plan,
@@ -135,66 +112,17 @@ impl Args {
         Ok(net)
     }
 
-    /// A batch of the run; it depends only on the seed and its number.
-    fn batch(&self, scenes: &[LabelledScene], number: usize) -> DynamicsBatch {
-        let size = usize::from(self.training.batch);
-        let batches_per_epoch = scenes.len().div_ceil(size);
-        let (epoch, batch) = (number / batches_per_epoch, number % batches_per_epoch);
-        let seed = self.training.seed.wrapping_mul(1_000_000);
-        let mut order: Vec<&LabelledScene> = scenes.iter().collect();
-        order.shuffle(&mut Pcg64Mcg::seed_from_u64(seed.wrapping_add(epoch as u64)));
-        let mut rng = Pcg64Mcg::seed_from_u64(!seed.wrapping_add(number as u64));
-        let mut dynamics_batch = DynamicsBatch::default();
-        for LabelledScene { scene, starts, balls, paths } in order.into_iter().skip(batch * size).take(size) {
-            let chosen = index::sample(&mut rng, balls.len(), balls.len().min(self.balls_per_scene.into()));
-            let chosen = chosen.into_iter().map(|index| {
-                let (ball, solved) = balls[index];
-                (ball, solved, &paths[index * PATHS_LEN..][..PATHS_LEN])
+    /// A batch of the run, by its number.
+    fn batch(&self, scenes: &LabelledScenes, number: usize) -> DynamicsBatch {
+        let mut batch = DynamicsBatch::default();
+        for Drawn { scene, balls, mirrored } in scenes.draw(&self.training, self.balls_per_scene, number) {
+            let balls = balls.into_iter().map(|ball| {
+                let (placed, solved) = scene.balls[ball];
+                (placed, solved, scene.paths(ball))
             });
-            let added = dynamics_batch.add(scene, *starts, chosen, self.imagined_per_scene.into(), rng.random());
+            let added = batch.add(&scene.channels, scene.starts, balls, self.imagined_per_scene.into(), mirrored);
             added.expect("the balls were checked when they were read");
         }
-        dynamics_batch
+        batch
     }
-}
-
-/// The labelled balls of the fold's training tasks, by scene.
-fn labelled_scenes(files: &[PathBuf], fold: &FoldArgs, without_dev: bool) -> anyhow::Result<Vec<LabelledScene>> {
-    let tasks = fold.training_tasks(without_dev);
-    let mut scenes: BTreeMap<TaskId, LabelledScene> = BTreeMap::new();
-    for path in files {
-        let Labelled { lines, training_tasks_of, .. } = read_labels(path)?;
-        let name = path.display();
-        // Balls of a template are sampled around solutions of its tasks alone, so across templates every file will do.
-        if let (Some((setup, number)), Setup::Within) = (training_tasks_of, fold.setup) {
-            ensure!(
-                (setup, number) == (fold.setup, fold.fold),
-                "{name} holds balls of the training tasks of {setup} {number} only: label those of {} {}",
-                fold.setup,
-                fold.fold
-            );
-        }
-        for LabelledBalls { task, solved, failed, paths } in lines {
-            if tasks.binary_search(&task).is_err() {
-                continue;
-            }
-            let entry = match scenes.entry(task) {
-                Entry::Occupied(entry) => entry.into_mut(),
-                Entry::Vacant(entry) => {
-                    let scene = Task::load(task)?.scene;
-                    let (starts, scene) = (Starts::of(&scene), scene_channels(&scene));
-                    entry.insert(LabelledScene { scene, starts, balls: Vec::new(), paths: Vec::new() })
-                }
-            };
-            ensure!(
-                paths.0.len() == (solved.len() + failed.len()) * PATHS_LEN,
-                "{name} holds balls without their paths: label them again"
-            );
-            entry.paths.extend(paths.0);
-            entry.balls.extend(solved.into_iter().map(|ball| (ball, true)));
-            entry.balls.extend(failed.into_iter().map(|ball| (ball, false)));
-        }
-    }
-    ensure!(!scenes.is_empty(), "the labels hold no balls of the training tasks of {fold}: label all templates");
-    Ok(scenes.into_values().collect())
 }

@@ -12,9 +12,10 @@ use burn::tensor::activation::relu;
 use burn::tensor::{Device, Tensor};
 
 use super::ball_head::{BallHead, BallTensors, Predictions};
-use super::conv::{conv_down, conv_up, fit_tiles, new_conv_down, new_conv_up};
+use super::conv::fit_tiles;
 use super::judge::RADII;
-use crate::raster::{CHANNELS, SIDE};
+use super::u_net::{self, Activations};
+use crate::raster::SIDE;
 
 /// Channels after each of the five convolutions.
 pub const WIDTHS: [usize; 5] = [16, 32, 64, 96, 128];
@@ -58,55 +59,26 @@ pub struct SceneFeatures {
 impl DynamicsNet {
     /// Returns a fresh net.
     pub fn new(device: &Device) -> DynamicsNet {
-        let down = (0..WIDTHS.len()).map(|layer| {
-            let input = if layer == 0 { CHANNELS } else { WIDTHS[layer - 1] };
-            new_conv_down(input, WIDTHS[layer], 4, device)
-        });
-        let up = (0..WIDTHS.len()).rev().map(|layer| {
-            // All but the innermost see the layer before and, over the skip connection, the encoder's output.
-            let input = if layer == WIDTHS.len() - 1 { WIDTHS[layer] } else { 2 * WIDTHS[layer] };
-            new_conv_up(input, if layer == 0 { RADII + FINEST } else { WIDTHS[layer - 1] }, 4, device)
-        });
-        DynamicsNet { down: down.collect(), up: up.collect(), head: BallHead::new(device) }
+        let (down, up) = u_net::new_layers(&WIDTHS, RADII + FINEST, device);
+        DynamicsNet { down, up, head: BallHead::new(device) }
     }
 
-    /// The logits of the cells alone, `[batch, RADII, 64, 64]`, without the features of balls: half of the work.
+    /// The logits of the cells alone, `[batch, RADII, 64, 64]`: the last layer leaves out the features of balls.
     pub fn cell_logits(&self, scenes: Tensor<4>) -> Tensor<4> {
-        let mut cells = self.clone();
-        let last = cells.up.last_mut().expect("five layers");
+        let mut up = self.up.clone();
+        let last = up.last_mut().expect("five layers");
         last.weight = last.weight.clone().map(|weight| weight.narrow(1, 0, RADII));
         last.bias = last.bias.take().map(|bias| bias.map(|bias| bias.narrow(0, 0, RADII)));
-        cells.u_net(scenes).0
+        u_net::forward(&self.down, &up, scenes).last
     }
 
     /// Reads scenes, `[batch, 5, 64, 64]`.
     pub fn encode(&self, scenes: Tensor<4>) -> SceneFeatures {
-        let (last, mut levels, code) = self.u_net(scenes);
+        let Activations { last, skipped: mut levels, code } = u_net::forward(&self.down, &self.up, scenes);
         let [logits, finest] = last.split_with_sizes(vec![RADII, FINEST], 1).try_into().expect("two parts");
         levels.push(relu(finest));
         levels.reverse();
-        SceneFeatures { logits, levels, code }
-    }
-
-    /// The output of the last layer, the levels that have a skip connection, coarsest first, and the code.
-    fn u_net(&self, scenes: Tensor<4>) -> (Tensor<4>, Vec<Tensor<4>>, Tensor<2>) {
-        let mut skips = Vec::with_capacity(self.down.len());
-        let mut x = scenes;
-        for layer in &self.down {
-            x = conv_down(layer, x);
-            skips.push(x.clone());
-        }
-        skips.pop();
-        let code = x.clone().flatten(1, 3); // [batch, CODE]
-        let mut levels = Vec::with_capacity(LEVELS.len());
-        for layer in &self.up {
-            x = conv_up(layer, x, !skips.is_empty());
-            if let Some(skip) = skips.pop() {
-                x = Tensor::cat(vec![x, skip], 1);
-                levels.push(x.clone());
-            }
-        }
-        (x, levels, code)
+        SceneFeatures { logits, levels, code: code.flatten(1, 3) }
     }
 
     /// Scenes `[batch, 5, 64, 64]` and balls in them, in; the logits of all cells and what each ball leads to, out.

@@ -1,18 +1,18 @@
 //! The judge: scores every action at once, how likely a ball of any radius at any place solves the scene.
 //!
-//! A U-Net (Ronneberger et al. 2015): the decoder layer of each size also sees the encoder's output of that size, so
-//! that the maps are as sharp as the scene. It returns one map of logits for each of a few radii, and learns from
-//! balls with their outcome (`dataset::labels`). The paper has no such net. Agents that order balls by it need fewer
+//! A U-Net (`u_net`) that returns one map of logits for each of a few radii, and learns from balls with their outcome
+//! (`dataset::labels`). The paper has no such net. Agents that order balls by it need fewer
 //! attempts.
 
 use burn::module::Module;
 use burn::nn::conv::{Conv2d, ConvTranspose2d};
 use burn::tensor::{Device, Tensor};
 
-use super::conv::{conv_down, conv_up, fit_tiles, new_conv_down, new_conv_up};
+use super::conv::fit_tiles;
+use super::u_net;
 use crate::puzzle::action::{Ball, Invalid, RADIUS};
 use crate::puzzle::scene::SIZE;
-use crate::raster::{self, CELLS, CHANNELS, SIDE};
+use crate::raster::{self, CELLS, SIDE};
 
 /// Radii that the judge has a map for, evenly spaced from the smallest to the largest.
 pub const RADII: usize = 8;
@@ -32,34 +32,13 @@ pub struct Judge {
 impl Judge {
     /// Returns a fresh judge.
     pub fn new(device: &Device) -> Judge {
-        let down = (0..WIDTHS.len()).map(|layer| {
-            let input = if layer == 0 { CHANNELS } else { WIDTHS[layer - 1] };
-            new_conv_down(input, WIDTHS[layer], 4, device)
-        });
-        let up = (0..WIDTHS.len()).rev().map(|layer| {
-            // All but the innermost see the layer before and, over the skip connection, the encoder's output.
-            let input = if layer == WIDTHS.len() - 1 { WIDTHS[layer] } else { 2 * WIDTHS[layer] };
-            new_conv_up(input, if layer == 0 { RADII } else { WIDTHS[layer - 1] }, 4, device)
-        });
-        Judge { down: down.collect(), up: up.collect() }
+        let (down, up) = u_net::new_layers(&WIDTHS, RADII, device);
+        Judge { down, up }
     }
 
     /// `[batch, 5, 64, 64]` in, logits `[batch, RADII, 64, 64]` out.
     pub fn forward(&self, scene: Tensor<4>) -> Tensor<4> {
-        let mut skips = Vec::with_capacity(self.down.len());
-        let mut x = scene;
-        for layer in &self.down {
-            x = conv_down(layer, x);
-            skips.push(x.clone());
-        }
-        skips.pop();
-        for layer in &self.up {
-            x = conv_up(layer, x, !skips.is_empty());
-            if let Some(skip) = skips.pop() {
-                x = Tensor::cat(vec![x, skip], 1);
-            }
-        }
-        x
+        u_net::forward(&self.down, &self.up, scene).last
     }
 }
 

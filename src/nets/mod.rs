@@ -21,6 +21,7 @@ pub mod judge;
 mod rounding;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod training;
+mod u_net;
 mod weights;
 
 pub use dynamics::DynamicsNet;

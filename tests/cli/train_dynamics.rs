@@ -40,8 +40,8 @@ fn a_dynamics_net_joins_the_weights_and_can_be_trained_further() {
 
     let from = whole.display().to_string();
     let proposed = file("proposed.jsonl");
-    let words = ["label", "--template", "2", "--limit", "6", "--rounds", "1", "--weights", &from, "--out", &proposed];
-    output_of(&words);
+    let words = ["label", "--template", "2", "--limit", "6", "--rounds", "1", "--setup", "within", "--fold", "0"];
+    output_of(&[&words[..], &["--weights", &from, "--out", &proposed]].concat());
     let further = train("further", &["--from", &from, "--labels", &proposed]);
     assert_ne!(fs::read(further).expect("weights"), bytes);
     assert_refused(
@@ -50,5 +50,9 @@ fn a_dynamics_net_joins_the_weights_and_can_be_trained_further() {
     );
     let without = without_dynamics(folder.path());
     assert_refused(&["train-dynamics", "--from", &without, "--labels", &labels], "has no dynamics net");
-    assert_refused(&["label", "--weights", &without, "--out", &file("refused.jsonl")], "has no dynamics net");
+    let label = ["label", "--out", &file("refused.jsonl"), "--fold", "0", "--weights"];
+    assert_refused(&[&label[..], &[&without, "--setup", "within"]].concat(), "has no dynamics net");
+    assert_refused(&[&label[..], &[&from, "--setup", "cross"]].concat(), "was trained on within 0");
+    let cross = ["train-dynamics", "--setup", "cross", "--labels", &proposed];
+    assert_refused(&cross, "holds balls of the training tasks of within 0 only");
 }

@@ -3,7 +3,7 @@
 //! The loss is the sum of: the binary cross-entropies of the three chances (of the ball's cell, of the ball, and from its
 //! paths alone), and the mean distances of the coordinates and of the expected errors, weighted.
 
-use burn::tensor::{Int, Tensor, TensorData};
+use burn::tensor::{Device, Int, Tensor, TensorData};
 
 use super::trainer::{Trainer, binary_cross_entropy_with_logits, extend};
 use crate::nets::DynamicsNet;
@@ -12,7 +12,6 @@ use crate::nets::judge::{RADII, logit_index};
 use crate::puzzle::action::{Ball, Invalid};
 use crate::puzzle::scene::SIZE;
 use crate::raster::{Bitmap, CELLS, CHANNELS, SIDE};
-use burn::tensor::Device;
 
 /// Weight of the mean distance between imagined and real coordinates, in `UNIT`.
 const PATH_WEIGHT: f64 = 0.5;
@@ -34,7 +33,7 @@ pub struct DynamicsBatch {
 }
 
 /// A ball, whether it solves, and its paths: x and y at each sample, first of the object, then of the ball, px.
-pub type LabelledBall<'a> = (Ball, bool, &'a [u8]);
+type LabelledBall<'a> = (Ball, bool, &'a [u8]);
 
 impl DynamicsBatch {
     /// Adds a scene and labelled balls of it, as they are or mirrored left to right; the paths of the first `imagined`

@@ -5,6 +5,6 @@ mod dynamics;
 mod schedule;
 mod trainer;
 
-pub use dynamics::{DynamicsBatch, LabelledBall};
+pub use dynamics::DynamicsBatch;
 pub use schedule::{Schedule, WARMUP_STEPS};
 pub use trainer::{Batch, JudgeBatch, Module, Trainer};

@@ -1,0 +1,129 @@
+//! The labelled balls of a fold's training tasks, by scene, and those of them that make a batch; used by `train-judge` and
+//! `train-dynamics`.
+
+use std::collections::btree_map::{BTreeMap, Entry};
+use std::path::PathBuf;
+
+use anyhow::ensure;
+use pathlight::benchmark::folds::Setup;
+use pathlight::dataset::labels::{LabelledBalls, PATHS_LEN};
+use pathlight::nets::ball_head::Starts;
+use pathlight::puzzle::action::Ball;
+use pathlight::puzzle::task::{Task, TaskId};
+use pathlight::raster::{Bitmap, CHANNELS, scene_channels};
+use rand::seq::{SliceRandom, index};
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64Mcg;
+
+use super::fold_args::FoldArgs;
+use super::label::{Labelled, read_labels};
+use super::training_args::TrainingArgs;
+
+/// The scenes of a fold's training tasks with their labelled balls; at least one.
+pub struct LabelledScenes(Vec<LabelledScene>);
+
+/// A scene and its labelled balls.
+pub struct LabelledScene {
+    pub channels: [Bitmap; CHANNELS],
+    pub starts: Starts,
+    /// Each with whether it solves the task.
+    pub balls: Vec<(Ball, bool)>,
+    /// `PATHS_LEN` bytes for each ball; fewer if balls came without their paths.
+    paths: Vec<u8>,
+}
+
+/// What a batch takes of a scene.
+pub struct Drawn<'a> {
+    pub scene: &'a LabelledScene,
+    /// Indices of balls.
+    pub balls: Vec<usize>,
+    /// Whether scene and balls are mirrored left to right.
+    pub mirrored: bool,
+}
+
+impl LabelledScene {
+    /// The paths of a ball, by its index.
+    pub fn paths(&self, ball: usize) -> &[u8] {
+        &self.paths[ball * PATHS_LEN..][..PATHS_LEN]
+    }
+}
+
+impl LabelledScenes {
+    /// Reads files of `pathlight label`.
+    ///
+    /// # Errors
+    /// If a file cannot be used, may tell of the fold's test tasks, or none has balls of its training tasks.
+    pub fn read(files: &[PathBuf], fold: &FoldArgs, without_dev: bool) -> anyhow::Result<LabelledScenes> {
+        let tasks = fold.training_tasks(without_dev);
+        let mut scenes: BTreeMap<TaskId, LabelledScene> = BTreeMap::new();
+        for path in files {
+            let Labelled { lines, training_tasks_of, proposed, .. } = read_labels(path)?;
+            // Balls are sampled around solutions of their own template alone; so across templates, those of any fold tell
+            // nothing of the test tasks. A net that proposes balls knows all that it was trained on.
+            let of_template_alone = fold.setup == Setup::Cross && !proposed;
+            if let Some((setup, number)) = training_tasks_of.filter(|_| !of_template_alone) {
+                ensure!(
+                    (setup, number) == (fold.setup, fold.fold),
+                    "{} holds balls of the training tasks of {setup} {number} only: label those of {} {}",
+                    path.display(),
+                    fold.setup,
+                    fold.fold
+                );
+            }
+            for LabelledBalls { task, solved, failed, paths } in lines {
+                if tasks.binary_search(&task).is_err() {
+                    continue;
+                }
+                let entry = match scenes.entry(task) {
+                    Entry::Occupied(entry) => entry.into_mut(),
+                    Entry::Vacant(entry) => {
+                        let scene = Task::load(task)?.scene;
+                        let (starts, channels) = (Starts::of(&scene), scene_channels(&scene));
+                        entry.insert(LabelledScene { channels, starts, balls: Vec::new(), paths: Vec::new() })
+                    }
+                };
+                entry.paths.extend(paths.0);
+                entry.balls.extend(solved.into_iter().map(|ball| (ball, true)));
+                entry.balls.extend(failed.into_iter().map(|ball| (ball, false)));
+            }
+        }
+        ensure!(!scenes.is_empty(), "the labels hold no balls of the training tasks of {fold}: label all templates");
+        Ok(LabelledScenes(scenes.into_values().collect()))
+    }
+
+    /// The number of balls.
+    pub fn balls(&self) -> usize {
+        self.0.iter().map(|scene| scene.balls.len()).sum()
+    }
+
+    /// Whether every ball has its paths.
+    pub fn have_paths(&self) -> bool {
+        self.0.iter().all(|scene| scene.paths.len() == scene.balls.len() * PATHS_LEN)
+    }
+
+    /// The number of batches that take every scene once.
+    pub fn batches_per_epoch(&self, training: &TrainingArgs) -> usize {
+        self.0.len().div_ceil(training.batch.into())
+    }
+
+    /// Draws a batch of the run; it depends only on the seed and its number.
+    pub fn draw(
+        &self,
+        training: &TrainingArgs,
+        balls_per_scene: u16,
+        number: usize,
+    ) -> impl Iterator<Item = Drawn<'_>> + use<'_> {
+        let size = usize::from(training.batch);
+        let batches_per_epoch = self.batches_per_epoch(training);
+        let (epoch, batch) = (number / batches_per_epoch, number % batches_per_epoch);
+        let seed = training.seed.wrapping_mul(1_000_000);
+        let mut order: Vec<&LabelledScene> = self.0.iter().collect();
+        order.shuffle(&mut Pcg64Mcg::seed_from_u64(seed.wrapping_add(epoch as u64)));
+        let mut rng = Pcg64Mcg::seed_from_u64(!seed.wrapping_add(number as u64));
+        order.into_iter().skip(batch * size).take(size).map(move |scene| {
+            let count = scene.balls.len();
+            let balls = index::sample(&mut rng, count, count.min(balls_per_scene.into())).into_vec();
+            Drawn { scene, balls, mirrored: rng.random() }
+        })
+    }
+}

@@ -1,0 +1,54 @@
+//! A U-Net (Ronneberger et al. 2015): an encoder-decoder in which the decoder layer of each size also sees the encoder's
+//! output of that size, so that its maps are as sharp as the scene. The judge and the dynamics net are U-Nets; their layers
+//! stay fields of theirs, because the names of the parameters are those in weights files.
+
+use burn::nn::conv::{Conv2d, ConvTranspose2d};
+use burn::tensor::{Device, Tensor};
+
+use super::conv::{conv_down, conv_up, new_conv_down, new_conv_up};
+use crate::raster::CHANNELS;
+
+/// Returns fresh layers: convolutions with these numbers of output channels, and the transposed ones that mirror them, the
+/// last of which has `outputs` channels.
+pub fn new_layers(widths: &[usize], outputs: usize, device: &Device) -> (Vec<Conv2d>, Vec<ConvTranspose2d>) {
+    let down = (0..widths.len()).map(|layer| {
+        let input = if layer == 0 { CHANNELS } else { widths[layer - 1] };
+        new_conv_down(input, widths[layer], 4, device)
+    });
+    let up = (0..widths.len()).rev().map(|layer| {
+        // All but the innermost see the layer before and, over the skip connection, the encoder's output.
+        let input = if layer == widths.len() - 1 { widths[layer] } else { 2 * widths[layer] };
+        new_conv_up(input, if layer == 0 { outputs } else { widths[layer - 1] }, 4, device)
+    });
+    (down.collect(), up.collect())
+}
+
+/// What a U-Net makes of images.
+pub struct Activations {
+    /// The output of the last layer, without ReLU, `[batch, outputs, 64, 64]`.
+    pub last: Tensor<4>,
+    /// What the decoder's layers see, both the layer before and the encoder's output, coarsest first.
+    pub skipped: Vec<Tensor<4>>,
+    /// The innermost output of the encoder.
+    pub code: Tensor<4>,
+}
+
+/// `[batch, 5, 64, 64]` in.
+pub fn forward(down: &[Conv2d], up: &[ConvTranspose2d], images: Tensor<4>) -> Activations {
+    let mut encoded = Vec::with_capacity(down.len());
+    let mut x = images;
+    for layer in down {
+        x = conv_down(layer, x);
+        encoded.push(x.clone());
+    }
+    let code = encoded.pop().expect("a layer");
+    let mut skipped = Vec::with_capacity(encoded.len());
+    for layer in up {
+        x = conv_up(layer, x, !encoded.is_empty());
+        if let Some(skip) = encoded.pop() {
+            x = Tensor::cat(vec![x, skip], 1);
+            skipped.push(x.clone());
+        }
+    }
+    Activations { last: x, skipped, code }
+}
