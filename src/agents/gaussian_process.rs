@@ -133,7 +133,7 @@ mod tests {
         }
     }
 
-    /// The posterior of one logit by numerical integration of prior times likelihood on a fine grid has the same mode.
+    /// The mode is where prior times likelihood is greatest on a fine grid.
     #[test]
     fn one_failure_moves_its_own_logit_to_the_mode_of_its_posterior() {
         for prior in [-6.0, 0.0, 1.5, 7.0] {

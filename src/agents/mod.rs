@@ -123,6 +123,7 @@ pub fn random(scene: &Scene, seed: u64, count: usize) -> Vec<Proposal> {
     balls.map(|ball| Proposal { ball, origin: Origin::Uniform, rejected: 0 }).take(count).collect()
 }
 
-fn sigmoid(logit: f64) -> f64 {
+/// Returns the probability of a logit, with libm, so that wasm computes the same.
+pub fn sigmoid(logit: f64) -> f64 {
     1.0 / (1.0 + libm::exp(-logit))
 }

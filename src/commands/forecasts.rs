@@ -10,6 +10,7 @@ use std::io::{self, Write};
 use std::path::PathBuf;
 
 use anyhow::Context;
+use pathlight::agents::sigmoid;
 use pathlight::dataset::sampling::random_ball;
 use pathlight::nets::PathNet;
 use pathlight::play::soft_iou::soft_iou;
@@ -160,8 +161,8 @@ impl Args {
             };
             Ok(Forecast {
                 solved: outcome.solved,
-                chance: sigmoid(imagined.logit),
-                path_chance: sigmoid(imagined.path_logit),
+                chance: sigmoid(imagined.logit.into()),
+                path_chance: sigmoid(imagined.path_logit.into()),
                 object_iou: iou(object, &imagined.paths.object, &real.object),
                 resting_iou: soft_iou(&image(object, &[]), &path_of_object),
                 ball_iou: iou(&ball.body(), &imagined.paths.ball, &real.ball),
@@ -179,8 +180,4 @@ impl Args {
 fn image(body: &Body, path: &[[f32; 2]]) -> Vec<f32> {
     let points: Vec<[f64; 2]> = path.iter().map(|point| point.map(f64::from)).collect();
     trail_image(body, &points).to_f32().collect()
-}
-
-fn sigmoid(logit: f32) -> f64 {
-    1.0 / (1.0 + (-f64::from(logit)).exp())
 }

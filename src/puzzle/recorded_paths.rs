@@ -22,7 +22,8 @@ pub struct RecordedPaths {
 }
 
 impl RecordedPaths {
-    /// Returns the paths through a rollout of this scene; `None` if it has no action ball.
+    /// Returns the paths through a rollout of this scene; `None` if it has no action ball, or the green
+    /// object is static.
     pub fn of(rollout: &Rollout, scene: &Scene) -> Option<RecordedPaths> {
         let path = |body| -> Option<Vec<Pose>> {
             (0..=rollout.steps).step_by(STRIDE).map(|step| rollout.pose(step, body)).collect()

@@ -12,6 +12,7 @@ use super::model::Model;
 use super::scripting::ball_from;
 use crate::agents::imagined_candidates::imagined_candidates;
 use crate::agents::online::Candidate;
+use crate::agents::sigmoid;
 use crate::nets::ImaginedBall;
 use crate::nets::ball_head::POSITIONS;
 use crate::play::game::ATTEMPT_LIMIT;
@@ -118,7 +119,7 @@ fn candidate_to_js(candidate: &Candidate) -> Result<JsValue, JsValue> {
 }
 
 fn probability(logit: f64) -> JsValue {
-    JsValue::from(1.0 / (1.0 + libm::exp(-logit)))
+    JsValue::from(sigmoid(logit))
 }
 
 /// Returns paths as `{ object, ball }`, x and y in turn.

@@ -31,6 +31,8 @@ export class Choice extends Component {
    * @type {AbortController | null}
    */
   #call = null;
+  /** Has the worker answered? Weights that are damaged know no ball. */
+  #answered = false;
   /** @type {string | null} */
   #failure = null;
 
@@ -98,12 +100,13 @@ export class Choice extends Component {
     this.#call?.abort();
     this.#call = null;
     this.#considered = null;
+    this.#answered = false;
     this.#failure = null;
     this.#imaginer.forget();
   }
 
   async #ask() {
-    if (!this.#step || !this.able || this.#call || this.#considered || !this.session) return;
+    if (!this.#step || !this.able || this.#call || this.#answered || !this.session) return;
     const call = (this.#call = new AbortController());
     this.#failure = null;
     const task = this.session.about.id;
@@ -111,6 +114,7 @@ export class Choice extends Component {
       const considered = await this.#client.consider(task, call.signal);
       if (call.signal.aborted) return;
       this.#considered = considered;
+      this.#answered = true;
       if (considered) this.#imaginer.imagine(task, considered.chosen.ball);
     } catch (error) {
       if (!call.signal.aborted) this.#failure = /** @type {Error} */ (error).message;
@@ -134,7 +138,7 @@ export class Choice extends Component {
   /** What it was for the open puzzle. */
   get #result() {
     if (this.#failure) return this.#failure;
-    if (!this.#considered) return "The model is at it.";
+    if (!this.#considered) return this.#answered ? "The model finds no ball to try." : "The model is choosing.";
     const { candidates, chosen: { ball: [x, y, r], origin } } = this.#considered;
     if (this.#step === "candidates") return `Here there are ${candidates.length}; a ring stands for the middle of each.`;
     if (this.#step === "imagined") {

@@ -89,7 +89,7 @@ export class Forecast extends Component {
     const { able, answer, failure } = this.#imaginer;
     const { session } = this;
     if (failure) return failure;
-    if (!able) return "The model is on its way.";
+    if (!able) return "The model is still loading.";
     if (!session || !this.#ball) return session?.invalidReason ? "The model imagines only balls that may be placed." : "Place the ball: the model imagines what it would do.";
     if (!answer) return "The model imagines it.";
     const chance = chanceWords(answer.imagined.probability);

@@ -41,7 +41,7 @@ pub struct Args {
     #[command(flatten)]
     fold: FoldArgs,
 
-    /// Agent that plays [default: online, or judge if the weights have no dynamics net]
+    /// Agent that plays [default: online; from weights without a dynamics net judge, without a judge paper]
     #[arg(long, value_enum)]
     agent: Option<AgentName>,
 
