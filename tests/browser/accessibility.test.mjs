@@ -5,7 +5,7 @@ import AxeBuilder from '@axe-core/playwright';
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { start } from './harness.mjs';
-import { EASY, known, openPuzzle, playModelTurn, says, type, withoutDynamics } from './page-actions.mjs';
+import { EASY, known, openPuzzle, playModelTurn, says, type } from './page-actions.mjs';
 
 let session;
 before(async () => (session = await start()));
@@ -45,12 +45,10 @@ for (const [screen, size] of Object.entries(SCREENS)) {
       const { solving, missing, invalid } = await known();
       await check(page, 'placing');
       await type(page, missing);
-      if (!(await withoutDynamics())) {
-        await page.locator('#forecast-on').check();
-        await page.locator('#forecast-words').filter({ hasText: 'thinks' }).waitFor();
-        await page.locator('#forecast-how summary').click();
-        await check(page, 'what would this ball do?');
-      }
+      await page.locator('#forecast-on').check();
+      await page.locator('#forecast-words').filter({ hasText: 'thinks' }).waitFor();
+      await page.locator('#forecast-how summary').click();
+      await check(page, 'what would this ball do?');
       await page.locator('#speed').selectOption('0.25');
       await page.locator('#run').click();
       await says(page, /is running/);

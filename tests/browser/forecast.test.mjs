@@ -4,9 +4,8 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { start } from './harness.mjs';
-import { EASY, ball, dragTo, known, modelLoaded, openPuzzle, picture, says, spot, type, withoutDynamics } from './page-actions.mjs';
+import { EASY, ball, dragTo, known, modelLoaded, openPuzzle, picture, says, spot, type } from './page-actions.mjs';
 
-const skip = await withoutDynamics();
 const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 
 let session;
@@ -43,7 +42,7 @@ async function followsTheBall(page) {
   await forecasts(page, new RegExp(`thinks: [a-z ]+ \\((${percent}|under 1|over 99) %\\)\\. Its paths may be \\d+ px off\\.`));
 }
 
-test('it is off until it is asked for, and the switch is in the link', { skip }, async () => {
+test('it is off until it is asked for, and the switch is in the link', async () => {
   const page = await openPuzzle(session, { fragment: '&ball=128,230,8' });
   await modelLoaded(page);
   const bare = await picture(page);
@@ -62,7 +61,7 @@ test('it is off until it is asked for, and the switch is in the link', { skip },
   await page.waitForFunction(() => !/forecast/.test(location.hash));
 });
 
-test('it follows the mouse', { skip }, async () => {
+test('it follows the mouse', async () => {
   const page = await open();
   await forecasts(page, /^Place the ball/);
   await dragTo(page, [[60, 240], [128, 236], [180, 230]]);
@@ -75,7 +74,7 @@ test('it follows the mouse', { skip }, async () => {
   await page.mouse.up();
 });
 
-test('it follows a finger', { skip }, async () => {
+test('it follows a finger', async () => {
   const page = await open('', PHONE);
   await modelLoaded(page);
   await page.touchscreen.tap(...(await spot(page, 120, 236)));
@@ -84,7 +83,7 @@ test('it follows a finger', { skip }, async () => {
   assert.ok(line && line.y + line.height <= 844, 'the words are in sight without scrolling');
 });
 
-test('it follows keys and fields, and is announced once the ball rests', { skip }, async () => {
+test('it follows keys and fields, and is announced once the ball rests', async () => {
   const page = await open('&ball=128,230,8');
   await followsTheBall(page);
   await page.locator('#scene').focus();
@@ -105,7 +104,7 @@ test('it follows keys and fields, and is announced once the ball rests', { skip 
   await followsTheBall(page);
 });
 
-test('of many moves at once only the first and the last are asked for', { skip }, async () => {
+test('of many moves at once only the first and the last are asked for', async () => {
   const page = await open('&ball=128,230,8');
   await followsTheBall(page);
   const asked = await page.evaluate(async () => {
@@ -127,7 +126,7 @@ test('of many moves at once only the first and the last are asked for', { skip }
   await followsTheBall(page);
 });
 
-test('after a run it stays beside the real paths until the ball changes', { skip }, async () => {
+test('after a run it stays beside the real paths until the ball changes', async () => {
   const page = await open('', { reducedMotion: true });
   const { missing } = await known();
   await type(page, missing);
@@ -158,7 +157,7 @@ test('after a run it stays beside the real paths until the ball changes', { skip
   await forecasts(page, /^The model thinks/);
 });
 
-test('a ball that may not be placed is not imagined', { skip }, async () => {
+test('a ball that may not be placed is not imagined', async () => {
   const page = await open('&ball=128,230,8');
   await followsTheBall(page);
   const { invalid } = await known();
@@ -166,7 +165,7 @@ test('a ball that may not be placed is not imagined', { skip }, async () => {
   await forecasts(page, /only balls that may be placed/);
 });
 
-test('it reveals nothing in Predict', { skip }, async () => {
+test('it reveals nothing in Predict', async () => {
   const page = await open('&ball=128,230,8&panel=predict');
   await modelLoaded(page);
   await page.waitForTimeout(300);
@@ -190,7 +189,7 @@ for (const hide of ['forecast', 'imagine', 'puzzles,imagine,compare,predict,map'
   });
 }
 
-test('another puzzle is imagined anew', { skip }, async () => {
+test('another puzzle is imagined anew', async () => {
   const page = await open('&ball=128,230,8');
   await followsTheBall(page);
   await page.locator('#next').click();

@@ -9,7 +9,6 @@ import { Puzzle, initSync } from '../../www/pkg/pathlight.js';
 
 const ROOT = join(dirname(fileURLToPath(import.meta.url)), '..', '..');
 const RESULTS = join(ROOT, 'results');
-const ASSETS = join(ROOT, 'assets');
 const WASM = join(ROOT, 'www', 'pkg', 'pathlight_bg.wasm');
 
 /** A puzzle that many balls solve. */
@@ -206,14 +205,6 @@ export async function palette(page) {
 /** A picture of the scene, to see whether it has changed. */
 export async function picture(page, selector = '#scene') {
   return page.locator(selector).evaluate((canvas) => canvas.toDataURL());
-}
-
-/** Why a test that needs a dynamics net is skipped; false if the first model has one. */
-export async function withoutDynamics() {
-  const { models: [{ file }] } = JSON.parse(await readFile(join(ASSETS, 'model.json'), 'utf8'));
-  const bytes = await readFile(join(ASSETS, file));
-  const header = JSON.parse(bytes.subarray(8, 8 + Number(bytes.readBigUInt64LE())).toString());
-  return Object.keys(header).some((name) => name.startsWith('dynamics.')) ? false : `${file} has no dynamics net`;
 }
 
 /** A puzzle that the first model does not solve within its hundred attempts, as the results of its evaluation say. */

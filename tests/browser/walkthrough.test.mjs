@@ -3,12 +3,11 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { start } from './harness.mjs';
-import { openImagined, picture, spot, withoutDynamics } from './page-actions.mjs';
+import { openImagined, picture, spot } from './page-actions.mjs';
 
 const STAGES = ['base', 'target', 'action', 'placement', 'judge'];
-const noDynamics = await withoutDynamics();
 /** How a model that imagines balls chooses one. */
-const CHOICE = noDynamics ? [] : ['candidates', 'imagined', 'chosen'];
+const CHOICE = ['candidates', 'imagined', 'chosen'];
 
 let session;
 before(async () => (session = await start()));
@@ -56,7 +55,7 @@ test('it plays by itself to the end, and a step is in the link', async () => {
   await page.locator('#walkthrough-play-label', { hasText: 'Play' }).waitFor();
   await page.reload();
   await page.locator('#imagined-in').filter({ hasText: 'Imagined' }).waitFor();
-  assert.deepEqual(await shown(page), noDynamics ? { rows: ['judge'], laid: ['judge'] } : { rows: [], laid: [] });
+  assert.deepEqual(await shown(page), { rows: [], laid: [] });
 });
 
 test('keys go through the steps', async () => {
@@ -99,7 +98,7 @@ test('arrow keys on a small map read it', async () => {
   assert.match(await page.locator('[data-stage=target] .value').textContent(), /^\d\.\d\d at x 132, y 160$/);
 });
 
-test('it ends with the choice: the candidates, what is imagined for them, the ball that is tried first', { skip: noDynamics }, async () => {
+test('it ends with the choice: the candidates, what is imagined for them, the ball that is tried first', async () => {
   const page = await imagine();
   const pictures = new Set([await picture(page)]);
   await page.locator('[aria-label="Step 5: Judge"]').click();

@@ -33,7 +33,8 @@
 /**
  * The calls of the worker: their arguments and their values.
  * `start` takes the compiled wasm; `load` the name of weights in assets/model.json (null: the first); `propose` returns the
- * balls of a turn without trying them; `imagineBall` and `consider` return null if the weights have no dynamics net; `turn` tries them in order; `solve` maps where a ball of a radius (px) solves.
+ * balls of a turn without trying them; `imagineBall` and `consider` return null if the weights have no dynamics net;
+ * `turn` tries them in order; `solve` maps where a ball of a radius (px) solves.
  * @typedef {object} Calls
  * @property {{ args: { module: WebAssembly.Module }, value: void }} start
  * @property {{ args: { name: string | null }, value: LoadedModel }} load
