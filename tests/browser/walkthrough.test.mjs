@@ -6,8 +6,8 @@ import { start } from './harness.mjs';
 import { openImagined, picture, spot } from './page-actions.mjs';
 
 const STAGES = ['base', 'target', 'action', 'placement', 'judge'];
-/** How a model that imagines balls chooses one. */
-const CHOICE = ['candidates', 'imagined', 'chosen'];
+/** How a model that imagines balls chooses one, and what comes of it. */
+const CHOICE = ['candidates', 'imagined', 'chosen', 'run', 'real'];
 
 let session;
 before(async () => (session = await start()));
@@ -50,7 +50,7 @@ test('it plays by itself to the end, and a step is in the link', async () => {
   const page = await imagine();
   await page.locator('#walkthrough-play').click();
   for (const stage of [...STAGES, ...CHOICE]) {
-    await page.waitForFunction((stage) => location.hash.includes(`stage=${stage}`), stage, { timeout: 8000 });
+    await page.waitForFunction((stage) => location.hash.includes(`stage=${stage}`), stage, { timeout: 30_000 });
   }
   await page.locator('#walkthrough-play-label', { hasText: 'Play' }).waitFor();
   await page.reload();

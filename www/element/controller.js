@@ -16,6 +16,7 @@ import { Proposals } from "../panels/proposals.js";
 import { ScenePicture } from "../panels/scene-picture.js";
 import { Scoreboard } from "../panels/scoreboard.js";
 import { SolveMapPanel } from "../panels/solve-map.js";
+import { StageView } from "../panels/stage-view.js";
 import { Walkthrough } from "../panels/walkthrough.js";
 import { AttemptList } from "../play/attempt-list.js";
 import { SceneCanvas } from "../play/canvas.js";
@@ -48,6 +49,8 @@ export class PuzzleController extends EventTarget {
   #hrefOf;
   #client;
   #canvas;
+  /** @type {StageView | null} */
+  #stageView = null;
   #components;
   /** @type {Session | null} */
   #session = null;
@@ -95,6 +98,8 @@ export class PuzzleController extends EventTarget {
     const predict = new Predict(root, imagine, scenePicture);
     const proposals = new Proposals(root, client, imagine);
     const [choice, forecast, solveMap] = [new Choice(root, client), new Forecast(root, client), new SolveMapPanel(root, client, imagine)];
+    const walkthrough = new Walkthrough(root, imagine, choice);
+    const stageView = (this.#stageView = new StageView(root, walkthrough));
     return [
       new Tabs(root),
       new About(root, client),
@@ -106,7 +111,7 @@ export class PuzzleController extends EventTarget {
       new AttemptList(root, byId(root, "player-attempts"), byId(root, "player-count"), "player"),
       new AttemptList(root, byId(root, "model-attempts"), byId(root, "model-count"), "model"),
       choice,
-      new Walkthrough(root, imagine, choice),
+      walkthrough, stageView,
       new Probe(root, imagine),
       new ImaginedVsReal(root, imagine, scenePicture),
       predict, forecast,
@@ -191,6 +196,7 @@ export class PuzzleController extends EventTarget {
    * @param {KeyboardEvent} event
    */
   onKeydown(event) {
+    this.#stageView?.onKeydown(event);
     onShortcut(event, {
       session: this.#session,
       scene: this.#canvas,
@@ -199,7 +205,14 @@ export class PuzzleController extends EventTarget {
         if (panel) this.#changeState({ panel });
       },
       showKeys: () => this.showDialog("keys-dialog"),
+      toggleStageView: () => this.toggleStageView(),
     });
+  }
+
+  /** Shows the scene and one sentence, or all panels again. The story begins with the goal, unless the person was in the middle of it. */
+  toggleStageView() {
+    const { view, stage, panel } = this.#state;
+    this.#changeState(view === "stage" ? { view: null } : { view: "stage", stage: panel === "imagine" ? stage : null });
   }
 
   /** @param {string} id */

@@ -21,11 +21,12 @@ template.innerHTML = `
 
 <p id="problem" lang="en" role="alert" hidden></p>
 
-<div class="puzzle" lang="en" role="group" hidden>
+<div class="puzzle" id="puzzle" lang="en" role="group" hidden>
   <div class="stage">
     <div class="scene">
       <canvas id="scene" tabindex="0" role="application" aria-roledescription="puzzle scene" aria-labelledby="goal" aria-describedby="description"></canvas>
       <p id="probe" aria-hidden="true" hidden></p>
+      <p id="scene-label" aria-hidden="true" hidden></p>
     </div>
     <p class="visually-hidden" id="description"></p>
     <div class="transport" role="group" aria-label="Playback">
@@ -48,6 +49,20 @@ template.innerHTML = `
   </div>
 
   <div class="side">
+    <section id="stage-view" aria-labelledby="caption-title" hidden>
+      <p id="caption-step"></p>
+      <h2 id="caption-title"></h2>
+      <p id="caption"></p>
+      <p id="caption-result"></p>
+      <div class="actions">
+        <span class="dots" role="group" aria-label="Story" data-hideable="imagine">
+          <button type="button" id="caption-back" title="Back  ←"><svg><use href="#icon-previous"/></svg><span class="visually-hidden">Back</span></button>
+          <button type="button" id="caption-next" title="Next  →"><svg><use href="#icon-next"/></svg><span class="visually-hidden">Next</span></button>
+          <button type="button" id="caption-play"><svg><use id="caption-play-icon" href="#icon-run"/></svg><span id="caption-play-label">Play</span></button>
+        </span>
+        <button type="button" id="stage-leave" title="All panels  Esc">All panels</button>
+      </div>
+    </section>
     <p id="goal"></p>
     <div class="tabs" role="tablist" aria-label="Panels">
       <button type="button" role="tab" id="tab-play" aria-controls="play">Play</button>
@@ -102,6 +117,7 @@ template.innerHTML = `
     <dt><kbd>.</kbd> <kbd>,</kbd></dt><dd>one step forward, one back</dd>
     <dt><kbd>R</kbd></dt><dd>back to placing</dd>
     <dt data-hideable="puzzles"><kbd>[</kbd> <kbd>]</kbd></dt><dd data-hideable="puzzles">previous, next puzzle</dd>
+    <dt><kbd>V</kbd></dt><dd>the stage view: the scene and one sentence, in large type; there <kbd>←</kbd> <kbd>→</kbd> or <kbd>PgUp</kbd> <kbd>PgDn</kbd> go through the story, <kbd>Esc</kbd> leaves</dd>
     <dt><kbd>1</kbd> to <kbd>5</kbd></dt><dd>Play, Imagine, Compare, Predict, Map</dd>
     <dt><kbd>?</kbd></dt><dd>this sheet</dd>
   </dl>

@@ -5,7 +5,7 @@
 //     <pathlight-puzzle task="00007:008" panel="imagine"></pathlight-puzzle>
 //
 // The attributes say what is shown, follow the person, and can be changed at any time: `task`, `model`, `panel`, `stage`,
-// `proposal`, `layers`, `opacity`, `forecast`, `ball` and `hide`, as in the links of Pathlight, and `theme`. Besides:
+// `view`, `proposal`, `layers`, `opacity`, `forecast`, `ball` and `hide`, as in the links of Pathlight, and `theme`. Besides:
 //   fill       takes the height of its container too, which must have one; else it is as high as its content
 //   remember   keeps for each puzzle the number of attempts and the one that solved it in this browser (localStorage); else
 //              they are forgotten with the page. Read once, when the puzzle is loaded
@@ -22,7 +22,7 @@ import { loadStyleSheets } from "./style-sheets.js";
 /** @typedef {(task: string, panel: Panel) => string | null} HrefOf */
 
 /** The attributes that make up the state; shell/url-state.js knows their values. */
-const STATE_ATTRIBUTES = ["task", "model", "panel", "stage", "proposal", "layers", "opacity", "forecast", "ball", "hide"];
+const STATE_ATTRIBUTES = ["task", "model", "panel", "stage", "view", "proposal", "layers", "opacity", "forecast", "ball", "hide"];
 
 const darkScheme = matchMedia("(prefers-color-scheme: dark)");
 
@@ -102,9 +102,12 @@ export class PathlightPuzzle extends HTMLElement {
   /** "play", "imagine", "compare", "predict" or "map"; null for "play". */
   get panel() { return this.getAttribute("panel"); }
   set panel(value) { this.#setAttribute("panel", value); }
-  /** The stage that the walkthrough is at: "base", "target", "action", "placement" or "judge", or "candidates", "imagined" or "chosen"; null for all together. */
+  /** The stage that the walkthrough is at: "base", "target", "action", "placement" or "judge", or "candidates", "imagined", "chosen", "run" or "real"; null for all together. */
   get stage() { return this.getAttribute("stage"); }
   set stage(value) { this.#setAttribute("stage", value); }
+  /** "stage" for the scene and one sentence, in large type; null for all panels. */
+  get view() { return this.getAttribute("view"); }
+  set view(value) { this.#setAttribute("view", value); }
   /** The number of the model's ball that is looked at, from 1; null for none. */
   get proposal() { return this.getAttribute("proposal"); }
   set proposal(value) { this.#setAttribute("proposal", value); }
@@ -159,6 +162,11 @@ export class PathlightPuzzle extends HTMLElement {
   /** Shows the sheet about the keys. */
   showKeys() {
     this.#controller?.showDialog("keys-dialog");
+  }
+
+  /** Shows the scene and one sentence in large type, or all panels again. */
+  toggleStageView() {
+    this.#controller?.toggleStageView();
   }
 
   /** Shows the sheet about Pathlight and its model. */

@@ -36,7 +36,7 @@ export const STAGE_TEXT = {
 };
 
 /**
- * The same for the steps by which a model that imagines balls chooses one.
+ * The same for the steps by which a model that imagines balls chooses one, and sees what comes of it.
  * @type {Record<import("../shell/url-state.js").ChoiceStep, { name: string, meaning: string, how: string }>}
  */
 export const CHOICE_TEXT = {
@@ -54,5 +54,15 @@ export const CHOICE_TEXT = {
     name: "Chosen",
     meaning: "The likeliest ball is tried first.",
     how: "If it fails, the model has seen how things really went. Balls that start much like it, and those for which it had imagined much the same, become less likely; the others stay, and the likeliest of those left is next. The panel Compare shows them one by one.",
+  },
+  run: {
+    name: "Run",
+    meaning: "Now the ball really runs.",
+    how: "It runs in the same simulator as your balls. The dotted lines were imagined before anything moved; the solid ones are what happens.",
+  },
+  real: {
+    name: "Imagined and real",
+    meaning: "What was imagined, over what really happened.",
+    how: "Dotted: the paths that the net imagined for this ball. Solid: its real path and that of the green object. The wider the ribbon around a dotted line, the less sure the net was of it.",
   },
 };

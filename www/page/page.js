@@ -18,6 +18,9 @@ import { INITIAL_STATE, formatFragment, hrefOf, parseFragment } from "../shell/u
 /** Browsers refuse to change the address at every step of a drag; it is changed this much later, ms. */
 const URL_DELAY = 200;
 
+/** Marks the entries in the history that the page itself has written. */
+const OWN_ENTRY = "pathlight";
+
 const darkScheme = matchMedia("(prefers-color-scheme: dark)");
 const gallerySection = byId(document, "gallery");
 const taskPicker = byId(document, "task", HTMLSelectElement);
@@ -29,16 +32,19 @@ export class Page {
   #progressView = new ProgressView(sharedProgress("kept").player, this.#templates, this.#gallery);
   /** @type {number | undefined} */
   #urlTimer;
+  /** What has an entry of its own in the history, as it was last written there. */
+  #place = "";
 
   constructor() {
     this.#puzzle.hrefOf = (task, panel) => hrefOf(this.#state, task, panel);
     this.#puzzle.addEventListener("statechange", () => this.#onStateChange());
-    addEventListener("popstate", () => this.#onRoute());
+    addEventListener("popstate", ({ state }) => this.#onRoute(state === OWN_ENTRY));
     darkScheme.addEventListener("change", () => this.#applyTheme());
     this.#onClick("previous", () => this.#stepPuzzle(-1));
     this.#onClick("next", () => this.#stepPuzzle(1));
     this.#onClick("random", () => this.#openRandomPuzzle());
     this.#onClick("copy", () => this.#copyLink());
+    this.#onClick("stage-button", () => this.#puzzle.toggleStageView());
     this.#onClick("about-button", () => this.#puzzle.showAbout());
     this.#onClick("keys-button", () => this.#puzzle.showKeys());
     this.#onClick("progress-forget", () => byId(document, "forget-dialog", HTMLDialogElement).showModal());
@@ -77,10 +83,14 @@ export class Page {
     this.#gallery.setTheme(dark);
   }
 
-  /** Shows what the address asks for. */
-  #onRoute() {
+  /**
+   * Shows what the address asks for.
+   * @param {boolean} [own] is it an entry that the page has written? Then going back leaves the ball where it is
+   */
+  #onRoute(own = false) {
     dismissNotice();
     const { state, problem } = parseFragment(location.hash);
+    if (own && state.task === this.#state.task) state.ball = this.#state.ball;
     const gallery = hrefOf(state, null);
     if (problem) showNotice(problem, gallery ? [["All puzzles", gallery]] : []);
     if (state.task !== null && !this.#templateOf(state.task)?.tasks.includes(state.task)) {
@@ -96,6 +106,7 @@ export class Page {
       showNotice("This link names no puzzle, and hides the list of them.");
     }
     this.#applyState(state);
+    this.#place = placeOf(state);
   }
 
   /**
@@ -106,7 +117,7 @@ export class Page {
     const { task } = state;
     const cameFromGallery = gallerySection.contains(document.activeElement);
     gallerySection.hidden = task !== null || state.hide.includes("puzzles");
-    for (const id of ["title", "copy", "skip"]) byId(document, id).hidden = task === null;
+    for (const id of ["title", "copy", "stage-button", "skip"]) byId(document, id).hidden = task === null;
     const name = (task !== null && this.#templateOf(task)?.name) || "";
     byId(document, "puzzle-name").textContent = name;
     document.title = task === null ? "Pathlight" : `${name} ${task} – Pathlight`;
@@ -144,7 +155,9 @@ export class Page {
    */
   #navigate(task) {
     const state = { ...this.#state, task, ball: null, proposal: null };
-    history.pushState(null, "", `#${formatFragment(state)}`);
+    clearTimeout(this.#urlTimer);
+    history.pushState(OWN_ENTRY, "", `#${formatFragment(state)}`);
+    this.#place = placeOf(state);
     dismissNotice();
     this.#applyState(state);
   }
@@ -152,9 +165,19 @@ export class Page {
   /** Writes the state to the address, a little later. */
   #syncUrl() {
     clearTimeout(this.#urlTimer);
-    this.#urlTimer = setTimeout(() => {
-      if (this.#state.task) history.replaceState(null, "", `#${formatFragment(this.#state)}`);
-    }, URL_DELAY);
+    this.#urlTimer = setTimeout(() => this.#writeUrl(), URL_DELAY);
+  }
+
+  /** Writes the state to the address: a step or a tab as a new entry in the history, anything else in place of the present one. */
+  #writeUrl() {
+    clearTimeout(this.#urlTimer);
+    const state = this.#state;
+    if (!state.task) return;
+    const address = `#${formatFragment(state)}`;
+    const place = placeOf(state);
+    if (place !== this.#place) history.pushState(OWN_ENTRY, "", address);
+    else history.replaceState(OWN_ENTRY, "", address);
+    this.#place = place;
   }
 
   /** @param {KeyboardEvent} event */
@@ -183,7 +206,7 @@ export class Page {
   }
 
   async #copyLink() {
-    history.replaceState(null, "", `#${formatFragment(this.#state)}`);
+    this.#writeUrl();
     try {
       await navigator.clipboard.writeText(location.href);
       showNotice("The link to what you see is copied.");
@@ -191,4 +214,12 @@ export class Page {
       showNotice(`This browser does not let the page copy. The link is ${location.href}`);
     }
   }
+}
+
+/**
+ * What of a state is worth an entry in the history: the way back leads through tabs and steps, not through each place of a ball.
+ * @param {State} state
+ */
+function placeOf({ task, panel, stage, view }) {
+  return String([task, panel, stage, view]);
 }

@@ -1,11 +1,12 @@
 // The last steps of the story, for a model that imagines balls: which balls it considers, what it imagines for each of them,
-// and which one it tries first. Nothing of it is shown for another model, which does not choose so. Fires "choice" when there is
-// something else to lay over the scene.
+// which one it tries first, and what comes of that one. Nothing of it is shown for another model, which does not choose so.
+// Fires "choice" when there is something else to lay over the scene.
 
 import { Component } from "../shell/component.js";
 import { setText } from "../shell/dom.js";
 import { BallImaginer } from "../model/ball-imaginer.js";
-import { chanceWords } from "../model/chance-words.js";
+import { chanceWords, errorWords } from "../model/chance-words.js";
+import { sentence } from "../play/session.js";
 import { CHOICE_TEXT } from "../model/stage-text.js";
 
 /** @typedef {import("../shell/url-state.js").ChoiceStep} ChoiceStep */
@@ -35,6 +36,11 @@ export class Choice extends Component {
   #answered = false;
   /** @type {string | null} */
   #failure = null;
+  /**
+   * The chosen ball as the session shows it, and the step that shows it so; null while it does not.
+   * @type {{ shown: import("../play/session.js").ShownAttempt | null, step: ChoiceStep } | null}
+   */
+  #running = null;
 
   /**
    * @param {import("../shell/dom.js").Root} root
@@ -48,8 +54,15 @@ export class Choice extends Component {
     client.addEventListener("change", () => this.#onClientChange());
   }
 
+  /** @param {import("../play/session.js").Session} session */
+  open(session) {
+    super.open(session);
+    this.listen("change", () => this.#onSessionChange(session));
+  }
+
   close() {
     super.close();
+    this.#running = null;
     this.#forget();
   }
 
@@ -66,14 +79,13 @@ export class Choice extends Component {
     this.#step = step;
     this.byId("choice").hidden = step === null;
     this.#ask();
+    this.#run();
     this.#update();
   }
 
-  /** The step in words. */
-  get words() {
-    if (!this.#step) return "";
-    const { meaning } = CHOICE_TEXT[this.#step];
-    return `${meaning} ${this.#result}`;
+  /** Has the step come to its end? The chosen ball takes its time. */
+  get settled() {
+    return this.#running === null || (this.session?.finished ?? true);
   }
 
   /**
@@ -85,9 +97,38 @@ export class Choice extends Component {
     const { candidates, chosen } = this.#considered;
     if (this.#step === "candidates") return { marks: candidates.map(({ ball }) => ({ ball, from: null, chosen: false })) };
     if (this.#step === "chosen") return { marks: [{ ball: chosen.ball, from: null, chosen: true }], imagined: this.#imaginer.paths };
+    if (this.#step === "run" || this.#step === "real") return { imagined: this.#imaginer.paths };
     const likeliest = candidates.toSorted((one, other) => other.probability - one.probability).slice(0, HINTS);
     const most = likeliest[0]?.probability;
     return { hints: likeliest.map(({ object, probability }) => ({ object, opacity: FAINTEST + (1 - FAINTEST) * (probability / most) })) };
+  }
+
+  /** Plays the chosen ball or shows it at its end, as the step asks; other steps show nothing that runs. */
+  #run() {
+    const { session } = this;
+    const ball = this.#considered?.chosen.ball;
+    const step = this.#step === "run" || this.#step === "real" ? this.#step : null;
+    if (!session || step === (this.#running?.step ?? null)) return;
+    const tried = session.attempts("model").some((attempt) => String(attempt.ball) === String(ball));
+    // First, because the session tells at once that it shows something else.
+    this.#running = null;
+    if (!step) {
+      if (session.shown?.preview) session.reset();
+    } else if (ball) {
+      session.preview(1, ball, tried, step === "run");
+      this.#running = { shown: session.shown, step };
+    }
+  }
+
+  /**
+   * Something else is shown than the chosen ball: the story is left.
+   * @param {import("../play/session.js").Session} session
+   */
+  #onSessionChange({ shown }) {
+    if (!this.#running) return;
+    if (shown === this.#running.shown) return this.#update();
+    this.#running = null;
+    this.requestState({ stage: null });
   }
 
   #onClientChange() {
@@ -116,6 +157,7 @@ export class Choice extends Component {
       this.#considered = considered;
       this.#answered = true;
       if (considered) this.#imaginer.imagine(task, considered.chosen.ball);
+      this.#run();
     } catch (error) {
       if (!call.signal.aborted) this.#failure = /** @type {Error} */ (error).message;
     } finally {
@@ -129,14 +171,14 @@ export class Choice extends Component {
       const { name, meaning, how } = CHOICE_TEXT[this.#step];
       setText(this.byId("choice-title"), name);
       setText(this.byId("choice-meaning"), meaning);
-      setText(this.byId("choice-result"), this.#result);
+      setText(this.byId("choice-result"), this.result);
       setText(this.byId("choice-how"), how);
     }
     this.dispatchEvent(new Event("choice"));
   }
 
-  /** What it was for the open puzzle. */
-  get #result() {
+  /** What it was for the open puzzle, in a sentence or two. */
+  get result() {
     if (this.#failure) return this.#failure;
     if (!this.#considered) return this.#answered ? "The model finds no ball to try." : "The model is choosing.";
     const { candidates, chosen: { ball: [x, y, r], origin } } = this.#considered;
@@ -145,7 +187,17 @@ export class Choice extends Component {
       const likely = candidates.filter(({ probability }) => probability > 0.5).length;
       return `Here ${likely} of the ${candidates.length} balls are more likely to solve the puzzle than not. The dotted lines are the ways of the green object with the ${Math.min(HINTS, candidates.length)} likeliest, the likelier the stronger.`;
     }
+    if (this.#step === "run" || this.#step === "real") return this.#ending;
     const chance = origin.kind === "imagined" ? `: ${chanceWords(origin.probability)}` : "";
     return `Here it is the ball at x ${x}, y ${y} with radius ${r}${chance}.`;
+  }
+  /** What comes of the chosen ball, beside what was imagined. */
+  get #ending() {
+    const { answer } = this.#imaginer;
+    const { session } = this;
+    if (!session?.finished || !session.shown) return "Dotted is what the model imagined, solid is what happens.";
+    const ended = `${session.shown.ending.solved ? "Solved" : "Not solved"}: ${sentence(session.shown.words)}`;
+    const real = session.puzzle.sampledPaths();
+    return answer && real ? `The model thought: ${chanceWords(answer.imagined.probability)}. ${ended} ${errorWords(answer.imagined, real)}` : ended;
   }
 }

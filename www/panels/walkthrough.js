@@ -1,6 +1,6 @@
 // The stages explained one after another: a row of steps above the maps. A step lays its map alone over the scene and
-// leaves only its own map in the panel. With a model that imagines balls, the story goes on with how it chooses one. The step
-// it is at is in the address.
+// leaves only its own map in the panel. With a model that imagines balls, the story goes on with how it chooses one, and ends
+// with what comes of it. The step it is at is in the address. Fires "step" when the step, or what is said of it, has changed.
 
 import { Component } from "../shell/component.js";
 import { STAGES } from "../shell/constants.js";
@@ -14,6 +14,8 @@ import { CHOICE_TEXT, STAGE_TEXT } from "../model/stage-text.js";
 
 /** How long a step stays while the walkthrough plays, ms: time to read a sentence and look. */
 const STEP_TIME = 4500;
+/** How often it looks whether the ball of a step has come to rest, ms. */
+const WAIT = 500;
 /** @type {Step[]} */
 const ALL_STEPS = [...STAGES, ...CHOICE_STEPS];
 const TEXT = { ...STAGE_TEXT, ...CHOICE_TEXT };
@@ -47,11 +49,11 @@ export class Walkthrough extends Component {
     this.#choice = choice;
     this.#dots = ALL_STEPS.map((step, index) => this.#createDot(step, index));
     this.byId("walkthrough-dots").append(...this.#dots);
-    this.byId("walkthrough-back").addEventListener("click", () => this.#select(this.#steps[this.#index - 1] ?? null));
-    this.byId("walkthrough-next").addEventListener("click", () => this.#select(this.#steps[this.#index + 1]));
+    this.byId("walkthrough-back").addEventListener("click", () => this.go(-1));
+    this.byId("walkthrough-next").addEventListener("click", () => this.go(1));
     this.byId("walkthrough-all").addEventListener("click", () => this.#select(null));
-    this.byId("walkthrough-play").addEventListener("click", () => (this.#timer ? this.#pause() : this.#play()));
-    choice.addEventListener("choice", () => !STAGES.some((stage) => stage === this.#step) && this.#announceStep());
+    this.byId("walkthrough-play").addEventListener("click", () => this.toggle());
+    choice.addEventListener("choice", () => this.#onChoice());
     // The maps come as soon as it is known what the model can do.
     imagine.addEventListener("maps", () => {
       this.#update();
@@ -70,6 +72,46 @@ export class Walkthrough extends Component {
     this.#requested = stage;
     if (!this.#visible) this.#pause();
     this.#update();
+  }
+
+  /**
+   * The person goes to the next step, or back to the one before; before the first are all together.
+   * @param {1 | -1} by
+   */
+  go(by) {
+    this.#select(this.#steps[this.#index + by] ?? (by < 0 ? null : undefined));
+  }
+
+  /** Plays the story, or pauses it. */
+  toggle() {
+    if (this.#timer) this.#pause();
+    else this.#play();
+  }
+
+  /** Does the story go on by itself? */
+  get playing() {
+    return this.#timer !== undefined;
+  }
+
+  /** The step that is shown: its place from 1, in how many, and in words; null for all together. */
+  get shown() {
+    if (!this.#step || !this.#visible) return null;
+    const { name, meaning } = TEXT[this.#step];
+    return { number: this.#index + 1, count: this.#steps.length, name, meaning, result: this.#result };
+  }
+
+  /** What the step shows on this puzzle; empty until it is known. */
+  get #result() {
+    const stage = STAGES.find((one) => one === this.#step);
+    if (!stage) return this.#choice.result;
+    const map = this.#imagine.maps?.[stage];
+    return map ? `It is ${summary(map)}.` : "";
+  }
+
+  #onChoice() {
+    if (STAGES.some((stage) => stage === this.#step)) return;
+    this.#announceStep();
+    this.dispatchEvent(new Event("step"));
   }
 
   #update() {
@@ -93,6 +135,7 @@ export class Walkthrough extends Component {
     this.byId("walkthrough-all").setAttribute("aria-pressed", String(step === null));
     setText(this.byId("walkthrough-step"), step ? `Step ${index + 1} of ${steps.length}` : "All together");
     if (changed) this.#announceStep();
+    this.dispatchEvent(new Event("step"));
   }
 
   /** The steps of the loaded model's story. */
@@ -135,15 +178,20 @@ export class Walkthrough extends Component {
   /** Plays from the first step, or on from the present one. */
   #play() {
     this.#goTo(this.#steps[this.#index + 1] ?? this.#steps[0]);
-    this.#timer = setInterval(() => {
-      this.#goTo(this.#steps[this.#index + 1]);
-      if (this.#index === this.#steps.length - 1) this.#pause();
-    }, STEP_TIME);
+    this.#timer = setTimeout(() => this.#playOn(), STEP_TIME);
     this.#updatePlayButton();
   }
 
+  /** Goes to the next step once the present one is over. */
+  #playOn() {
+    const settled = this.#choice.settled;
+    if (settled) this.#goTo(this.#steps[this.#index + 1]);
+    if (this.#index === this.#steps.length - 1) this.#pause();
+    else this.#timer = setTimeout(() => this.#playOn(), settled ? STEP_TIME : WAIT);
+  }
+
   #pause() {
-    clearInterval(this.#timer);
+    clearTimeout(this.#timer);
     this.#timer = undefined;
     this.#updatePlayButton();
   }
@@ -151,14 +199,11 @@ export class Walkthrough extends Component {
   #updatePlayButton() {
     setText(this.byId("walkthrough-play-label"), this.#timer ? "Pause" : "Play");
     this.byId("walkthrough-play-icon", SVGUseElement).setAttribute("href", this.#timer ? "#icon-pause" : "#icon-run");
+    this.dispatchEvent(new Event("step"));
   }
 
   #announceStep() {
-    if (!this.#step || !this.#visible) return;
-    const { name, meaning } = TEXT[this.#step];
-    const stage = STAGES.find((one) => one === this.#step);
-    const map = stage && this.#imagine.maps?.[stage];
-    if (!stage) this.announce(`${name}. ${this.#choice.words}`);
-    else this.announce(`${name}. ${meaning} ${map ? `It is ${summary(map)}.` : ""}`);
+    const { shown } = this;
+    if (shown) this.announce(`${shown.name}. ${shown.meaning} ${shown.result}`);
   }
 }

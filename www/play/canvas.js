@@ -245,7 +245,7 @@ export class SceneCanvas extends Component {
    */
   onKeydown(event) {
     const session = this.session;
-    if (!session || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (!session || event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
     if (this.#pen?.onKeydown(event)) {
       event.preventDefault();
       return;

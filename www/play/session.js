@@ -195,14 +195,16 @@ export class Session extends EventTarget {
   }
 
   /**
-   * Shows at its end how a proposal of the model's does; it does not count. `tried`: has it been an attempt?
+   * Shows how a proposal of the model's does, at its end or played from the start; it does not count. `tried`: has it been
+   * an attempt?
    * @param {number} number
    * @param {Ball} ball
    * @param {boolean} tried
+   * @param {boolean} [play]
    */
-  preview(number, ball, tried) {
+  preview(number, ball, tried, play = false) {
     const attempt = this.puzzle.preview(...ball);
-    this.#show("attempt", { shown: { ...attempt, contender: "model", number, tried, preview: true }, play: false });
+    this.#show("attempt", { shown: { ...attempt, contender: "model", number, tried, preview: true }, play });
   }
 
   /** Is the scene drawn on, instead of a ball placed in it? */

@@ -10,6 +10,7 @@
  * @property {{ onKeydown(event: KeyboardEvent): void }} scene
  * @property {(index: number) => void} showPanel
  * @property {() => void} showKeys
+ * @property {() => void} toggleStageView
  */
 
 const OWN_KEYS = "input[type=number], select, dialog";
@@ -74,6 +75,7 @@ function plainAction({ key }, target, puzzle) {
     ".": () => session.step(1),
     ",": () => session.step(-1),
     r: () => session.reset(),
+    v: () => puzzle.toggleStageView(),
   };
   return actions[key.toLowerCase()];
 }

@@ -8,8 +8,8 @@ import { ATTEMPT_LIMIT, MAX_RADIUS, MIN_RADIUS, SCENE_SIZE, STAGES } from "./con
 /** @typedef {import("../pkg/pathlight.js").Ball} Ball */
 /** @typedef {import("../pkg/pathlight.js").Stage} Stage */
 
-/** The steps by which a model that imagines balls chooses one; in the story they follow the stages. */
-export const CHOICE_STEPS = /** @type {const} */ (["candidates", "imagined", "chosen"]);
+/** The steps by which a model that imagines balls chooses one and sees what comes of it; in the story they follow the stages. */
+export const CHOICE_STEPS = /** @type {const} */ (["candidates", "imagined", "chosen", "run", "real"]);
 /** @typedef {typeof CHOICE_STEPS[number]} ChoiceStep */
 export const PANELS = /** @type {const} */ (["play", "imagine", "compare", "predict", "map"]);
 /** What a link can hide: every panel but Play, and what the document marks with data-hideable. */
@@ -23,6 +23,7 @@ const HIDEABLE = /** @type {const} */ (["puzzles", "story", "fields", "watch", "
  * @property {string | null} model a name in assets/model.json, or null for the first
  * @property {Panel} panel as the address names it; it may be hidden, see `viewOf`
  * @property {Stage | ChoiceStep | null} stage the step that the walkthrough is at, or null for all together
+ * @property {"stage" | null} view "stage" for the scene and one sentence, in large type; null for all panels
  * @property {number | null} proposal the number of the model's ball that is looked at, from 1, or null
  * @property {Stage[]} layers the maps to lay over the scene, in the order of STAGES
  * @property {number} opacity how much the maps cover, 0..1
@@ -46,6 +47,7 @@ export const INITIAL_STATE = Object.freeze({
   model: null,
   panel: "play",
   stage: null,
+  view: null,
   proposal: null,
   layers: [],
   opacity: 0.8,
@@ -67,6 +69,7 @@ const CODECS = {
   model: { format: String, parse: (text) => (/^[\w.-]+$/.test(text) ? text : undefined) },
   panel: oneOf(PANELS),
   stage: oneOf([...STAGES, ...CHOICE_STEPS]),
+  view: oneOf(["stage"]),
   proposal: {
     format: String,
     parse: (text) => (INTEGER.test(text) && !text.startsWith("0") && Number(text) <= ATTEMPT_LIMIT ? Number(text) : undefined),
@@ -194,10 +197,21 @@ export function visiblePanels({ hide }) {
  * @returns {View}
  */
 export function viewOf(state) {
-  const panel = visiblePanels(state).includes(state.panel) ? state.panel : "play";
+  const panel = shownPanel(state);
   // It belongs to placing the ball; in Predict it would reveal the answer.
   const forecast = state.forecast && panel === "play" && !["forecast", "imagine"].some((part) => state.hide.some((one) => one === part));
   return { ...state, panel, forecast, layers: visibleLayers(state, panel), checkedLayers: state.layers };
+}
+
+/**
+ * The panel that is shown. In the stage view none is seen, but the story is Imagine's, and without it the ball is placed as in Play.
+ * @param {State} state
+ * @returns {Panel}
+ */
+function shownPanel(state) {
+  const panels = visiblePanels(state);
+  if (state.view === "stage") return state.stage && panels.includes("imagine") ? "imagine" : "play";
+  return panels.includes(state.panel) ? state.panel : "play";
 }
 
 /**
@@ -206,8 +220,9 @@ export function viewOf(state) {
  * @param {Panel} panel
  * @returns {Stage[]}
  */
-function visibleLayers({ hide, layers, stage }, panel) {
+function visibleLayers({ hide, layers, stage, view }, panel) {
   if (hide.includes("imagine")) return [];
+  if (view === "stage" && stage) return STAGES.filter((one) => one === stage);
   switch (panel) {
     case "imagine":
       return layers;

@@ -1,0 +1,86 @@
+// The stage view: the scene and one sentence in large type, for a projector. The sentence is the goal, then the story's, at the
+// viewer's pace: by buttons, arrow keys or the keys of a clicker, or by itself. Everything else of the puzzle is out of sight.
+
+import { Component } from "../shell/component.js";
+import { setText } from "../shell/dom.js";
+
+/**
+ * The keys of the story; a clicker sends those of a page.
+ * @type {Record<string, 1 | -1>}
+ */
+const STORY_KEYS = { ArrowRight: 1, PageDown: 1, ArrowLeft: -1, PageUp: -1 };
+/** What keeps these keys for itself. */
+const OWN_KEYS = "input, select, dialog";
+
+export class StageView extends Component {
+  #walkthrough;
+  /** Is it shown? */
+  #on = false;
+  #hasStory = false;
+
+  /**
+   * @param {import("../shell/dom.js").Root} root
+   * @param {import("./walkthrough.js").Walkthrough} walkthrough
+   */
+  constructor(root, walkthrough) {
+    super(root);
+    this.#walkthrough = walkthrough;
+    walkthrough.addEventListener("step", () => this.#update());
+    this.byId("caption-back").addEventListener("click", () => walkthrough.go(-1));
+    this.byId("caption-next").addEventListener("click", () => walkthrough.go(1));
+    this.byId("caption-play").addEventListener("click", () => walkthrough.toggle());
+    this.byId("stage-leave").addEventListener("click", () => this.requestState({ view: null }));
+    // Before the scene, where arrows move the ball.
+    root.addEventListener("keydown", (event) => this.onKeydown(/** @type {KeyboardEvent} */ (event)), { capture: true });
+  }
+
+  /** @param {import("../play/session.js").Session} session */
+  open(session) {
+    super.open(session);
+    this.#update();
+  }
+
+  /** @param {import("../shell/url-state.js").View} view */
+  setState({ view, hide }) {
+    const on = view === "stage";
+    const arrived = on && !this.#on;
+    this.#on = on;
+    this.#hasStory = !hide.includes("imagine");
+    this.byId("stage-view").hidden = !on;
+    this.byId("puzzle").classList.toggle("on-stage", on);
+    this.#update();
+    // What had the focus is out of sight now.
+    if (arrived && this.session) this.byId(this.#hasStory ? "caption-next" : "scene").focus({ preventScroll: true });
+  }
+
+  /**
+   * Acts on a key of the story, or on Escape, which leaves the stage view.
+   * @param {KeyboardEvent} event
+   */
+  onKeydown(event) {
+    const { key, target } = event;
+    if (!this.#on || event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || (target instanceof Element && target.closest(OWN_KEYS))) return;
+    const by = STORY_KEYS[key];
+    if (key === "Escape") this.requestState({ view: null });
+    else if (by && this.#hasStory) this.#walkthrough.go(by);
+    else return;
+    event.preventDefault();
+  }
+
+  #update() {
+    if (!this.#on || !this.session) return;
+    const { shown, playing } = this.#walkthrough;
+    const { name, goal } = this.session.about;
+    setText(this.byId("caption-step"), shown ? `${shown.number} of ${shown.count}` : "");
+    setText(this.byId("caption-title"), shown?.name ?? name);
+    setText(this.byId("caption"), shown?.meaning ?? goal);
+    setText(this.byId("caption-result"), shown?.result ?? "");
+    const label = this.byId("scene-label");
+    label.hidden = !shown;
+    setText(label, shown?.name ?? "");
+    this.byId("caption-back").setAttribute("aria-disabled", String(!shown));
+    this.byId("caption-next").setAttribute("aria-disabled", String(shown !== null && shown.number === shown.count));
+    setText(this.byId("caption-play-label"), playing ? "Pause" : "Play");
+    this.byId("caption-play-icon", SVGUseElement).setAttribute("href", playing ? "#icon-pause" : "#icon-run");
+  }
+}
