@@ -19,6 +19,7 @@ mod agent;
 mod agent_name;
 mod collect;
 mod differences;
+mod difficulty;
 mod evaluate;
 mod fidelity;
 mod file_lock;
@@ -68,6 +69,7 @@ enum Command {
     Serve(pathlight_serve::Args),
     Fidelity(fidelity::Args),
     SolveRates(solve_rates::Args),
+    Difficulty(difficulty::Args),
 }
 
 impl Command {
@@ -89,6 +91,7 @@ impl Command {
             Command::Serve(args) => args.run(),
             Command::Fidelity(args) => args.run(),
             Command::SolveRates(args) => args.run(),
+            Command::Difficulty(args) => args.run(),
         }
     }
 }

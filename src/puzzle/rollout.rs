@@ -54,4 +54,39 @@ impl Rollout {
         let column = self.bodies.iter().position(|&dynamic| dynamic == body)?;
         Some(self.row(step)[column])
     }
+
+    /// Returns the step from which nothing changes until the end: no pose, and not for how long the object has touched. It is
+    /// the last step of a rollout that ends with a touch.
+    pub fn still_from(&self) -> usize {
+        if self.touching[self.steps] {
+            return self.steps;
+        }
+        let changes = |&step: &usize| self.touching[step - 1] || self.row(step - 1) != self.row(step);
+        (1..=self.steps).rev().find(changes).unwrap_or(0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A rollout of one body that is at these places.
+    fn rollout(places: &[f32], touching: &[bool]) -> Rollout {
+        let poses = places.iter().map(|&x| [x, 0.0, 0.0]).collect();
+        Rollout { solved: false, steps: places.len() - 1, bodies: vec![0], poses, touching: touching.to_vec() }
+    }
+
+    #[test]
+    fn it_is_still_after_the_last_change_of_a_pose_or_of_the_touch() {
+        let none = [false; 5];
+        assert_eq!(rollout(&[0.0, 1.0, 2.0, 2.0, 2.0], &none).still_from(), 2);
+        assert_eq!(rollout(&[0.0; 5], &none).still_from(), 0);
+        assert_eq!(rollout(&[0.0, 0.0, 0.0, 0.0, 1.0], &none).still_from(), 4);
+        assert_eq!(rollout(&[0.0; 5], &[false, false, true, false, false]).still_from(), 3);
+    }
+
+    #[test]
+    fn a_touch_that_lasts_to_the_end_is_a_change() {
+        assert_eq!(rollout(&[0.0; 5], &[false, false, true, true, true]).still_from(), 4);
+    }
 }

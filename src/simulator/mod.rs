@@ -24,7 +24,10 @@ use crate::puzzle::scene::{Scene, walls};
 use constants::{BALL_TOUCH_DISTANCE, PX_PER_METRE};
 use world::World;
 
+pub use closest_approach::{ClosestApproach, closest_approach};
+
 mod body;
+mod closest_approach;
 pub mod constants;
 mod contact;
 mod contact_solver;

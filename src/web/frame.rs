@@ -43,6 +43,16 @@ pub struct View {
     imagined: Option<ImaginedPaths>,
     #[serde(default)]
     hints: Vec<Hint>,
+    /// Where the first rollout came nearest to the goal.
+    #[serde(default)]
+    approach: Option<Approach>,
+}
+
+/// A closest approach that is shown: how object and goal lay, and the gap between them.
+#[derive(Deserialize)]
+struct Approach {
+    step: f64,
+    points: [[f64; 2]; 2],
 }
 
 /// A ball that is only marked.
@@ -58,7 +68,7 @@ struct Mark {
 impl View {
     /// A view of the end of the current recordings: every body in its last pose, whole paths.
     pub fn ended(dark: bool) -> View {
-        let (marks, sketch, imagined, hints) = (Vec::new(), Vec::new(), None, Vec::new());
+        let (marks, sketch, imagined, hints, approach) = (Vec::new(), Vec::new(), None, Vec::new(), None);
         View {
             step: f64::INFINITY,
             ball: None,
@@ -70,6 +80,7 @@ impl View {
             sketch,
             imagined,
             hints,
+            approach,
         }
     }
 }
@@ -116,6 +127,9 @@ pub fn paint(
     for (index, recording) in recordings.iter().enumerate() {
         draw_ball(&painter, scene, recording, view.step, index > 0)?;
     }
+    if let (Some(recording), Some(approach)) = (first, &view.approach) {
+        draw_approach(&painter, scene, recording, approach)?;
+    }
     if let Some(imagined) = &view.imagined {
         painter.ghosts(scene, imagined, first.map(|_| view.step))?;
     }
@@ -149,6 +163,16 @@ fn draw_ball(
         }
         _ => Ok(()),
     }
+}
+
+/// Draws the outlines of object and goal where they came nearest, and the gap between them.
+fn draw_approach(painter: &Painter, scene: &Scene, recording: &Recording, approach: &Approach) -> Result<(), JsValue> {
+    for index in [scene.body1, scene.body2] {
+        if let Some(pose) = recording.pose(approach.step, index) {
+            painter.outline(&scene.bodies[index], pose, LineStyle::Dotted)?;
+        }
+    }
+    painter.gap(approach.points)
 }
 
 /// Draws the progress ring round the green object while it touches the goal.

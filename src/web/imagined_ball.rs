@@ -33,13 +33,16 @@ pub struct ImaginedPaths {
     pub ball_errors: [f32; SAMPLES],
 }
 
-/// An imagined path of the green object that is only hinted at.
+/// A path of the green object that is only hinted at.
 #[derive(Deserialize)]
 pub struct Hint {
     /// x and y in turn, px.
     pub object: Vec<f64>,
     /// 0..=1
     pub opacity: f64,
+    /// Whether it was tried, by the model; else it is imagined.
+    #[serde(default)]
+    pub tried: bool,
 }
 
 /// `ImaginedPaths` as JavaScript has them.

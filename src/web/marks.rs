@@ -34,6 +34,24 @@ impl Painter<'_> {
         Ok(())
     }
 
+    /// Draws the gap between two points: a line with a dot at either end.
+    pub fn gap(&self, points: [[f64; 2]; 2]) -> Result<(), JsValue> {
+        let context = self.context;
+        for (colour, width, radius) in [(self.palette.paper, 3.4, 2.8), (self.palette.ink, 1.4, 1.9)] {
+            context.begin_path();
+            points.iter().for_each(|&[x, y]| context.line_to(x, y));
+            self.set_stroke(colour, width, LineStyle::Solid)?;
+            context.stroke();
+            context.set_fill_style_str(colour);
+            for [x, y] in points {
+                context.begin_path();
+                context.arc(x, y, radius, 0.0, TAU)?;
+                context.fill();
+            }
+        }
+        Ok(())
+    }
+
     /// Draws the path that a person has drawn, with a dot at its end.
     pub fn sketch(&self, points: &[[f64; 2]]) -> Result<(), JsValue> {
         self.path(points.iter().copied(), Role::Green, LineStyle::Dashed)?;

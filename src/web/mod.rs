@@ -7,11 +7,13 @@
 //! arrays; an error is an `Error` with a `code`.
 
 use std::cell::RefCell;
+use std::collections::BTreeMap;
 
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 use web_sys::CanvasRenderingContext2d;
 
+use crate::benchmark::difficulty::Difficulty;
 use crate::play::game::ATTEMPT_LIMIT;
 use crate::puzzle::action::RADIUS;
 use crate::puzzle::rollout::{GOAL_STEPS, STEPS_PER_SECOND};
@@ -96,6 +98,20 @@ pub fn templates() -> Result<JsValue, JsValue> {
         tasks: task::ids(template).map(String::from).collect(),
     });
     to_js(&templates.collect::<Vec<_>>())
+}
+
+/// Returns how hard the tasks are.
+#[wasm_bindgen(unchecked_return_type = "Difficulty")]
+pub fn difficulty() -> Result<JsValue, JsValue> {
+    #[derive(Serialize)]
+    struct SolveRates {
+        balls: u32,
+        solve_rates: BTreeMap<String, f64>,
+    }
+    let shipped = Difficulty::shipped();
+    let tasks = TEMPLATES.iter().flat_map(|template| task::ids(template));
+    let rate = |id: TaskId| shipped.solve_rate(id).map(|rate| (id.to_string(), rate));
+    to_js(&SolveRates { balls: shipped.balls, solve_rates: tasks.filter_map(rate).collect() })
 }
 
 /// Returns the colours of the roles and of the paper as CSS colours.

@@ -16,7 +16,7 @@ use crate::play::ending::Ending;
 use crate::play::game::{Attempt, Contender};
 use crate::puzzle::action::Ball;
 use crate::puzzle::sampled_paths::SampledPaths;
-use crate::simulator::simulate;
+use crate::simulator::{closest_approach, simulate};
 
 #[wasm_bindgen]
 impl Puzzle {
@@ -109,9 +109,17 @@ impl Puzzle {
         self.recordings.clear();
     }
 
-    /// Returns the last step of the current recordings; 0 if there are none.
+    /// Returns the last step of the current recordings at which anything changes; 0 if there are none.
     pub fn steps(&self) -> usize {
-        self.recordings.iter().map(|recording| recording.rollout.steps).max().unwrap_or(0)
+        self.recordings.iter().map(Recording::last_step).max().unwrap_or(0)
+    }
+
+    /// Returns when and where the green object came nearest to its goal in the first of the current recordings; undefined if
+    /// there are none.
+    #[wasm_bindgen(js_name = closestApproach, unchecked_return_type = "ClosestApproach | undefined")]
+    pub fn closest_approach(&self) -> Result<JsValue, JsValue> {
+        let approach = |recording: &Recording| closest_approach(&self.task.scene, &recording.rollout);
+        self.recordings.first().map(approach).map_or(Ok(JsValue::UNDEFINED), |approach| to_js(&approach))
     }
 
     /// Returns the intervals in which the green object touches the goal in the first of the current recordings.

@@ -96,7 +96,8 @@ impl Painter<'_> {
         self.context.begin_path();
         self.context.move_to(object.x, object.y);
         hint.object.chunks_exact(2).for_each(|point| self.context.line_to(point[0], point[1]));
-        self.set_stroke(self.palette.role(object.role), HINT_WIDTH, LineStyle::Dotted)?;
+        let style = if hint.tried { LineStyle::Dashed } else { LineStyle::Dotted };
+        self.set_stroke(self.palette.role(object.role), HINT_WIDTH, style)?;
         self.set_alpha(hint.opacity);
         self.context.stroke();
         self.set_alpha(1.0);

@@ -261,8 +261,27 @@ export interface View {
     sketch?: [x: number, y: number][];
     /** What the model imagines for a ball. */
     imagined?: ImaginedPaths | null;
-    /** Imagined paths of the green object that are only hinted at, each with its opacity, 0..1. */
-    hints?: { object: Float32Array; opacity: number }[];
+    /** Paths of the green object that are only hinted at, each with its opacity, 0..1: imagined, or tried by the model. */
+    hints?: { object: Float32Array; opacity: number; tried?: boolean }[];
+    /** Where the first rollout came nearest to the goal. */
+    approach?: Pick<ClosestApproach, "step" | "points"> | null;
+}
+
+/** The moment at which the green object was nearest to its goal. */
+export interface ClosestApproach {
+    step: number;
+    /** Distance of their surfaces, px; 0 if they overlap. */
+    gap: number;
+    /** The points of the object and of the goal that were so near, px. */
+    points: [object: [x: number, y: number], goal: [x: number, y: number]];
+}
+
+/** How hard the benchmark's tasks are. */
+export interface Difficulty {
+    /** How many uniform valid balls were tried on each task. */
+    balls: number;
+    /** By task, the share of them that solved it, 0..1. */
+    solve_rates: Record<string, number>;
 }
 
 /** The imagined paths of a ball, as in `ImaginedBall`. */

@@ -91,3 +91,19 @@ fn rates_of_random_actions_stand_beside_the_reference() {
     assert!((10.0..90.0).contains(&valid) && (0.1..50.0).contains(&solving), "{text}");
     assert_refused(&["solve-rates", "--reference", "no/such/folder"], "--reference names the folder");
 }
+
+#[test]
+fn the_shipped_counts_of_solving_balls_are_those_that_are_counted() {
+    let counted: Value = serde_json::from_str(&output_of(&["difficulty", "--limit", "1"])).expect("JSON");
+    let shipped: Value =
+        serde_json::from_str(&fs::read_to_string("assets/difficulty.json").expect("shipped")).expect("JSON");
+    for key in ["simulator", "seed", "balls"] {
+        assert_eq!(counted[key], shipped[key], "{key}");
+    }
+    for (counted, shipped) in counted["solved"].as_array().into_iter().zip(shipped["solved"].as_array()) {
+        for (template, (counted, shipped)) in counted.iter().zip(shipped).enumerate() {
+            assert_eq!(counted[0], shipped[0], "the first task of template {template}");
+        }
+    }
+    assert_refused(&["difficulty", "--balls", "0"], "0 is not in");
+}

@@ -1,0 +1,54 @@
+//! `pathlight difficulty`: how many of uniform valid balls solve each task, as the JSON of assets/difficulty.json.
+
+use std::io::{self, Write};
+
+use pathlight::benchmark::difficulty::Difficulty;
+use pathlight::puzzle::action::{Action, Obstacles};
+use pathlight::puzzle::task::Task;
+use pathlight::puzzle::templates::TEMPLATES;
+use pathlight::simulator::{self, outcome};
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64Mcg;
+use rayon::prelude::*;
+
+use super::progress::Progress;
+
+/// Measure how hard the tasks are: how many of uniform valid balls solve each, as JSON
+#[derive(clap::Args)]
+pub struct Args {
+    /// Valid balls per task
+    #[arg(long, value_name = "N", default_value_t = 500, value_parser = clap::value_parser!(u32).range(1..))]
+    balls: u32,
+
+    /// Use only the first N tasks of each template, for a quick look
+    #[arg(long, value_name = "N", default_value_t = 100)]
+    limit: usize,
+
+    /// Seed of the balls
+    #[arg(long, default_value_t = 0)]
+    seed: u64,
+}
+
+impl Args {
+    pub fn run(self) -> anyhow::Result<()> {
+        let mut progress = Progress::new(Some(TEMPLATES.len() as u64));
+        let mut solved = Vec::new();
+        for template in TEMPLATES {
+            let tasks: Vec<Task> = Task::of(template).take(self.limit).collect();
+            solved.push(tasks.par_iter().map(|task| self.solving_balls(task)).collect());
+            progress.advance(1, format!("template {:05}", template.number));
+        }
+        let difficulty = Difficulty { simulator: simulator::VERSION, seed: self.seed, balls: self.balls, solved };
+        writeln!(io::stdout(), "{}", serde_json::to_string(&difficulty)?)?;
+        progress.finish(&format!("{} balls per task", self.balls));
+        Ok(())
+    }
+
+    fn solving_balls(&self, task: &Task) -> u32 {
+        let obstacles = Obstacles::new(&task.scene);
+        let mut random = Pcg64Mcg::seed_from_u64(task.id.seed(self.seed));
+        let actions = std::iter::repeat_with(|| Action { x: random.random(), y: random.random(), r: random.random() });
+        let outcomes = actions.filter_map(|action| outcome(&task.scene, Some(obstacles.place(action).ok()?)).ok());
+        outcomes.take(self.balls as usize).filter(|outcome| outcome.solved).count() as u32
+    }
+}

@@ -1,0 +1,117 @@
+//! How near the green object came to its goal in a rollout, and when: what a person is told after a miss.
+//!
+//! Distances are rapier's, between the surfaces as they are drawn: without the skin of polygons.
+
+use rapier2d::math::{Pose as Frame, Vector};
+use rapier2d::parry::query::{ClosestPoints, closest_points};
+use serde::Serialize;
+
+use super::body::{Position, metres};
+use super::constants::PX_PER_METRE;
+use super::fixture::Fixture;
+use crate::puzzle::rollout::{Pose, Rollout};
+use crate::puzzle::scene::{Body, Scene};
+
+/// The moment at which the green object was nearest to its goal.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct ClosestApproach {
+    /// The first such step.
+    pub step: usize,
+    /// Distance of their surfaces, px; 0 if they overlap.
+    pub gap: f64,
+    /// The points of the object and of the goal that were so near, px; the same point if they overlap.
+    pub points: [[f64; 2]; 2],
+}
+
+/// Returns the closest approach of the green object to its goal in a rollout of this scene.
+pub fn closest_approach(scene: &Scene, rollout: &Rollout) -> ClosestApproach {
+    let indices = [scene.body1, scene.body2];
+    let bodies = indices.map(|index| &scene.bodies[index]);
+    let fixtures = bodies.map(|body| body.shapes.iter().map(|shape| Fixture::new(shape, 0)).collect::<Vec<_>>());
+    let poses = |step| [0, 1].map(|side| rollout.pose(step, indices[side]).unwrap_or_else(|| pose_of(bodies[side])));
+    let mut closest = (0, f32::MAX, [Vector::ZERO; 2]);
+    let mut last = None;
+    for step in 0..=rollout.steps {
+        let poses = poses(step);
+        if last.replace(poses) == Some(poses) {
+            continue;
+        }
+        let frames = poses.map(frame);
+        for [a, b] in fixtures[0].iter().flat_map(|a| fixtures[1].iter().map(move |b| [a, b])) {
+            let [frame_a, frame_b] = [frames[0] * a.local, frames[1] * b.local];
+            // Pairs that are farther apart than the nearest so far need not be measured exactly.
+            match closest_points(&frame_a, &*a.shape, &frame_b, &*b.shape, closest.1) {
+                Ok(ClosestPoints::WithinMargin(p, q)) if (q - p).length() < closest.1 => {
+                    closest = (step, (q - p).length(), [p, q]);
+                }
+                Ok(ClosestPoints::Intersecting) => {
+                    let at = frame_a.translation;
+                    return approach((step, 0.0, [at, at]));
+                }
+                Ok(_) => {}
+                Err(_) => unreachable!("rapier supports balls and convex polygons"),
+            }
+        }
+    }
+    approach(closest)
+}
+
+fn approach((step, gap, points): (usize, f32, [Vector; 2])) -> ClosestApproach {
+    let px = |metres: f32| f64::from(metres) * PX_PER_METRE;
+    ClosestApproach { step, gap: px(gap), points: points.map(|point| [px(point.x), px(point.y)]) }
+}
+
+fn pose_of(body: &Body) -> Pose {
+    [body.x, body.y, body.angle].map(|value| value as f32)
+}
+
+/// Returns the frame at the origin of a body, m.
+fn frame([x, y, angle]: Pose) -> Frame {
+    Position { centre: metres([x.into(), y.into()]), angle }.pose()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::puzzle::action::Ball;
+    use crate::puzzle::task::Task;
+    use crate::simulator::simulate;
+
+    fn scene(task: &str) -> Scene {
+        Task::load(task.parse().expect("an id")).expect("a task").scene
+    }
+
+    #[test]
+    fn between_two_balls_it_is_the_distance_of_their_centres_less_their_radii() {
+        let scene = scene("00000:000");
+        let [object, goal] = [scene.body1, scene.body2];
+        let radii: f64 = [object, goal].iter().filter_map(|&index| scene.bodies[index].ball_radius()).sum();
+        let rollout = simulate(&scene, None).expect("no ball is refused");
+        let distance = |step: usize| {
+            let [a, b] =
+                [object, goal].map(|index| rollout.pose(step, index).unwrap_or_else(|| pose_of(&scene.bodies[index])));
+            libm::hypot(f64::from(a[0] - b[0]), f64::from(a[1] - b[1])) - radii
+        };
+        let nearest = (0..=rollout.steps).min_by(|&a, &b| distance(a).total_cmp(&distance(b))).expect("steps");
+        let closest = closest_approach(&scene, &rollout);
+        assert!((closest.gap - distance(nearest).max(0.0)).abs() < 1e-3, "{closest:?}, {}", distance(nearest));
+        assert!((distance(closest.step) - distance(nearest)).abs() < 1e-3);
+        let [[x1, y1], [x2, y2]] = closest.points;
+        assert!((libm::hypot(x1 - x2, y1 - y2) - closest.gap).abs() < 1e-3, "the points are the ends of the gap");
+    }
+
+    #[test]
+    fn it_is_nought_exactly_where_the_object_touches() {
+        for task in ["00001:005", "00002:007", "00007:008", "00014:002", "00020:000"] {
+            let Ok(id) = task.parse() else { panic!("{task}") };
+            let Ok(task) = Task::load(id) else { continue };
+            let balls = (1..12).map(|x| Ball { x: f64::from(20 * x), y: 240.0, r: 10.0 });
+            for rollout in balls.filter_map(|ball| simulate(&task.scene, Some(ball)).ok()) {
+                let closest = closest_approach(&task.scene, &rollout);
+                let touched = rollout.touching.contains(&true);
+                // Contacts begin within the skins of both: two of 0.01 m, and Box2D's slop.
+                assert_eq!(touched, closest.gap < 0.2, "{}: {closest:?}", task.id);
+            }
+        }
+    }
+}
