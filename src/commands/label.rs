@@ -11,6 +11,7 @@ use anyhow::{Context, ensure};
 use pathlight::agents::ranking::ranked;
 use pathlight::benchmark::folds::{FOLDS, Fold, Setup};
 use pathlight::dataset::labels::{LabelledBalls, PATHS_LEN};
+use pathlight::dataset::scene_variants::scene_variant;
 use pathlight::nets::PathNet;
 use pathlight::puzzle::action::{Ball, RADIUS};
 use pathlight::puzzle::scene::SIZE;
@@ -57,6 +58,11 @@ pub struct Args {
     #[arg(long, value_name = "FILE", requires = "setup")]
     pub weights: Option<PathBuf>,
 
+    /// Label balls in variants of the tasks' scenes, another variant in every round. Balls are sampled around the solutions
+    /// of the task alone
+    #[arg(long, conflicts_with = "weights")]
+    pub variants: bool,
+
     /// Use only the training tasks of one fold of this setup: only they are labelled, and only their solutions are
     /// sampled around
     #[arg(long, value_parser = setup(), requires = "fold")]
@@ -87,6 +93,9 @@ pub struct LabelSettings {
     /// SHA-256 of the weights whose most probable balls are labelled; absent if balls were sampled.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     weights: Option<String>,
+    /// Whether balls were tried in variants of the scenes.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    variants: bool,
     /// Setup and fold if only the fold's training tasks were used; absent if all tasks were.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     training_tasks_of: Option<(Setup, u8)>,
@@ -135,6 +144,7 @@ impl Args {
             simulator: simulator::VERSION,
             solutions: digest(&self.solutions)?,
             weights: self.weights.as_deref().map(digest).transpose()?,
+            variants: self.variants,
             training_tasks_of,
         };
         let mut own_solutions: BTreeMap<TaskId, Vec<Ball>> = BTreeMap::new();
@@ -172,6 +182,9 @@ impl Args {
                         return LabelledBalls::simulate(task, balls.collect());
                     }
                     let own = own_solutions.get(&task.id).map_or(&[][..], Vec::as_slice);
+                    if self.variants {
+                        return in_variant(task, own, self.seed, round);
+                    }
                     LabelledBalls::sample(task, own, &sibling_solutions[task.id.template], BALLS, self.seed, round)
                 })
                 .collect();
@@ -190,6 +203,16 @@ impl Args {
         ensure!(has, "{} has no dynamics net: name weights of `pathlight train-dynamics`", path.display());
         Ok(nets)
     }
+}
+
+/// Labels balls in a variant of a task's scene; in the scene itself if no variant of this number fits.
+fn in_variant(task: &Task, own_solutions: &[Ball], seed: u64, round: usize) -> LabelledBalls {
+    let number = round as u32;
+    let variant = scene_variant(task, number);
+    let changed = variant.is_some();
+    let task = variant.map_or_else(|| task.clone(), |scene| Task { scene, ..task.clone() });
+    let labelled = LabelledBalls::sample(&task, own_solutions, own_solutions, BALLS, seed, round);
+    LabelledBalls { variant: changed.then_some(number), ..labelled }
 }
 
 /// What a file of `pathlight label` holds.

@@ -4,9 +4,10 @@
 use std::collections::btree_map::{BTreeMap, Entry};
 use std::path::PathBuf;
 
-use anyhow::ensure;
+use anyhow::{Context, ensure};
 use pathlight::benchmark::folds::Setup;
 use pathlight::dataset::labels::{LabelledBalls, PATHS_LEN};
+use pathlight::dataset::scene_variants::scene_variant;
 use pathlight::nets::ball_head::Starts;
 use pathlight::puzzle::action::Ball;
 use pathlight::puzzle::task::{Task, TaskId};
@@ -24,6 +25,8 @@ pub struct LabelledScenes(Vec<LabelledScene>);
 
 /// A scene and its labelled balls.
 pub struct LabelledScene {
+    /// Whether it is a variant of a task's scene.
+    variant: bool,
     pub channels: [Bitmap; CHANNELS],
     pub starts: Starts,
     /// Each with whether it solves the task.
@@ -55,7 +58,7 @@ impl LabelledScenes {
     /// If a file cannot be used, may tell of the fold's test tasks, or none has balls of its training tasks.
     pub fn read(files: &[PathBuf], fold: &FoldArgs, without_dev: bool) -> anyhow::Result<LabelledScenes> {
         let tasks = fold.training_tasks(without_dev);
-        let mut scenes: BTreeMap<TaskId, LabelledScene> = BTreeMap::new();
+        let mut scenes: BTreeMap<(TaskId, Option<u32>), LabelledScene> = BTreeMap::new();
         for path in files {
             let Labelled { lines, training_tasks_of, proposed, .. } = read_labels(path)?;
             // Balls are sampled around solutions of their own template alone; so across templates, those of any fold tell
@@ -70,16 +73,23 @@ impl LabelledScenes {
                     fold.fold
                 );
             }
-            for LabelledBalls { task, solved, failed, paths } in lines {
+            for LabelledBalls { task, variant, solved, failed, paths } in lines {
                 if tasks.binary_search(&task).is_err() {
                     continue;
                 }
-                let entry = match scenes.entry(task) {
+                let entry = match scenes.entry((task, variant)) {
                     Entry::Occupied(entry) => entry.into_mut(),
                     Entry::Vacant(entry) => {
-                        let scene = Task::load(task)?.scene;
+                        let loaded = Task::load(task)?;
+                        let varied = variant.map(|number| {
+                            let changed =
+                                format!("variant {number} of {task} is not made any more: label the variants again");
+                            scene_variant(&loaded, number).context(changed)
+                        });
+                        let scene = varied.transpose()?.unwrap_or(loaded.scene);
                         let (starts, channels) = (Starts::of(&scene), scene_channels(&scene));
-                        entry.insert(LabelledScene { channels, starts, balls: Vec::new(), paths: Vec::new() })
+                        let variant = variant.is_some();
+                        entry.insert(LabelledScene { variant, channels, starts, balls: Vec::new(), paths: Vec::new() })
                     }
                 };
                 entry.paths.extend(paths.0);
@@ -94,6 +104,11 @@ impl LabelledScenes {
     /// The number of balls.
     pub fn balls(&self) -> usize {
         self.0.iter().map(|scene| scene.balls.len()).sum()
+    }
+
+    /// How many of the scenes are variants of tasks' scenes.
+    pub fn variants(&self) -> usize {
+        self.0.iter().filter(|scene| scene.variant).count()
     }
 
     /// Whether every ball has its paths.

@@ -70,6 +70,7 @@ impl Args {
             imagined_per_scene: self.imagined_per_scene,
             learning_rate: self.training.learning_rate,
             balls: scenes.balls(),
+            variants: scenes.variants(),
             without_dev,
             from: self.from.as_deref().map(digest).transpose()?,
         });

@@ -24,6 +24,9 @@ const NOISE_LEVELS: [f64; 4] = [0.02, 0.04, 0.08, 0.16];
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LabelledBalls {
     pub task: TaskId,
+    /// The number of the variant of the task's scene in which the balls were tried; absent if it was the scene itself.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub variant: Option<u32>,
     /// Balls that solve the task, px.
     pub solved: Vec<Ball>,
     /// Balls that do not, px.
@@ -105,6 +108,6 @@ impl LabelledBalls {
             paths.push(of_ball);
         }
         let balls = |labelled: Vec<(Ball, _)>| labelled.into_iter().map(|(ball, _)| ball).collect();
-        LabelledBalls { task: task.id, solved: balls(solved), failed: balls(failed), paths }
+        LabelledBalls { task: task.id, variant: None, solved: balls(solved), failed: balls(failed), paths }
     }
 }

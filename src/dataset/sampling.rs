@@ -25,7 +25,7 @@ pub fn perturbed(start: Action, deviation: f64, rng: &mut impl Rng) -> Action {
 }
 
 /// One draw from the standard normal distribution (Box and Muller 1958), with libm, so that wasm draws the same.
-fn gaussian(rng: &mut impl Rng) -> f64 {
+pub(super) fn gaussian(rng: &mut impl Rng) -> f64 {
     let (u, v): (f64, f64) = (1.0 - rng.random::<f64>(), rng.random());
     libm::sqrt(-2.0 * libm::log(u)) * libm::cos(std::f64::consts::TAU * v)
 }

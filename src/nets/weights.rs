@@ -93,6 +93,9 @@ pub struct DynamicsCard {
     pub learning_rate: f64,
     /// Labelled balls that these are drawn from.
     pub balls: usize,
+    /// How many of the scenes are variants of the tasks' scenes.
+    #[serde(default)]
+    pub variants: usize,
     /// The fold's dev tasks were left out, whatever the four nets have seen.
     #[serde(default)]
     pub without_dev: bool,

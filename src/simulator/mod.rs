@@ -31,6 +31,7 @@ mod closest_approach;
 pub mod constants;
 mod contact;
 mod contact_solver;
+pub mod distance;
 mod fixture;
 mod island;
 mod position_solver;

@@ -237,6 +237,8 @@ export interface DynamicsCard {
     imagined_per_scene: number;
     learning_rate: number;
     balls: number;
+    /** Variants of the tasks' scenes among the scenes. */
+    variants: number;
     without_dev: boolean;
     /** SHA-256 of the weights that it started from. */
     from?: string;

@@ -5,6 +5,7 @@ use std::path::Path;
 
 use pathlight::benchmark::folds::{Fold, Setup};
 use pathlight::dataset::labels::{LabelledBalls, PATHS_LEN};
+use pathlight::dataset::scene_variants::scene_variant;
 use pathlight::dataset::solutions::Solution;
 use pathlight::puzzle::sampled_paths::SampledPaths;
 use pathlight::puzzle::task::Task;
@@ -46,6 +47,28 @@ fn labels_are_true_and_the_same_after_a_cut() {
     }
     assert!(solved > 0 && failed > 0 && solved + failed == 3 * 64);
     assert_refused(&["label", "--out", &half], "write to another file with --out");
+}
+
+#[test]
+fn labels_of_variants_are_true_in_the_scene_of_their_variant() {
+    let folder = tempdir().expect("a folder");
+    let out = folder.path().join("variants.jsonl").display().to_string();
+    output_of(&["label", "--variants", "--template", "2", "--limit", "3", "--rounds", "2", "--out", &out]);
+    let text = fs::read_to_string(&out).expect("labels");
+    let lines: Vec<LabelledBalls> =
+        text.lines().skip(1).map(|line| serde_json::from_str(line).expect("a line of labels")).collect();
+    assert_eq!(lines.iter().map(|line| line.variant).collect::<Vec<_>>(), [0, 0, 0, 1, 1, 1].map(Some));
+    let mut differs = false;
+    for LabelledBalls { task, variant, solved, failed, .. } in lines {
+        let task = Task::load(task).expect("a task");
+        let scene = scene_variant(&task, variant.expect("a variant")).expect("it was made before");
+        let solves = |scene, ball| outcome(scene, Some(ball)).is_ok_and(|outcome| outcome.solved);
+        assert!(solved.iter().all(|&ball| solves(&scene, ball)));
+        assert!(!failed.iter().any(|&ball| solves(&scene, ball)));
+        differs |= solved.iter().any(|&ball| !solves(&task.scene, ball));
+    }
+    assert!(differs, "all balls do the same in the scenes of the tasks");
+    assert_refused(&["label", "--template", "2", "--limit", "3", "--out", &out], "write to another file with --out");
 }
 
 #[test]

@@ -2,9 +2,11 @@
 
 use std::fs;
 
+use pathlight::benchmark::folds::{Fold, Setup};
 use pathlight::nets::{PathNet, flex};
 use pathlight::puzzle::action::Ball;
 use pathlight::puzzle::task::Task;
+use pathlight::puzzle::templates::TEMPLATES;
 use tempfile::tempdir;
 
 use super::label::label;
@@ -42,8 +44,18 @@ fn a_dynamics_net_joins_the_weights_and_can_be_trained_further() {
     let proposed = file("proposed.jsonl");
     let words = ["label", "--template", "2", "--limit", "6", "--rounds", "1", "--setup", "within", "--fold", "0"];
     output_of(&[&words[..], &["--weights", &from, "--out", &proposed]].concat());
-    let further = train("further", &["--from", &from, "--labels", &proposed]);
-    assert_ne!(fs::read(further).expect("weights"), bytes);
+    let variants = file("variants.jsonl");
+    output_of(&["label", "--variants", "--template", "2", "--limit", "6", "--rounds", "2", "--out", &variants]);
+    let further = fs::read(train("further", &["--from", &from, "--labels", &proposed, "--labels", &variants]));
+    let further = further.expect("weights");
+    assert_ne!(further, bytes);
+    let counted = |bytes: &[u8]| {
+        let (_, card) = PathNet::load(bytes, &flex()).expect("weights that fit");
+        card.dynamics.expect("a card").variants
+    };
+    let training = Fold::new(Setup::Within, 0).all_train();
+    let scenes = Task::of(TEMPLATES[2]).take(6).filter(|task| training.contains(&task.id)).count();
+    assert_eq!((counted(&bytes), counted(&further)), (0, 2 * scenes), "variants of training tasks alone");
     assert_refused(
         &["train-dynamics", "--weights", WEIGHTS, "--labels", "Cargo.toml"],
         "not a file of `pathlight label`",
