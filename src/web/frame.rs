@@ -8,7 +8,7 @@ use wasm_bindgen::prelude::*;
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 
 use super::imagined_ball::{Hint, ImaginedPaths};
-use super::paint::{Painter, bounding_radius};
+use super::paint::{LineStyle, Painter, bounding_radius};
 use super::recording::Recording;
 use crate::play::ending::touch_streak;
 use crate::puzzle::action::Ball;
