@@ -12,6 +12,7 @@ use crate::puzzle::scene::Scene;
 use crate::raster::{Bitmap, CHANNELS, SIDE, scene_channels};
 
 pub mod ball_head;
+mod card;
 mod conv;
 pub mod dynamics;
 mod hourglass;
@@ -24,11 +25,12 @@ pub mod training;
 mod u_net;
 mod weights;
 
+pub use card::{Card, DynamicsCard, JudgeCard};
 pub use dynamics::DynamicsNet;
 pub use hourglass::Hourglass;
 pub use imagined_balls::{ImaginedBall, ReadScene};
 pub use judge::Judge;
-pub use weights::{Card, DynamicsCard, JudgeCard, WeightsError, read_card};
+pub use weights::{WeightsError, read_card};
 
 /// The four nets together.
 #[derive(Module, Debug)]

@@ -12,97 +12,11 @@ use burn::module::{Module, ModuleMapper, ModuleVisitor, Param};
 use burn::tensor::{Device, Tensor, TensorData};
 use half::f16;
 use safetensors::tensor::{Dtype, SafeTensors, TensorView};
-use serde::{Deserialize, Serialize};
 
-use super::{DynamicsNet, Judge, PathNet};
-use crate::benchmark::folds::Setup;
+use super::{Card, DynamicsNet, Judge, PathNet};
 
 /// The key of the card in the file's metadata.
 const CARD: &str = "pathlight";
-
-/// The settings that the weights were trained with. Aliases: keys of older files.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Card {
-    pub setup: Setup,
-    /// 0..=9; the nets have seen only this fold's training tasks.
-    pub fold: u8,
-    /// Seed of the initial weights and of the order of the samples.
-    pub seed: u64,
-    /// Passes over the samples.
-    pub epochs: usize,
-    /// Samples per batch.
-    pub batch: u16,
-    /// Learning rate of Adam before it decays.
-    #[serde(alias = "rate")]
-    pub learning_rate: f64,
-    /// Number of final epochs over which the learning rate decays linearly to zero.
-    #[serde(alias = "cool")]
-    pub decay_epochs: usize,
-    /// Half of the samples were mirrored left to right.
-    pub mirror: bool,
-    /// The fold's dev tasks were left out of training, so that settings may be chosen on them; false by default.
-    #[serde(default)]
-    pub without_dev: bool,
-    /// Solutions trained on.
-    pub samples: usize,
-    /// Tasks that the solutions belong to.
-    pub tasks: usize,
-    /// `simulator::VERSION` of the rollouts trained on.
-    pub simulator: u32,
-    /// The settings of the judge's training, if there is a judge.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub judge: Option<JudgeCard>,
-    /// The settings of the dynamics net's training, if there is one.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub dynamics: Option<DynamicsCard>,
-}
-
-/// The settings that a judge was trained with. It has seen the same tasks as the nets.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct JudgeCard {
-    /// Seed of the initial weights and of the order of the scenes.
-    pub seed: u64,
-    /// Passes over the scenes.
-    pub epochs: usize,
-    /// Scenes per batch.
-    pub batch: u16,
-    /// Balls drawn per scene in a batch.
-    #[serde(alias = "drawn")]
-    pub balls_per_scene: u16,
-    /// Highest learning rate of Adam.
-    #[serde(alias = "rate")]
-    pub learning_rate: f64,
-    /// Labelled balls that these are drawn from.
-    pub balls: usize,
-}
-
-/// The settings that a dynamics net was trained with. It has seen the same tasks as the nets.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct DynamicsCard {
-    /// Seed of the initial weights and of the order of the scenes.
-    pub seed: u64,
-    /// Passes over the scenes.
-    pub epochs: usize,
-    /// Scenes per batch.
-    pub batch: u16,
-    /// Balls drawn per scene in a batch.
-    pub balls_per_scene: u16,
-    /// Of these, balls whose paths are learned.
-    pub imagined_per_scene: u16,
-    /// Highest learning rate of Adam.
-    pub learning_rate: f64,
-    /// Labelled balls that these are drawn from.
-    pub balls: usize,
-    /// How many of the scenes are variants of the tasks' scenes.
-    #[serde(default)]
-    pub variants: usize,
-    /// The fold's dev tasks were left out, whatever the four nets have seen.
-    #[serde(default)]
-    pub without_dev: bool,
-    /// SHA-256 of the weights whose dynamics net it started from, if it did not start fresh.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub from: Option<String>,
-}
 
 /// Why weights cannot be loaded or saved.
 #[derive(Debug, thiserror::Error)]
