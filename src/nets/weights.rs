@@ -177,6 +177,7 @@ impl ModuleMapper for Loader<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::benchmark::folds::Setup;
     use crate::nets::flex;
 
     /// Sets the biases, the parameters of one dimension, to a value.
