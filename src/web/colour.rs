@@ -45,7 +45,7 @@ const DARK: Palette = Palette {
     purple: "#b48ad8",
     gray: "#8d95a3",
     black: "#07080a",
-    rim: "#808997",
+    rim: "#b9c1cd",
     red: "#f2812f",
     ring: "#ffc233",
     ink: "#f3f4f6",

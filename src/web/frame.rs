@@ -13,10 +13,13 @@ use super::recording::Recording;
 use crate::play::ending::touch_streak;
 use crate::puzzle::action::Ball;
 use crate::puzzle::rollout::GOAL_STEPS;
-use crate::puzzle::scene::{Role, Scene};
+use crate::puzzle::scene::{Role, SIZE, Scene};
 
 /// Opacity of the static bodies that are drawn again over the maps, 0..=1.
 const STATIC_OPACITY: f64 = 0.6;
+
+/// Distance of the ring's line from the edge of the scene, px: half of its width and a little.
+const RING_MARGIN: f64 = 3.0;
 
 /// What a frame shows.
 #[derive(Deserialize)]
@@ -181,7 +184,9 @@ fn draw_ring(painter: &Painter, scene: &Scene, recording: &Recording, step: f64)
     match recording.pose(step, scene.body1) {
         Some([x, y, _]) if streak > 0 => {
             let radius = bounding_radius(&scene.bodies[scene.body1]).min(24.0) + 5.0;
-            painter.ring([x.into(), y.into()], radius, streak as f64 / GOAL_STEPS as f64)
+            // Whole also where the object lies at the edge of the scene.
+            let inside = |value: f32| f64::from(value).clamp(radius + RING_MARGIN, SIZE - radius - RING_MARGIN);
+            painter.ring([inside(x), inside(y)], radius, streak as f64 / GOAL_STEPS as f64)
         }
         _ => Ok(()),
     }

@@ -7,7 +7,6 @@
 //! arrays; an error is an `Error` with a `code`.
 
 use std::cell::RefCell;
-use std::collections::BTreeMap;
 
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
@@ -100,18 +99,24 @@ pub fn templates() -> Result<JsValue, JsValue> {
     to_js(&templates.collect::<Vec<_>>())
 }
 
-/// Returns how hard the tasks are.
+/// Returns how hard a task is: how many of how many uniform valid balls solve it.
+///
+/// # Errors
+/// `bad_task` if there is no such task.
 #[wasm_bindgen(unchecked_return_type = "Difficulty")]
-pub fn difficulty() -> Result<JsValue, JsValue> {
+pub fn difficulty(id: &str) -> Result<JsValue, JsValue> {
     #[derive(Serialize)]
-    struct SolveRates {
+    struct Counts {
         balls: u32,
-        solve_rates: BTreeMap<String, f64>,
+        solve_rate: f64,
     }
-    let shipped = Difficulty::shipped();
-    let tasks = TEMPLATES.iter().flat_map(|template| task::ids(template));
-    let rate = |id: TaskId| shipped.solve_rate(id).map(|rate| (id.to_string(), rate));
-    to_js(&SolveRates { balls: shipped.balls, solve_rates: tasks.filter_map(rate).collect() })
+    thread_local! {
+        static SHIPPED: Difficulty = Difficulty::shipped();
+    }
+    let id: TaskId = id.parse().map_err(|reason: TaskError| error(Code::BadTask, reason))?;
+    let counts =
+        SHIPPED.with(|shipped| shipped.solve_rate(id).map(|solve_rate| Counts { balls: shipped.balls, solve_rate }));
+    to_js(&counts.ok_or_else(|| error(Code::BadTask, TaskError::NotInBenchmark(id)))?)
 }
 
 /// Returns the colours of the roles and of the paper as CSS colours.

@@ -21,7 +21,7 @@ const HATCH_SPACING: f64 = 4.5;
 const HATCH_WIDTH: f64 = 1.2;
 
 /// Width of the rim of black bodies, px.
-const RIM_WIDTH: f64 = 0.8;
+const RIM_WIDTH: f64 = 1.0;
 
 /// Width of a path, px.
 const PATH_WIDTH: f64 = 1.6;

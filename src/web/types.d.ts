@@ -278,12 +278,12 @@ export interface ClosestApproach {
     points: [object: [x: number, y: number], goal: [x: number, y: number]];
 }
 
-/** How hard the benchmark's tasks are. */
+/** How hard a task is. */
 export interface Difficulty {
-    /** How many uniform valid balls were tried on each task. */
+    /** How many uniform valid balls were tried on it. */
     balls: number;
-    /** By task, the share of them that solved it, 0..1. */
-    solve_rates: Record<string, number>;
+    /** The share of them that solved it, 0..1. */
+    solve_rate: number;
 }
 
 /** The imagined paths of a ball, as in `ImaginedBall`. */

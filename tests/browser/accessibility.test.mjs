@@ -62,7 +62,7 @@ for (const [screen, size] of Object.entries(SCREENS)) {
         await check(page, String(words));
       }
       await page.locator('#play-attempts [data-act=overlay]').first().click();
-      await says(page, /over each other/);
+      await says(page, /\(dashed\)/);
       await check(page, 'overlaid');
     });
 

@@ -51,7 +51,7 @@ test('two attempts of one’s own lie over each other', async () => {
   await page.waitForTimeout(100);
   const alone = await picture(page);
   await row(page, 2).getByRole('button', { name: 'Compare attempt 2' }).click();
-  await says(page, /^Your attempt 2 and your attempt 1, over each other/);
+  await says(page, /Your attempt 2: .+; your attempt 1 \(dashed\): /);
   await page.waitForTimeout(100);
   assert.notEqual(await picture(page), alone);
   assert.equal(await page.locator('#play-attempts [aria-current]').count(), 2);

@@ -13,6 +13,7 @@ import { readModelList, readWeights } from "./weights.js";
 /** @typedef {import("../pkg/pathlight.js").Ball} Ball */
 /** @typedef {import("../pkg/pathlight.js").Body} Body */
 /** @typedef {import("../pkg/pathlight.js").Candidate} Candidate */
+/** @typedef {import("../pkg/pathlight.js").Difficulty} Difficulty */
 /** @typedef {import("../pkg/pathlight.js").Ending} Ending */
 /** @typedef {import("../pkg/pathlight.js").Fold} Fold */
 /** @typedef {import("../pkg/pathlight.js").GridMap} GridMap */
@@ -143,6 +144,15 @@ export class Pathlight {
    */
   fold(setup, number) {
     return wasm.fold(setup, number);
+  }
+
+  /**
+   * Returns how hard a task of the benchmark is: the share of uniform valid balls that solve it.
+   * @param {string} task
+   * @returns {Difficulty}
+   */
+  difficulty(task) {
+    return wasm.difficulty(String(task));
   }
 
   /**

@@ -18,9 +18,11 @@ import { Scoreboard } from "../panels/scoreboard.js";
 import { SolveMapPanel } from "../panels/solve-map.js";
 import { StageView } from "../panels/stage-view.js";
 import { Walkthrough } from "../panels/walkthrough.js";
+import { AfterSolving } from "../play/after-solving.js";
 import { AttemptList } from "../play/attempt-list.js";
 import { SceneCanvas } from "../play/canvas.js";
 import { Controls } from "../play/controls.js";
+import { Guide } from "../play/guide.js";
 import { Session } from "../play/session.js";
 import { About } from "../shell/about.js";
 import { byId, find, setText } from "../shell/dom.js";
@@ -51,6 +53,7 @@ export class PuzzleController extends EventTarget {
   #canvas;
   /** @type {StageView | null} */
   #stageView = null;
+  #guide;
   #components;
   /** @type {Session | null} */
   #session = null;
@@ -75,6 +78,7 @@ export class PuzzleController extends EventTarget {
     this.#client = new SharedClient(module);
     this.#lastModel = this.model;
     this.#canvas = new SceneCanvas(root);
+    this.#guide = new Guide(root);
     this.#components = this.#createComponents();
     for (const component of this.#components) {
       component.addEventListener("staterequest", (event) => this.#changeState(/** @type {CustomEvent<Partial<State>>} */ (event).detail));
@@ -107,6 +111,8 @@ export class PuzzleController extends EventTarget {
       imagine,
       this.#canvas,
       new Controls(root),
+      this.#guide,
+      this.#afterSolving(),
       new AttemptList(root, byId(root, "play-attempts"), byId(root, "play-count"), "player"),
       new AttemptList(root, byId(root, "player-attempts"), byId(root, "player-count"), "player"),
       new AttemptList(root, byId(root, "model-attempts"), byId(root, "model-count"), "model"),
@@ -120,6 +126,12 @@ export class PuzzleController extends EventTarget {
       new Scoreboard(root, client, this.#progress, (task) => this.#hrefOf()?.(task, "compare") ?? null),
       new Overlays(root, this.#canvas, { choice, forecast, imagine, predict, proposals, solveMap }),
     ];
+  }
+
+  #afterSolving() {
+    const afterSolving = new AfterSolving(this.#root, this.#progress, (task) => this.#hrefOf()?.(task, "play") ?? null);
+    afterSolving.addEventListener("share", (event) => this.dispatchEvent(new CustomEvent("share", { detail: /** @type {CustomEvent} */ (event).detail })));
+    return afterSolving;
   }
 
   /** Returns a copy of the state. */
@@ -213,6 +225,11 @@ export class PuzzleController extends EventTarget {
   toggleStageView() {
     const { view, stage, panel } = this.#state;
     this.#changeState(view === "stage" ? { view: null } : { view: "stage", stage: panel === "imagine" ? stage : null });
+  }
+
+  /** Leads through the open puzzle, step by step. */
+  startGuide() {
+    this.#guide.start();
   }
 
   /** @param {string} id */

@@ -27,6 +27,7 @@ template.innerHTML = `
       <canvas id="scene" tabindex="0" role="application" aria-roledescription="puzzle scene" aria-labelledby="goal" aria-describedby="description"></canvas>
       <p id="probe" aria-hidden="true" hidden></p>
       <p id="scene-label" aria-hidden="true" hidden></p>
+      <div id="celebration" aria-hidden="true" hidden></div>
     </div>
     <p class="visually-hidden" id="description"></p>
     <div class="transport" role="group" aria-label="Playback">
@@ -41,6 +42,7 @@ template.innerHTML = `
     </div>
     <div class="status-row">
       <p id="status"></p>
+      <button type="button" id="see-closest" title="Shows the moment at which the green object was nearest to its goal" hidden>See it</button>
       <div id="goal-meter" role="meter" aria-label="How long the green object has touched its goal" aria-valuemin="0" hidden>
         <svg viewBox="0 0 24 24" aria-hidden="true"><circle cx="12" cy="12" r="9"/><circle cx="12" cy="12" r="9" pathLength="100" class="filled"/></svg>
         <span></span>
@@ -63,6 +65,11 @@ template.innerHTML = `
         <button type="button" id="stage-leave" title="All panels  Esc">All panels</button>
       </div>
     </section>
+    <section id="guide" aria-label="Introduction" hidden>
+      <p id="guide-words"></p>
+      <p class="actions"><button type="button" id="guide-act" class="primary"></button> <button type="button" id="guide-skip">Skip the introduction</button> <span class="small" id="guide-count"></span></p>
+    </section>
+    <p id="challenge" hidden></p>
     <p id="goal"></p>
     <div class="tabs" role="tablist" aria-label="Panels">
       <button type="button" role="tab" id="tab-play" aria-controls="play">Play</button>

@@ -2,6 +2,15 @@
 
 export const PANELS_MARKUP = `
 <div role="tabpanel" id="play" aria-labelledby="tab-play" tabindex="0" hidden>
+  <section id="solved" aria-labelledby="solved-title" hidden>
+    <h2 id="solved-title"></h2>
+    <p class="actions">
+      <a class="button primary" id="solved-next">Next puzzle</a>
+      <button type="button" id="solved-model" data-hideable="compare">See how the model did</button>
+      <button type="button" id="solved-share">Share</button>
+      <label data-hideable="puzzles">Next: <select id="next-by"><option value="kind">of this kind</option><option value="harder">a little harder</option><option value="easier">a little easier</option></select></label>
+    </p>
+  </section>
   <p id="story" data-hideable="story"></p>
   <div id="forecast" data-hideable="imagine"><div data-hideable="forecast">
     <label class="check"><input type="checkbox" id="forecast-on"> What would this ball do?</label>
@@ -20,7 +29,8 @@ export const PANELS_MARKUP = `
       <button type="button" id="redo" title="Redo  Ctrl+Y"><svg><use href="#icon-redo"/></svg><span class="visually-hidden">Redo</span></button>
     </div>
   </form>
-  <p class="hint">Tap or click the scene to place the ball; drag it to move it, drag its knob or turn the wheel for its size. With keys: arrows, <kbd>+</kbd> and <kbd>−</kbd>.</p>
+  <p class="hint">Tap or click the scene to place the ball; drag it to move it, drag its knob<span class="with-mouse"> or turn the wheel</span> for its size. <span class="with-mouse">With keys: arrows, <kbd>+</kbd> and <kbd>−</kbd>.</span></p>
+  <p class="small" id="difficulty"></p>
   <p data-hideable="watch"><button type="button" id="watch">Watch without a ball</button></p>
   <div data-hideable="attempts">
     <h2>Your attempts <span class="count" id="play-count"></span></h2>
@@ -65,6 +75,7 @@ export const PANELS_MARKUP = `
   <div id="compare-trouble" class="trouble" role="alert" hidden><p></p><button type="button">Try again</button></div>
   <p class="actions">
     <button type="button" id="model-turn" class="primary">Let the model play</button>
+    <button type="button" id="model-skip" hidden>Skip to the result</button>
     <button type="button" id="compare-both">Run both</button>
   </p>
   <p class="small key"><span class="line"></span> you <span class="line dashed"></span> the model</p>

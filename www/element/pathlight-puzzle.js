@@ -5,7 +5,7 @@
 //     <pathlight-puzzle task="00007:008" panel="imagine"></pathlight-puzzle>
 //
 // The attributes say what is shown, follow the person, and can be changed at any time: `task`, `model`, `panel`, `stage`,
-// `view`, `proposal`, `layers`, `opacity`, `forecast`, `ball` and `hide`, as in the links of Pathlight, and `theme`. Besides:
+// `view`, `proposal`, `layers`, `opacity`, `forecast`, `ball`, `challenge` and `hide`, as in the links of Pathlight, and `theme`. Besides:
 //   fill       takes the height of its container too, which must have one; else it is as high as its content
 //   remember   keeps for each puzzle the number of attempts and the one that solved it in this browser (localStorage); else
 //              they are forgotten with the page. Read once, when the puzzle is loaded
@@ -19,10 +19,11 @@ import { loadStyleSheets } from "./style-sheets.js";
 /** @typedef {import("../shell/url-state.js").State} State */
 /** @typedef {import("../shell/url-state.js").Panel} Panel */
 /** @typedef {import("./controller.js").PlayedAttempt} PlayedAttempt */
+/** @typedef {import("../play/after-solving.js").Result} Result */
 /** @typedef {(task: string, panel: Panel) => string | null} HrefOf */
 
 /** The attributes that make up the state; shell/url-state.js knows their values. */
-const STATE_ATTRIBUTES = ["task", "model", "panel", "stage", "view", "proposal", "layers", "opacity", "forecast", "ball", "hide"];
+const STATE_ATTRIBUTES = ["task", "model", "panel", "stage", "view", "proposal", "layers", "opacity", "forecast", "ball", "challenge", "hide"];
 
 const darkScheme = matchMedia("(prefers-color-scheme: dark)");
 
@@ -30,6 +31,7 @@ const darkScheme = matchMedia("(prefers-color-scheme: dark)");
  * Fires, all bubbling:
  *   "statechange"  the person has changed the state; `detail` is the State
  *   "attempt"      an attempt of the player's has run to its end, or was left; `detail` is a PlayedAttempt
+ *   "share"        the person wants to share a result; `detail` is a Result. Only if `hrefOf` is set
  *   "modelchange"  the model's status changes; `detail` is { name, status: "off" | "loading" | "ready" | "failed" }
  */
 export class PathlightPuzzle extends HTMLElement {
@@ -46,6 +48,8 @@ export class PathlightPuzzle extends HTMLElement {
    * @type {State | null}
    */
   #awaited = null;
+  /** Was the introduction asked for before the controller was there? */
+  #guideAwaited = false;
   /** The puzzle is on its way, or there. */
   #loading = false;
   #updating = false;
@@ -123,6 +127,9 @@ export class PathlightPuzzle extends HTMLElement {
   /** The ball that is being placed: "x,y,r" in px of the scene; null for none. */
   get ball() { return this.getAttribute("ball"); }
   set ball(value) { this.#setAttribute("ball", value); }
+  /** The attempt at which somebody solved the puzzle, whom the player is to beat; null for none. */
+  get challenge() { return this.getAttribute("challenge"); }
+  set challenge(value) { this.#setAttribute("challenge", value); }
   /** The names of the parts that are hidden, with commas between them. */
   get hide() { return this.getAttribute("hide"); }
   set hide(value) { this.#setAttribute("hide", value); }
@@ -157,6 +164,12 @@ export class PathlightPuzzle extends HTMLElement {
    */
   focus(options) {
     this.#root.getElementById("scene")?.focus(options);
+  }
+
+  /** Leads through the open puzzle, step by step. */
+  startGuide() {
+    this.#guideAwaited = !this.#controller;
+    this.#controller?.startGuide();
   }
 
   /** Shows the sheet about the keys. */
@@ -203,6 +216,7 @@ export class PathlightPuzzle extends HTMLElement {
     }
     this.#placeholder.element.remove();
     this.#update();
+    if (this.#guideAwaited) this.startGuide();
   }
 
   async #loadAgain() {
@@ -219,6 +233,7 @@ export class PathlightPuzzle extends HTMLElement {
       this.#reflect(controller);
       this.#dispatch("statechange", controller.state);
     });
+    controller.addEventListener("share", (event) => this.#dispatch("share", /** @type {CustomEvent<Result>} */ (event).detail));
     controller.addEventListener("modelchange", () => this.#dispatch("modelchange", controller.model));
     controller.addEventListener("attempt", (event) => this.#dispatch("attempt", /** @type {CustomEvent<PlayedAttempt>} */ (event).detail));
     return controller;

@@ -6,12 +6,13 @@ import { PathlightPuzzle } from "../element/pathlight-puzzle.js";
 import { byId } from "../shell/dom.js";
 import { Gallery } from "../shell/gallery.js";
 import { hideParts } from "../shell/hidden-parts.js";
-import { dismissNotice, showNotice } from "../shell/notice.js";
+import { dismissNotice, showDone, showNotice } from "../shell/notice.js";
 import { pathlight } from "../shell/pathlight.js";
 import { sharedProgress } from "../shell/progress-store.js";
 import { ProgressView } from "../shell/progress-view.js";
 import { leavesPlainKeys } from "../shell/shortcuts.js";
 import { INITIAL_STATE, formatFragment, hrefOf, parseFragment } from "../shell/url-state.js";
+import { FIRST_TASK, Picks } from "./picks.js";
 
 /** @typedef {import("../shell/url-state.js").State} State */
 
@@ -23,13 +24,17 @@ const OWN_ENTRY = "pathlight";
 
 const darkScheme = matchMedia("(prefers-color-scheme: dark)");
 const gallerySection = byId(document, "gallery");
+const galleryOrder = byId(document, "gallery-order", HTMLSelectElement);
 const taskPicker = byId(document, "task", HTMLSelectElement);
 
 export class Page {
   #templates = pathlight.templates();
   #puzzle = byId(document, "puzzle", PathlightPuzzle);
   #gallery = new Gallery(byId(document, "templates"), this.#templates);
+  #picks = new Picks(this.#templates, sharedProgress("kept").player.tasks.length > 0, () => this.#startGuide());
   #progressView = new ProgressView(sharedProgress("kept").player, this.#templates, this.#gallery);
+  /** @type {import("./share-dialog.js").ShareDialog | null} */
+  #shareDialog = null;
   /** @type {number | undefined} */
   #urlTimer;
   /** What has an entry of its own in the history, as it was last written there. */
@@ -38,6 +43,10 @@ export class Page {
   constructor() {
     this.#puzzle.hrefOf = (task, panel) => hrefOf(this.#state, task, panel);
     this.#puzzle.addEventListener("statechange", () => this.#onStateChange());
+    this.#puzzle.addEventListener("share", async (event) => {
+      const { ShareDialog } = await import("./share-dialog.js");
+      (this.#shareDialog ??= new ShareDialog(this.#templates)).show(/** @type {CustomEvent} */ (event).detail, darkScheme.matches);
+    });
     addEventListener("popstate", ({ state }) => this.#onRoute(state === OWN_ENTRY));
     darkScheme.addEventListener("change", () => this.#applyTheme());
     this.#onClick("previous", () => this.#stepPuzzle(-1));
@@ -53,6 +62,7 @@ export class Page {
       event.preventDefault();
       this.#puzzle.focus();
     });
+    galleryOrder.addEventListener("change", () => this.#orderGallery());
     taskPicker.addEventListener("change", () => this.#navigate(taskPicker.value));
     document.addEventListener("keydown", (event) => this.#onKeydown(event));
   }
@@ -133,6 +143,10 @@ export class Page {
     const state = this.#state;
     hideParts(document, state.hide);
     this.#gallery.setState(state);
+    if (!gallerySection.hidden) {
+      this.#orderGallery();
+      this.#picks.update((task) => hrefOf(state, task));
+    }
     const home = byId(document, "home", HTMLAnchorElement);
     const gallery = hrefOf(state, null);
     if (gallery) home.href = gallery;
@@ -142,6 +156,15 @@ export class Page {
   #onStateChange() {
     this.#applyLinks();
     this.#syncUrl();
+  }
+
+  #orderGallery() {
+    this.#gallery.order(galleryOrder.value === "difficulty" ? "difficulty" : "number");
+  }
+
+  #startGuide() {
+    this.#navigate(FIRST_TASK);
+    this.#puzzle.startGuide();
   }
 
   /** @param {string} task */
@@ -154,7 +177,7 @@ export class Page {
    * @param {string} task
    */
   #navigate(task) {
-    const state = { ...this.#state, task, ball: null, proposal: null };
+    const state = { ...this.#state, task, ball: null, proposal: null, challenge: null };
     clearTimeout(this.#urlTimer);
     history.pushState(OWN_ENTRY, "", `#${formatFragment(state)}`);
     this.#place = placeOf(state);
@@ -209,7 +232,7 @@ export class Page {
     this.#writeUrl();
     try {
       await navigator.clipboard.writeText(location.href);
-      showNotice("The link to what you see is copied.");
+      showDone("The link to what you see is copied.");
     } catch {
       showNotice(`This browser does not let the page copy. The link is ${location.href}`);
     }

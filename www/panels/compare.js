@@ -3,6 +3,7 @@
 import { Component } from "../shell/component.js";
 import { ATTEMPT_LIMIT } from "../shell/constants.js";
 import { setText } from "../shell/dom.js";
+import { ModelShow } from "./model-show.js";
 import { TroubleBox } from "./trouble-box.js";
 
 /** @typedef {import("../play/session.js").Session} Session */
@@ -18,6 +19,11 @@ export class Compare extends Component {
    * @type {AbortController | null}
    */
   #turn = null;
+  /**
+   * Shows that turn.
+   * @type {ModelShow | null}
+   */
+  #show = null;
   /** @type {string | null} */
   #callFailure = null;
 
@@ -29,6 +35,7 @@ export class Compare extends Component {
     super(root);
     this.#client = client;
     this.#turnButton.addEventListener("click", () => (this.#turn ? this.#stopTurn() : this.#playTurn()));
+    this.byId("model-skip").addEventListener("click", () => this.#show?.skip());
     this.byId("compare-both").addEventListener("click", () => this.session?.compare(true));
     this.byId("clear-attempts").addEventListener("click", () => {
       this.#stopTurn();
@@ -46,8 +53,7 @@ export class Compare extends Component {
 
   close() {
     super.close();
-    this.#turn?.abort();
-    this.#turn = null;
+    this.#endTurn();
     this.#callFailure = null;
     this.#panel = null;
   }
@@ -66,9 +72,15 @@ export class Compare extends Component {
 
   /** Ends the turn that is being played; the worker's late attempts are dropped. */
   #stopTurn() {
+    this.#endTurn();
+    this.#update();
+  }
+
+  #endTurn() {
     this.#turn?.abort();
     this.#turn = null;
-    this.#update();
+    this.#show?.stop();
+    this.#show = null;
   }
 
   async #playTurn() {
@@ -76,27 +88,40 @@ export class Compare extends Component {
     const name = this.#client.loaded?.name;
     if (!session || name === undefined) return;
     const turn = (this.#turn = new AbortController());
+    const show = (this.#show = new ModelShow(session, (attempt) => session.recordModelAttempt(attempt, name)));
     this.#callFailure = null;
     this.#update();
     try {
-      await this.#client.turn(session.about.id, turn.signal, (attempt) => session.recordModelAttempt(attempt, name));
+      const shown = show.run();
+      await this.#client.turn(session.about.id, turn.signal, (attempt) => show.add(attempt)).finally(() => show.end());
+      await shown;
       // Do not interrupt a replay that is being watched.
-      if (!turn.signal.aborted && !session.playback.playing && !session.shown?.preview) session.compare(true);
+      if (!turn.signal.aborted && !session.playback.playing && !session.shown?.preview) this.#showResult(session);
     } catch (error) {
       if (!turn.signal.aborted) this.#callFailure = /** @type {Error} */ (error).message;
     } finally {
       if (this.#turn === turn) {
         this.#turn = null;
+        this.#show = null;
         this.#update();
       }
     }
   }
 
+  /**
+   * Shows the model's best attempt: over the player's, if there is one.
+   * @param {Session} session
+   */
+  #showResult(session) {
+    const { used, solved_at: solvedAt } = session.standing("model");
+    if (session.standing("player").used > 0 || used === 0) session.compare(true);
+    else session.replay("model", solvedAt ?? used);
+  }
+
   #onClientChange() {
     // Another model is being loaded: a turn of the old one ends.
     if (this.#client.status !== "ready") {
-      this.#turn?.abort();
-      this.#turn = null;
+      this.#endTurn();
       this.#callFailure = null;
     }
     this.#update();
@@ -109,6 +134,7 @@ export class Compare extends Component {
     const over = model.solved_at !== null || model.used === ATTEMPT_LIMIT;
     this.#turnButton.disabled = this.#client.status !== "ready" || over;
     setText(this.#turnButton, this.#turn ? "Stop the model" : over ? "The model has played" : "Let the model play");
+    this.byId("model-skip").hidden = !this.#show;
     for (const id of ["compare-both", "clear-attempts"]) this.byId(id, HTMLButtonElement).disabled = player.used + model.used === 0;
     setText(this.byId("verdict"), this.session.resultHidden ? "Your attempt is running." : this.session.puzzle.verdict());
   }

@@ -3,6 +3,11 @@
 
 import { Component } from "../shell/component.js";
 
+/** The opacity of the paths of old misses. */
+const GHOST = 0.2;
+/** So many of the latest misses are more than that. */
+const RECENT = 5;
+
 export class Overlays extends Component {
   #canvas;
   #choice;
@@ -61,14 +66,15 @@ export class Overlays extends Component {
     const source = this.#proposals.able ? [] : [this.#imagine.maps?.judge ? "judge" : "placement"];
     const stages = this.#proposals.active ? source : layers;
     const drawing = panel === "predict";
+    const ghosts = this.session?.ghosts ?? [];
     this.#canvas.setOverlay(
       {
         maps: [...this.#solveMap.canvases, ...this.#imagine.canvasesOf(/** @type {import("../pkg/pathlight.js").Stage[]} */ (stages))],
         opacity,
-        marks: this.#proposals.marks,
+        marks: [...this.#proposals.marks, ...ghosts.map(({ ball }) => ({ ball, from: null, chosen: false }))],
         sketch: drawing ? this.#predict.sketch : [],
         imagined: this.#forecast.paths ?? this.#proposals.paths,
-        hints: [],
+        hints: ghosts.map(({ object }, index) => ({ object, opacity: Math.max(GHOST, 1 - (ghosts.length - index) / RECENT), tried: true })),
         ...this.#choice.overlay,
       },
       drawing ? this.#predict : null,

@@ -21,6 +21,8 @@ export class Probe extends Component {
   #imagine;
   /** @type {Stage[]} */
   #layers = [];
+  /** @type {import("../shell/url-state.js").Panel | null} */
+  #panel = null;
   /**
    * px of the scene, or null.
    * @type {number[] | null}
@@ -47,14 +49,23 @@ export class Probe extends Component {
     imagine.addEventListener("maps", () => this.#update());
   }
 
+  /** @param {import("../play/session.js").Session} session */
+  open(session) {
+    super.open(session);
+    // What a finger has left there must not lie over what runs.
+    this.listen("change", ({ placing }) => !placing && this.#point && this.#clear());
+  }
+
   close() {
     super.close();
     this.#clear();
   }
 
   /** @param {import("../shell/url-state.js").View} view */
-  setState({ layers }) {
+  setState({ layers, panel }) {
     this.#layers = layers;
+    if (panel !== this.#panel) this.#point = null;
+    this.#panel = panel;
     this.#update();
   }
 

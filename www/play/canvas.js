@@ -24,7 +24,7 @@ import { contextOf } from "../shell/dom.js";
  * @property {import("../pkg/pathlight.js").Mark[]} marks
  * @property {Point[]} sketch a line that the person has drawn
  * @property {import("../pkg/pathlight.js").ImaginedPaths | null} imagined what the model imagines for a ball
- * @property {NonNullable<import("../pkg/pathlight.js").View["hints"]>} hints imagined paths that are only hinted at
+ * @property {NonNullable<import("../pkg/pathlight.js").View["hints"]>} hints paths that are only hinted at
  */
 
 /** How near a pointer has to come to grab the knob, CSS px. */
@@ -125,12 +125,13 @@ export class SceneCanvas extends Component {
   #paint() {
     const session = this.session;
     if (!session || this.#canvas.width < 2) return;
-        const { maps, ...overlay } = this.#overlay;
+    const { maps, ...overlay } = this.#overlay;
     const view = {
       step: session.playback.step,
       ball: session.ball,
       knob: KNOB_RADIUS / this.#scale,
       whole: session.phase === "compare",
+      approach: session.approach,
       ...overlay,
       dark: this.dark,
     };

@@ -2,11 +2,15 @@
 
 import { Component } from "../shell/component.js";
 import { FIRST_RADIUS, GOAL_SECONDS, MAX_RADIUS, MIN_RADIUS, SCENE_SIZE, STEPS_PER_SECOND } from "../shell/constants.js";
+import { difficultyWords } from "../shell/difficulty.js";
 import { find, setText } from "../shell/dom.js";
 import { sentence } from "./session.js";
 
 /** @typedef {import("./session.js").Session} Session */
 /** @typedef {import("./session.js").ShownAttempt} ShownAttempt */
+
+/** Half of the width of the mark where the object came nearest, as a fraction of the time line. */
+const CLOSEST_WIDTH = 0.004;
 
 export class Controls extends Component {
   #time = this.byId("time", HTMLInputElement);
@@ -27,9 +31,13 @@ export class Controls extends Component {
     this.#goalMeter.setAttribute("aria-valuemax", String(GOAL_SECONDS));
     /** @type {(id: string, act: (session: Session) => void) => void} */
     const onClick = (id, act) => this.byId(id).addEventListener("click", () => this.session && act(this.session));
-    onClick("run", (session) => session.run());
+    this.byId("run").addEventListener("click", ({ detail }) => {
+      // The second click of a double click must not pause what the first has started.
+      if (detail < 2 || !this.session?.playback.playing) this.session?.run();
+    });
     onClick("step", (session) => session.step(1));
     onClick("reset", (session) => session.reset());
+    onClick("see-closest", (session) => session.approach && session.seek(session.approach.step));
     onClick("watch", (session) => session.watch());
     onClick("undo", (session) => session.undo());
     onClick("redo", (session) => session.redo());
@@ -44,8 +52,10 @@ export class Controls extends Component {
   open(session) {
     super.open(session);
     this.#applySpeed();
-    this.byId("goal").textContent = session.about.goal;
+    this.byId("goal").textContent = session.about.goal.replace(/\.$/, ` for ${GOAL_SECONDS} seconds.`);
     this.byId("story").textContent = session.about.story;
+    const { id } = session.about;
+    this.byId("difficulty").textContent = id ? `Puzzle ${id}, ${difficultyWords(id)}.` : "";
     this.byId("description").textContent = session.about.description;
     this.listen("change", () => this.#update(session));
     this.listen("draw", () => this.#updateTime(session));
@@ -79,14 +89,16 @@ export class Controls extends Component {
     this.#touches = placing ? [] : puzzle.touches();
     // Of two rollouts over each other the meter could mean either.
     this.#goalMeter.hidden = placing || phase === "compare";
-    this.#markTouches(last + 1);
+    this.byId("see-closest").hidden = session.approach === null;
+    this.#markMoments(last + 1, session.approach?.step);
     this.#fields.forEach((field, index) => setValue(field, String(ball?.[index] ?? "")));
     setValue(this.#radius, String(ball?.[2] ?? FIRST_RADIUS));
     const { kind, words } = statusOf(session);
     const status = this.byId("status");
     if (status.textContent !== words) {
       status.textContent = words;
-      this.announce(words);
+      // The misses of the model's turn go by faster than they can be read out.
+      if (!session.ghosting || session.shown?.number === 1) this.announce(words);
     }
     status.dataset.kind = kind;
     this.#updateTime(session);
@@ -118,16 +130,25 @@ export class Controls extends Component {
   }
 
   /**
-   * Marks on the time line when the green object touches its goal.
+   * Marks on the time line when the green object touches its goal, or when it came nearest to it.
    * @param {number} steps
+   * @param {number} [closest]
    */
-  #markTouches(steps) {
-    const bands = this.#touches.map(([first, last]) => {
-      const [from, to] = [first, last + 1].map((step) => `${((100 * step) / steps).toFixed(2)}%`);
-      return `transparent ${from}, var(--ring) ${from}, var(--ring) ${to}, transparent ${to}`;
-    });
+  #markMoments(steps, closest) {
+    const percent = (/** @type {number} */ step) => `${((100 * step) / steps).toFixed(2)}%`;
+    const bands = this.#touches.map(([first, last]) => band("ring", percent(first), percent(last + 1)));
+    if (closest !== undefined) bands.push(band("text", percent(closest - CLOSEST_WIDTH * steps), percent(closest + CLOSEST_WIDTH * steps)));
     this.#time.style.setProperty("--touches", bands.length ? `linear-gradient(to right, ${bands.join(", ")})` : "none");
   }
+}
+
+/**
+ * @param {string} colour
+ * @param {string} from
+ * @param {string} to
+ */
+function band(colour, from, to) {
+  return `transparent ${from}, var(--${colour}) ${from}, var(--${colour}) ${to}, transparent ${to}`;
 }
 
 /**
@@ -148,11 +169,27 @@ function statusOf(session) {
   const { phase, shown, finished } = session;
   if (phase === "placing") return placingStatus(session);
   if (phase === "watch") return { kind: "hint", words: finished ? "That was the scene without a ball." : "The scene without a ball." };
-  if (phase === "compare" || !shown) return { kind: "hint", words: compareStatus(session.pair) };
+  if (phase === "compare" || !shown) return finished ? comparedStatus(session.pair) : { kind: "hint", words: compareStatus(session.pair) };
+  if (session.ghosting) return { kind: "running", words: `The model tries: attempt ${shown.number}.` };
   const what = `${shown.contender === "player" ? "Your" : "The model’s"} ${shown.preview ? "ball" : "attempt"} ${shown.number}`;
   if (!finished) return { kind: "running", words: `${what} is running.` };
   if (shown.ending.solved) return { kind: "solved", words: `Solved! ${what}: ${shown.words}.` };
-  return { kind: "missed", words: `Not solved. ${what}: ${shown.words}.` };
+  return { kind: "missed", words: `Not solved. ${what}: ${missWords(session, shown)}.` };
+}
+
+/**
+ * How near a miss came, and whether it ended early.
+ * @param {Session} session
+ * @param {ShownAttempt} shown
+ */
+function missWords({ approach, still }, { words }) {
+  const near = approach ? `closest ${gapWords(approach.gap)}, at ${(approach.step / STEPS_PER_SECOND).toFixed(1)} s` : words;
+  return still ? `${near}; everything lies still` : near;
+}
+
+/** @param {number} gap px */
+function gapWords(gap) {
+  return `${gap < 9.95 ? gap.toFixed(1) : Math.round(gap)} px`;
 }
 
 /**
@@ -165,6 +202,17 @@ function placingStatus({ ball, invalidReason, refusal, drawing }) {
   if (!ball) return { kind: "hint", words: "Click or tap the scene to place the red ball." };
   if (invalidReason) return { kind: "wrong", words: `Not here: ${sentence(invalidReason)}` };
   return { kind: "ready", words: "The ball may start here. Press Run." };
+}
+
+/**
+ * What became of the attempts that were shown over each other.
+ * @param {ShownAttempt[]} pair
+ * @returns {{ kind: "solved" | "missed", words: string }}
+ */
+function comparedStatus(pair) {
+  const results = pair.map(({ contender, number, words }, index) => `${contender === "player" ? "your" : "the model’s"} attempt ${number}${index ? " (dashed)" : ""}: ${words}`);
+  const solved = pair.some(({ ending }) => ending.solved);
+  return { kind: solved ? "solved" : "missed", words: `${solved ? "Solved!" : "Not solved."} ${sentence(results.join("; "))}` };
 }
 
 /** @param {ShownAttempt[]} pair */

@@ -14,6 +14,8 @@ export class Playback extends EventTarget {
   /** How many times faster than real time. */
   speed = 1;
   playing = false;
+  /** Steps per second while it plays, or null for real time by `speed`. */
+  #rate = /** @type {number | null} */ (null);
   #lastFrame = 0;
 
   /**
@@ -23,6 +25,7 @@ export class Playback extends EventTarget {
    */
   load(last, step = 0) {
     this.playing = false;
+    this.#rate = null;
     this.last = last;
     this.#moveTo(step);
   }
@@ -35,9 +38,13 @@ export class Playback extends EventTarget {
     return this.step / STEPS_PER_SECOND;
   }
 
-  /** Plays on, or from the start if it has ended. */
-  play() {
+  /**
+   * Plays on, or from the start if it has ended.
+   * @param {number} [duration] of the whole rollout, ms; else it plays in real time
+   */
+  play(duration) {
     if (this.playing || this.last === 0) return;
+    this.#rate = duration ? (1000 * this.last) / duration : null;
     if (this.ended) this.step = 0;
     this.playing = true;
     this.#lastFrame = performance.now();
@@ -70,7 +77,7 @@ export class Playback extends EventTarget {
     if (!this.playing) return;
     const elapsed = Math.min(now - this.#lastFrame, MAX_FRAME) / 1000;
     this.#lastFrame = now;
-    const step = this.step + Math.max(elapsed, 0) * STEPS_PER_SECOND * this.speed;
+    const step = this.step + Math.max(elapsed, 0) * (this.#rate ?? STEPS_PER_SECOND * this.speed);
     if (step >= this.last) this.playing = false;
     else requestAnimationFrame(this.#onFrame);
     this.#moveTo(step);

@@ -22,6 +22,11 @@ import { UndoStack } from "./undo-stack.js";
  * @typedef {ListedAttempt & { contender: Contender, preview?: boolean, tried?: boolean }} ShownAttempt
  */
 
+/**
+ * What stays in sight of a miss: its ball, and the path of the green object as in `ImaginedBall`.
+ * @typedef {{ ball: Ball, object: Float32Array }} Ghost
+ */
+
 /** Codes of errors that refuse a ball; any other error is a defect. */
 const REFUSALS = ["invalid_ball", "attempt_limit"];
 const MIDDLE = SCENE_SIZE / 2;
@@ -60,6 +65,18 @@ export class Session extends EventTarget {
   /** True once the shown rollout has played to its end. */
   finished = false;
   /**
+   * When the shown attempt came nearest to its goal; only once it has ended as a miss that never touched.
+   * @type {import("../pkg/pathlight.js").ClosestApproach | null}
+   */
+  approach = null;
+  /**
+   * The model's misses that are shown faintly while it plays its turn.
+   * @type {Ghost[]}
+   */
+  ghosts = [];
+  /** Is a miss of the model's turn shown? */
+  ghosting = false;
+  /**
    * The name of the model that made the model's attempts, or null while there are none.
    * @type {string | null}
    */
@@ -79,6 +96,10 @@ export class Session extends EventTarget {
     this.about = this.puzzle.about();
     this.#prefersReducedMotion = prefersReducedMotion;
     this.playback.addEventListener("tick", () => this.#onTick());
+  }
+
+  get reducedMotion() {
+    return this.#prefersReducedMotion();
   }
 
   get placing() {
@@ -195,6 +216,36 @@ export class Session extends EventTarget {
   }
 
   /**
+   * Shows an attempt of the model's within `duration` ms, and the ghosts of those before it. Returns whether it played to its
+   * end; it does not if something else is shown meanwhile.
+   * @param {number} number
+   * @param {number} duration
+   * @param {Ghost[]} ghosts
+   */
+  async flash(number, duration, ghosts) {
+    const shown = { contender: /** @type {const} */ ("model"), ...this.puzzle.replay("model", number) };
+    this.#show("attempt", { shown, ghosts, duration, ghosting: true });
+    const { promise, resolve } = Promise.withResolvers();
+    const check = () => (this.shown !== shown || this.finished) && resolve(null);
+    this.addEventListener("change", check);
+    check();
+    await promise;
+    this.removeEventListener("change", check);
+    return this.shown === shown;
+  }
+
+  /** What stays in sight of the attempt that is shown. */
+  get ghost() {
+    const paths = this.puzzle.sampledPaths();
+    return this.shown && paths ? { ball: this.shown.ball, object: paths.object } : null;
+  }
+
+  /** Has everything come to rest before the time of an attempt is over? Only once it has ended. */
+  get still() {
+    return this.finished && this.shown !== null && !this.shown.ending.solved && this.playback.last < this.shown.ending.steps;
+  }
+
+  /**
    * Shows how a proposal of the model's does, at its end or played from the start; it does not count. `tried`: has it been
    * an attempt?
    * @param {number} number
@@ -295,6 +346,9 @@ export class Session extends EventTarget {
     this.phase = "placing";
     this.shown = null;
     this.pair = [];
+    this.approach = null;
+    this.ghosts = [];
+    this.ghosting = false;
     this.playback.load(0);
     this.#emit("change");
   }
@@ -357,15 +411,15 @@ export class Session extends EventTarget {
   /**
    * Shows the rollouts that the puzzle has been told to show.
    * @param {"attempt" | "watch" | "compare"} phase
-   * @param {{ shown?: ShownAttempt | null, pair?: ShownAttempt[], play?: boolean, resultHidden?: boolean }} [what]
+   * @param {{ shown?: ShownAttempt | null, pair?: ShownAttempt[], play?: boolean, resultHidden?: boolean, ghosts?: Ghost[], ghosting?: boolean, duration?: number }} [what]
    */
-  #show(phase, { shown = null, pair = [], play = true, resultHidden = false } = {}) {
+  #show(phase, { shown = null, pair = [], play = true, resultHidden = false, ghosts = [], ghosting = false, duration } = {}) {
     this.#revealResult();
-    Object.assign(this, { phase, shown, pair, resultHidden, refusal: null, finished: false });
+    Object.assign(this, { phase, shown, pair, resultHidden, ghosts, ghosting, approach: null, refusal: null, finished: false });
     const last = this.puzzle.steps();
     const atEnd = !play || this.#prefersReducedMotion();
     this.playback.load(last, atEnd ? last : 0);
-    if (!atEnd) this.playback.play();
+    if (!atEnd) this.playback.play(duration);
     this.#emit("change");
   }
 
@@ -373,6 +427,8 @@ export class Session extends EventTarget {
     const { playing, ended } = this.playback;
     if (!this.placing && ended && !playing && !this.finished) {
       this.finished = true;
+      const { ending } = this.shown ?? {};
+      if (ending && !ending.solved && ending.longest_touch === 0 && !this.ghosting) this.approach = this.puzzle.closestApproach() ?? null;
       this.#revealResult();
       this.#emit("change");
     }

@@ -1,8 +1,13 @@
-// One sentence above everything else: what is wrong, and what the person can do about it.
+// One sentence above everything else: what is wrong, and what the person can do about it; or, for a while at the lower edge,
+// what has been done.
 
 import { byId, createButton } from "./dom.js";
 
 const bar = byId(document, "notice");
+/** How long a sentence about what has been done stays, ms. */
+const DONE_TIME = 6000;
+/** @type {number | undefined} */
+let timer;
 
 /**
  * Shows a sentence with links and buttons.
@@ -13,7 +18,19 @@ export function showNotice(sentence, actions = []) {
   byId(document, "notice-text").textContent = sentence;
   const controls = actions.map(([label, action]) => (typeof action === "string" ? link(label, action) : createButton(label, action)));
   byId(document, "notice-actions").replaceChildren(...controls, createButton("Close", dismissNotice));
+  bar.classList.remove("done");
+  clearTimeout(timer);
   bar.hidden = false;
+}
+
+/**
+ * Says what has been done, off everything else, for a while.
+ * @param {string} sentence
+ */
+export function showDone(sentence) {
+  showNotice(sentence);
+  bar.classList.add("done");
+  timer = setTimeout(dismissNotice, DONE_TIME);
 }
 
 export function dismissNotice() {

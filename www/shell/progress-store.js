@@ -122,6 +122,26 @@ export class ProgressStore extends EventTarget {
   }
 }
 
+const GUIDE_KEY = "pathlight.guide";
+
+/** Has the introduction been offered in this browser, and taken or declined? */
+export function guideOffered() {
+  try {
+    return localStorage.getItem(GUIDE_KEY) !== null;
+  } catch {
+    // It could not be remembered that it was.
+    return true;
+  }
+}
+
+export function rememberGuide() {
+  try {
+    localStorage.setItem(GUIDE_KEY, "offered");
+  } catch {
+    // It is offered once more.
+  }
+}
+
 /** The progress of the player and of each model, which all puzzles of a page share. Fires "change" when any of it changes. */
 class Progress extends EventTarget {
   player;

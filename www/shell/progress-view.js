@@ -41,7 +41,7 @@ export class ProgressView {
     const listed = Array.from(picker.options, (option) => option.value);
     if (String(listed) !== String(tasks)) picker.replaceChildren(...tasks.map((task) => new Option(this.#label(task), task)));
     picker.value = id;
-    picker.title = `Puzzle ${tasks.indexOf(id) + 1} of ${tasks.length}`;
+    picker.title = `Puzzle ${id}`;
   }
 
   #update() {
@@ -57,9 +57,11 @@ export class ProgressView {
    * @param {string} task
    */
   #label(task) {
+    const tasks = this.#templates.find((template) => template.tasks.includes(task))?.tasks ?? [task];
+    const place = `${tasks.indexOf(task) + 1} of ${tasks.length}`;
     const { attempts, solved } = this.#store.of(task);
-    if (solved) return `${task} ✓ in ${solved}`;
-    return attempts ? `${task} × ${attempts}` : task;
+    if (solved) return `${place} ✓ in ${solved}`;
+    return attempts ? `${place}, ${counted(attempts, "attempt")}` : place;
   }
 
   #save() {

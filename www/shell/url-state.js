@@ -29,6 +29,7 @@ const HIDEABLE = /** @type {const} */ (["puzzles", "story", "fields", "watch", "
  * @property {number} opacity how much the maps cover, 0..1
  * @property {boolean} forecast whether the model imagines what the ball being placed would do; see `viewOf`
  * @property {Ball | null} ball the ball being placed
+ * @property {number | null} challenge the attempt at which whoever sent the link solved the puzzle, or null
  * @property {Hideable[]} hide the parts of the page that are hidden, in the order of HIDEABLE
  */
 
@@ -53,12 +54,18 @@ export const INITIAL_STATE = Object.freeze({
   opacity: 0.8,
   forecast: false,
   ball: null,
+  challenge: null,
   hide: [],
 });
 
 /** @typedef {{ format: (value: any) => string, parse: (text: string) => any }} Codec */
 
 const INTEGER = /^\d{1,3}$/;
+/** @type {Codec} */
+const ATTEMPT = {
+  format: String,
+  parse: (text) => (INTEGER.test(text) && !text.startsWith("0") && Number(text) <= ATTEMPT_LIMIT ? Number(text) : undefined),
+};
 
 /**
  * The keys of a link. `parse` returns undefined for text that it does not understand.
@@ -70,10 +77,7 @@ const CODECS = {
   panel: oneOf(PANELS),
   stage: oneOf([...STAGES, ...CHOICE_STEPS]),
   view: oneOf(["stage"]),
-  proposal: {
-    format: String,
-    parse: (text) => (INTEGER.test(text) && !text.startsWith("0") && Number(text) <= ATTEMPT_LIMIT ? Number(text) : undefined),
-  },
+  proposal: ATTEMPT,
   layers: someOf(STAGES),
   opacity: {
     format: String,
@@ -92,6 +96,7 @@ const CODECS = {
       return x < SCENE_SIZE && y < SCENE_SIZE && r >= MIN_RADIUS && r <= MAX_RADIUS ? [x, y, r] : undefined;
     },
   },
+  challenge: ATTEMPT,
   hide: someOf(HIDEABLE),
 };
 

@@ -1,0 +1,152 @@
+// After solving: a celebration, the next puzzle, the model's turn, and a result to share, which challenges others without
+// telling the ball.
+
+import AxeBuilder from '@axe-core/playwright';
+import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
+import { after, before, test } from 'node:test';
+import { start } from './harness.mjs';
+import { EASY, known, modelLoaded, openPuzzle, says, type } from './page-actions.mjs';
+import { load } from '../../www/api/pathlight.js';
+
+const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
+
+let session;
+before(async () => (session = await start()));
+after(() => session.stop());
+
+/** A puzzle that has just been solved at the second attempt. */
+async function solved(options = {}) {
+  const page = await openPuzzle(session, { reducedMotion: true, ...options });
+  const { solving, missing } = await known();
+  for (const [ball, words] of /** @type {const} */ ([[missing, /^Not solved/], [solving, /^Solved!/]])) {
+    await type(page, ball);
+    await page.locator('#run').click();
+    await says(page, words);
+  }
+  return { page, solving };
+}
+
+const task = (page) => new URLSearchParams(new URL(page.url()).hash.slice(1)).get('task');
+const unsolved = (page) => page.locator('#solved').isHidden();
+
+test('a solved puzzle is celebrated, and motionless with reduced motion', async () => {
+  const { page } = await solved();
+  const sparks = page.locator('#celebration span');
+  assert.ok((await sparks.count()) > 10 && (await sparks.first().isVisible()));
+  assert.equal(await sparks.first().evaluate((spark) => spark.getAnimations().length), 0);
+  await page.locator('#celebration').waitFor({ state: 'hidden' });
+  assert.equal(await page.locator('#solved-title').textContent(), 'Solved in 2 attempts!');
+
+  const moving = await openPuzzle(session);
+  assert.ok(await unsolved(moving));
+  await type(moving, (await known()).solving);
+  await moving.locator('#speed').selectOption('4');
+  await moving.locator('#run').click();
+  await says(moving, /is running/);
+  assert.ok(await unsolved(moving), 'nothing is told before it has run');
+  await says(moving, /^Solved!/);
+  assert.equal(await moving.locator('#celebration span').first().evaluate((spark) => spark.getAnimations().length), 1);
+});
+
+test('the next puzzle is of the same kind, or a little harder or easier', async () => {
+  const { page } = await solved();
+  const pathlight = await load({ weights: null });
+  const rate = (task) => pathlight.difficulty(task).solve_rate;
+  const next = page.locator('#solved-next');
+  assert.equal((await next.getAttribute('href')), '#task=00000:001');
+  for (const [by, fits] of /** @type {const} */ ([['harder', (other) => rate(other) < rate(EASY)], ['easier', (other) => rate(other) > rate(EASY)]])) {
+    await page.locator('#next-by').selectOption(by);
+    const other = (await next.getAttribute('href')).slice('#task='.length);
+    assert.ok(fits(other), `${by}: ${rate(other)} after ${rate(EASY)}`);
+    assert.notEqual(other.split(':')[0], EASY.split(':')[0], 'of another kind');
+  }
+  const other = (await next.getAttribute('href')).slice('#task='.length);
+  await next.click();
+  await says(page, /place the red ball/);
+  assert.equal(task(page), other);
+  assert.ok(await unsolved(page));
+});
+
+test('the model’s turn is one click away', async () => {
+  const { page } = await solved();
+  await modelLoaded(page);
+  await page.locator('#solved-model').click();
+  await page.locator('#model-turn').filter({ hasText: 'The model has played' }).waitFor({ timeout: 60_000 });
+  assert.equal(await page.locator('#tab-compare').getAttribute('aria-selected'), 'true');
+});
+
+test('a link that hides the puzzles and the model leads to neither', async () => {
+  const { page } = await solved({ fragment: '&hide=puzzles,imagine,compare,predict,map' });
+  for (const id of ['solved-next', 'solved-model', 'solved-share', 'next-by']) assert.ok(await page.locator(`#${id}`).isHidden(), id);
+});
+
+for (const [screen, options] of Object.entries({ 'a desktop': {}, 'a phone': PHONE })) {
+  test(`a result is shared as picture, text and challenge on ${screen}`, async () => {
+    const { page, solving } = await solved({ ...options, permissions: ['clipboard-read', 'clipboard-write'] });
+    await page.locator('#solved-share').focus();
+    await page.keyboard.press('Enter');
+    await page.locator('#share-dialog[open]').waitFor();
+    assert.equal(await page.locator('#share-text').textContent(), 'I solved Pathlight’s puzzle “Two Drops, 1 of 100” in 2 attempts. Can you do better?');
+    const picture = page.locator('#share-picture');
+    await page.waitForFunction(() => /** @type {HTMLImageElement} */ (document.getElementById('share-picture')).naturalWidth === 1200);
+    assert.match(await picture.getAttribute('alt'), /^Two Drops, 1 of 100\. Solved in 2 attempts/);
+    const without = await picture.getAttribute('src');
+    await page.locator('#share-ball').check();
+    await page.waitForFunction((src) => document.querySelector('#share-picture')?.getAttribute('src') !== src, without);
+    const { violations } = await new AxeBuilder({ page }).analyze();
+    assert.deepEqual(violations.filter(({ impact }) => impact === 'serious' || impact === 'critical').map(({ id }) => id), []);
+
+    const [file] = await Promise.all([page.waitForEvent('download'), page.locator('#share-save').click()]);
+    assert.equal(file.suggestedFilename(), 'pathlight-00000-000.png');
+    const bytes = await readFile(await file.path());
+    assert.deepEqual([bytes.readUInt32BE(16), bytes.readUInt32BE(20)], [1200, 630]);
+
+    await page.locator('#share-copy').click();
+    await page.locator('#share-done').filter({ hasText: 'copied' }).waitFor();
+    const text = await page.evaluate(() => navigator.clipboard.readText());
+    const link = text.split('\n').at(-1);
+    assert.equal(new URL(link).hash, `#task=${EASY}&challenge=2`, 'the ball is not told');
+
+    const friend = await session.open(link.slice(session.origin.length), { reducedMotion: 'reduce' });
+    await friend.locator('#challenge').filter({ hasText: 'A challenge: somebody solved this puzzle in 2 attempts. Can you?' }).waitFor();
+    await type(friend, solving);
+    await friend.locator('#run').click();
+    await friend.locator('#challenge').filter({ hasText: 'You have beaten the challenge' }).waitFor();
+    await friend.locator('#next').click();
+    await friend.locator('#challenge').waitFor({ state: 'hidden' });
+  });
+}
+
+test('where there is a share sheet, picture, text and link go to it', async () => {
+  const page = await session.open('');
+  await page.addInitScript(() => {
+    Object.assign(navigator, { canShare: () => true, share: async (data) => Object.assign(window, { shared: data }) });
+  });
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  await page.goto(`${session.origin}/#task=${EASY}`);
+  await type(page, (await known()).solving);
+  await page.locator('#run').click();
+  await page.locator('#solved-share').click();
+  await page.locator('#share-system').click();
+  const shared = await page.evaluate(() => {
+    const { files: [{ name, type, size }], text, url } = /** @type {any} */ (window).shared;
+    return { name, type, size, text, url };
+  });
+  assert.equal(shared.name, 'pathlight-00000-000.png');
+  assert.ok(shared.type === 'image/png' && shared.size > 5000);
+  assert.match(shared.text, /at the first attempt/);
+  assert.match(shared.url, /#task=00000:000&challenge=1$/);
+});
+
+test('the puzzle of the day depends on the date alone, and its result is a text of marks', async () => {
+  const picks = new Set();
+  for (const date of ['2026-11-22T00:10', '2026-11-22T23:50', '2026-11-23T12:00']) {
+    const context = await session.browser.newContext({ reducedMotion: 'reduce' });
+    await context.clock.setFixedTime(new Date(date));
+    const page = await session.openIn(context);
+    picks.add(await page.locator('#picks a').first().getAttribute('href'));
+    assert.match(await page.locator('#picks a').first().textContent(), /^Puzzle of the day2[23] November 2026: .+, \d+ of 100, (easy|medium)$/);
+  }
+  assert.equal(picks.size, 2, 'one for each day');
+});

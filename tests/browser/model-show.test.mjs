@@ -1,0 +1,79 @@
+// The model's turn as a show: its misses go by as ghosts, with a counter; it can be stopped and skipped; then its solution runs.
+
+import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
+import { after, before, test } from 'node:test';
+import { start } from './harness.mjs';
+import { openPuzzle, says, unsolvedTask } from './page-actions.mjs';
+
+let session;
+before(async () => (session = await start()));
+after(() => session.stop());
+
+/** A task that the shipped model solves at the first attempt that passes a test, and that attempt. */
+async function solvedTask(passes) {
+  const { agents } = JSON.parse(await readFile(new URL('../../results/shipped/within-0.json', import.meta.url), 'utf8'));
+  return agents.find(({ agent }) => agent === 'online').first_solved.find(([, attempt]) => passes(attempt));
+}
+
+const turn = (page) => page.locator('#model-turn');
+const made = (page) => page.locator('#model-attempts li').count();
+
+test('its misses are counted one after the other, then its solution runs to “Solved!”', async () => {
+  const [task, attempts] = await solvedTask((attempt) => attempt >= 4 && attempt <= 8);
+  const page = await openPuzzle(session, { task, fragment: '&panel=compare' });
+  const seen = await page.locator('#status').evaluateHandle((status) => {
+    const words = [];
+    new MutationObserver(() => words.push(status.textContent)).observe(status, { childList: true, characterData: true, subtree: true });
+    return words;
+  });
+  await turn(page).click();
+  await says(page, /^Solved! The model’s attempt \d+: solved after/, 60_000);
+  const words = await seen.jsonValue();
+  for (let number = 1; number < attempts; number += 1) assert.ok(words.includes(`The model tries: attempt ${number}.`), `attempt ${number}: ${words.join(' ')}`);
+  assert.equal(await made(page), attempts);
+  assert.equal(await page.locator('#goal-meter').getAttribute('aria-valuenow'), '3.0', 'with its ring');
+  assert.equal((await turn(page).textContent()).trim(), 'The model has played');
+});
+
+test('the show can be stopped; only what was shown counts', async () => {
+  const page = await openPuzzle(session, { task: await unsolvedTask(), fragment: '&panel=compare' });
+  await turn(page).click();
+  await says(page, /The model tries: attempt 3/);
+  await turn(page).click();
+  await turn(page).filter({ hasText: 'Let the model play' }).waitFor();
+  const count = await made(page);
+  assert.ok(count >= 3 && count < 10, `${count} attempts`);
+  await page.waitForTimeout(1000);
+  assert.equal(await made(page), count);
+  await says(page, /place the red ball/);
+});
+
+test('the show can be skipped, by keyboard too', async () => {
+  const page = await openPuzzle(session, { task: await unsolvedTask(), fragment: '&panel=compare' });
+  await turn(page).click();
+  await says(page, /The model tries: attempt 2/);
+  await page.locator('#model-skip').focus();
+  await page.keyboard.press('Enter');
+  await turn(page).filter({ hasText: 'The model has played' }).waitFor({ timeout: 60_000 });
+  assert.equal(await made(page), 100);
+  assert.ok(await page.locator('#model-skip').isHidden());
+});
+
+test('another puzzle ends the show', async () => {
+  const page = await openPuzzle(session, { task: await unsolvedTask(), fragment: '&panel=compare' });
+  await turn(page).click();
+  await says(page, /The model tries: attempt 2/);
+  await page.locator('#next').click();
+  await says(page, /place the red ball/);
+  await page.waitForTimeout(500);
+  await says(page, /place the red ball/);
+  assert.equal(await made(page), 0);
+});
+
+test('with reduced motion only the result is shown', async () => {
+  const [task, attempts] = await solvedTask((attempt) => attempt >= 4 && attempt <= 8);
+  const page = await openPuzzle(session, { task, fragment: '&panel=compare', reducedMotion: true });
+  await turn(page).click();
+  await says(page, new RegExp(`^Solved! The model’s attempt ${attempts}: solved after`), 60_000);
+});

@@ -1,0 +1,68 @@
+// Paints a result as a picture of 1200 x 630 pixels, the size that messengers and networks show whole.
+
+import { contextOf } from "../shell/dom.js";
+
+const WIDTH = 1200;
+const HEIGHT = 630;
+const MARGIN = 36;
+const SIDE = HEIGHT - 2 * MARGIN;
+const FONT = 'system-ui, "Segoe UI", Roboto, "Helvetica Neue", "Liberation Sans", sans-serif';
+
+/**
+ * @param {HTMLCanvasElement} canvas
+ * @param {import("../pkg/pathlight.js").Palette} palette
+ * @param {{ name: string, solved: string, model: string, difficulty: string }} lines
+ * @param {(context: CanvasRenderingContext2D) => void} paintScene draws the scene so that it fills a square canvas
+ */
+export function paintResultCard(canvas, palette, lines, paintScene) {
+  Object.assign(canvas, { width: WIDTH, height: HEIGHT });
+  const context = contextOf(canvas);
+  context.fillStyle = palette.paper;
+  context.fillRect(0, 0, WIDTH, HEIGHT);
+  const scene = document.createElement("canvas");
+  scene.width = scene.height = SIDE;
+  paintScene(contextOf(scene));
+  context.drawImage(scene, MARGIN, MARGIN);
+  context.strokeStyle = palette.gray;
+  context.lineWidth = 2;
+  context.strokeRect(MARGIN, MARGIN, SIDE, SIDE);
+
+  const left = 2 * MARGIN + SIDE;
+  const width = WIDTH - left - MARGIN;
+  context.textBaseline = "top";
+  let top = MARGIN + 8;
+  /** @type {[text: string, size: number, weight: number, colour: string, gap: number][]} */
+  const texts = [
+    ["Pathlight", 34, 700, palette.gray, 40],
+    [lines.name, 46, 700, palette.ink, 34],
+    [lines.solved, 62, 700, palette.green, 28],
+    [lines.model, 40, 500, palette.ink, 34],
+    [lines.difficulty, 28, 400, palette.gray, 0],
+  ];
+  for (const [text, size, weight, colour, gap] of texts) {
+    context.font = `${weight} ${size}px ${FONT}`;
+    context.fillStyle = colour;
+    for (const line of wrapped(context, text, width)) {
+      context.fillText(line, left, top);
+      top += size * 1.2;
+    }
+    if (text) top += gap;
+  }
+}
+
+/**
+ * The lines of a text that fit a width.
+ * @param {CanvasRenderingContext2D} context
+ * @param {string} text
+ * @param {number} width
+ */
+function wrapped(context, text, width) {
+  /** @type {string[]} */
+  const lines = [];
+  for (const word of text.split(" ").filter(Boolean)) {
+    const longer = lines.length ? `${lines.at(-1)} ${word}` : word;
+    if (lines.length && context.measureText(longer).width <= width) lines[lines.length - 1] = longer;
+    else lines.push(word);
+  }
+  return lines;
+}

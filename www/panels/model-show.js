@@ -1,0 +1,94 @@
+// The model's turn as a show: its misses run one after the other, fast and ever faster, and stay in sight as ghosts; then
+// whoever made the show goes on with the result. The worker is faster than the show, so attempts wait here until it is
+// their turn, and are recorded then.
+
+/** @typedef {import("../play/session.js").Session} Session */
+/** @typedef {import("../pkg/pathlight.js").Attempt} Attempt */
+
+/** How long the first miss is shown, ms; each further one is shorter by a factor, down to the shortest. */
+const FIRST = 700;
+const FASTER = 0.88;
+const SHORTEST = 70;
+
+export class ModelShow {
+  #session;
+  #record;
+  /** @type {Attempt[]} */
+  #waiting = [];
+  /** Will more attempts come? */
+  #ended = false;
+  /** Are attempts recorded without being shown? */
+  #skipping;
+  #stopped = false;
+  /**
+   * Wakes the show when something has come.
+   * @type {() => void}
+   */
+  #wake = () => {};
+
+  /**
+   * @param {Session} session
+   * @param {(attempt: Attempt) => void} record adds an attempt to the session
+   */
+  constructor(session, record) {
+    this.#session = session;
+    this.#record = record;
+    // What is being watched is not interrupted; with reduced motion only the result is shown.
+    this.#skipping = session.reducedMotion || session.playback.playing || session.shown?.preview === true;
+  }
+
+  /** @param {Attempt} attempt */
+  add(attempt) {
+    this.#waiting.push(attempt);
+    if (this.#skipping) this.#recordAll();
+    this.#wake();
+  }
+
+  /** No more attempts will come. */
+  end() {
+    this.#ended = true;
+    this.#wake();
+  }
+
+  /** Goes to the result. */
+  skip() {
+    this.#skipping = true;
+    this.#recordAll();
+    if (this.#session.ghosting) this.#session.reset();
+    this.#wake();
+  }
+
+  /** Ends the show; attempts that have not been shown are dropped. */
+  stop() {
+    this.#stopped = true;
+    this.#waiting = [];
+    if (this.#session.ghosting) this.#session.reset();
+    this.#wake();
+  }
+
+  /** Shows the misses. Resolves when all that came is recorded and the misses are shown, or when it is stopped. */
+  async run() {
+    /** @type {import("../play/session.js").Ghost[]} */
+    const ghosts = [];
+    for (let duration = FIRST; ; duration = Math.max(SHORTEST, duration * FASTER)) {
+      while (this.#waiting.length === 0 && !this.#ended && !this.#stopped) await new Promise((resolve) => (this.#wake = () => resolve(null)));
+      const attempt = this.#waiting.shift();
+      if (this.#stopped || !attempt) break;
+      this.#record(attempt);
+      if (this.#skipping || attempt.ending.solved) continue;
+      const { used } = this.#session.standing("model");
+      const watched = await this.#session.flash(used, duration, ghosts.slice());
+      if (this.#stopped) return;
+      // The person looks at something else meanwhile.
+      if (!watched) this.#skipping = true;
+      const { ghost } = this.#session;
+      if (watched && ghost) ghosts.push(ghost);
+      if (this.#skipping) this.#recordAll();
+    }
+    if (this.#session.ghosting) this.#session.reset();
+  }
+
+  #recordAll() {
+    for (const attempt of this.#waiting.splice(0)) this.#record(attempt);
+  }
+}

@@ -1,0 +1,160 @@
+// After the player has solved a puzzle: a small celebration over the scene, and in the panel Play what to do next; and before,
+// what a challenge asks for. Fires "share", a CustomEvent with a Result, when the person wants to share it.
+
+import { Component } from "../shell/component.js";
+import { setText } from "../shell/dom.js";
+import { kindOf, nextByDifficulty } from "../shell/difficulty.js";
+import { pathlight } from "../shell/pathlight.js";
+
+/** @typedef {import("./session.js").Session} Session */
+
+/**
+ * What a person shares.
+ * @typedef {object} Result
+ * @property {string} task
+ * @property {number} solvedAt the attempt that solved it
+ * @property {{ used: number, solvedAt: number | null } | null} model how the model did; null if it has not played
+ * @property {(context: CanvasRenderingContext2D, dark: boolean, ball: boolean) => void} paint draws the scene into a square
+ *   canvas, with the ball and the paths of that attempt if `ball`; only until the puzzle is left
+ */
+
+/** How long the celebration stays, ms. */
+const CELEBRATION = 2600;
+/** The colours of its sparks in turn: custom properties of the palette. */
+const COLOURS = ["green", "blue", "purple", "red", "ring"];
+const SPARKS = 20;
+
+export class AfterSolving extends Component {
+  #progress;
+  #hrefOf;
+  #celebration = this.byId("celebration");
+  #next = this.byId("solved-next", HTMLAnchorElement);
+  #by = this.byId("next-by", HTMLSelectElement);
+  /** @type {number | null} */
+  #challenge = null;
+  /** @type {number | undefined} */
+  #timer;
+
+  /**
+   * @param {import("../shell/dom.js").Root} root
+   * @param {import("../shell/progress-store.js").SharedProgress} progress
+   * @param {(task: string) => string | null} hrefOf the address of a puzzle, or null if there is no way to it
+   */
+  constructor(root, progress, hrefOf) {
+    super(root);
+    this.#progress = progress;
+    this.#hrefOf = hrefOf;
+    this.#celebration.append(...Array.from({ length: SPARKS }, (_, index) => spark(index)));
+    this.#by.addEventListener("change", () => this.#update());
+    this.byId("solved-share").addEventListener("click", () => this.#share());
+    this.byId("solved-model").addEventListener("click", () => this.#showModel());
+  }
+
+  /** @param {Session} session */
+  open(session) {
+    super.open(session);
+    this.listen("change", () => this.#update());
+    this.listen("attempted", ({ shown }) => shown?.ending.solved && this.#celebrate());
+    this.#update();
+  }
+
+  close() {
+    super.close();
+    this.#endCelebration();
+  }
+
+  /** @param {import("../shell/url-state.js").View} view */
+  setState({ challenge }) {
+    this.#challenge = challenge;
+    this.#update();
+  }
+
+  #update() {
+    const { session } = this;
+    const solvedAt = session && !session.resultHidden ? session.standing("player").solved_at : null;
+    const section = this.byId("solved");
+    section.hidden = solvedAt === null;
+    this.byId("challenge").hidden = this.#challenge === null;
+    if (this.#challenge !== null) setText(this.byId("challenge"), challengeWords(this.#challenge, solvedAt));
+    if (!session || solvedAt === null) return;
+    this.byId("solved-title").textContent = solvedAt === 1 ? "Solved at the first attempt!" : `Solved in ${solvedAt} attempts!`;
+    const next = this.#nextTask(session.about.id);
+    const href = next && this.#hrefOf(next);
+    this.#next.hidden = !href;
+    if (href) this.#next.href = href;
+    this.byId("solved-share").hidden = this.#hrefOf(session.about.id) === null;
+  }
+
+  /**
+   * The puzzle after this one that is not solved yet, by kind or difficulty.
+   * @param {string} task
+   */
+  #nextTask(task) {
+    const all = pathlight.templates().flatMap(({ tasks }) => tasks);
+    const unsolved = all.filter((other) => other !== task && this.#progress.player.of(other).solved === null);
+    const { value } = this.#by;
+    if (value === "harder" || value === "easier") return nextByDifficulty(task, unsolved, value);
+    const kind = unsolved.filter((other) => kindOf(other) === kindOf(task));
+    return kind.find((other) => other > task) ?? kind[0] ?? unsolved.find((other) => other > task) ?? unsolved[0] ?? null;
+  }
+
+  /** Goes to the panel Compare, where the model plays if it has not. */
+  #showModel() {
+    this.requestState({ panel: "compare" });
+    const turn = this.byId("model-turn", HTMLButtonElement);
+    if (this.session?.standing("model").used === 0 && !turn.disabled) turn.click();
+    turn.focus({ preventScroll: true });
+  }
+
+  #share() {
+    const { session } = this;
+    const solvedAt = session?.standing("player").solved_at;
+    if (!session || !solvedAt) return;
+    const { used, solved_at: modelSolvedAt } = session.standing("model");
+    const { puzzle, about } = session;
+    /** @type {Result} */
+    const detail = {
+      task: about.id,
+      solvedAt,
+      model: used > 0 ? { used, solvedAt: modelSolvedAt } : null,
+      paint: (context, dark, ball) => (ball ? puzzle.paintAttempt(context, "player", solvedAt, dark) : puzzle.paintThumbnail(context, dark)),
+    };
+    this.dispatchEvent(new CustomEvent("share", { detail }));
+  }
+
+  #celebrate() {
+    this.#endCelebration();
+    this.#celebration.hidden = false;
+    this.#timer = setTimeout(() => this.#endCelebration(), CELEBRATION);
+  }
+
+  #endCelebration() {
+    clearTimeout(this.#timer);
+    this.#celebration.hidden = true;
+  }
+}
+
+/**
+ * @param {number} challenge
+ * @param {number | null} solvedAt
+ */
+function challengeWords(challenge, solvedAt) {
+  const asked = challenge === 1 ? "at the first attempt" : `in ${challenge} attempts`;
+  if (solvedAt === null) return `A challenge: somebody solved this puzzle ${asked}. Can you?`;
+  if (solvedAt < challenge) return `You have beaten the challenge: it was solved ${asked}.`;
+  return solvedAt === challenge ? "You are as quick as the one who challenged you." : `The challenge was solved ${asked}.`;
+}
+
+/**
+ * A spark; the style sheet moves it from the middle of the scene to its place, or shows it there.
+ * @param {number} index
+ */
+function spark(index) {
+  const element = document.createElement("span");
+  const angle = (2 * Math.PI * index) / SPARKS;
+  const distance = 34 + 12 * (index % 2);
+  element.style.setProperty("--x", `${(50 + distance * Math.cos(angle)).toFixed(1)}%`);
+  element.style.setProperty("--y", `${(50 + distance * Math.sin(angle)).toFixed(1)}%`);
+  element.style.background = `var(--${COLOURS[index % COLOURS.length]})`;
+  return element;
+}
