@@ -54,12 +54,18 @@ export class Controls extends Component {
     this.#applySpeed();
     this.byId("goal").textContent = session.about.goal.replace(/\.$/, ` for ${GOAL_SECONDS} seconds.`);
     this.byId("story").textContent = session.about.story;
-    const { id } = session.about;
-    this.byId("difficulty").textContent = id ? `Puzzle ${id}, ${difficultyWords(id)}.` : "";
+    this.byId("difficulty").textContent = "";
+    // After the first picture, which need not wait for it.
+    requestAnimationFrame(() => setTimeout(() => session === this.session && this.#showDifficulty(session)));
     this.byId("description").textContent = session.about.description;
     this.listen("change", () => this.#update(session));
     this.listen("draw", () => this.#updateTime(session));
     this.#update(session);
+  }
+
+  /** @param {Session} session */
+  #showDifficulty({ about: { id } }) {
+    this.byId("difficulty").textContent = id ? `Puzzle ${id}, ${difficultyWords(id)}.` : "";
   }
 
   #applySpeed() {
