@@ -78,11 +78,13 @@ export class AfterSolving extends Component {
     if (this.#challenge !== null) setText(this.byId("challenge"), challengeWords(this.#challenge, solvedAt));
     if (!session || solvedAt === null) return;
     this.byId("solved-title").textContent = solvedAt === 1 ? "Solved at the first attempt!" : `Solved in ${solvedAt} attempts!`;
-    const next = this.#nextTask(session.about.id);
+    // An own scene has no id: nothing comes after it, and no link leads to it.
+    const { id } = session.about;
+    const next = id && this.#nextTask(id);
     const href = next && this.#hrefOf(next);
     this.#next.hidden = !href;
     if (href) this.#next.href = href;
-    this.byId("solved-share").hidden = this.#hrefOf(session.about.id) === null;
+    this.byId("solved-share").hidden = !id || this.#hrefOf(id) === null;
   }
 
   /**
