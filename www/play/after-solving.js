@@ -73,6 +73,8 @@ export class AfterSolving extends Component {
     const { session } = this;
     const solvedAt = session && !session.resultHidden ? session.standing("player").solved_at : null;
     const section = this.byId("solved");
+    // What is new stands at the top of the panel.
+    if (section.hidden && solvedAt !== null) this.byId("play").scrollTop = 0;
     section.hidden = solvedAt === null;
     this.byId("challenge").hidden = this.#challenge === null;
     if (this.#challenge !== null) setText(this.byId("challenge"), challengeWords(this.#challenge, solvedAt));

@@ -93,8 +93,8 @@ export class Controls extends Component {
     this.byId("undo", HTMLButtonElement).disabled = !session.canUndo;
     this.byId("redo", HTMLButtonElement).disabled = !session.canRedo;
     this.#touches = placing ? [] : puzzle.touches();
-    // Of two rollouts over each other the meter could mean either.
-    this.#goalMeter.hidden = placing || phase === "compare";
+    // Of two rollouts over each other the meter could mean either; of one that never touched it has nothing to say.
+    this.#goalMeter.hidden = placing || phase === "compare" || session.approach !== null;
     this.byId("see-closest").hidden = session.approach === null;
     this.#markMoments(last + 1, session.approach?.step);
     this.#fields.forEach((field, index) => setValue(field, String(ball?.[index] ?? "")));
@@ -169,14 +169,14 @@ function setValue(input, value) {
 /**
  * The session in one sentence, and its kind for the eye.
  * @param {Session} session
- * @returns {{ kind: "hint" | "wrong" | "ready" | "running" | "solved" | "missed", words: string }}
+ * @returns {{ kind: "hint" | "wrong" | "ready" | "running" | "trying" | "solved" | "missed", words: string }}
  */
 function statusOf(session) {
   const { phase, shown, finished } = session;
   if (phase === "placing") return placingStatus(session);
   if (phase === "watch") return { kind: "hint", words: finished ? "That was the scene without a ball." : "The scene without a ball." };
   if (phase === "compare" || !shown) return finished ? comparedStatus(session.pair) : { kind: "hint", words: compareStatus(session.pair) };
-  if (session.ghosting) return { kind: "running", words: `The model tries: attempt ${shown.number}.` };
+  if (session.ghosting) return { kind: "trying", words: `The model tries: attempt ${shown.number}.` };
   const what = `${shown.contender === "player" ? "Your" : "The model’s"} ${shown.preview ? "ball" : "attempt"} ${shown.number}`;
   if (!finished) return { kind: "running", words: `${what} is running.` };
   if (shown.ending.solved) return { kind: "solved", words: `Solved! ${what}: ${shown.words}.` };

@@ -48,7 +48,7 @@ export class Gallery {
       const medians = new Map(this.#templates.map(({ id, tasks }) => [id, median(tasks.map(solveRateOf))]));
       const rate = (/** @type {Template} */ { id }) => medians.get(id) ?? 0;
       this.#easiestFirst = this.#templates.toSorted((one, other) => rate(other) - rate(one));
-      for (const template of this.#templates) this.#itemOf(template).querySelector("i")?.replaceChildren(difficultyName(rate(template)));
+      for (const template of this.#templates) this.#itemOf(template).querySelector("i")?.replaceChildren(`mostly ${difficultyName(rate(template))}`);
     }
     this.#list.append(...(order === "number" ? this.#templates : this.#easiestFirst).map((template) => this.#itemOf(template)));
   }
