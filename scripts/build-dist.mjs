@@ -21,6 +21,8 @@ const ROOT = join(dirname(fileURLToPath(import.meta.url)), "..");
 const SERVICE_WORKER = "offline/service-worker.js";
 /** Beside index.html; everything else belongs to a version. */
 const UNVERSIONED = /^(manifest\.webmanifest|icon\.svg|icons\/.*\.png)$/;
+/** What the page reads of the assets when somebody asks for it. */
+const LAZY_ASSETS = ["results.json"];
 const VERSIONED = /\.(js|css|wasm)$/;
 /** Pictures do not become smaller. */
 const COMPRESSIBLE = new Set([".html", ".css", ".js", ".json", ".svg", ".wasm", ".webmanifest", ".safetensors"]);
@@ -63,6 +65,7 @@ async function distFiles(page, assets) {
   const { list, weights } = await modelFiles(assets);
   const unversioned = pick(sources, (path) => UNVERSIONED.test(path));
   const versioned = pick(sources, (path) => VERSIONED.test(path) && path !== SERVICE_WORKER).set("assets/model.json", list);
+  for (const path of LAZY_ASSETS.filter((one) => existsSync(join(assets, one)))) versioned.set(`assets/${path}`, await readFile(join(assets, path)));
   const index = indexOf(contentOf(sources, "index.html").toString(), versioned);
   const worker = contentOf(sources, SERVICE_WORKER).toString();
 

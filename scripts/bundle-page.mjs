@@ -17,6 +17,8 @@ const ENTRIES = ["page/main.js", "model/worker.js"];
 /** What a page of dist/ has besides. */
 const OFFLINE = /^offline\//;
 const MODULE = /\.(js|d\.ts)$/;
+/** What the page loads only when it is asked for, as it is. */
+const LAZY = "pkg/lean-qr.js";
 
 /** @typedef {Map<string, Buffer>} Files contents by path, with `/` */
 
@@ -30,7 +32,7 @@ export async function bundledPage(page) {
   if (missing) throw new Error(`${join(page, missing)} is missing: scripts/build-wasm builds it`);
   const entries = await readdir(page, { recursive: true, withFileTypes: true });
   const paths = entries.filter((entry) => entry.isFile()).map((entry) => pathIn(page, join(entry.parentPath, entry.name)));
-  const kept = paths.filter((path) => OFFLINE.test(path) || !MODULE.test(path));
+  const kept = paths.filter((path) => OFFLINE.test(path) || path === LAZY || !MODULE.test(path));
   const read = kept.map(async (path) => /** @type {const} */ ([path, await readFile(join(page, path))]));
   return new Map([...(await Promise.all(read)), ...(await bundles(page))].sort(([one], [other]) => (one < other ? -1 : 1)));
 }
@@ -60,6 +62,7 @@ async function bundles(page) {
     outdir: page,
     outbase: page,
     bundle: true,
+    external: [`*/${LAZY}`],
     format: "esm",
     target: "esnext",
     minify: true,

@@ -17,6 +17,7 @@ use sha2::{Digest, Sha256};
 
 mod agent;
 mod agent_name;
+mod calibration;
 mod collect;
 mod differences;
 mod difficulty;
@@ -32,6 +33,7 @@ mod model_args;
 mod progress;
 mod propose;
 mod publish;
+mod publish_results;
 mod reproduce;
 mod simulate;
 mod solve_rates;
@@ -60,10 +62,12 @@ enum Command {
     TrainJudge(train_judge::Args),
     TrainDynamics(train_dynamics::Args),
     Publish(publish::Args),
+    PublishResults(publish_results::Args),
     Propose(propose::Args),
     Agent(agent::Args),
     Evaluate(evaluate::Args),
     Forecasts(forecasts::Args),
+    Calibration(calibration::Args),
     Reproduce(reproduce::Args),
     Simulate(simulate::Args),
     Serve(pathlight_serve::Args),
@@ -82,10 +86,12 @@ impl Command {
             Command::TrainJudge(args) => args.run(),
             Command::TrainDynamics(args) => args.run(),
             Command::Publish(args) => args.run(),
+            Command::PublishResults(args) => args.run(),
             Command::Propose(args) => args.run(),
             Command::Agent(args) => args.run(),
             Command::Evaluate(args) => args.run(),
             Command::Forecasts(args) => args.run(),
+            Command::Calibration(args) => args.run(),
             Command::Reproduce(args) => args.run(),
             Command::Simulate(args) => args.run(),
             Command::Serve(args) => args.run(),

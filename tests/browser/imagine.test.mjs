@@ -25,7 +25,7 @@ test('five different maps, each with a sentence, a summary and a legend', async 
   for (const stage of STAGES) {
     const row = page.locator(`[data-stage=${stage}]`);
     assert.match(await row.locator('.meaning').textContent(), /^Where .+\.$/);
-    assert.match(await row.locator('.map canvas[role=img]').getAttribute('aria-label'), /strongest at x \d+, y \d+; \d+ percent on the left/);
+    assert.match(await row.locator('.map canvas[role=img]').getAttribute('aria-label'), /: most sure [a-z ]+/);
     const peak = Number(await row.locator('.scale span').last().textContent());
     assert.ok(peak > 0 && peak <= 1, `${stage}: ${peak}`);
     seen.add(await picture(page, `[data-stage=${stage}] .map canvas[role=img]`));
@@ -76,4 +76,32 @@ test('maps that are switched on stay over the scene while a ball is placed, but 
   await page.locator('#walkthrough-next').click();
   await page.locator('#tab-play').click();
   assert.equal(await settled(page), bare, 'the map of a step of the walkthrough stays in its panel');
+});
+
+test('of more than two maps over the scene two are shaded, and the others outlined', async () => {
+  const page = await openImagined(session);
+  const note = page.locator('#outlines-note');
+  const pictures = [];
+  for (const stage of ['base', 'target', 'action']) {
+    await page.locator(`[data-stage=${stage}] input`).check();
+    assert.equal(await note.isVisible(), stage === 'action');
+    await page.waitForTimeout(150);
+    pictures.push(await picture(page));
+  }
+  // A shade covers a good part of the scene, an outline little of it.
+  const changed = await page.evaluate(async (addresses) => {
+    const read = async (address) => {
+      const image = new Image();
+      image.src = address;
+      await image.decode();
+      const context = new OffscreenCanvas(image.width, image.height).getContext('2d');
+      if (!context) throw new Error('no 2D canvas');
+      context.drawImage(image, 0, 0);
+      return new Uint32Array(context.getImageData(0, 0, image.width, image.height).data.buffer);
+    };
+    const [one, two, three] = await Promise.all(addresses.map(read));
+    const share = (before, after) => before.reduce((sum, value, index) => sum + Number(value !== after[index]), 0) / before.length;
+    return [share(one, two), share(two, three)];
+  }, pictures);
+  assert.ok(changed[0] > 0.1 && changed[1] > 0 && changed[1] < 0.06, `${changed}`);
 });

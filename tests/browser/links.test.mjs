@@ -128,7 +128,7 @@ for (const [link, words] of [
   ['task=00099:000', /puzzle 00099:000, which does not exist/],
   ['task=funnel', /“task=funnel”, which Pathlight does not understand/],
   ['layers=soup', /“layers=soup”/],
-  ['hide=play', /“hide=play”/],
+  ['hide=scene', /“hide=scene”/],
   ['constructor=1', /“constructor=1”/],
   ['%E0%A4%A', /does not understand/],
 ]) {

@@ -1,6 +1,7 @@
 // The model's hundred proposals, one by one: the outcome of each, and the map that it comes from.
 
 import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
 import { after, before, test } from 'node:test';
 import { start } from './harness.mjs';
 import { EASY, openPuzzle, picture, playModelTurn, says, spot, unsolvedTask } from './page-actions.mjs';
@@ -107,4 +108,55 @@ test('each shows what the model imagined for it, beside what really happened', a
   await imagined.filter({ hasText: 'It imagined' }).waitFor();
   await page.waitForTimeout(150);
   assert.notEqual(await picture(page), first);
+});
+
+test('a strip has a mark for each ball by its outcome; a click and a key lead along it, and the whole is saved', async () => {
+  const page = await compare();
+  const outcomes = await page.locator('#proposal-strip span').evaluateAll((marks) => marks.map((mark) => mark.dataset.outcome));
+  assert.equal(outcomes.length, 100);
+  const count = (outcome) => outcomes.filter((one) => one === outcome).length;
+  assert.equal(await page.locator('#proposal-outcomes').textContent(), `Of 100 balls ${count('solved')} solve the puzzle, with ${count('touched')} the green object touches its goal for a while, with ${count('missed')} never.`);
+  assert.ok(count('touched') > 0 && count('missed') > 0, `${outcomes}`);
+
+  const box = await page.locator('#proposal-strip span').nth(41).boundingBox();
+  assert.ok(box);
+  await page.mouse.click(box.x + box.width / 2, box.y + box.height - 1);
+  assert.equal(await fact(page, 'number'), '42 of 100');
+  assert.ok(await page.locator('#proposal-strip span').nth(41).evaluate((mark) => mark.hasAttribute('data-current')));
+  assert.match(await fact(page, 'outcome'), outcomes[41] === 'missed' ? /Never touched/ : /ouched/);
+  const first = await page.locator('#proposal-facts dt').first().textContent();
+  assert.equal(first, 'Why this one', 'where it comes from stands first');
+
+  await page.locator('#proposal-slider').fill('1');
+  const other = outcomes.findIndex((outcome) => outcome !== outcomes[0]) + 1;
+  await page.locator('#proposal-slider').press('n');
+  assert.equal(await fact(page, 'number'), `${other} of 100`);
+  await page.keyboard.press('Shift+N');
+  assert.equal(await fact(page, 'number'), `${other - 1} of 100`);
+  await page.locator('#proposal-other').click();
+  assert.equal(await fact(page, 'number'), `${other} of 100`);
+
+  const [file] = await Promise.all([page.waitForEvent('download'), page.locator('#proposal-save').click()]);
+  const lines = (await readFile(await file.path(), 'utf8')).trimEnd().split('\r\n');
+  assert.equal(lines.length, 101);
+  const [head, ...rows] = lines.map((line) => line.split(','));
+  const of = (row, name) => row[head.indexOf(name)];
+  assert.deepEqual(rows.map((row) => of(row, 'outcome')), outcomes);
+  assert.deepEqual([of(rows[0], 'task'), of(rows[0], 'model'), of(rows[0], 'seen_in_training')], [HARD, 'within-0', 'false']);
+  const row = rows[other - 1];
+  assert.equal(await fact(page, 'ball'), `x ${of(row, 'x')}, y ${of(row, 'y')}, radius ${of(row, 'r')}`);
+});
+
+test('wherever a result stands the model is named, and whether it has seen the puzzle', async () => {
+  const page = await compare();
+  const badge = (panel) => page.locator(`${panel} .model-badge`).first();
+  assert.equal((await badge('#compare').innerText()).replace(/\s+/g, ' '), 'within-0 never seen');
+  for (const panel of ['imagine', 'map']) {
+    await page.locator(`#tab-${panel}`).click();
+    await badge(`#${panel}`).filter({ hasText: 'never seen' }).waitFor();
+  }
+  await page.locator('#tab-imagine').click();
+  await page.locator('#model-select').selectOption('cross-0');
+  await badge('#imagine').filter({ hasText: /cross-0\s+seen in training/ }).waitFor();
+  await page.locator('#model-words').filter({ hasText: 'cross-0 has learned from 20 of the 25 kinds' }).waitFor();
 });

@@ -30,8 +30,9 @@ test('each step shows one stage alone, forward and back, and all again', async (
     assert.deepEqual(await shown(page), { rows: [stage], laid: [stage] });
     const row = page.locator(`[data-stage=${stage}]`);
     assert.match(await row.locator('.meaning').textContent(), /^Where .+\.$/);
-    assert.match(await row.locator('.summary').textContent(), /^Strongest at x \d+, y \d+; \d+ percent on the left, \d+ on the right\.$/);
-    assert.match(await page.locator('#announcement').textContent(), /Where .+ It is strongest at x/, 'it is said aloud');
+    assert.match(await row.locator('.summary').textContent(), /^Most sure [a-z ]+(, also sure [a-z ]+)?\.$/, 'in words of the scene');
+    assert.match(await row.locator('.numbers').textContent(), /^In numbers: strongest at x \d+, y \d+; \d+ percent on the left, \d+ on the right\.$/);
+    assert.match(await page.locator('#announcement').textContent(), /Where .+ It is most sure /, 'it is said aloud');
   }
   await page.locator('#walkthrough-dots button:visible').last().click();
   const last = await page.locator('#walkthrough-step').textContent();
@@ -70,7 +71,7 @@ test('keys go through the steps', async () => {
 test('the mouse reads the maps that lie over the scene', async () => {
   const page = await imagine();
   await page.locator('[data-stage=base] input').check();
-  const summary = await page.locator('[data-stage=base] .summary').textContent();
+  const summary = await page.locator('[data-stage=base] .numbers').textContent();
   const [, x, y] = summary.match(/x (\d+), y (\d+)/).map(Number);
   await page.mouse.move(...(await spot(page, x, y)));
   const peak = await page.locator('[data-stage=base] .scale span').last().textContent();

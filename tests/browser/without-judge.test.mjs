@@ -29,7 +29,7 @@ test('four maps are drawn, and the fifth says that there is none', async () => {
   const page = await openPuzzle(session, { fragment: '&panel=imagine&layers=placement,judge' });
   await page.locator('#imagined-in').filter({ hasText: /Imagined in \d+ ms/ }).waitFor();
   for (const stage of ['base', 'target', 'action', 'placement']) {
-    assert.match(await page.locator(`[data-stage=${stage}] .summary`).textContent(), /^Strongest at/, stage);
+    assert.match(await page.locator(`[data-stage=${stage}] .summary`).textContent(), /^Most sure /, stage);
   }
   const judge = page.locator('[data-stage=judge]');
   assert.equal(await judge.locator('.summary').textContent(), 'This model has no such map.');

@@ -11,6 +11,7 @@ use std::process::{Command, Output, Stdio};
 use pathlight::nets::{PathNet, flex};
 
 mod agent;
+mod calibration;
 mod collect;
 mod forecasts;
 mod label;

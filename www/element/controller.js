@@ -9,6 +9,8 @@ import { Compare } from "../panels/compare.js";
 import { Forecast } from "../panels/forecast.js";
 import { Imagine } from "../panels/imagine.js";
 import { ImaginedVsReal } from "../panels/imagined-vs-real.js";
+import { ModelPair } from "../panels/model-pair.js";
+import { ModelBadge } from "../panels/model-badge.js";
 import { Overlays } from "../panels/overlays.js";
 import { Predict } from "../panels/predict.js";
 import { Probe } from "../panels/probe.js";
@@ -54,6 +56,8 @@ export class PuzzleController extends EventTarget {
   /** @type {StageView | null} */
   #stageView = null;
   #guide;
+  /** @type {Proposals | null} */
+  #proposals = null;
   #components;
   /** @type {Session | null} */
   #session = null;
@@ -79,7 +83,7 @@ export class PuzzleController extends EventTarget {
     this.#lastModel = this.model;
     this.#canvas = new SceneCanvas(root);
     this.#guide = new Guide(root);
-    this.#components = this.#createComponents();
+    this.#components = this.#createComponents(module);
     for (const component of this.#components) {
       component.addEventListener("staterequest", (event) => this.#changeState(/** @type {CustomEvent<Partial<State>>} */ (event).detail));
       component.addEventListener("modelrequest", () => this.#retryModel());
@@ -93,14 +97,15 @@ export class PuzzleController extends EventTarget {
 
   /**
    * All components in the order in which they are opened: the maps are asked for first; what others read comes before them.
+   * @param {WebAssembly.Module} module
    * @returns {Component[]}
    */
-  #createComponents() {
+  #createComponents(module) {
     const [root, client] = [this.#root, this.#client];
     const scenePicture = new ScenePicture(root);
     const imagine = new Imagine(root, client, scenePicture);
     const predict = new Predict(root, imagine, scenePicture);
-    const proposals = new Proposals(root, client, imagine);
+    const proposals = (this.#proposals = new Proposals(root, client, imagine));
     const [choice, forecast, solveMap] = [new Choice(root, client), new Forecast(root, client), new SolveMapPanel(root, client, imagine)];
     const walkthrough = new Walkthrough(root, imagine, choice);
     const stageView = (this.#stageView = new StageView(root, walkthrough));
@@ -123,6 +128,8 @@ export class PuzzleController extends EventTarget {
       predict, forecast,
       new Compare(root, client),
       proposals, solveMap,
+      new ModelBadge(root, client, imagine),
+      new ModelPair(root, module, client, scenePicture),
       new Scoreboard(root, client, this.#progress, (task) => this.#hrefOf()?.(task, "compare") ?? null),
       new Overlays(root, this.#canvas, { choice, forecast, imagine, predict, proposals, solveMap }),
     ];
@@ -216,8 +223,10 @@ export class PuzzleController extends EventTarget {
         const panel = visiblePanels(this.#state)[index];
         if (panel) this.#changeState({ panel });
       },
-      showKeys: () => this.showDialog("keys-dialog"),
-      toggleStageView: () => this.toggleStageView(),
+      // What a link for a lesson hides has no key either.
+      showKeys: () => !this.#locked && this.showDialog("keys-dialog"),
+      goToOtherOutcome: (by) => this.#proposals?.goToOtherOutcome(by),
+      toggleStageView: () => !this.#locked && this.toggleStageView(),
     });
   }
 
@@ -273,7 +282,12 @@ export class PuzzleController extends EventTarget {
 
   /** Starts the model, unless no panel that needs it is shown. */
   #startModel() {
-    if (visiblePanels(this.#state).length > 1) this.#client.start(this.#state.model);
+    if (visiblePanels(this.#state).some((panel) => panel !== "play")) this.#client.start(this.#state.model);
+  }
+
+  /** Does a link leave out the buttons that lead away from what it shows? */
+  get #locked() {
+    return this.#state.hide.includes("tools");
   }
 
   /** Starts the model once more; falls back to the first model if the name is unknown. */

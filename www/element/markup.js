@@ -32,12 +32,14 @@ template.innerHTML = `
     <p class="visually-hidden" id="description"></p>
     <div class="transport" role="group" aria-label="Playback">
       <button type="button" id="run" class="primary"><svg><use id="run-icon" href="#icon-run"/></svg><span id="run-label">Run</span></button>
+      <div class="timeline" data-hideable="transport">
       <button type="button" id="step" title="One step  ."><svg><use href="#icon-step"/></svg><span class="visually-hidden">One step</span></button>
       <input type="range" id="time" min="0" max="0" value="0" step="1" aria-label="Time" disabled>
       <span id="clock" aria-hidden="true">0.0 s</span>
-      <label><span class="visually-hidden">Speed</span><select id="speed">
+      <label data-hideable="speed"><span class="visually-hidden">Speed</span><select id="speed">
         <option value="0.25">0.25×</option><option value="0.5">0.5×</option><option value="1" selected>1×</option><option value="2">2×</option><option value="4">4×</option>
       </select></label>
+      </div>
       <button type="button" id="reset" title="Back to placing  R"><svg><use href="#icon-reset"/></svg><span class="visually-hidden">Reset</span></button>
     </div>
     <div class="status-row">
@@ -56,13 +58,14 @@ template.innerHTML = `
       <h2 id="caption-title"></h2>
       <p id="caption"></p>
       <p id="caption-result"></p>
+      <p class="model-badge" data-hideable="imagine"></p>
       <div class="actions">
         <span class="dots" role="group" aria-label="Story" data-hideable="imagine">
           <button type="button" id="caption-back" title="Back  ←"><svg><use href="#icon-previous"/></svg><span class="visually-hidden">Back</span></button>
           <button type="button" id="caption-next" title="Next  →"><svg><use href="#icon-next"/></svg><span class="visually-hidden">Next</span></button>
           <button type="button" id="caption-play"><svg><use id="caption-play-icon" href="#icon-run"/></svg><span id="caption-play-label">Play</span></button>
         </span>
-        <button type="button" id="stage-leave" title="All panels  Esc">All panels</button>
+        <button type="button" id="stage-leave" data-hideable="tools" title="All panels  Esc">All panels</button>
       </div>
     </section>
     <section id="guide" aria-label="Introduction" hidden>
@@ -71,8 +74,8 @@ template.innerHTML = `
     </section>
     <p id="challenge" hidden></p>
     <p id="goal"></p>
-    <div class="tabs" role="tablist" aria-label="Panels">
-      <button type="button" role="tab" id="tab-play" aria-controls="play">Play</button>
+    <div class="tabs" id="tabs" role="tablist" aria-label="Panels">
+      <button type="button" role="tab" id="tab-play" aria-controls="play" data-hideable="play">Play</button>
       <button type="button" role="tab" id="tab-imagine" aria-controls="imagine" data-hideable="imagine">Imagine</button>
       <button type="button" role="tab" id="tab-compare" aria-controls="compare" data-hideable="compare">Compare</button>
       <button type="button" role="tab" id="tab-predict" aria-controls="predict" data-hideable="predict">Predict</button>
@@ -93,6 +96,19 @@ template.innerHTML = `
   </li>
 </template>
 
+<template id="pair-column">
+  <div>
+    <h3></h3>
+    <p class="model-badge"><span></span></p>
+    <p class="small model-words"></p>
+    <div class="overlap-card"><canvas class="scene-layer" width="256" height="256" aria-hidden="true"></canvas><canvas class="shade-layer" width="64" height="64" role="img"></canvas></div>
+    <p class="small pair-place"></p>
+    <div class="outcome-strip" aria-hidden="true"></div>
+    <p class="pair-outcome"></p>
+    <button type="button"></button>
+  </div>
+</template>
+
 <template id="run-row"><li><h3></h3><ul class="overlap-cards"></ul></li></template>
 
 <template id="overlap-card">
@@ -110,7 +126,7 @@ template.innerHTML = `
     <div class="scale" aria-hidden="true"><span>0</span><canvas class="legend" width="64" height="4"></canvas><span class="peak"></span></div>
     <p class="value" aria-hidden="true"></p>
     <p class="summary"></p>
-    <details><summary>How?</summary><p></p></details>
+    <details><summary>How?</summary><p class="how"></p><p class="numbers"></p></details>
   </li>
 </template>
 
@@ -119,13 +135,14 @@ template.innerHTML = `
   <dl>
     <dt><kbd>←</kbd> <kbd>→</kbd> <kbd>↑</kbd> <kbd>↓</kbd></dt><dd>in the scene: move the ball by 1, with <kbd>Shift</kbd> by 10</dd>
     <dt><kbd>+</kbd> <kbd>−</kbd></dt><dd>in the scene: larger, smaller</dd>
-    <dt><kbd>Ctrl</kbd> <kbd>Z</kbd>, <kbd>Ctrl</kbd> <kbd>Y</kbd></dt><dd>undo, redo a placement</dd>
+    <dt data-hideable="fields"><kbd>Ctrl</kbd> <kbd>Z</kbd>, <kbd>Ctrl</kbd> <kbd>Y</kbd></dt><dd data-hideable="fields">undo, redo a placement</dd>
     <dt><kbd>Space</kbd></dt><dd>run, pause, go on</dd>
-    <dt><kbd>.</kbd> <kbd>,</kbd></dt><dd>one step forward, one back</dd>
+    <dt data-hideable="transport"><kbd>.</kbd> <kbd>,</kbd></dt><dd data-hideable="transport">one step forward, one back</dd>
     <dt><kbd>R</kbd></dt><dd>back to placing</dd>
     <dt data-hideable="puzzles"><kbd>[</kbd> <kbd>]</kbd></dt><dd data-hideable="puzzles">previous, next puzzle</dd>
-    <dt><kbd>V</kbd></dt><dd>the stage view: the scene and one sentence, in large type; there <kbd>←</kbd> <kbd>→</kbd> or <kbd>PgUp</kbd> <kbd>PgDn</kbd> go through the story, <kbd>Esc</kbd> leaves</dd>
-    <dt><kbd>1</kbd> to <kbd>5</kbd></dt><dd>Play, Imagine, Compare, Predict, Map</dd>
+    <dt data-hideable="compare"><kbd>N</kbd></dt><dd data-hideable="compare">in Compare: the model’s next ball with another outcome, with <kbd>Shift</kbd> the one before</dd>
+    <dt><kbd>V</kbd></dt><dd>the stage view: the scene and one sentence, in large type; <kbd>Esc</kbd> leaves it<span data-hideable="imagine">, <kbd>←</kbd> <kbd>→</kbd> or <kbd>PgUp</kbd> <kbd>PgDn</kbd> go through the story</span></dd>
+    <dt id="keys-of-panels"><kbd>1</kbd> to <kbd>5</kbd></dt><dd id="key-panels"></dd>
     <dt><kbd>?</kbd></dt><dd>this sheet</dd>
   </dl>
   <form method="dialog"><button>Close</button></form>
@@ -133,15 +150,17 @@ template.innerHTML = `
 
 <dialog id="about-dialog" lang="en" aria-labelledby="about-title">
   <h2 id="about-title" tabindex="-1" autofocus>About Pathlight</h2>
-  <p>You choose where one red ball starts. After that nobody touches anything: balls fall and roll, bars tip, and everything bumps into everything else. The model plays by the same rules, in the same simulator.</p>
+  <p>You choose where one red ball starts. After that nobody touches anything: balls fall and roll, bars tip, and everything bumps into everything else. <span data-hideable="compare">The model plays by the same rules, in the same simulator.</span></p>
+  <div data-hideable="imagine">
   <h3>How the model thinks</h3>
   <p>It is made of four small neural nets. Each is a long list of numbers that turns pictures into a picture: the scene goes in, with what the nets before it have imagined, and out comes a map that says for every place how likely the ball is to pass there. A fifth net judges which balls are likely to solve the puzzle. The panel Imagine shows all their maps, and under “How?” what each net gets to see.</p>
   <h3>How it was trained</h3>
   <p>Nobody told it the laws of motion. It was shown solved puzzles: the scene, the way that the green object takes by itself, the ways that it and the red ball take when the puzzle is solved, and where that ball began. Each time, all its numbers were shifted a little, so that the next maps would come closer.</p>
   <p id="card">No model is loaded.</p>
   <dl id="card-entries"></dl>
+  </div>
   <h3>Where the ideas come from</h3>
-  <p>The nets: Augustin Harter, Andrew Melnik, Gaurav Kumar, Dhruv Agarwal, Animesh Garg and Helge Ritter, <a href="https://arxiv.org/abs/2011.07357">Solving Physics Puzzles by Reasoning about Paths</a> (2020).</p>
+  <p data-hideable="imagine">The nets: Augustin Harter, Andrew Melnik, Gaurav Kumar, Dhruv Agarwal, Animesh Garg and Helge Ritter, <a href="https://arxiv.org/abs/2011.07357">Solving Physics Puzzles by Reasoning about Paths</a> (2020).</p>
   <p>The puzzles: the 25 ball templates of <a href="https://phyre.ai">PHYRE</a>, a benchmark for physical reasoning by Anton Bakhtin and others (2019).</p>
   <p>All of this runs in your browser. Nothing that you do here leaves your device.</p>
   <form method="dialog"><button>Close</button></form>

@@ -14,7 +14,7 @@ export const PANELS_MARKUP = `
   <p id="story" data-hideable="story"></p>
   <div id="forecast" data-hideable="imagine"><div data-hideable="forecast">
     <label class="check"><input type="checkbox" id="forecast-on"> What would this ball do?</label>
-    <p id="forecast-words" hidden></p>
+    <div id="forecast-said" hidden><p id="forecast-words"></p><p class="model-badge"></p></div>
     <details id="forecast-how" hidden><summary>What do I see?</summary><p>Dotted lines, and outlines of the bodies along them: where a net imagines this very ball and the green object, before anything moves. The wider the ribbon around a line, the less sure it is of it. Nothing is simulated for that, so it can be wrong: run the ball, and see how far off it was.</p></details>
   </div></div>
   <form id="ball-form" class="ball-form" autocomplete="off" data-hideable="fields">
@@ -29,7 +29,7 @@ export const PANELS_MARKUP = `
       <button type="button" id="redo" title="Redo  Ctrl+Y"><svg><use href="#icon-redo"/></svg><span class="visually-hidden">Redo</span></button>
     </div>
   </form>
-  <p class="hint">Tap or click the scene to place the ball; drag it to move it, drag its knob<span class="with-mouse"> or turn the wheel</span> for its size. <span class="with-mouse">With keys: arrows, <kbd>+</kbd> and <kbd>−</kbd>.</span></p>
+  <p class="hint" data-hideable="hint">Tap or click the scene to place the ball; drag it to move it, drag its knob<span class="with-mouse"> or turn the wheel</span> for its size. <span class="with-mouse">With keys: arrows, <kbd>+</kbd> and <kbd>−</kbd>.</span></p>
   <p class="small" id="difficulty"></p>
   <p data-hideable="watch"><button type="button" id="watch">Watch without a ball</button></p>
   <div data-hideable="attempts">
@@ -44,6 +44,7 @@ export const PANELS_MARKUP = `
   <p id="imagine-loading" class="loading" hidden><label>Loading the model <progress max="1"></progress></label></p>
   <div id="imagine-body">
     <p>Before anything moves, four small nets imagine, one after the other, and a fifth judges:</p>
+    <p class="model-badge"></p>
     <div class="steps" role="group" aria-labelledby="walkthrough-step">
       <button type="button" id="walkthrough-play"><svg><use id="walkthrough-play-icon" href="#icon-run"/></svg><span id="walkthrough-play-label">Play</span></button>
       <button type="button" id="walkthrough-all" aria-pressed="true">All</button>
@@ -56,11 +57,12 @@ export const PANELS_MARKUP = `
     <p class="visually-hidden" id="walkthrough-step"></p>
     <ul class="stages" id="stages"></ul>
     <section id="choice" aria-labelledby="choice-title" hidden><h2 id="choice-title"></h2><p id="choice-meaning"></p><p id="choice-result"></p><details><summary>How?</summary><p id="choice-how"></p></details></section>
+    <p class="small" id="outlines-note" hidden>Over the scene two maps are shaded; of the others you see the outlines.</p>
     <label class="opacity">Opacity <input type="range" id="opacity" min="0" max="1" step="0.05"></label>
-    <label id="model-choice" hidden>Model <select id="model-select"></select></label>
+    <div id="model-choice" hidden><label>Model <select id="model-select"></select></label> <p class="small" id="model-words"></p></div>
     <section class="section" aria-labelledby="overlap-title">
       <h2 id="overlap-title">Imagined and real</h2>
-      <p class="hint" id="overlap-empty">Run a ball, let the model play, or watch without a ball: then you see here how well it was imagined.</p>
+      <p class="hint" id="overlap-empty">Run a ball<span data-hideable="compare">, let the model play</span> or watch without a ball: then you see here how well it was imagined.</p>
       <p class="visually-hidden" id="overlap-words"></p>
       <ul class="runs" id="runs"></ul>
       <details id="overlap-how" hidden><summary>What do the numbers mean?</summary><p>The shade is imagined, the line goes round what was real. 100 % means that both are the same, 0 % that they have nothing in common. It is the soft intersection over union on 64 × 64 cells: the smaller of the two values in each cell, added up, by the larger of the two, added up.</p></details>
@@ -72,6 +74,7 @@ export const PANELS_MARKUP = `
 
 <div role="tabpanel" id="compare" aria-labelledby="tab-compare" tabindex="0" hidden>
   <p id="verdict"></p>
+  <p class="model-badge"></p>
   <div id="compare-trouble" class="trouble" role="alert" hidden><p></p><button type="button">Try again</button></div>
   <p class="actions">
     <button type="button" id="model-turn" class="primary">Let the model play</button>
@@ -88,21 +91,32 @@ export const PANELS_MARKUP = `
   <div id="proposals-failure"><div id="proposals-trouble" class="trouble" role="alert" hidden><p></p><button type="button">Try again</button></div></div>
   <section class="section" id="proposals" aria-labelledby="proposals-title" hidden>
     <h2 id="proposals-title">The model’s balls, one by one</h2>
+    <div id="proposal-strip" class="outcome-strip" aria-hidden="true"></div>
+    <p class="small" id="proposal-outcomes"></p>
+    <ul class="samples outcome-key" aria-hidden="true"><li><span data-outcome="solved"></span> solves</li><li><span data-outcome="touched"></span> touches for a while</li><li><span data-outcome="missed"></span> never touches</li></ul>
     <div class="steps">
       <button type="button" id="proposal-back" title="Ball before"><svg><use href="#icon-previous"/></svg><span class="visually-hidden">Ball before</span></button>
       <input type="range" id="proposal-slider" min="1" step="1" value="1" aria-label="Which of the model’s balls">
       <button type="button" id="proposal-next" title="Next ball"><svg><use href="#icon-next"/></svg><span class="visually-hidden">Next ball</span></button>
       <span id="proposal-number">–</span>
     </div>
+    <p class="actions"><button type="button" id="proposal-other" title="Next other outcome  N">Next other outcome</button> <button type="button" id="proposal-save">Save as CSV</button></p>
     <p class="hint" id="proposal-hint">The model has up to a hundred balls ready. Step through them and see where each comes from and what it does.</p>
     <dl class="facts" id="proposal-facts" hidden>
+      <dt>Why this one</dt><dd id="proposal-origin"></dd>
       <dt>Ball</dt><dd id="proposal-ball"></dd>
       <dt>Allowed?</dt><dd id="proposal-valid"></dd>
       <dt>Outcome</dt><dd id="proposal-outcome"></dd>
       <dt id="proposal-imagined-term">Imagined</dt><dd id="proposal-imagined"></dd>
-      <dt>Why this one</dt><dd id="proposal-origin"></dd>
     </dl>
     <p><button type="button" id="proposal-close" hidden>Back to placing</button></p>
+  </section>
+
+  <section class="section" id="model-pair" aria-labelledby="pair-title" hidden>
+    <h2 id="pair-title">Two models side by side</h2>
+    <p class="actions"><button type="button" id="pair-run">Let both play</button> <label>beside it <select id="pair-model"></select></label> <label id="pair-map" hidden>Map <select id="pair-stage"></select></label></p>
+    <p id="pair-words"></p>
+    <div class="pair" id="pair-columns"></div>
   </section>
 
   <section class="section" aria-labelledby="score-title">
@@ -129,6 +143,7 @@ export const PANELS_MARKUP = `
   </p>
   <p id="predict-words"></p>
   <section id="predict-result" aria-label="Prediction and reality" hidden>
+    <p class="model-badge"></p>
     <ul class="overlap-cards" id="predict-cards"></ul>
     <details><summary>How is it measured?</summary><p>Your line counts as if the green object had slid along it. What is shaded and what was real, inside the line, are laid over each other: 100 % means that both are the same. The net is measured alike: its base path if there is no ball, its target path if there is one. It has not seen your ball.</p></details>
   </section>
@@ -146,6 +161,7 @@ export const PANELS_MARKUP = `
     <li><canvas width="256" height="256" data-outcome="1" aria-hidden="true"></canvas> no ball may be here</li>
   </ul>
   <label class="check" data-hideable="imagine"><input type="checkbox" id="solve-map-placement"> Lay the model’s placement map over it</label>
+  <p class="model-badge" data-hideable="imagine"></p>
   <p class="hint">The radius is that of your ball. Each place is tried by a whole simulation, in a worker beside the page.</p>
 </div>
 `;

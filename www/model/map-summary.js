@@ -1,5 +1,5 @@
-// Reads any map of the scene: its value at a point, and a description in words for someone who does not see it. Knows
-// nothing of the document.
+// Reads any map of the scene: its value at a point, and its peak and spread in numbers. Knows nothing of the document;
+// place-words.js says in words of the scene what a map shows.
 
 import { CELL_SIZE, GRID_SIDE } from "../shell/constants.js";
 
@@ -17,7 +17,7 @@ export function valueAt(map, [x, y]) {
 }
 
 /**
- * A map in words: where its peak is, and how it is spread left and right.
+ * A map in numbers: where its peak is, and how it is spread left and right.
  * @param {GridMap} map
  */
 export function summary(map) {

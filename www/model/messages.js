@@ -33,7 +33,7 @@
 /**
  * The calls of the worker: their arguments and their values.
  * `start` takes the compiled wasm; `load` the name of weights in assets/model.json (null: the first); `propose` returns the
- * balls of a turn without trying them; `imagineBall` and `consider` return null if the weights have no dynamics net;
+ * balls of a turn with what becomes of each; `imagineBall` and `consider` return null if the weights have no dynamics net;
  * `turn` tries them in order; `solve` maps where a ball of a radius (px) solves.
  * @typedef {object} Calls
  * @property {{ args: { module: WebAssembly.Module }, value: void }} start
@@ -41,7 +41,7 @@
  * @property {{ args: { task: string }, value: Imagined }} imagine
  * @property {{ args: { task: string, ball: Ball }, value: ImaginedBall | null }} imagineBall
  * @property {{ args: { task: string, seed: number }, value: Considered | null }} consider
- * @property {{ args: { task: string, seed: number }, value: Proposal[] }} propose
+ * @property {{ args: { task: string, seed: number }, value: import("../pkg/pathlight.js").TriedProposal[] }} propose
  * @property {{ args: { task: string, seed: number }, value: Finished }} turn
  * @property {{ args: { task: string, radius: number }, value: Finished }} solve
  */

@@ -53,7 +53,7 @@ export const CHOICE_TEXT = {
   chosen: {
     name: "Chosen",
     meaning: "The likeliest ball is tried first.",
-    how: "If it fails, the model has seen how things really went. Balls that start much like it, and those for which it had imagined much the same, become less likely; the others stay, and the likeliest of those left is next. The panel Compare shows them one by one.",
+    how: "If it fails, the model has seen how things really went. Balls that start much like it, and those for which it had imagined much the same, become less likely; the others stay, and the likeliest of those left is next.",
   },
   run: {
     name: "Run",

@@ -127,7 +127,7 @@ export class WorkerClient extends EventTarget {
   }
 
   /**
-   * The balls of that turn, untried.
+   * The balls of that turn, each with what becomes of it.
    * @param {string} task
    * @param {AbortSignal} signal
    */

@@ -85,20 +85,31 @@ function consider({ task, seed }) {
 }
 
 /**
- * Lists the balls of a turn. A model that learns from its attempts knows the next ball only when the one before has been tried.
+ * Lists the balls of a turn, each with what becomes of it. A model that learns from its attempts knows the next ball only when the
+ * one before has been tried, and its list ends with the ball that solves.
  * @param {Calls["propose"]["args"]} args
  * @param {SendUpdate} _
  * @param {IsCancelled} isCancelled
  */
 async function propose({ task, seed }, _, isCancelled) {
-  if (!pathlight.card?.dynamics) return pathlight.propose(task, { seed });
   const proposals = [];
-  for (const { ball, origin, rejected } of pathlight.turn(task, { seed })) {
-    proposals.push({ ball, origin, rejected });
+  for (const proposal of pathlight.card?.dynamics ? pathlight.turn(task, { seed }) : simulated(task, pathlight.propose(task, { seed }))) {
+    proposals.push(proposal);
     await yieldToMessages();
     if (isCancelled()) break;
   }
   return proposals;
+}
+
+/**
+ * @param {string} task
+ * @param {import("./messages.js").Proposal[]} proposals
+ */
+function* simulated(task, proposals) {
+  for (const proposal of proposals) {
+    const { solved, steps, longest_touch, final_touch } = pathlight.simulate(task, proposal.ball);
+    yield { ...proposal, ending: { solved, steps, longest_touch, final_touch } };
+  }
 }
 
 /**

@@ -10,8 +10,10 @@ import { dismissNotice, showDone, showNotice } from "../shell/notice.js";
 import { pathlight } from "../shell/pathlight.js";
 import { sharedProgress } from "../shell/progress-store.js";
 import { ProgressView } from "../shell/progress-view.js";
+import { LessonDialog } from "./lesson-dialog.js";
+import { ResultsView } from "./results-view.js";
 import { leavesPlainKeys } from "../shell/shortcuts.js";
-import { INITIAL_STATE, formatFragment, hrefOf, parseFragment } from "../shell/url-state.js";
+import { INITIAL_STATE, formatFragment, hrefOf, parseFragment, resultsHref } from "../shell/url-state.js";
 import { FIRST_TASK, Picks } from "./picks.js";
 
 /** @typedef {import("../shell/url-state.js").State} State */
@@ -37,6 +39,9 @@ export class Page {
   #shareDialog = null;
   /** @type {number | undefined} */
   #urlTimer;
+  #results = new ResultsView(this.#templates, (task, model) => hrefOf({ ...this.#state, model }, task, "compare"));
+  /** @type {LessonDialog | null} */
+  #lessonDialog = null;
   /** What has an entry of its own in the history, as it was last written there. */
   #place = "";
 
@@ -54,6 +59,7 @@ export class Page {
     this.#onClick("random", () => this.#openRandomPuzzle());
     this.#onClick("copy", () => this.#copyLink());
     this.#onClick("stage-button", () => this.#puzzle.toggleStageView());
+    this.#onClick("lesson-button", () => (this.#lessonDialog ??= new LessonDialog()).show(this.#state));
     this.#onClick("about-button", () => this.#puzzle.showAbout());
     this.#onClick("keys-button", () => this.#puzzle.showKeys());
     this.#onClick("progress-forget", () => byId(document, "forget-dialog", HTMLDialogElement).showModal());
@@ -126,11 +132,14 @@ export class Page {
   #applyState(state) {
     const { task } = state;
     const cameFromGallery = gallerySection.contains(document.activeElement);
-    gallerySection.hidden = task !== null || state.hide.includes("puzzles");
+    const showsResults = task === null && state.view === "results" && resultsHref(state) !== null;
+    gallerySection.hidden = task !== null || showsResults || state.hide.includes("puzzles");
+    if (showsResults) this.#results.show(state.model);
+    else this.#results.hide();
     for (const id of ["title", "copy", "stage-button", "skip"]) byId(document, id).hidden = task === null;
     const name = (task !== null && this.#templateOf(task)?.name) || "";
     byId(document, "puzzle-name").textContent = name;
-    document.title = task === null ? "Pathlight" : `${name} ${task} – Pathlight`;
+    document.title = task === null ? (showsResults ? "Results – Pathlight" : "Pathlight") : `${name} ${task} – Pathlight`;
     // First, so that the worker imagines while the page goes on.
     this.#puzzle.state = state;
     if (task !== null) this.#progressView.showTask(task);
@@ -142,11 +151,17 @@ export class Page {
   #applyLinks() {
     const state = this.#state;
     hideParts(document, state.hide);
+    // Who came by a link for a lesson is not told what it leaves out.
+    byId(document, "lesson-button").hidden = state.task === null || state.hide.length > 0;
     this.#gallery.setState(state);
     if (!gallerySection.hidden) {
       this.#orderGallery();
       this.#picks.update((task) => hrefOf(state, task));
     }
+    const results = resultsHref(state);
+    const link = byId(document, "results-link", HTMLAnchorElement);
+    link.hidden = results === null;
+    link.href = results ?? "#";
     const home = byId(document, "home", HTMLAnchorElement);
     const gallery = hrefOf(state, null);
     if (gallery) home.href = gallery;

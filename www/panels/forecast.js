@@ -75,7 +75,7 @@ export class Forecast extends Component {
     const { status, loaded } = this.#client;
     this.byId("forecast").hidden = status === "failed" || (loaded !== null && !this.#imaginer.able);
     const line = this.byId("forecast-words");
-    line.hidden = this.byId("forecast-how").hidden = !this.#on;
+    this.byId("forecast-said").hidden = this.byId("forecast-how").hidden = !this.#on;
     const words = this.#on ? this.#words() : "";
     if (line.textContent !== words) {
       setText(line, words);

@@ -7,12 +7,17 @@ import { GRID_SIDE, STAGES } from "../shell/constants.js";
 import { contextOf, find, setText } from "../shell/dom.js";
 import { pathlight } from "../shell/pathlight.js";
 import { summary } from "../model/map-summary.js";
+import { modelWords } from "../model/model-words.js";
+import { mapWords } from "../model/place-words.js";
 import { STAGE_TEXT } from "../model/stage-text.js";
+import { sentence } from "../play/session.js";
 import { TroubleBox } from "./trouble-box.js";
 
 /** @typedef {import("../pkg/pathlight.js").Stage} Stage */
 /** @typedef {import("../model/messages.js").Imagined} Imagined */
 
+/** So many maps are shaded over the scene; of more only the outlines can be told apart. */
+const MAX_SHADED = 2;
 /** Width of the canvas of an outline, which is laid over the whole scene. */
 const OUTLINE_SIDE = 1024;
 
@@ -69,6 +74,7 @@ export class Imagine extends Component {
   setState(view) {
     this.#opacity.value = String(view.opacity);
     for (const stage of STAGES) this.#rows[stage].box.checked = view.checkedLayers.includes(stage);
+    this.byId("outlines-note").hidden = view.checkedLayers.length <= MAX_SHADED;
   }
 
   /** @param {boolean} dark */
@@ -84,12 +90,27 @@ export class Imagine extends Component {
     return this.#imagined?.maps ?? null;
   }
 
+  /** Was the model trained on the open puzzle? Null until it is known. */
+  get seen() {
+    return this.#imagined?.seen ?? null;
+  }
+
   /**
-   * The canvases to lay over the scene for some stages: their maps, and outlines of what is strong in them.
+   * What the map of a stage shows, in words of the scene; empty if there is no such map.
+   * @param {Stage} stage
+   */
+  words(stage) {
+    const map = this.#imagined?.maps[stage];
+    return map && this.session ? mapWords(map, pathlight.scene(this.session.about.id)) : "";
+  }
+
+  /**
+   * The canvases to lay over the scene for some stages: the first maps, and outlines of what is strong in all.
    * @param {Stage[]} stages
    */
   canvasesOf(stages) {
-    return this.#imagined ? stages.flatMap((stage) => [this.#rows[stage].map.canvas, this.#outlineOf(stage)]) : [];
+    if (!this.#imagined) return [];
+    return stages.flatMap((stage, index) => (index < MAX_SHADED ? [this.#rows[stage].map.canvas, this.#outlineOf(stage)] : [this.#outlineOf(stage)]));
   }
 
   /**
@@ -136,7 +157,7 @@ export class Imagine extends Component {
     element.dataset.stage = stage;
     find(element, "b").textContent = name;
     find(element, ".meaning").textContent = meaning;
-    find(element, "details p").textContent = how;
+    find(element, ".how").textContent = how;
     const box = find(element, "input", HTMLInputElement);
     box.addEventListener("change", () => this.requestState({ layers: STAGES.filter((one) => this.#rows[one].box.checked) }));
     return {
@@ -148,6 +169,7 @@ export class Imagine extends Component {
       legend: contextOf(find(element, ".legend", HTMLCanvasElement)),
       peak: find(element, ".peak"),
       summary: find(element, ".summary"),
+      numbers: find(element, ".numbers"),
     };
   }
 
@@ -174,6 +196,7 @@ export class Imagine extends Component {
    * @param {import("../model/messages.js").LoadedModel} loaded
    */
   #offerModels({ name, names }) {
+    setText(this.byId("model-words"), modelWords(name) && `${name} ${modelWords(name)}.`);
     this.byId("model-choice").hidden = names.length < 2;
     this.#modelSelect.replaceChildren(...names.map((one) => new Option(one, one, one === name, one === name)));
   }
@@ -214,7 +237,7 @@ export class Imagine extends Component {
   #paint() {
     const imagined = this.#imagined;
     for (const stage of STAGES) {
-      const { map, peak, summary: said } = this.#rows[stage];
+      const { map, peak, summary: said, numbers } = this.#rows[stage];
       const values = imagined?.maps[stage];
       map.clearRect(0, 0, GRID_SIDE, GRID_SIDE);
       // Each map is drawn up to its own peak, which the legend names.
@@ -223,16 +246,16 @@ export class Imagine extends Component {
       this.#paintOutline(stage);
       setText(peak, values ? most.toFixed(2) : "");
       // Weights may come without a judge.
-      const words = values ? summary(values) : imagined ? "this model has no such map" : "not imagined yet";
+      const words = this.words(stage) || (imagined ? "this model has no such map" : "not imagined yet");
       map.canvas.setAttribute("aria-label", `${STAGE_TEXT[stage].name}: ${words}`);
-      setText(said, `${words[0].toUpperCase()}${words.slice(1)}.`);
+      setText(said, sentence(words));
+      setText(numbers, values ? `In numbers: ${summary(values)}.` : "");
     }
     setText(this.byId("imagined-in"), imagined ? timing(imagined) : "");
   }
 }
 
 /** @param {Imagined} imagined */
-function timing({ milliseconds, seen }) {
-  const training = seen ? "The model has seen this puzzle in training." : "The model has never seen this puzzle before.";
-  return `Imagined in ${Math.max(1, Math.round(milliseconds))} ms. ${training}`;
+function timing({ milliseconds }) {
+  return `Imagined in ${Math.max(1, Math.round(milliseconds))} ms.`;
 }

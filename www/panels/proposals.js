@@ -5,13 +5,16 @@
 
 import { Component } from "../shell/component.js";
 import { setText } from "../shell/dom.js";
+import { download, fileName } from "../shell/download.js";
 import { BallImaginer } from "../model/ball-imaginer.js";
 import { chanceWords, errorWords, percent } from "../model/chance-words.js";
 import { valueAt } from "../model/map-summary.js";
+import { ballsCsv, otherOutcome, outcomesWords } from "../model/outcomes.js";
 import { sentence } from "../play/session.js";
+import { OutcomeStrip } from "./outcome-strip.js";
 import { TroubleBox } from "./trouble-box.js";
 
-/** @typedef {import("../pkg/pathlight.js").Proposal} Proposal */
+/** @typedef {import("../pkg/pathlight.js").TriedProposal} Proposal */
 /** @typedef {import("../play/session.js").Session} Session */
 
 export class Proposals extends Component {
@@ -19,6 +22,7 @@ export class Proposals extends Component {
   #imagine;
   #imaginer;
   #slider = this.byId("proposal-slider", HTMLInputElement);
+  #strip = new OutcomeStrip(this.byId("proposal-strip"), (number) => this.#request(number));
   /**
    * Null until the model has proposed them.
    * @type {Proposal[] | null}
@@ -61,6 +65,8 @@ export class Proposals extends Component {
     this.#slider.addEventListener("input", () => this.#request(Number(this.#slider.value)));
     this.byId("proposal-back").addEventListener("click", () => this.#request((this.#requested ?? 2) - 1));
     this.byId("proposal-next").addEventListener("click", () => this.#request((this.#requested ?? 0) + 1));
+    this.byId("proposal-other").addEventListener("click", () => this.goToOtherOutcome(1));
+    this.byId("proposal-save").addEventListener("click", () => this.#save());
     this.byId("proposal-close").addEventListener("click", () => this.session?.reset());
     // The maps come as soon as the model can propose, and go when another is loaded.
     imagine.addEventListener("maps", () => {
@@ -129,6 +135,27 @@ export class Proposals extends Component {
     if (number >= 1 && number <= (this.#proposals?.length ?? 0)) this.requestState({ proposal: number });
   }
 
+  /**
+   * Goes to the next ball, or back to the one before, with another outcome than the one that is looked at.
+   * @param {1 | -1} by
+   */
+  goToOtherOutcome(by) {
+    const proposals = this.#proposals;
+    if (!this.#visible || !proposals?.length) return;
+    const index = this.#requested === null ? 0 : this.#requested - 1;
+    const other = otherOutcome(proposals, index, by);
+    if (other === null) this.announce(`No ball ${by > 0 ? "after" : "before"} it has another outcome.`);
+    else this.#request(other + 1);
+  }
+
+  #save() {
+    const { loaded } = this.#client;
+    if (!this.session || !this.#proposals || !loaded) return;
+    const { id } = this.session.about;
+    const csv = ballsCsv(this.#proposals, { task: id, model: loaded.name, seen: this.#imagine.seen ?? false, simulator: loaded.card.simulator });
+    download(fileName(`pathlight ${id} ${loaded.name}`, "csv"), new Blob([csv], { type: "text/csv" }));
+  }
+
   /** Forgets the proposals: they are another puzzle's or another model's. */
   #drop() {
     this.#call?.abort();
@@ -170,7 +197,9 @@ export class Proposals extends Component {
     this.byId("proposals-failure").hidden = this.#client.failure !== null;
     this.#trouble.update(this.#client, this.#callFailure, { restartModel: () => this.requestModel(), repeatCall: () => this.#retry() });
     this.byId("proposals").hidden = !proposals || proposals.length === 0;
+    this.#strip.show(proposals ?? []);
     if (!session || !proposals?.length) return this.#updateFacts([]);
+    setText(this.byId("proposal-outcomes"), outcomesWords(proposals));
     this.#slider.max = String(proposals.length);
     const number = this.#visible ? this.#requested : null;
     const proposal = number === null ? null : proposals[number - 1];
@@ -198,6 +227,7 @@ export class Proposals extends Component {
   #updateFacts(proposals) {
     const number = this.#shown;
     const shown = this.session?.shown;
+    this.#strip.select(number);
     this.byId("proposal-facts").hidden = number === null;
     this.byId("proposal-close").hidden = number === null;
     this.byId("proposal-hint").hidden = number !== null;

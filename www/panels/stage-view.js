@@ -17,6 +17,8 @@ export class StageView extends Component {
   /** Is it shown? */
   #on = false;
   #hasStory = false;
+  /** May the person leave it? */
+  #leaves = true;
 
   /**
    * @param {import("../shell/dom.js").Root} root
@@ -46,6 +48,7 @@ export class StageView extends Component {
     const arrived = on && !this.#on;
     this.#on = on;
     this.#hasStory = !hide.includes("imagine");
+    this.#leaves = !hide.includes("tools");
     this.byId("stage-view").hidden = !on;
     this.byId("puzzle").classList.toggle("on-stage", on);
     this.#update();
@@ -61,7 +64,7 @@ export class StageView extends Component {
     const { key, target } = event;
     if (!this.#on || event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || (target instanceof Element && target.closest(OWN_KEYS))) return;
     const by = STORY_KEYS[key];
-    if (key === "Escape") this.requestState({ view: null });
+    if (key === "Escape" && this.#leaves) this.requestState({ view: null });
     else if (by && this.#hasStory) this.#walkthrough.go(by);
     else return;
     event.preventDefault();

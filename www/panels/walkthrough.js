@@ -6,7 +6,6 @@ import { Component } from "../shell/component.js";
 import { STAGES } from "../shell/constants.js";
 import { CHOICE_STEPS } from "../shell/url-state.js";
 import { createButton, setText } from "../shell/dom.js";
-import { summary } from "../model/map-summary.js";
 import { CHOICE_TEXT, STAGE_TEXT } from "../model/stage-text.js";
 
 /** @typedef {import("../pkg/pathlight.js").Stage} Stage */
@@ -104,8 +103,8 @@ export class Walkthrough extends Component {
   get #result() {
     const stage = STAGES.find((one) => one === this.#step);
     if (!stage) return this.#choice.result;
-    const map = this.#imagine.maps?.[stage];
-    return map ? `It is ${summary(map)}.` : "";
+    const words = this.#imagine.words(stage);
+    return words && `It is ${words}.`;
   }
 
   #onChoice() {

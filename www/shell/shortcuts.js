@@ -11,6 +11,7 @@
  * @property {(index: number) => void} showPanel
  * @property {() => void} showKeys
  * @property {() => void} toggleStageView
+ * @property {(by: 1 | -1) => void} goToOtherOutcome
  */
 
 const OWN_KEYS = "input[type=number], select, dialog";
@@ -62,7 +63,7 @@ function undoAction({ key, shiftKey }, target, session) {
  * @param {ShortcutTarget} puzzle
  * @returns {(() => void) | undefined}
  */
-function plainAction({ key }, target, puzzle) {
+function plainAction({ key, shiftKey }, target, puzzle) {
   if (!leavesPlainKeys(target)) return undefined;
   if (key === "?") return () => puzzle.showKeys();
   const { session } = puzzle;
@@ -76,6 +77,7 @@ function plainAction({ key }, target, puzzle) {
     ",": () => session.step(-1),
     r: () => session.reset(),
     v: () => puzzle.toggleStageView(),
+    n: () => puzzle.goToOtherOutcome(shiftKey ? -1 : 1),
   };
   return actions[key.toLowerCase()];
 }

@@ -1,6 +1,7 @@
 // The tabs and the panels that they show, by pointer and by arrow keys.
 
 import { Component } from "./component.js";
+import { find, setText } from "./dom.js";
 import { PANELS, visiblePanels } from "./url-state.js";
 
 /** @typedef {import("./url-state.js").Panel} Panel */
@@ -25,6 +26,11 @@ export class Tabs extends Component {
   setState(view) {
     this.#visible = visiblePanels(view);
     this.#selected = view.panel;
+    // A single panel needs no tab; the sheet about the keys tells of those that are there.
+    this.byId("tabs").hidden = this.#visible.length === 1;
+    for (const id of ["keys-of-panels", "key-panels"]) this.byId(id).hidden = this.#visible.length === 1;
+    setText(find(this.byId("keys-of-panels"), "kbd:last-child"), String(this.#visible.length));
+    setText(this.byId("key-panels"), this.#visible.map((panel) => this.byId(`tab-${panel}`).textContent).join(", "));
     for (const panel of PANELS) {
       const tab = this.byId(`tab-${panel}`);
       tab.setAttribute("aria-selected", String(panel === view.panel));

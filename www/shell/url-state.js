@@ -12,8 +12,8 @@ import { ATTEMPT_LIMIT, MAX_RADIUS, MIN_RADIUS, SCENE_SIZE, STAGES } from "./con
 export const CHOICE_STEPS = /** @type {const} */ (["candidates", "imagined", "chosen", "run", "real"]);
 /** @typedef {typeof CHOICE_STEPS[number]} ChoiceStep */
 export const PANELS = /** @type {const} */ (["play", "imagine", "compare", "predict", "map"]);
-/** What a link can hide: every panel but Play, and what the document marks with data-hideable. */
-const HIDEABLE = /** @type {const} */ (["puzzles", "story", "fields", "watch", "attempts", "forecast", "imagine", "compare", "predict", "map"]);
+/** What a link can hide: the panels, of which one stays, and what the document marks with data-hideable. */
+export const HIDEABLE = /** @type {const} */ (["puzzles", "tools", "story", "hint", "fields", "watch", "attempts", "forecast", "transport", "speed", "play", "imagine", "compare", "predict", "map"]);
 /** @typedef {typeof PANELS[number]} Panel */
 /** @typedef {typeof HIDEABLE[number]} Hideable */
 
@@ -23,7 +23,8 @@ const HIDEABLE = /** @type {const} */ (["puzzles", "story", "fields", "watch", "
  * @property {string | null} model a name in assets/model.json, or null for the first
  * @property {Panel} panel as the address names it; it may be hidden, see `viewOf`
  * @property {Stage | ChoiceStep | null} stage the step that the walkthrough is at, or null for all together
- * @property {"stage" | null} view "stage" for the scene and one sentence, in large type; null for all panels
+ * @property {"stage" | "results" | null} view "stage" for the scene and one sentence, in large type; "results", with no task,
+ *   for the results of the models in the place of the grid; null for all panels
  * @property {number | null} proposal the number of the model's ball that is looked at, from 1, or null
  * @property {Stage[]} layers the maps to lay over the scene, in the order of STAGES
  * @property {number} opacity how much the maps cover, 0..1
@@ -76,7 +77,7 @@ const CODECS = {
   model: { format: String, parse: (text) => (/^[\w.-]+$/.test(text) ? text : undefined) },
   panel: oneOf(PANELS),
   stage: oneOf([...STAGES, ...CHOICE_STEPS]),
-  view: oneOf(["stage"]),
+  view: oneOf(["stage", "results"]),
   proposal: ATTEMPT,
   layers: someOf(STAGES),
   opacity: {
@@ -188,12 +189,13 @@ function decoded(text) {
 }
 
 /**
- * The panels that are not hidden; Play always is among them.
+ * The panels that are not hidden; Play if all are.
  * @param {State} state
  * @returns {Panel[]}
  */
 export function visiblePanels({ hide }) {
-  return PANELS.filter((name) => name === "play" || !hide.includes(name));
+  const visible = PANELS.filter((name) => !hide.includes(name));
+  return visible.length > 0 ? visible : ["play"];
 }
 
 /**
@@ -216,7 +218,7 @@ export function viewOf(state) {
 function shownPanel(state) {
   const panels = visiblePanels(state);
   if (state.view === "stage") return state.stage && panels.includes("imagine") ? "imagine" : "play";
-  return panels.includes(state.panel) ? state.panel : "play";
+  return panels.includes(state.panel) ? state.panel : panels[0];
 }
 
 /**
@@ -240,6 +242,15 @@ function visibleLayers({ hide, layers, stage, view }, panel) {
       // Those that the person switched on stay to be played by; the one of a walkthrough's step does not.
       return stage ? [] : layers;
   }
+}
+
+/**
+ * The address of the results of the models. Null if the link that the person came by hides the puzzles or the model.
+ * @param {State} state
+ */
+export function resultsHref({ model, hide }) {
+  if (hide.some((part) => part === "puzzles" || part === "imagine" || part === "compare")) return null;
+  return `#${formatFragment({ ...INITIAL_STATE, view: "results", model, hide })}`;
 }
 
 /**

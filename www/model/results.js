@@ -1,0 +1,70 @@
+// The measurements of the shipped models: which test tasks each agent solves, and how often its chances come true. Read only when
+// somebody asks for them. Knows nothing of the document.
+//
+// assets/results.json, which `pathlight publish-results` writes.
+
+import { failure } from "../api/failure.js";
+import { readFile } from "../api/files.js";
+
+/**
+ * The balls to which a model gives a chance in one tenth of 0..1: their number, the mean of the chances, and how many solve.
+ * @typedef {{ balls: number, chance: number, solved: number }} Bin
+ */
+
+/**
+ * The measurements of a model on the test tasks of its fold: for each agent the first attempt that solved each task, from 1,
+ * null if none of a hundred did; and its auccess, 0 to 100.
+ * @typedef {object} ModelResults
+ * @property {string} name
+ * @property {number} simulator
+ * @property {number} agents_version
+ * @property {string[]} tasks
+ * @property {Record<string, number>} auccess
+ * @property {Record<string, (number | null)[]>} first_solved
+ * @property {{ random: Bin[], candidates: Bin[] }} calibration
+ */
+
+const ADDRESS = new URL("../assets/results.json", import.meta.url);
+
+/** @type {Promise<ModelResults[]> | null} */
+let read = null;
+
+/**
+ * Returns the measurements of all shipped models. Rejects with a sentence for the person; the next call then tries again.
+ * @returns {Promise<ModelResults[]>}
+ */
+export function readResults() {
+  read ??= load().catch((error) => {
+    read = null;
+    throw error;
+  });
+  return read;
+}
+
+async function load() {
+  const bytes = await readFile(ADDRESS, (reason) => failure("no_weights", `The results could not be loaded: ${reason} for ${ADDRESS}. Check the connection and try again.`));
+  const { models } = await new Response(bytes).json().catch(() => {
+    throw failure("bad_data", `The results are damaged: what ${ADDRESS} holds is not JSON. Write it again by “pathlight publish-results”.`);
+  });
+  return models;
+}
+
+/**
+ * All measurements as comma-separated values: a line for each model, agent and task.
+ * @param {ModelResults[]} models
+ * @param {(task: string) => string} nameOf the name of a task's template
+ */
+export function toCsv(models, nameOf) {
+  const lines = ["model,simulator,agents_version,agent,task,template,first_solved"];
+  for (const { name, simulator, agents_version: version, tasks, first_solved: solved } of models) {
+    for (const [agent, firsts] of Object.entries(solved)) {
+      tasks.forEach((task, index) => lines.push([name, simulator, version, agent, task, quoted(nameOf(task)), firsts[index] ?? ""].join(",")));
+    }
+  }
+  return `${lines.join("\r\n")}\r\n`;
+}
+
+/** @param {string} text */
+function quoted(text) {
+  return `"${text.replaceAll('"', '""')}"`;
+}

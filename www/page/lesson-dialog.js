@@ -1,0 +1,158 @@
+// The dialog that makes a link for a lesson: what of the page it shows, a preview, the address, and the address as a QR code.
+
+import { PathlightPuzzle } from "../element/pathlight-puzzle.js";
+import { byId } from "../shell/dom.js";
+import { HIDEABLE, PANELS, formatFragment, visiblePanels } from "../shell/url-state.js";
+
+/** @typedef {import("../shell/url-state.js").State} State */
+/** @typedef {import("../shell/url-state.js").Hideable} Hideable */
+/** @typedef {{ generate: (text: string) => { toCanvas: (canvas: HTMLCanvasElement, colours: { on: number[], off: number[] }) => void } }} QrLibrary */
+
+/**
+ * The parts that a link can hide, as the dialog lists them.
+ * @type {Record<Hideable, string>}
+ */
+const NAMES = {
+  play: "Play",
+  imagine: "Imagine",
+  compare: "Compare",
+  predict: "Predict",
+  map: "Map",
+  story: "The sentence that hints at the solution",
+  hint: "How to place the ball",
+  fields: "The fields of the ball, undo and redo",
+  watch: "The button that runs the scene without a ball",
+  attempts: "The list of attempts",
+  forecast: "What the model thinks of the ball",
+  transport: "The time line and single steps",
+  speed: "The speed",
+  puzzles: "The ways to other puzzles",
+  tools: "The buttons at the top",
+};
+/** The size of the page that the preview shows, CSS px. */
+const PREVIEW_WIDTH = 1280;
+/** Names of this machine, which mean another one elsewhere. */
+const OWN_MACHINE = /^(localhost|127\.|\[::1\])/;
+
+export class LessonDialog {
+  #dialog = byId(document, "lesson-dialog", HTMLDialogElement);
+  #address = byId(document, "lesson-address", HTMLInputElement);
+  /** @type {Map<Hideable, HTMLInputElement>} */
+  #boxes = new Map();
+  #onStage = byId(document, "lesson-stage", HTMLInputElement);
+  #withBall = byId(document, "lesson-ball", HTMLInputElement);
+  /** @type {State | null} */
+  #state = null;
+  /** @type {PathlightPuzzle | null} */
+  #preview = null;
+
+  constructor() {
+    /** @type {(part: Hideable) => boolean} */
+    const isPanel = (part) => PANELS.some((panel) => panel === part);
+    byId(document, "lesson-panels").append(...PANELS.map((part) => this.#row(part)));
+    byId(document, "lesson-parts").append(...HIDEABLE.filter((part) => !isPanel(part)).map((part) => this.#row(part)));
+    this.#dialog.addEventListener("change", () => this.#update());
+    this.#dialog.addEventListener("close", () => this.#removePreview());
+    byId(document, "lesson-copy").addEventListener("click", () => this.#copy());
+    byId(document, "lesson-close").addEventListener("click", () => this.#dialog.close());
+  }
+
+  /**
+   * Opens the dialog for what is shown.
+   * @param {State} state
+   */
+  show(state) {
+    this.#state = state;
+    for (const [part, box] of this.#boxes) box.checked = !state.hide.includes(part);
+    this.#onStage.checked = state.view === "stage";
+    this.#withBall.checked = false;
+    this.#withBall.disabled = state.ball === null;
+    byId(document, "lesson-words").textContent = "";
+    this.#dialog.showModal();
+    this.#addPreview();
+    this.#update();
+  }
+
+  /** @param {Hideable} part */
+  #row(part) {
+    const box = document.createElement("input");
+    box.type = "checkbox";
+    box.name = part;
+    this.#boxes.set(part, box);
+    const label = document.createElement("label");
+    label.className = "check";
+    label.append(box, ` ${NAMES[part]}`);
+    const row = document.createElement("li");
+    row.append(label);
+    return row;
+  }
+
+  /** What the link asks for. */
+  get #lesson() {
+    const state = /** @type {State} */ (this.#state);
+    const hide = HIDEABLE.filter((part) => !this.#boxes.get(part)?.checked);
+    const panels = visiblePanels({ ...state, hide });
+    const panel = panels.includes(state.panel) ? state.panel : panels[0];
+    const ball = this.#withBall.checked ? state.ball : null;
+    const stage = panel === "imagine" || this.#onStage.checked ? state.stage : null;
+    return { ...state, panel, stage, ball, hide, view: this.#onStage.checked ? /** @type {const} */ ("stage") : null };
+  }
+
+  #update() {
+    const lesson = this.#lesson;
+    const panels = visiblePanels(lesson);
+    // One panel stays.
+    for (const panel of PANELS) {
+      const box = this.#boxes.get(panel);
+      if (box) box.disabled = panels.length === 1 && panels[0] === panel;
+    }
+    const address = new URL(`#${formatFragment(lesson)}`, location.href);
+    this.#address.value = address.href;
+    byId(document, "lesson-own-machine").hidden = !OWN_MACHINE.test(address.hostname);
+    if (this.#preview) this.#preview.state = lesson;
+    this.#drawCode(address.href);
+  }
+
+  /** @param {string} address */
+  async #drawCode(address) {
+    const canvas = byId(document, "lesson-code", HTMLCanvasElement);
+    const failure = byId(document, "lesson-code-failure");
+    try {
+      // A module of its own, because few need it.
+      /** @type {QrLibrary} */
+      const { generate } = /** @type {any} */ (await import("../pkg/lean-qr.js"));
+      generate(address).toCanvas(canvas, { on: [0, 0, 0], off: [255, 255, 255] });
+    } catch (error) {
+      failure.textContent = `There is no QR code: ${/** @type {Error} */ (error).message}. The address above works without it.`;
+    }
+    canvas.hidden = failure.textContent !== "";
+    failure.hidden = failure.textContent === "";
+  }
+
+  async #copy() {
+    this.#address.select();
+    const words = byId(document, "lesson-words");
+    try {
+      await navigator.clipboard.writeText(this.#address.value);
+      words.textContent = "The link is copied.";
+    } catch {
+      words.textContent = "This browser does not let the page copy: the address is selected, copy it with the keys or the menu.";
+    }
+  }
+
+  /** The puzzle as the link shows it, as a picture: it is not operated here. */
+  #addPreview() {
+    const frame = byId(document, "lesson-preview");
+    const preview = new PathlightPuzzle();
+    preview.setAttribute("fill", "");
+    preview.inert = true;
+    frame.replaceChildren(preview);
+    frame.style.setProperty("--scale", String(frame.clientWidth / PREVIEW_WIDTH));
+    this.#preview = preview;
+  }
+
+  #removePreview() {
+    this.#preview?.remove();
+    this.#preview = null;
+  }
+}

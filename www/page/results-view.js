@@ -1,0 +1,140 @@
+// The results page: all test tasks of the shipped models' folds by template, with the attempt that solved each first, as links;
+// how often the chances that a model gives come true; and the whole as CSV.
+
+import { auccessWords, outcomeCount } from "./results-words.js";
+import { calibrationChart, calibrationTable } from "./calibration-chart.js";
+import { AGENT_NAMES, modelWords } from "../model/model-words.js";
+import { readResults, toCsv } from "../model/results.js";
+import { byId } from "../shell/dom.js";
+import { download } from "../shell/download.js";
+
+/** @typedef {import("../model/results.js").ModelResults} ModelResults */
+/** @typedef {import("../pkg/pathlight.js").Template} Template */
+/** @typedef {(task: string, model: string) => string | null} HrefOf */
+
+/**
+ * Which tasks are listed, by the attempt that solved them first.
+ * @type {Record<string, (first: number | null) => boolean>}
+ */
+const FILTERS = { all: () => true, failures: (first) => first === null, late: (first) => first === null || first > 10, first: (first) => first === 1 };
+
+export class ResultsView {
+  #section = byId(document, "results");
+  #model = byId(document, "results-model", HTMLSelectElement);
+  #agent = byId(document, "results-agent", HTMLSelectElement);
+  #filter = byId(document, "results-filter", HTMLSelectElement);
+  #templates;
+  #hrefOf;
+  /** @type {ModelResults[]} */
+  #models = [];
+
+  /**
+   * @param {Template[]} templates
+   * @param {HrefOf} hrefOf the address of a task with a model; null if the link hides it
+   */
+  constructor(templates, hrefOf) {
+    this.#templates = templates;
+    this.#hrefOf = hrefOf;
+    this.#model.addEventListener("change", () => this.#onModel());
+    for (const select of [this.#agent, this.#filter]) select.addEventListener("change", () => this.#update());
+    byId(document, "results-csv").addEventListener("click", () => this.#save());
+    byId(document, "results-retry").addEventListener("click", () => this.show(null));
+  }
+
+  /**
+   * Shows the results of a model, or of the first.
+   * @param {string | null} name
+   */
+  async show(name) {
+    this.#section.hidden = false;
+    const failure = byId(document, "results-failure");
+    try {
+      this.#models = await readResults();
+      failure.hidden = true;
+    } catch (error) {
+      failure.hidden = false;
+      byId(document, "results-failure-words").textContent = /** @type {Error} */ (error).message;
+      return;
+    }
+    byId(document, "results-body").hidden = false;
+    this.#model.replaceChildren(...this.#models.map((one) => new Option(one.name, one.name, false, one.name === name)));
+    this.#onModel();
+  }
+
+  hide() {
+    this.#section.hidden = true;
+  }
+
+  get #chosen() {
+    return this.#models[Math.max(this.#model.selectedIndex, 0)];
+  }
+
+  #onModel() {
+    const chosen = this.#agent.value;
+    const agents = Object.keys(AGENT_NAMES).filter((agent) => agent in this.#chosen.first_solved);
+    this.#agent.replaceChildren(...agents.map((agent) => new Option(`${agent}: ${AGENT_NAMES[agent]}`, agent, false, agent === chosen)));
+    this.#update();
+  }
+
+  #update() {
+    const model = this.#chosen;
+    const firsts = model.first_solved[this.#agent.value];
+    const passes = FILTERS[this.#filter.value];
+    byId(document, "results-about").textContent = `${model.name} ${modelWords(model.name)}; it has never seen these ${model.tasks.length} puzzles.`;
+    byId(document, "results-summary").textContent = `${outcomeCount(firsts)} ${auccessWords(model.auccess[this.#agent.value])}`;
+    const rows = this.#templates.flatMap((template) => this.#row(template, model, firsts, passes) ?? []);
+    byId(document, "results-templates").replaceChildren(...rows);
+    byId(document, "results-empty").hidden = rows.length > 0;
+    const { calibration } = model;
+    byId(document, "calibration-chart").replaceChildren(calibrationChart(calibration));
+    byId(document, "calibration-rows").replaceChildren(...calibrationTable(calibration));
+  }
+
+  /**
+   * The tasks of a template that pass; undefined if none do.
+   * @param {Template} template
+   * @param {ModelResults} model
+   * @param {(number | null)[]} firsts
+   * @param {(first: number | null) => boolean} passes
+   */
+  #row({ id, name }, model, firsts, passes) {
+    const all = model.tasks.map((task, index) => ({ task, first: firsts[index] })).filter(({ task }) => task.startsWith(id));
+    const listed = all.filter(({ first }) => passes(first));
+    if (listed.length === 0) return undefined;
+    const heading = document.createElement("h3");
+    heading.textContent = name;
+    const count = document.createElement("span");
+    count.className = "count";
+    count.textContent = ` ${all.filter(({ first }) => first !== null).length} of ${all.length} solved`;
+    heading.append(count);
+    const list = document.createElement("ul");
+    list.append(...listed.map((one) => this.#cell(one, model.name)));
+    const item = document.createElement("li");
+    item.append(heading, list);
+    return item;
+  }
+
+  /**
+   * @param {{ task: string, first: number | null }} result
+   * @param {string} model
+   */
+  #cell({ task, first }, model) {
+    const href = this.#hrefOf(task, model);
+    const cell = document.createElement(href ? "a" : "span");
+    if (href) cell.setAttribute("href", href);
+    cell.className = first === null ? "missed" : first === 1 ? "at-once" : "solved";
+    cell.textContent = first === null ? "×" : String(first);
+    const words = `${task}, ${first === null ? "not solved" : `solved on attempt ${first}`}`;
+    cell.title = words;
+    cell.setAttribute("aria-label", words);
+    const item = document.createElement("li");
+    item.append(cell);
+    return item;
+  }
+
+  #save() {
+    const names = new Map(this.#templates.map(({ id, name }) => [id, name]));
+    const csv = toCsv(this.#models, (task) => names.get(task.slice(0, 5)) ?? "");
+    download("pathlight-results.csv", new Blob([csv], { type: "text/csv" }));
+  }
+}

@@ -1,0 +1,45 @@
+// Says which model it is wherever a result of it stands, and whether it has seen the puzzle in training, which decides what the
+// result is worth.
+
+import { Component } from "../shell/component.js";
+import { setText } from "../shell/dom.js";
+import { modelWords, seenWords } from "../model/model-words.js";
+
+export class ModelBadge extends Component {
+  #client;
+  #imagine;
+  #badges;
+
+  /**
+   * @param {import("../shell/dom.js").Root} root
+   * @param {import("../model/shared-client.js").SharedClient} client
+   * @param {import("./imagine.js").Imagine} imagine
+   */
+  constructor(root, client, imagine) {
+    super(root);
+    this.#client = client;
+    this.#imagine = imagine;
+    this.#badges = Array.from(root.querySelectorAll(".model-badge"), (element) => {
+      const [name, seen] = [document.createElement("b"), document.createElement("span")];
+      element.append(name, " ", seen);
+      return { element: /** @type {HTMLElement} */ (element), name, seen };
+    });
+    client.addEventListener("change", () => this.#update());
+    imagine.addEventListener("maps", () => this.#update());
+    this.#update();
+  }
+
+  #update() {
+    const { loaded } = this.#client;
+    const known = this.#imagine.seen;
+    for (const { element, name, seen } of this.#badges) {
+      element.hidden = !loaded;
+      if (!loaded) continue;
+      setText(name, loaded.name);
+      element.title = modelWords(loaded.name);
+      seen.hidden = known === null;
+      seen.dataset.seen = String(known);
+      setText(seen, known === null ? "" : seenWords(known));
+    }
+  }
+}

@@ -1,0 +1,196 @@
+// Two models side by side on the open puzzle: for each whether it has seen the puzzle, a map, the balls that it tries by their
+// outcome, and when it solves. The second model has a worker of its own while they are shown.
+
+import { Component } from "../shell/component.js";
+import { ATTEMPT_LIMIT, STAGES } from "../shell/constants.js";
+import { contextOf, find, setText } from "../shell/dom.js";
+import { pathlight } from "../shell/pathlight.js";
+import { chanceWords } from "../model/chance-words.js";
+import { modelWords, seenWords } from "../model/model-words.js";
+import { mapWords } from "../model/place-words.js";
+import { STAGE_TEXT } from "../model/stage-text.js";
+import { SharedClient } from "../model/shared-client.js";
+import { sentence } from "../play/session.js";
+import { OutcomeStrip } from "./outcome-strip.js";
+
+/** @typedef {import("../pkg/pathlight.js").Stage} Stage */
+/** @typedef {import("../pkg/pathlight.js").TriedProposal} TriedProposal */
+/** @typedef {import("../model/messages.js").Imagined} Imagined */
+/** @typedef {{ name: string, imagined: Imagined, tried: TriedProposal[] }} Side what one model imagines and tries */
+
+export class ModelPair extends Component {
+  #client;
+  #other;
+  #scenePicture;
+  #name = this.byId("pair-model", HTMLSelectElement);
+  #stage = this.byId("pair-stage", HTMLSelectElement);
+  /** @type {Side[]} */
+  #sides = [];
+  /**
+   * Runs while the models are asked.
+   * @type {AbortController | null}
+   */
+  #call = null;
+
+  /**
+   * @param {import("../shell/dom.js").Root} root
+   * @param {WebAssembly.Module} module
+   * @param {SharedClient} client of the model that is chosen
+   * @param {import("./scene-picture.js").ScenePicture} scenePicture
+   */
+  constructor(root, module, client, scenePicture) {
+    super(root);
+    this.#client = client;
+    this.#other = new SharedClient(module);
+    this.#scenePicture = scenePicture;
+    this.#stage.append(...STAGES.map((stage) => new Option(STAGE_TEXT[stage].name, stage, stage === "target", stage === "target")));
+    this.#stage.addEventListener("change", () => this.#paint());
+    this.#name.addEventListener("change", () => this.#clear());
+    this.byId("pair-run").addEventListener("click", () => this.#run());
+    client.addEventListener("change", () => this.#onClientChange());
+  }
+
+  close() {
+    super.close();
+    this.#clear();
+  }
+
+  /** @param {boolean} dark */
+  setTheme(dark) {
+    super.setTheme(dark);
+    this.#paint();
+  }
+
+  #onClientChange() {
+    const { loaded } = this.#client;
+    // What stands there belongs to the model that goes.
+    if (this.#sides.length > 0 && loaded?.name !== this.#sides[0].name) this.#clear();
+    const others = (loaded?.names ?? []).filter((name) => name !== loaded?.name);
+    this.byId("model-pair").hidden = others.length === 0;
+    if (String(others) !== String(Array.from(this.#name.options, ({ value }) => value))) this.#name.replaceChildren(...others.map((name) => new Option(name)));
+  }
+
+  #clear() {
+    this.#call?.abort();
+    this.#call = null;
+    this.#sides = [];
+    this.#other.stop();
+    this.#say("");
+    this.#paint();
+  }
+
+  /** @param {string} words */
+  #say(words) {
+    setText(this.byId("pair-words"), words);
+  }
+
+  async #run() {
+    const { loaded } = this.#client;
+    if (!this.session || !loaded || this.#call) return;
+    const { id } = this.session.about;
+    const call = (this.#call = new AbortController());
+    this.#say("Both models play.");
+    try {
+      await started(this.#other, this.#name.value, call.signal);
+      const ask = async (/** @type {SharedClient} */ client, /** @type {string} */ name) => {
+        const [imagined, tried] = await Promise.all([client.imagine(id, call.signal), client.propose(id, call.signal)]);
+        return { name, imagined, tried };
+      };
+      const sides = await Promise.all([ask(this.#client, loaded.name), ask(this.#other, this.#name.value)]);
+      if (call.signal.aborted) return;
+      this.#sides = sides;
+      this.#say(verdictOf(sides));
+      this.announce(verdictOf(sides));
+      this.#paint();
+    } catch (error) {
+      if (!call.signal.aborted) this.#say(/** @type {Error} */ (error).message);
+    } finally {
+      if (this.#call === call) this.#call = null;
+    }
+  }
+
+  #paint() {
+    this.byId("pair-columns").replaceChildren(...this.#sides.map((side) => this.#column(side)));
+    this.byId("pair-map").hidden = this.#sides.length === 0;
+  }
+
+  /** @param {Side} side */
+  #column({ name, imagined: { maps, seen }, tried }) {
+    const column = this.fromTemplate("pair-column");
+    find(column, "h3").textContent = name;
+    find(column, ".model-words").textContent = sentence(modelWords(name) || name);
+    const badge = find(column, ".model-badge span");
+    badge.dataset.seen = String(seen);
+    badge.textContent = seenWords(seen);
+    const stage = /** @type {Stage} */ (this.#stage.value);
+    const map = maps[stage];
+    this.#scenePicture.drawOn(find(column, ".scene-layer", HTMLCanvasElement));
+    const shade = find(column, ".shade-layer", HTMLCanvasElement);
+    if (map) pathlight.paintMap(contextOf(shade), stage, map, { max: Math.max(...map), dark: this.dark });
+    const words = map && this.session ? mapWords(map, pathlight.scene(this.session.about.id)) : "it has no such map";
+    shade.setAttribute("aria-label", `${STAGE_TEXT[stage].name}: ${words}`);
+    find(column, ".pair-place").textContent = sentence(words);
+    const strip = new OutcomeStrip(find(column, ".outcome-strip"), (number) => this.#show(tried, number));
+    strip.show(tried);
+    find(column, ".pair-outcome").textContent = outcomeWords(tried);
+    const button = find(column, "button");
+    const last = tried.length;
+    button.textContent = `Watch its ball ${last}`;
+    button.hidden = last === 0;
+    button.addEventListener("click", () => this.#show(tried, last));
+    return column;
+  }
+
+  /**
+   * Plays a ball of a model's in the scene.
+   * @param {TriedProposal[]} tried
+   * @param {number} number
+   */
+  #show(tried, number) {
+    this.session?.preview(number, tried[number - 1].ball, true, true);
+  }
+}
+
+/**
+ * Resolves when a model is loaded; rejects with a sentence if it cannot be.
+ * @param {SharedClient} client
+ * @param {string} name
+ * @param {AbortSignal} signal
+ */
+function started(client, name, signal) {
+  return new Promise((/** @type {(value: void) => void} */ resolve, reject) => {
+    const check = () => {
+      if (client.status === "ready") resolve();
+      else if (client.status === "failed") reject(new Error(client.failure?.message));
+      else return;
+      client.removeEventListener("change", check);
+    };
+    client.addEventListener("change", check);
+    signal.addEventListener("abort", () => {
+      client.removeEventListener("change", check);
+      reject(signal.reason);
+    });
+    client.start(name);
+  });
+}
+
+/** @param {TriedProposal[]} tried */
+function solvedAt(tried) {
+  const index = tried.findIndex(({ ending }) => ending.solved);
+  return index < 0 ? null : index + 1;
+}
+
+/** @param {TriedProposal[]} tried */
+function outcomeWords(tried) {
+  const solved = solvedAt(tried);
+  const ended = solved ? `Solved on attempt ${solved}.` : `Not solved in ${tried.length} attempts.`;
+  const origin = tried[0]?.origin;
+  return origin?.kind === "imagined" ? `${ended} Of its first ball it thought: ${chanceWords(origin.probability)}.` : ended;
+}
+
+/** @param {Side[]} sides */
+function verdictOf(sides) {
+  const [one, other] = sides.map(({ tried }) => solvedAt(tried) ?? ATTEMPT_LIMIT + 1);
+  if (one === other) return one > ATTEMPT_LIMIT ? "Neither model solves this puzzle." : "Both need as many attempts.";
+  return `${sides[one < other ? 0 : 1].name} is sooner there.`;
+}
