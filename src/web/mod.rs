@@ -20,6 +20,7 @@ use crate::puzzle::scene::{SIZE, Scene};
 use crate::puzzle::task::{self, Task, TaskError, TaskId};
 use crate::puzzle::templates::TEMPLATES;
 use crate::raster::{PX_PER_CELL, SIDE};
+use crate::simulator;
 
 mod colour;
 mod describe;
@@ -66,6 +67,7 @@ pub fn constants() -> Result<JsValue, JsValue> {
         steps_per_second: usize,
         goal_steps: usize,
         stages: [&'static str; Stage::ALL.len()],
+        simulator_version: u32,
     }
     to_js(&Constants {
         scene_size: SIZE,
@@ -77,6 +79,7 @@ pub fn constants() -> Result<JsValue, JsValue> {
         steps_per_second: STEPS_PER_SECOND,
         goal_steps: GOAL_STEPS,
         stages: Stage::ALL.map(Stage::name),
+        simulator_version: simulator::VERSION,
     })
 }
 

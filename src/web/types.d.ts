@@ -72,6 +72,8 @@ export interface Constants {
     goal_steps: number;
     /** All stages, in the order in which the nets make them. */
     stages: Stage[];
+    /** The version of the simulator: rollouts of another may end otherwise. */
+    simulator_version: number;
 }
 
 /** A puzzle template and the ids of its tasks ("00007:000"). */

@@ -22,6 +22,7 @@ const column = (page, index) => page.locator('#pair-columns > div').nth(index);
 async function sideBySide(options) {
   const [task, first] = await measured();
   const page = await openPuzzle(session, { task, fragment: '&panel=compare', ...options });
+  await page.locator('#model-pair:visible').waitFor();
   await page.locator('#pair-run').press('Enter');
   await column(page, 1).waitFor();
   return { page, task, first };

@@ -25,6 +25,7 @@ import { AttemptList } from "../play/attempt-list.js";
 import { SceneCanvas } from "../play/canvas.js";
 import { Controls } from "../play/controls.js";
 import { Guide } from "../play/guide.js";
+import { KeptAttempts } from "../play/kept-attempts.js";
 import { Session } from "../play/session.js";
 import { About } from "../shell/about.js";
 import { byId, find, setText } from "../shell/dom.js";
@@ -116,6 +117,7 @@ export class PuzzleController extends EventTarget {
       imagine,
       this.#canvas,
       new Controls(root),
+      new KeptAttempts(root, client, this.#progress.attempts),
       this.#guide,
       this.#afterSolving(),
       new AttemptList(root, byId(root, "play-attempts"), byId(root, "play-count"), "player"),

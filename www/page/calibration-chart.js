@@ -15,7 +15,7 @@ const FEW = 10;
  * @param {Calibration} calibration
  */
 export function calibrationChart({ random, candidates }) {
-  const chart = element("svg", { viewBox: `-14 -4 ${SIDE + 20} ${SIDE + 20}`, role: "img", "aria-label": "Chance given and share that solves; the table has the numbers" });
+  const chart = element("svg", { viewBox: `-20 -5 ${SIDE + 30} ${SIDE + 18}`, role: "img", "aria-label": "Chance given and share that solves; the table has the numbers" });
   for (const percent of [0, 50, 100]) {
     const [across, up] = [element("text", { x: percent, y: SIDE + 9, "text-anchor": "middle" }), element("text", { x: -3, y: SIDE - percent + 2, "text-anchor": "end" })];
     across.textContent = up.textContent = `${percent} %`;

@@ -34,7 +34,7 @@ export class Page {
   #puzzle = byId(document, "puzzle", PathlightPuzzle);
   #gallery = new Gallery(byId(document, "templates"), this.#templates);
   #picks = new Picks(this.#templates, sharedProgress("kept").player.tasks.length > 0, () => this.#startGuide());
-  #progressView = new ProgressView(sharedProgress("kept").player, this.#templates, this.#gallery);
+  #progressView = new ProgressView(sharedProgress("kept"), this.#templates, this.#gallery);
   /** @type {import("./share-dialog.js").ShareDialog | null} */
   #shareDialog = null;
   /** @type {number | undefined} */

@@ -374,6 +374,20 @@ export class Session extends EventTarget {
   }
 
   /**
+   * Makes attempts of the player's again that were made before; nothing of them is shown.
+   * @param {Ball[]} balls
+   */
+  restore(balls) {
+    if (balls.length === 0) return;
+    for (const ball of balls) {
+      // A ball of another version may not fit any more.
+      if (this.puzzle.whyInvalid(...ball) === undefined) this.puzzle.attempt(...ball);
+    }
+    this.puzzle.reset();
+    this.#emit("change");
+  }
+
+  /**
    * Adds an attempt that the worker has simulated for a model.
    * @param {Attempt} attempt
    * @param {string} modelName

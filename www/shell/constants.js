@@ -23,5 +23,8 @@ export const GOAL_SECONDS = shared.goal_steps / shared.steps_per_second;
 /** The maps in the order in which the nets make them: the paper's four, then the judge's. */
 export const STAGES = shared.stages;
 
+/** The version of the simulator; those of other versions may end otherwise. */
+export const SIMULATOR_VERSION = shared.simulator_version;
+
 /** Initial radius of a ball, px. */
 export const FIRST_RADIUS = 12;

@@ -4,6 +4,8 @@
 //
 // { "tasks": { "00007:013": { "attempts": 4, "solved": 3 } } }   "solved" is null as long as no attempt solved it
 
+import { AttemptStore } from "./attempt-store.js";
+
 /** @typedef {{ attempts: number, solved: number | null }} TaskProgress */
 
 const PLAYER_KEY = "pathlight.progress";
@@ -84,6 +86,18 @@ export class ProgressStore extends EventTarget {
     this.#write();
   }
 
+  /**
+   * Takes progress from elsewhere, where it tells of more attempts than are known here.
+   * @param {unknown} tasks as stored; what makes no sense is left out
+   */
+  take(tasks) {
+    if (this.persistent) this.#read();
+    for (const [task, progress] of Object.entries(validTasks({ tasks }))) {
+      if (progress.attempts > this.of(task).attempts) this.#tasks[task] = progress;
+    }
+    this.#write();
+  }
+
   clear() {
     this.#tasks = {};
     this.#store((storage) => storage.removeItem(this.#key));
@@ -142,9 +156,15 @@ export function rememberGuide() {
   }
 }
 
-/** The progress of the player and of each model, which all puzzles of a page share. Fires "change" when any of it changes. */
+const MODEL_KEY = "pathlight.model.";
+
+/**
+ * The progress of the player and of each model, and the attempts themselves, which all puzzles of a page share. Fires "change"
+ * when any progress changes.
+ */
 class Progress extends EventTarget {
   player;
+  attempts;
   #persistent;
   /** @type {Map<string, ProgressStore>} */
   #models = new Map();
@@ -154,6 +174,7 @@ class Progress extends EventTarget {
     super();
     this.#persistent = persistent;
     this.player = this.#create(PLAYER_KEY);
+    this.attempts = new AttemptStore(persistent);
   }
 
   /**
@@ -161,9 +182,21 @@ class Progress extends EventTarget {
    * @param {string} name
    */
   ofModel(name) {
-    const store = this.#models.get(name) ?? this.#create(`pathlight.model.${name}`);
+    const store = this.#models.get(name) ?? this.#create(MODEL_KEY + name);
     this.#models.set(name, store);
     return store;
+  }
+
+  /** The names of the models that have progress. */
+  get modelNames() {
+    /** @type {string[]} */
+    let kept = [];
+    try {
+      if (this.#persistent) kept = Object.keys(localStorage).filter((key) => key.startsWith(MODEL_KEY)).map((key) => key.slice(MODEL_KEY.length));
+    } catch {
+      // It may not be asked; what was made in this page is known.
+    }
+    return [...new Set([...kept, ...this.#models.keys()])].sort();
   }
 
   /** @param {string} key */

@@ -2,31 +2,38 @@
 // Saves it to a file, and deletes it when the person is sure.
 
 import { byId } from "./dom.js";
+import { download } from "./download.js";
+import { showNotice } from "./notice.js";
+import { progressJson, takeProgress } from "./progress-file.js";
 
 /** @typedef {import("./gallery.js").Template} Template */
 
-/** The browser may read a download some time after the click; its address is kept so long, ms. */
-const DOWNLOAD_TIME = 60_000;
-
 export class ProgressView {
+  #progress;
   #store;
   #templates;
   #gallery;
 
   /**
-   * @param {import("./progress-store.js").ProgressStore} store
+   * @param {import("./progress-store.js").SharedProgress} progress
    * @param {Template[]} templates
    * @param {import("./gallery.js").Gallery} gallery
    */
-  constructor(store, templates, gallery) {
-    this.#store = store;
+  constructor(progress, templates, gallery) {
+    this.#progress = progress;
+    const store = (this.#store = progress.player);
     this.#templates = templates;
     this.#gallery = gallery;
     byId(document, "progress-save").addEventListener("click", () => this.#save());
     const dialog = byId(document, "forget-dialog", HTMLDialogElement);
     dialog.addEventListener("close", () => {
-      if (dialog.returnValue === "forget") store.clear();
+      if (dialog.returnValue !== "forget") return;
+      progress.attempts.clear();
+      store.clear();
     });
+    const file = byId(document, "progress-file", HTMLInputElement);
+    byId(document, "progress-read").addEventListener("click", () => file.click());
+    file.addEventListener("change", () => this.#take(file));
     store.addEventListener("change", () => this.#update());
     this.#update();
   }
@@ -65,11 +72,23 @@ export class ProgressView {
   }
 
   #save() {
-    const link = document.createElement("a");
-    link.href = URL.createObjectURL(new Blob([this.#store.toJson()], { type: "application/json" }));
-    link.download = "pathlight-progress.json";
-    link.click();
-    setTimeout(() => URL.revokeObjectURL(link.href), DOWNLOAD_TIME);
+    download("pathlight-progress.json", new Blob([progressJson(this.#progress)], { type: "application/json" }));
+  }
+
+  /**
+   * Takes the file that the person has chosen.
+   * @param {HTMLInputElement} input
+   */
+  async #take(input) {
+    const [file] = input.files ?? [];
+    if (!file) return;
+    try {
+      const { puzzles, attempts } = takeProgress(this.#progress, await file.text());
+      showNotice(`Read back: ${counted(puzzles, "puzzle")}, with ${counted(attempts, "attempt")}.`);
+    } catch (error) {
+      showNotice(/** @type {Error} */ (error).message);
+    }
+    input.value = "";
   }
 }
 

@@ -1,0 +1,124 @@
+// Attempts are kept for each puzzle and model, come back when the puzzle is opened again, and are saved to a file and read back whole.
+
+import assert from 'node:assert/strict';
+import { readFile, writeFile } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { start } from './harness.mjs';
+import { EASY, attempts, known, modelLoaded, openPuzzle, playModelTurn, says, type } from './page-actions.mjs';
+
+let session;
+before(async () => (session = await start()));
+after(() => session.stop());
+
+async function run(page, ball, words) {
+  await type(page, ball);
+  await page.locator('#run').click();
+  await says(page, words);
+}
+
+/** A miss and a solution of the player's, and the model's turn. */
+async function played(options = {}) {
+  const page = await openPuzzle(session, { reducedMotion: true, ...options });
+  const { missing, solving } = await known();
+  await run(page, missing, /^Not solved/);
+  await page.locator('#reset').click();
+  await run(page, solving, /^Solved/);
+  await page.locator('#tab-compare').click();
+  await playModelTurn(page);
+  return page;
+}
+
+const titles = (page, list) => page.locator(`#${list} [data-act=replay]`).evaluateAll((buttons) => buttons.map((button) => button.title + button.textContent));
+
+test('the attempts of both come back after a reload and after another puzzle, and are replayed', async () => {
+  const page = await played();
+  const [player, model] = [await titles(page, 'player-attempts'), await titles(page, 'model-attempts')];
+  assert.equal(player.length, 2);
+  assert.ok(model.length >= 1);
+  const verdict = await page.locator('#verdict').textContent();
+  await page.reload();
+  await page.locator('#model-turn').filter({ hasText: 'The model has played' }).waitFor();
+  assert.deepEqual(await titles(page, 'player-attempts'), player);
+  assert.deepEqual(await titles(page, 'model-attempts'), model);
+  assert.equal(await page.locator('#verdict').textContent(), verdict);
+  await page.locator('#player-attempts [data-act=replay]').first().click();
+  await says(page, /^Not solved. Your attempt 1/);
+  await page.locator('#next').click();
+  assert.equal(await attempts(page), 0);
+  await page.locator('#previous').click();
+  assert.equal(await attempts(page), 2);
+});
+
+test('another model has attempts of its own, and those of the first stay', async () => {
+  const page = await played();
+  const model = await titles(page, 'model-attempts');
+  await page.locator('#tab-imagine').click();
+  await page.locator('#model-select').selectOption('cross-0');
+  await modelLoaded(page, 'cross-0');
+  await page.locator('#tab-compare').click();
+  assert.deepEqual(await titles(page, 'model-attempts'), []);
+  await page.goBack();
+  await page.locator('#tab-imagine').click();
+  await page.locator('#model-select').selectOption('within-0');
+  await modelLoaded(page, 'within-0');
+  await page.locator('#tab-compare').click();
+  await page.locator('#model-attempts li').first().waitFor();
+  assert.deepEqual(await titles(page, 'model-attempts'), model);
+});
+
+test('an attempt that is deleted, and all that are cleared, stay away', async () => {
+  const page = await played();
+  await page.locator('#player-attempts [data-act=remove]').first().click();
+  await page.reload();
+  await page.locator('#model-attempts li').first().waitFor();
+  assert.equal((await titles(page, 'player-attempts')).length, 1);
+  await page.locator('#clear-attempts').click();
+  await page.reload();
+  await modelLoaded(page);
+  assert.deepEqual([...(await titles(page, 'player-attempts')), ...(await titles(page, 'model-attempts'))], []);
+});
+
+test('all is saved to a file and read back whole on another device', async () => {
+  const page = await played();
+  const [player, model] = [await titles(page, 'player-attempts'), await titles(page, 'model-attempts')];
+  await page.locator('#home').click();
+  const [file] = await Promise.all([page.waitForEvent('download'), page.locator('#progress-save').click()]);
+  const path = await file.path();
+  const saved = JSON.parse(await readFile(path, 'utf8'));
+  assert.deepEqual(saved.tasks, { [EASY]: { attempts: 2, solved: 2 } });
+  assert.deepEqual(saved.attempts.map(({ task, by, status, simulator }) => [task, by, status, Number.isInteger(simulator)]).slice(0, 2), [[EASY, 'player', 'not_solved', true], [EASY, 'player', 'solved', true]]);
+  assert.equal(saved.attempts.filter(({ by }) => by === 'within-0').length, model.length);
+  assert.equal(saved.models['within-0'][EASY].attempts, model.length);
+
+  const elsewhere = await session.open('/');
+  await elsewhere.locator('#templates a').first().waitFor();
+  await elsewhere.locator('#progress-file').setInputFiles(path);
+  await elsewhere.locator('#notice-text').filter({ hasText: `Read back: 1 puzzle, with ${2 + model.length} attempts.` }).waitFor();
+  await elsewhere.locator('#progress-words').filter({ hasText: 'solved 1, in 2 attempts' }).waitFor();
+  await elsewhere.goto(`${session.origin}/#task=${EASY}&panel=compare`);
+  await elsewhere.locator('#model-attempts li').first().waitFor();
+  assert.deepEqual(await titles(elsewhere, 'player-attempts'), player);
+  assert.deepEqual(await titles(elsewhere, 'model-attempts'), model);
+  await elsewhere.locator('#score-rows th', { hasText: EASY }).waitFor();
+
+  // JSON lines of attempts alone are read too.
+  const lines = join(tmpdir(), `pathlight-${process.pid}.jsonl`);
+  await writeFile(lines, saved.attempts.map((one) => `${JSON.stringify({ ...one, digest: 'more' })}\n`).join(''));
+  const third = await session.open('/');
+  await third.locator('#templates a').first().waitFor();
+  await third.locator('#progress-file').setInputFiles(lines);
+  await third.locator('#progress-words').filter({ hasText: 'solved 1, in 2 attempts' }).waitFor();
+});
+
+for (const [what, content] of Object.entries({ 'no JSON': 'soup', 'another form': '[1, 2]', 'impossible attempts': JSON.stringify({ tasks: {}, attempts: [{ task: 'soup', ball: [1], status: 'solved', steps: 1 }] }) })) {
+  test(`a file with ${what} is a sentence, and nothing is lost`, async () => {
+    const page = await played();
+    await page.locator('#home').click();
+    await page.locator('#progress-file').setInputFiles({ name: 'file.json', mimeType: 'application/json', buffer: Buffer.from(content) });
+    await page.locator('#notice-text').filter({ hasText: 'This file holds no progress of Pathlight' }).waitFor();
+    await page.locator('#templates a').first().click();
+    assert.equal(await attempts(page), 2);
+  });
+}

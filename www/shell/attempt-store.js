@@ -1,0 +1,159 @@
+// The attempts themselves, as this device keeps them: for each puzzle the balls of the player and of each model, with what became
+// of them. Kept in localStorage, a key for each puzzle, as JSON lines: an attempt a line. A store that is forbidden, full or
+// damaged loses attempts but never breaks the page. Knows nothing of the document.
+//
+// {"task":"00007:008","by":"player","ball":[128,200,12],"status":"solved","steps":312,"longest_touch":180,"final_touch":180,"simulator":3}
+// "by" is "player" or the name of a model; lengths are in px, times in steps; "simulator" is the version of the simulator.
+
+/** @typedef {import("../pkg/pathlight.js").Attempt} Attempt */
+
+/** @typedef {Attempt & { task: string, by: string, simulator: number }} KeptAttempt */
+
+const PREFIX = "pathlight.attempts.";
+const TASK = /^\d{5}:\d{3}$/;
+const NAME = /^[\w.-]{1,60}$/;
+/** More attempts of one contender at one puzzle than this are damage. */
+const MOST = 100;
+/** More steps than this are damage. */
+const MOST_STEPS = 1e5;
+
+export class AttemptStore {
+  #persistent;
+  /** @type {Map<string, KeptAttempt[]>} what was written in this page, by puzzle */
+  #written = new Map();
+
+  /** @param {boolean} persistent does it outlast the page? */
+  constructor(persistent) {
+    this.#persistent = persistent;
+  }
+
+  /**
+   * The attempts at a puzzle, in the order in which they were made.
+   * @param {string} task
+   * @returns {KeptAttempt[]}
+   */
+  of(task) {
+    const text = this.#ask((storage) => storage.getItem(PREFIX + task));
+    if (text === undefined) return this.#written.get(task) ?? [];
+    return text === null ? [] : parseAttempts(text).attempts.filter((one) => one.task === task);
+  }
+
+  /**
+   * Replaces the attempts of one contender at a puzzle.
+   * @param {string} task
+   * @param {string} by
+   * @param {Attempt[]} attempts
+   * @param {number} simulator
+   */
+  set(task, by, attempts, simulator) {
+    const others = this.of(task).filter((one) => one.by !== by);
+    this.#write(task, [...others, ...attempts.map(({ ball, ending }) => ({ task, by, ball, ending, simulator }))]);
+  }
+
+  /** All attempts, by puzzle. */
+  get all() {
+    const keys = this.#ask((storage) => Object.keys(storage).filter((key) => key.startsWith(PREFIX)));
+    const tasks = keys === undefined ? [...this.#written.keys()] : keys.map((key) => key.slice(PREFIX.length));
+    return tasks.sort().flatMap((task) => this.of(task));
+  }
+
+  /**
+   * Takes attempts that were saved; of each contender at a puzzle they replace those that are here, others stay.
+   * @param {KeptAttempt[]} attempts
+   */
+  take(attempts) {
+    for (const [task, ofTask] of Map.groupBy(attempts, (one) => one.task)) {
+      const contenders = new Set(ofTask.map(({ by }) => by));
+      this.#write(task, [...this.of(task).filter(({ by }) => !contenders.has(by)), ...ofTask]);
+    }
+  }
+
+  /**
+   * Forgets the attempts of all at a puzzle.
+   * @param {string} task
+   */
+  forget(task) {
+    this.#write(task, []);
+  }
+
+  /** Forgets all attempts. */
+  clear() {
+    this.#written.clear();
+    this.#ask((storage) => {
+      for (const key of Object.keys(storage)) if (key.startsWith(PREFIX)) storage.removeItem(key);
+    });
+  }
+
+  /**
+   * @param {string} task
+   * @param {KeptAttempt[]} attempts
+   */
+  #write(task, attempts) {
+    this.#written.set(task, attempts);
+    this.#ask((storage) => (attempts.length ? storage.setItem(PREFIX + task, formatAttempts(attempts)) : storage.removeItem(PREFIX + task)));
+  }
+
+  /**
+   * What the browser's store answers; undefined if there is none.
+   * @template T
+   * @param {(storage: Storage) => T} act
+   * @returns {T | undefined}
+   */
+  #ask(act) {
+    try {
+      return this.#persistent ? act(localStorage) : undefined;
+    } catch {
+      this.#persistent = false;
+      return undefined;
+    }
+  }
+}
+
+/**
+ * Attempts as JSON lines.
+ * @param {KeptAttempt[]} attempts
+ */
+export function formatAttempts(attempts) {
+  return attempts.map(({ task, by, ball, ending: { solved, ...times }, simulator }) => `${JSON.stringify({ task, by, ball, status: solved ? "solved" : "not_solved", ...times, simulator })}\n`).join("");
+}
+
+/**
+ * The attempts of JSON lines, and how many lines are none; lines may hold more than is read.
+ * @param {string} text
+ * @returns {{ attempts: KeptAttempt[], unread: number }}
+ */
+export function parseAttempts(text) {
+  const lines = text.split("\n").filter((line) => line.trim());
+  /** @type {Map<string, number>} */
+  const counts = new Map();
+  const attempts = lines.flatMap((line) => {
+    const attempt = attemptOf(line);
+    if (!attempt) return [];
+    const contender = `${attempt.task} ${attempt.by}`;
+    const count = (counts.get(contender) ?? 0) + 1;
+    counts.set(contender, count);
+    return count <= MOST ? [attempt] : [];
+  });
+  return { attempts, unread: lines.length - attempts.length };
+}
+
+/**
+ * @param {string} line
+ * @returns {KeptAttempt | null}
+ */
+function attemptOf(line) {
+  /** @type {any} */
+  let parsed;
+  try {
+    parsed = JSON.parse(line);
+  } catch {
+    return null;
+  }
+  const { task, by = "player", ball, status, steps, longest_touch = 0, final_touch = 0, simulator = 0 } = parsed ?? {};
+  /** @type {(value: unknown) => boolean} */
+  const isSteps = (value) => Number.isSafeInteger(value) && Number(value) >= 0 && Number(value) <= MOST_STEPS;
+  const isBall = Array.isArray(ball) && ball.length === 3 && ball.every((value) => Number.isFinite(value));
+  const fits = typeof task === "string" && TASK.test(task) && typeof by === "string" && NAME.test(by) && isBall && ["solved", "not_solved"].includes(status);
+  if (!fits || ![steps, longest_touch, final_touch, simulator].every(isSteps)) return null;
+  return { task, by, ball: /** @type {import("../pkg/pathlight.js").Ball} */ (ball), ending: { solved: status === "solved", steps, longest_touch, final_touch }, simulator };
+}
