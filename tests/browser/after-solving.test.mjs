@@ -149,4 +149,17 @@ test('the puzzle of the day depends on the date alone, and its result is a text 
     assert.match(await page.locator('#picks a').first().textContent(), /^Puzzle of the day2[23] November 2026: .+, \d+ of 100, (easy|medium)$/);
   }
   assert.equal(picks.size, 2, 'one for each day');
+
+  const context = await session.browser.newContext({ reducedMotion: 'reduce' });
+  await context.clock.setFixedTime(new Date('2026-11-22T12:00'));
+  const page = await session.openIn(context);
+  await page.locator('#picks a').first().click();
+  await says(page, /place the red ball/);
+  const solutions = (await readFile(new URL('../../assets/solutions.jsonl', import.meta.url), 'utf8')).split('\n');
+  const { ball } = JSON.parse(solutions.find((line) => line.includes(`"${task(page)}"`)) ?? 'null');
+  await type(page, ball);
+  await page.locator('#run').click();
+  await page.locator('#solved-share').click();
+  await page.locator('#share-dialog[open]').waitFor();
+  assert.match(await page.locator('#share-text').textContent(), /^Pathlight, 22 November 2026: .+, \d+ of 100\n🟢$/);
 });
