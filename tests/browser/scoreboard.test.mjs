@@ -29,6 +29,7 @@ test('a puzzle counts once both have played, by the same measure, and is kept', 
   await page.locator('#score-empty:visible').waitFor();
   await playBoth(page);
   assert.equal(await rows(page).count(), 1);
+  assert.equal(await rows(page).locator('th').textContent(), 'Two Drops, 1 of 100');
   assert.equal(await rows(page).locator('td').first().textContent(), '✓ on attempt 2');
   const made = await page.locator('#model-attempts li').count();
   assert.match(await rows(page).locator('td').last().textContent(), new RegExp(`^(✓ on attempt|× in) ${made}$`));

@@ -3,6 +3,7 @@
 import { byId } from "../shell/dom.js";
 import { difficultyName, solveRateOf } from "../shell/difficulty.js";
 import { guideOffered, rememberGuide } from "../shell/progress-store.js";
+import { puzzleName } from "../shell/puzzle-name.js";
 import { dayWords, taskOfDay } from "./daily.js";
 
 /** @typedef {import("../shell/gallery.js").Template} Template */
@@ -11,7 +12,6 @@ import { dayWords, taskOfDay } from "./daily.js";
 export const FIRST_TASK = "00000:088";
 
 export class Picks {
-  #templates;
   #tasks;
 
   /**
@@ -20,7 +20,6 @@ export class Picks {
    * @param {() => void} startGuide
    */
   constructor(templates, played, startGuide) {
-    this.#templates = templates;
     this.#tasks = templates.flatMap(({ tasks }) => tasks);
     const welcome = byId(document, "welcome");
     welcome.hidden = played || guideOffered();
@@ -54,9 +53,7 @@ export class Picks {
     const name = document.createElement("strong");
     name.textContent = title;
     const words = document.createElement("span");
-    const template = this.#templates.find(({ tasks }) => tasks.includes(task));
-    const place = template ? `${template.name}, ${template.tasks.indexOf(task) + 1} of ${template.tasks.length}` : task;
-    words.textContent = `${detail}: ${place}, ${difficultyName(solveRateOf(task))}`;
+    words.textContent = `${detail}: ${puzzleName(task)}, ${difficultyName(solveRateOf(task))}`;
     link.append(name, words);
     const item = document.createElement("li");
     item.append(link);

@@ -4,6 +4,7 @@
 import { palette } from "../pkg/pathlight.js";
 import { byId } from "../shell/dom.js";
 import { difficultyWords } from "../shell/difficulty.js";
+import { puzzleName } from "../shell/puzzle-name.js";
 import { INITIAL_STATE, formatFragment } from "../shell/url-state.js";
 import { dayWords, taskOfDay } from "./daily.js";
 import { paintResultCard } from "./result-card.js";
@@ -58,7 +59,7 @@ export class ShareDialog {
     if (!result) return;
     const canvas = document.createElement("canvas");
     const lines = {
-      name: this.#nameOf(result.task),
+      name: puzzleName(result.task),
       solved: result.solvedAt === 1 ? "Solved at the first attempt" : `Solved in ${result.solvedAt} attempts`,
       model: modelWords(result),
       difficulty: difficultyWords(result.task),
@@ -76,7 +77,7 @@ export class ShareDialog {
   /** @param {Result} result */
   #words(result) {
     const today = new Date();
-    const name = this.#nameOf(result.task);
+    const name = puzzleName(result.task);
     if (result.task === taskOfDay(today, this.#templates.flatMap(({ tasks }) => tasks))) {
       const misses = result.solvedAt - 1;
       const marks = misses > MOST_MARKS ? `${misses} × 🔴 ` : "🔴".repeat(misses);
@@ -84,12 +85,6 @@ export class ShareDialog {
     }
     const how = result.solvedAt === 1 ? "at the first attempt" : `in ${result.solvedAt} attempts`;
     return [`I solved Pathlight’s puzzle “${name}” ${how}.`, modelWords(result), "Can you do better?"].filter(Boolean).join(" ");
-  }
-
-  /** @param {string} task */
-  #nameOf(task) {
-    const template = this.#templates.find(({ tasks }) => tasks.includes(task));
-    return template ? `${template.name}, ${template.tasks.indexOf(task) + 1} of ${template.tasks.length}` : task;
   }
 
   /** The address of the puzzle with the challenge, without the ball. */

@@ -5,6 +5,7 @@
 import { Component } from "../shell/component.js";
 import { ATTEMPT_LIMIT } from "../shell/constants.js";
 import { pathlight } from "../shell/pathlight.js";
+import { puzzleName } from "../shell/puzzle-name.js";
 
 /** @typedef {import("../shell/progress-store.js").ProgressStore} ProgressStore */
 
@@ -75,14 +76,15 @@ export class Scoreboard extends Component {
   #row(task, stores) {
     const head = document.createElement("th");
     head.scope = "row";
+    head.title = `Puzzle ${task}`;
     const href = this.#hrefOf(task);
     if (href) {
       const link = document.createElement("a");
       link.href = href;
-      link.textContent = task;
+      link.textContent = puzzleName(task);
       head.append(link);
     } else {
-      head.textContent = task;
+      head.textContent = puzzleName(task);
     }
     const row = document.createElement("tr");
     row.append(head, ...stores.map((store) => resultCell(store.of(task))));

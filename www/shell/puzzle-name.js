@@ -1,0 +1,17 @@
+// The names that people read: "Funnel, 8 of 100" for a task.
+
+import { pathlight } from "./pathlight.js";
+
+/** @type {Map<string, string>} */
+const names = new Map();
+
+/**
+ * The name of a task of the benchmark; the task itself if it is none.
+ * @param {string} task
+ */
+export function puzzleName(task) {
+  if (names.size === 0) {
+    for (const { name, tasks } of pathlight.templates()) tasks.forEach((one, index) => names.set(one, `${name}, ${index + 1} of ${tasks.length}`));
+  }
+  return names.get(task) ?? task;
+}
