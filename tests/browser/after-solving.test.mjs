@@ -139,6 +139,24 @@ test('where there is a share sheet, picture, text and link go to it', async () =
   assert.match(shared.url, /#task=00000:000&challenge=1$/);
 });
 
+test('“Stump the net” opens a puzzle that the model does not solve, and another once that is solved', async () => {
+  const { agents } = JSON.parse(await readFile(new URL('../../results/shipped/within-0.json', import.meta.url), 'utf8'));
+  const unsolvedTasks = agents.find(({ agent }) => agent === 'online').first_solved.filter(([, attempt]) => attempt === null).map(([task]) => task);
+  const page = await session.open('/', { reducedMotion: 'reduce' });
+  const stump = page.locator('#picks button');
+  await stump.focus();
+  await page.keyboard.press('Enter');
+  await says(page, /place the red ball/);
+  const first = task(page);
+  assert.ok(unsolvedTasks.includes(first), String(first));
+  await page.evaluate((first) => localStorage.setItem('pathlight.progress', JSON.stringify({ tasks: { [first]: { attempts: 1, solved: 1 } } })), first);
+  await page.goto(`${session.origin}/`);
+  await page.reload();
+  await stump.click();
+  await says(page, /place the red ball/);
+  assert.ok(unsolvedTasks.includes(task(page)) && task(page) !== first);
+});
+
 test('the puzzle of the day depends on the date alone, and its result is a text of marks', async () => {
   const picks = new Set();
   for (const date of ['2026-11-22T00:10', '2026-11-22T23:50', '2026-11-23T12:00']) {

@@ -47,8 +47,9 @@ test('the picker goes through the 100 puzzles of a template and to any', async (
   const page = await session.open('/');
   await page.locator('#templates a').nth(3).click();
   const select = page.locator('#task');
-  const ids = await select.locator('option').allTextContents();
+  const ids = await select.locator('option').evaluateAll((options) => options.map((option) => /** @type {HTMLOptionElement} */ (option).value));
   assert.equal(ids.length, 100);
+  assert.equal(await select.locator('option').nth(7).textContent(), '8 of 100');
   await page.locator('#next').click();
   assert.equal(await select.inputValue(), ids[1]);
   assert.match(page.url(), new RegExp(`task=${ids[1]}`));
@@ -61,4 +62,20 @@ test('the picker goes through the 100 puzzles of a template and to any', async (
   assert.equal(await select.inputValue(), ids[99]);
   await page.locator('#random').click();
   assert.match(page.url(), /task=000[0-2]\d:\d{3}/);
+});
+
+test('the grid tells how hard the kinds are, and orders them by that', async () => {
+  const page = await session.open('/');
+  const names = () => page.locator('#templates strong').allTextContents();
+  await page.locator('#templates i').filter({ hasText: /^mostly (easy|medium|hard)$/ }).nth(24).waitFor({ state: 'attached' });
+  const byNumber = await names();
+  await page.locator('#gallery-order').selectOption('difficulty');
+  const easiest = await names();
+  assert.notDeepEqual(easiest, byNumber);
+  assert.deepEqual(easiest.toSorted(), byNumber.toSorted());
+  const kinds = await page.locator('#templates i').allTextContents();
+  const rank = (words) => ['mostly easy', 'mostly medium', 'mostly hard'].indexOf(words);
+  assert.deepEqual(kinds.map(rank), kinds.map(rank).toSorted((one, other) => one - other));
+  await page.locator('#gallery-order').selectOption('number');
+  assert.deepEqual(await names(), byNumber);
 });

@@ -101,7 +101,7 @@ test('all is saved to a file and read back whole on another device', async () =>
   await elsewhere.locator('#model-attempts li').first().waitFor();
   assert.deepEqual(await titles(elsewhere, 'player-attempts'), player);
   assert.deepEqual(await titles(elsewhere, 'model-attempts'), model);
-  await elsewhere.locator('#score-rows th', { hasText: EASY }).waitFor();
+  await elsewhere.locator('#score-rows th', { hasText: 'Two Drops, 1 of 100' }).waitFor();
 
   // JSON lines of attempts alone are read too.
   const lines = join(tmpdir(), `pathlight-${process.pid}.jsonl`);

@@ -98,7 +98,7 @@ test('a panel that the link hides does nothing, although the link names it', asy
   assert.deepEqual((await ball(page)).slice(0, 2), [100, 240], 'the scene takes no pen');
 
   await page.goto(`${session.origin}/#task=00007:008&panel=compare&proposal=1&hide=compare`);
-  await page.locator('#task option:checked', { hasText: '00007:008' }).waitFor({ state: 'attached' });
+  await page.locator('#task option:checked[value="00007:008"]').waitFor({ state: 'attached' });
   await page.locator('#imagined-in').filter({ hasText: 'Imagined' }).waitFor({ state: 'attached' });
   // Longer than the model takes to propose, if it is asked.
   await page.waitForTimeout(1500);

@@ -63,6 +63,10 @@ for (const [screen, size] of Object.entries(SCREENS)) {
     await time.fill(await time.getAttribute('max'));
     await says(page, /^Solved/);
     await take('solved');
+    await page.locator('#solved-share').click();
+    await page.locator('#share-dialog[open]').waitFor();
+    await take('share');
+    await page.keyboard.press('Escape');
     await page.locator('#play-attempts [data-act=overlay]').first().click();
     await take('overlaid');
 

@@ -69,7 +69,7 @@ test('what one has not solved counts nothing for it, and what only one has playe
     }),
   });
   await page.locator('#score-table:visible').waitFor();
-  assert.deepEqual(await rows(page).locator('th').allTextContents(), ['00001:001', '00001:002']);
+  assert.deepEqual(await rows(page).locator('th').allTextContents(), ['Tray with Lips, 2 of 100', 'Tray with Lips, 3 of 100']);
   assert.equal(await page.locator('#score-player').textContent(), '50.0');
   assert.equal(await page.locator('#score-model').textContent(), '50.0');
   assert.deepEqual(await rows(page).first().locator('td').allTextContents(), ['✓ on attempt 1', '× in 100']);

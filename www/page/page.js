@@ -33,7 +33,7 @@ export class Page {
   #templates = pathlight.templates();
   #puzzle = byId(document, "puzzle", PathlightPuzzle);
   #gallery = new Gallery(byId(document, "templates"), this.#templates);
-  #picks = new Picks(this.#templates, sharedProgress("kept").player.tasks.length > 0, () => this.#startGuide());
+  #picks = new Picks(this.#templates, sharedProgress("kept").player, (task) => this.#navigate(task), () => this.#startGuide());
   #progressView = new ProgressView(sharedProgress("kept"), this.#templates, this.#gallery);
   /** @type {import("./share-dialog.js").ShareDialog | null} */
   #shareDialog = null;
@@ -156,7 +156,7 @@ export class Page {
     this.#gallery.setState(state);
     if (!gallerySection.hidden) {
       this.#orderGallery();
-      this.#picks.update((task) => hrefOf(state, task));
+      this.#picks.update(state.model, (task) => hrefOf(state, task));
     }
     const results = resultsHref(state);
     const link = byId(document, "results-link", HTMLAnchorElement);

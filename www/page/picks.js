@@ -1,7 +1,10 @@
-// What the grid offers above its templates: the introduction on a first visit, and the puzzle of the day.
+// What the grid offers above its templates: the introduction on a first visit, the puzzle of the day, and the puzzles that the
+// model does not solve.
 
-import { byId } from "../shell/dom.js";
+import { readResults } from "../model/results.js";
+import { byId, createButton } from "../shell/dom.js";
 import { difficultyName, solveRateOf } from "../shell/difficulty.js";
+import { showNotice } from "../shell/notice.js";
 import { guideOffered, rememberGuide } from "../shell/progress-store.js";
 import { puzzleName } from "../shell/puzzle-name.js";
 import { dayWords, taskOfDay } from "./daily.js";
@@ -13,16 +16,25 @@ export const FIRST_TASK = "00000:088";
 
 export class Picks {
   #tasks;
+  #progress;
+  #open;
+  #stump = createButton("", () => this.#openUnsolved());
+  /** @type {string | null} */
+  #model = null;
 
   /**
    * @param {Template[]} templates
-   * @param {boolean} played has the person tried a puzzle in this browser?
+   * @param {import("../shell/progress-store.js").ProgressStore} progress the person’s
+   * @param {(task: string) => void} open goes to a puzzle
    * @param {() => void} startGuide
    */
-  constructor(templates, played, startGuide) {
+  constructor(templates, progress, open, startGuide) {
+    this.#progress = progress;
+    this.#open = open;
+    this.#stump.append(line("strong", "Stump the net"), line("span", "A puzzle that it does not solve in a hundred attempts"));
     this.#tasks = templates.flatMap(({ tasks }) => tasks);
     const welcome = byId(document, "welcome");
-    welcome.hidden = played || guideOffered();
+    welcome.hidden = progress.tasks.length > 0 || guideOffered();
     const answer = () => {
       rememberGuide();
       welcome.hidden = true;
@@ -34,11 +46,28 @@ export class Picks {
     byId(document, "welcome-skip").addEventListener("click", answer);
   }
 
-  /** @param {(task: string) => string | null} hrefOf */
-  update(hrefOf) {
+  /**
+   * @param {string | null} model the one that is to be stumped; null for the first
+   * @param {(task: string) => string | null} hrefOf
+   */
+  update(model, hrefOf) {
+    this.#model = model;
     const today = new Date();
-    const task = taskOfDay(today, this.#tasks);
-    byId(document, "picks").replaceChildren(this.#item("Puzzle of the day", dayWords(today), task, hrefOf));
+    const stump = document.createElement("li");
+    stump.append(this.#stump);
+    byId(document, "picks").replaceChildren(this.#item("Puzzle of the day", dayWords(today), taskOfDay(today, this.#tasks), hrefOf), stump);
+  }
+
+  /** Opens the easiest puzzle that neither the model nor the person has solved. */
+  async #openUnsolved() {
+    try {
+      const models = await readResults();
+      const { tasks, first_solved: { online } } = models.find(({ name }) => name === this.#model) ?? models[0];
+      const unsolved = tasks.filter((_, index) => online[index] === null).toSorted((one, other) => solveRateOf(other) - solveRateOf(one));
+      this.#open(unsolved.find((task) => this.#progress.of(task).solved === null) ?? unsolved[0]);
+    } catch (error) {
+      showNotice(/** @type {Error} */ (error).message);
+    }
   }
 
   /**
@@ -50,13 +79,19 @@ export class Picks {
   #item(title, detail, task, hrefOf) {
     const link = document.createElement("a");
     link.href = hrefOf(task) ?? "#";
-    const name = document.createElement("strong");
-    name.textContent = title;
-    const words = document.createElement("span");
-    words.textContent = `${detail}: ${puzzleName(task)}, ${difficultyName(solveRateOf(task))}`;
-    link.append(name, words);
+    link.append(line("strong", title), line("span", `${detail}: ${puzzleName(task)}, ${difficultyName(solveRateOf(task))}`));
     const item = document.createElement("li");
     item.append(link);
     return item;
   }
+}
+
+/**
+ * @param {string} tag
+ * @param {string} text
+ */
+function line(tag, text) {
+  const element = document.createElement(tag);
+  element.textContent = text;
+  return element;
 }
