@@ -1,7 +1,9 @@
-//! One session on one puzzle: the game, an agent's turn, the map of all solutions, and the agreement of predicted with simulated paths.
+//! One session on one puzzle: what is played, the game, an agent's turn, the map of all solutions, and the agreement of predicted with simulated paths.
 
 pub mod ending;
 pub mod game;
+pub mod played;
+pub mod scene_check;
 pub mod soft_iou;
 pub mod solve_map;
 pub mod turn;

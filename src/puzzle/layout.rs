@@ -5,14 +5,10 @@
 //! as it is then. The template then marks the object and the goal and closes the scene with `scene`. Used only by
 //! `templates`; must not depend on parameters or tasks. The formulas are PHYRE's (v0.2.2, `creator`).
 
-use std::f64::consts::PI;
-
-use crate::puzzle::scene::{Body, Role, SIZE, Scene, Shape, ShapeType, rectangle};
+use crate::puzzle::dimensions::{Dimensions, THICKNESS, radians};
+use crate::puzzle::scene::{Body, Role, SIZE, Scene, Shape};
 
 pub use ScaledShape::{Ball, Bar, Jar, StandingSticks};
-
-/// Thickness of a bar, px; also scales the walls of a jar and the sticks.
-const THICKNESS: f64 = 5.12;
 
 /// A type of shape with its scale s; 1.0 spans the scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,53 +24,14 @@ pub enum ScaledShape {
 }
 
 impl ScaledShape {
-    fn shape_type(self) -> ShapeType {
+    fn dimensions(self) -> Dimensions {
         match self {
-            ScaledShape::Ball(_) => ShapeType::Ball,
-            ScaledShape::Bar(_) => ShapeType::Bar,
-            ScaledShape::Jar(_) => ShapeType::Jar,
-            ScaledShape::StandingSticks(_) => ShapeType::StandingSticks,
+            ScaledShape::Ball(scale) => Dimensions::Ball { radius: (SIZE / 2.0 * scale).trunc() + 0.5 },
+            ScaledShape::Bar(scale) => Dimensions::Bar { length: SIZE * scale, thickness: THICKNESS },
+            ScaledShape::Jar(scale) => Dimensions::Jar { height: SIZE * scale },
+            ScaledShape::StandingSticks(scale) => Dimensions::StandingSticks { length: SIZE * scale / 3.0 * 2.0 },
         }
     }
-
-    fn shapes(self) -> Vec<Shape> {
-        match self {
-            ScaledShape::Ball(scale) => vec![Shape::Circle((SIZE / 2.0 * scale).trunc() + 0.5)],
-            ScaledShape::Bar(scale) => vec![rectangle(SIZE * scale, THICKNESS)],
-            ScaledShape::Jar(scale) => jar(SIZE * scale),
-            ScaledShape::StandingSticks(scale) => vec![stick(scale, -77.5), stick(scale, 77.5)],
-        }
-    }
-}
-
-/// Returns the base and the two walls of a jar of this height, px. They overlap in the lower corners.
-fn jar(height: f64) -> Vec<Shape> {
-    let width = height / 1.2;
-    let base = 0.8 * width;
-    let t = THICKNESS * libm::log(height) / libm::log(0.3 * SIZE);
-    let lean = (width - base) / 2.0;
-    let slant = libm::sqrt(height * height + lean * lean);
-    // Thickness of the leaning wall: p along the base and v above it at the foot, q along the rim.
-    let (p, q, v) = (t * height / slant, t * slant / height, t * lean / slant);
-    let (w, b) = (width / 2.0, base / 2.0);
-    let (rim, foot) = (height - t / 2.0, -t / 2.0);
-    vec![
-        rectangle(base, t),
-        Shape::Polygon(vec![[-w, rim], [-b, foot], [-b + p, v + foot], [-w + q, rim]]),
-        Shape::Polygon(vec![[w, rim], [w - q, rim], [b - p, v + foot], [b, foot]]),
-    ]
-}
-
-fn stick(scale: f64, degrees: f64) -> Shape {
-    let (a, b) = (SIZE * scale / 3.0, THICKNESS / 3.0);
-    let (sin, cos) = (libm::sin(radians(degrees)), libm::cos(radians(degrees)));
-    let rotated = |a: f64, b: f64| [a * cos - b * sin, a * sin + b * cos];
-    Shape::Polygon(vec![rotated(a, b), rotated(-a, b), rotated(-a, -b), rotated(a, -b)])
-}
-
-/// Converts degrees to radians with the same rounding as PHYRE.
-pub fn radians(degrees: f64) -> f64 {
-    degrees / 180.0 * PI
 }
 
 /// A body under construction. Every method acts immediately, on the body as it is then.
@@ -92,7 +49,8 @@ pub fn dynamic_body(shape: ScaledShape) -> BodyBuilder {
 }
 
 fn body(shape: ScaledShape, dynamic: bool, role: Role) -> BodyBuilder {
-    let (shape_type, shapes) = (shape.shape_type(), shape.shapes());
+    let dimensions = shape.dimensions();
+    let (shape_type, shapes) = (dimensions.shape_type(), dimensions.shapes());
     BodyBuilder(Body { x: 0.0, y: 0.0, angle: 0.0, dynamic, shape_type, role, shapes })
 }
 
@@ -258,7 +216,7 @@ mod tests {
 
         #[test]
         fn polygons_are_convex_and_counter_clockwise(shape in scaled_shapes()) {
-            for convex in shape.shapes() {
+            for convex in shape.dimensions().shapes() {
                 let Shape::Polygon(corners) = convex else { continue };
                 for i in 0..corners.len() {
                     let [a, b, c] = [0, 1, 2].map(|k| corners[(i + k) % corners.len()]);
@@ -270,7 +228,7 @@ mod tests {
 
     #[test]
     fn the_radius_of_a_ball_is_a_whole_number_and_a_half() {
-        let radius = |scale| Ball(scale).shapes();
+        let radius = |scale| Ball(scale).dimensions().shapes();
         assert_eq!(radius(0.05), [Shape::Circle(6.5)]);
         assert_eq!(radius(0.1), [Shape::Circle(12.5)]);
         assert_eq!(radius(0.25), [Shape::Circle(32.5)]);
@@ -281,7 +239,7 @@ mod tests {
         let jar = static_body(Jar(0.1));
         assert!(close(jar.width(), 25.6 / 1.2));
         assert!(close(jar.height(), 25.6));
-        let Shape::Polygon(wall) = &Jar(0.1).shapes()[1] else { panic!("a wall is a polygon") };
+        let Shape::Polygon(wall) = &Jar(0.1).dimensions().shapes()[1] else { panic!("a wall is a polygon") };
         assert!((wall[2][0] + 4.722242).abs() < 1e-6 && (wall[2][1] + 1.594560).abs() < 1e-6, "{wall:?}");
     }
 

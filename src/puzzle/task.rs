@@ -7,7 +7,7 @@ use std::{fmt, str::FromStr};
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
-use crate::puzzle::scene::{Body, Scene};
+use crate::puzzle::scene::Scene;
 use crate::puzzle::templates::{TEMPLATES, Template};
 
 /// Template and number of a task, written `00007:008`.
@@ -52,7 +52,7 @@ impl Task {
         let template =
             TEMPLATES.get(id.template).ok_or_else(|| TaskError::NoTemplate(format!("{:05}", id.template)))?;
         let (params, scene) = template.task(id.number).ok_or(TaskError::NotInBenchmark(id))?;
-        let goal = goal_sentence(&scene.bodies[scene.body1], &scene.bodies[scene.body2]);
+        let goal = goal_sentence(&scene);
         Ok(Task { id, params: params.into_json(), goal, scene })
     }
 
@@ -68,17 +68,23 @@ pub fn ids(template: &Template) -> impl Iterator<Item = TaskId> {
     template.task_numbers.iter().map(move |&task| TaskId { template: number, number: task })
 }
 
-fn goal_sentence(object: &Body, target: &Body) -> String {
-    format!("Make sure the {} is touching the {}.", object.name(), target.name())
+/// Returns the goal of a scene as a sentence.
+pub fn goal_sentence(scene: &Scene) -> String {
+    let [object, target] = [scene.body1, scene.body2].map(|body| scene.bodies[body].name());
+    format!("Make sure the {object} is touching the {target}.")
 }
 
 impl TaskId {
     /// Returns the seed of the random draws for this task, given the seed of the whole command or page: the page,
     /// `propose` and `evaluate` draw the same.
     pub fn seed(self, global_seed: u64) -> u64 {
-        // An odd constant spreads the seeds over the 64 bits (Knuth's multiplicative hashing).
-        global_seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) ^ ((self.template as u64) << 32 | u64::from(self.number) << 16)
+        spread(global_seed) ^ ((self.template as u64) << 32 | u64::from(self.number) << 16)
     }
+}
+
+/// Spreads seeds over the 64 bits by an odd constant (Knuth's multiplicative hashing).
+pub fn spread(global_seed: u64) -> u64 {
+    global_seed.wrapping_mul(0x9E37_79B9_7F4A_7C15)
 }
 
 impl fmt::Display for TaskId {

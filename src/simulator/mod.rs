@@ -34,6 +34,7 @@ mod contact_solver;
 pub mod distance;
 mod fixture;
 mod island;
+pub mod overlap;
 mod position_solver;
 mod scalar;
 mod time_of_impact;

@@ -10,6 +10,8 @@ use wasm_bindgen::prelude::*;
 pub enum Code {
     /// No such task.
     BadTask,
+    /// An own scene that may not be played.
+    BadScene,
     /// A map of an unknown name or of a wrong size.
     BadMap,
     /// Not weights of these nets.
@@ -30,6 +32,7 @@ impl Code {
     fn name(self) -> &'static str {
         match self {
             Code::BadTask => "bad_task",
+            Code::BadScene => "bad_scene",
             Code::BadMap => "bad_map",
             Code::BadWeights => "bad_weights",
             Code::InvalidBall => "invalid_ball",

@@ -7,8 +7,8 @@ use wasm_bindgen::prelude::*;
 
 use super::describe::invalid_reason;
 use super::error::{Code, error, to_js};
-use super::load;
 use super::model::Model;
+use super::played::load;
 use super::scripting::ball_from;
 use crate::agents::imagined_candidates::imagined_candidates;
 use crate::agents::online::Candidate;
@@ -16,9 +16,9 @@ use crate::agents::sigmoid;
 use crate::nets::ImaginedBall;
 use crate::nets::ball_head::POSITIONS;
 use crate::play::game::ATTEMPT_LIMIT;
+use crate::play::played::Played;
 use crate::puzzle::action::Ball;
 use crate::puzzle::sampled_paths::{SAMPLED_STEPS, SAMPLES, SampledPath, SampledPaths};
-use crate::puzzle::task::Task;
 
 /// The imagined paths of one ball, as a frame draws them.
 #[derive(Deserialize)]
@@ -77,18 +77,18 @@ impl Model {
     /// that the next of its balls costs little.
     ///
     /// # Errors
-    /// `bad_task` if there is no such task, `bad_data` if it is not a ball, `invalid_ball`.
+    /// `bad_task` if there is no such task, `bad_scene` if the scene may not be played, `bad_data` if it is not a ball, `invalid_ball`.
     #[wasm_bindgen(js_name = imagineBall, unchecked_return_type = "ImaginedBall | undefined")]
     pub fn imagine_ball(
         &self,
-        id: &str,
+        #[wasm_bindgen(unchecked_param_type = "Played")] played: JsValue,
         #[wasm_bindgen(unchecked_param_type = "Ball")] ball: JsValue,
     ) -> Result<JsValue, JsValue> {
-        let Task { id, scene, .. } = load(id)?;
+        let Played { id, scene, .. } = load(played)?;
         let ball: Ball = ball_from(ball)?;
         ball.check(&scene).map_err(|why| error(Code::InvalidBall, invalid_reason(why, &scene)))?;
         let mut last = self.last_read.borrow_mut();
-        if last.as_ref().is_none_or(|(task, _)| *task != id) {
+        if last.as_ref().is_none_or(|(read, _)| *read != id) {
             *last = self.net.read(&scene).map(|read| (id, read));
         }
         let Some((_, read)) = last.as_ref() else { return Ok(JsValue::UNDEFINED) };
@@ -100,10 +100,13 @@ impl Model {
     /// dynamics net.
     ///
     /// # Errors
-    /// `bad_task` if there is no such task.
+    /// `bad_task` if there is no such task, `bad_scene` if the scene may not be played.
     #[wasm_bindgen(unchecked_return_type = "Candidate[] | undefined")]
-    pub fn candidates(&self, id: &str) -> Result<JsValue, JsValue> {
-        let Some(candidates) = imagined_candidates(&self.net, &load(id)?.scene, ATTEMPT_LIMIT) else {
+    pub fn candidates(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "Played")] played: JsValue,
+    ) -> Result<JsValue, JsValue> {
+        let Some(candidates) = imagined_candidates(&self.net, &load(played)?.scene, ATTEMPT_LIMIT) else {
             return Ok(JsValue::UNDEFINED);
         };
         candidates.iter().map(candidate_to_js).collect::<Result<Array, _>>().map(Into::into)

@@ -6,8 +6,6 @@
 //! Data go to JavaScript as plain objects with the field names of the Rust types (`types.d.ts` declares them), or as typed
 //! arrays; an error is an `Error` with a `code`.
 
-use std::cell::RefCell;
-
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 use web_sys::CanvasRenderingContext2d;
@@ -17,7 +15,7 @@ use crate::play::game::ATTEMPT_LIMIT;
 use crate::puzzle::action::RADIUS;
 use crate::puzzle::rollout::{GOAL_STEPS, STEPS_PER_SECOND};
 use crate::puzzle::scene::{SIZE, Scene};
-use crate::puzzle::task::{self, Task, TaskError, TaskId};
+use crate::puzzle::task;
 use crate::puzzle::templates::TEMPLATES;
 use crate::raster::{PX_PER_CELL, SIDE};
 use crate::simulator;
@@ -31,8 +29,10 @@ mod imagined_ball;
 mod marks;
 mod metrics;
 mod model;
+mod own_scene;
 mod paint;
 mod panic;
+mod played;
 mod puzzle;
 mod puzzle_view;
 mod recording;
@@ -44,6 +44,7 @@ mod types;
 
 pub use metrics::{auccess, fold, soft_iou};
 pub use model::{Model, Turn};
+pub use own_scene::{own_scene, scene_limits, scene_problems};
 pub use panic::throw_panics;
 pub use puzzle::Puzzle;
 pub use scripting::{raster, scene, simulate, why_invalid};
@@ -51,6 +52,7 @@ pub use solve_map::SolveMap;
 
 use error::{Code, error, to_js};
 use paint::Painter;
+use played::load;
 use stage::Stage;
 
 /// Returns the constants that the page shares with the Rust code.
@@ -128,14 +130,18 @@ pub fn palette(dark: bool) -> Result<JsValue, JsValue> {
     to_js(colour::palette(dark))
 }
 
-/// Draws the scene of a task so that it fills a square canvas. For an open puzzle, `Puzzle.paintThumbnail` does not load
-/// the task again.
+/// Draws the scene of a task, or an own scene, so that it fills a square canvas. For an open puzzle, `Puzzle.paintThumbnail`
+/// does not load it again.
 ///
 /// # Errors
-/// `bad_task` if there is no such task.
+/// `bad_task` if there is no such task, `bad_scene` if the scene may not be played.
 #[wasm_bindgen(js_name = paintThumbnail)]
-pub fn paint_thumbnail(context: &CanvasRenderingContext2d, id: &str, dark: bool) -> Result<(), JsValue> {
-    paint_scene(context, &load(id)?.scene, dark)
+pub fn paint_thumbnail(
+    context: &CanvasRenderingContext2d,
+    #[wasm_bindgen(unchecked_param_type = "Played")] played: JsValue,
+    dark: bool,
+) -> Result<(), JsValue> {
+    paint_scene(context, &load(played)?.scene, dark)
 }
 
 /// Draws one map, 64 x 64 values with row 0 at the bottom, into a canvas of 64 x 64 pixels. The colour scale runs from 0,
@@ -202,20 +208,4 @@ fn paint_scene(context: &CanvasRenderingContext2d, scene: &Scene, dark: bool) ->
 
 fn stage_named(name: &str) -> Result<Stage, JsValue> {
     name.parse().map_err(|sentence: String| error(Code::BadMap, sentence))
-}
-
-thread_local! {
-    /// The task that was loaded last: a script tries many balls on one task, and loading it may take longer than a rollout.
-    static LAST_TASK: RefCell<Option<Task>> = const { RefCell::new(None) };
-}
-
-fn load(id: &str) -> Result<Task, JsValue> {
-    let id: TaskId = id.parse().map_err(|reason: TaskError| error(Code::BadTask, reason))?;
-    LAST_TASK.with_borrow_mut(|last| match last {
-        Some(task) if task.id == id => Ok(task.clone()),
-        _ => {
-            let task = Task::load(id).map_err(|reason| error(Code::BadTask, reason))?;
-            Ok(last.insert(task).clone())
-        }
-    })
 }

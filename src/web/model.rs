@@ -9,7 +9,7 @@ use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
 use super::error::{Code, error, to_js};
-use super::load;
+use super::played::load;
 use super::stage::Stage;
 use crate::agents::ranking::probability_map;
 use crate::agents::{self, Proposal};
@@ -17,8 +17,9 @@ use crate::benchmark::folds::Fold;
 use crate::nets::{Card, Imagined, PathNet, ReadScene, flex};
 use crate::play::ending::Ending;
 use crate::play::game::ATTEMPT_LIMIT;
+use crate::play::played::{Played, PlayedId};
 use crate::play::turn;
-use crate::puzzle::task::{Task, TaskId};
+use crate::puzzle::task::TaskId;
 
 /// Most balls of one list of proposals, as on the command line.
 const MAX_PROPOSALS: usize = 1000;
@@ -27,8 +28,8 @@ const MAX_PROPOSALS: usize = 1000;
 #[wasm_bindgen]
 pub struct Model {
     pub(super) net: PathNet,
-    /// The last task that the dynamics net has read.
-    pub(super) last_read: RefCell<Option<(TaskId, ReadScene)>>,
+    /// The last scene that the dynamics net has read.
+    pub(super) last_read: RefCell<Option<(PlayedId, ReadScene)>>,
     card: Card,
     /// The tasks that it was trained on or chosen by, ascending.
     seen: Vec<TaskId>,
@@ -65,23 +66,26 @@ impl Model {
         to_js(&self.card)
     }
 
-    /// Whether the model was trained on this task or its settings were chosen on it.
+    /// Whether the model was trained on this task or its settings were chosen on it; never for an own scene.
     ///
     /// # Errors
-    /// `bad_task` if there is no such task.
+    /// `bad_task` if there is no such task, `bad_scene` if the scene may not be played.
     #[wasm_bindgen(js_name = hasSeen)]
-    pub fn has_seen(&self, id: &str) -> Result<bool, JsValue> {
-        Ok(self.seen.binary_search(&load(id)?.id).is_ok())
+    pub fn has_seen(&self, #[wasm_bindgen(unchecked_param_type = "Played")] played: JsValue) -> Result<bool, JsValue> {
+        Ok(load(played)?.id.task().is_some_and(|task| self.seen.binary_search(&task).is_ok()))
     }
 
     /// Returns the maps of a task: for each stage a Float32Array of 64 x 64 values in 0..=1, row 0 at the bottom. Weights
     /// with neither a judge nor a dynamics net have no map `judge`.
     ///
     /// # Errors
-    /// `bad_task` if there is no such task.
+    /// `bad_task` if there is no such task, `bad_scene` if the scene may not be played.
     #[wasm_bindgen(unchecked_return_type = "Maps")]
-    pub fn imagine(&self, id: &str) -> Result<JsValue, JsValue> {
-        let scene = load(id)?.scene;
+    pub fn imagine(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "Played")] played: JsValue,
+    ) -> Result<JsValue, JsValue> {
+        let scene = load(played)?.scene;
         let imagined = self.net.imagine(&scene);
         let judge = self.net.judge_logits(&scene).and_then(|logits| probability_map(&logits, &scene));
         let maps = js_sys::Object::new();
@@ -104,10 +108,15 @@ impl Model {
     /// count as many as there are attempts.
     ///
     /// # Errors
-    /// `bad_task` if there is no such task, `bad_data` if the count is out of range or not a whole number.
+    /// `bad_task` if there is no such task, `bad_scene` if the scene may not be played, `bad_data` if the count is out of range or not a whole number.
     #[wasm_bindgen(unchecked_return_type = "Proposal[]")]
-    pub fn propose(&self, id: &str, seed: u32, count: Option<f64>) -> Result<JsValue, JsValue> {
-        let Task { id, scene, .. } = load(id)?;
+    pub fn propose(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "Played")] played: JsValue,
+        seed: u32,
+        count: Option<f64>,
+    ) -> Result<JsValue, JsValue> {
+        let Played { id, scene, .. } = load(played)?;
         let count = count.map_or(Ok(ATTEMPT_LIMIT), whole_count)?;
         to_js(&agents::propose(&self.net, &scene, id.seed(seed.into()), count))
     }
@@ -115,9 +124,13 @@ impl Model {
     /// Starts the model's turn on a task. The same seed leads to the same attempts.
     ///
     /// # Errors
-    /// `bad_task` if there is no such task.
-    pub fn turn(&self, id: &str, seed: u32) -> Result<Turn, JsValue> {
-        let Task { id, scene, .. } = load(id)?;
+    /// `bad_task` if there is no such task, `bad_scene` if the scene may not be played.
+    pub fn turn(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "Played")] played: JsValue,
+        seed: u32,
+    ) -> Result<Turn, JsValue> {
+        let Played { id, scene, .. } = load(played)?;
         let agent = agents::start(&self.net, &scene, id.seed(seed.into()), ATTEMPT_LIMIT);
         Ok(Turn(turn::Turn::new(scene, agent)))
     }
@@ -126,10 +139,13 @@ impl Model {
     /// Float32Array `[4, 64, 64]`. `make bench` compares it with other engines, which run the same four nets.
     ///
     /// # Errors
-    /// `bad_task` if there is no such task.
+    /// `bad_task` if there is no such task, `bad_scene` if the scene may not be played.
     #[wasm_bindgen(js_name = imaginePaths)]
-    pub fn imagine_paths(&self, id: &str) -> Result<Vec<f32>, JsValue> {
-        let Imagined { base, target, action, placement } = self.net.imagine(&load(id)?.scene);
+    pub fn imagine_paths(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "Played")] played: JsValue,
+    ) -> Result<Vec<f32>, JsValue> {
+        let Imagined { base, target, action, placement } = self.net.imagine(&load(played)?.scene);
         Ok([base, target, action, placement].concat())
     }
 }

@@ -7,17 +7,24 @@ use wasm_bindgen::prelude::*;
 use super::describe::{describe_scene, invalid_reason};
 use super::error::{Code, error, from_js, to_js};
 use super::paint::LineStyle;
+use super::played::load;
 use super::recording::Recording;
 use crate::play::game::{Attempt, Contender, Game, Refused};
+use crate::play::played::Played;
 use crate::puzzle::action::Ball;
 use crate::puzzle::scene::Body;
-use crate::puzzle::task::Task;
 use crate::puzzle::templates::TEMPLATES;
 use crate::raster::trail_image;
 
+/// The name of an own scene that has none.
+const OWN_NAME: &str = "Own scene";
+
+/// What is said of an own scene where a task has its story.
+const OWN_STORY: &str = "A person made this scene. The nets have never seen it.";
+
 #[wasm_bindgen]
 pub struct Puzzle {
-    pub(super) task: Task,
+    pub(super) played: Played,
     pub(super) game: Game,
     /// The current recordings: none, one, or two over each other.
     pub(super) recordings: Vec<Recording>,
@@ -41,15 +48,15 @@ impl ListedAttempt {
 
 #[wasm_bindgen]
 impl Puzzle {
-    /// Opens a task by its id.
+    /// Opens a task by its id, or an own scene.
     ///
     /// # Errors
-    /// `bad_task` if there is no such task.
+    /// `bad_task` if there is no such task, `bad_scene` if the scene may not be played.
     #[wasm_bindgen(constructor)]
-    pub fn new(id: &str) -> Result<Puzzle, JsValue> {
-        let task = super::load(id)?;
-        let game = Game::new(task.scene.clone());
-        Ok(Puzzle { task, game, recordings: Vec::new() })
+    pub fn new(#[wasm_bindgen(unchecked_param_type = "Played")] played: JsValue) -> Result<Puzzle, JsValue> {
+        let played = load(played)?;
+        let game = Game::new(played.scene.clone());
+        Ok(Puzzle { played, game, recordings: Vec::new() })
     }
 
     /// Returns the name of the puzzle, its goal and a description of its scene.
@@ -57,26 +64,31 @@ impl Puzzle {
     pub fn about(&self) -> Result<JsValue, JsValue> {
         #[derive(Serialize)]
         struct About<'a> {
-            id: String,
+            /// Null for an own scene.
+            id: Option<String>,
             name: &'a str,
             story: &'a str,
             goal: &'a str,
             description: String,
         }
-        let template = TEMPLATES[self.task.id.template];
+        let id = self.played.id.task();
+        let (name, story) = match id.map(|task| TEMPLATES[task.template]) {
+            Some(template) => (template.name, template.story),
+            None => (self.played.name.as_deref().unwrap_or(OWN_NAME), OWN_STORY),
+        };
         to_js(&About {
-            id: self.task.id.to_string(),
-            name: template.name,
-            story: template.story,
-            goal: &self.task.goal,
-            description: describe_scene(&self.task.scene),
+            id: id.map(String::from),
+            name,
+            story,
+            goal: &self.played.goal,
+            description: describe_scene(&self.played.scene),
         })
     }
 
     /// Returns why a ball is invalid, as a phrase; undefined if it is valid.
     #[wasm_bindgen(js_name = whyInvalid)]
     pub fn why_invalid(&self, x: f64, y: f64, r: f64) -> Option<String> {
-        Ball { x, y, r }.check(&self.task.scene).err().map(|why| invalid_reason(why, &self.task.scene))
+        Ball { x, y, r }.check(&self.played.scene).err().map(|why| invalid_reason(why, &self.played.scene))
     }
 
     /// Makes an attempt of the player's, shows its rollout and returns it.
@@ -158,13 +170,13 @@ impl Puzzle {
 
 impl Puzzle {
     fn object(&self) -> &Body {
-        &self.task.scene.bodies[self.task.scene.body1]
+        &self.played.scene.bodies[self.played.scene.body1]
     }
 
     /// Returns the error for a refused attempt.
     pub(super) fn refusal(&self, why: Refused) -> JsValue {
         match why {
-            Refused::Invalid(why) => error(Code::InvalidBall, invalid_reason(why, &self.task.scene)),
+            Refused::Invalid(why) => error(Code::InvalidBall, invalid_reason(why, &self.played.scene)),
             Refused::AttemptLimit => error(Code::AttemptLimit, why),
         }
     }

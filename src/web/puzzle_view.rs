@@ -22,7 +22,7 @@ use crate::simulator::{closest_approach, simulate};
 impl Puzzle {
     /// Shows the scene running without a ball.
     pub fn watch(&mut self) -> Result<(), JsValue> {
-        let rollout = simulate(&self.task.scene, None).map_err(|why| self.refusal(why.into()))?;
+        let rollout = simulate(&self.played.scene, None).map_err(|why| self.refusal(why.into()))?;
         self.recordings = vec![Recording { ball: None, rollout, line_style: LineStyle::Solid }];
         Ok(())
     }
@@ -70,7 +70,7 @@ impl Puzzle {
     #[wasm_bindgen(unchecked_return_type = "ListedAttempt")]
     pub fn preview(&mut self, x: f64, y: f64, r: f64) -> Result<JsValue, JsValue> {
         let ball = Ball { x, y, r };
-        let rollout = simulate(&self.task.scene, Some(ball)).map_err(|why| self.refusal(why.into()))?;
+        let rollout = simulate(&self.played.scene, Some(ball)).map_err(|why| self.refusal(why.into()))?;
         let attempt = Attempt { ball, ending: Ending::of(&rollout) };
         self.recordings = vec![Recording { ball: Some(ball), rollout, line_style: LineStyle::Dashed }];
         to_js(&ListedAttempt::new(0, attempt))
@@ -79,14 +79,14 @@ impl Puzzle {
     /// Returns the real paths of each current recording, as masks of 64 x 64 zeros and ones, row 0 at the bottom.
     #[wasm_bindgen(js_name = pathMasks, unchecked_return_type = "PathMasks[]")]
     pub fn path_masks(&self) -> Result<js_sys::Array, JsValue> {
-        self.recordings.iter().map(|recording| recording.path_masks(&self.task.scene)).collect()
+        self.recordings.iter().map(|recording| recording.path_masks(&self.played.scene)).collect()
     }
 
     /// Returns where the green object and the ball really were in the first of the current recordings, after the steps of an
     /// `ImaginedBall`; undefined without a ball.
     #[wasm_bindgen(js_name = sampledPaths, unchecked_return_type = "Pick<ImaginedBall, \"object\" | \"ball\"> | undefined")]
     pub fn sampled_paths(&self) -> Result<JsValue, JsValue> {
-        let scene = &self.task.scene;
+        let scene = &self.played.scene;
         let sampled = |recording: &Recording| SampledPaths::of(&recording.rollout, scene.body1, scene.bodies.len());
         self.recordings
             .first()
@@ -138,13 +138,13 @@ impl Puzzle {
         #[wasm_bindgen(unchecked_param_type = "View")] view: JsValue,
         maps: Vec<HtmlCanvasElement>,
     ) -> Result<(), JsValue> {
-        frame::paint(context, &self.task.scene, &self.recordings, &from_js(view)?, &maps)
+        frame::paint(context, &self.played.scene, &self.recordings, &from_js(view)?, &maps)
     }
 
     /// Draws the scene into a square canvas.
     #[wasm_bindgen(js_name = paintThumbnail)]
     pub fn paint_thumbnail(&self, context: &CanvasRenderingContext2d, dark: bool) -> Result<(), JsValue> {
-        super::paint_scene(context, &self.task.scene, dark)
+        super::paint_scene(context, &self.played.scene, dark)
     }
 
     /// Draws the end of an attempt, with its whole paths, into a square canvas.
@@ -160,13 +160,13 @@ impl Puzzle {
         dark: bool,
     ) -> Result<(), JsValue> {
         let (recording, _) = self.simulate_again(who, number)?;
-        frame::paint(context, &self.task.scene, &[recording], &View::ended(dark), &[])
+        frame::paint(context, &self.played.scene, &[recording], &View::ended(dark), &[])
     }
 }
 
 impl Puzzle {
     fn record_again(&self, who: Contender, attempt: Attempt) -> Result<Recording, JsValue> {
-        let rollout = simulate(&self.task.scene, Some(attempt.ball)).map_err(|why| self.refusal(why.into()))?;
+        let rollout = simulate(&self.played.scene, Some(attempt.ball)).map_err(|why| self.refusal(why.into()))?;
         let line_style = if who == Contender::Model { LineStyle::Dashed } else { LineStyle::Solid };
         Ok(Recording { ball: Some(attempt.ball), rollout, line_style })
     }

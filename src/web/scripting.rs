@@ -9,7 +9,7 @@ use wasm_bindgen::prelude::*;
 
 use super::describe::invalid_reason;
 use super::error::{Code, error, from_js, to_js};
-use super::load;
+use super::played::load;
 use crate::play::ending::Ending;
 use crate::puzzle::action::Ball;
 use crate::puzzle::rollout::{Rollout, Status};
@@ -19,32 +19,32 @@ use crate::simulator;
 /// Returns the scene of a task as plain data.
 ///
 /// # Errors
-/// `bad_task` if there is no such task.
+/// `bad_task` if there is no such task, `bad_scene` if the scene may not be played.
 #[wasm_bindgen(unchecked_return_type = "Scene")]
-pub fn scene(id: &str) -> Result<JsValue, JsValue> {
-    to_js(&load(id)?.scene)
+pub fn scene(#[wasm_bindgen(unchecked_param_type = "Played")] played: JsValue) -> Result<JsValue, JsValue> {
+    to_js(&load(played)?.scene)
 }
 
 /// Returns the five channels of a scene, which the nets see: green object, blue goal, purple goal, gray, black. A
 /// Float32Array `[5, 64, 64]` of zeros and ones, row 0 at the bottom.
 ///
 /// # Errors
-/// `bad_task` if there is no such task.
+/// `bad_task` if there is no such task, `bad_scene` if the scene may not be played.
 #[wasm_bindgen]
-pub fn raster(id: &str) -> Result<Vec<f32>, JsValue> {
-    Ok(scene_channels(&load(id)?.scene).iter().flat_map(|channel| channel.to_f32()).collect())
+pub fn raster(#[wasm_bindgen(unchecked_param_type = "Played")] played: JsValue) -> Result<Vec<f32>, JsValue> {
+    Ok(scene_channels(&load(played)?.scene).iter().flat_map(|channel| channel.to_f32()).collect())
 }
 
 /// Returns why a ball is invalid in a task, as a phrase; undefined if it is valid.
 ///
 /// # Errors
-/// `bad_task` if there is no such task, `bad_data` if it is not a ball.
+/// `bad_task` if there is no such task, `bad_scene` if the scene may not be played, `bad_data` if it is not a ball.
 #[wasm_bindgen(js_name = whyInvalid)]
 pub fn why_invalid(
-    id: &str,
+    #[wasm_bindgen(unchecked_param_type = "Played")] played: JsValue,
     #[wasm_bindgen(unchecked_param_type = "Ball")] ball: JsValue,
 ) -> Result<Option<String>, JsValue> {
-    let scene = load(id)?.scene;
+    let scene = load(played)?.scene;
     Ok(ball_from::<Ball>(ball)?.check(&scene).err().map(|why| invalid_reason(why, &scene)))
 }
 
@@ -52,10 +52,10 @@ pub fn why_invalid(
 /// with the status `invalid` and a reason.
 ///
 /// # Errors
-/// `bad_task` if there is no such task, `bad_data` if it is not a ball.
+/// `bad_task` if there is no such task, `bad_scene` if the scene may not be played, `bad_data` if it is not a ball.
 #[wasm_bindgen(unchecked_return_type = "Rollout")]
 pub fn simulate(
-    id: &str,
+    #[wasm_bindgen(unchecked_param_type = "Played")] played: JsValue,
     #[wasm_bindgen(unchecked_param_type = "Ball | null")] ball: JsValue,
 ) -> Result<JsValue, JsValue> {
     #[derive(Serialize)]
@@ -65,7 +65,7 @@ pub fn simulate(
         #[serde(flatten)]
         ending: Ending,
     }
-    let scene = load(id)?.scene;
+    let scene = load(played)?.scene;
     let (status, reason, rollout) = match simulator::simulate(&scene, ball_from(ball)?) {
         Ok(rollout) => (if rollout.solved { Status::Solved } else { Status::NotSolved }, None, rollout),
         Err(why) => (Status::Invalid, Some(invalid_reason(why, &scene)), nothing_simulated()),

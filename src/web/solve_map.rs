@@ -3,7 +3,7 @@
 use wasm_bindgen::prelude::*;
 
 use super::error::{Code, error};
-use super::load;
+use super::played::load;
 use crate::play::solve_map;
 
 /// A map of 64 x 64 cells of one task: the outcome of a ball of this radius that starts in the cell.
@@ -15,10 +15,13 @@ impl SolveMap {
     /// Returns a map without outcomes. The radius is in px.
     ///
     /// # Errors
-    /// `bad_task` if there is no such task, `invalid_ball` if the radius is not a ball's.
+    /// `bad_task` if there is no such task, `bad_scene` if the scene may not be played, `invalid_ball` if the radius is not a ball's.
     #[wasm_bindgen(constructor)]
-    pub fn new(id: &str, radius: f64) -> Result<SolveMap, JsValue> {
-        let map = solve_map::SolveMap::new(load(id)?.scene, radius);
+    pub fn new(
+        #[wasm_bindgen(unchecked_param_type = "Played")] played: JsValue,
+        radius: f64,
+    ) -> Result<SolveMap, JsValue> {
+        let map = solve_map::SolveMap::new(load(played)?.scene, radius);
         map.map(SolveMap).map_err(|why| error(Code::InvalidBall, why))
     }
 

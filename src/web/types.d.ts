@@ -28,6 +28,53 @@ export interface Scene {
     bodies: Body[];
 }
 
+/** A scene that somebody has made, as it is edited, shared and stored; `scene.schema.json` is its schema. Colours follow from
+ * the goal: the body `body1`, which is dynamic, touches `body2` for three seconds. */
+export interface OwnScene {
+    version: 1;
+    /** What its maker calls it, at most 60 characters. */
+    name?: string;
+    body1: number;
+    body2: number;
+    bodies: OwnBody[];
+}
+
+/** A body of an own scene; lengths in px, the angle in radians, counter-clockwise. The origin at x, y is the centre of a ball
+ * or of a bar, the middle of a jar's base, or where sticks cross. */
+export type OwnBody = { x: number; y: number; angle: number; dynamic: boolean } & (
+    | { shape: "ball"; radius: number }
+    | { shape: "bar"; length: number; thickness: number }
+    | { shape: "jar"; height: number }
+    | { shape: "standing_sticks"; length: number }
+);
+
+/** What is played: the id of a task ("00007:008"), or an own scene. */
+export type Played = string | OwnScene;
+
+/** Why an own scene may not be played. */
+export interface SceneProblem {
+    /** The body that has the problem, as an index into `bodies`; null if it is the scene's. */
+    body: number | null;
+    /** The second body, if the problem is between two. */
+    other: number | null;
+    /** What is wrong and what helps. */
+    sentence: string;
+}
+
+/** The limits of own scenes: least and most, lengths in px. */
+export interface SceneLimits {
+    bodies: [number, number];
+    ball_radius: [number, number];
+    bar_length: [number, number];
+    bar_thickness: [number, number];
+    jar_height: [number, number];
+    stick_length: [number, number];
+    /** How deep two bodies may overlap at the start if one is dynamic. */
+    max_overlap: number;
+    /** Most characters of a name. */
+    name_length: number;
+}
+
 /** PHYRE's status of an attempt. */
 export type Status = "solved" | "not_solved" | "invalid";
 
@@ -100,6 +147,7 @@ export interface Palette {
 
 /** A puzzle in words. */
 export interface About {
+    /** Null for an own scene. */
     id: string;
     name: string;
     story: string;
@@ -305,6 +353,7 @@ export interface Mark {
 /** Code of an error that an export throws. `panic`: a defect in the Rust code; the wasm instance must not be used again. */
 export type ErrorCode =
     | "bad_task"
+    | "bad_scene"
     | "bad_map"
     | "bad_weights"
     | "invalid_ball"

@@ -1,8 +1,8 @@
 // The programming interface: load the wasm and weights, then ask for scenes, rollouts, images, maps, proposals and figures.
 // Scripts in Node, other pages and the page's own worker all use it. Needs no document, except where a method draws.
 //
-// A task is named by its id, like "00007:008". Lengths are in px: a scene is 256 x 256, y up. The file is over 300 lines long
-// for its JSDoc.
+// A task is named by its id, like "00007:008"; an own scene, which is an object, takes the place of any task. Lengths are in px:
+// a scene is 256 x 256, y up. The file is over 300 lines long for its JSDoc.
 
 import * as wasm from "../pkg/pathlight.js";
 import { failure } from "./failure.js";
@@ -20,9 +20,13 @@ import { readModelList, readWeights } from "./weights.js";
 /** @typedef {import("../pkg/pathlight.js").ImaginedBall} ImaginedBall */
 /** @typedef {import("../pkg/pathlight.js").Maps} Maps */
 /** @typedef {import("../pkg/pathlight.js").ModelCard} ModelCard */
+/** @typedef {import("../pkg/pathlight.js").OwnScene} OwnScene */
+/** @typedef {import("../pkg/pathlight.js").Played} Played */
 /** @typedef {import("../pkg/pathlight.js").Proposal} Proposal */
 /** @typedef {import("../pkg/pathlight.js").Rollout} Rollout */
 /** @typedef {import("../pkg/pathlight.js").Scene} Scene */
+/** @typedef {import("../pkg/pathlight.js").SceneLimits} SceneLimits */
+/** @typedef {import("../pkg/pathlight.js").SceneProblem} SceneProblem */
 /** @typedef {import("../pkg/pathlight.js").Setup} Setup */
 /** @typedef {import("../pkg/pathlight.js").Stage} Stage */
 /** @typedef {import("../pkg/pathlight.js").Template} Template */
@@ -56,11 +60,9 @@ export async function load({ wasm: source, model, weights, onProgress } = {}) {
   return pathlight;
 }
 
-// wasm-bindgen takes a task that is no string for an address in its memory, hence each String(task).
-
 /**
- * What `load` returns. Methods throw an Error with a `code`: `bad_task` if there is no such task, `bad_data` for other
- * arguments that do not have the agreed form.
+ * What `load` returns. Methods throw an Error with a `code`: `bad_task` if there is no such task, `bad_scene` if an own scene
+ * may not be played, `bad_data` for other arguments that do not have the agreed form.
  */
 export class Pathlight {
   /** @type {wasm.Model | null} */
@@ -120,12 +122,12 @@ export class Pathlight {
   }
 
   /**
-   * Whether the model was trained on this task or its settings were chosen on it.
-   * @param {string} task
+   * Whether the model was trained on this task or its settings were chosen on it; never for an own scene.
+   * @param {Played} task
    * @returns {boolean}
    */
   hasSeen(task) {
-    return this.#loaded.hasSeen(String(task));
+    return this.#loaded.hasSeen(task);
   }
 
   /**
@@ -157,11 +159,11 @@ export class Pathlight {
 
   /**
    * Returns a task in words: its name, its goal and a description of its scene.
-   * @param {string} task
+   * @param {Played} task
    * @returns {About}
    */
   about(task) {
-    const puzzle = new wasm.Puzzle(String(task));
+    const puzzle = new wasm.Puzzle(task);
     try {
       return puzzle.about();
     } finally {
@@ -171,94 +173,121 @@ export class Pathlight {
 
   /**
    * Returns the scene of a task.
-   * @param {string} task
+   * @param {Played} task
    * @returns {Scene}
    */
   scene(task) {
-    return wasm.scene(String(task));
+    return wasm.scene(task);
+  }
+
+  /**
+   * Returns a task in the form of own scenes, in which it can be changed and played.
+   * @param {Played} task
+   * @returns {OwnScene}
+   */
+  ownScene(task) {
+    return wasm.ownScene(task);
+  }
+
+  /**
+   * Returns all reasons why a value is no own scene that may be played; none if it may. Takes a fraction of a millisecond, and
+   * throws for no value.
+   * @param {unknown} scene
+   * @returns {SceneProblem[]}
+   */
+  sceneProblems(scene) {
+    return wasm.sceneProblems(scene);
+  }
+
+  /**
+   * Returns the limits of own scenes.
+   * @returns {SceneLimits}
+   */
+  sceneLimits() {
+    return wasm.sceneLimits();
   }
 
   /**
    * Returns the image that the nets see: the channels green object, blue goal, purple goal, gray and black, each of 64 x 64
    * zeros and ones, row 0 at the bottom.
-   * @param {string} task
+   * @param {Played} task
    * @returns {Float32Array} `[5, 64, 64]`
    */
   raster(task) {
-    return wasm.raster(String(task));
+    return wasm.raster(task);
   }
 
   /**
    * Returns why a ball is invalid in a task, as a phrase; undefined if it is valid.
-   * @param {string} task
+   * @param {Played} task
    * @param {Ball} ball
    * @returns {string | undefined}
    */
   whyInvalid(task, ball) {
-    return wasm.whyInvalid(String(task), ball);
+    return wasm.whyInvalid(task, ball);
   }
 
   /**
    * Simulates a task with a ball, or alone without one. An invalid ball is no error: the status of its rollout is `invalid`.
-   * @param {string} task
+   * @param {Played} task
    * @param {Ball | null} [ball]
    * @returns {Rollout}
    */
   simulate(task, ball = null) {
-    return wasm.simulate(String(task), ball);
+    return wasm.simulate(task, ball);
   }
 
   /**
    * Returns what the nets imagine: for each stage a map of 64 x 64 values in 0..1, row 0 at the bottom. It throws
    * `no_weights` if none are loaded, as all methods that need the model do.
-   * @param {string} task
+   * @param {Played} task
    * @returns {Maps}
    */
   imagine(task) {
-    return this.#loaded.imagine(String(task));
+    return this.#loaded.imagine(task);
   }
 
   /**
    * Returns what the model imagines for one ball: the paths of the green object and of the ball, how far off they are expected
    * to be, and the probability that the ball solves the task; null if the weights have no dynamics net. Further balls of the
    * same task cost little. Throws `invalid_ball` if the ball may not be placed.
-   * @param {string} task
+   * @param {Played} task
    * @param {Ball} ball
    * @returns {ImaginedBall | null}
    */
   imagineBall(task, ball) {
-    return this.#loaded.imagineBall(String(task), ball) ?? null;
+    return this.#loaded.imagineBall(task, ball) ?? null;
   }
 
   /**
    * Returns the balls that the model considers before it chooses, some hundred, each with the path that it imagines for the
    * green object and the probability that the ball solves the task; null if the weights have no dynamics net.
-   * @param {string} task
+   * @param {Played} task
    * @returns {Candidate[] | null}
    */
   candidates(task) {
-    return this.#loaded.candidates(String(task)) ?? null;
+    return this.#loaded.candidates(task) ?? null;
   }
 
   /**
    * Returns the balls that the model would try, in order. All are valid; fewer than `count` if the scene has no room.
-   * @param {string} task
+   * @param {Played} task
    * @param {{ seed?: number, count?: number }} [options] `seed`: a whole number from 0 to 2^32 - 1; `count`: 1 to 1,000, by default the 100 attempts that count
    * @returns {Proposal[]}
    */
   propose(task, { seed = 0, count } = {}) {
-    return this.#loaded.propose(String(task), seed, count);
+    return this.#loaded.propose(task, seed, count);
   }
 
   /**
    * The model's turn: tries the balls that it proposes, one each time the next value is asked for, until one solves the
    * task or all 100 have been tried.
-   * @param {string} task
+   * @param {Played} task
    * @param {{ seed?: number }} [options]
    * @returns {Generator<TriedProposal, void, void>}
    */
   *turn(task, { seed = 0 } = {}) {
-    const turn = this.#loaded.turn(String(task), seed);
+    const turn = this.#loaded.turn(task, seed);
     try {
       for (let attempt = turn.attempt(); attempt; attempt = turn.attempt()) yield attempt;
     } finally {
@@ -270,12 +299,12 @@ export class Pathlight {
    * Maps where a ball of a radius solves a task. Tries one of the 64 x 64 cells each time the next value is asked for; a
    * value is the fraction of the cells that has been tried, and `outcomes`, which returns a copy of the map at the time of
    * the call, also after the last value: for each cell 0 untried, 1 invalid, 2 not solved, 3 solved.
-   * @param {string} task
+   * @param {Played} task
    * @param {number} radius 2 to 32 px
    * @returns {Generator<{ progress: number, outcomes: () => Uint8Array }, void, void>}
    */
   *solveMap(task, radius) {
-    const map = new wasm.SolveMap(String(task), radius);
+    const map = new wasm.SolveMap(task, radius);
     /** @type {Uint8Array | null} */
     let final = null;
     const outcomes = () => final?.slice() ?? map.outcomes();
@@ -312,11 +341,11 @@ export class Pathlight {
   /**
    * Draws the scene of a task so that it fills a square canvas. In a browser only, as all methods that draw.
    * @param {CanvasRenderingContext2D} context
-   * @param {string} task
+   * @param {Played} task
    * @param {{ dark?: boolean }} [options]
    */
   paintScene(context, task, { dark = false } = {}) {
-    wasm.paintThumbnail(context, String(task), dark);
+    wasm.paintThumbnail(context, task, dark);
   }
 
   /**

@@ -1,7 +1,8 @@
 //! 00015 Cradle.
 
 use super::{Lin, Params, Template, task_numbers};
-use crate::puzzle::layout::{Ball, Bar, dynamic_body, radians, scene, static_body};
+use crate::puzzle::dimensions::radians;
+use crate::puzzle::layout::{Ball, Bar, dynamic_body, scene, static_body};
 use crate::puzzle::scene::{SIZE, Scene};
 
 pub static TEMPLATE: Template = Template {

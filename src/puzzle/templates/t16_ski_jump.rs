@@ -3,7 +3,8 @@
 use std::iter::successors;
 
 use super::{Lin, Params, Template, skip, task_numbers};
-use crate::puzzle::layout::{Ball, Bar, BodyBuilder, dynamic_body, radians, scene, static_body};
+use crate::puzzle::dimensions::radians;
+use crate::puzzle::layout::{Ball, Bar, BodyBuilder, dynamic_body, scene, static_body};
 use crate::puzzle::scene::{SIZE, Scene};
 
 pub static TEMPLATE: Template = Template {

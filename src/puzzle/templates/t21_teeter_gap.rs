@@ -1,7 +1,8 @@
 //! 00021 Teeter Gap.
 
 use super::{Lin, Params, Template, skip, task_numbers};
-use crate::puzzle::layout::{Ball, Bar, Jar, dynamic_body, radians, scene, static_body};
+use crate::puzzle::dimensions::radians;
+use crate::puzzle::layout::{Ball, Bar, Jar, dynamic_body, scene, static_body};
 use crate::puzzle::scene::{SIZE, Scene};
 
 pub static TEMPLATE: Template = Template {

@@ -1,0 +1,351 @@
+//! Own scenes: the scenes that people make, as they are edited, shared and stored. Versioned JSON, of which
+//! `assets/scene.schema.json` is the schema (`pathlight tasks --schema`).
+//!
+//! A body is a shape with its lengths, a place, and whether it moves; colours follow from the goal. `read` takes JSON from
+//! anywhere and `limit_problems` names what the limits refuse; `play::scene_check` adds what only the simulator knows, and is the way to
+//! a scene that may be played.
+
+use std::f64::consts::TAU;
+use std::ops::RangeInclusive;
+
+use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value};
+
+use super::dimensions::Dimensions;
+use super::scene::{Body, Role, SIZE, Scene, Shape};
+
+/// The version of the format.
+pub const VERSION: u32 = 1;
+
+/// How many bodies a scene may have; the benchmark's have up to 61.
+pub const BODIES: RangeInclusive<usize> = 2..=64;
+
+/// Most characters of a name.
+pub const NAME_LENGTH: usize = 60;
+
+/// By how much a dynamic body may stick out of the scene, px: more than the rounding of the benchmark's.
+const ROUNDING: f64 = 1e-6;
+
+/// A scene that somebody has made.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(not(target_arch = "wasm32"), derive(schemars::JsonSchema))]
+pub struct OwnScene {
+    /// The version of the format: 1.
+    #[cfg_attr(not(target_arch = "wasm32"), schemars(range(min = VERSION, max = VERSION)))]
+    pub version: u32,
+    /// What its maker calls it. It changes nothing in what is played.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(not(target_arch = "wasm32"), schemars(length(max = NAME_LENGTH)))]
+    pub name: Option<String>,
+    /// The green object, which has to touch `body2` for three seconds: an index into `bodies`, from 0. It is dynamic.
+    pub body1: usize,
+    /// The goal: another index into `bodies`.
+    pub body2: usize,
+    /// Without the walls around the scene.
+    #[cfg_attr(not(target_arch = "wasm32"), schemars(length(min = *BODIES.start(), max = *BODIES.end())))]
+    pub bodies: Vec<OwnBody>,
+}
+
+/// A body of an own scene. The scene is 256 x 256 px, with its origin at the bottom left and y up.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(not(target_arch = "wasm32"), derive(schemars::JsonSchema))]
+pub struct OwnBody {
+    #[serde(flatten)]
+    pub dimensions: Dimensions,
+    /// Position of the origin, px.
+    pub x: f64,
+    /// Position of the origin, px.
+    pub y: f64,
+    /// Radians, counter-clockwise.
+    #[cfg_attr(not(target_arch = "wasm32"), schemars(range(min = -TAU, max = TAU)))]
+    pub angle: f64,
+    /// Whether it moves. A dynamic body lies inside the scene, a static one at least partly.
+    pub dynamic: bool,
+}
+
+/// Why an own scene may not be played.
+#[derive(Clone, Debug, PartialEq, Serialize, thiserror::Error)]
+#[error("{sentence}")]
+pub struct Problem {
+    /// The body that has it, as an index into `bodies`; none if it is the scene's.
+    pub body: Option<usize>,
+    /// The second body, if it is between two.
+    pub other: Option<usize>,
+    /// What is wrong and what helps.
+    pub sentence: String,
+}
+
+impl Problem {
+    fn of_scene(sentence: impl Into<String>) -> Problem {
+        Problem { body: None, other: None, sentence: sentence.into() }
+    }
+}
+
+impl OwnScene {
+    /// Reads a scene from JSON. Keys that it does not know are ignored.
+    ///
+    /// # Errors
+    /// All values that do not have the form of the schema; limits are not looked at.
+    pub fn read(value: Value) -> Result<OwnScene, Vec<Problem>> {
+        let Value::Object(mut keys) = value else {
+            return Err(vec![Problem::of_scene(
+                "This is not a scene: it is a JSON object with `version`, `body1`, `body2` and `bodies`.",
+            )]);
+        };
+        match keys.get("version") {
+            Some(version) if version.as_f64() == Some(f64::from(VERSION)) => {}
+            Some(version) => {
+                return Err(vec![Problem::of_scene(format!(
+                    "This is a scene of version {version}, and this Pathlight reads version {VERSION}: use a newer one."
+                ))]);
+            }
+            None => {
+                return Err(vec![Problem::of_scene(format!(
+                    "A scene has `\"version\": {VERSION}`, and this one has none: add it if it is a scene."
+                ))]);
+            }
+        }
+        let mut problems = Vec::new();
+        let mut bodies = Vec::new();
+        match keys.remove("bodies") {
+            Some(Value::Array(values)) => {
+                for (index, value) in values.into_iter().enumerate() {
+                    match serde_json::from_value(value) {
+                        Ok(body) => bodies.push(body),
+                        Err(reason) => problems.push(Problem {
+                            body: Some(index),
+                            other: None,
+                            sentence: format!("Body {index} cannot be read: {reason}. Correct it as the schema says."),
+                        }),
+                    }
+                }
+            }
+            _ => problems.push(Problem::of_scene("`bodies` of a scene is a list of bodies: add it.")),
+        }
+        let index = |name: &str, problems: &mut Vec<Problem>| {
+            let index = keys.get(name).and_then(whole_number);
+            if index.is_none() {
+                problems.push(Problem::of_scene(format!(
+                    "`{name}` of a scene is the index of one of its bodies, from 0: correct it."
+                )));
+            }
+            index.unwrap_or_default()
+        };
+        let (body1, body2) = (index("body1", &mut problems), index("body2", &mut problems));
+        let name = name_of(&keys).unwrap_or_else(|problem| {
+            problems.push(problem);
+            None
+        });
+        let scene = OwnScene { version: VERSION, name, body1, body2, bodies };
+        if problems.is_empty() { Ok(scene) } else { Err(problems) }
+    }
+
+    /// Returns a scene in this form; `None` if it has a body that is none of the four shapes.
+    pub fn of(scene: &Scene) -> Option<OwnScene> {
+        let body = |body: &Body| {
+            let &Body { x, y, angle, dynamic, .. } = body;
+            Dimensions::of(body).map(|dimensions| OwnBody { dimensions, x, y, angle, dynamic })
+        };
+        let bodies = scene.bodies.iter().map(body).collect::<Option<_>>()?;
+        Some(OwnScene { version: VERSION, name: None, body1: scene.body1, body2: scene.body2, bodies })
+    }
+
+    /// Returns all problems that the limits find; none if they allow the scene.
+    pub fn limit_problems(&self) -> Vec<Problem> {
+        let mut problems = Vec::new();
+        let count = self.bodies.len();
+        if !BODIES.contains(&count) {
+            let (least, most) = BODIES.into_inner();
+            let remedy = if count < least { "add some" } else { "remove some" };
+            problems.push(Problem::of_scene(format!(
+                "A scene has {least} to {most} bodies, and this one {count}: {remedy}."
+            )));
+        }
+        if self.name.as_ref().is_some_and(|name| name.chars().count() > NAME_LENGTH) {
+            problems.push(Problem::of_scene(format!("The name is longer than {NAME_LENGTH} characters: shorten it.")));
+        }
+        for (name, index) in [("body1", self.body1), ("body2", self.body2)] {
+            if index >= count {
+                problems.push(Problem::of_scene(format!(
+                    "`{name}` is {index}, but the bodies run from 0: choose one of them."
+                )));
+            }
+        }
+        if self.body1 == self.body2 {
+            problems
+                .push(Problem::of_scene("The green object cannot be its own goal: choose another body as the goal."));
+        } else if self.bodies.get(self.body1).is_some_and(|body| !body.dynamic) {
+            let sentence =
+                "The green object is static, so it never reaches a goal: make it dynamic, or choose another.";
+            problems.push(Problem { body: Some(self.body1), other: None, sentence: sentence.to_string() });
+        }
+        let of_bodies = self.bodies.iter().enumerate().filter_map(|(index, _)| {
+            let sentence = self.body_problem(index)?;
+            Some(Problem { body: Some(index), other: None, sentence })
+        });
+        problems.extend(of_bodies);
+        problems
+    }
+
+    /// Returns the scene to play. Its shapes are convex if `limit_problems` finds none.
+    pub fn to_scene(&self) -> Scene {
+        let bodies = (0..self.bodies.len()).map(|index| self.body(index)).collect();
+        Scene { body1: self.body1, body2: self.body2, bodies }
+    }
+
+    /// Returns a body in words, with its index: "green ball (body 0)".
+    pub fn body_name(&self, index: usize) -> String {
+        format!("{} (body {index})", self.body(index).name())
+    }
+
+    fn body(&self, index: usize) -> Body {
+        let OwnBody { dimensions, x, y, angle, dynamic } = self.bodies[index];
+        let role = match (index == self.body1, index == self.body2, dynamic) {
+            (true, ..) => Role::Green,
+            (_, true, true) => Role::Blue,
+            (_, true, false) => Role::Purple,
+            (_, _, true) => Role::Gray,
+            (_, _, false) => Role::Black,
+        };
+        Body { x, y, angle, dynamic, shape_type: dimensions.shape_type(), role, shapes: dimensions.shapes() }
+    }
+
+    /// Returns the first problem of a body by itself.
+    fn body_problem(&self, index: usize) -> Option<String> {
+        let OwnBody { dimensions, x, y, angle, dynamic } = self.bodies[index];
+        let name = self.body_name(index);
+        for (key, length, allowed) in dimensions.lengths() {
+            if !allowed.contains(&length) {
+                let (least, most) = allowed.into_inner();
+                let remedy = if length > most { "smaller" } else { "larger" };
+                return Some(format!(
+                    "The {key} of the {name} is {length:.1} px, but may be {least} to {most}: make it {remedy}."
+                ));
+            }
+        }
+        if !(x.is_finite() && y.is_finite() && (-TAU..=TAU).contains(&angle)) {
+            return Some(format!("The {name} has no place: its angle is between -2π and 2π, and x and y are numbers."));
+        }
+        let [left, bottom, right, top] = bounds(&self.body(index));
+        if dynamic {
+            let out = [-left, -bottom, right - SIZE, top - SIZE].into_iter().fold(0.0, f64::max);
+            (out > ROUNDING).then(|| {
+                format!("The {name} sticks out of the scene by {out:.1} px: move it inside or make it smaller.")
+            })
+        } else {
+            let outside = right <= 0.0 || top <= 0.0 || left >= SIZE || bottom >= SIZE;
+            outside.then(|| format!("The {name} is outside of the scene: move it inside, or remove it."))
+        }
+    }
+}
+
+/// Returns the bounding box of a body in the scene: left, bottom, right, top, px.
+fn bounds(body: &Body) -> [f64; 4] {
+    let extremes = body.shapes.iter().flat_map(|shape| match shape {
+        Shape::Circle(r) => vec![[body.x - r, body.y - r], [body.x + r, body.y + r]],
+        Shape::Polygon(corners) => corners.iter().map(|&corner| body.to_scene(corner)).collect(),
+    });
+    extremes.fold([f64::INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY], |[l, b, r, t], [x, y]| {
+        [l.min(x), b.min(y), r.max(x), t.max(y)]
+    })
+}
+
+/// Returns a number without a fraction, also one that JavaScript has written.
+fn whole_number(value: &Value) -> Option<usize> {
+    let number =
+        value.as_f64().filter(|number| number.fract() == 0.0 && (0.0..=f64::from(u32::MAX)).contains(number))?;
+    Some(number as usize)
+}
+
+fn name_of(keys: &Map<String, Value>) -> Result<Option<String>, Problem> {
+    match keys.get("name") {
+        None | Some(Value::Null) => Ok(None),
+        Some(Value::String(name)) => Ok(Some(name.clone())),
+        Some(_) => Err(Problem::of_scene("`name` of a scene is a text: correct it, or leave it out.")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use super::*;
+    use crate::puzzle::task::Task;
+    use crate::puzzle::templates::TEMPLATES;
+
+    fn scene() -> Value {
+        json!({"version": 1, "name": "Over the wall", "body1": 0, "body2": 1, "bodies": [
+            {"shape": "ball", "radius": 12.5, "x": 60, "y": 200, "angle": 0, "dynamic": true},
+            {"shape": "bar", "length": 80, "thickness": 5.12, "x": 200, "y": 2.56, "angle": 0, "dynamic": false},
+        ]})
+    }
+
+    /// The first problem of this scene with one value replaced.
+    fn problem(pointer: &str, value: Value) -> Problem {
+        let mut scene = scene();
+        *scene.pointer_mut(pointer).expect("a value of the scene") = value;
+        let problems = OwnScene::read(scene).map_or_else(|problems| problems, |scene| scene.limit_problems());
+        problems.into_iter().next().unwrap_or_else(|| panic!("{pointer} is not refused"))
+    }
+
+    #[test]
+    fn every_task_of_the_benchmark_is_within_the_limits_and_comes_back_the_same() {
+        for task in TEMPLATES.into_iter().flat_map(Task::of) {
+            let own = OwnScene::of(&task.scene).unwrap_or_else(|| panic!("{} has another shape", task.id));
+            assert_eq!(own.limit_problems(), [], "{}", task.id);
+            let read = OwnScene::read(serde_json::to_value(&own).expect("plain data")).expect("a scene");
+            assert_eq!(read.to_scene(), task.scene, "{}", task.id);
+        }
+    }
+
+    #[test]
+    fn a_scene_is_read_and_written_the_same() {
+        let own = OwnScene::read(scene()).expect("a scene");
+        assert_eq!(own.limit_problems(), []);
+        assert_eq!(OwnScene::read(serde_json::to_value(&own).expect("plain data")), Ok(own));
+    }
+
+    #[test]
+    fn a_problem_names_the_body_and_the_remedy() {
+        let long = problem("/bodies/1/length", json!(513));
+        assert_eq!(long.body, Some(1));
+        assert_eq!(
+            long.sentence,
+            "The length of the purple bar (body 1) is 513.0 px, but may be 2 to 512: make it smaller."
+        );
+        let outside = problem("/bodies/0/x", json!(2));
+        assert_eq!(
+            outside.sentence,
+            "The green ball (body 0) sticks out of the scene by 10.5 px: move it inside or make it smaller."
+        );
+        assert_eq!(problem("/bodies/0/dynamic", json!(false)).body, Some(0));
+        assert_eq!(problem("/bodies/1/y", json!(-3)).body, Some(1));
+        assert_eq!(problem("/bodies/1/angle", json!(7)).body, Some(1));
+    }
+
+    #[test]
+    fn what_is_not_a_scene_is_a_sentence() {
+        for value in [json!(null), json!([1]), json!("scene"), json!({}), json!({"version": 2})] {
+            assert!(OwnScene::read(value.clone()).is_err(), "{value}");
+        }
+        let wrong = [
+            ("/version", json!("1")),
+            ("/name", json!(7)),
+            ("/name", json!("x".repeat(NAME_LENGTH + 1))),
+            ("/body1", json!(1)),
+            ("/body1", json!(-1)),
+            ("/body2", json!(2)),
+            ("/body2", json!(0.5)),
+            ("/bodies", json!({})),
+            ("/bodies", json!([])),
+            ("/bodies/0", json!(null)),
+            ("/bodies/0/shape", json!("blob")),
+            ("/bodies/0/radius", json!(null)),
+            ("/bodies/0/x", json!(1e300)),
+            ("/bodies/1/y", json!(-1e300)),
+        ];
+        for (pointer, value) in wrong {
+            assert!(problem(pointer, value).sentence.ends_with('.'), "{pointer}");
+        }
+    }
+}

@@ -1,0 +1,83 @@
+//! How deep bodies overlap before the first step, by the contacts that the first step would have. Used to check scenes that
+//! people make.
+
+use super::constants::PX_PER_METRE;
+use super::contact::Contact;
+use super::world::World;
+use crate::puzzle::scene::Scene;
+
+/// Two bodies of a scene that overlap at the start.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Overlap {
+    /// Their indices in the scene, ascending.
+    pub bodies: [usize; 2],
+    /// The penetration depth of their shapes: by how much one would have to move, px.
+    pub depth: f64,
+}
+
+/// Returns the pairs of bodies, of which at least one is dynamic, that overlap at the start.
+pub fn overlaps(scene: &Scene) -> Vec<Overlap> {
+    let mut world = World::default();
+    for body in &scene.bodies {
+        world.add(body);
+    }
+    world.find_new_contacts();
+    let mut overlaps: Vec<Overlap> = Vec::new();
+    for index in 0..world.contacts.len() {
+        world.update_contact(index);
+        let contact = &world.contacts[index];
+        let [a, b] = contact.bodies;
+        let (bodies, depth) = ([a.min(b), a.max(b)], depth(contact, &world));
+        match overlaps.iter_mut().find(|overlap| overlap.bodies == bodies) {
+            _ if depth <= 0.0 => {}
+            Some(overlap) => overlap.depth = overlap.depth.max(depth),
+            None => overlaps.push(Overlap { bodies, depth }),
+        }
+    }
+    overlaps
+}
+
+/// Returns how deep the shapes of a contact overlap, px; not positive if they do not.
+fn depth(contact: &Contact, world: &World) -> f64 {
+    let [pose_a, pose_b] = contact.bodies.map(|body| world.bodies[body].pose());
+    let normal = contact.normal(&pose_a, &pose_b);
+    let separations = contact.points().iter().map(|point| contact.separation(point, normal, &pose_a, &pose_b));
+    let skins: f32 = contact.fixtures.iter().map(|&fixture| world.fixtures[fixture].skin()).sum();
+    let deepest = separations.map(|separation| -separation - skins).fold(0.0, f32::max);
+    f64::from(deepest) * PX_PER_METRE
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::puzzle::dimensions::Dimensions;
+    use crate::puzzle::own_scene::{OwnBody, OwnScene};
+
+    /// A scene of two bodies, the first of which is dynamic, side by side: the origins are `apart` px from each other.
+    fn side_by_side(shapes: [Dimensions; 2], apart: f64, second_moves: bool) -> Scene {
+        let body = |dimensions, x, dynamic| OwnBody { dimensions, x, y: 100.0, angle: 0.0, dynamic };
+        let bodies = vec![body(shapes[0], 100.0, true), body(shapes[1], 100.0 + apart, second_moves)];
+        OwnScene { version: 1, name: None, body1: 0, body2: 1, bodies }.to_scene()
+    }
+
+    #[test]
+    fn the_depth_is_by_how_much_shapes_overlap() {
+        let (ball, bar) = (Dimensions::Ball { radius: 10.0 }, Dimensions::Bar { length: 20.0, thickness: 20.0 });
+        for shapes in [[ball, ball], [ball, bar], [bar, ball], [bar, bar]] {
+            for second_moves in [false, true] {
+                assert_eq!(overlaps(&side_by_side(shapes, 20.1, second_moves)), [], "{shapes:?}");
+                let overlaps = overlaps(&side_by_side(shapes, 17.0, second_moves));
+                let [Overlap { bodies: [0, 1], depth }] = overlaps[..] else { panic!("{shapes:?}: {overlaps:?}") };
+                assert!((depth - 3.0).abs() < 1e-3, "{shapes:?}: {depth}");
+            }
+        }
+    }
+
+    #[test]
+    fn static_bodies_may_overlap() {
+        let bar = Dimensions::Bar { length: 20.0, thickness: 20.0 };
+        let mut scene = side_by_side([bar, bar], 5.0, false);
+        scene.bodies[0].dynamic = false;
+        assert_eq!(overlaps(&scene), []);
+    }
+}

@@ -1,0 +1,59 @@
+//! The exports for those who make scenes: a task as an own scene, its problems, and the limits.
+
+use std::ops::RangeInclusive;
+
+use serde::Serialize;
+use wasm_bindgen::prelude::*;
+
+use super::error::{Code, error, to_js};
+use super::played::{load, plain_scene};
+use crate::play::scene_check::{MAX_OVERLAP, problems};
+use crate::puzzle::dimensions::{BALL_RADIUS, BAR_LENGTH, BAR_THICKNESS, JAR_HEIGHT, STICK_LENGTH};
+use crate::puzzle::own_scene::{BODIES, NAME_LENGTH, OwnScene};
+
+/// Returns a task in the form of own scenes, in which it can be changed.
+///
+/// # Errors
+/// `bad_task` if there is no such task, `bad_scene` if it is an own scene that may not be played.
+#[wasm_bindgen(js_name = ownScene, unchecked_return_type = "OwnScene")]
+pub fn own_scene(#[wasm_bindgen(unchecked_param_type = "Played")] played: JsValue) -> Result<JsValue, JsValue> {
+    let played = load(played)?;
+    let own =
+        OwnScene::of(&played.scene).ok_or_else(|| error(Code::BadScene, "the scene has a body of no known shape"))?;
+    to_js(&OwnScene { name: played.name, ..own })
+}
+
+/// Returns all reasons why a value is no own scene that may be played; none if it may. Never fails: a value that is no
+/// scene at all is a problem too.
+#[wasm_bindgen(js_name = sceneProblems, unchecked_return_type = "SceneProblem[]")]
+pub fn scene_problems(#[wasm_bindgen(unchecked_param_type = "unknown")] value: JsValue) -> Result<JsValue, JsValue> {
+    let found = OwnScene::read(plain_scene(&value)).map_or_else(|problems| problems, |own| problems(&own));
+    to_js(&found)
+}
+
+/// Returns the limits of own scenes.
+#[wasm_bindgen(js_name = sceneLimits, unchecked_return_type = "SceneLimits")]
+pub fn scene_limits() -> Result<JsValue, JsValue> {
+    #[derive(Serialize)]
+    struct SceneLimits {
+        bodies: [usize; 2],
+        ball_radius: [f64; 2],
+        bar_length: [f64; 2],
+        bar_thickness: [f64; 2],
+        jar_height: [f64; 2],
+        stick_length: [f64; 2],
+        max_overlap: f64,
+        name_length: usize,
+    }
+    let ends = |range: RangeInclusive<f64>| [*range.start(), *range.end()];
+    to_js(&SceneLimits {
+        bodies: [*BODIES.start(), *BODIES.end()],
+        ball_radius: ends(BALL_RADIUS),
+        bar_length: ends(BAR_LENGTH),
+        bar_thickness: ends(BAR_THICKNESS),
+        jar_height: ends(JAR_HEIGHT),
+        stick_length: ends(STICK_LENGTH),
+        max_overlap: MAX_OVERLAP,
+        name_length: NAME_LENGTH,
+    })
+}
