@@ -23,8 +23,12 @@ pub const BODIES: RangeInclusive<usize> = 2..=64;
 /// Most characters of a name.
 pub const NAME_LENGTH: usize = 60;
 
-/// By how much a dynamic body may stick out of the scene, px: more than the rounding of the benchmark's.
-const ROUNDING: f64 = 1e-6;
+/// How deep a dynamic body may overlap another body or a wall at the start, px. The position solver separates them without
+/// giving them speed. The deepest overlap of two bodies in the benchmark is 2.73 px (00006:164).
+pub const MAX_OVERLAP: f64 = 3.0;
+
+/// How far outside of the scene a static body may be, px. Some of the benchmark's are up to 90 px away and never touched.
+const OUTSIDE: f64 = 128.0;
 
 /// A scene that somebody has made.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -59,7 +63,7 @@ pub struct OwnBody {
     /// Radians, counter-clockwise.
     #[cfg_attr(not(target_arch = "wasm32"), schemars(range(min = -TAU, max = TAU)))]
     pub angle: f64,
-    /// Whether it moves. A dynamic body lies inside the scene, a static one at least partly.
+    /// Whether it moves. A dynamic body lies inside the scene but for 3 px, a static one no farther outside of it than 128 px.
     pub dynamic: bool,
 }
 
@@ -229,12 +233,13 @@ impl OwnScene {
         let [left, bottom, right, top] = bounds(&self.body(index));
         if dynamic {
             let out = [-left, -bottom, right - SIZE, top - SIZE].into_iter().fold(0.0, f64::max);
-            (out > ROUNDING).then(|| {
+            (out > MAX_OVERLAP).then(|| {
                 format!("The {name} sticks out of the scene by {out:.1} px: move it inside or make it smaller.")
             })
         } else {
-            let outside = right <= 0.0 || top <= 0.0 || left >= SIZE || bottom >= SIZE;
-            outside.then(|| format!("The {name} is outside of the scene: move it inside, or remove it."))
+            let away = [-right, -top, left - SIZE, bottom - SIZE].into_iter().fold(0.0, f64::max);
+            (away > OUTSIDE)
+                .then(|| format!("The {name} is {away:.0} px outside of the scene: move it nearer, or remove it."))
         }
     }
 }
@@ -288,11 +293,15 @@ mod tests {
         problems.into_iter().next().unwrap_or_else(|| panic!("{pointer} is not refused"))
     }
 
+    /// Tasks in which balls are so deep in a wall that they may not be made.
+    const IN_A_WALL: [&str; 3] = ["00019:598", "00019:606", "00019:726"];
+
     #[test]
-    fn every_task_of_the_benchmark_is_within_the_limits_and_comes_back_the_same() {
+    fn every_task_of_the_benchmark_comes_back_the_same_and_nearly_all_are_within_the_limits() {
         for task in TEMPLATES.into_iter().flat_map(Task::of) {
             let own = OwnScene::of(&task.scene).unwrap_or_else(|| panic!("{} has another shape", task.id));
-            assert_eq!(own.limit_problems(), [], "{}", task.id);
+            let refused = IN_A_WALL.contains(&task.id.to_string().as_str());
+            assert_eq!(!own.limit_problems().is_empty(), refused, "{}: {:?}", task.id, own.limit_problems());
             let read = OwnScene::read(serde_json::to_value(&own).expect("plain data")).expect("a scene");
             assert_eq!(read.to_scene(), task.scene, "{}", task.id);
         }
@@ -313,13 +322,13 @@ mod tests {
             long.sentence,
             "The length of the purple bar (body 1) is 513.0 px, but may be 2 to 512: make it smaller."
         );
-        let outside = problem("/bodies/0/x", json!(2));
+        let outside = problem("/bodies/0/x", json!(-2));
         assert_eq!(
             outside.sentence,
-            "The green ball (body 0) sticks out of the scene by 10.5 px: move it inside or make it smaller."
+            "The green ball (body 0) sticks out of the scene by 14.5 px: move it inside or make it smaller."
         );
         assert_eq!(problem("/bodies/0/dynamic", json!(false)).body, Some(0));
-        assert_eq!(problem("/bodies/1/y", json!(-3)).body, Some(1));
+        assert_eq!(problem("/bodies/1/y", json!(-200)).body, Some(1));
         assert_eq!(problem("/bodies/1/angle", json!(7)).body, Some(1));
     }
 

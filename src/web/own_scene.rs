@@ -7,9 +7,9 @@ use wasm_bindgen::prelude::*;
 
 use super::error::{Code, error, to_js};
 use super::played::{load, plain_scene};
-use crate::play::scene_check::{MAX_OVERLAP, problems};
+use crate::play::scene_check::problems;
 use crate::puzzle::dimensions::{BALL_RADIUS, BAR_LENGTH, BAR_THICKNESS, JAR_HEIGHT, STICK_LENGTH};
-use crate::puzzle::own_scene::{BODIES, NAME_LENGTH, OwnScene};
+use crate::puzzle::own_scene::{BODIES, MAX_OVERLAP, NAME_LENGTH, OwnScene};
 
 /// Returns a task in the form of own scenes, in which it can be changed.
 ///
