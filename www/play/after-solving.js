@@ -32,6 +32,8 @@ export class AfterSolving extends Component {
   #by = this.byId("next-by", HTMLSelectElement);
   /** @type {number | null} */
   #challenge = null;
+  /** What the next puzzle was chosen for: to choose it takes too long for every step of a drag. */
+  #reason = "";
   /** @type {number | undefined} */
   #timer;
 
@@ -60,12 +62,15 @@ export class AfterSolving extends Component {
 
   close() {
     super.close();
+    this.#reason = "";
     this.#endCelebration();
   }
 
   /** @param {import("../shell/url-state.js").View} view */
   setState({ challenge }) {
     this.#challenge = challenge;
+    // The model that the address names is kept on the way.
+    this.#reason = "";
     this.#update();
   }
 
@@ -82,10 +87,14 @@ export class AfterSolving extends Component {
     this.byId("solved-title").textContent = solvedAt === 1 ? "Solved at the first attempt!" : `Solved in ${solvedAt} attempts!`;
     // An own scene has no id: nothing comes after it, and no link leads to it.
     const { id } = session.about;
-    const next = id && this.#nextTask(id);
-    const href = next && this.#hrefOf(next);
-    this.#next.hidden = !href;
-    if (href) this.#next.href = href;
+    const reason = `${id} ${solvedAt} ${this.#by.value}`;
+    if (reason !== this.#reason) {
+      this.#reason = reason;
+      const next = id && this.#nextTask(id);
+      const href = next && this.#hrefOf(next);
+      this.#next.hidden = !href;
+      if (href) this.#next.href = href;
+    }
     this.byId("solved-share").hidden = !id || this.#hrefOf(id) === null;
   }
 
