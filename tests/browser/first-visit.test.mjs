@@ -47,6 +47,7 @@ test('with a finger: watch, guess, place, run, see what the model imagines', asy
 
 test('by keyboard, with the motion', async () => {
   const page = await session.open('/');
+  await page.locator('#welcome-start').waitFor();
   await page.locator('#welcome-start').press('Enter');
   await guide(page, 1, /First watch/);
   await page.keyboard.press('Enter');
