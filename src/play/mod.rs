@@ -2,8 +2,11 @@
 
 pub mod ending;
 pub mod game;
+pub mod luck;
 pub mod played;
 pub mod scene_check;
 pub mod soft_iou;
+pub mod solution_search;
 pub mod solve_map;
 pub mod turn;
+pub mod verification;

@@ -3,6 +3,7 @@
 //! Made by `simulator`; played back by the page, drawn by `raster`, summarised by `play::game`.
 
 use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
 
 /// Steps per second of simulated time (PHYRE).
 pub const STEPS_PER_SECOND: usize = 60;
@@ -42,7 +43,19 @@ pub struct Rollout {
     pub touching: Vec<bool>,
 }
 
+/// Returns the digest of poses: SHA-256, in hexadecimal, of x, y and angle of each as f32, little-endian.
+pub fn digest_of(poses: &[Pose]) -> String {
+    let mut hash = Sha256::new();
+    poses.as_flattened().iter().for_each(|number| hash.update(number.to_le_bytes()));
+    hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
 impl Rollout {
+    /// Returns the digest of all poses: equal digests are equal rollouts, to the bit.
+    pub fn digest(&self) -> String {
+        digest_of(&self.poses)
+    }
+
     /// Returns the poses after `step` steps, one for each of `bodies`.
     pub fn row(&self, step: usize) -> &[Pose] {
         let width = self.bodies.len();

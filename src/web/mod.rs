@@ -15,7 +15,7 @@ use crate::play::game::ATTEMPT_LIMIT;
 use crate::puzzle::action::RADIUS;
 use crate::puzzle::rollout::{GOAL_STEPS, STEPS_PER_SECOND};
 use crate::puzzle::scene::{SIZE, Scene};
-use crate::puzzle::task;
+use crate::puzzle::task::{self, TaskError, TaskId};
 use crate::puzzle::templates::TEMPLATES;
 use crate::raster::{PX_PER_CELL, SIDE};
 use crate::simulator;
@@ -41,6 +41,7 @@ mod scripting;
 mod solve_map;
 mod stage;
 mod types;
+mod verification;
 
 pub use metrics::{auccess, fold, soft_iou};
 pub use model::{Model, Turn};
@@ -49,6 +50,7 @@ pub use panic::throw_panics;
 pub use puzzle::Puzzle;
 pub use scripting::{raster, scene, simulate, why_invalid};
 pub use solve_map::SolveMap;
+pub use verification::{SolutionSearch, attempt_line, luck, verify_attempt};
 
 use error::{Code, error, to_js};
 use paint::Painter;

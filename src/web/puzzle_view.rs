@@ -118,7 +118,7 @@ impl Puzzle {
     /// there are none.
     #[wasm_bindgen(js_name = closestApproach, unchecked_return_type = "ClosestApproach | undefined")]
     pub fn closest_approach(&self) -> Result<JsValue, JsValue> {
-        let approach = |recording: &Recording| closest_approach(&self.task.scene, &recording.rollout);
+        let approach = |recording: &Recording| closest_approach(&self.played.scene, &recording.rollout);
         self.recordings.first().map(approach).map_or(Ok(JsValue::UNDEFINED), |approach| to_js(&approach))
     }
 

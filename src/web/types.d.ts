@@ -78,6 +78,48 @@ export interface SceneLimits {
 /** PHYRE's status of an attempt. */
 export type Status = "solved" | "not_solved" | "invalid";
 
+/** What a search for solutions has found so far. */
+export interface FoundSolutions {
+    /** The fraction of the balls that has been looked at, 0..1. */
+    progress: number;
+    /** Balls that may be placed; all of them were simulated. */
+    valid: number;
+    /** Those that solve. */
+    solved: number;
+    /** The share of the benchmark's tasks that are harder, 0..1, by the share of valid balls that solve; null without a valid
+     * ball. */
+    rank: number | null;
+    /** The solving ball around which most balls solve too; null if none solves. */
+    easiest: Ball | null;
+    /** Whether the scene solves itself, without a ball. */
+    solves_itself: boolean;
+}
+
+/** Of the 27 balls within a pixel of one in x, y and radius: those that may be placed, and those of them that solve. */
+export interface Luck {
+    valid: number;
+    solved: number;
+}
+
+/** An attempt that anyone can simulate again. Either `task` or `scene` is there. */
+export interface AttemptLine {
+    task?: string;
+    scene?: OwnScene;
+    ball: Ball | null;
+    /** The version of the simulator. */
+    simulator: number;
+    status: Status;
+    steps: number;
+    /** SHA-256, in hexadecimal, of x, y and angle of all poses as f32, little-endian. */
+    digest: string;
+}
+
+/** What became of an attempt that was simulated again; the reason is a sentence. */
+export type Verification =
+    | { verdict: "same" }
+    | { verdict: "other_outcome"; reason: string }
+    | { verdict: "not_valid"; reason: string };
+
 /** What an agent has to generalise to: new tasks of templates that it was trained on, or new templates. */
 export type Setup = "within" | "cross";
 

@@ -10,14 +10,17 @@ import { addressOf, compileWasm, readFile } from "./files.js";
 import { readModelList, readWeights } from "./weights.js";
 
 /** @typedef {import("../pkg/pathlight.js").About} About */
+/** @typedef {import("../pkg/pathlight.js").AttemptLine} AttemptLine */
 /** @typedef {import("../pkg/pathlight.js").Ball} Ball */
 /** @typedef {import("../pkg/pathlight.js").Body} Body */
 /** @typedef {import("../pkg/pathlight.js").Candidate} Candidate */
 /** @typedef {import("../pkg/pathlight.js").Difficulty} Difficulty */
 /** @typedef {import("../pkg/pathlight.js").Ending} Ending */
 /** @typedef {import("../pkg/pathlight.js").Fold} Fold */
+/** @typedef {import("../pkg/pathlight.js").FoundSolutions} FoundSolutions */
 /** @typedef {import("../pkg/pathlight.js").GridMap} GridMap */
 /** @typedef {import("../pkg/pathlight.js").ImaginedBall} ImaginedBall */
+/** @typedef {import("../pkg/pathlight.js").Luck} Luck */
 /** @typedef {import("../pkg/pathlight.js").Maps} Maps */
 /** @typedef {import("../pkg/pathlight.js").ModelCard} ModelCard */
 /** @typedef {import("../pkg/pathlight.js").OwnScene} OwnScene */
@@ -31,6 +34,7 @@ import { readModelList, readWeights } from "./weights.js";
 /** @typedef {import("../pkg/pathlight.js").Stage} Stage */
 /** @typedef {import("../pkg/pathlight.js").Template} Template */
 /** @typedef {import("../pkg/pathlight.js").TriedProposal} TriedProposal */
+/** @typedef {import("../pkg/pathlight.js").Verification} Verification */
 /** @typedef {import("./failure.js").ErrorCode} ErrorCode */
 /** @typedef {import("./files.js").OnProgress} OnProgress */
 /** @typedef {Error & { code: ErrorCode }} CodedError */
@@ -317,6 +321,57 @@ export class Pathlight {
       final = map.outcomes();
       map.free();
     }
+  }
+
+  /**
+   * Searches the whole action space for solutions. Tries one valid ball each time the next value is asked for; `found` returns
+   * what is known at the time of the call, also after the last value.
+   * @param {Played} task
+   * @returns {Generator<{ found: () => FoundSolutions }, void, void>}
+   */
+  *solutionSearch(task) {
+    const search = new wasm.SolutionSearch(task);
+    /** @type {FoundSolutions | null} */
+    let final = null;
+    const found = () => final ?? search.found();
+    try {
+      for (let more = true; more; ) {
+        more = search.advance();
+        yield { found };
+      }
+    } finally {
+      final = search.found();
+      search.free();
+    }
+  }
+
+  /**
+   * Returns whether a ball solves by luck: of the 27 balls within a pixel in x, y and radius, how many solve.
+   * @param {Played} task
+   * @param {Ball} ball
+   * @returns {Luck}
+   */
+  luck(task, ball) {
+    return wasm.luck(task, ball);
+  }
+
+  /**
+   * Simulates a ball, or the scene alone without one, and returns the line that `pathlight verify` and `verifyAttempt` check.
+   * @param {Played} task
+   * @param {Ball | null} [ball]
+   * @returns {AttemptLine}
+   */
+  attemptLine(task, ball = null) {
+    return wasm.attemptLine(task, ball);
+  }
+
+  /**
+   * Simulates the attempt of a line again, and returns whether it is the same to the bit. Throws for no value.
+   * @param {unknown} line
+   * @returns {Verification}
+   */
+  verifyAttempt(line) {
+    return wasm.verifyAttempt(line);
   }
 
   /**

@@ -1,0 +1,98 @@
+//! The exports about what attempts prove: whether a scene can be solved, whether a ball that solves is lucky, and lines of
+//! attempts that anyone can simulate again.
+
+use serde_json::Value;
+use wasm_bindgen::prelude::*;
+
+use super::error::{Code, error, from_js, to_js};
+use super::played::{load, plain_scene};
+use super::scripting::ball_from;
+use crate::play::verification::{AttemptLine, Verdict};
+use crate::play::{luck, solution_search};
+use crate::puzzle::action::Ball;
+use crate::puzzle::rollout::Status;
+use crate::puzzle::task::TaskId;
+
+/// The search for solutions of a scene over the whole action space, one ball per call.
+#[wasm_bindgen]
+pub struct SolutionSearch(solution_search::SolutionSearch);
+
+#[wasm_bindgen]
+impl SolutionSearch {
+    /// Starts a search.
+    ///
+    /// # Errors
+    /// `bad_task` if there is no such task, `bad_scene` if the scene may not be played.
+    #[wasm_bindgen(constructor)]
+    pub fn new(#[wasm_bindgen(unchecked_param_type = "Played")] played: JsValue) -> Result<SolutionSearch, JsValue> {
+        Ok(SolutionSearch(solution_search::SolutionSearch::new(load(played)?.scene)))
+    }
+
+    /// Simulates the next valid ball; returns false once all have been tried.
+    pub fn advance(&mut self) -> bool {
+        self.0.advance()
+    }
+
+    /// Returns what has been found so far.
+    #[wasm_bindgen(unchecked_return_type = "FoundSolutions")]
+    pub fn found(&self) -> Result<JsValue, JsValue> {
+        to_js(&self.0.found())
+    }
+}
+
+/// Returns how many of the 27 balls within a pixel in x, y and radius solve, of those that may be placed.
+///
+/// # Errors
+/// `bad_task` if there is no such task, `bad_scene` if the scene may not be played, `bad_data` if it is not a ball.
+#[wasm_bindgen(unchecked_return_type = "Luck")]
+pub fn luck(
+    #[wasm_bindgen(unchecked_param_type = "Played")] played: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Ball")] ball: JsValue,
+) -> Result<JsValue, JsValue> {
+    to_js(&luck::luck(&load(played)?.scene, ball_from(ball)?))
+}
+
+/// Simulates a ball, or the scene alone if it is null, and returns the line that anyone can verify.
+///
+/// # Errors
+/// `bad_task` if there is no such task, `bad_scene` if the scene may not be played, `bad_data` if it is not a ball.
+#[wasm_bindgen(js_name = attemptLine, unchecked_return_type = "AttemptLine")]
+pub fn attempt_line(
+    #[wasm_bindgen(unchecked_param_type = "Played")] played: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Ball | null")] ball: JsValue,
+) -> Result<JsValue, JsValue> {
+    let scene = played.is_object().then(|| plain_scene(&played));
+    let task = load(played)?.id.task();
+    let line = AttemptLine::simulated(task, scene, ball_from(ball)?);
+    to_js(&line.map_err(|sentence| error(Code::BadScene, sentence))?)
+}
+
+/// Simulates the attempt of a line again, and returns whether it is the same to the bit. Fails for no value: what is not a line is
+/// `not_valid`.
+#[wasm_bindgen(js_name = verifyAttempt, unchecked_return_type = "Verification")]
+pub fn verify_attempt(#[wasm_bindgen(unchecked_param_type = "unknown")] line: JsValue) -> Result<JsValue, JsValue> {
+    let verdict = match read_line(&line) {
+        Some(line) => line.verify(),
+        None => Verdict::NotValid(
+            "This is not an attempt: it is a JSON object with `task` or `scene`, `ball`, `simulator`, `status`, `steps` and `digest`."
+                .to_string(),
+        ),
+    };
+    to_js(&verdict)
+}
+
+/// Reads a line key by key: see `plain_scene`.
+fn read_line(line: &JsValue) -> Option<AttemptLine> {
+    let get = |key: &str| js_sys::Reflect::get(line, &key.into()).ok();
+    let known = |key: &str| get(key).filter(|value| !value.is_undefined() && !value.is_null());
+    let task = match known("task") {
+        Some(task) => Some(task.as_string()?.parse::<TaskId>().ok()?),
+        None => None,
+    };
+    let scene: Option<Value> = known("scene").map(|scene| plain_scene(&scene));
+    let ball: Option<Ball> = from_js(get("ball")?).ok()?;
+    let status: Status = serde_json::from_value(Value::String(get("status")?.as_string()?)).ok()?;
+    let whole = |key: &str| get(key)?.as_f64().filter(|number| number.fract() == 0.0 && (0.0..1e9).contains(number));
+    let (simulator, steps) = (whole("simulator")? as u32, whole("steps")? as usize);
+    Some(AttemptLine { task, scene, ball, simulator, status, steps, digest: get("digest")?.as_string()? })
+}
