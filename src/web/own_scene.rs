@@ -4,12 +4,14 @@ use std::ops::RangeInclusive;
 
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
+use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 
-use super::error::{Code, error, to_js};
+use super::error::{Code, error, from_js, to_js};
+use super::frame;
 use super::played::{load, plain_scene};
 use crate::play::scene_check::problems;
 use crate::puzzle::dimensions::{BALL_RADIUS, BAR_LENGTH, BAR_THICKNESS, JAR_HEIGHT, STICK_LENGTH};
-use crate::puzzle::own_scene::{BODIES, MAX_OVERLAP, NAME_LENGTH, OwnScene};
+use crate::puzzle::own_scene::{BODIES, MAX_OVERLAP, NAME_LENGTH, OwnScene, Problem};
 
 /// Returns a task in the form of own scenes, in which it can be changed.
 ///
@@ -56,4 +58,24 @@ pub fn scene_limits() -> Result<JsValue, JsValue> {
         max_overlap: MAX_OVERLAP,
         name_length: NAME_LENGTH,
     })
+}
+
+/// Draws an own scene as it is being made into a square canvas, also one that may not be played: the scene, the maps over it, and
+/// the ball of the view.
+///
+/// # Errors
+/// `bad_scene` if it cannot be read, `bad_data` if the view does not have the agreed form.
+#[wasm_bindgen(js_name = paintDraft)]
+pub fn paint_draft(
+    context: &CanvasRenderingContext2d,
+    #[wasm_bindgen(unchecked_param_type = "OwnScene")] scene: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "View")] view: JsValue,
+    maps: Vec<HtmlCanvasElement>,
+) -> Result<(), JsValue> {
+    let unreadable = |problems: Vec<Problem>| error(Code::BadScene, &problems[0]);
+    let own = OwnScene::read(plain_scene(scene)).map_err(unreadable)?;
+    if own.bodies.len() <= own.body1.max(own.body2) {
+        return Err(error(Code::BadScene, "the goal of the scene names a body that it does not have"));
+    }
+    frame::paint(context, &own.to_scene(), &[], &from_js(view)?, &maps)
 }

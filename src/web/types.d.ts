@@ -190,7 +190,8 @@ export interface Palette {
 /** A puzzle in words. */
 export interface About {
     /** Null for an own scene. */
-    id: string;
+    /** Null for an own scene. */
+    id: string | null;
     name: string;
     story: string;
     goal: string;

@@ -5,10 +5,11 @@ use crate::rule::{Never, Only, Rule, unknown_files};
 
 /// The folders and files of `www/` in the order in which they import each other: each only those before it. `pkg` is the
 /// wasm package, of which all may import what the API does not have. Imports in JSDoc are types only and are not looked at.
-const LAYERS: [&str; 9] = ["pkg", "api", "shell", "model", "play", "panels", "element", "page", "offline"];
+const LAYERS: [&str; 10] = ["pkg", "api", "shell", "model", "play", "panels", "workshop", "element", "page", "offline"];
 
 /// What modules outside of `api/` may import of `pkg`: what the API does not have, because only the player needs it.
-const PLAYER_ONLY: [&str; 6] = ["Puzzle", "constants", "palette", "paintLegend", "paintOutcomes", "paintOutline"];
+const PLAYER_ONLY: [&str; 7] =
+    ["Puzzle", "constants", "paintDraft", "palette", "paintLegend", "paintOutcomes", "paintOutline"];
 
 const RULES: &[Rule] = &[
     Rule {
@@ -24,7 +25,7 @@ const RULES: &[Rule] = &[
             "byId(document",
             "find(document",
         ],
-        files: Never(&["model/", "play/", "panels/", "element/"]),
+        files: Never(&["model/", "play/", "panels/", "workshop/", "element/"]),
         reason: "several puzzles live in one page: each looks up its elements in its own shadow tree",
     },
     Rule {
@@ -34,7 +35,7 @@ const RULES: &[Rule] = &[
     },
     Rule {
         words: &["localStorage", "sessionStorage", "indexedDB", "document.cookie"],
-        files: Only(&["shell/progress-store.js", "shell/attempt-store.js"]),
+        files: Only(&["shell/progress-store.js", "shell/attempt-store.js", "workshop/own-puzzles.js"]),
         reason: "one file each knows what is stored in the browser, and in what form",
     },
     Rule {
@@ -44,7 +45,7 @@ const RULES: &[Rule] = &[
     },
     Rule {
         words: &["URL(\"./"],
-        files: Never(&["api/", "shell/", "model/", "play/", "panels/", "element/", "page/"]),
+        files: Never(&["api/", "shell/", "model/", "play/", "panels/", "workshop/", "element/", "page/"]),
         reason: "a bundle takes the place of its entry in another folder: addresses begin with that of the folder, \"../\"",
     },
     Rule {

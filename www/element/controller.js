@@ -33,14 +33,18 @@ import { hideParts } from "../shell/hidden-parts.js";
 import { pathlight } from "../shell/pathlight.js";
 import { onShortcut } from "../shell/shortcuts.js";
 import { Tabs } from "../shell/tabs.js";
-import { INITIAL_STATE, formatFragment, formatState, parseState, viewOf, visiblePanels } from "../shell/url-state.js";
+import { INITIAL_STATE, formatFragment, formatState, parseState, showsPuzzle, viewOf, visiblePanels } from "../shell/url-state.js";
+import { Bend } from "../workshop/bend.js";
+import { Pictures } from "../workshop/pictures.js";
+import { ShareOwn } from "../workshop/share-own.js";
+import { knownScene, sceneOfText } from "../workshop/scene-link.js";
 
 /** @typedef {import("../shell/component.js").Component} Component */
 /** @typedef {import("../shell/url-state.js").State} State */
 
 /**
- * An attempt of the player's that has run to its end.
- * @typedef {{ task: string, number: number, ball: import("../pkg/pathlight.js").Ball, solved: boolean }} PlayedAttempt
+ * An attempt of the player's that has run to its end; the task is null for an own scene.
+ * @typedef {{ task: string | null, number: number, ball: import("../pkg/pathlight.js").Ball, solved: boolean }} PlayedAttempt
  */
 
 const TASKS = new Set(pathlight.templates().flatMap(({ tasks }) => tasks));
@@ -59,6 +63,7 @@ export class PuzzleController extends EventTarget {
   #guide;
   /** @type {Proposals | null} */
   #proposals = null;
+  #bend;
   #components;
   /** @type {Session | null} */
   #session = null;
@@ -84,6 +89,7 @@ export class PuzzleController extends EventTarget {
     this.#lastModel = this.model;
     this.#canvas = new SceneCanvas(root);
     this.#guide = new Guide(root);
+    this.#bend = new Bend(root, this.#client);
     this.#components = this.#createComponents(module);
     for (const component of this.#components) {
       component.addEventListener("staterequest", (event) => this.#changeState(/** @type {CustomEvent<Partial<State>>} */ (event).detail));
@@ -102,7 +108,7 @@ export class PuzzleController extends EventTarget {
    * @returns {Component[]}
    */
   #createComponents(module) {
-    const [root, client] = [this.#root, this.#client];
+    const [root, client, bend] = [this.#root, this.#client, this.#bend];
     const scenePicture = new ScenePicture(root);
     const imagine = new Imagine(root, client, scenePicture);
     const predict = new Predict(root, imagine, scenePicture);
@@ -132,8 +138,9 @@ export class PuzzleController extends EventTarget {
       proposals, solveMap,
       new ModelBadge(root, client, imagine),
       new ModelPair(root, module, client, scenePicture),
+      bend, new ShareOwn(root, bend, this.#progress.player.persistent), new Pictures(root),
       new Scoreboard(root, client, this.#progress, (task) => this.#hrefOf()?.(task, "compare") ?? null),
-      new Overlays(root, this.#canvas, { choice, forecast, imagine, predict, proposals, solveMap }),
+      new Overlays(root, this.#canvas, { bend, choice, forecast, imagine, predict, proposals, solveMap }),
     ];
   }
 
@@ -178,19 +185,42 @@ export class PuzzleController extends EventTarget {
   apply(state) {
     const modelChanged = state.model !== this.#client.requestedName;
     // What is left behind may still change the old state, so it goes first.
-    if (state.task !== this.#state.task) this.#closePuzzle();
+    if (state.task !== this.#state.task || state.scene !== this.#state.scene) this.#closePuzzle();
     else if (modelChanged) this.#session?.clearModelAttempts();
     this.#state = { ...state };
-    const { task, ball } = state;
+    const { ball } = state;
+    const played = this.#playedOf(state);
     const problem = unknownTask(state);
     this.#showProblem(problem);
-    find(this.#root, ".puzzle").hidden = task === null || problem !== null;
-    if (task !== null && !problem) {
-      const session = (this.#session ??= this.#openPuzzle(task));
+    find(this.#root, ".puzzle").hidden = !showsPuzzle(state) || problem !== null;
+    if (played !== null && !problem) {
+      const session = (this.#session ??= this.#openPuzzle(played));
       if (ball && String(ball) !== String(session.ball)) session.place(ball);
       if (modelChanged || this.#client.status === "off") this.#startModel();
     }
     this.#applyView();
+  }
+
+  /**
+   * What a state plays; null if it is nothing, or an own scene that is still to be read. Then the state is applied again.
+   * @param {State} state
+   * @returns {import("../model/messages.js").Played | null}
+   */
+  #playedOf({ task, scene }) {
+    if (scene === null) return task;
+    const known = knownScene(scene);
+    if (!known) this.#readScene(scene);
+    return known;
+  }
+
+  /** @param {string} text */
+  async #readScene(text) {
+    try {
+      await sceneOfText(text);
+      if (this.#state.scene === text) this.apply(this.#state);
+    } catch (error) {
+      if (this.#state.scene === text) this.#showProblem(/** @type {Error} */ (error).message);
+    }
   }
 
   /**
@@ -220,6 +250,7 @@ export class PuzzleController extends EventTarget {
     this.#stageView?.onKeydown(event);
     onShortcut(event, {
       session: this.#session,
+      history: this.#state.panel === "bend" ? this.#bend : this.#session,
       scene: this.#canvas,
       showPanel: (index) => {
         const panel = visiblePanels(this.#state)[index];
@@ -248,10 +279,10 @@ export class PuzzleController extends EventTarget {
     byId(this.#root, id, HTMLDialogElement).showModal();
   }
 
-  /** @param {string} task */
-  #openPuzzle(task) {
-    const session = new Session(task, () => reducedMotion.matches);
-    find(this.#root, ".puzzle").setAttribute("aria-label", `Puzzle ${session.about.name} ${task}`);
+  /** @param {import("../model/messages.js").Played} played */
+  #openPuzzle(played) {
+    const session = new Session(played, () => reducedMotion.matches);
+    find(this.#root, ".puzzle").setAttribute("aria-label", `Puzzle ${session.about.name} ${session.about.id ?? ""}`.trim());
     session.addEventListener("change", () => this.#onSessionChange(session));
     session.addEventListener("attempted", () => this.#onAttempted(session));
     for (const component of this.#components) component.open(session);
@@ -272,6 +303,12 @@ export class PuzzleController extends EventTarget {
    * @param {Partial<State>} patch
    */
   #changeState(patch) {
+    if ("scene" in patch) {
+      // Another puzzle, with the ball where it was.
+      this.apply({ ...this.#state, ...patch });
+      this.dispatchEvent(new Event("statechange"));
+      return;
+    }
     Object.assign(this.#state, patch);
     if (this.#state.model !== this.#client.requestedName) {
       // First, so that what follows from the cleared attempts finds the new model requested and does not start it again.
@@ -282,9 +319,10 @@ export class PuzzleController extends EventTarget {
     this.dispatchEvent(new Event("statechange"));
   }
 
-  /** Starts the model, unless no panel that needs it is shown. */
+  /** Starts the model, unless no panel that needs it is shown; Bend needs it only where it is open. */
   #startModel() {
-    if (visiblePanels(this.#state).some((panel) => panel !== "play")) this.#client.start(this.#state.model);
+    const { panel, model } = this.#state;
+    if (panel === "bend" || visiblePanels(this.#state).some((one) => one !== "play" && one !== "bend")) this.#client.start(model);
   }
 
   /** Does a link leave out the buttons that lead away from what it shows? */
@@ -319,7 +357,8 @@ export class PuzzleController extends EventTarget {
   #onAttempted({ about, shown }) {
     if (!shown) return;
     const { number, ball, ending } = shown;
-    this.#progress.player.add(about.id, ending.solved);
+    // The progress is on the benchmark's tasks.
+    if (about.id !== null) this.#progress.player.add(about.id, ending.solved);
     /** @type {PlayedAttempt} */
     const attempt = { task: about.id, number, ball, solved: ending.solved };
     this.dispatchEvent(new CustomEvent("attempt", { detail: attempt }));

@@ -1,6 +1,7 @@
 // The shadow tree of a puzzle: scene, transport, panels, their templates and dialogs. It is the only markup that is made from
 // text, and the text is constant. Ids are unique in each shadow tree.
 
+import { BEND_MARKUP } from "../workshop/bend-markup.js";
 import { PANELS_MARKUP } from "./panels-markup.js";
 
 const template = document.createElement("template");
@@ -80,9 +81,11 @@ template.innerHTML = `
       <button type="button" role="tab" id="tab-compare" aria-controls="compare" data-hideable="compare">Compare</button>
       <button type="button" role="tab" id="tab-predict" aria-controls="predict" data-hideable="predict">Predict</button>
       <button type="button" role="tab" id="tab-map" aria-controls="map" data-hideable="map">Map</button>
+      <button type="button" role="tab" id="tab-bend" aria-controls="bend" data-hideable="bend">Bend</button>
     </div>
 
     ${PANELS_MARKUP}
+    ${BEND_MARKUP}
   </div>
 </div>
 
@@ -142,7 +145,7 @@ template.innerHTML = `
     <dt data-hideable="puzzles"><kbd>[</kbd> <kbd>]</kbd></dt><dd data-hideable="puzzles">previous, next puzzle</dd>
     <dt data-hideable="compare"><kbd>N</kbd></dt><dd data-hideable="compare">in Compare: the model’s next ball with another outcome, with <kbd>Shift</kbd> the one before</dd>
     <dt><kbd>V</kbd></dt><dd>the stage view: the scene and one sentence, in large type; <kbd>Esc</kbd> leaves it<span data-hideable="imagine">, <kbd>←</kbd> <kbd>→</kbd> or <kbd>PgUp</kbd> <kbd>PgDn</kbd> go through the story</span></dd>
-    <dt id="keys-of-panels"><kbd>1</kbd> to <kbd>5</kbd></dt><dd id="key-panels"></dd>
+    <dt id="keys-of-panels"><kbd>1</kbd> to <kbd>6</kbd></dt><dd id="key-panels"></dd>
     <dt><kbd>?</kbd></dt><dd>this sheet</dd>
   </dl>
   <form method="dialog"><button>Close</button></form>

@@ -1,5 +1,7 @@
 // The markup of the panels, as constant text; the tabs that show them are in markup.js.
 
+import { SAVE_MARKUP } from "../workshop/bend-markup.js";
+
 export const PANELS_MARKUP = `
 <div role="tabpanel" id="play" aria-labelledby="tab-play" tabindex="0" hidden>
   <section id="solved" aria-labelledby="solved-title" hidden>
@@ -37,6 +39,7 @@ export const PANELS_MARKUP = `
     <ol class="attempts" id="play-attempts"></ol>
     <p class="empty" id="play-empty">None yet. A ball that may not be placed does not count.</p>
   </div>
+  ${SAVE_MARKUP}
 </div>
 
 <div role="tabpanel" id="imagine" aria-labelledby="tab-imagine" tabindex="0" hidden>

@@ -4,8 +4,8 @@
 //     <script type="module" src="…/element/pathlight-puzzle.js"></script>
 //     <pathlight-puzzle task="00007:008" panel="imagine"></pathlight-puzzle>
 //
-// The attributes say what is shown, follow the person, and can be changed at any time: `task`, `model`, `panel`, `stage`,
-// `view`, `proposal`, `layers`, `opacity`, `forecast`, `ball`, `challenge` and `hide`, as in the links of Pathlight, and `theme`. Besides:
+// The attributes say what is shown, follow the person, and can be changed at any time: `task` or `scene`, `model`, `panel`,
+// `stage`, `view`, `proposal`, `layers`, `opacity`, `forecast`, `ball`, `challenge` and `hide`, as in the links of Pathlight, and `theme`. Besides:
 //   fill       takes the height of its container too, which must have one; else it is as high as its content
 //   remember   keeps the attempts at each puzzle, their number and the one that solved it in this browser (localStorage); else
 //              they are forgotten with the page. Read once, when the puzzle is loaded
@@ -23,7 +23,7 @@ import { loadStyleSheets } from "./style-sheets.js";
 /** @typedef {(task: string, panel: Panel) => string | null} HrefOf */
 
 /** The attributes that make up the state; shell/url-state.js knows their values. */
-const STATE_ATTRIBUTES = ["task", "model", "panel", "stage", "view", "proposal", "layers", "opacity", "forecast", "ball", "challenge", "hide"];
+const STATE_ATTRIBUTES = ["task", "scene", "model", "panel", "stage", "view", "proposal", "layers", "opacity", "forecast", "ball", "challenge", "hide"];
 
 const darkScheme = matchMedia("(prefers-color-scheme: dark)");
 
@@ -100,10 +100,13 @@ export class PathlightPuzzle extends HTMLElement {
   /** The puzzle, "00007:008"; null for none. */
   get task() { return this.getAttribute("task"); }
   set task(value) { this.#setAttribute("task", value); }
+  /** An own scene, as the link to it holds it; null for a task. */
+  get scene() { return this.getAttribute("scene"); }
+  set scene(value) { this.#setAttribute("scene", value); }
   /** The name of the model; null for the first. */
   get model() { return this.getAttribute("model"); }
   set model(value) { this.#setAttribute("model", value); }
-  /** "play", "imagine", "compare", "predict" or "map"; null for "play". */
+  /** "play", "imagine", "compare", "predict", "map" or "bend"; null for "play". */
   get panel() { return this.getAttribute("panel"); }
   set panel(value) { this.#setAttribute("panel", value); }
   /** The stage that the walkthrough is at: "base", "target", "action", "placement" or "judge", or "candidates", "imagined", "chosen", "run" or "real"; null for all together. */

@@ -11,7 +11,7 @@ placeholderSheet.replaceSync(`
   .placeholder:not(:empty) { block-size: auto; padding: 16px; color-scheme: light dark; background: Canvas; color: CanvasText; font: 16px/1.45 system-ui, sans-serif; }
   .placeholder p { margin: 0 0 8px; }
   .placeholder button { min-block-size: 36px; padding: 0 12px; font: inherit; }
-  :host([fill]) .placeholder:empty, :host(:not([task])) .placeholder:empty { display: none; }
+  :host([fill]) .placeholder:empty, :host(:not([task], [scene])) .placeholder:empty { display: none; }
   @container (min-width: 760px) { .placeholder:empty { block-size: calc(min(55cqi, 640px) + 112px); } }
 `);
 

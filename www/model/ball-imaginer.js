@@ -3,6 +3,7 @@
 
 /** @typedef {import("./messages.js").Ball} Ball */
 /** @typedef {import("./messages.js").ImaginedBall} ImaginedBall */
+/** @typedef {import("./messages.js").Played} Played */
 
 export class BallImaginer extends EventTarget {
   /**
@@ -48,16 +49,16 @@ export class BallImaginer extends EventTarget {
 
   /**
    * Asks for a ball, unless there is an answer for it; null asks for none.
-   * @param {string} task
+   * @param {Played} played
    * @param {Ball | null} ball
    */
-  async imagine(task, ball) {
+  async imagine(played, ball) {
     this.#wanted = ball;
     if (this.#call || !this.able) return;
     const call = (this.#call = new AbortController());
     try {
       for (let of = this.#unanswered; of; of = this.#unanswered) {
-        const imagined = await this.#client.imagineBall(task, of, call.signal);
+        const imagined = await this.#client.imagineBall(played, of, call.signal);
         if (call.signal.aborted) return;
         this.#set(imagined && { of, imagined });
         if (!imagined) break;
@@ -74,7 +75,7 @@ export class BallImaginer extends EventTarget {
     return String(this.#wanted) === String(this.answer?.of ?? null) ? null : this.#wanted;
   }
 
-  /** Forgets the answer: it is another task's or another model's. */
+  /** Forgets the answer: it is another puzzle's or another model's. */
   forget() {
     this.#call?.abort();
     this.#call = null;

@@ -7,6 +7,7 @@
 /** @typedef {import("../pkg/pathlight.js").Ball} Ball */
 /** @typedef {import("../pkg/pathlight.js").ImaginedBall} ImaginedBall */
 /** @typedef {import("../pkg/pathlight.js").Proposal} Proposal */
+/** @typedef {import("../pkg/pathlight.js").Played} Played */
 
 /**
  * The model in the worker: its name, the names of all models there are, and how it was trained.
@@ -14,7 +15,7 @@
  */
 
 /**
- * What the nets imagine of a task. `seen`: was the model trained on it?
+ * What the nets imagine of a scene. `seen`: was the model trained on it?
  * @typedef {{ maps: import("../pkg/pathlight.js").Maps, seen: boolean, milliseconds: number }} Imagined
  */
 
@@ -28,22 +29,29 @@
  * @typedef {{ candidates: import("../pkg/pathlight.js").Candidate[], chosen: Proposal }} Considered
  */
 
+/**
+ * A scene that ran without a ball: where the green object was, x, y, x, y, … in px, every few steps and at the end, and
+ * whether it solved itself.
+ * @typedef {{ path: Float32Array, solved: boolean }} Watched
+ */
+
 /** @typedef {{ finished: boolean }} Finished */
 
 /**
  * The calls of the worker: their arguments and their values.
  * `start` takes the compiled wasm; `load` the name of weights in assets/model.json (null: the first); `propose` returns the
  * balls of a turn with what becomes of each; `imagineBall` and `consider` return null if the weights have no dynamics net;
- * `turn` tries them in order; `solve` maps where a ball of a radius (px) solves.
+ * `turn` tries them in order; `watch` runs the scene without a ball; `solve` maps where a ball of a radius (px) solves.
  * @typedef {object} Calls
  * @property {{ args: { module: WebAssembly.Module }, value: void }} start
  * @property {{ args: { name: string | null }, value: LoadedModel }} load
- * @property {{ args: { task: string }, value: Imagined }} imagine
- * @property {{ args: { task: string, ball: Ball }, value: ImaginedBall | null }} imagineBall
- * @property {{ args: { task: string, seed: number }, value: Considered | null }} consider
- * @property {{ args: { task: string, seed: number }, value: import("../pkg/pathlight.js").TriedProposal[] }} propose
- * @property {{ args: { task: string, seed: number }, value: Finished }} turn
- * @property {{ args: { task: string, radius: number }, value: Finished }} solve
+ * @property {{ args: { played: Played }, value: Imagined }} imagine
+ * @property {{ args: { played: Played, ball: Ball }, value: ImaginedBall | null }} imagineBall
+ * @property {{ args: { played: Played, seed: number }, value: Considered | null }} consider
+ * @property {{ args: { played: Played, seed: number }, value: import("../pkg/pathlight.js").TriedProposal[] }} propose
+ * @property {{ args: { played: Played, seed: number }, value: Finished }} turn
+ * @property {{ args: { played: Played }, value: Watched }} watch
+ * @property {{ args: { played: Played, radius: number }, value: Finished }} solve
  */
 
 /**

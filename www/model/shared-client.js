@@ -105,6 +105,11 @@ export class SharedClient extends EventTarget {
     return this.#taken.propose(...args);
   }
 
+  /** @param {Parameters<WorkerClient["watch"]>} args */
+  watch(...args) {
+    return this.#taken.watch(...args);
+  }
+
   /** @param {Parameters<WorkerClient["solve"]>} args */
   solve(...args) {
     return this.#taken.solve(...args);

@@ -4,6 +4,7 @@
 
 /** @typedef {import("./messages.js").Calls} Calls */
 /** @typedef {import("./messages.js").Failure} Failure */
+/** @typedef {import("./messages.js").Played} Played */
 /** @typedef {import("./messages.js").Update} Update */
 
 /** A fixed seed, so that the model's turn on a puzzle is the same each time. */
@@ -90,60 +91,69 @@ export class WorkerClient extends EventTarget {
   }
 
   /**
-   * @param {string} task
+   * @param {Played} played
    * @param {AbortSignal} signal
    */
-  imagine(task, signal) {
-    return this.#call("imagine", { task }, signal);
+  imagine(played, signal) {
+    return this.#call("imagine", { played }, signal);
   }
 
   /**
    * What the model imagines for a ball; null if its weights have no dynamics net.
-   * @param {string} task
+   * @param {Played} played
    * @param {import("./messages.js").Ball} ball
    * @param {AbortSignal} signal
    */
-  imagineBall(task, ball, signal) {
-    return this.#call("imagineBall", { task, ball }, signal);
+  imagineBall(played, ball, signal) {
+    return this.#call("imagineBall", { played, ball }, signal);
   }
 
   /**
    * The balls that the model considers, and the first that it tries; null if its weights have no dynamics net.
-   * @param {string} task
+   * @param {Played} played
    * @param {AbortSignal} signal
    */
-  consider(task, signal) {
-    return this.#call("consider", { task, seed: SEED }, signal);
+  consider(played, signal) {
+    return this.#call("consider", { played, seed: SEED }, signal);
   }
 
   /**
-   * Plays the model's turn: tries its balls in order until one solves the task.
-   * @param {string} task
+   * Plays the model's turn: tries its balls in order until one solves it.
+   * @param {Played} played
    * @param {AbortSignal} signal
    * @param {(attempt: import("./messages.js").Attempt) => void} onAttempt
    */
-  turn(task, signal, onAttempt) {
-    return this.#call("turn", { task, seed: SEED }, signal, ({ attempt }) => attempt && onAttempt(attempt));
+  turn(played, signal, onAttempt) {
+    return this.#call("turn", { played, seed: SEED }, signal, ({ attempt }) => attempt && onAttempt(attempt));
   }
 
   /**
    * The balls of that turn, each with what becomes of it.
-   * @param {string} task
+   * @param {Played} played
    * @param {AbortSignal} signal
    */
-  propose(task, signal) {
-    return this.#call("propose", { task, seed: SEED }, signal);
+  propose(played, signal) {
+    return this.#call("propose", { played, seed: SEED }, signal);
   }
 
   /**
-   * Maps where a ball of a radius (px) solves a task. Needs a worker, but no weights.
-   * @param {string} task
+   * Runs the scene without a ball. Needs a worker, but no weights.
+   * @param {Played} played
+   * @param {AbortSignal} signal
+   */
+  watch(played, signal) {
+    return this.#call("watch", { played }, signal);
+  }
+
+  /**
+   * Maps where a ball of a radius (px) solves. Needs a worker, but no weights.
+   * @param {Played} played
    * @param {number} radius
    * @param {AbortSignal} signal
    * @param {(map: import("./messages.js").SolveMapUpdate) => void} onMap
    */
-  solve(task, radius, signal, onMap) {
-    return this.#call("solve", { task, radius }, signal, ({ map }) => map && onMap(map));
+  solve(played, radius, signal, onMap) {
+    return this.#call("solve", { played, radius }, signal, ({ map }) => map && onMap(map));
   }
 
   /**

@@ -9,9 +9,11 @@ import { load as loadPathlight } from "../api/pathlight.js";
 
 /** How long a search runs before it sends what it has found and lets messages in, ms. */
 const SLICE = 100;
+/** A path of a scene alone has a point each so many steps. */
+const WATCHED_STEPS = 4;
 
 /** @type {{ [Name in keyof Calls]: (args: Calls[Name]["args"], sendUpdate: SendUpdate, isCancelled: IsCancelled) => Calls[Name]["value"] | Promise<Calls[Name]["value"]> }} */
-const calls = { start, load, imagine, imagineBall, consider, propose, turn, solve };
+const calls = { start, load, imagine, imagineBall, consider, propose, turn, watch, solve };
 
 /** @type {import("../api/pathlight.js").Pathlight} */
 let pathlight;
@@ -65,22 +67,22 @@ async function load({ name }, sendUpdate) {
 }
 
 /** @param {Calls["imagine"]["args"]} args */
-function imagine({ task }) {
-  const seen = pathlight.hasSeen(task);
+function imagine({ played }) {
+  const seen = pathlight.hasSeen(played);
   const begin = performance.now();
-  const maps = pathlight.imagine(task);
+  const maps = pathlight.imagine(played);
   return { maps, seen, milliseconds: performance.now() - begin };
 }
 
 /** @param {Calls["imagineBall"]["args"]} args */
-function imagineBall({ task, ball }) {
-  return pathlight.imagineBall(task, ball);
+function imagineBall({ played, ball }) {
+  return pathlight.imagineBall(played, ball);
 }
 
 /** @param {Calls["consider"]["args"]} args */
-function consider({ task, seed }) {
-  const candidates = pathlight.candidates(task);
-  const [chosen] = candidates ? pathlight.propose(task, { seed, count: 1 }) : [];
+function consider({ played, seed }) {
+  const candidates = pathlight.candidates(played);
+  const [chosen] = candidates ? pathlight.propose(played, { seed, count: 1 }) : [];
   return candidates && chosen ? { candidates, chosen } : null;
 }
 
@@ -91,9 +93,9 @@ function consider({ task, seed }) {
  * @param {SendUpdate} _
  * @param {IsCancelled} isCancelled
  */
-async function propose({ task, seed }, _, isCancelled) {
+async function propose({ played, seed }, _, isCancelled) {
   const proposals = [];
-  for (const proposal of pathlight.card?.dynamics ? pathlight.turn(task, { seed }) : simulated(task, pathlight.propose(task, { seed }))) {
+  for (const proposal of pathlight.card?.dynamics ? pathlight.turn(played, { seed }) : simulated(played, pathlight.propose(played, { seed }))) {
     proposals.push(proposal);
     await yieldToMessages();
     if (isCancelled()) break;
@@ -102,12 +104,12 @@ async function propose({ task, seed }, _, isCancelled) {
 }
 
 /**
- * @param {string} task
+ * @param {import("./messages.js").Played} played
  * @param {import("./messages.js").Proposal[]} proposals
  */
-function* simulated(task, proposals) {
+function* simulated(played, proposals) {
   for (const proposal of proposals) {
-    const { solved, steps, longest_touch, final_touch } = pathlight.simulate(task, proposal.ball);
+    const { solved, steps, longest_touch, final_touch } = pathlight.simulate(played, proposal.ball);
     yield { ...proposal, ending: { solved, steps, longest_touch, final_touch } };
   }
 }
@@ -118,8 +120,8 @@ function* simulated(task, proposals) {
  * @param {SendUpdate} sendUpdate
  * @param {IsCancelled} isCancelled
  */
-async function turn({ task, seed }, sendUpdate, isCancelled) {
-  for (const attempt of pathlight.turn(task, { seed })) {
+async function turn({ played, seed }, sendUpdate, isCancelled) {
+  for (const attempt of pathlight.turn(played, { seed })) {
     sendUpdate({ attempt });
     await yieldToMessages();
     if (isCancelled()) return { finished: false };
@@ -127,15 +129,28 @@ async function turn({ task, seed }, sendUpdate, isCancelled) {
   return { finished: true };
 }
 
+/** @param {Calls["watch"]["args"]} args */
+function watch({ played }) {
+  const { steps, bodies, poses, solved } = pathlight.simulate(played);
+  const { body1 } = pathlight.scene(played);
+  const place = bodies.indexOf(body1);
+  const points = [];
+  for (let step = 0; ; step = Math.min(step + WATCHED_STEPS, steps)) {
+    const at = (step * bodies.length + place) * 3;
+    points.push(poses[at], poses[at + 1]);
+    if (step === steps) return { path: Float32Array.from(points), solved };
+  }
+}
+
 /**
- * Maps where a ball of a radius solves a task, and sends the map as it grows.
+ * Maps where a ball of a radius solves, and sends the map as it grows.
  * @param {Calls["solve"]["args"]} args
  * @param {SendUpdate} sendUpdate
  * @param {IsCancelled} isCancelled
  */
-async function solve({ task, radius }, sendUpdate, isCancelled) {
+async function solve({ played, radius }, sendUpdate, isCancelled) {
   let end = performance.now() + SLICE;
-  for (const { progress, outcomes } of pathlight.solveMap(task, radius)) {
+  for (const { progress, outcomes } of pathlight.solveMap(played, radius)) {
     if (progress < 1 && performance.now() < end) continue;
     sendUpdate({ map: { outcomes: outcomes(), progress } });
     await yieldToMessages();

@@ -3,7 +3,7 @@
 
 import { palette } from "../pkg/pathlight.js";
 import { PathlightPuzzle } from "../element/pathlight-puzzle.js";
-import { byId } from "../shell/dom.js";
+import { byId, find } from "../shell/dom.js";
 import { Gallery } from "../shell/gallery.js";
 import { hideParts } from "../shell/hidden-parts.js";
 import { dismissNotice, showDone, showNotice } from "../shell/notice.js";
@@ -13,7 +13,9 @@ import { ProgressView } from "../shell/progress-view.js";
 import { LessonDialog } from "./lesson-dialog.js";
 import { ResultsView } from "./results-view.js";
 import { leavesPlainKeys } from "../shell/shortcuts.js";
-import { INITIAL_STATE, formatFragment, hrefOf, parseFragment, resultsHref } from "../shell/url-state.js";
+import { INITIAL_STATE, formatFragment, hrefOf, parseFragment, resultsHref, showsPuzzle } from "../shell/url-state.js";
+import { knownScene, sceneOfText } from "../workshop/scene-link.js";
+import { OwnGallery } from "./own-gallery.js";
 import { FIRST_TASK, Picks } from "./picks.js";
 
 /** @typedef {import("../shell/url-state.js").State} State */
@@ -33,7 +35,8 @@ export class Page {
   #templates = pathlight.templates();
   #puzzle = byId(document, "puzzle", PathlightPuzzle);
   #gallery = new Gallery(byId(document, "templates"), this.#templates);
-  #picks = new Picks(this.#templates, sharedProgress("kept").player, (task) => this.#navigate(task), () => this.#startGuide());
+  #picks = new Picks(this.#templates, sharedProgress("kept").player, (task) => this.#navigate({ task }), () => this.#startGuide());
+  #ownGallery = new OwnGallery((scene) => this.#navigate({ scene }));
   #progressView = new ProgressView(sharedProgress("kept"), this.#templates, this.#gallery);
   /** @type {import("./share-dialog.js").ShareDialog | null} */
   #shareDialog = null;
@@ -69,7 +72,7 @@ export class Page {
       this.#puzzle.focus();
     });
     galleryOrder.addEventListener("change", () => this.#orderGallery());
-    taskPicker.addEventListener("change", () => this.#navigate(taskPicker.value));
+    taskPicker.addEventListener("change", () => this.#navigate({ task: taskPicker.value }));
     document.addEventListener("keydown", (event) => this.#onKeydown(event));
   }
 
@@ -97,6 +100,7 @@ export class Page {
     const dark = darkScheme.matches;
     for (const [name, colour] of Object.entries(palette(dark))) document.documentElement.style.setProperty(`--${name}`, colour);
     this.#gallery.setTheme(dark);
+    this.#ownGallery.setTheme(dark);
   }
 
   /**
@@ -106,7 +110,7 @@ export class Page {
   #onRoute(own = false) {
     dismissNotice();
     const { state, problem } = parseFragment(location.hash);
-    if (own && state.task === this.#state.task) state.ball = this.#state.ball;
+    if (own && state.task === this.#state.task && state.scene === this.#state.scene) state.ball = this.#state.ball;
     const gallery = hrefOf(state, null);
     if (problem) showNotice(problem, gallery ? [["All puzzles", gallery]] : []);
     if (state.task !== null && !this.#templateOf(state.task)?.tasks.includes(state.task)) {
@@ -118,7 +122,7 @@ export class Page {
       if (gallery) links.push(["All puzzles", gallery]);
       showNotice(`This link asks for puzzle ${state.task}, which does not exist.`, links);
       state.task = null;
-    } else if (state.task === null && !gallery && !problem) {
+    } else if (!showsPuzzle(state) && !gallery && !problem) {
       showNotice("This link names no puzzle, and hides the list of them.");
     }
     this.#applyState(state);
@@ -130,21 +134,33 @@ export class Page {
    * @param {State} state
    */
   #applyState(state) {
-    const { task } = state;
     const cameFromGallery = gallerySection.contains(document.activeElement);
-    const showsResults = task === null && state.view === "results" && resultsHref(state) !== null;
-    gallerySection.hidden = task !== null || showsResults || state.hide.includes("puzzles");
+    const shown = showsPuzzle(state);
+    const showsResults = !shown && state.view === "results" && resultsHref(state) !== null;
+    gallerySection.hidden = shown || showsResults || state.hide.includes("puzzles");
     if (showsResults) this.#results.show(state.model);
     else this.#results.hide();
-    for (const id of ["title", "copy", "stage-button", "skip"]) byId(document, id).hidden = task === null;
-    const name = (task !== null && this.#templateOf(task)?.name) || "";
-    byId(document, "puzzle-name").textContent = name;
-    document.title = task === null ? (showsResults ? "Results – Pathlight" : "Pathlight") : `${name} ${task} – Pathlight`;
+    for (const id of ["title", "copy", "stage-button", "skip"]) byId(document, id).hidden = !shown;
     // First, so that the worker imagines while the page goes on.
     this.#puzzle.state = state;
-    if (task !== null) this.#progressView.showTask(task);
+    this.#applyTitle(state);
     this.#applyLinks();
-    if (task !== null && cameFromGallery) this.#puzzle.focus({ preventScroll: true });
+    if (shown && cameFromGallery) this.#puzzle.focus({ preventScroll: true });
+  }
+
+  /**
+   * Names the puzzle in the header and in the title of the page.
+   * @param {State} state
+   */
+  #applyTitle({ task, scene, view }) {
+    // Its name is known once it has been read; the puzzle itself says if it cannot be.
+    if (scene !== null && !knownScene(scene)) sceneOfText(scene).then(() => this.#applyTitle(this.#state), () => {});
+    const name = scene === null ? (task !== null && this.#templateOf(task)?.name) || "" : (knownScene(scene)?.name ?? "Own puzzle");
+    byId(document, "puzzle-name").textContent = name;
+    const title = name ? `${name}${task ? ` ${task}` : ""}` : view === "results" ? "Results" : "";
+    document.title = title ? `${title} – Pathlight` : "Pathlight";
+    find(document, ".picker").hidden = task === null;
+    if (task !== null) this.#progressView.showTask(task);
   }
 
   /** Takes into the page's own links what the state says of them. */
@@ -162,6 +178,7 @@ export class Page {
     const link = byId(document, "results-link", HTMLAnchorElement);
     link.hidden = results === null;
     link.href = results ?? "#";
+    this.#ownGallery.setState(state);
     const home = byId(document, "home", HTMLAnchorElement);
     const gallery = hrefOf(state, null);
     if (gallery) home.href = gallery;
@@ -169,6 +186,7 @@ export class Page {
   }
 
   #onStateChange() {
+    this.#applyTitle(this.#state);
     this.#applyLinks();
     this.#syncUrl();
   }
@@ -178,7 +196,7 @@ export class Page {
   }
 
   #startGuide() {
-    this.#navigate(FIRST_TASK);
+    this.#navigate({ task: FIRST_TASK });
     this.#puzzle.startGuide();
   }
 
@@ -189,10 +207,10 @@ export class Page {
 
   /**
    * Goes to another puzzle with a new entry in the history. What belongs to the puzzle alone stays behind.
-   * @param {string} task
+   * @param {{ task?: string, scene?: string }} puzzle a task, or an own scene
    */
-  #navigate(task) {
-    const state = { ...this.#state, task, ball: null, proposal: null, challenge: null };
+  #navigate({ task, scene }) {
+    const state = { ...this.#state, task: task ?? null, scene: scene ?? null, ball: null, proposal: null, challenge: null };
     clearTimeout(this.#urlTimer);
     history.pushState(OWN_ENTRY, "", `#${formatFragment(state)}`);
     this.#place = placeOf(state);
@@ -210,7 +228,7 @@ export class Page {
   #writeUrl() {
     clearTimeout(this.#urlTimer);
     const state = this.#state;
-    if (!state.task) return;
+    if (!showsPuzzle(state)) return;
     const address = `#${formatFragment(state)}`;
     const place = placeOf(state);
     if (place !== this.#place) history.pushState(OWN_ENTRY, "", address);
@@ -234,13 +252,13 @@ export class Page {
     const template = task === null ? undefined : this.#templateOf(task);
     if (task === null || !template || hide.includes("puzzles")) return;
     const { tasks } = template;
-    this.#navigate(tasks[(tasks.indexOf(task) + offset + tasks.length) % tasks.length]);
+    this.#navigate({ task: tasks[(tasks.indexOf(task) + offset + tasks.length) % tasks.length] });
   }
 
   #openRandomPuzzle() {
     /** @type {<Item>(list: Item[]) => Item} */
     const any = (list) => list[Math.floor(Math.random() * list.length)];
-    this.#navigate(any(any(this.#templates).tasks));
+    this.#navigate({ task: any(any(this.#templates).tasks) });
   }
 
   async #copyLink() {

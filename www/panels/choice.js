@@ -150,13 +150,13 @@ export class Choice extends Component {
     if (!this.#step || !this.able || this.#call || this.#answered || !this.session) return;
     const call = (this.#call = new AbortController());
     this.#failure = null;
-    const task = this.session.about.id;
+    const { played } = this.session;
     try {
-      const considered = await this.#client.consider(task, call.signal);
+      const considered = await this.#client.consider(played, call.signal);
       if (call.signal.aborted) return;
       this.#considered = considered;
       this.#answered = true;
-      if (considered) this.#imaginer.imagine(task, considered.chosen.ball);
+      if (considered) this.#imaginer.imagine(played, considered.chosen.ball);
       this.#run();
     } catch (error) {
       if (!call.signal.aborted) this.#failure = /** @type {Error} */ (error).message;

@@ -93,7 +93,7 @@ export class Compare extends Component {
     this.#update();
     try {
       const shown = show.run();
-      await this.#client.turn(session.about.id, turn.signal, (attempt) => show.add(attempt)).finally(() => show.end());
+      await this.#client.turn(session.played, turn.signal, (attempt) => show.add(attempt)).finally(() => show.end());
       await shown;
       // Do not interrupt a replay that is being watched.
       if (!turn.signal.aborted && !session.playback.playing && !session.shown?.preview) this.#showResult(session);

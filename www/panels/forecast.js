@@ -67,7 +67,7 @@ export class Forecast extends Component {
   }
 
   #follow() {
-    if (this.session && this.#ball) this.#imaginer.imagine(this.session.about.id, this.#ball);
+    if (this.session && this.#ball) this.#imaginer.imagine(this.session.played, this.#ball);
     this.#update();
   }
 

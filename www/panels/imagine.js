@@ -101,7 +101,7 @@ export class Imagine extends Component {
    */
   words(stage) {
     const map = this.#imagined?.maps[stage];
-    return map && this.session ? mapWords(map, pathlight.scene(this.session.about.id)) : "";
+    return map && this.session ? mapWords(map, pathlight.scene(this.session.played)) : "";
   }
 
   /**
@@ -208,7 +208,7 @@ export class Imagine extends Component {
     this.#callFailure = null;
     this.#updateTrouble();
     try {
-      const imagined = await this.#client.imagine(this.session.about.id, call.signal);
+      const imagined = await this.#client.imagine(this.session.played, call.signal);
       if (!call.signal.aborted) this.#setImagined(imagined);
     } catch (error) {
       if (call.signal.aborted) return;

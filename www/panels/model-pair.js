@@ -87,13 +87,13 @@ export class ModelPair extends Component {
   async #run() {
     const { loaded } = this.#client;
     if (!this.session || !loaded || this.#call) return;
-    const { id } = this.session.about;
+    const { played } = this.session;
     const call = (this.#call = new AbortController());
     this.#say("Both models play.");
     try {
       await started(this.#other, this.#name.value, call.signal);
       const ask = async (/** @type {SharedClient} */ client, /** @type {string} */ name) => {
-        const [imagined, tried] = await Promise.all([client.imagine(id, call.signal), client.propose(id, call.signal)]);
+        const [imagined, tried] = await Promise.all([client.imagine(played, call.signal), client.propose(played, call.signal)]);
         return { name, imagined, tried };
       };
       const sides = await Promise.all([ask(this.#client, loaded.name), ask(this.#other, this.#name.value)]);
@@ -127,7 +127,7 @@ export class ModelPair extends Component {
     this.#scenePicture.drawOn(find(column, ".scene-layer", HTMLCanvasElement));
     const shade = find(column, ".shade-layer", HTMLCanvasElement);
     if (map) pathlight.paintMap(contextOf(shade), stage, map, { max: Math.max(...map), dark: this.dark });
-    const words = map && this.session ? mapWords(map, pathlight.scene(this.session.about.id)) : "it has no such map";
+    const words = map && this.session ? mapWords(map, pathlight.scene(this.session.played)) : "it has no such map";
     shade.setAttribute("aria-label", `${STAGE_TEXT[stage].name}: ${words}`);
     find(column, ".pair-place").textContent = sentence(words);
     const strip = new OutcomeStrip(find(column, ".outcome-strip"), (number) => this.#show(tried, number));

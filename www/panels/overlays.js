@@ -7,8 +7,13 @@ import { Component } from "../shell/component.js";
 const GHOST = 0.2;
 /** So many of the latest misses are more than that. */
 const RECENT = 5;
+/**
+ * The panel of the workshop, which comes after this folder.
+ * @typedef {EventTarget & { maps: HTMLCanvasElement[], painter: import("../play/canvas.js").Painter | null, pen: import("../play/canvas.js").Pen }} Bend
+ */
 
 export class Overlays extends Component {
+  #bend;
   #canvas;
   #choice;
   #forecast;
@@ -23,6 +28,7 @@ export class Overlays extends Component {
    * @param {import("../shell/dom.js").Root} root
    * @param {import("../play/canvas.js").SceneCanvas} canvas
    * @param {object} panels
+   * @param {Bend} panels.bend
    * @param {import("./choice.js").Choice} panels.choice
    * @param {import("./forecast.js").Forecast} panels.forecast
    * @param {import("./imagine.js").Imagine} panels.imagine
@@ -30,8 +36,9 @@ export class Overlays extends Component {
    * @param {import("./proposals.js").Proposals} panels.proposals
    * @param {import("./solve-map.js").SolveMapPanel} panels.solveMap
    */
-  constructor(root, canvas, { choice, forecast, imagine, predict, proposals, solveMap }) {
+  constructor(root, canvas, { bend, choice, forecast, imagine, predict, proposals, solveMap }) {
     super(root);
+    this.#bend = bend;
     this.#canvas = canvas;
     this.#choice = choice;
     this.#forecast = forecast;
@@ -39,6 +46,7 @@ export class Overlays extends Component {
     this.#predict = predict;
     this.#proposals = proposals;
     this.#solveMap = solveMap;
+    bend.addEventListener("bend", () => this.#update());
     choice.addEventListener("choice", () => this.#update());
     forecast.addEventListener("forecast", () => this.#update());
     imagine.addEventListener("maps", () => this.#update());
@@ -67,17 +75,20 @@ export class Overlays extends Component {
     const stages = this.#proposals.active ? source : layers;
     const drawing = panel === "predict";
     const ghosts = this.session?.ghosts ?? [];
+    const bending = panel === "bend";
+    const maps = bending ? this.#bend.maps : [...this.#solveMap.canvases, ...this.#imagine.canvasesOf(/** @type {import("../pkg/pathlight.js").Stage[]} */ (stages))];
     this.#canvas.setOverlay(
       {
-        maps: [...this.#solveMap.canvases, ...this.#imagine.canvasesOf(/** @type {import("../pkg/pathlight.js").Stage[]} */ (stages))],
+        maps,
         opacity,
         marks: [...this.#proposals.marks, ...ghosts.map(({ ball }) => ({ ball, from: null, chosen: false }))],
         sketch: drawing ? this.#predict.sketch : [],
         imagined: this.#forecast.paths ?? this.#proposals.paths,
         hints: ghosts.map(({ object }, index) => ({ object, opacity: Math.max(GHOST, 1 - (ghosts.length - index) / RECENT), tried: true })),
+        painter: bending ? this.#bend.painter : null,
         ...this.#choice.overlay,
       },
-      drawing ? this.#predict : null,
+      drawing ? this.#predict : bending ? this.#bend.pen : null,
     );
   }
 }

@@ -151,9 +151,10 @@ export class Proposals extends Component {
   #save() {
     const { loaded } = this.#client;
     if (!this.session || !this.#proposals || !loaded) return;
-    const { id } = this.session.about;
-    const csv = ballsCsv(this.#proposals, { task: id, model: loaded.name, seen: this.#imagine.seen ?? false, simulator: loaded.card.simulator });
-    download(fileName(`pathlight ${id} ${loaded.name}`, "csv"), new Blob([csv], { type: "text/csv" }));
+    const { id, name } = this.session.about;
+    const task = id ?? name;
+    const csv = ballsCsv(this.#proposals, { task, model: loaded.name, seen: this.#imagine.seen ?? false, simulator: loaded.card.simulator });
+    download(fileName(`pathlight ${task} ${loaded.name}`, "csv"), new Blob([csv], { type: "text/csv" }));
   }
 
   /** Forgets the proposals: they are another puzzle's or another model's. */
@@ -172,7 +173,7 @@ export class Proposals extends Component {
     if (!this.#visible || this.#proposals || this.#call || this.#callFailure || !this.session || !this.#imagine.maps) return;
     const call = (this.#call = new AbortController());
     try {
-      const proposals = await this.#client.propose(this.session.about.id, call.signal);
+      const proposals = await this.#client.propose(this.session.played, call.signal);
       if (!call.signal.aborted) this.#proposals = proposals;
     } catch (error) {
       if (!call.signal.aborted) this.#callFailure = /** @type {Error} */ (error).message;
@@ -207,7 +208,7 @@ export class Proposals extends Component {
       this.#shown = number;
       const tried = session.attempts("model").some(({ ball }) => String(ball) === String(proposal.ball));
       session.preview(number, proposal.ball, tried);
-      this.#imaginer.imagine(session.about.id, proposal.ball);
+      this.#imaginer.imagine(session.played, proposal.ball);
     }
     this.#updateFacts(proposals);
   }

@@ -47,6 +47,7 @@ export class Scoreboard extends Component {
     if (session.modelName === null) return;
     const store = this.#progress.ofModel(session.modelName);
     const { id } = session.about;
+    if (id === null) return;
     const { used, solved_at: solved } = session.standing("model");
     const stored = store.of(id);
     // The turn is the same each time, so the longer one holds the shorter.

@@ -109,7 +109,7 @@ export class SolveMapPanel extends Component {
     this.#progress = 0;
     this.#paint();
     try {
-      await this.#client.solve(this.session.about.id, this.#radius, search.signal, ({ outcomes, progress }) => {
+      await this.#client.solve(this.session.played, this.#radius, search.signal, ({ outcomes, progress }) => {
         this.#outcomes = outcomes;
         this.#progress = progress;
         this.#paint();

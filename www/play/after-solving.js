@@ -124,10 +124,11 @@ export class AfterSolving extends Component {
     const solvedAt = session?.standing("player").solved_at;
     if (!session || !solvedAt) return;
     const { used, solved_at: modelSolvedAt } = session.standing("model");
-    const { puzzle, about } = session;
+    const { puzzle, about: { id } } = session;
+    if (id === null) return;
     /** @type {Result} */
     const detail = {
-      task: about.id,
+      task: id,
       solvedAt,
       model: used > 0 ? { used, solvedAt: modelSolvedAt } : null,
       paint: (context, dark, ball) => (ball ? puzzle.paintAttempt(context, "player", solvedAt, dark) : puzzle.paintThumbnail(context, dark)),

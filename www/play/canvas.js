@@ -11,9 +11,10 @@ import { contextOf } from "../shell/dom.js";
 /**
  * Takes pointer and keys while the scene is drawn on.
  * @typedef {object} Pen
- * @property {(point: Point) => void} begin the pointer goes down
+ * @property {(point: Point, reach: number) => void} begin the pointer goes down; it grabs what is within reach, px
  * @property {(point: Point) => void} draw the pointer moves
  * @property {(event: KeyboardEvent) => boolean} onKeydown returns whether the key was the pen's
+ * @property {() => void} [end] the pointer goes up
  */
 
 /**
@@ -25,7 +26,10 @@ import { contextOf } from "../shell/dom.js";
  * @property {Point[]} sketch a line that the person has drawn
  * @property {import("../pkg/pathlight.js").ImaginedPaths | null} imagined what the model imagines for a ball
  * @property {NonNullable<import("../pkg/pathlight.js").View["hints"]>} hints paths that are only hinted at
+ * @property {Painter | null} painter draws in the place of the session's puzzle
  */
+
+/** @typedef {(context: CanvasRenderingContext2D, view: import("../pkg/pathlight.js").View, maps: HTMLCanvasElement[]) => void} Painter */
 
 /** How near a pointer has to come to grab the knob, CSS px. */
 const GRAB_DISTANCE = { mouse: 10, pen: 14, touch: 22 };
@@ -65,7 +69,7 @@ export class SceneCanvas extends Component {
    */
   #keyGesture = null;
   /** @type {Overlay} */
-  #overlay = { maps: [], opacity: 1, marks: [], sketch: [], imagined: null, hints: [] };
+  #overlay = { maps: [], opacity: 1, marks: [], sketch: [], imagined: null, hints: [], painter: null };
   /** @type {Pen | null} */
   #pen = null;
 
@@ -76,7 +80,7 @@ export class SceneCanvas extends Component {
     new ResizeObserver(([entry]) => this.#onResize(entry)).observe(canvas);
     canvas.addEventListener("pointerdown", (event) => this.#onPointerDown(event));
     canvas.addEventListener("pointermove", (event) => this.#onPointerMove(event));
-    for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, () => (this.#drag = null));
+    for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, () => this.#onPointerEnd());
     canvas.addEventListener("wheel", (event) => this.#onWheel(event), { passive: false });
     canvas.addEventListener("keydown", (event) => this.onKeydown(event));
   }
@@ -125,7 +129,7 @@ export class SceneCanvas extends Component {
   #paint() {
     const session = this.session;
     if (!session || this.#canvas.width < 2) return;
-    const { maps, ...overlay } = this.#overlay;
+    const { maps, painter, ...overlay } = this.#overlay;
     const view = {
       step: session.playback.step,
       ball: session.ball,
@@ -135,7 +139,8 @@ export class SceneCanvas extends Component {
       ...overlay,
       dark: this.dark,
     };
-    session.puzzle.paint(this.#context, view, maps);
+    if (painter) painter(this.#context, view, maps);
+    else session.puzzle.paint(this.#context, view, maps);
   }
 
   /** @param {ResizeObserverEntry} entry */
@@ -171,10 +176,23 @@ export class SceneCanvas extends Component {
     const point = this.#pointOf(event);
     if (this.#pen) {
       this.#drag = { kind: "pen" };
-      this.#pen.begin(point);
+      this.#pen.begin(point, this.#reachOf(event.pointerType));
     } else {
       this.#beginDrag(session, point, event.pointerType);
     }
+  }
+
+  /**
+   * How near a pointer has to come to grab something, px.
+   * @param {string} pointerType
+   */
+  #reachOf(pointerType) {
+    return (pointerType === "touch" ? GRAB_DISTANCE.touch : pointerType === "pen" ? GRAB_DISTANCE.pen : GRAB_DISTANCE.mouse) / this.#scale;
+  }
+
+  #onPointerEnd() {
+    if (this.#drag?.kind === "pen") this.#pen?.end?.();
+    this.#drag = null;
   }
 
   /**
@@ -191,8 +209,7 @@ export class SceneCanvas extends Component {
       const centreDistance = Math.hypot(x - ballX, y - ballY);
       const knobDistance = Math.hypot(x - ballX - r, y - ballY);
       const isTouch = pointerType === "touch";
-      const grabDistance = (isTouch ? GRAB_DISTANCE.touch : pointerType === "pen" ? GRAB_DISTANCE.pen : GRAB_DISTANCE.mouse) / this.#scale;
-      if (knobDistance < grabDistance && knobDistance < centreDistance) {
+      if (knobDistance < this.#reachOf(pointerType) && knobDistance < centreDistance) {
         this.#drag = { kind: "resize", ball };
         return;
       }

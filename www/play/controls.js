@@ -202,9 +202,10 @@ function gapWords(gap) {
  * @param {Session} session
  * @returns {{ kind: "hint" | "wrong" | "ready", words: string }}
  */
-function placingStatus({ ball, invalidReason, refusal, drawing }) {
+function placingStatus({ ball, invalidReason, refusal, drawing, bending }) {
   if (refusal) return { kind: "wrong", words: refusal };
   if (drawing) return { kind: "hint", words: "Draw in the scene the path that the green object will take." };
+  if (bending) return { kind: "hint", words: "Drag a body, or a knob of the selected one." };
   if (!ball) return { kind: "hint", words: "Click or tap the scene to place the red ball." };
   if (invalidReason) return { kind: "wrong", words: `Not here: ${sentence(invalidReason)}` };
   return { kind: "ready", words: "The ball may start here. Press Run." };

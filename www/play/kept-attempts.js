@@ -22,13 +22,16 @@ export class KeptAttempts extends Component {
     this.#client = client;
     this.#store = store;
     client.addEventListener("change", () => this.session && this.#bringBackModel(this.session));
-    this.byId("clear-attempts").addEventListener("click", () => this.session && store.forget(this.session.about.id));
+    this.byId("clear-attempts").addEventListener("click", () => this.session?.about.id && store.forget(this.session.about.id));
   }
 
   /** @param {Session} session */
   open(session) {
     super.open(session);
-    session.restore(this.#store.of(session.about.id).filter(({ by }) => by === "player").map(({ ball }) => ball));
+    const { id } = session.about;
+    // An own scene has no id to keep them by.
+    if (id === null) return;
+    session.restore(this.#store.of(id).filter(({ by }) => by === "player").map(({ ball }) => ball));
     this.#kept = { player: session.standing("player").used, model: 0 };
     this.#bringBackModel(session);
     this.listen("change", () => this.#keep(session));
@@ -40,8 +43,9 @@ export class KeptAttempts extends Component {
    */
   #bringBackModel(session) {
     const name = this.#client.loaded?.name;
-    if (name === undefined || session.modelName !== null) return;
-    const attempts = this.#store.of(session.about.id).filter(({ by, simulator }) => by === name && simulator === SIMULATOR_VERSION);
+    const { id } = session.about;
+    if (name === undefined || session.modelName !== null || id === null) return;
+    const attempts = this.#store.of(id).filter(({ by, simulator }) => by === name && simulator === SIMULATOR_VERSION);
     for (const attempt of attempts) session.recordModelAttempt(attempt, name);
     this.#kept.model = session.standing("model").used;
   }
@@ -49,14 +53,15 @@ export class KeptAttempts extends Component {
   /** @param {Session} session */
   #keep(session) {
     // An attempt that runs for the first time is kept when it has ended.
-    if (session.resultHidden) return;
+    const { id } = session.about;
+    if (session.resultHidden || id === null) return;
     for (const contender of /** @type {const} */ (["player", "model"])) {
       const { used } = session.standing(contender);
       const by = contender === "player" ? contender : session.modelName;
       if (used === this.#kept[contender]) continue;
       this.#kept[contender] = used;
       // The attempts of a model that goes are not deleted.
-      if (by !== null) this.#store.set(session.about.id, by, session.attempts(contender), SIMULATOR_VERSION);
+      if (by !== null) this.#store.set(id, by, session.attempts(contender), SIMULATOR_VERSION);
     }
   }
 }

@@ -32,6 +32,8 @@ const REFUSALS = ["invalid_ball", "attempt_limit"];
 const MIDDLE = SCENE_SIZE / 2;
 
 export class Session extends EventTarget {
+  /** What the worker's calls are about. */
+  played;
   /** The wasm's Puzzle; freed by `close`. */
   puzzle;
   about;
@@ -82,17 +84,19 @@ export class Session extends EventTarget {
    */
   modelName = null;
   #drawing = false;
+  #bending = false;
   #prefersReducedMotion;
   /** @type {UndoStack<Ball | null>} */
   #placements = new UndoStack(/** @type {Ball | null} */ (null));
 
   /**
-   * @param {string} task
+   * @param {import("../model/messages.js").Played} played
    * @param {() => boolean} prefersReducedMotion asked before each run; if so, it goes straight to its end
    */
-  constructor(task, prefersReducedMotion) {
+  constructor(played, prefersReducedMotion) {
     super();
-    this.puzzle = new Puzzle(task);
+    this.played = played;
+    this.puzzle = new Puzzle(played);
     this.about = this.puzzle.about();
     this.#prefersReducedMotion = prefersReducedMotion;
     this.playback.addEventListener("tick", () => this.#onTick());
@@ -266,6 +270,17 @@ export class Session extends EventTarget {
   set drawing(drawing) {
     if (drawing === this.#drawing) return;
     this.#drawing = drawing;
+    this.#emit("change");
+  }
+
+  /** Is the scene being bent, instead of a ball placed in it? */
+  get bending() {
+    return this.#bending;
+  }
+
+  set bending(bending) {
+    if (bending === this.#bending) return;
+    this.#bending = bending;
     this.#emit("change");
   }
 

@@ -11,15 +11,16 @@ import { ATTEMPT_LIMIT, MAX_RADIUS, MIN_RADIUS, SCENE_SIZE, STAGES } from "./con
 /** The steps by which a model that imagines balls chooses one and sees what comes of it; in the story they follow the stages. */
 export const CHOICE_STEPS = /** @type {const} */ (["candidates", "imagined", "chosen", "run", "real"]);
 /** @typedef {typeof CHOICE_STEPS[number]} ChoiceStep */
-export const PANELS = /** @type {const} */ (["play", "imagine", "compare", "predict", "map"]);
+export const PANELS = /** @type {const} */ (["play", "imagine", "compare", "predict", "map", "bend"]);
 /** What a link can hide: the panels, of which one stays, and what the document marks with data-hideable. */
-export const HIDEABLE = /** @type {const} */ (["puzzles", "tools", "story", "hint", "fields", "watch", "attempts", "forecast", "transport", "speed", "play", "imagine", "compare", "predict", "map"]);
+export const HIDEABLE = /** @type {const} */ (["puzzles", "tools", "story", "hint", "fields", "watch", "attempts", "forecast", "transport", "speed", "play", "imagine", "compare", "predict", "map", "bend", "save"]);
 /** @typedef {typeof PANELS[number]} Panel */
 /** @typedef {typeof HIDEABLE[number]} Hideable */
 
 /**
  * @typedef {object} State
- * @property {string | null} task "00007:008", or null for the grid
+ * @property {string | null} task "00007:008", or null for the grid or an own scene
+ * @property {string | null} scene an own scene as workshop/scene-link.js packs it, or null
  * @property {string | null} model a name in assets/model.json, or null for the first
  * @property {Panel} panel as the address names it; it may be hidden, see `viewOf`
  * @property {Stage | ChoiceStep | null} stage the step that the walkthrough is at, or null for all together
@@ -46,6 +47,7 @@ export const HIDEABLE = /** @type {const} */ (["puzzles", "tools", "story", "hin
  */
 export const INITIAL_STATE = Object.freeze({
   task: null,
+  scene: null,
   model: null,
   panel: "play",
   stage: null,
@@ -67,6 +69,8 @@ const ATTEMPT = {
   format: String,
   parse: (text) => (INTEGER.test(text) && !text.startsWith("0") && Number(text) <= ATTEMPT_LIMIT ? Number(text) : undefined),
 };
+/** A packed scene; only unpacking it tells whether it is one. */
+const PACKED = /^[\w-]{1,32000}$/;
 
 /**
  * The keys of a link. `parse` returns undefined for text that it does not understand.
@@ -74,6 +78,7 @@ const ATTEMPT = {
  */
 const CODECS = {
   task: { format: String, parse: (text) => (/^\d{5}:\d{3}$/.test(text) ? text : undefined) },
+  scene: { format: String, parse: (text) => (PACKED.test(text) ? text : undefined) },
   model: { format: String, parse: (text) => (/^[\w.-]+$/.test(text) ? text : undefined) },
   panel: oneOf(PANELS),
   stage: oneOf([...STAGES, ...CHOICE_STEPS]),
@@ -161,7 +166,10 @@ export function parseState(texts) {
     if (value === undefined) unread.push([key, text]);
     else parsed[key] = value;
   }
-  return { state: { ...INITIAL_STATE, ...parsed }, unread };
+  const state = { ...INITIAL_STATE, ...parsed };
+  // An own scene takes the place of a task.
+  if (state.scene !== null) state.task = null;
+  return { state, unread };
 }
 
 /**
@@ -177,6 +185,14 @@ export function parseFragment(hash) {
   }));
   const words = unread.map(([key, text]) => (text ? `“${key}=${text}”` : `“${key}”`));
   return { state, problem: words.length ? `This link says ${words.join(" and ")}, which Pathlight does not understand.` : null };
+}
+
+/**
+ * Whether a state shows a puzzle: a task or an own scene.
+ * @param {State} state
+ */
+export function showsPuzzle({ task, scene }) {
+  return task !== null || scene !== null;
 }
 
 /** @param {string} text */

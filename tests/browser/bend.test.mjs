@@ -1,0 +1,212 @@
+// Bending a scene: with the mouse, a finger, keys and fields. The maps and the path of the scene alone follow while a body is
+// dragged; what may be played becomes the puzzle of all panels, and what may not says why.
+
+import AxeBuilder from '@axe-core/playwright';
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { start } from './harness.mjs';
+import { EASY, click, dragTo, openPuzzle, picture, says, spot, watchFrames } from './page-actions.mjs';
+
+let session;
+before(async () => (session = await start()));
+after(() => session.stop());
+
+/** Opens a puzzle on the panel Bend, with its maps. */
+async function openBend(options = {}) {
+  const page = await openPuzzle(session, { fragment: '&panel=bend', ...options });
+  await page.locator('#bend-maps canvas:not([aria-label*="not imagined"])').first().waitFor();
+  return page;
+}
+
+/** The scene that the address holds. */
+async function linked(page) {
+  await page.waitForFunction(() => /scene=/.test(location.hash));
+  return page.evaluate(async () => {
+    const { sceneOfText } = await import('/workshop/scene-link.js');
+    return sceneOfText(new URLSearchParams(location.hash.slice(1)).get('scene') ?? '');
+  });
+}
+
+/** The scene of a task as it can be bent. */
+function original(page, task = EASY) {
+  return page.evaluate(async (task) => (await import('/shell/pathlight.js')).pathlight.ownScene(task), task);
+}
+
+/** Waits until the address holds a scene that passes. */
+async function waitForScene(page, passes) {
+  const end = Date.now() + 10_000;
+  for (;;) {
+    const scene = await linked(page);
+    if (passes(scene)) return scene;
+    assert.ok(Date.now() < end, JSON.stringify(scene));
+    await page.waitForTimeout(20);
+  }
+}
+
+const value = (page, id) => page.locator(`#bend-${id}`).inputValue().then(Number);
+
+test('a body that is dragged with the mouse is where it was dropped, and in the link', async () => {
+  const page = await openBend();
+  const { bodies, body1 } = await original(page);
+  const { x, y } = bodies[body1];
+  await dragTo(page, [[x, y], [x + 20, y + 30]]);
+  await page.mouse.up();
+  assert.ok(Math.abs((await value(page, 'x')) - x - 20) <= 1);
+  assert.ok(Math.abs((await value(page, 'y')) - y - 30) <= 1);
+  const scene = await waitForScene(page, ({ bodies: [{ y: at }] }) => at !== y || true);
+  assert.ok(Math.abs(scene.bodies[body1].x - x - 20) <= 1);
+  assert.match(await page.locator('#puzzle-name').textContent(), /, bent$/);
+  assert.equal(new URL(page.url()).hash.includes('task='), false);
+});
+
+test('the maps and the path alone follow while the pointer is down, and no frame waits for them', async () => {
+  const page = await openBend();
+  const { bodies, body1 } = await original(page);
+  const { x, y } = bodies[body1];
+  const map = '#bend-maps canvas >> nth=0';
+  const [mapBefore, wordsBefore] = [await picture(page, map), await page.locator('#bend-alone').textContent()];
+  await page.mouse.move(...(await spot(page, x, y)));
+  await page.mouse.down();
+  const longest = await watchFrames(page);
+  for (let step = 1; step <= 40; step += 1) await page.mouse.move(...(await spot(page, x + step, y + step / 2)));
+  await page.waitForFunction((before) => {
+    const canvas = document.querySelector('pathlight-puzzle')?.shadowRoot?.querySelector('#bend-maps canvas');
+    return canvas instanceof HTMLCanvasElement && canvas.toDataURL() !== before;
+  }, mapBefore);
+  await page.locator('#bend-alone').filter({ hasNotText: wordsBefore ?? '' }).waitFor();
+  assert.ok((await longest()) < 250, `a frame took ${await longest()} ms`);
+  await page.mouse.up();
+});
+
+test('a finger drags the knobs: a bar is turned and resized', async () => {
+  const page = await openBend({ hasTouch: true, isMobile: true, viewport: { width: 390, height: 844 } });
+  await page.locator('[data-adds=bar]').click();
+  assert.equal(await value(page, 'size'), 64);
+  const touch = await page.context().newCDPSession(page);
+  const drag = async (from, to) => {
+    const at = async ([x, y]) => (([px, py]) => [{ x: px, y: py }])(await spot(page, x, y));
+    await touch.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: await at(from) });
+    await touch.send('Input.dispatchTouchEvent', { type: 'touchMove', touchPoints: await at(to) });
+    await touch.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
+    await page.waitForTimeout(100);
+  };
+  const [x, y] = [await value(page, 'x'), await value(page, 'y')];
+  await drag([x + 32, y], [x + 50, y]);
+  assert.ok(Math.abs((await value(page, 'size')) - 100) <= 2, `${await value(page, 'size')}`);
+  await drag([x, y + 16.5], [x + 40, y]);
+  assert.ok(Math.abs((await value(page, 'angle')) - 270) <= 3, `${await value(page, 'angle')}`);
+});
+
+test('all of it with keys: select, move, turn, resize, duplicate, delete, undo, redo', async () => {
+  const page = await openBend();
+  const before = await original(page);
+  const scene = page.locator('#scene');
+  await scene.press('n');
+  const pressed = page.locator('#bend-bodies [aria-pressed=true]');
+  assert.equal(await pressed.count(), 1);
+  await page.locator('[data-adds=bar]').click();
+  await scene.press('ArrowUp');
+  await scene.press('Shift+ArrowRight');
+  await scene.press(',');
+  await scene.press('+');
+  assert.deepEqual([await value(page, 'angle'), await value(page, 'size')], [1, 65]);
+  await scene.press('d');
+  await waitForScene(page, ({ bodies }) => bodies.length === before.bodies.length + 2);
+  await scene.press('Delete');
+  await waitForScene(page, ({ bodies }) => bodies.length === before.bodies.length + 1);
+  await scene.press('Control+z');
+  await waitForScene(page, ({ bodies }) => bodies.length === before.bodies.length + 2);
+  for (let step = 0; step < 6; step += 1) await scene.press('Control+z');
+  assert.equal(await page.locator('#bend-undo').isDisabled(), true);
+  await waitForScene(page, ({ bodies }) => JSON.stringify(bodies) === JSON.stringify(before.bodies));
+  await scene.press('Control+y');
+  await waitForScene(page, ({ bodies }) => bodies.length === before.bodies.length + 1);
+});
+
+test('fields set the numbers, and the announcement says what was changed', async () => {
+  const page = await openBend();
+  const { body1 } = await original(page);
+  await page.locator('#bend-bodies button').nth(body1).click();
+  await page.locator('#bend-x').fill('100.25');
+  await page.locator('#bend-x').press('Enter');
+  await waitForScene(page, ({ bodies }) => bodies[body1].x === 100.25);
+  await page.locator('#announcement').filter({ hasText: /Green ball: x 100.25,.*moves/ }).waitFor({ state: 'attached' });
+});
+
+test('the goal pair and whether a body moves can be chosen', async () => {
+  const page = await openBend();
+  const before = await original(page);
+  await page.locator('[data-adds=ball]').click();
+  const added = before.bodies.length;
+  await page.locator('#bend-goal').click();
+  await waitForScene(page, ({ body2 }) => body2 === added);
+  assert.match(await page.locator('#goal').textContent(), /blue ball/);
+  await page.locator('#bend-dynamic').uncheck();
+  await page.locator('#goal').filter({ hasText: /purple ball/ }).waitFor();
+  await page.locator('#bend-object').click();
+  await waitForScene(page, ({ body1, body2 }) => body1 === added && body2 === before.body1);
+  assert.equal(await page.locator('#bend-dynamic').isDisabled(), true);
+});
+
+test('a scene that may not be played says which body is in the way, and the puzzle stays the one before', async () => {
+  const page = await openBend();
+  const { bodies, body1 } = await original(page);
+  await page.locator('#bend-bodies button').nth(body1).click();
+  await page.locator('#bend-y').fill(String(bodies[body1].y + 5));
+  await page.locator('#bend-y').press('Enter');
+  const good = await linked(page);
+  await page.locator('#bend-y').fill('-3');
+  await page.locator('#bend-y').press('Enter');
+  await page.locator('#bend-problems:visible').filter({ hasText: 'green ball' }).waitFor();
+  assert.equal(await page.locator('#bend-keep').isDisabled(), true);
+  await page.waitForTimeout(600);
+  assert.deepEqual(await linked(page), good);
+  await page.locator('#bend-undo').click();
+  await page.locator('#bend-problems').waitFor({ state: 'hidden' });
+});
+
+test('the bent scene is the puzzle of every panel: placed, run, played by the model, mapped', async () => {
+  const page = await openBend({ reducedMotion: true });
+  const { bodies, body1 } = await original(page);
+  const { x, y } = bodies[body1];
+  await dragTo(page, [[x, y], [x + 6, y + 12]]);
+  await page.mouse.up();
+  await linked(page);
+  await page.locator('#tab-imagine').click();
+  await page.locator('#imagined-in').filter({ hasText: /Imagined in/ }).waitFor();
+  await page.locator('#tab-play').click();
+  await click(page, 30, 240);
+  await page.locator('#run').click();
+  await says(page, /attempt 1/);
+  await page.locator('#tab-compare').click();
+  await page.locator('#model-turn:enabled').click();
+  await page.locator('#model-attempts li').first().waitFor({ timeout: 60_000 });
+  await page.locator('#tab-map').click();
+  await page.locator('#solve-map-search').click();
+  await page.locator('#solve-map-words').filter({ hasText: 'tried so far' }).waitFor();
+});
+
+test('Back returns to the puzzle that was bent', async () => {
+  const page = await openBend();
+  const { bodies, body1 } = await original(page);
+  const { x, y } = bodies[body1];
+  await dragTo(page, [[x, y], [x, y + 10]]);
+  await page.mouse.up();
+  await linked(page);
+  await page.goBack();
+  await page.waitForFunction((task) => location.hash.includes(task), EASY);
+  await page.locator('#task').waitFor();
+});
+
+for (const colorScheme of /** @type {const} */ (['light', 'dark'])) {
+  test(`axe finds nothing in the panel, ${colorScheme}`, async () => {
+    const page = await openBend({ colorScheme });
+    await page.locator('#bend-bodies button').first().click();
+    await page.locator('#bend-x').fill('-50');
+    await page.locator('#bend-x').press('Enter');
+    await page.locator('#bend-problems:visible').waitFor();
+    const { violations } = await new AxeBuilder({ page }).analyze();
+    const bad = violations.filter(({ impact }) => impact === 'serious' || impact === 'critical');
+    assert.deepEqual(bad.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html)}`), []);
+  });
+}

@@ -1,0 +1,160 @@
+// Own puzzles: opened from links and files, kept in the browser and shown in the grid; what is damaged or foreign is a sentence,
+// and nothing that was there is lost.
+
+import AxeBuilder from '@axe-core/playwright';
+import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
+import { after, before, test } from 'node:test';
+import { start } from './harness.mjs';
+import { EASY, openPuzzle } from './page-actions.mjs';
+
+let session;
+before(async () => (session = await start()));
+after(() => session.stop());
+
+const SCENE = {
+  version: 1,
+  name: 'Over the wall',
+  body1: 0,
+  body2: 1,
+  bodies: [
+    { shape: 'ball', radius: 12, x: 60, y: 200, angle: 0, dynamic: true },
+    { shape: 'bar', length: 80, thickness: 5, x: 200, y: 10, angle: 0, dynamic: false },
+    { shape: 'bar', length: 60, thickness: 5, x: 128, y: 32, angle: 1.5708, dynamic: false },
+  ],
+};
+
+/** The text of the link to a scene, made in the page. */
+function textOf(page, scene) {
+  return page.evaluate(async (scene) => (await import('/workshop/scene-link.js')).textOfScene(scene), scene);
+}
+
+const file = (name, content) => ({ name, mimeType: 'application/json', buffer: Buffer.from(typeof content === 'string' ? content : JSON.stringify(content)) });
+
+async function openFiles(page, ...files) {
+  await page.locator('#own-file').setInputFiles(files);
+}
+
+async function notice(page, pattern) {
+  await page.locator('#notice-text').filter({ hasText: pattern }).waitFor();
+}
+
+/** Drops a file on the page. */
+async function drop(page, { name, buffer }) {
+  const data = await page.evaluateHandle(({ name, text }) => {
+    const transfer = new DataTransfer();
+    transfer.items.add(new File([text], name, { type: 'application/json' }));
+    return transfer;
+  }, { name, text: buffer.toString() });
+  await page.dispatchEvent('main', 'drop', { dataTransfer: data });
+}
+
+test('a link opens the puzzle elsewhere, with its name and goal', async () => {
+  const first = await session.open('/');
+  await first.locator('#templates canvas.drawn').first().waitFor();
+  const text = await textOf(first, SCENE);
+  const page = await session.open(`/#scene=${text}`);
+  await page.locator('#puzzle-name').filter({ hasText: 'Over the wall' }).waitFor();
+  assert.match(await page.locator('#goal').textContent(), /green ball.*purple bar/);
+  assert.equal(await page.locator('.picker').isVisible(), false);
+});
+
+test('a damaged link is a sentence, and the kept puzzles stay', async () => {
+  const page = await session.open('/');
+  await page.locator('#own-open').waitFor();
+  const text = await textOf(page, SCENE);
+  await page.evaluate((scene) => localStorage.setItem('pathlight.own-puzzles', JSON.stringify([scene])), SCENE);
+  for (const damaged of [text.slice(0, -9), 'AAAA', await textOf(page, { ...SCENE, body2: 7 }), await textOf(page, { foreign: true })]) {
+    const other = await session.openIn(page.context(), `/#scene=${damaged}`);
+    await other.locator('#problem').filter({ hasText: /^This link holds/ }).waitFor();
+    await other.locator('#home').click();
+    await other.locator('#own-puzzles li').filter({ hasText: 'Over the wall' }).waitFor();
+    await other.close();
+  }
+});
+
+test('a file is opened by the button and by a drop, and saved again as it was', async () => {
+  const page = await session.open('/');
+  await page.locator('#own-open').waitFor();
+  await openFiles(page, file('wall.json', SCENE));
+  await page.locator('#puzzle-name').filter({ hasText: 'Over the wall' }).waitFor();
+  await page.locator('#tab-bend').click();
+  const [download] = await Promise.all([page.waitForEvent('download'), page.locator('#bend-save').click()]);
+  assert.equal(download.suggestedFilename(), 'over-the-wall.json');
+  assert.deepEqual(JSON.parse(await readFile(await download.path(), 'utf8')), SCENE);
+  await page.locator('#home').click();
+  await page.locator('#gallery').waitFor();
+  await drop(page, file('dropped.json', { ...SCENE, name: 'Dropped' }));
+  await page.locator('#puzzle-name').filter({ hasText: 'Dropped' }).waitFor();
+});
+
+test('a foreign or invalid file is a sentence that names it, and changes nothing', async () => {
+  const page = await openPuzzle(session);
+  const hash = new URL(page.url()).hash;
+  const wrong = [
+    [file('holiday.json', '{"beach": true}'), /holiday\.json cannot be played/],
+    [file('noise.json', '\u0000\u0001 nothing'), /noise\.json is not a file of puzzles/],
+    [file('two.json', [SCENE, { ...SCENE, bodies: [] }]), /puzzle 2 of two\.json cannot be played/i],
+    [file('none.json', []), /none\.json holds no puzzle/],
+  ];
+  for (const [one, sentence] of wrong) {
+    await openFiles(page, one);
+    await notice(page, sentence);
+    assert.equal(new URL(page.url()).hash, hash);
+  }
+  assert.equal(await page.evaluate(() => localStorage.getItem('pathlight.own-puzzles')), null);
+});
+
+test('hide=puzzles: a file that is dropped opens no other puzzle', async () => {
+  const page = await openPuzzle(session, { fragment: '&hide=puzzles' });
+  await drop(page, file('dropped.json', SCENE));
+  await notice(page, /no file is opened here/);
+  assert.match(page.url(), /task=/);
+});
+
+test('a puzzle is kept, shown in the grid after a reload, opened, deleted and brought back; all are saved', async () => {
+  const page = await openPuzzle(session, { fragment: '&panel=bend' });
+  await page.locator('[data-adds=ball]').click();
+  await page.locator('#bend-name').fill('Mine');
+  await page.locator('#bend-name').press('Enter');
+  await page.waitForFunction(() => /scene=/.test(location.hash));
+  await page.locator('#bend-keep').click();
+  await page.locator('#bend-said').filter({ hasText: '“Mine” is kept' }).waitFor();
+  await page.locator('#home').click();
+  await page.reload();
+  await page.locator('#own-puzzles li').first().scrollIntoViewIfNeeded();
+  await page.locator('#own-puzzles canvas.drawn').first().waitFor();
+  await openFiles(page, file('many.json', [SCENE, { ...SCENE, name: 'Second' }]));
+  await notice(page, /2 puzzles are kept/);
+  const [download] = await Promise.all([page.waitForEvent('download'), page.locator('#own-save').click()]);
+  const saved = JSON.parse(await readFile(await download.path(), 'utf8'));
+  assert.deepEqual(saved.map(({ name }) => name), ['Mine', 'Over the wall', 'Second']);
+  await page.locator('#own-puzzles button[aria-label="Delete Second"]').click();
+  await notice(page, /“Second” is deleted/);
+  assert.equal(await page.locator('#own-puzzles li').count(), 2);
+  await page.locator('#notice button', { hasText: 'Undo' }).click();
+  await page.locator('#own-puzzles li').nth(2).waitFor();
+  await page.locator('#own-puzzles a[href*="scene="]', { hasText: 'Mine' }).click();
+  await page.locator('#puzzle-name').filter({ hasText: 'Mine' }).waitFor();
+});
+
+test('axe finds nothing in a grid with own puzzles', async () => {
+  const page = await session.open('/');
+  await page.evaluate((scene) => localStorage.setItem('pathlight.own-puzzles', JSON.stringify([scene])), SCENE);
+  await page.reload();
+  await page.locator('#own-puzzles li').first().scrollIntoViewIfNeeded();
+  await page.locator('#own-puzzles canvas.drawn').first().waitFor();
+  const { violations } = await new AxeBuilder({ page }).analyze();
+  assert.deepEqual(violations.filter(({ impact }) => impact === 'serious' || impact === 'critical').map(({ id }) => id), []);
+});
+
+test('a store that is damaged or full never breaks the page', async () => {
+  const page = await session.open('/');
+  await page.evaluate(() => localStorage.setItem('pathlight.own-puzzles', '{"not": ["what it was'));
+  await page.goto(`${session.origin}/#task=${EASY}&panel=bend`);
+  await page.reload();
+  await page.locator('[data-adds=ball]').click();
+  await page.evaluate(() => (Storage.prototype.setItem = () => { throw new DOMException('full', 'QuotaExceededError'); }));
+  await page.locator('#bend-keep:enabled').click();
+  await page.locator('#bend-said').filter({ hasText: 'has no room left' }).waitFor();
+});

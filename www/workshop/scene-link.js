@@ -1,0 +1,73 @@
+// A scene as the text of a link, and back: its JSON, deflated, in base64url. Damaged or foreign text is refused with a sentence,
+// and nothing larger than a scene may be is unpacked. Knows nothing of the document.
+
+import { failure } from "../api/failure.js";
+import { pathlight } from "../shell/pathlight.js";
+import { plainScene } from "./plain-scene.js";
+
+/** @typedef {import("../pkg/pathlight.js").OwnScene} OwnScene */
+
+/** More than the JSON of a scene of the most bodies, bytes. */
+const MAX_JSON = 256_000;
+
+/**
+ * The scenes whose text is known, because they were read or written since the page was loaded.
+ * @type {Map<string, OwnScene>}
+ */
+const known = new Map();
+
+/**
+ * Returns the scene of a text that was read or written before, or null.
+ * @param {string} text
+ */
+export function knownScene(text) {
+  return known.get(text) ?? null;
+}
+
+/**
+ * Returns the text of a scene.
+ * @param {OwnScene} scene
+ * @returns {Promise<string>}
+ */
+export async function textOfScene(scene) {
+  const json = new Blob([JSON.stringify(scene)]).stream();
+  const deflated = new Uint8Array(await new Response(json.pipeThrough(new CompressionStream("deflate-raw"))).arrayBuffer());
+  const text = btoa(String.fromCharCode(...deflated)).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
+  known.set(text, scene);
+  return text;
+}
+
+/**
+ * Returns the scene of a text. Rejects with a sentence if the text is damaged or the scene may not be played.
+ * @param {string} text
+ * @returns {Promise<OwnScene>}
+ */
+export async function sceneOfText(text) {
+  const before = knownScene(text);
+  if (before) return before;
+  /** @type {OwnScene} */
+  let scene;
+  try {
+    const bytes = Uint8Array.from(atob(text.replaceAll("-", "+").replaceAll("_", "/")), (character) => character.charCodeAt(0));
+    scene = JSON.parse(await inflated(new Blob([bytes])));
+  } catch {
+    throw failure("bad_data", "This link holds a puzzle of somebody’s own, but it is damaged: perhaps a part of it is missing. Ask for it again.");
+  }
+  const [problem] = pathlight.sceneProblems(scene);
+  if (problem) throw failure("bad_data", `This link holds a puzzle of somebody’s own that cannot be played: ${problem.sentence}`);
+  const own = plainScene(scene);
+  known.set(text, own);
+  return own;
+}
+
+/** @param {Blob} deflated */
+async function inflated(deflated) {
+  const reader = deflated.stream().pipeThrough(new DecompressionStream("deflate-raw")).pipeThrough(new TextDecoderStream("utf-8", { fatal: true })).getReader();
+  let json = "";
+  for (;;) {
+    const { done, value } = await reader.read();
+    if (done) return json;
+    json += value;
+    if (json.length > MAX_JSON) throw new RangeError("more than a scene");
+  }
+}
