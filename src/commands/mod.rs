@@ -30,6 +30,7 @@ mod journal;
 mod label;
 mod labelled_scenes;
 mod model_args;
+mod own_scene_file;
 mod progress;
 mod propose;
 mod publish;
@@ -44,6 +45,7 @@ mod train_dynamics;
 mod train_judge;
 mod training_args;
 mod training_run;
+mod verify;
 
 /// Physics puzzles, and the paths that four small nets imagine for them.
 #[derive(Parser)]
@@ -70,6 +72,7 @@ enum Command {
     Calibration(calibration::Args),
     Reproduce(reproduce::Args),
     Simulate(simulate::Args),
+    Verify(verify::Args),
     Serve(pathlight_serve::Args),
     Fidelity(fidelity::Args),
     SolveRates(solve_rates::Args),
@@ -77,8 +80,9 @@ enum Command {
 }
 
 impl Command {
-    fn run(self) -> anyhow::Result<()> {
-        match self {
+    fn run(self) -> anyhow::Result<ExitCode> {
+        let done = match self {
+            Command::Verify(args) => return args.run(),
             Command::Tasks(args) => args.run(),
             Command::Collect(args) => args.run(),
             Command::Train(args) => args.run(),
@@ -98,7 +102,8 @@ impl Command {
             Command::Fidelity(args) => args.run(),
             Command::SolveRates(args) => args.run(),
             Command::Difficulty(args) => args.run(),
-        }
+        };
+        done.map(|()| ExitCode::SUCCESS)
     }
 }
 
@@ -106,7 +111,7 @@ impl Command {
 pub fn run() -> ExitCode {
     let result = CommandLine::parse().command.run();
     match result {
-        Ok(()) => ExitCode::SUCCESS,
+        Ok(code) => code,
         Err(error) if is_broken_pipe(&error) => ExitCode::SUCCESS,
         Err(error) => {
             progress::say(&format!("error: {error:#}"));

@@ -7,6 +7,7 @@ use std::path::PathBuf;
 
 use anyhow::Context;
 use pathlight::agents;
+use pathlight::play::played::Played;
 use pathlight::puzzle::action::Ball;
 use pathlight::puzzle::task::{Task, TaskId};
 use rayon::prelude::*;
@@ -14,6 +15,7 @@ use serde::Serialize;
 
 use super::fold_args::FoldArgs;
 use super::model_args::ModelArgs;
+use super::own_scene_file;
 use super::progress::Progress;
 
 /// Write the model's proposals as JSON lines, best first, without simulating
@@ -25,6 +27,10 @@ pub struct Args {
     /// Task to propose for, like 00007:008; can be repeated [default: all test tasks of the fold]
     #[arg(long = "task", value_name = "TASK")]
     tasks: Vec<TaskId>,
+
+    /// Propose for the own scene of this file instead, JSON as `tasks --schema` describes it
+    #[arg(long, value_name = "FILE", conflicts_with = "tasks")]
+    scene: Option<PathBuf>,
 
     /// Proposals per task
     #[arg(long, default_value_t = 100, value_parser = clap::value_parser!(u16).range(1..=1000))]
@@ -45,20 +51,36 @@ pub struct Args {
 /// A line: the valid balls of a task, px, best first.
 #[derive(Serialize)]
 struct TaskProposals {
-    task: TaskId,
+    /// Absent for an own scene.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    task: Option<TaskId>,
     balls: Vec<Ball>,
 }
 
 impl Args {
     pub fn run(self) -> anyhow::Result<()> {
         let (nets, _) = self.model.load(&self.fold)?;
-        let tasks = if self.tasks.is_empty() { self.fold.tasks().test } else { self.tasks };
+        let own = self.scene.as_deref().map(own_scene_file::read).transpose()?;
+        let tasks = if own.is_some() {
+            Vec::new()
+        } else if self.tasks.is_empty() {
+            self.fold.tasks().test
+        } else {
+            self.tasks
+        };
         let mut out: Box<dyn Write> = if self.out.as_os_str() == "-" {
             Box::new(io::stdout().lock())
         } else {
             let file = File::create(&self.out).with_context(|| format!("cannot write {}", self.out.display()))?;
             Box::new(BufWriter::new(file))
         };
+        if let Some((_, Played { id, scene, .. })) = own {
+            let proposals = agents::propose(&nets, &scene, id.seed(self.seed), self.attempts.into());
+            let line =
+                TaskProposals { task: None, balls: proposals.into_iter().map(|proposal| proposal.ball).collect() };
+            writeln!(out, "{}", serde_json::to_string(&line)?)?;
+            return Ok(out.flush()?);
+        }
         let mut progress = Progress::new(Some(tasks.len() as u64));
         for tasks in tasks.chunks(25) {
             let lines: Vec<TaskProposals> = tasks
@@ -66,7 +88,10 @@ impl Args {
                 .map(|&task| {
                     let scene = Task::load(task)?.scene;
                     let proposals = agents::propose(&nets, &scene, task.seed(self.seed), self.attempts.into());
-                    Ok(TaskProposals { task, balls: proposals.into_iter().map(|proposal| proposal.ball).collect() })
+                    Ok(TaskProposals {
+                        task: Some(task),
+                        balls: proposals.into_iter().map(|proposal| proposal.ball).collect(),
+                    })
                 })
                 .collect::<anyhow::Result<_>>()?;
             for line in lines {

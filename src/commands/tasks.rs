@@ -3,10 +3,16 @@
 //! The JSON of a task is that of `pathlight::puzzle::task::Task`.
 
 use std::io::{self, BufWriter, Write};
+use std::path::PathBuf;
 
+use pathlight::puzzle::own_scene::OwnScene;
+use pathlight::puzzle::scene::Scene;
 use pathlight::puzzle::task::{Task, TaskId};
 use pathlight::puzzle::templates::{TEMPLATES, Template};
+use serde::Serialize;
 use serde_json::{Map, Value};
+
+use super::own_scene_file;
 
 /// List the templates, the tasks of one, or scenes as JSON
 #[derive(clap::Args)]
@@ -18,21 +24,57 @@ pub struct Args {
     /// Print scenes as JSON, one per line: of this task (like 00007:008), or of all tasks if none is named
     #[arg(long, value_name = "TASK", num_args = 0..=1)]
     json: Option<Option<TaskId>>,
+
+    /// Print the own scene of this file as JSON, as it is simulated
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["template", "json"])]
+    scene: Option<PathBuf>,
+
+    /// Print this task as an own scene, to be changed and played with --scene
+    #[arg(long, value_name = "TASK", conflicts_with_all = ["template", "json", "scene"])]
+    own: Option<TaskId>,
+
+    /// Print the JSON Schema of own scenes
+    #[arg(long, conflicts_with_all = ["template", "json", "scene", "own"])]
+    schema: bool,
 }
 
 impl Args {
     pub fn run(self) -> anyhow::Result<()> {
         let mut out = BufWriter::new(io::stdout().lock());
-        match (self.json, self.template) {
-            (Some(Some(_)), Some(_)) => anyhow::bail!("a task already names its template: leave --template out"),
-            (Some(Some(id)), None) => print_json(&mut out, &Task::load(id)?)?,
-            (Some(None), Some(template)) => print_all_json(&mut out, template)?,
-            (Some(None), None) => TEMPLATES.iter().try_for_each(|template| print_all_json(&mut out, template))?,
-            (None, Some(template)) => list_tasks(&mut out, template)?,
-            (None, None) => list_templates(&mut out)?,
+        if self.schema {
+            serde_json::to_writer_pretty(&mut out, &schemars::schema_for!(OwnScene))?;
+            writeln!(out)?;
+        } else if let Some(task) = self.own {
+            let own = OwnScene::of(&Task::load(task)?.scene).expect("a template uses the four shapes");
+            writeln!(out, "{}", serde_json::to_string(&own)?)?;
+        } else if let Some(file) = &self.scene {
+            let (_, played) = own_scene_file::read(file)?;
+            writeln!(out, "{}", serde_json::to_string(&OwnTask { goal: &played.goal, scene: &played.scene })?)?;
+        } else {
+            self.print_tasks(&mut out)?;
         }
         Ok(out.flush()?)
     }
+
+    fn print_tasks(&self, out: &mut impl Write) -> anyhow::Result<()> {
+        match (self.json, self.template) {
+            (Some(Some(_)), Some(_)) => anyhow::bail!("a task already names its template: leave --template out"),
+            (Some(Some(id)), None) => print_json(out, &Task::load(id)?)?,
+            (Some(None), Some(template)) => print_all_json(out, template)?,
+            (Some(None), None) => TEMPLATES.iter().try_for_each(|template| print_all_json(out, template))?,
+            (None, Some(template)) => list_tasks(out, template)?,
+            (None, None) => list_templates(out)?,
+        }
+        Ok(())
+    }
+}
+
+/// An own scene as it is simulated.
+#[derive(Serialize)]
+struct OwnTask<'a> {
+    goal: &'a str,
+    #[serde(flatten)]
+    scene: &'a Scene,
 }
 
 /// One line per template: id, name, and the goal sentence, which is the same for all its tasks.

@@ -15,6 +15,7 @@ mod calibration;
 mod collect;
 mod forecasts;
 mod label;
+mod own_scenes;
 mod pipes;
 mod reference;
 mod reproduce;

@@ -7,12 +7,14 @@ use std::fs::File;
 use std::io::{self, BufRead, BufReader, BufWriter, Read, Write};
 
 use anyhow::{Context, ensure};
+use pathlight::play::played::Played;
+use pathlight::play::verification::AttemptLine;
 use pathlight::puzzle::task::Task;
 use pathlight::simulator::{outcome, simulate};
 use rayon::prelude::*;
 
-use super::Answer;
 use super::start::Request;
+use super::{Answer, Format};
 use crate::commands::progress::Progress;
 
 /// Lines per core in one chunk: enough that cores rarely wait for one another.
@@ -24,7 +26,7 @@ const MAX_LINE: usize = 1 << 16;
 const EXAMPLE: &str = r#"{"task":"00007:008","ball":[128,200,15]}"#;
 
 /// Simulates the lines of a file, or of standard input if it is `-`.
-pub fn run(file: &str, with_paths: bool) -> anyhow::Result<()> {
+pub fn run(file: &str, format: Format) -> anyhow::Result<()> {
     let (source, bytes): (Box<dyn Read>, _) = match file {
         "-" => (Box::new(io::stdin().lock()), None),
         path => {
@@ -43,12 +45,11 @@ pub fn run(file: &str, with_paths: bool) -> anyhow::Result<()> {
             break;
         }
         let too_long = lines.pop_if(|line| line.len() > MAX_LINE).is_some();
-        let answers: Vec<_> = lines.par_iter().map(|line| answer(line, with_paths)).collect();
+        let answers: Vec<_> = lines.par_iter().map(|line| answer(line, format)).collect();
         for (number, answer) in (first..).zip(answers) {
             match answer {
                 Ok(Some(answer)) => {
-                    serde_json::to_writer(&mut out, &answer)?;
-                    writeln!(out)?;
+                    writeln!(out, "{answer}")?;
                     answered += 1;
                 }
                 Ok(None) => {}
@@ -94,7 +95,7 @@ fn next_lines(source: &mut BufReader<impl Read>) -> io::Result<Vec<Vec<u8>>> {
 }
 
 /// The answer to a line, nothing to a blank one, or what is wrong with it.
-fn answer(line: &[u8], with_paths: bool) -> Result<Option<Answer>, anyhow::Error> {
+fn answer(line: &[u8], format: Format) -> anyhow::Result<Option<String>> {
     if line.trim_ascii().is_empty() {
         return Ok(None);
     }
@@ -103,13 +104,23 @@ fn answer(line: &[u8], with_paths: bool) -> Result<Option<Answer>, anyhow::Error
         let what = error.to_string().replace(" at line 1 column", " at column");
         anyhow::anyhow!("{what}; write it like {EXAMPLE}")
     })?;
-    let task = Task::load(task)?;
-    let ball = start.place(&task.scene);
+    let played = Played::from(Task::load(task)?);
+    let scene = &played.scene;
+    let ball = start.place(scene);
     let placed = ball.ok().flatten();
-    Ok(Some(if with_paths {
-        Answer::of_rollout(&task, placed, &ball.and_then(|ball| simulate(&task.scene, ball)), true)
-    } else {
+    let answer = match format {
+        Format::Verifiable => {
+            let line = AttemptLine::simulated(Some(task), None, ball?).map_err(anyhow::Error::msg)?;
+            serde_json::to_string(&line)
+        }
+        Format::Answer { paths: true } => {
+            let rollout = ball.and_then(|ball| simulate(scene, ball));
+            serde_json::to_string(&Answer::of_rollout(&played, placed, &rollout, true))
+        }
         // Keeps no poses.
-        Answer::new(task.id, placed, ball.and_then(|ball| outcome(&task.scene, ball)))
-    }))
+        Format::Answer { paths: false } => {
+            serde_json::to_string(&Answer::new(Some(task), placed, ball.and_then(|ball| outcome(scene, ball))))
+        }
+    };
+    Ok(Some(answer?))
 }

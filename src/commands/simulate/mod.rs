@@ -3,14 +3,20 @@
 //! Both ways print the same JSON line: task, ball in px, status, reason if it is invalid, and steps.
 
 use std::io::{self, Write};
+use std::path::PathBuf;
 
 use clap::ArgGroup;
+use pathlight::play::played::Played;
+use pathlight::play::verification::AttemptLine;
 use pathlight::puzzle::action::{Action, Ball, Invalid};
 use pathlight::puzzle::recorded_paths::RecordedPaths;
 use pathlight::puzzle::rollout::{Pose, Rollout, Status};
 use pathlight::puzzle::task::{Task, TaskId};
 use pathlight::simulator::{Outcome, simulate};
 use serde::{Serialize, Serializer};
+use serde_json::Value;
+
+use super::own_scene_file;
 
 mod batch;
 mod start;
@@ -19,11 +25,15 @@ use start::Start;
 
 /// Simulate one ball in a task, or a batch of them, and print the outcome as JSON
 #[derive(clap::Args)]
-#[command(group(ArgGroup::new("what").args(["task", "batch"]).required(true)))]
+#[command(group(ArgGroup::new("what").args(["task", "scene", "batch"]).required(true)))]
 pub struct Args {
     /// Simulate this task, like 00007:008; with neither --action nor --ball, without a ball
     #[arg(long)]
     task: Option<TaskId>,
+
+    /// Simulate the own scene of this file, JSON as `tasks --schema` describes it
+    #[arg(long, value_name = "FILE")]
+    scene: Option<PathBuf>,
 
     /// Place the ball by an action: three numbers in 0..1
     #[arg(long, value_name = "x,y,r", value_parser = start::parse_action, allow_hyphen_values = true, conflicts_with = "ball")]
@@ -42,9 +52,13 @@ pub struct Args {
     #[arg(long)]
     paths: bool,
 
+    /// Print lines that `verify` simulates again, with the digest of all poses
+    #[arg(long, conflicts_with_all = ["poses", "paths"])]
+    verifiable: bool,
+
     /// Simulate each line of this file ("-" is standard input) on all cores: {"task":"00007:008","ball":[X,Y,R]},
     /// with "action":[x,y,r] instead of "ball", or with "ball":null for no ball
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["task", "action", "ball", "poses"])]
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["task", "scene", "action", "ball", "poses"])]
     batch: Option<String>,
 }
 
@@ -54,18 +68,41 @@ impl Args {
             Some(action) => Start::Action(action),
             None => Start::Ball(self.ball),
         };
-        match (self.batch, self.task) {
-            (Some(file), _) => batch::run(&file, self.paths),
-            (None, id) => one(id.expect("clap requires a task or a batch"), start, self.paths, self.poses),
+        if let Some(file) = self.batch {
+            return batch::run(
+                &file,
+                if self.verifiable { Format::Verifiable } else { Format::Answer { paths: self.paths } },
+            );
         }
+        let (scene, played) = match (self.scene, self.task) {
+            (Some(file), _) => own_scene_file::read(&file).map(|(scene, played)| (Some(scene), played))?,
+            (None, task) => (None, Task::load(task.expect("clap requires a task, a scene or a batch"))?.into()),
+        };
+        if self.verifiable {
+            return verifiable(&played, scene, start);
+        }
+        one(&played, start, self.paths, self.poses)
     }
 }
 
-fn one(id: TaskId, start: Start, with_paths: bool, with_poses: bool) -> anyhow::Result<()> {
-    let task = Task::load(id)?;
-    let ball = start.place(&task.scene);
-    let rollout = ball.and_then(|ball| simulate(&task.scene, ball));
-    let answer = Answer::of_rollout(&task, ball.ok().flatten(), &rollout, with_paths);
+/// What a batch answers with.
+#[derive(Clone, Copy)]
+enum Format {
+    Answer { paths: bool },
+    Verifiable,
+}
+
+/// Prints the line of an attempt that `verify` simulates again.
+fn verifiable(played: &Played, scene: Option<Value>, start: Start) -> anyhow::Result<()> {
+    let ball = start.place(&played.scene)?;
+    let line = AttemptLine::simulated(played.id.task(), scene, ball).map_err(anyhow::Error::msg)?;
+    Ok(writeln!(io::stdout(), "{}", serde_json::to_string(&line)?)?)
+}
+
+fn one(played: &Played, start: Start, with_paths: bool, with_poses: bool) -> anyhow::Result<()> {
+    let ball = start.place(&played.scene);
+    let rollout = ball.and_then(|ball| simulate(&played.scene, ball));
+    let answer = Answer::of_rollout(played, ball.ok().flatten(), &rollout, with_paths);
     let poses = rollout.as_ref().ok().filter(|_| with_poses).map(Poses::of);
     Ok(writeln!(io::stdout(), "{}", serde_json::to_string(&ResultLine { answer, poses })?)?)
 }
@@ -73,7 +110,9 @@ fn one(id: TaskId, start: Start, with_paths: bool, with_poses: bool) -> anyhow::
 /// The outcome of one ball.
 #[derive(Serialize)]
 struct Answer {
-    task: TaskId,
+    /// Absent for an own scene.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    task: Option<TaskId>,
     /// px; null if there is none: none was asked for, or the action places none.
     #[serde(serialize_with = "whole_numbers")]
     ball: Option<Ball>,
@@ -88,14 +127,14 @@ struct Answer {
 }
 
 impl Answer {
-    fn of_rollout(task: &Task, ball: Option<Ball>, rollout: &Result<Rollout, Invalid>, with_paths: bool) -> Answer {
+    fn of_rollout(played: &Played, ball: Option<Ball>, rollout: &Result<Rollout, Invalid>, with_paths: bool) -> Answer {
         let outcome = rollout.as_ref().map(|rollout| Outcome { solved: rollout.solved, steps: rollout.steps });
         let simulated = rollout.as_ref().ok().filter(|_| with_paths);
-        let paths = simulated.and_then(|rollout| RecordedPaths::of(rollout, &task.scene));
-        Answer { paths, ..Answer::new(task.id, ball, outcome.map_err(|invalid| *invalid)) }
+        let paths = simulated.and_then(|rollout| RecordedPaths::of(rollout, &played.scene));
+        Answer { paths, ..Answer::new(played.id.task(), ball, outcome.map_err(|invalid| *invalid)) }
     }
 
-    fn new(task: TaskId, ball: Option<Ball>, outcome: Result<Outcome, Invalid>) -> Answer {
+    fn new(task: Option<TaskId>, ball: Option<Ball>, outcome: Result<Outcome, Invalid>) -> Answer {
         let (status, reason, steps) = match outcome {
             Ok(Outcome { solved: true, steps }) => (Status::Solved, None, steps),
             Ok(Outcome { solved: false, steps }) => (Status::NotSolved, None, steps),

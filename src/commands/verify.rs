@@ -1,0 +1,70 @@
+//! `pathlight verify`: simulates the attempts of a file again, and says for each whether it is the same to the bit.
+
+use std::fs;
+use std::io::{self, Read, Write};
+use std::process::ExitCode;
+
+use anyhow::Context;
+use pathlight::play::verification::{AttemptLine, Verdict};
+use rayon::prelude::*;
+use serde::Serialize;
+
+use super::own_scene_file::exact_json;
+use super::progress::say;
+
+/// Simulate the attempts of a file again, and say for each: same, other outcome, or not valid
+///
+/// Each line is an attempt as the page exports it and `simulate --verifiable` writes it: {"task" or "scene", "ball", "simulator",
+/// "status", "steps", "digest"}. The digest is SHA-256, in hexadecimal, of x, y (px) and angle (radians) of every moving body
+/// at the start and after each step, as f32, little-endian. Prints {"line", "verdict", "reason"} for each; the exit code is 0 if
+/// all are the same to the bit, 1 if some have another outcome, 2 if some are not valid.
+#[derive(clap::Args)]
+pub struct Args {
+    /// Attempts as JSON lines; - is standard input
+    #[arg(value_name = "FILE")]
+    file: String,
+}
+
+/// What is printed for a line.
+#[derive(Serialize)]
+struct Answer<'a> {
+    /// From 1.
+    line: usize,
+    #[serde(flatten)]
+    verdict: &'a Verdict,
+}
+
+impl Args {
+    pub fn run(self) -> anyhow::Result<ExitCode> {
+        let mut bytes = Vec::new();
+        match self.file.as_str() {
+            "-" => io::stdin().lock().read_to_end(&mut bytes).map(drop),
+            path => fs::read(path).map(|read| bytes = read),
+        }
+        .with_context(|| format!("cannot read {}", self.file))?;
+        let lines: Vec<(usize, &[u8])> = (1..).zip(bytes.split(|&byte| byte == b'\n')).collect();
+        let attempts: Vec<_> = lines.into_iter().filter(|(_, line)| !line.trim_ascii().is_empty()).collect();
+        anyhow::ensure!(!attempts.is_empty(), "{} holds no attempts: export some on the page", self.file);
+        let verdicts: Vec<(usize, Verdict)> =
+            attempts.into_par_iter().map(|(number, line)| (number, verdict(line))).collect();
+        let mut out = io::stdout().lock();
+        for (line, verdict) in &verdicts {
+            serde_json::to_writer(&mut out, &Answer { line: *line, verdict })?;
+            writeln!(out)?;
+        }
+        let count = |matches: fn(&Verdict) -> bool| verdicts.iter().filter(|(_, verdict)| matches(verdict)).count();
+        let same = count(|verdict| matches!(verdict, Verdict::Same));
+        let other = count(|verdict| matches!(verdict, Verdict::OtherOutcome(_)));
+        let not_valid = count(|verdict| matches!(verdict, Verdict::NotValid(_)));
+        say(&format!("{same} the same to the bit, {other} with another outcome, {not_valid} not valid"));
+        Ok(ExitCode::from(if not_valid > 0 { 2 } else { u8::from(other > 0) }))
+    }
+}
+
+fn verdict(line: &[u8]) -> Verdict {
+    let parsed = exact_json(line).and_then(|value| Ok(serde_json::from_value::<AttemptLine>(value)?));
+    match parsed {
+        Ok(attempt) => attempt.verify(),
+        Err(reason) => Verdict::NotValid(format!("The line is no attempt: {reason:#}.")),
+    }
+}

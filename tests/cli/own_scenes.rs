@@ -1,0 +1,79 @@
+//! Own scenes on the command line, and attempts that are verified: `tasks`, `simulate`, `propose` and `verify`.
+
+use std::fs;
+
+use serde_json::Value;
+
+use crate::{assert_refused, output_of, run, stdout};
+
+const TASK: &str = "00000:002";
+
+/// A folder with the own scene of a task in `scene.json`.
+fn folder() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().expect("a folder");
+    fs::write(folder.path().join("scene.json"), output_of(&["tasks", "--own", TASK])).expect("written");
+    folder
+}
+
+fn parsed(text: &str) -> Value {
+    serde_json::from_str(text).expect("JSON")
+}
+
+#[test]
+fn the_shipped_schema_is_that_of_the_types() {
+    let shipped = include_str!("../../assets/scene.schema.json");
+    assert_eq!(output_of(&["tasks", "--schema"]), shipped, "pathlight tasks --schema > assets/scene.schema.json");
+}
+
+#[test]
+fn an_own_scene_runs_like_the_task_that_it_was_made_of() {
+    let folder = folder();
+    let file = folder.path().join("scene.json");
+    let file = file.to_str().expect("a path");
+    let (own, task) = (parsed(&output_of(&["tasks", "--scene", file])), parsed(&output_of(&["tasks", "--json", TASK])));
+    for key in ["goal", "body1", "body2", "bodies"] {
+        assert_eq!(own[key], task[key], "{key}: every number comes back to the last bit");
+    }
+    let simulated =
+        |args: &[&str]| parsed(&output_of(&[&["simulate", "--ball", "128,240,9", "--poses"], args].concat()));
+    let (own, task) = (simulated(&["--scene", file]), simulated(&["--task", TASK]));
+    assert_eq!((&own["status"], &own["poses"]), (&task["status"], &task["poses"]));
+    assert_eq!(own.get("task"), None);
+}
+
+#[test]
+fn a_scene_that_may_not_be_played_is_refused_with_all_reasons() {
+    let folder = folder();
+    let path = folder.path().join("scene.json");
+    let file = path.to_str().expect("a path");
+    let mut scene = parsed(&fs::read_to_string(&path).expect("read"));
+    scene["bodies"][0]["radius"] = 99.into();
+    scene["bodies"][1]["angle"] = 9.into();
+    fs::write(&path, scene.to_string()).expect("written");
+    assert_refused(&["simulate", "--scene", file], "The radius of the green ball (body 0) is 99.0 px");
+    assert_refused(&["simulate", "--scene", file], "(body 1) has no place");
+    fs::write(&path, "{").expect("written");
+    assert_refused(&["simulate", "--scene", file], "scene.json");
+}
+
+#[test]
+fn verify_tells_same_from_other_and_not_valid() {
+    let folder = folder();
+    let file = folder.path().join("scene.json");
+    let of = |args: &[&str]| output_of(&[&["simulate", "--verifiable", "--ball", "128,240,9"], args].concat());
+    let same = of(&["--task", TASK]) + &of(&["--scene", file.to_str().expect("a path")]);
+    let verified = |lines: &str| {
+        let output = run(&["verify", "-"], lines);
+        let verdicts = stdout(&output).lines().map(|line| parsed(line)["verdict"].clone()).collect::<Vec<_>>();
+        (output.status.code(), verdicts)
+    };
+    assert_eq!(verified(&same), (Some(0), vec!["same".into(), "same".into()]));
+    let mut line = parsed(same.lines().next().expect("a line"));
+    line["digest"] = "0".repeat(64).into();
+    let other = format!("{same}{line}\n");
+    assert_eq!(verified(&other), (Some(1), vec!["same".into(), "same".into(), "other_outcome".into()]));
+    assert_eq!(verified(&format!("{line}\nsoup\n")), (Some(2), vec!["other_outcome".into(), "not_valid".into()]));
+    line["ball"] = serde_json::json!([1, 1, 30]);
+    assert_eq!(verified(&line.to_string()), (Some(2), vec!["not_valid".into()]));
+    assert_refused(&["verify", "-"], "no attempts");
+}

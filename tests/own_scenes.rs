@@ -1,0 +1,88 @@
+//! Random scenes within the limits round-trip through JSON and never break the simulator: no panic, no pose that is not a number,
+//! no more steps than there are, and no body that leaves the walls far behind.
+//!
+//! `PATHLIGHT_SCENES=1000000 cargo test --release --test own_scenes` tries more of them.
+#![cfg(not(target_arch = "wasm32"))]
+
+use std::f64::consts::TAU;
+
+use pathlight::play::scene_check::problems;
+use pathlight::puzzle::action::Ball;
+use pathlight::puzzle::dimensions::{BALL_RADIUS, BAR_LENGTH, BAR_THICKNESS, Dimensions, JAR_HEIGHT, STICK_LENGTH};
+use pathlight::puzzle::own_scene::{OwnBody, OwnScene, VERSION};
+use pathlight::puzzle::rollout::MAX_STEPS;
+use pathlight::simulator::simulate;
+use rand::{Rng, RngExt, SeedableRng};
+use rand_pcg::Pcg64Mcg;
+use rayon::prelude::*;
+
+/// Scenes in a usual run.
+const SCENES: u64 = 10_000;
+
+/// Draws a number of a range, often one of its ends or a small one.
+fn length(random: &mut impl Rng, range: std::ops::RangeInclusive<f64>) -> f64 {
+    let (least, most) = range.into_inner();
+    match random.random_range(0..8) {
+        0 => least,
+        1 => most,
+        2 | 3 => random.random_range(least..=most),
+        _ => random.random_range(least..=least + (most - least) / 8.0),
+    }
+}
+
+fn body(random: &mut impl Rng) -> OwnBody {
+    let dimensions = match random.random_range(0..4) {
+        0 => Dimensions::Ball { radius: length(random, BALL_RADIUS) },
+        1 => Dimensions::Bar { length: length(random, BAR_LENGTH), thickness: length(random, BAR_THICKNESS) },
+        2 => Dimensions::Jar { height: length(random, JAR_HEIGHT) },
+        _ => Dimensions::StandingSticks { length: length(random, STICK_LENGTH) },
+    };
+    let [x, y] = [0; 2].map(|_| random.random_range(0.0..256.0));
+    let angle = if random.random() { 0.0 } else { random.random_range(-TAU..=TAU) };
+    OwnBody { dimensions, x, y, angle, dynamic: random.random() }
+}
+
+/// Returns a scene that may be played: bodies are added as long as the check allows them.
+fn scene(seed: u64) -> OwnScene {
+    let mut random = Pcg64Mcg::seed_from_u64(seed);
+    let wanted = random.random_range(2..24);
+    let mut scene = OwnScene { version: VERSION, name: None, body1: 0, body2: 1, bodies: Vec::new() };
+    let mut tries = 0;
+    // A crowded scene may have no room for more.
+    while scene.bodies.len() < 2 || (scene.bodies.len() < wanted && tries < 200) {
+        tries += 1;
+        let mut next = body(&mut random);
+        next.dynamic |= scene.bodies.is_empty();
+        scene.bodies.push(next);
+        let problems = problems(&scene);
+        // The first alone lacks a goal, which is no problem of its own.
+        let refused = if scene.bodies.len() < 2 {
+            problems.iter().any(|problem| problem.body.is_some())
+        } else {
+            !problems.is_empty()
+        };
+        if refused {
+            scene.bodies.pop();
+        }
+    }
+    scene
+}
+
+#[test]
+fn random_scenes_come_back_from_json_and_never_break_the_simulator() {
+    let count = std::env::var("PATHLIGHT_SCENES").map_or(SCENES, |count| count.parse().expect("a number of scenes"));
+    (0..count).into_par_iter().for_each(|seed| {
+        let own = scene(seed);
+        let read = OwnScene::read(serde_json::to_value(&own).expect("plain data"));
+        assert_eq!(read.as_ref(), Ok(&own), "scene {seed}");
+        let scene = own.to_scene();
+        let mut random = Pcg64Mcg::seed_from_u64(seed);
+        let mut coordinate = || f64::from(random.random_range(2..254));
+        let ball = Some(Ball { x: coordinate(), y: coordinate(), r: coordinate() / 8.0 })
+            .filter(|ball| ball.check(&scene).is_ok());
+        let rollout = simulate(&scene, ball).expect("a valid ball");
+        assert!(rollout.steps <= MAX_STEPS && rollout.poses.len() == (rollout.steps + 1) * rollout.bodies.len());
+        let sane = |&number: &f32| number.is_finite() && number.abs() < 1e6;
+        assert!(rollout.poses.as_flattened().iter().all(sane), "scene {seed}: {own:?}, {ball:?}");
+    });
+}
