@@ -75,7 +75,7 @@ test('hide=puzzles: neither scoreboard nor notices nor grid lead to another puzz
   const localStorage = [{ name: 'pathlight.progress', value: both }, { name: `pathlight.model.${name}`, value: both }];
   const storageState = { cookies: [], origins: [{ origin: session.origin, localStorage }] };
   const page = await openPuzzle(session, { fragment: '&panel=compare&hide=puzzles', storageState });
-  await page.locator('#score-rows th', { hasText: '00001:001' }).waitFor();
+  await page.locator('#score-rows th', { hasText: 'Tray with Lips, 2 of 100' }).waitFor();
   assert.equal(await page.locator('#score-rows a').count(), 0, 'the scoreboard leads nowhere');
   for (const link of ['task=00007:999&hide=puzzles', 'layers=soup&hide=puzzles', 'hide=puzzles']) {
     await page.goto(`${session.origin}/#${link}`);
@@ -85,7 +85,7 @@ test('hide=puzzles: neither scoreboard nor notices nor grid lead to another puzz
   }
   // Other links keep what is hidden, and the model.
   await page.goto(`${session.origin}/#task=${EASY}&panel=compare&hide=story,map&model=${name}`);
-  const link = page.locator('#score-rows a', { hasText: '00001:001' });
+  const link = page.locator('#score-rows a', { hasText: 'Tray with Lips, 2 of 100' });
   await link.waitFor();
   assert.equal(await link.getAttribute('href'), `#task=00001:001&model=${name}&panel=compare&hide=story,map`);
 });
