@@ -158,6 +158,15 @@ test('a page whose files are gone from the server says how to go on', async () =
   assert.ok(problems.every((problem) => problem.includes('404') || problem.includes('/model/worker.js')), problems.join('\n'));
 });
 
+test('what is loaded only when it is asked for is there: the results, and the library for QR codes', async () => {
+  const page = await session.open('/#view=results', { serviceWorkers: 'block' });
+  await page.locator('#results-templates a').first().waitFor();
+  await page.goto(`${server.origin}/#task=00000:000`);
+  await page.locator('#lesson-button').click();
+  await page.waitForFunction(() => /** @type {HTMLCanvasElement | null} */ (document.querySelector('#lesson-code'))?.width !== 300);
+  assert.ok(await page.locator('#lesson-code').isVisible());
+});
+
 test('another site may show it in a frame', async () => {
   const site = createServer((request, response) => response.setHeader('content-type', 'text/html').end(`<iframe src="${server.origin}/#task=00000:000" width="900" height="700"></iframe>`));
   site.listen(0, 'localhost');

@@ -1,4 +1,4 @@
-// Takes pictures of all views, on a desktop and on a phone, light and dark, into target/pictures, for people to look
+// Takes pictures of all views, on a desktop, a projector and a phone, light and dark, into target/pictures, for people to look
 // at: make pictures. A tool, not a test: it asserts nothing. The task is one on which player and model have something
 // to show.
 
@@ -13,6 +13,7 @@ const folder = join(dirname(fileURLToPath(import.meta.url)), '..', '..', 'target
 
 const SCREENS = {
   desktop: { viewport: { width: 1280, height: 800 } },
+  projector: { viewport: { width: 1920, height: 1080 } },
   phone: { viewport: { width: 390, height: 844 }, isMobile: true, hasTouch: true, deviceScaleFactor: 2 },
 };
 
@@ -88,6 +89,10 @@ for (const [screen, size] of Object.entries(SCREENS)) {
     await page.locator('#score-title').scrollIntoViewIfNeeded();
     await take('ball-by-ball');
     await page.locator('#proposal-close').click();
+    await page.locator('#pair-run').click();
+    await page.locator('#pair-columns > div').nth(1).waitFor();
+    await page.locator('#pair-title').scrollIntoViewIfNeeded();
+    await take('two-models');
 
     await page.locator('#tab-imagine').click();
     await page.locator('#overlap-how').scrollIntoViewIfNeeded();
@@ -96,6 +101,15 @@ for (const [screen, size] of Object.entries(SCREENS)) {
     await take('story');
     await page.locator('#walkthrough-dots button:visible').last().click();
     await take('story-ends');
+    await page.locator('#scene').press('v');
+    await take('stage-view');
+    await page.keyboard.press('Escape');
+    if (screen !== 'phone') {
+      await page.locator('#lesson-button').click();
+      await page.locator('#lesson-code:visible').waitFor();
+      await take('lesson-link');
+      await page.keyboard.press('Escape');
+    }
 
     await page.locator('#tab-predict').click();
     for (const key of ['ArrowDown', 'ArrowDown', 'ArrowLeft', 'ArrowDown', 'ArrowDown', 'ArrowDown']) await page.locator('#scene').press(`Shift+${key}`);
@@ -114,6 +128,9 @@ for (const [screen, size] of Object.entries(SCREENS)) {
     await page.locator('#home').click();
     await page.locator('#templates canvas.drawn').first().waitFor();
     await take('grid');
+    await page.locator('#results-link').click();
+    await page.locator('#results-templates a').first().waitFor();
+    await take('results');
     await page.context().close();
   }
 }

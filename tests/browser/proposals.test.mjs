@@ -117,7 +117,7 @@ test('a strip has a mark for each ball by its outcome; a click and a key lead al
   const outcomes = await page.locator('#proposal-strip span').evaluateAll((marks) => marks.map((mark) => mark.dataset.outcome));
   assert.equal(outcomes.length, total);
   const count = (outcome) => outcomes.filter((one) => one === outcome).length;
-  assert.equal(await page.locator('#proposal-outcomes').textContent(), `Of ${total} balls ${count('solved')} solve the puzzle, with ${count('touched')} the green object touches its goal for a while, with ${count('missed')} never.`);
+  assert.equal(await page.locator('#proposal-outcomes').textContent(), `Of ${total} balls 1 solves the puzzle, with ${count('touched')} the green object touches its goal for a while, with ${count('missed')} never.`);
   assert.ok(count('solved') === 1 && outcomes.at(-1) === 'solved', `${outcomes}`);
 
   await page.locator('#proposal-strip').scrollIntoViewIfNeeded();

@@ -35,7 +35,8 @@ export function otherOutcome(tried, index, by) {
  */
 export function outcomesWords(tried) {
   const count = (/** @type {Outcome} */ outcome) => tried.filter((one) => outcomeOf(one) === outcome).length;
-  return `Of ${tried.length} balls ${count("solved")} solve the puzzle, with ${count("touched")} the green object touches its goal for a while, with ${count("missed")} never.`;
+  const solving = count("solved");
+  return `Of ${tried.length} balls ${solving} ${solving === 1 ? "solves" : "solve"} the puzzle, with ${count("touched")} the green object touches its goal for a while, with ${count("missed")} never.`;
 }
 
 /**
