@@ -21,47 +21,46 @@ export class KeptAttempts extends Component {
     super(root);
     this.#client = client;
     this.#store = store;
-    client.addEventListener("change", () => this.session && this.#bringBackModel(this.session));
-    this.byId("clear-attempts").addEventListener("click", () => this.session?.about.id && store.forget(this.session.about.id));
+    client.addEventListener("change", () => this.#bringBackModel());
+    this.byId("clear-attempts").addEventListener("click", () => this.#task && store.forget(this.#task));
   }
 
   /** @param {Session} session */
   open(session) {
     super.open(session);
-    const { id } = session.about;
-    // An own scene has no id to keep them by.
-    if (id === null) return;
-    session.restore(this.#store.of(id).filter(({ by }) => by === "player").map(({ ball }) => ball));
+    if (!this.#task) return;
+    session.restore(this.#store.of(this.#task).filter(({ by }) => by === "player").map(({ ball }) => ball));
     this.#kept = { player: session.standing("player").used, model: 0 };
-    this.#bringBackModel(session);
+    this.#bringBackModel();
     this.listen("change", () => this.#keep(session));
   }
 
-  /**
-   * A turn that the loaded model has made before.
-   * @param {Session} session
-   */
-  #bringBackModel(session) {
+  /** The open task; null if there is none, also for an own scene, whose attempts last as long as it is open. */
+  get #task() {
+    return this.session?.about.id ?? null;
+  }
+
+  /** A turn that the loaded model has made before. */
+  #bringBackModel() {
+    const { session } = this;
     const name = this.#client.loaded?.name;
-    const { id } = session.about;
-    if (name === undefined || session.modelName !== null || id === null) return;
-    const attempts = this.#store.of(id).filter(({ by, simulator }) => by === name && simulator === SIMULATOR_VERSION);
-    for (const attempt of attempts) session.recordModelAttempt(attempt, name);
+    if (!session || !this.#task || name === undefined || session.modelName !== null) return;
+    const attempts = this.#store.of(this.#task).filter(({ by, simulator }) => by === name && simulator === SIMULATOR_VERSION);
+    session.restoreModel(attempts, name);
     this.#kept.model = session.standing("model").used;
   }
 
   /** @param {Session} session */
   #keep(session) {
     // An attempt that runs for the first time is kept when it has ended.
-    const { id } = session.about;
-    if (session.resultHidden || id === null) return;
+    if (session.resultHidden || !this.#task) return;
     for (const contender of /** @type {const} */ (["player", "model"])) {
       const { used } = session.standing(contender);
       const by = contender === "player" ? contender : session.modelName;
       if (used === this.#kept[contender]) continue;
       this.#kept[contender] = used;
       // The attempts of a model that goes are not deleted.
-      if (by !== null) this.#store.set(id, by, session.attempts(contender), SIMULATOR_VERSION);
+      if (by !== null) this.#store.set(this.#task, by, session.attempts(contender), SIMULATOR_VERSION);
     }
   }
 }

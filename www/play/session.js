@@ -403,6 +403,20 @@ export class Session extends EventTarget {
   }
 
   /**
+   * Adds attempts that a model has made before.
+   * @param {Attempt[]} attempts
+   * @param {string} modelName
+   */
+  restoreModel(attempts, modelName) {
+    if (attempts.length === 0) return;
+    for (const attempt of attempts) {
+      if (this.puzzle.whyInvalid(...attempt.ball) === undefined) this.puzzle.addModelAttempt(attempt);
+    }
+    this.modelName = modelName;
+    this.#emit("change");
+  }
+
+  /**
    * Adds an attempt that the worker has simulated for a model.
    * @param {Attempt} attempt
    * @param {string} modelName
