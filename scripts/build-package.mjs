@@ -42,6 +42,7 @@ appendFileSync(join(stage, 'element/pathlight-puzzle.d.ts'), `declare global {
 `);
 place('package/README.md', 'README.md');
 place('LICENSE', 'LICENSE');
+place('assets/scene.schema.json', 'scene.schema.json');
 
 const entry = JSON.parse(read('assets/model.json')).models.find(({ name }) => name === MODEL);
 place(`assets/${entry.file}`, `assets/${entry.file}`);

@@ -5,8 +5,8 @@ use js_sys::Reflect;
 use pathlight::nets::{DynamicsNet, PathNet, flex};
 use pathlight::play::game::ATTEMPT_LIMIT;
 use pathlight::web::{
-    Model, Puzzle, SolveMap, auccess, constants, fold, palette, raster, scene, simulate, soft_iou, templates,
-    why_invalid,
+    Model, Puzzle, SolutionSearch, SolveMap, attempt_line, auccess, constants, fold, luck, own_scene, palette, raster,
+    scene, scene_problems, simulate, soft_iou, templates, verify_attempt, why_invalid,
 };
 use serde_json::Value;
 use wasm_bindgen::{JsCast, JsValue};
@@ -26,7 +26,7 @@ fn code(error: JsValue) -> String {
 }
 
 fn open(id: &str) -> Puzzle {
-    Puzzle::new(id).unwrap_or_else(|error| panic!("{id} does not open: {error:?}"))
+    Puzzle::new(id.into()).unwrap_or_else(|error| panic!("{id} does not open: {error:?}"))
 }
 
 /// Returns valid balls all over the scene.
@@ -55,7 +55,7 @@ fn every_template_opens_with_its_name_and_goal() {
 #[wasm_bindgen_test]
 fn an_unknown_task_is_an_error_with_a_code() {
     for id in ["", "00007", "00025:000", "00000:999", "7:13"] {
-        assert_eq!(code(Puzzle::new(id).err().expect("refused")), "bad_task", "{id}");
+        assert_eq!(code(Puzzle::new(id.into()).err().expect("refused")), "bad_task", "{id}");
     }
 }
 
@@ -196,7 +196,7 @@ fn a_script_simulates_what_the_game_attempts() {
     let mut puzzle = open(TASK);
     let (x, y, r) = balls(&puzzle).next().expect("a valid ball");
     let ball = |ball: [f64; 3]| serde_wasm_bindgen::to_value(&ball).expect("a ball");
-    let rollout = simulate(TASK, ball([x, y, r])).expect("a rollout");
+    let rollout = simulate(TASK.into(), ball([x, y, r])).expect("a rollout");
     let array = |name: &str| Reflect::get(&rollout, &name.into()).expect("an object");
     let poses = array("poses").dyn_into::<js_sys::Float32Array>().expect("poses").to_vec();
     let bodies = array("bodies").dyn_into::<js_sys::Uint32Array>().expect("bodies").to_vec();
@@ -205,18 +205,18 @@ fn a_script_simulates_what_the_game_attempts() {
     assert_eq!(touching.length() as usize, puzzle.steps() + 1);
     assert_eq!(poses.len(), (puzzle.steps() + 1) * bodies.len() * 3);
     assert_eq!(Reflect::get(&rollout, &"steps".into()).expect("steps"), attempt["ending"]["steps"].as_f64().unwrap());
-    let body_count = json(scene(TASK).expect("a scene"))["bodies"].as_array().expect("bodies").len();
+    let body_count = json(scene(TASK.into()).expect("a scene"))["bodies"].as_array().expect("bodies").len();
     assert_eq!(bodies.last().copied(), Some(body_count as u32), "the ball comes last");
     assert_eq!(poses[3 * (bodies.len() - 1)..][..2], [x as f32, y as f32]);
 
-    let invalid = simulate(TASK, ball([1.0, 250.0, 9.0])).expect("an outcome");
+    let invalid = simulate(TASK.into(), ball([1.0, 250.0, 9.0])).expect("an outcome");
     let status = Reflect::get(&invalid, &"status".into()).expect("a status");
     assert_eq!(status, "invalid");
-    let reason = why_invalid(TASK, ball([1.0, 250.0, 9.0])).expect("a task");
+    let reason = why_invalid(TASK.into(), ball([1.0, 250.0, 9.0])).expect("a task");
     assert_eq!(Reflect::get(&invalid, &"reason".into()).expect("a reason").as_string(), reason);
-    assert_eq!(code(simulate(TASK, JsValue::from("ball")).expect_err("refused")), "bad_data");
-    assert_eq!(code(simulate("7:13", JsValue::NULL).expect_err("refused")), "bad_task");
-    assert_eq!(raster(TASK).expect("five channels").len(), 5 * 64 * 64);
+    assert_eq!(code(simulate(TASK.into(), JsValue::from("ball")).expect_err("refused")), "bad_data");
+    assert_eq!(code(simulate("7:13".into(), JsValue::NULL).expect_err("refused")), "bad_task");
+    assert_eq!(raster(TASK.into()).expect("five channels").len(), 5 * 64 * 64);
 }
 
 #[wasm_bindgen_test]
@@ -231,9 +231,9 @@ fn the_folds_are_those_of_the_benchmark() {
 
 #[wasm_bindgen_test]
 fn a_solve_map_fills_up_and_refuses_unknown_tasks_and_radii() {
-    assert_eq!(code(SolveMap::new("7:13", 12.0).err().expect("refused")), "bad_task");
-    assert_eq!(code(SolveMap::new(TASK, f64::NAN).err().expect("refused")), "invalid_ball");
-    let mut map = SolveMap::new(TASK, 32.0).expect("a map");
+    assert_eq!(code(SolveMap::new("7:13".into(), 12.0).err().expect("refused")), "bad_task");
+    assert_eq!(code(SolveMap::new(TASK.into(), f64::NAN).err().expect("refused")), "invalid_ball");
+    let mut map = SolveMap::new(TASK.into(), 32.0).expect("a map");
     assert!(map.outcomes().iter().all(|&outcome| outcome == 0));
     for _ in 0..64 {
         assert!(map.advance());
@@ -274,10 +274,10 @@ fn values_have_the_fields_that_their_types_declare() {
     assert_eq!(fields(&json(palette(true).expect("colours"))), declared("Palette"));
     assert_eq!(fields(&json(templates().expect("a list"))[0]), declared("Template"));
     assert_eq!(fields(&json(fold("within".into(), 0.0).expect("a fold"))), declared("Fold"));
-    let scene = json(scene(TASK).expect("a scene"));
+    let scene = json(scene(TASK.into()).expect("a scene"));
     assert_eq!(fields(&scene), declared("Scene"));
     assert_eq!(fields(&scene["bodies"][0]), declared("Body"));
-    let rollout = simulate(TASK, JsValue::NULL).expect("a rollout");
+    let rollout = simulate(TASK.into(), JsValue::NULL).expect("a rollout");
     let mut names: Vec<String> =
         js_sys::Object::keys(&rollout.into()).iter().filter_map(|key| key.as_string()).collect();
     names.sort_unstable();
@@ -294,19 +294,19 @@ fn values_have_the_fields_that_their_types_declare() {
     expected.retain(|field| field != "judge");
     assert_eq!(fields(&card), expected);
     assert_eq!(fields(&card["dynamics"]), optional("DynamicsCard"));
-    let proposals = json(model.propose(TASK, 0, None).expect("proposals"));
+    let proposals = json(model.propose(TASK.into(), 0, None).expect("proposals"));
     assert_eq!(fields(&proposals[0]), declared("Proposal"));
     assert_eq!(proposals[0]["origin"]["kind"], "imagined");
-    assert_eq!(json(model.propose(TASK, 0, Some(3.0)).expect("three")).as_array().expect("a list").len(), 3);
+    assert_eq!(json(model.propose(TASK.into(), 0, Some(3.0)).expect("three")).as_array().expect("a list").len(), 3);
     for count in [0.0, 2.5, -1.0, 1001.0, f64::INFINITY, f64::NAN] {
-        assert_eq!(code(model.propose(TASK, 0, Some(count)).expect_err("refused")), "bad_data", "{count}");
+        assert_eq!(code(model.propose(TASK.into(), 0, Some(count)).expect_err("refused")), "bad_data", "{count}");
     }
 }
 
 #[wasm_bindgen_test]
 fn the_model_imagines_a_map_for_each_stage() {
     let model = Model::new(include_bytes!("../assets/within-0.safetensors")).expect("the shipped weights");
-    let maps = model.imagine(TASK).expect("maps");
+    let maps = model.imagine(TASK.into()).expect("maps");
     let stages = json(constants().expect("constants"))["stages"].clone();
     let stages: Vec<&str> = stages.as_array().expect("a list").iter().filter_map(Value::as_str).collect();
     let names: Vec<String> =
@@ -329,11 +329,11 @@ fn a_ball_is_imagined_by_weights_that_have_a_dynamics_net() {
     (nets.dynamics, card.dynamics) = (None, None);
     let without = Model::new(&nets.save(&card).expect("weights")).expect("a model");
     let ball = |x: f64, y: f64, r: f64| serde_wasm_bindgen::to_value(&[x, y, r]).expect("a ball");
-    assert!(without.imagine_ball(TASK, ball(128.0, 230.0, 8.0)).expect("no error").is_undefined());
-    assert!(without.candidates(TASK).expect("no error").is_undefined());
+    assert!(without.imagine_ball(TASK.into(), ball(128.0, 230.0, 8.0)).expect("no error").is_undefined());
+    assert!(without.candidates(TASK.into()).expect("no error").is_undefined());
     nets.dynamics = Some(DynamicsNet::new(&flex()));
     let model = Model::new(&nets.save(&card).expect("weights")).expect("a model");
-    let imagined = |id: &str, x: f64| model.imagine_ball(id, ball(x, 230.0, 8.0)).expect("a valid ball");
+    let imagined = |id: &str, x: f64| model.imagine_ball(id.into(), ball(x, 230.0, 8.0)).expect("a valid ball");
     let first = imagined(TASK, 128.0);
     let mut names: Vec<String> =
         js_sys::Object::keys(&first.clone().into()).iter().filter_map(|key| key.as_string()).collect();
@@ -352,15 +352,65 @@ fn a_ball_is_imagined_by_weights_that_have_a_dynamics_net() {
     assert_ne!(values(&imagined("00007:008", 128.0), "object"), values(&first, "object"));
     assert_eq!(values(&imagined(TASK, 128.0), "object"), values(&first, "object"));
     assert_ne!(values(&imagined(TASK, 90.0), "ball"), values(&first, "ball"));
-    let candidate = js_sys::Array::from(&model.candidates(TASK).expect("candidates")).get(0);
+    let candidate = js_sys::Array::from(&model.candidates(TASK.into()).expect("candidates")).get(0);
     let names = js_sys::Object::keys(&candidate.clone().into());
     assert_eq!(names.length() as usize, declared("Candidate").len());
     assert_eq!(values(&candidate, "object").len(), 32);
-    let tried = json(model.turn(TASK, 0).expect("a turn").attempt().expect("an attempt"));
+    let tried = json(model.turn(TASK.into(), 0).expect("a turn").attempt().expect("an attempt"));
     assert_eq!(fields(&tried), ["ball", "ending", "origin", "rejected"]);
     assert_eq!(tried["origin"]["kind"], "imagined");
-    let refused = |id: &str, ball: JsValue| code(model.imagine_ball(id, ball).expect_err("refused"));
+    let refused = |id: &str, ball: JsValue| code(model.imagine_ball(id.into(), ball).expect_err("refused"));
     assert_eq!(refused(TASK, ball(2.0, 2.0, 8.0)), "invalid_ball");
     assert_eq!(refused(TASK, JsValue::NULL), "bad_data");
     assert_eq!(refused("7:1", ball(128.0, 230.0, 8.0)), "bad_task");
+}
+
+/// A JavaScript value of JSON.
+fn js(value: &Value) -> JsValue {
+    js_sys::JSON::parse(&value.to_string()).expect("JSON")
+}
+
+#[wasm_bindgen_test]
+fn an_own_scene_takes_the_place_of_its_task() {
+    let own = own_scene(TASK.into()).expect("a task");
+    assert_eq!(json(scene(own.clone()).expect("a scene")), json(scene(TASK.into()).expect("a scene")));
+    assert_eq!(raster(own.clone()).expect("channels"), raster(TASK.into()).expect("channels"));
+    let about = json(Puzzle::new(own.clone()).expect("it opens").about().expect("words"));
+    assert_eq!((&about["id"], &about["name"]), (&Value::Null, &Value::from("Own scene")));
+    assert_eq!(scene_problems(own.clone()).map(json).expect("a list"), serde_json::json!([]));
+    let line = |played: JsValue| json(attempt_line(played, JsValue::NULL).expect("a line"));
+    let (of_own, of_task) = (line(own.clone()), line(TASK.into()));
+    assert_eq!((&of_own["digest"], of_own.get("task")), (&of_task["digest"], None));
+    for line in [&of_own, &of_task] {
+        assert_eq!(json(verify_attempt(js(line)).expect("a verdict"))["verdict"], "same");
+    }
+    let mut search = SolutionSearch::new(own.clone()).expect("it begins");
+    assert!(search.advance());
+    assert_eq!(fields(&json(search.found().expect("an object"))), declared("FoundSolutions"));
+    let ball = serde_wasm_bindgen::to_value(&[128.0, 250.0, 4.0]).expect("a ball");
+    assert_eq!(fields(&json(luck(own, ball).expect("two counts"))), declared("Luck"));
+}
+
+#[wasm_bindgen_test]
+fn foreign_values_are_sentences_and_never_crash() {
+    let nested = (0..20_000).fold(JsValue::NULL, |inner, _| js_sys::Array::of1(&inner).into());
+    let deep = js_sys::Object::new();
+    Reflect::set(&deep, &"version".into(), &nested).expect("an object");
+    Reflect::set(&deep, &"bodies".into(), &nested).expect("an object");
+    for value in [
+        JsValue::UNDEFINED,
+        JsValue::NULL,
+        7.into(),
+        "soup".into(),
+        js(&serde_json::json!({"version": 1})),
+        deep.into(),
+    ] {
+        let problems = json(scene_problems(value.clone()).expect("a list"));
+        assert!(problems[0]["sentence"].as_str().is_some_and(|sentence| sentence.ends_with('.')));
+        assert_eq!(json(verify_attempt(value).expect("a verdict"))["verdict"], "not_valid");
+    }
+    let mut own = json(own_scene(TASK.into()).expect("a task"));
+    own["bodies"][0]["x"] = 999.into();
+    assert_eq!(code(simulate(js(&own), JsValue::NULL).expect_err("refused")), "bad_scene");
+    assert_eq!(json(scene_problems(js(&own)).expect("a list"))[0]["body"], 0);
 }

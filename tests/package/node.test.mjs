@@ -98,7 +98,8 @@ test('a scene, its raster and a rollout fit together', async () => {
 test('bad input is refused in a sentence with a code', async () => {
   const pathlight = await load({ weights: null });
   const calls = {
-    bad_task: [() => pathlight.scene('7:8'), () => pathlight.scene(undefined), () => pathlight.raster(7), () => pathlight.simulate({}, null)],
+    bad_task: [() => pathlight.scene('7:8'), () => pathlight.scene(undefined), () => pathlight.raster(7)],
+    bad_scene: [() => pathlight.simulate({}, null)],
     bad_data: [() => pathlight.simulate(TASK, [1, 2]), () => pathlight.simulate(TASK, 'ball'), () => pathlight.fold('within', 10), () => pathlight.fold('both', 0), () => pathlight.auccess('all')],
     bad_map: [() => pathlight.softIou(new Float32Array(3), new Float32Array(3))],
     invalid_ball: [() => pathlight.solveMap(TASK, 1000).next()],

@@ -3,13 +3,16 @@
 use std::io::{self, BufRead, Read};
 
 use anyhow::{Context, bail, ensure};
+use pathlight::play::played::Played;
 use pathlight::puzzle::action::Ball;
+use pathlight::puzzle::own_scene::Problem;
 use pathlight::puzzle::recorded_paths::RecordedPaths;
 use pathlight::puzzle::rollout::Status;
 use pathlight::puzzle::sampled_paths::SampledPaths;
 use pathlight::puzzle::scene::{Scene, Shape};
 use pathlight::puzzle::task::TaskId;
 use serde::Deserialize;
+use serde_json::Value;
 
 /// Longest line, bytes. The paths of a rollout need about 10,000, a scene less.
 const MAX_LINE: u64 = 1 << 18;
@@ -23,6 +26,7 @@ const EXAMPLES: &str = r#"write a line like {"task":"00007:008"} or {"status":"n
 pub enum Line {
     Task(TaskId),
     Scene(Scene),
+    Own(Box<Played>),
     Outcome {
         /// The task and the ball that it is the outcome of, if the line names them, as those of `simulate` do.
         task: Option<TaskId>,
@@ -36,7 +40,7 @@ pub enum Line {
 #[derive(Deserialize)]
 struct Keys {
     task: Option<TaskId>,
-    scene: Option<Scene>,
+    scene: Option<Value>,
     ball: Option<Ball>,
     status: Option<Status>,
     paths: Option<RecordedPaths>,
@@ -60,13 +64,25 @@ impl Line {
                 Ok(Line::Outcome { task, ball, status, paths: paths.map(sampled).transpose()?.map(Box::new) })
             }
             Keys { task: Some(task), scene: None, status: None, .. } => Ok(Line::Task(task)),
-            Keys { task: None, scene: Some(scene), status: None, .. } => checked(scene).map(Line::Scene),
+            Keys { task: None, scene: Some(scene), status: None, .. } => scene_line(scene),
             Keys { task: None, scene: None, status: None, .. } => {
                 bail!("`task`, `scene` and `status` are missing; {EXAMPLES}")
             }
             _ => bail!("`task`, `scene` and `status` belong on lines of their own; {EXAMPLES}"),
         }
     }
+}
+
+/// Returns what a scene begins: an own scene has a version, others are as `tasks --json` prints them.
+fn scene_line(scene: Value) -> anyhow::Result<Line> {
+    if scene.get("version").is_none() {
+        let scene = serde_json::from_value(scene).map_err(|error| anyhow::anyhow!("{error}; {EXAMPLES}"))?;
+        return checked(scene).map(Line::Scene);
+    }
+    let sentence = |problem: Problem| problem.sentence;
+    Played::read(scene)
+        .map(|played| Line::Own(Box::new(played)))
+        .map_err(|problems| anyhow::anyhow!("{}", problems.into_iter().map(sentence).collect::<Vec<_>>().join(" ")))
 }
 
 /// Refuses a scene that the nets cannot see.

@@ -31,7 +31,7 @@ const BALLS: usize = 2 * MAX_ATTEMPTS;
 /// Play against any simulator: reads tasks and outcomes as JSON lines, answers each with the next ball
 ///
 /// {"task":"00007:008"} begins a puzzle; so does {"scene":{"body1","body2","bodies"}} with a scene as `tasks --json` prints
-/// it. The answer is {"task","ball":[x,y,r]}, px. {"status":"solved"|"not_solved"|"invalid"} tells what became of the ball;
+/// it or an own scene as `tasks --own` prints it. The answer is {"task","ball":[x,y,r]}, px. {"status":"solved"|"not_solved"|"invalid"} tells what became of the ball;
 /// "paths":{"object":[[x,y,angle],…],"ball":[…]} beside it, the poses at every tenth step from the start in px and radians,
 /// tell what happened and may be missing. The answer is the next ball, or "ball":null once the puzzle is solved, 100
 /// attempts are made or no ball is left. A line that cannot be used is answered with {"error"} and changes nothing; if there
@@ -129,8 +129,9 @@ struct Puzzle {
 impl Player {
     fn answer(&mut self, line: Line) -> anyhow::Result<Answer> {
         let puzzle = match line {
-            Line::Task(id) => self.begin(Some(id), &Task::load(id)?.scene),
-            Line::Scene(scene) => self.begin(None, &scene),
+            Line::Task(id) => self.begin(Some(id), id.seed(self.seed), &Task::load(id)?.scene),
+            Line::Scene(scene) => self.begin(None, self.seed, &scene),
+            Line::Own(played) => self.begin(None, played.id.seed(self.seed), &played.scene),
             Line::Outcome { task, ball, status, paths } => {
                 let Some(Puzzle { task: own, ball: Some(asked), .. }) = &self.puzzle else {
                     anyhow::bail!("no ball is waiting for its outcome: begin a puzzle with {{\"task\":\"00007:008\"}}");
@@ -148,8 +149,7 @@ impl Player {
         Ok(Answer::Next { task: puzzle.task, ball: puzzle.ball })
     }
 
-    fn begin(&mut self, task: Option<TaskId>, scene: &Scene) -> &Puzzle {
-        let seed = task.map_or(self.seed, |task| task.seed(self.seed));
+    fn begin(&mut self, task: Option<TaskId>, seed: u64, scene: &Scene) -> &Puzzle {
         let agent = self.agent.start(self.nets.as_ref(), scene, seed, BALLS);
         let mut puzzle = Puzzle { task, agent, ball: None, used: 0 };
         puzzle.propose();
