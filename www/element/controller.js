@@ -35,7 +35,10 @@ import { onShortcut } from "../shell/shortcuts.js";
 import { Tabs } from "../shell/tabs.js";
 import { INITIAL_STATE, formatFragment, formatState, parseState, showsPuzzle, viewOf, visiblePanels } from "../shell/url-state.js";
 import { Bend } from "../workshop/bend.js";
+import { Check } from "../workshop/check.js";
+import { Luck } from "../workshop/luck.js";
 import { Pictures } from "../workshop/pictures.js";
+import { Replays } from "../workshop/replays.js";
 import { ShareOwn } from "../workshop/share-own.js";
 import { knownScene, sceneOfText } from "../workshop/scene-link.js";
 
@@ -139,6 +142,7 @@ export class PuzzleController extends EventTarget {
       new ModelBadge(root, client, imagine),
       new ModelPair(root, module, client, scenePicture),
       bend, new ShareOwn(root, bend, this.#progress.player.persistent), new Pictures(root),
+      new Check(root, client), new Luck(root, client), new Replays(root, client),
       new Scoreboard(root, client, this.#progress, (task) => this.#hrefOf()?.(task, "compare") ?? null),
       new Overlays(root, this.#canvas, { bend, choice, forecast, imagine, predict, proposals, solveMap }),
     ];

@@ -1,6 +1,6 @@
 // The markup of the panels, as constant text; the tabs that show them are in markup.js.
 
-import { SAVE_MARKUP } from "../workshop/bend-markup.js";
+import { LUCK_MARKUP, REPLAYS_MARKUP, SAVE_MARKUP } from "../workshop/bend-markup.js";
 
 export const PANELS_MARKUP = `
 <div role="tabpanel" id="play" aria-labelledby="tab-play" tabindex="0" hidden>
@@ -38,6 +38,8 @@ export const PANELS_MARKUP = `
     <h2>Your attempts <span class="count" id="play-count"></span></h2>
     <ol class="attempts" id="play-attempts"></ol>
     <p class="empty" id="play-empty">None yet. A ball that may not be placed does not count.</p>
+    ${LUCK_MARKUP}
+    ${REPLAYS_MARKUP}
   </div>
   ${SAVE_MARKUP}
 </div>

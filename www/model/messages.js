@@ -35,13 +35,18 @@
  * @typedef {{ path: Float32Array, solved: boolean }} Watched
  */
 
+/** @typedef {import("../pkg/pathlight.js").FoundSolutions} FoundSolutions */
+/** @typedef {import("../pkg/pathlight.js").AttemptLine} AttemptLine */
+/** @typedef {import("../pkg/pathlight.js").Verification} Verification */
+
 /** @typedef {{ finished: boolean }} Finished */
 
 /**
  * The calls of the worker: their arguments and their values.
  * `start` takes the compiled wasm; `load` the name of weights in assets/model.json (null: the first); `propose` returns the
  * balls of a turn with what becomes of each; `imagineBall` and `consider` return null if the weights have no dynamics net;
- * `turn` tries them in order; `watch` runs the scene without a ball; `solve` maps where a ball of a radius (px) solves.
+ * `turn` tries them in order; `watch` runs the scene without a ball; `search` looks for
+ * solutions, `luck` tries the balls beside one; `attemptLines` simulates balls with their digests, `verify` simulates such lines again; `solve` maps where a ball of a radius (px) solves.
  * @typedef {object} Calls
  * @property {{ args: { module: WebAssembly.Module }, value: void }} start
  * @property {{ args: { name: string | null }, value: LoadedModel }} load
@@ -51,13 +56,17 @@
  * @property {{ args: { played: Played, seed: number }, value: import("../pkg/pathlight.js").TriedProposal[] }} propose
  * @property {{ args: { played: Played, seed: number }, value: Finished }} turn
  * @property {{ args: { played: Played }, value: Watched }} watch
+ * @property {{ args: { played: Played }, value: Finished }} search
+ * @property {{ args: { played: Played, ball: Ball }, value: import("../pkg/pathlight.js").Luck }} luck
+ * @property {{ args: { played: Played, balls: Ball[] }, value: AttemptLine[] }} attemptLines
+ * @property {{ args: { lines: unknown[] }, value: Verification[] }} verify
  * @property {{ args: { played: Played, radius: number }, value: Finished }} solve
  */
 
 /**
  * What a running request sends before its answer: the fraction of the weights that has arrived (null if unknown), an
- * attempt, or a map.
- * @typedef {{ progress?: number | null, attempt?: Attempt, map?: SolveMapUpdate }} Update
+ * attempt, a map, or what a search has found.
+ * @typedef {{ progress?: number | null, attempt?: Attempt, map?: SolveMapUpdate, found?: FoundSolutions }} Update
  */
 
 /**

@@ -110,6 +110,26 @@ export class SharedClient extends EventTarget {
     return this.#taken.watch(...args);
   }
 
+  /** @param {Parameters<WorkerClient["search"]>} args */
+  search(...args) {
+    return this.#taken.search(...args);
+  }
+
+  /** @param {Parameters<WorkerClient["luck"]>} args */
+  luck(...args) {
+    return this.#taken.luck(...args);
+  }
+
+  /** @param {Parameters<WorkerClient["attemptLines"]>} args */
+  attemptLines(...args) {
+    return this.#taken.attemptLines(...args);
+  }
+
+  /** @param {Parameters<WorkerClient["verify"]>} args */
+  verify(...args) {
+    return this.#taken.verify(...args);
+  }
+
   /** @param {Parameters<WorkerClient["solve"]>} args */
   solve(...args) {
     return this.#taken.solve(...args);

@@ -146,6 +146,45 @@ export class WorkerClient extends EventTarget {
   }
 
   /**
+   * Searches for solutions. Needs a worker, but no weights.
+   * @param {Played} played
+   * @param {AbortSignal} signal
+   * @param {(found: import("./messages.js").FoundSolutions) => void} onFound
+   */
+  search(played, signal, onFound) {
+    return this.#call("search", { played }, signal, ({ found }) => found && onFound(found));
+  }
+
+  /**
+   * How many of the balls beside a ball solve. Needs a worker, but no weights.
+   * @param {Played} played
+   * @param {import("./messages.js").Ball} ball
+   * @param {AbortSignal} signal
+   */
+  luck(played, ball, signal) {
+    return this.#call("luck", { played, ball }, signal);
+  }
+
+  /**
+   * Simulates balls and returns a line for each, with its digest. Needs a worker, but no weights.
+   * @param {Played} played
+   * @param {import("./messages.js").Ball[]} balls
+   * @param {AbortSignal} signal
+   */
+  attemptLines(played, balls, signal) {
+    return this.#call("attemptLines", { played, balls }, signal);
+  }
+
+  /**
+   * Simulates the attempts of lines again. Needs a worker, but no weights.
+   * @param {unknown[]} lines
+   * @param {AbortSignal} signal
+   */
+  verify(lines, signal) {
+    return this.#call("verify", { lines }, signal);
+  }
+
+  /**
    * Maps where a ball of a radius (px) solves. Needs a worker, but no weights.
    * @param {Played} played
    * @param {number} radius

@@ -13,7 +13,7 @@ const SLICE = 100;
 const WATCHED_STEPS = 4;
 
 /** @type {{ [Name in keyof Calls]: (args: Calls[Name]["args"], sendUpdate: SendUpdate, isCancelled: IsCancelled) => Calls[Name]["value"] | Promise<Calls[Name]["value"]> }} */
-const calls = { start, load, imagine, imagineBall, consider, propose, turn, watch, solve };
+const calls = { start, load, imagine, imagineBall, consider, propose, turn, watch, search, luck, attemptLines, verify, solve };
 
 /** @type {import("../api/pathlight.js").Pathlight} */
 let pathlight;
@@ -140,6 +140,63 @@ function watch({ played }) {
     points.push(poses[at], poses[at + 1]);
     if (step === steps) return { path: Float32Array.from(points), solved };
   }
+}
+
+/**
+ * Searches for solutions, and sends what it has found.
+ * @param {Calls["search"]["args"]} args
+ * @param {SendUpdate} sendUpdate
+ * @param {IsCancelled} isCancelled
+ */
+async function search({ played }, sendUpdate, isCancelled) {
+  let end = performance.now() + SLICE;
+  /** @type {() => import("./messages.js").FoundSolutions | undefined} */
+  let latest = () => undefined;
+  for (const { found } of pathlight.solutionSearch(played)) {
+    latest = found;
+    if (performance.now() < end) continue;
+    sendUpdate({ found: found() });
+    await yieldToMessages();
+    if (isCancelled()) return { finished: false };
+    end = performance.now() + SLICE;
+  }
+  sendUpdate({ found: latest() });
+  return { finished: true };
+}
+
+/** @param {Calls["luck"]["args"]} args */
+function luck({ played, ball }) {
+  return pathlight.luck(played, ball);
+}
+
+/**
+ * @param {Calls["attemptLines"]["args"]} args
+ * @param {SendUpdate} _
+ * @param {IsCancelled} isCancelled
+ */
+async function attemptLines({ played, balls }, _, isCancelled) {
+  const lines = [];
+  for (const ball of balls) {
+    lines.push(pathlight.attemptLine(played, ball));
+    await yieldToMessages();
+    if (isCancelled()) break;
+  }
+  return lines;
+}
+
+/**
+ * @param {Calls["verify"]["args"]} args
+ * @param {SendUpdate} _
+ * @param {IsCancelled} isCancelled
+ */
+async function verify({ lines }, _, isCancelled) {
+  const verifications = [];
+  for (const line of lines) {
+    verifications.push(pathlight.verifyAttempt(line));
+    await yieldToMessages();
+    if (isCancelled()) break;
+  }
+  return verifications;
 }
 
 /**

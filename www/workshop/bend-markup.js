@@ -44,6 +44,14 @@ export const BEND_MARKUP = `
     <p class="small" id="bend-maps-words"></p>
   </div>
   <p class="actions"><button type="button" id="bend-watch">Watch without a ball</button></p>
+  <section class="section" aria-labelledby="check-title">
+    <h2 id="check-title">Can it be solved?</h2>
+    <p class="actions"><button type="button" id="check-search"></button></p>
+    <p class="loading" id="check-progress" hidden><label>Trying <progress max="1" value="0"></progress></label></p>
+    <p id="check-words"></p>
+    <p class="actions"><button type="button" id="check-reveal" hidden>Show the easiest ball</button></p>
+    <p id="check-ball"></p>
+  </section>
   <form id="bend-share" class="ball-form" autocomplete="off" aria-label="Your puzzle">
     <label>Name <input type="text" id="bend-name" maxlength="60"></label>
     <div class="undoing">
@@ -53,6 +61,25 @@ export const BEND_MARKUP = `
   </form>
   <p class="small" id="bend-said"></p>
   <p class="hint">The address of this page holds the whole puzzle: copy the link, and whoever opens it plays what you made.</p>
+</div>
+`;
+
+/** For the panel Play: after a ball that solved. */
+export const LUCK_MARKUP = `
+<div id="luck" class="saving" hidden>
+  <button type="button" id="luck-ask">Luck or plan?</button>
+  <p id="luck-words"></p>
+</div>
+`;
+
+/** For the panel Play: the badge of a run, and attempts as files. */
+export const REPLAYS_MARKUP = `
+<div class="saving" role="group" aria-label="Attempts as files">
+  <button type="button" id="digest" class="badge" title="The digest of this run" hidden></button>
+  <button type="button" id="attempts-save">Save the attempts</button>
+  <span data-hideable="puzzles"><button type="button" id="attempts-open">Open attempts</button><input type="file" id="attempts-file" accept=".jsonl,.json" aria-label="A file of attempts" hidden></span>
+  <p class="small" id="attempts-words"></p>
+  <ol id="attempts-read" class="replays" data-hideable="puzzles"></ol>
 </div>
 `;
 

@@ -1,0 +1,90 @@
+// Attempts as files: a hundred made in the browser are saved with their digests, read back, the same to the bit, and replayed; what was
+// changed or is foreign is found out. The badge of a run names its digest.
+
+import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
+import { after, before, test } from 'node:test';
+import { start } from './harness.mjs';
+import { known, openPuzzle, playModelTurn, says, type, unsolvedTask } from './page-actions.mjs';
+
+let session;
+before(async () => (session = await start()));
+after(() => session.stop());
+
+async function savedAttempts(page) {
+  const [download] = await Promise.all([page.waitForEvent('download'), page.locator('#attempts-save').click()]);
+  assert.match(download.suggestedFilename(), /attempts\.jsonl$/);
+  return (await readFile(await download.path(), 'utf8')).trimEnd().split('\n').map((line) => JSON.parse(line));
+}
+
+function openAttempts(page, name, text) {
+  return page.locator('#attempts-file').setInputFiles({ name, mimeType: 'application/jsonl', buffer: Buffer.from(text) });
+}
+
+const words = (page, pattern) => page.locator('#attempts-words').filter({ hasText: pattern }).waitFor();
+
+test('a hundred attempts of the model are saved and come out the same, and one of them is replayed', async () => {
+  const page = await openPuzzle(session, { task: await unsolvedTask(), fragment: '&panel=compare', reducedMotion: true });
+  await playModelTurn(page);
+  await page.locator('#tab-play').click();
+  const lines = await savedAttempts(page);
+  assert.equal(lines.length, 100);
+  assert.ok(lines.every(({ digest, ball, status }) => /^[0-9a-f]{64}$/.test(digest) && ball.length === 3 && status));
+  const other = await openPuzzle(session, { reducedMotion: true });
+  await openAttempts(other, 'hundred.jsonl', lines.map((line) => JSON.stringify(line)).join('\n'));
+  await words(other, 'hundred.jsonl: 100 of 100 attempts come out the same to the bit');
+  await other.locator('#attempts-read button').nth(41).click();
+  await says(other, /ball|attempt/i);
+  await other.waitForFunction((task) => location.hash.includes(task), lines[41].task);
+  assert.equal(await other.locator('#ball-x').inputValue(), String(lines[41].ball[0]));
+});
+
+test('an attempt that was changed is found out, and a foreign file is a sentence', async () => {
+  const page = await openPuzzle(session, { reducedMotion: true });
+  const { solving, missing } = await known();
+  for (const one of [solving, missing]) {
+    await type(page, one);
+    await page.locator('#run').click();
+    await says(page, /^(Solved|Not solved)/);
+  }
+  const [line] = await savedAttempts(page);
+  const changed = [{ ...line, steps: line.steps + 1 }, { ...line, digest: '0'.repeat(64) }, { ...line, ball: [-9, 0, 5] }, { beach: true }];
+  await openAttempts(page, 'changed.jsonl', [line, ...changed].map((one) => JSON.stringify(one)).join('\n'));
+  await words(page, 'changed.jsonl: 1 of 5 attempts come out the same to the bit');
+  for (const [name, text] of [['noise.jsonl', '\u0001 noise'], ['empty.jsonl', '\n']]) {
+    await openAttempts(page, name, text);
+    await words(page, new RegExp(`${name} is not a file of attempts`));
+    assert.equal(await page.locator('#attempts-read li').count(), 5);
+  }
+});
+
+test('an attempt at an own scene carries the scene', async () => {
+  const page = await openPuzzle(session, { fragment: '&panel=bend', reducedMotion: true });
+  await page.locator('[data-adds=bar]').click();
+  await page.waitForFunction(() => /scene=/.test(location.hash));
+  await page.locator('#tab-play').click();
+  await type(page, [30, 240, 8]);
+  await page.locator('#run').click();
+  await says(page, /attempt/);
+  const [line] = await savedAttempts(page);
+  assert.equal(line.task, undefined);
+  assert.ok(line.scene.bodies.length > 2);
+  const other = await openPuzzle(session, { reducedMotion: true });
+  await openAttempts(other, 'own.jsonl', JSON.stringify(line));
+  await words(other, '1 of 1 attempts');
+  await other.locator('#attempts-read button').click();
+  await other.locator('#puzzle-name').filter({ hasText: 'bent' }).waitFor();
+});
+
+test('the badge of a run names its digest and has it computed again', async () => {
+  const page = await openPuzzle(session, { reducedMotion: true });
+  assert.equal(await page.locator('#digest').isVisible(), false);
+  const { missing } = await known();
+  await type(page, missing);
+  await page.locator('#run').click();
+  await says(page, /^Not solved/);
+  const [{ digest }] = await savedAttempts(page);
+  assert.equal(await page.locator('#digest').textContent(), `#${digest.slice(0, 8)}`);
+  await page.locator('#digest').click();
+  await words(page, 'the same, to the bit');
+});

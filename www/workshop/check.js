@@ -1,0 +1,115 @@
+// "Can it be solved?": the worker tries the balls of a grid on the open puzzle, and says how many solve it and how that compares
+// with the benchmark. The easiest ball stays hidden until it is asked for. It can be stopped, and ends when the puzzle is left.
+
+import { Component } from "../shell/component.js";
+import { find, setText } from "../shell/dom.js";
+
+/** @typedef {import("../pkg/pathlight.js").FoundSolutions} FoundSolutions */
+
+export class Check extends Component {
+  #client;
+  #button = this.byId("check-search");
+  /**
+   * The search that runs.
+   * @type {AbortController | null}
+   */
+  #search = null;
+  /** @type {FoundSolutions | null} */
+  #found = null;
+  /** @type {string | null} */
+  #failure = null;
+  #revealed = false;
+
+  /**
+   * @param {import("../shell/dom.js").Root} root
+   * @param {import("../model/shared-client.js").SharedClient} client
+   */
+  constructor(root, client) {
+    super(root);
+    this.#client = client;
+    this.#button.addEventListener("click", () => (this.#search ? this.#end(this.#search) : this.#start()));
+    this.byId("check-reveal").addEventListener("click", () => this.#reveal());
+  }
+
+  /** @param {import("../play/session.js").Session} session */
+  open(session) {
+    super.open(session);
+    this.#update();
+  }
+
+  close() {
+    super.close();
+    this.#search?.abort();
+    this.#search = null;
+    this.#found = null;
+    this.#failure = null;
+    this.#revealed = false;
+  }
+
+  async #start() {
+    const { session } = this;
+    if (!session) return;
+    if (!this.#client.alive) this.requestModel();
+    const search = (this.#search = new AbortController());
+    this.#found = null;
+    this.#failure = null;
+    this.#revealed = false;
+    this.#update();
+    try {
+      await this.#client.search(session.played, search.signal, (found) => {
+        this.#found = found;
+        this.#update();
+      });
+    } catch (error) {
+      if (!search.signal.aborted) this.#failure = `The search ended: ${/** @type {Error} */ (error).message} Press the button to search again.`;
+    }
+    if (search === this.#search) this.#end(search);
+  }
+
+  /** @param {AbortController} search */
+  #end(search) {
+    search.abort();
+    this.#search = null;
+    this.#update();
+    this.announce(this.byId("check-words").textContent ?? "");
+  }
+
+  #reveal() {
+    const ball = this.#found?.easiest;
+    if (!ball || !this.session) return;
+    this.#revealed = true;
+    this.session.place(ball);
+    this.#update();
+    this.announce(this.byId("check-ball").textContent ?? "");
+  }
+
+  #update() {
+    const found = this.#found;
+    setText(this.#button, this.#search ? "Stop" : "Can it be solved?");
+    this.byId("check-progress").hidden = this.#search === null;
+    find(this.byId("check-progress"), "progress", HTMLProgressElement).value = found?.progress ?? 0;
+    setText(this.byId("check-words"), this.#failure ?? (found ? words(found) : ""));
+    const ball = found?.easiest ?? null;
+    this.byId("check-reveal").hidden = ball === null || this.#revealed;
+    setText(this.byId("check-ball"), ball && this.#revealed ? `The easiest ball is at x ${ball[0]}, y ${ball[1]} with radius ${ball[2]}: it lies in the scene now. Press Run.` : "");
+  }
+}
+
+/**
+ * What was found, in sentences.
+ * @param {FoundSolutions} found
+ */
+function words({ progress, valid, solved, solves_itself: solvesItself, rank }) {
+  const sentences = [];
+  if (solvesItself) sentences.push("The scene solves itself, without any ball.");
+  const tried = `${valid.toLocaleString("en")} balls${progress < 1 ? " so far" : ""}`;
+  sentences.push(solved === 0 ? `None found in ${tried}.` : `It can be solved: ${solved.toLocaleString("en")} of ${tried} solve it, ${share(solved / valid)}.`);
+  if (progress === 1 && solved > 0 && rank !== null) sentences.push(`Of the benchmark’s puzzles ${Math.round(100 * rank)} % are harder.`);
+  if (progress === 1 && solved === 0) sentences.push("A ball between those of the grid may still solve it.");
+  return sentences.join(" ");
+}
+
+/** @param {number} fraction */
+function share(fraction) {
+  return fraction < 0.001 ? "less than one in a thousand" : `${(100 * fraction).toFixed(fraction < 0.01 ? 1 : 0)} %`;
+}

@@ -1,0 +1,159 @@
+// Attempts as files: saves those at the open puzzle, opens files of anybody, simulates each attempt again in the worker, says whether
+// the same comes out to the bit, and replays it. Also the badge on a run that has ended: the first characters of its digest.
+
+import { Component } from "../shell/component.js";
+import { createButton, setText } from "../shell/dom.js";
+import { pathlight } from "../shell/pathlight.js";
+import { readAttempts, saveAttempts } from "./attempt-file.js";
+import { textOfScene } from "./scene-link.js";
+
+/** @typedef {import("../pkg/pathlight.js").AttemptLine} AttemptLine */
+/** @typedef {import("../pkg/pathlight.js").Verification} Verification */
+/** @typedef {import("../pkg/pathlight.js").Ball} Ball */
+
+/** So many characters of a digest tell two runs apart for the eye. */
+const BADGE_LENGTH = 8;
+
+export class Replays extends Component {
+  #client;
+  #input = this.byId("attempts-file", HTMLInputElement);
+  #badge = this.byId("digest", HTMLButtonElement);
+  /**
+   * Runs while the lines of a file are verified.
+   * @type {AbortController | null}
+   */
+  #call = null;
+  /**
+   * The run whose line is known: simulated once, not at every change.
+   * @type {{ shown: object | null, phase: string, line: AttemptLine } | null}
+   */
+  #known = null;
+
+  /**
+   * @param {import("../shell/dom.js").Root} root
+   * @param {import("../model/shared-client.js").SharedClient} client
+   */
+  constructor(root, client) {
+    super(root);
+    this.#client = client;
+    this.byId("attempts-save").addEventListener("click", () => this.#save());
+    this.byId("attempts-open").addEventListener("click", () => this.#input.click());
+    this.#input.addEventListener("change", () => this.#open());
+    this.#badge.addEventListener("click", () => this.#explain());
+  }
+
+  /** @param {import("../play/session.js").Session} session */
+  open(session) {
+    super.open(session);
+    this.#known = null;
+    this.listen("change", () => this.#update());
+    this.#update();
+  }
+
+  async #save() {
+    const { session } = this;
+    if (!session) return;
+    const balls = /** @type {const} */ (["player", "model"]).flatMap((contender) => session.attempts(contender).map(({ ball }) => ball));
+    try {
+      const lines = await this.#asked().attemptLines(session.played, balls, new AbortController().signal);
+      saveAttempts(session.about.name, lines);
+      this.#say(`${lines.length === 1 ? "One attempt is" : `${lines.length} attempts are`} saved: “pathlight verify” simulates them again.`);
+    } catch (error) {
+      this.#say(/** @type {Error} */ (error).message);
+    }
+  }
+
+  async #open() {
+    const [file] = this.#input.files ?? [];
+    this.#input.value = "";
+    if (!file) return;
+    this.#call?.abort();
+    const call = (this.#call = new AbortController());
+    try {
+      const lines = await readAttempts(file);
+      this.#say("Each attempt is simulated again.");
+      const verifications = await this.#asked().verify(lines, call.signal);
+      if (call.signal.aborted) return;
+      this.byId("attempts-read").replaceChildren(...lines.map((line, index) => this.#item(line, verifications[index])));
+      const same = verifications.filter(({ verdict }) => verdict === "same").length;
+      this.#say(`${file.name}: ${same} of ${lines.length} attempts come out the same to the bit.`);
+    } catch (error) {
+      if (!call.signal.aborted) this.#say(/** @type {Error} */ (error).message);
+    }
+  }
+
+  /** The worker; a lesson that shows nothing of the model has not started it. */
+  #asked() {
+    if (!this.#client.alive) this.requestModel();
+    return this.#client;
+  }
+
+  /**
+   * @param {unknown} line
+   * @param {Verification} verification
+   */
+  #item(line, verification) {
+    const item = document.createElement("li");
+    if (verification.verdict === "not_valid") {
+      item.textContent = verification.reason;
+      return item;
+    }
+    // What was simulated again has the form of an attempt.
+    const attempt = /** @type {AttemptLine} */ (line);
+    const { task, scene, ball, status, steps } = attempt;
+    const place = ball ? `x ${ball[0]}, y ${ball[1]}, radius ${ball[2]}` : "no ball";
+    const words = verification.verdict === "same" ? `${status === "solved" ? "solved" : "not solved"} in ${steps} steps, the same to the bit` : verification.reason;
+    item.append(createButton(`${task ?? scene?.name ?? "Own puzzle"}, ${place}: ${words}`, () => this.#replay(attempt)));
+    return item;
+  }
+
+  /** @param {AttemptLine} attempt */
+  async #replay({ task, scene, ball }) {
+    const text = scene ? await textOfScene(pathlight.ownScene(scene)) : null;
+    this.requestState({ task: text === null ? (task ?? null) : null, scene: text, ball, proposal: null, panel: "play" });
+    const { session } = this;
+    if (!session) return;
+    session.reset();
+    if (ball) session.run();
+    else session.watch();
+  }
+
+  async #explain() {
+    const line = this.#line;
+    if (!line) return;
+    try {
+      const [again] = await this.#asked().verify([line], new AbortController().signal);
+      const agrees = again.verdict === "same" ? "A second instance of the simulator has just computed the same, to the bit" : again.reason;
+      this.#say(`${line.digest.slice(0, BADGE_LENGTH)}… is the SHA-256 of all ${line.steps + 1} steps of this run. ${agrees}. Save the attempts, and “pathlight verify” compares them with the native program.`);
+    } catch (error) {
+      this.#say(/** @type {Error} */ (error).message);
+    }
+  }
+
+  /** The line of the run that is shown and has ended, or null. */
+  get #line() {
+    const { session } = this;
+    if (!session?.finished || session.phase === "compare" || session.placing) return null;
+    if (this.#known?.shown !== session.shown || this.#known.phase !== session.phase) {
+      this.#known = { shown: session.shown, phase: session.phase, line: pathlight.attemptLine(session.played, session.shown?.ball ?? null) };
+    }
+    return this.#known.line;
+  }
+
+  #update() {
+    const { session } = this;
+    if (!session) return;
+    this.byId("attempts-save", HTMLButtonElement).disabled = session.standing("player").used + session.standing("model").used === 0;
+    const line = this.#line;
+    this.#badge.hidden = line === null;
+    if (!line) return;
+    setText(this.#badge, `#${line.digest.slice(0, BADGE_LENGTH)}`);
+    this.#badge.setAttribute("aria-label", `Digest of this run: ${line.digest.slice(0, BADGE_LENGTH)}`);
+  }
+
+  /** @param {string} words */
+  #say(words) {
+    setText(this.byId("attempts-words"), words);
+    this.announce(words);
+  }
+}
