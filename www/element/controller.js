@@ -254,7 +254,7 @@ export class PuzzleController extends EventTarget {
     this.#stageView?.onKeydown(event);
     onShortcut(event, {
       session: this.#session,
-      history: this.#state.panel === "bend" ? this.#bend : this.#session,
+      undoing: this.#state.panel === "bend" ? this.#bend : this.#session,
       scene: this.#canvas,
       showPanel: (index) => {
         const panel = visiblePanels(this.#state)[index];

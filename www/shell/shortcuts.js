@@ -7,7 +7,7 @@
  * What the shortcuts act on. The session is null while no puzzle is open.
  * @typedef {object} ShortcutTarget
  * @property {Session | null} session
- * @property {{ undo(): void, redo(): void } | null} history what undo and redo act on
+ * @property {{ undo(): void, redo(): void } | null} undoing what undo and redo act on
  * @property {{ onKeydown(event: KeyboardEvent): void }} scene
  * @property {(index: number) => void} showPanel
  * @property {() => void} showKeys
@@ -25,7 +25,7 @@ const OWN_KEYS = "input[type=number], select, dialog";
 export function onShortcut(event, puzzle) {
   const { ctrlKey, metaKey, altKey, target } = event;
   if (event.defaultPrevented || altKey || !(target instanceof Element)) return;
-  const act = ctrlKey || metaKey ? undoAction(event, target, puzzle.history) : plainAction(event, target, puzzle);
+  const act = ctrlKey || metaKey ? undoAction(event, target, puzzle.undoing) : plainAction(event, target, puzzle);
   if (act) {
     event.preventDefault();
     act();
@@ -48,13 +48,13 @@ export function leavesPlainKeys(target) {
  * another field, and the page would not hear of it.
  * @param {KeyboardEvent} event
  * @param {Element} target
- * @param {ShortcutTarget["history"]} history
+ * @param {ShortcutTarget["undoing"]} undoing
  * @returns {(() => void) | undefined}
  */
-function undoAction({ key, shiftKey }, target, history) {
-  if (!history || target.closest("dialog")) return undefined;
+function undoAction({ key, shiftKey }, target, undoing) {
+  if (!undoing || target.closest("dialog")) return undefined;
   /** @type {Record<string, () => void>} */
-  const actions = { z: () => (shiftKey ? history.redo() : history.undo()), y: () => history.redo() };
+  const actions = { z: () => (shiftKey ? undoing.redo() : undoing.undo()), y: () => undoing.redo() };
   return actions[key.toLowerCase()];
 }
 

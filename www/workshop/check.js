@@ -85,7 +85,7 @@ export class Check extends Component {
 
   #update() {
     const found = this.#found;
-    setText(this.#button, this.#search ? "Stop" : "Can it be solved?");
+    setText(this.#button, this.#search ? "Stop" : "Search for solutions");
     this.byId("check-progress").hidden = this.#search === null;
     find(this.byId("check-progress"), "progress", HTMLProgressElement).value = found?.progress ?? 0;
     setText(this.byId("check-words"), this.#failure ?? (found ? words(found) : ""));

@@ -36,7 +36,7 @@ export class Draft extends EventTarget {
   #selected = null;
   #limits;
   /** @type {UndoStack<string>} */
-  #history;
+  #undoStack;
 
   /**
    * @param {OwnScene} scene
@@ -46,7 +46,7 @@ export class Draft extends EventTarget {
     super();
     this.#scene = scene;
     this.#limits = limits;
-    this.#history = new UndoStack(JSON.stringify(scene));
+    this.#undoStack = new UndoStack(JSON.stringify(scene));
   }
 
   /** The scene as it is now; never changed in place. */
@@ -65,11 +65,11 @@ export class Draft extends EventTarget {
   }
 
   get canUndo() {
-    return this.#history.canUndo;
+    return this.#undoStack.canUndo;
   }
 
   get canRedo() {
-    return this.#history.canRedo;
+    return this.#undoStack.canRedo;
   }
 
   get canAdd() {
@@ -211,11 +211,11 @@ export class Draft extends EventTarget {
   }
 
   undo() {
-    if (this.canUndo) this.#restore(this.#history.undo());
+    if (this.canUndo) this.#restore(this.#undoStack.undo());
   }
 
   redo() {
-    if (this.canRedo) this.#restore(this.#history.redo());
+    if (this.canRedo) this.#restore(this.#undoStack.redo());
   }
 
   /**
@@ -251,7 +251,7 @@ export class Draft extends EventTarget {
    */
   #set(scene, gesture = null) {
     this.#scene = scene;
-    this.#history.push(JSON.stringify(scene), gesture);
+    this.#undoStack.push(JSON.stringify(scene), gesture);
     this.#changed();
   }
 

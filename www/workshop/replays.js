@@ -4,6 +4,7 @@
 import { Component } from "../shell/component.js";
 import { createButton, setText } from "../shell/dom.js";
 import { pathlight } from "../shell/pathlight.js";
+import { readNativeAttempts } from "../model/native-attempts.js";
 import { readAttempts, saveAttempts } from "./attempt-file.js";
 import { textOfScene } from "./scene-link.js";
 
@@ -122,9 +123,11 @@ export class Replays extends Component {
     const line = this.#line;
     if (!line) return;
     try {
-      const [again] = await this.#asked().verify([line], new AbortController().signal);
-      const agrees = again.verdict === "same" ? "A second instance of the simulator has just computed the same, to the bit" : again.reason;
-      this.#say(`${line.digest.slice(0, BADGE_LENGTH)}… is the SHA-256 of all ${line.steps + 1} steps of this run. ${agrees}. Save the attempts, and “pathlight verify” compares them with the native program.`);
+      const native = await readNativeAttempts();
+      const [again, ...others] = await this.#asked().verify([line, ...native], new AbortController().signal);
+      const agrees = again.verdict === "same" ? "A second instance of the simulator has just computed the same, to the bit." : again.reason;
+      const same = others.filter(({ verdict }) => verdict === "same").length;
+      this.#say(`${line.digest.slice(0, BADGE_LENGTH)}… is the SHA-256 of all poses of this run. ${agrees} ${native.length ? `Of ${native.length} runs whose digests the native program has shipped, this browser computes ${same} to the bit. ` : ""}Save the attempts, and “pathlight verify” compares this one too.`);
     } catch (error) {
       this.#say(/** @type {Error} */ (error).message);
     }
