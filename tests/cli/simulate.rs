@@ -58,7 +58,7 @@ fn an_invalid_ball_is_an_answer_with_a_reason() {
 
 #[test]
 fn refuses_what_is_no_ball_in_words() {
-    assert_refused(&["simulate"], "--task <TASK>|--batch <FILE>");
+    assert_refused(&["simulate"], "--task <TASK>|--scene <FILE>|--batch <FILE>");
     assert_refused(&["simulate", "--task", TASK, "--ball", "128.5,200,15"], "whole numbers of px");
     assert_refused(&["simulate", "--task", TASK, "--ball", "NaN,200,15"], "whole numbers of px");
     assert_refused(&["simulate", "--task", TASK, "--ball", "1,2"], "three whole numbers");
