@@ -25,7 +25,7 @@ const UNVERSIONED = /^(manifest\.webmanifest|icon\.svg|icons\/.*\.png)$/;
 const LAZY_ASSETS = ["results.json", "attempts.jsonl"];
 const VERSIONED = /\.(js|css|wasm)$/;
 /** Pictures do not become smaller. */
-const COMPRESSIBLE = new Set([".html", ".css", ".js", ".json", ".svg", ".wasm", ".webmanifest", ".safetensors"]);
+const COMPRESSIBLE = new Set([".html", ".css", ".js", ".json", ".jsonl", ".svg", ".wasm", ".webmanifest", ".safetensors"]);
 /** Stands for the version until it is known. */
 const PLACEHOLDER = "VERSION";
 
