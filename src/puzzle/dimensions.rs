@@ -158,7 +158,7 @@ pub fn radians(degrees: f64) -> f64 {
     degrees / 180.0 * std::f64::consts::PI
 }
 
-#[cfg(test)]
+#[cfg(all(test, not(target_arch = "wasm32")))]
 mod tests {
     use super::*;
     use crate::puzzle::scene::Role;
