@@ -19,7 +19,7 @@ use crate::puzzle::scene::{SIZE, Scene};
 /// Balls whose answers are computed together: the columns of the matrix products.
 const BLOCK: usize = 16;
 
-/// What the mean of the two logits is multiplied by. Trained nets are too sure of new scenes, and the likeliest of many balls
+/// What the mean of the three logits is multiplied by. Trained nets are too sure of new scenes, and the likeliest of many balls
 /// are those that the net is most wrong about. Set by hand, not tuned.
 const CONFIDENCE: f32 = 0.7;
 
@@ -30,7 +30,7 @@ pub struct ImaginedBall {
     /// Expected distance between imagined and real positions at each sample: of the object, then of the ball, px.
     pub errors: [f32; POSITIONS],
     /// The logit of the chance that the ball solves: the mean of the one that is read from the paths and the features that
-    /// draw them, and of the one of the ball's cell, times `CONFIDENCE`.
+    /// draw them, of the one from the paths alone, and of the one of the ball's cell, times `CONFIDENCE`.
     pub logit: f32,
     /// The logit from the paths alone.
     pub path_logit: f32,
@@ -214,7 +214,7 @@ impl ReadScene {
         for (imagined, &ball) in imagined.iter_mut().zip(balls) {
             // Only a ball that is not valid has no cell.
             let of_cell = logit_index(ball).map_or(imagined.logit, |index| self.logits[index]);
-            imagined.logit = CONFIDENCE * (imagined.logit + of_cell) / 2.0;
+            imagined.logit = CONFIDENCE * (imagined.logit + imagined.path_logit + of_cell) / 3.0;
         }
         imagined
     }
