@@ -70,54 +70,14 @@ impl Bitmap {
     }
 
     /// Draws a body at a pose.
-    fn draw(&mut self, body: &Body, [x, y, angle]: Pose) {
-        let placed = Body { x: x.into(), y: y.into(), angle: angle.into(), ..body.clone() };
-        for shape in &placed.shapes {
-            match shape {
-                Shape::Circle(radius) => self.disc(placed.x, placed.y, *radius),
-                Shape::Polygon(corners) => {
-                    let corners: Vec<_> = corners.iter().map(|&corner| placed.to_scene(corner)).collect();
-                    self.polygon(&corners);
-                }
-            }
-        }
+    fn draw(&mut self, body: &Body, pose: Pose) {
+        body_spans(body, pose, |span| self.mark(span));
     }
 
-    /// Draws a disc; centre and radius in px.
-    fn disc(&mut self, x: f64, y: f64, radius: f64) {
-        self.fill(y - radius, y + radius, |height| {
-            let half = (radius * radius - (height - y) * (height - y)).max(0.0).sqrt();
-            Some((x - half, x + half))
-        });
-    }
-
-    /// Draws a convex polygon; corners in px.
-    fn polygon(&mut self, corners: &[[f64; 2]]) {
-        let bottom = corners.iter().map(|corner| corner[1]).fold(f64::INFINITY, f64::min);
-        let top = corners.iter().map(|corner| corner[1]).fold(f64::NEG_INFINITY, f64::max);
-        self.fill(bottom, top, |height| {
-            let mut span = None::<(f64, f64)>;
-            for (a, b) in corners.iter().zip(corners.iter().cycle().skip(1)) {
-                if (a[1] <= height) != (b[1] <= height) {
-                    let x = a[0] + (height - a[1]) / (b[1] - a[1]) * (b[0] - a[0]);
-                    span = Some(span.map_or((x, x), |(left, right)| (left.min(x), right.max(x))));
-                }
-            }
-            span
-        });
-    }
-
-    /// Scan conversion: sets every cell that has a pixel whose centre lies in the span of its scan line. `span` returns
-    /// the left and right end of a line at a height, all px.
-    fn fill(&mut self, bottom: f64, top: f64, span: impl Fn(f64) -> Option<(f64, f64)>) {
-        for line in first_pixel(bottom)..end_pixel(top) {
-            let Some((left, right)) = span(line as f64 + 0.5) else { continue };
-            let (start, end) = (first_pixel(left), end_pixel(right));
-            if start < end {
-                let (low, high) = (start / PX_PER_CELL, (end - 1) / PX_PER_CELL);
-                self.0[line / PX_PER_CELL] |= u64::MAX >> (SIDE - 1 - (high - low)) << low;
-            }
-        }
+    /// Sets the cells of a span.
+    fn mark(&mut self, Span { line, start, end }: Span) {
+        let (low, high) = (start / PX_PER_CELL, (end - 1) / PX_PER_CELL);
+        self.0[line / PX_PER_CELL] |= u64::MAX >> (SIDE - 1 - (high - low)) << low;
     }
 }
 
@@ -125,6 +85,81 @@ impl std::ops::BitOrAssign for Bitmap {
     fn bitor_assign(&mut self, other: Bitmap) {
         for (row, more) in self.0.iter_mut().zip(other.0) {
             *row |= more;
+        }
+    }
+}
+
+/// How much of each cell is covered, row by row: how many of its pixels, `0..=PX_PER_CELL * PX_PER_CELL`. Unlike a `Bitmap` it
+/// tells where within a cell an edge lies.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Coverage(Vec<u8>);
+
+impl Coverage {
+    /// Returns 4,096 values in 0..=1: the covered share of each cell.
+    pub fn to_f32(&self) -> impl Iterator<Item = f32> + use<'_> {
+        self.0.iter().map(|&pixels| f32::from(pixels) / (PX_PER_CELL * PX_PER_CELL) as f32)
+    }
+
+    /// Returns the image flipped left to right.
+    pub fn mirrored(&self) -> Coverage {
+        Coverage(self.0.chunks_exact(SIDE).flat_map(|row| row.iter().rev()).copied().collect())
+    }
+}
+
+/// Pixels of a line, at least one, in the scene.
+struct Span {
+    line: usize,
+    start: usize,
+    end: usize,
+}
+
+/// Scan conversion of a body at a pose: the pixels whose centres lie in it.
+fn body_spans(body: &Body, [x, y, angle]: Pose, mut mark: impl FnMut(Span)) {
+    let placed = Body { x: x.into(), y: y.into(), angle: angle.into(), ..body.clone() };
+    for shape in &placed.shapes {
+        match shape {
+            Shape::Circle(radius) => disc_spans(placed.x, placed.y, *radius, &mut mark),
+            Shape::Polygon(corners) => {
+                let corners: Vec<_> = corners.iter().map(|&corner| placed.to_scene(corner)).collect();
+                polygon_spans(&corners, &mut mark);
+            }
+        }
+    }
+}
+
+/// The pixels of a disc; centre and radius in px.
+fn disc_spans(x: f64, y: f64, radius: f64, mark: impl FnMut(Span)) {
+    let ends = |height: f64| {
+        let half = (radius * radius - (height - y) * (height - y)).max(0.0).sqrt();
+        Some((x - half, x + half))
+    };
+    spans(y - radius, y + radius, ends, mark);
+}
+
+/// The pixels of a convex polygon; corners in px.
+fn polygon_spans(corners: &[[f64; 2]], mark: impl FnMut(Span)) {
+    let bottom = corners.iter().map(|corner| corner[1]).fold(f64::INFINITY, f64::min);
+    let top = corners.iter().map(|corner| corner[1]).fold(f64::NEG_INFINITY, f64::max);
+    let ends = |height: f64| {
+        let mut ends = None::<(f64, f64)>;
+        for (a, b) in corners.iter().zip(corners.iter().cycle().skip(1)) {
+            if (a[1] <= height) != (b[1] <= height) {
+                let x = a[0] + (height - a[1]) / (b[1] - a[1]) * (b[0] - a[0]);
+                ends = Some(ends.map_or((x, x), |(left, right)| (left.min(x), right.max(x))));
+            }
+        }
+        ends
+    };
+    spans(bottom, top, ends, mark);
+}
+
+/// The pixels of a shape line by line. `ends` returns the left and right end of a line at a height, all px.
+fn spans(bottom: f64, top: f64, ends: impl Fn(f64) -> Option<(f64, f64)>, mut mark: impl FnMut(Span)) {
+    for line in first_pixel(bottom)..end_pixel(top) {
+        let Some((left, right)) = ends(line as f64 + 0.5) else { continue };
+        let (start, end) = (first_pixel(left), end_pixel(right));
+        if start < end {
+            mark(Span { line, start, end });
         }
     }
 }
@@ -139,21 +174,45 @@ fn end_pixel(coordinate: f64) -> usize {
     ((coordinate - 0.5).floor() + 1.0).clamp(0.0, SIZE) as usize
 }
 
+/// The roles of the channels.
+const ROLES: [Role; CHANNELS] = [Role::Green, Role::Blue, Role::Purple, Role::Gray, Role::Black];
+
 /// Returns the five channels of a scene at its start.
 pub fn scene_channels(scene: &Scene) -> [Bitmap; CHANNELS] {
-    [Role::Green, Role::Blue, Role::Purple, Role::Gray, Role::Black].map(|role| {
+    ROLES.map(|role| {
         let mut channel = Bitmap::EMPTY;
-        for body in scene.bodies.iter().filter(|body| body.role == role) {
-            channel.draw(body, [body.x as f32, body.y as f32, body.angle as f32]);
-        }
+        of_role(scene, role, |span| channel.mark(span));
         channel
     })
+}
+
+/// Returns how much of each cell the bodies of each channel cover at the start of a scene.
+pub fn scene_coverage(scene: &Scene) -> [Coverage; CHANNELS] {
+    ROLES.map(|role| {
+        let width = SIDE * PX_PER_CELL;
+        let mut seen = vec![false; width * width];
+        let mut covered = vec![0; CELLS];
+        of_role(scene, role, |Span { line, start, end }| {
+            for column in start..end {
+                let new = !std::mem::replace(&mut seen[line * width + column], true);
+                covered[line / PX_PER_CELL * SIDE + column / PX_PER_CELL] += u8::from(new);
+            }
+        });
+        Coverage(covered)
+    })
+}
+
+/// The pixels of the bodies of a role at the start of a scene.
+fn of_role(scene: &Scene, role: Role, mut mark: impl FnMut(Span)) {
+    for body in scene.bodies.iter().filter(|body| body.role == role) {
+        body_spans(body, [body.x as f32, body.y as f32, body.angle as f32], &mut mark);
+    }
 }
 
 /// Returns the image of a ball: the placement channel.
 pub fn ball_image(ball: Ball) -> Bitmap {
     let mut image = Bitmap::EMPTY;
-    image.disc(ball.x, ball.y, ball.r);
+    disc_spans(ball.x, ball.y, ball.r, |span| image.mark(span));
     image
 }
 
@@ -261,7 +320,26 @@ mod tests {
     #[test]
     fn a_rectangle_sets_the_cells_it_overlaps() {
         let mut image = Bitmap::EMPTY;
-        image.polygon(&[[8.0, 8.0], [0.0, 8.0], [0.0, 0.0], [8.0, 0.0]]);
+        polygon_spans(&[[8.0, 8.0], [0.0, 8.0], [0.0, 0.0], [8.0, 0.0]], |span| image.mark(span));
         assert_eq!(image.0[..3], [0b11, 0b11, 0]);
+    }
+
+    #[test]
+    fn coverage_counts_the_pixels_of_a_channel_once() {
+        let mut scene = crate::puzzle::task::Task::load("00002:007".parse().expect("an id")).expect("a task").scene;
+        let twice = scene.bodies[scene.body1].clone();
+        let before = scene_coverage(&scene);
+        scene.bodies.push(twice);
+        assert_eq!(scene_coverage(&scene), before, "a body over another covers no more");
+        for (coverage, channel) in before.iter().zip(scene_channels(&scene)) {
+            let touched: Vec<f32> = coverage.to_f32().map(f32::ceil).collect();
+            assert_eq!(touched, channel.to_f32().collect::<Vec<_>>(), "a covered cell is a set cell");
+            assert_eq!(coverage.mirrored().mirrored(), *coverage);
+        }
+        let Body { x, y, .. } = scene.bodies[scene.body1];
+        let radius = scene.bodies[scene.body1].ball_radius().expect("a ball");
+        let area = f64::from(before[0].to_f32().sum::<f32>()) * (PX_PER_CELL * PX_PER_CELL) as f64;
+        let disc = std::f64::consts::PI * radius * radius;
+        assert!((area - disc).abs() < 2.0 * radius, "{area} of {disc} at {x}, {y}");
     }
 }

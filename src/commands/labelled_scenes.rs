@@ -10,8 +10,8 @@ use pathlight::dataset::labels::{LabelledBalls, PATHS_LEN};
 use pathlight::dataset::scene_variants::scene_variant;
 use pathlight::nets::ball_head::Starts;
 use pathlight::puzzle::action::Ball;
+use pathlight::puzzle::scene::Scene;
 use pathlight::puzzle::task::{Task, TaskId};
-use pathlight::raster::{Bitmap, CHANNELS, scene_channels};
 use rand::seq::{SliceRandom, index};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
@@ -27,7 +27,7 @@ pub struct LabelledScenes(Vec<LabelledScene>);
 pub struct LabelledScene {
     /// Whether it is a variant of a task's scene.
     variant: bool,
-    pub channels: [Bitmap; CHANNELS],
+    pub scene: Scene,
     pub starts: Starts,
     /// Each with whether it solves the task.
     pub balls: Vec<(Ball, bool)>,
@@ -87,9 +87,9 @@ impl LabelledScenes {
                             scene_variant(&loaded, number).context(changed)
                         });
                         let scene = varied.transpose()?.unwrap_or(loaded.scene);
-                        let (starts, channels) = (Starts::of(&scene), scene_channels(&scene));
+                        let starts = Starts::of(&scene);
                         let variant = variant.is_some();
-                        entry.insert(LabelledScene { variant, channels, starts, balls: Vec::new(), paths: Vec::new() })
+                        entry.insert(LabelledScene { variant, scene, starts, balls: Vec::new(), paths: Vec::new() })
                     }
                 };
                 entry.paths.extend(paths.0);

@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, ensure};
 use pathlight::nets::training::{DynamicsBatch, Schedule, Trainer, WARMUP_STEPS};
 use pathlight::nets::{DynamicsCard, DynamicsNet, flex};
+use pathlight::raster::scene_coverage;
 
 use super::digest;
 use super::fold_args::FoldArgs;
@@ -121,7 +122,8 @@ impl Args {
                 let (placed, solved) = scene.balls[ball];
                 (placed, solved, scene.paths(ball))
             });
-            let added = batch.add(&scene.channels, scene.starts, balls, self.imagined_per_scene.into(), mirrored);
+            let added =
+                batch.add(&scene_coverage(&scene.scene), scene.starts, balls, self.imagined_per_scene.into(), mirrored);
             added.expect("the balls were checked when they were read");
         }
         batch

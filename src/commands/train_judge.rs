@@ -8,6 +8,7 @@ use std::slice;
 
 use pathlight::nets::training::{JudgeBatch, Schedule, Trainer, WARMUP_STEPS};
 use pathlight::nets::{Judge, JudgeCard, flex};
+use pathlight::raster::scene_channels;
 
 use super::digest;
 use super::fold_args::FoldArgs;
@@ -80,7 +81,9 @@ impl Args {
         let mut batch = JudgeBatch::default();
         for Drawn { scene, balls, mirrored } in scenes.draw(&self.training, self.balls_per_scene, number) {
             let balls: Vec<_> = balls.into_iter().map(|ball| scene.balls[ball]).collect();
-            batch.add(&scene.channels, &balls, mirrored).expect("the balls were checked when they were read");
+            batch
+                .add(&scene_channels(&scene.scene), &balls, mirrored)
+                .expect("the balls were checked when they were read");
         }
         batch
     }

@@ -9,7 +9,7 @@ use burn::tensor::activation::sigmoid;
 use burn::tensor::{Device, Tensor, TensorData};
 
 use crate::puzzle::scene::Scene;
-use crate::raster::{Bitmap, CHANNELS, SIDE, scene_channels};
+use crate::raster::{Bitmap, CHANNELS, Coverage, SIDE, scene_channels, scene_coverage};
 
 pub mod ball_head;
 mod card;
@@ -84,11 +84,10 @@ impl PathNet {
     /// weights have neither. PHYRE's world is symmetric, so the logits of the scene and of its mirror image are averaged,
     /// which is more accurate than one.
     pub fn judge_logits(&self, scene: &Scene) -> Option<Vec<f32>> {
-        let image = || self.encode(scene);
-        let both = || Tensor::cat(vec![image(), image().flip([3])], 0); // [2, 5, 64, 64]
+        let both = |image: Tensor<4>| Tensor::cat(vec![image.clone(), image.flip([3])], 0); // [2, 5, 64, 64]
         let logits = match (&self.judge, &self.dynamics) {
-            (Some(judge), _) => judge.forward(both()),
-            (None, Some(dynamics)) => dynamics.cell_logits(both()),
+            (Some(judge), _) => judge.forward(both(self.encode(scene))),
+            (None, Some(dynamics)) => dynamics.cell_logits(both(self.encode_coverage(scene))),
             (None, None) => return None,
         }; // [2, RADII, 64, 64]
         let [logits, mirrored] = logits.chunk(2, 0).try_into().expect("two scenes");
@@ -98,13 +97,21 @@ impl PathNet {
     /// Returns a scene as the dynamics net reads it, or `None` if the weights have none.
     pub fn read(&self, scene: &Scene) -> Option<ReadScene> {
         let dynamics = self.dynamics.as_ref()?;
-        let images = self.encode(scene);
+        let images = self.encode_coverage(scene);
         Some(dynamics.read(scene, Tensor::cat(vec![images.clone(), images.flip([3])], 0)))
     }
 
-    /// The input of the nets for a scene, `[1, 5, 64, 64]`.
+    /// The input of the four nets and of the judge for a scene, `[1, 5, 64, 64]`.
     fn encode(&self, scene: &Scene) -> Tensor<4> {
-        let channels: Vec<f32> = scene_channels(scene).iter().flat_map(Bitmap::to_f32).collect();
+        self.image(scene_channels(scene).iter().flat_map(Bitmap::to_f32).collect())
+    }
+
+    /// The input of the dynamics net for a scene, `[1, 5, 64, 64]`.
+    fn encode_coverage(&self, scene: &Scene) -> Tensor<4> {
+        self.image(scene_coverage(scene).iter().flat_map(Coverage::to_f32).collect())
+    }
+
+    fn image(&self, channels: Vec<f32>) -> Tensor<4> {
         let device = self.devices().into_iter().next().expect("the nets have parameters");
         Tensor::from_data(TensorData::new(channels, [1, CHANNELS, SIDE, SIDE]), &device)
     }

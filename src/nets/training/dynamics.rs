@@ -5,13 +5,13 @@
 
 use burn::tensor::{Device, Int, Tensor, TensorData};
 
-use super::trainer::{Trainer, binary_cross_entropy_with_logits, extend};
+use super::trainer::{Trainer, binary_cross_entropy_with_logits};
 use crate::nets::DynamicsNet;
 use crate::nets::ball_head::{BallBatch, COORDINATES, POSITIONS, Starts, UNIT};
 use crate::nets::judge::{RADII, logit_index};
 use crate::puzzle::action::{Ball, Invalid};
 use crate::puzzle::scene::SIZE;
-use crate::raster::{Bitmap, CELLS, CHANNELS, SIDE};
+use crate::raster::{CELLS, CHANNELS, Coverage, SIDE};
 
 /// Weight of the mean distance between imagined and real coordinates, in `UNIT`.
 const PATH_WEIGHT: f64 = 0.5;
@@ -43,13 +43,16 @@ impl DynamicsBatch {
     /// If a ball has no cell (`judge::logit_index`); the batch is then of no use.
     pub fn add<'a>(
         &mut self,
-        scene: &[Bitmap; CHANNELS],
+        scene: &[Coverage; CHANNELS],
         starts: Starts,
         balls: impl Iterator<Item = LabelledBall<'a>>,
         imagined: usize,
         mirrored: bool,
     ) -> Result<(), Invalid> {
-        extend(&mut self.scenes, scene, mirrored);
+        for channel in scene {
+            let flipped = mirrored.then(|| channel.mirrored());
+            self.scenes.extend(flipped.as_ref().unwrap_or(channel).to_f32());
+        }
         let starts = if mirrored { starts.mirrored() } else { starts };
         for (number, (ball, solved, paths)) in balls.enumerate() {
             let ball = Ball { x: if mirrored { SIZE - ball.x } else { ball.x }, ..ball };
