@@ -202,9 +202,11 @@ fn a_script_simulates_what_the_game_attempts() {
     let bodies = array("bodies").dyn_into::<js_sys::Uint32Array>().expect("bodies").to_vec();
     let touching = array("touching").dyn_into::<js_sys::Uint8Array>().expect("touching");
     let attempt = json(puzzle.attempt(x, y, r).expect("valid"));
-    assert_eq!(touching.length() as usize, puzzle.steps() + 1);
-    assert_eq!(poses.len(), (puzzle.steps() + 1) * bodies.len() * 3);
-    assert_eq!(Reflect::get(&rollout, &"steps".into()).expect("steps"), attempt["ending"]["steps"].as_f64().unwrap());
+    let steps = attempt["ending"]["steps"].as_u64().expect("a number") as usize;
+    assert!(puzzle.steps() <= steps, "the page may stop when all lies still");
+    assert_eq!(touching.length() as usize, steps + 1);
+    assert_eq!(poses.len(), (steps + 1) * bodies.len() * 3);
+    assert_eq!(Reflect::get(&rollout, &"steps".into()).expect("steps"), steps as f64);
     let body_count = json(scene(TASK.into()).expect("a scene"))["bodies"].as_array().expect("bodies").len();
     assert_eq!(bodies.last().copied(), Some(body_count as u32), "the ball comes last");
     assert_eq!(poses[3 * (bodies.len() - 1)..][..2], [x as f32, y as f32]);

@@ -3,7 +3,7 @@
 use crate::files::{Source, files, holds};
 use crate::rule::{Never, Only, Rule, unknown_files};
 
-/// The folders of `src/` from the data outwards: each uses only those before it. `raster` is a single file.
+/// The folders of `src/` from the data outwards: each uses only those before it.
 const LAYERS: [&str; 10] =
     ["puzzle", "raster", "simulator", "benchmark", "dataset", "nets", "agents", "play", "web", "commands"];
 
@@ -11,7 +11,7 @@ const LAYERS: [&str; 10] =
 const OUTERMOST: [&str; 2] = ["web", "commands"];
 
 /// What builds or decides a simulation, draws data or chooses a ball: the same bits natively and in wasm.
-const DETERMINISTIC: &[&str] = &["puzzle/", "raster.rs", "simulator/", "benchmark/", "dataset/", "agents/", "play/"];
+const DETERMINISTIC: &[&str] = &["puzzle/", "raster/", "simulator/", "benchmark/", "dataset/", "agents/", "play/"];
 
 const RULES: &[Rule] = &[
     Rule {

@@ -49,7 +49,7 @@ async function play(page) {
   await first.locator('#run').click();
   const { solved, task, ball: placed } = await played;
   assert.deepEqual({ solved, task, placed }, { solved: true, task: await first.getAttribute('task'), placed: ball });
-  await second.locator('#stages canvas[aria-label*="strongest"]').nth(4).waitFor({ timeout: 60_000 });
+  await second.locator('#stages canvas[aria-label*="most sure"]').nth(4).waitFor({ timeout: 60_000 });
 }
 
 test('ten lines of HTML embed two puzzles, which play', async () => {

@@ -48,8 +48,11 @@ export class Component extends EventTarget {
     this.session = null;
   }
 
-  /** @type {(view: View) => void} */
-  setState() {}
+  /** @param {View} view */
+  setState(view) {
+    // Named for the type that its subclasses share.
+    void view;
+  }
 
   /** @param {boolean} dark */
   setTheme(dark) {
