@@ -28,9 +28,8 @@ test('a puzzle is left while pictures of attempts wait to be drawn', async () =>
   await page.locator('#templates canvas.drawn').first().waitFor();
   await page.waitForTimeout(400);
   assert.ok(await page.locator('#notice').isHidden());
-  // The pictures of the next puzzle are drawn.
+  // Its attempts come back with it, and their pictures are drawn.
   await page.goBack();
-  await page.locator('#model-turn:enabled').click();
   await page.locator('#model-attempts canvas.drawn').nth(1).waitFor();
 });
 
