@@ -29,8 +29,11 @@ const TOUCHING: f64 = 1.0;
 /// Bodies that are moved apart from each other keep this distance, px, or theirs if it was less.
 const CLEARANCE: f64 = 0.3;
 
-/// Draws per variant; the moves become smaller with each.
+/// Draws per variant.
 const DRAWS: i32 = 40;
+
+/// What the changes of a draw are multiplied by after each that does not fit.
+const SHRINKING: f64 = 0.93;
 
 /// Returns a variant of a task's scene, the same for the same number; `None` if every draw made bodies overlap, stick out
 /// of the scene, or solve the task by themselves.
@@ -40,7 +43,7 @@ pub fn scene_variant(task: &Task, number: u32) -> Option<Scene> {
     let groups = Groups::of(scene);
     let moves = MOVES[rng.random_range(0..MOVES.len())];
     (0..DRAWS).find_map(|draw| {
-        let variant = groups.moved(scene, libm::pow(0.93, f64::from(draw)), moves, &mut rng);
+        let variant = groups.moved(scene, libm::pow(SHRINKING, f64::from(draw)), moves, &mut rng);
         let fits = keeps_clear(scene, &variant) && !outcome(&variant, None).is_ok_and(|alone| alone.solved);
         fits.then_some(variant)
     })
@@ -79,8 +82,11 @@ impl Groups {
             let mut statics = (0..bodies.len()).filter(|&other| bodies[body].dynamic && !bodies[other].dynamic);
             statics.find(|&on| members(body).any(|(member, _)| touch(member, on)))
         };
-        let low = |body: &Body| extent(body, 1).0 < TOUCHING;
-        let beside = |body: &Body| extent(body, 0).0 < TOUCHING || extent(body, 0).1 > SIZE - TOUCHING;
+        let low = |body: &Body| body.bounds()[1] < TOUCHING;
+        let beside = |body: &Body| {
+            let [left, _, right, _] = body.bounds();
+            left < TOUCHING || right > SIZE - TOUCHING
+        };
         let on_floor = (0..bodies.len()).map(|body| members(body).any(|(_, member)| low(member))).collect();
         let at_side = (0..bodies.len()).map(|body| members(body).any(|(_, member)| beside(member))).collect();
         let support = (0..bodies.len()).map(support).collect();
@@ -104,8 +110,8 @@ impl Groups {
                 }
                 if let Some(on) = self.support[body] {
                     let [with_x, with_y] = offsets[self.of_body[on]];
-                    let flat = scene.bodies[on].angle == 0.0 && scene.bodies[on].shapes.len() == 1;
-                    (x, y) = (with_x + if flat && slides { x } else { 0.0 }, with_y);
+                    let slides = slides && is_flat(&scene.bodies[on]);
+                    (x, y) = (with_x + if slides { x } else { 0.0 }, with_y);
                 }
                 offsets[body] = [x, y];
             }
@@ -119,8 +125,7 @@ impl Groups {
             let held = self.support[index].is_some() || self.on_floor[index];
             let factor = libm::exp(scale * RESIZING * gaussian(rng));
             let turned = scale * TURNING * gaussian(rng);
-            if self.support[index].is_none_or(|on| scene.bodies[on].angle == 0.0 && scene.bodies[on].shapes.len() == 1)
-            {
+            if self.support[index].is_none_or(|on| is_flat(&scene.bodies[on])) {
                 resize(body, factor, held);
             }
             if !body.dynamic && !is_axis_aligned(body) && !self.on_floor[index] && !self.at_side[index] {
@@ -134,7 +139,6 @@ impl Groups {
 /// Resizes a ball to a radius of a whole number and a half, as PHYRE's are, or a bar along its length. A ball that is held
 /// stays on what holds it.
 fn resize(body: &mut Body, factor: f64, held: bool) {
-    let upright = held && body.dynamic;
     match body.shapes.as_mut_slice() {
         [Shape::Circle(radius)] => {
             let resized = (*radius * factor).clamp(*RADIUS.start(), 2.0 * RADIUS.end()).floor() + 0.5;
@@ -143,13 +147,18 @@ fn resize(body: &mut Body, factor: f64, held: bool) {
             }
             *radius = resized;
         }
-        [Shape::Polygon(corners)] if !upright => {
+        [Shape::Polygon(corners)] if !(held && body.dynamic) => {
             for corner in corners {
                 corner[0] *= factor;
             }
         }
         _ => {}
     }
+}
+
+/// Whether a body is a single shape that is not tilted: on a bar like this, others can slide.
+fn is_flat(body: &Body) -> bool {
+    body.angle == 0.0 && body.shapes.len() == 1
 }
 
 fn is_axis_aligned(body: &Body) -> bool {
@@ -160,25 +169,14 @@ fn is_axis_aligned(body: &Body) -> bool {
 /// Whether no two bodies came nearer than they may, and none sticks out of the scene farther than before.
 fn keeps_clear(before: &Scene, after: &Scene) -> bool {
     let inside = before.bodies.iter().zip(&after.bodies).all(|(before, after)| {
-        [0, 1].into_iter().all(|axis| {
-            let ((low, high), (was_low, was_high)) = (extent(after, axis), extent(before, axis));
-            low >= was_low.min(0.0) && high <= was_high.max(SIZE)
-        })
+        let ([left, bottom, right, top], was) = (after.bounds(), before.bounds());
+        left >= was[0].min(0.0) && bottom >= was[1].min(0.0) && right <= was[2].max(SIZE) && top <= was[3].max(SIZE)
     });
     let apart = |a: usize, b: usize| {
         let now = distance(&after.bodies[a], &after.bodies[b]);
         now >= CLEARANCE || now >= distance(&before.bodies[a], &before.bodies[b]) - 1e-3
     };
     inside && (0..after.bodies.len()).all(|a| (0..a).all(|b| apart(a, b)))
-}
-
-/// The lowest and highest coordinate of a body along an axis, px.
-fn extent(body: &Body, axis: usize) -> (f64, f64) {
-    let points = body.shapes.iter().flat_map(|shape| match shape {
-        Shape::Circle(r) => vec![[body.x - r, body.y - r], [body.x + r, body.y + r]],
-        Shape::Polygon(corners) => corners.iter().map(|&corner| body.to_scene(corner)).collect(),
-    });
-    points.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), point| (low.min(point[axis]), high.max(point[axis])))
 }
 
 #[cfg(all(test, not(target_arch = "wasm32")))]

@@ -268,7 +268,7 @@ mod tests {
         let net = nets.dynamics.as_ref().expect("a dynamics net");
         let mut batch = BallBatch::default();
         balls.iter().for_each(|&ball| batch.add(0, ball, Starts::of(&scene)));
-        let (_, predictions) = net.forward(nets.encode(&scene), batch.tensors(&flex()));
+        let (_, predictions) = net.forward(nets.encode_coverage(&scene), batch.tensors(&flex()));
         let Predictions { coordinates, errors, logits, path_logits } = predictions;
         let vec = |data: burn::tensor::TensorData| data.try_into_vec::<f32>().expect("f32");
         let (coordinates, errors) = (vec(coordinates.into_data()), vec(errors.into_data()));

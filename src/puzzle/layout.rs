@@ -6,7 +6,7 @@
 //! `templates`; must not depend on parameters or tasks. The formulas are PHYRE's (v0.2.2, `creator`).
 
 use crate::puzzle::dimensions::{Dimensions, THICKNESS, radians};
-use crate::puzzle::scene::{Body, Role, SIZE, Scene, Shape};
+use crate::puzzle::scene::{Body, Role, SIZE, Scene};
 
 pub use ScaledShape::{Ball, Bar, Jar, StandingSticks};
 
@@ -122,19 +122,19 @@ impl BodyBuilder {
     }
 
     pub fn left(&self) -> f64 {
-        self.edge(0, f64::INFINITY, f64::min)
+        self.0.bounds()[0]
     }
 
     pub fn right(&self) -> f64 {
-        self.edge(0, f64::NEG_INFINITY, f64::max)
+        self.0.bounds()[2]
     }
 
     pub fn bottom(&self) -> f64 {
-        self.edge(1, f64::INFINITY, f64::min)
+        self.0.bounds()[1]
     }
 
     pub fn top(&self) -> f64 {
-        self.edge(1, f64::NEG_INFINITY, f64::max)
+        self.0.bounds()[3]
     }
 
     pub fn width(&self) -> f64 {
@@ -151,16 +151,6 @@ impl BodyBuilder {
 
     pub fn cy(&self) -> f64 {
         (self.bottom() + self.top()) / 2.0
-    }
-
-    /// Returns an extreme coordinate of the rotated body along an axis, px.
-    fn edge(&self, axis: usize, start: f64, pick: fn(f64, f64) -> f64) -> f64 {
-        let body = &self.0;
-        let corners = body.shapes.iter().flat_map(|shape| match shape {
-            Shape::Circle(r) => vec![[body.x + r, body.y + r], [body.x - r, body.y - r]],
-            Shape::Polygon(corners) => corners.iter().map(|&corner| body.to_scene(corner)).collect(),
-        });
-        corners.map(|corner| corner[axis]).fold(start, pick)
     }
 }
 
@@ -184,6 +174,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
+    use crate::puzzle::scene::Shape;
 
     fn scaled_shapes() -> impl Strategy<Value = ScaledShape> {
         let kinds: [fn(f64) -> ScaledShape; 4] = [Ball, Bar, Jar, StandingSticks];

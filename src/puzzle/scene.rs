@@ -74,6 +74,17 @@ impl Body {
         [self.x + a * cos - b * sin, self.y + a * sin + b * cos]
     }
 
+    /// Returns the bounding box in the scene: left, bottom, right, top, px.
+    pub fn bounds(&self) -> [f64; 4] {
+        let extremes = self.shapes.iter().flat_map(|shape| match shape {
+            Shape::Circle(r) => vec![[self.x - r, self.y - r], [self.x + r, self.y + r]],
+            Shape::Polygon(corners) => corners.iter().map(|&corner| self.to_scene(corner)).collect(),
+        });
+        extremes.fold([f64::INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY], |[l, b, r, t], [x, y]| {
+            [l.min(x), b.min(y), r.max(x), t.max(y)]
+        })
+    }
+
     /// Returns colour and shape in words: "green ball".
     pub fn name(&self) -> String {
         let colour = match self.role {

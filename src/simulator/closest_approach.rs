@@ -1,16 +1,12 @@
 //! How near the green object came to its goal in a rollout, and when: what a person is told after a miss.
-//!
-//! Distances are rapier's, between the surfaces as they are drawn: without the skin of polygons.
 
-use rapier2d::math::{Pose as Frame, Vector};
-use rapier2d::parry::query::{ClosestPoints, closest_points};
+use rapier2d::math::Vector;
 use serde::Serialize;
 
-use super::body::{Position, metres};
 use super::constants::PX_PER_METRE;
-use super::fixture::Fixture;
-use crate::puzzle::rollout::{Pose, Rollout};
-use crate::puzzle::scene::{Body, Scene};
+use super::distance::{Outline, pose_of};
+use crate::puzzle::rollout::Rollout;
+use crate::puzzle::scene::Scene;
 
 /// The moment at which the green object was nearest to its goal.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -27,7 +23,7 @@ pub struct ClosestApproach {
 pub fn closest_approach(scene: &Scene, rollout: &Rollout) -> ClosestApproach {
     let indices = [scene.body1, scene.body2];
     let bodies = indices.map(|index| &scene.bodies[index]);
-    let fixtures = bodies.map(|body| body.shapes.iter().map(|shape| Fixture::new(shape, 0)).collect::<Vec<_>>());
+    let [object, goal] = bodies.map(Outline::of);
     let poses = |step| [0, 1].map(|side| rollout.pose(step, indices[side]).unwrap_or_else(|| pose_of(bodies[side])));
     let mut closest = (0, f32::MAX, [Vector::ZERO; 2]);
     let mut last = None;
@@ -36,20 +32,10 @@ pub fn closest_approach(scene: &Scene, rollout: &Rollout) -> ClosestApproach {
         if last.replace(poses) == Some(poses) {
             continue;
         }
-        let frames = poses.map(frame);
-        for [a, b] in fixtures[0].iter().flat_map(|a| fixtures[1].iter().map(move |b| [a, b])) {
-            let [frame_a, frame_b] = [frames[0] * a.local, frames[1] * b.local];
-            // Pairs that are farther apart than the nearest so far need not be measured exactly.
-            match closest_points(&frame_a, &*a.shape, &frame_b, &*b.shape, closest.1) {
-                Ok(ClosestPoints::WithinMargin(p, q)) if (q - p).length() < closest.1 => {
-                    closest = (step, (q - p).length(), [p, q]);
-                }
-                Ok(ClosestPoints::Intersecting) => {
-                    let at = frame_a.translation;
-                    return approach((step, 0.0, [at, at]));
-                }
-                Ok(_) => {}
-                Err(_) => unreachable!("rapier supports balls and convex polygons"),
+        if let Some([p, q]) = object.nearest_points(poses[0], &goal, poses[1], closest.1) {
+            closest = (step, (q - p).length(), [p, q]);
+            if p == q {
+                break;
             }
         }
     }
@@ -59,15 +45,6 @@ pub fn closest_approach(scene: &Scene, rollout: &Rollout) -> ClosestApproach {
 fn approach((step, gap, points): (usize, f32, [Vector; 2])) -> ClosestApproach {
     let px = |metres: f32| f64::from(metres) * PX_PER_METRE;
     ClosestApproach { step, gap: px(gap), points: points.map(|point| [px(point.x), px(point.y)]) }
-}
-
-fn pose_of(body: &Body) -> Pose {
-    [body.x, body.y, body.angle].map(|value| value as f32)
-}
-
-/// Returns the frame at the origin of a body, m.
-fn frame([x, y, angle]: Pose) -> Frame {
-    Position { centre: metres([x.into(), y.into()]), angle }.pose()
 }
 
 #[cfg(test)]

@@ -11,7 +11,7 @@ use std::ops::RangeInclusive;
 use serde::{Deserialize, Serialize};
 
 use super::dimensions::Dimensions;
-use super::scene::{Body, Role, SIZE, Scene, Shape};
+use super::scene::{Body, Role, SIZE, Scene};
 
 mod read;
 
@@ -173,7 +173,7 @@ impl OwnScene {
         if !(x.is_finite() && y.is_finite() && (-TAU..=TAU).contains(&angle)) {
             return Some(format!("The {name} has no place: its angle is between -2π and 2π, and x and y are numbers."));
         }
-        let [left, bottom, right, top] = bounds(&self.body(index));
+        let [left, bottom, right, top] = self.body(index).bounds();
         if dynamic {
             let out = [-left, -bottom, right - SIZE, top - SIZE].into_iter().fold(0.0, f64::max);
             (out > MAX_OVERLAP).then(|| {
@@ -185,17 +185,6 @@ impl OwnScene {
                 .then(|| format!("The {name} is {away:.0} px outside of the scene: move it nearer, or remove it."))
         }
     }
-}
-
-/// Returns the bounding box of a body in the scene: left, bottom, right, top, px.
-fn bounds(body: &Body) -> [f64; 4] {
-    let extremes = body.shapes.iter().flat_map(|shape| match shape {
-        Shape::Circle(r) => vec![[body.x - r, body.y - r], [body.x + r, body.y + r]],
-        Shape::Polygon(corners) => corners.iter().map(|&corner| body.to_scene(corner)).collect(),
-    });
-    extremes.fold([f64::INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY], |[l, b, r, t], [x, y]| {
-        [l.min(x), b.min(y), r.max(x), t.max(y)]
-    })
 }
 
 #[cfg(test)]
