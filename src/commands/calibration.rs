@@ -62,6 +62,8 @@ pub struct Calibration {
     pub seed: u64,
     /// `simulator::VERSION`
     pub simulator: u32,
+    /// Test tasks that the balls were tried on.
+    pub tasks: usize,
     /// Chances from 0 to 1, in bins of equal width.
     pub random: Vec<Bin>,
     pub candidates: Vec<Bin>,
@@ -93,8 +95,15 @@ impl Args {
             tasks.par_iter().map(|&id| self.trials(&nets, id)).collect::<anyhow::Result<_>>()?;
         let [random, candidates] = [0, 1].map(|kind| bins(trials.iter().flat_map(|of_task| &of_task[kind])));
         let FoldArgs { setup, fold } = self.fold;
-        let calibration =
-            Calibration { setup, fold, seed: self.seed, simulator: simulator::VERSION, random, candidates };
+        let calibration = Calibration {
+            setup,
+            fold,
+            seed: self.seed,
+            simulator: simulator::VERSION,
+            tasks: tasks.len(),
+            random,
+            candidates,
+        };
         if let Some(path) = &self.json {
             let json = serde_json::to_vec(&calibration)?;
             fs::write(path, json).with_context(|| format!("cannot write {}", path.display()))?;

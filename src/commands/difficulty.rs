@@ -3,11 +3,11 @@
 use std::io::{self, Write};
 
 use pathlight::benchmark::difficulty::Difficulty;
-use pathlight::puzzle::action::{Action, Obstacles};
+use pathlight::dataset::sampling::random_ball;
 use pathlight::puzzle::task::Task;
 use pathlight::puzzle::templates::TEMPLATES;
 use pathlight::simulator::{self, outcome};
-use rand::{RngExt, SeedableRng};
+use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
 use rayon::prelude::*;
 
@@ -45,10 +45,9 @@ impl Args {
     }
 
     fn solving_balls(&self, task: &Task) -> u32 {
-        let obstacles = Obstacles::new(&task.scene);
-        let mut random = Pcg64Mcg::seed_from_u64(task.id.seed(self.seed));
-        let actions = std::iter::repeat_with(|| Action { x: random.random(), y: random.random(), r: random.random() });
-        let outcomes = actions.filter_map(|action| outcome(&task.scene, Some(obstacles.place(action).ok()?)).ok());
-        outcomes.take(self.balls as usize).filter(|outcome| outcome.solved).count() as u32
+        let mut rng = Pcg64Mcg::seed_from_u64(task.id.seed(self.seed));
+        let balls = (0..self.balls).map_while(|_| random_ball(&task.scene, &mut rng));
+        let outcomes = balls.filter_map(|ball| outcome(&task.scene, Some(ball)).ok());
+        outcomes.filter(|outcome| outcome.solved).count() as u32
     }
 }

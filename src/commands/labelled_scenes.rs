@@ -63,6 +63,11 @@ impl LabelledScenes {
             let Labelled { lines, training_tasks_of, proposed, .. } = read_labels(path)?;
             // Balls are sampled around solutions of their own template alone; so across templates, those of any fold tell
             // nothing of the test tasks. A net that proposes balls knows all that it was trained on.
+            ensure!(
+                !proposed || training_tasks_of.is_some(),
+                "{} does not say which fold the net that proposed its balls belongs to: label again with --setup and --fold",
+                path.display()
+            );
             let of_template_alone = fold.setup == Setup::Cross && !proposed;
             if let Some((setup, number)) = training_tasks_of.filter(|_| !of_template_alone) {
                 ensure!(

@@ -6,6 +6,7 @@ use std::path::Path;
 use anyhow::{Context, bail};
 use jiter::JsonValue;
 use pathlight::play::played::Played;
+use pathlight::puzzle::own_scene::sentences;
 use serde_json::{Number, Value};
 
 /// Largest file, bytes. The largest scene needs some 10,000.
@@ -23,10 +24,7 @@ pub fn read(path: &Path) -> anyhow::Result<(Value, Played)> {
     let value = exact_json(&bytes).with_context(|| format!("in {shown}"))?;
     match Played::read(value.clone()) {
         Ok(played) => Ok((value, played)),
-        Err(problems) => {
-            let sentences: Vec<String> = problems.into_iter().map(|problem| problem.sentence).collect();
-            bail!("the scene of {shown} may not be played. {}", sentences.join(" "))
-        }
+        Err(problems) => bail!("the scene of {shown} may not be played. {}", sentences(&problems)),
     }
 }
 

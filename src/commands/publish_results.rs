@@ -8,12 +8,15 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, ensure};
+use pathlight::agents;
+use pathlight::benchmark::folds::Fold;
 use pathlight::puzzle::task::TaskId;
+use pathlight::simulator;
 use serde::{Deserialize, Serialize};
 
 use super::agent_name::AgentName;
 use super::calibration::{Bin, Calibration};
-use super::evaluate::Report;
+use super::evaluate::{Report, Score};
 
 /// Collect the measurements of the shipped models into the file from which the page shows them
 #[derive(clap::Args)]
@@ -83,8 +86,20 @@ impl Args {
             "{} does not belong to the evaluation beside it: measure it again with `pathlight calibration --json`",
             path.display()
         );
-        let first = report.agents.first().with_context(|| format!("the evaluation of {name} measured no agent"))?;
-        let tasks: Vec<TaskId> = first.first_solved.iter().map(|&(task, _)| task).collect();
+        let tasks = Fold::new(report.setup, report.fold).test;
+        let all = |score: &Score| score.first_solved.iter().map(|(task, _)| task).eq(&tasks);
+        ensure!(
+            format!("{}-{}", report.setup, report.fold) == name
+                && (report.simulator, report.agents_version) == (simulator::VERSION, agents::VERSION)
+                && !report.agents.is_empty()
+                && report.agents.iter().all(all),
+            "the evaluation of {name} is not of all test tasks of its fold, or of another version: measure it again with `pathlight evaluate --json`"
+        );
+        ensure!(
+            calibration.tasks == tasks.len(),
+            "{} is not of all test tasks: measure it again with `pathlight calibration --json`",
+            path.display()
+        );
         let label = |agent: AgentName| agent.to_string();
         Ok(ModelResults {
             simulator: report.simulator,

@@ -1,8 +1,8 @@
 //! The four nets of Harter et al. (2020): each predicts one map from the scene, the last two also from earlier maps.
 //!
 //! Base path and target path come from the scene alone; the action path from the scene and both; the placement of
-//! the ball from scene, target path and action path. A fifth net, the judge, scores balls. This folder is the only
-//! user of burn; it uses neither files nor agents nor the simulator.
+//! the ball from scene, target path and action path. A fifth net scores balls: the judge from the scene alone, or the
+//! dynamics net, which imagines what a ball leads to. This folder is the only user of burn; it uses neither files nor agents nor the simulator.
 
 use burn::module::Module;
 use burn::tensor::activation::sigmoid;

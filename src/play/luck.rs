@@ -1,5 +1,4 @@
-//! Luck or plan: whether a ball that solves does so by a hair. Of the balls within a pixel of it, how many solve too, and does
-//! it solve in a second engine?
+//! Luck or plan: whether a ball that solves does so by a hair. Of the balls within a pixel of it, how many solve too?
 
 use serde::Serialize;
 
@@ -32,7 +31,29 @@ pub fn luck(scene: &Scene, ball: Ball) -> Luck {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::play::verification::AttemptLine;
+    use crate::puzzle::rollout::Status;
     use crate::puzzle::task::Task;
+
+    #[test]
+    fn the_balls_within_a_pixel_are_tried_one_by_one() {
+        let mut lines = include_str!("../../assets/attempts.jsonl").lines();
+        let solving = lines.find_map(|line| {
+            let attempt: AttemptLine = serde_json::from_str(line).expect("an attempt");
+            (attempt.status == Status::Solved).then_some(attempt)
+        });
+        let AttemptLine { task, ball, .. } = solving.expect("one of the shipped attempts solves");
+        let (scene, ball) = (Task::load(task.expect("a task")).expect("a task").scene, ball.expect("a ball"));
+        let mut expected = Luck { valid: 0, solved: 0 };
+        for (dx, dy, dr) in (0..27).map(|index| (index % 3 - 1, index / 3 % 3 - 1, index / 9 - 1)) {
+            let near = Ball { x: ball.x + f64::from(dx), y: ball.y + f64::from(dy), r: ball.r + f64::from(dr) };
+            let Ok(outcome) = outcome(&scene, Some(near)) else { continue };
+            expected.valid += 1;
+            expected.solved += usize::from(outcome.solved);
+        }
+        assert!(expected.solved > 0);
+        assert_eq!(luck(&scene, ball), expected);
+    }
 
     #[test]
     fn only_balls_that_may_be_placed_count() {

@@ -7,7 +7,7 @@ use serde_json::Value;
 
 use super::played::Played;
 use crate::puzzle::action::Ball;
-use crate::puzzle::own_scene::OwnScene;
+use crate::puzzle::own_scene::sentences;
 use crate::puzzle::rollout::{Status, digest_of};
 use crate::puzzle::task::{Task, TaskId};
 use crate::simulator::{VERSION, simulate};
@@ -32,7 +32,7 @@ pub struct AttemptLine {
 }
 
 /// What became of an attempt that was simulated again.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[serde(tag = "verdict", content = "reason", rename_all = "snake_case")]
 pub enum Verdict {
     /// Status, steps and every bit of every pose.
@@ -51,19 +51,11 @@ impl AttemptLine {
     pub fn simulated(task: Option<TaskId>, scene: Option<Value>, ball: Option<Ball>) -> Result<AttemptLine, String> {
         let played = match (task, scene.clone()) {
             (Some(task), None) => Task::load(task).map(Played::from).map_err(|why| why.to_string())?,
-            (None, Some(scene)) => {
-                let own = OwnScene::read(scene).and_then(|own| Played::own(&own));
-                own.map_err(|problems| {
-                    problems.into_iter().map(|problem| problem.sentence).collect::<Vec<_>>().join(" ")
-                })?
-            }
+            (None, Some(scene)) => Played::read(scene).map_err(|problems| sentences(&problems))?,
             _ => return Err("An attempt names either a `task` or a `scene`: write one of them.".to_string()),
         };
         let (status, steps, digest) = match simulate(&played.scene, ball) {
-            Ok(rollout) => {
-                let status = if rollout.solved { Status::Solved } else { Status::NotSolved };
-                (status, rollout.steps, rollout.digest())
-            }
+            Ok(rollout) => (rollout.status(), rollout.steps, rollout.digest()),
             Err(_) => (Status::Invalid, 0, digest_of(&[])),
         };
         Ok(AttemptLine { task, scene, ball, simulator: VERSION, status, steps, digest })
@@ -101,6 +93,7 @@ impl AttemptLine {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::puzzle::own_scene::OwnScene;
 
     fn line() -> AttemptLine {
         let task = "00000:000".parse().expect("an id");

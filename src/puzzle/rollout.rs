@@ -51,6 +51,11 @@ pub fn digest_of(poses: &[Pose]) -> String {
 }
 
 impl Rollout {
+    /// Returns whether it solves.
+    pub fn status(&self) -> Status {
+        if self.solved { Status::Solved } else { Status::NotSolved }
+    }
+
     /// Returns the digest of all poses: equal digests are equal rollouts, to the bit.
     pub fn digest(&self) -> String {
         digest_of(&self.poses)

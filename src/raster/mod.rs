@@ -1,7 +1,7 @@
 //! 64 x 64 images for the nets: the five channels of a scene, and the path of a body through a rollout.
 //!
-//! Everything is drawn at 256 x 256 pixels, one per px, and max-pooled to 64 x 64 cells, as in the data of Harter et
-//! al. (2020). Row 0 is the bottom of the scene. Also defines how cells map to scene coordinates. Used by
+//! Everything is drawn at 256 x 256 pixels, one per px. For the four nets and the judge it is max-pooled to 64 x 64 cells, as in
+//! the data of Harter et al. (2020); for the dynamics net it is average-pooled. Row 0 is the bottom of the scene. Also defines how cells map to scene coordinates. Used by
 //! `dataset`, `nets`, `agents`, `play` and the page. Must not depend on the simulator or on nets.
 
 use scan_conversion::{Span, body_spans, disc_spans};
@@ -266,12 +266,12 @@ mod tests {
         let mut scene = crate::puzzle::task::Task::load("00002:007".parse().expect("an id")).expect("a task").scene;
         let twice = scene.bodies[scene.body1].clone();
         let before = scene_coverage(&scene);
+        let set = |coverage: &Coverage| coverage.to_f32().map(f32::ceil).collect::<Vec<_>>();
         scene.bodies.push(twice);
         assert_eq!(scene_coverage(&scene), before, "a body over another covers no more");
         for (coverage, channel) in before.iter().zip(scene_channels(&scene)) {
-            let touched: Vec<f32> = coverage.to_f32().map(f32::ceil).collect();
-            assert_eq!(touched, channel.to_f32().collect::<Vec<_>>(), "a covered cell is a set cell");
-            assert_eq!(coverage.mirrored().mirrored(), *coverage);
+            assert_eq!(set(coverage), channel.to_f32().collect::<Vec<_>>(), "a covered cell is a set cell");
+            assert_eq!(set(&coverage.mirrored()), channel.mirrored().to_f32().collect::<Vec<_>>());
         }
         let Body { x, y, .. } = scene.bodies[scene.body1];
         let radius = scene.bodies[scene.body1].ball_radius().expect("a ball");

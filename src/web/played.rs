@@ -52,7 +52,7 @@ pub fn plain_scene(value: &JsValue) -> Value {
         && Array::is_array(&bodies)
     {
         // One more than there may be, so that a longer list is refused.
-        let bodies = Array::from(&bodies).slice(0, *BODIES.end() as u32 + 1);
+        let bodies = bodies.unchecked_into::<Array>().slice(0, *BODIES.end() as u32 + 1);
         let bodies = bodies.iter().map(|body| Value::Object(plain_object(&body, &BODY_KEYS)));
         scene.insert("bodies".to_string(), bodies.collect());
     }

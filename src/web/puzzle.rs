@@ -20,7 +20,7 @@ use crate::raster::trail_image;
 const OWN_NAME: &str = "Own scene";
 
 /// What is said of an own scene where a task has its story.
-const OWN_STORY: &str = "A person made this scene. The nets have never seen it.";
+const OWN_STORY: &str = "A person made this scene. It is none of the benchmark's tasks.";
 
 #[wasm_bindgen]
 pub struct Puzzle {

@@ -25,7 +25,7 @@ pub fn scene(#[wasm_bindgen(unchecked_param_type = "Played")] played: JsValue) -
     to_js(&load(played)?.scene)
 }
 
-/// Returns the five channels of a scene, which the nets see: green object, blue goal, purple goal, gray, black. A
+/// Returns the five channels of a scene, which the four nets and the judge see: green object, blue goal, purple goal, gray, black. A
 /// Float32Array `[5, 64, 64]` of zeros and ones, row 0 at the bottom.
 ///
 /// # Errors
@@ -67,7 +67,7 @@ pub fn simulate(
     }
     let scene = load(played)?.scene;
     let (status, reason, rollout) = match simulator::simulate(&scene, ball_from(ball)?) {
-        Ok(rollout) => (if rollout.solved { Status::Solved } else { Status::NotSolved }, None, rollout),
+        Ok(rollout) => (rollout.status(), None, rollout),
         Err(why) => (Status::Invalid, Some(invalid_reason(why, &scene)), nothing_simulated()),
     };
     let js = Object::from(to_js(&Summary { status, reason, ending: Ending::of(&rollout) })?);

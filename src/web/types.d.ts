@@ -190,7 +190,6 @@ export interface Palette {
 /** A puzzle in words. */
 export interface About {
     /** Null for an own scene. */
-    /** Null for an own scene. */
     id: string | null;
     name: string;
     story: string;

@@ -212,7 +212,7 @@ export class Pathlight {
   }
 
   /**
-   * Returns the image that the nets see: the channels green object, blue goal, purple goal, gray and black, each of 64 x 64
+   * Returns the image that the four nets see: the channels green object, blue goal, purple goal, gray and black, each of 64 x 64
    * zeros and ones, row 0 at the bottom.
    * @param {Played} task
    * @returns {Float32Array} `[5, 64, 64]`

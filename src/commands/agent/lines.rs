@@ -5,7 +5,7 @@ use std::io::{self, BufRead, Read};
 use anyhow::{Context, bail, ensure};
 use pathlight::play::played::Played;
 use pathlight::puzzle::action::Ball;
-use pathlight::puzzle::own_scene::Problem;
+use pathlight::puzzle::own_scene::sentences;
 use pathlight::puzzle::recorded_paths::RecordedPaths;
 use pathlight::puzzle::rollout::Status;
 use pathlight::puzzle::sampled_paths::SampledPaths;
@@ -79,10 +79,9 @@ fn scene_line(scene: Value) -> anyhow::Result<Line> {
         let scene = serde_json::from_value(scene).map_err(|error| anyhow::anyhow!("{error}; {EXAMPLES}"))?;
         return checked(scene).map(Line::Scene);
     }
-    let sentence = |problem: Problem| problem.sentence;
     Played::read(scene)
         .map(|played| Line::Own(Box::new(played)))
-        .map_err(|problems| anyhow::anyhow!("{}", problems.into_iter().map(sentence).collect::<Vec<_>>().join(" ")))
+        .map_err(|problems| anyhow::anyhow!("{}", sentences(&problems)))
 }
 
 /// Refuses a scene that the nets cannot see.

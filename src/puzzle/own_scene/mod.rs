@@ -80,6 +80,11 @@ pub struct Problem {
     pub sentence: String,
 }
 
+/// Returns the sentences of problems as one text.
+pub fn sentences(problems: &[Problem]) -> String {
+    problems.iter().map(|problem| problem.sentence.as_str()).collect::<Vec<_>>().join(" ")
+}
+
 impl Problem {
     fn of_scene(sentence: impl Into<String>) -> Problem {
         Problem { body: None, other: None, sentence: sentence.into() }
@@ -166,7 +171,8 @@ impl OwnScene {
                 let (least, most) = allowed.into_inner();
                 let remedy = if length > most { "smaller" } else { "larger" };
                 return Some(format!(
-                    "The {key} of the {name} is {length:.1} px, but may be {least} to {most}: make it {remedy}."
+                    "The {key} of the {name} is {} px, but may be {least} to {most}: make it {remedy}.",
+                    px(length)
                 ));
             }
         }
@@ -177,14 +183,19 @@ impl OwnScene {
         if dynamic {
             let out = [-left, -bottom, right - SIZE, top - SIZE].into_iter().fold(0.0, f64::max);
             (out > MAX_OVERLAP).then(|| {
-                format!("The {name} sticks out of the scene by {out:.1} px: move it inside or make it smaller.")
+                format!("The {name} sticks out of the scene by {} px: move it inside or make it smaller.", px(out))
             })
         } else {
             let away = [-right, -top, left - SIZE, bottom - SIZE].into_iter().fold(0.0, f64::max);
             (away > OUTSIDE)
-                .then(|| format!("The {name} is {away:.0} px outside of the scene: move it nearer, or remove it."))
+                .then(|| format!("The {name} is {} px outside of the scene: move it nearer, or remove it.", px(away)))
         }
     }
+}
+
+/// Returns a length for a sentence; one that is far too large as a power of ten.
+fn px(length: f64) -> String {
+    if length.abs() < 1e5 { format!("{length:.1}") } else { format!("{length:.0e}") }
 }
 
 #[cfg(test)]
