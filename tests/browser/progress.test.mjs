@@ -5,7 +5,7 @@ import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { after, before, test } from 'node:test';
 import { start } from './harness.mjs';
-import { EASY, known, openPuzzle, says, type } from './page-actions.mjs';
+import { EASY, attempts, known, openPuzzle, says, type } from './page-actions.mjs';
 
 let session;
 before(async () => (session = await start()));
@@ -51,6 +51,7 @@ test('an attempt is not told before it has run, and counts when it is left', asy
   await page.locator('#next').click();
   await page.locator('#previous').click();
   assert.equal(await label(page), '1 of 100 ✓ in 1');
+  assert.equal(await attempts(page), 1);
 });
 
 test('another tab’s attempts are seen, and added to', async () => {

@@ -297,6 +297,8 @@ export class PuzzleController extends EventTarget {
     const session = this.#session;
     if (!session) return;
     this.#session = null;
+    // While the components still listen.
+    session.revealResult();
     // In reverse: what others read goes last.
     for (const component of this.#components.toReversed()) component.close();
     session.close();

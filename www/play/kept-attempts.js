@@ -32,7 +32,7 @@ export class KeptAttempts extends Component {
     session.restore(this.#store.of(this.#task).filter(({ by }) => by === "player").map(({ ball }) => ball));
     this.#kept = { player: session.standing("player").used, model: 0 };
     this.#bringBackModel();
-    this.listen("change", () => this.#keep(session));
+    for (const event of /** @type {const} */ (["attempted", "change"])) this.listen(event, () => this.#keep(session));
   }
 
   /** The open task; null if there is none, also for an own scene, whose attempts last as long as it is open. */

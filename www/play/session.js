@@ -348,6 +348,7 @@ export class Session extends EventTarget {
    * @param {number} number
    */
   remove(contender, number) {
+    this.revealResult();
     this.puzzle.remove(contender, number);
     // The shown attempt may be the deleted one, or have another number now.
     if (this.placing) this.#emit("change");
@@ -356,7 +357,7 @@ export class Session extends EventTarget {
 
   /** Returns to placing, with the ball where it was. */
   reset() {
-    this.#revealResult();
+    this.revealResult();
     this.puzzle.reset();
     this.phase = "placing";
     this.shown = null;
@@ -444,10 +445,16 @@ export class Session extends EventTarget {
     this.reset();
   }
 
-  /** Stops the clock and frees the wasm's memory. The session must not be used afterwards. */
+  /** The player's new attempt has run to its end, or the player has left it: its result may be shown. */
+  revealResult() {
+    if (!this.resultHidden) return;
+    this.resultHidden = false;
+    this.#emit("attempted");
+  }
+
+  /** Stops the clock and frees the wasm's memory. `revealResult` comes before. The session must not be used afterwards. */
   close() {
     this.playback.stop();
-    this.#revealResult();
     this.puzzle.free();
   }
 
@@ -457,7 +464,7 @@ export class Session extends EventTarget {
    * @param {{ shown?: ShownAttempt | null, pair?: ShownAttempt[], play?: boolean, resultHidden?: boolean, ghosts?: Ghost[], ghosting?: boolean, duration?: number }} [what]
    */
   #show(phase, { shown = null, pair = [], play = true, resultHidden = false, ghosts = [], ghosting = false, duration } = {}) {
-    this.#revealResult();
+    this.revealResult();
     Object.assign(this, { phase, shown, pair, resultHidden, ghosts, ghosting, approach: null, refusal: null, finished: false });
     const last = this.puzzle.steps();
     const atEnd = !play || this.#prefersReducedMotion();
@@ -472,17 +479,10 @@ export class Session extends EventTarget {
       this.finished = true;
       const { ending } = this.shown ?? {};
       if (ending && !ending.solved && ending.longest_touch === 0 && !this.ghosting) this.approach = this.puzzle.closestApproach() ?? null;
-      this.#revealResult();
+      this.revealResult();
       this.#emit("change");
     }
     this.#emit("draw");
-  }
-
-  /** The player's new attempt has run to its end, or the player has left it: its result may be shown. */
-  #revealResult() {
-    if (!this.resultHidden) return;
-    this.resultHidden = false;
-    this.#emit("attempted");
   }
 
   /** @param {string} words */
