@@ -112,6 +112,23 @@ test('all is saved to a file and read back whole on another device', async () =>
   await third.locator('#progress-words').filter({ hasText: 'solved 1, in 2 attempts' }).waitFor();
 });
 
+test('an older file takes nothing away, and a longer one replaces', async () => {
+  const page = await played();
+  const [player, model] = [await titles(page, 'player-attempts'), await titles(page, 'model-attempts')];
+  await page.locator('#home').click();
+  const line = (x) => ({ task: EASY, by: 'player', ball: [x, 240, 8], status: 'not_solved', steps: 900, longest_touch: 0, final_touch: 0, simulator: 1 });
+  for (const [balls, kept] of [[1, player.length], [3, 3]]) {
+    const buffer = Buffer.from(JSON.stringify({ tasks: {}, attempts: Array.from({ length: balls }, (_, index) => line(20 + 30 * index)) }));
+    await page.locator('#progress-file').setInputFiles({ name: 'file.json', mimeType: 'application/json', buffer });
+    await page.locator('#notice-text').filter({ hasText: `with ${balls} attempt` }).waitFor();
+    await page.goto(`${session.origin}/#task=${EASY}&panel=compare`);
+    await page.locator('#model-attempts li').first().waitFor();
+    assert.equal((await titles(page, 'player-attempts')).length, kept);
+    assert.deepEqual(await titles(page, 'model-attempts'), model);
+    await page.locator('#home').click();
+  }
+});
+
 for (const [what, content] of Object.entries({ 'no JSON': 'soup', 'another form': '[1, 2]', 'impossible attempts': JSON.stringify({ tasks: {}, attempts: [{ task: 'soup', ball: [1], status: 'solved', steps: 1 }] }) })) {
   test(`a file with ${what} is a sentence, and nothing is lost`, async () => {
     const page = await played();

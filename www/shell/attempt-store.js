@@ -58,13 +58,16 @@ export class AttemptStore {
   }
 
   /**
-   * Takes attempts that were saved; of each contender at a puzzle they replace those that are here, others stay.
+   * Takes attempts that were saved: of each contender at a puzzle they replace those that are here if they are more.
    * @param {KeptAttempt[]} attempts
    */
   take(attempts) {
     for (const [task, ofTask] of Map.groupBy(attempts, (one) => one.task)) {
-      const contenders = new Set(ofTask.map(({ by }) => by));
-      this.#write(task, [...this.of(task).filter(({ by }) => !contenders.has(by)), ...ofTask]);
+      for (const [by, saved] of Map.groupBy(ofTask, (one) => one.by)) {
+        const here = this.of(task);
+        const others = here.filter((one) => one.by !== by);
+        if (saved.length > here.length - others.length) this.#write(task, [...others, ...saved]);
+      }
     }
   }
 
