@@ -68,6 +68,16 @@ test('another model has attempts of its own, and those of the first stay', async
   assert.deepEqual(await titles(page, 'model-attempts'), model);
 });
 
+test('a model that is asked for by its name, when it is there already as the first, keeps its attempts', async () => {
+  const page = await played();
+  const model = await titles(page, 'model-attempts');
+  await page.locator('#tab-imagine').click();
+  await page.locator('#model-select').selectOption('within-0');
+  await page.locator('#tab-compare').click();
+  await page.locator('#model-attempts li').first().waitFor();
+  assert.deepEqual(await titles(page, 'model-attempts'), model);
+});
+
 test('an attempt that is deleted, and all that are cleared, stay away', async () => {
   const page = await played();
   await page.locator('#player-attempts [data-act=remove]').first().click();

@@ -317,9 +317,10 @@ export class PuzzleController extends EventTarget {
     }
     Object.assign(this.#state, patch);
     if (this.#state.model !== this.#client.requestedName) {
-      // First, so that what follows from the cleared attempts finds the new model requested and does not start it again.
-      this.#startModel();
+      // The attempts of the model that goes, before the new one brings its own back.
       this.#session?.clearModelAttempts();
+      // Unless a component that saw them go has changed the state, and so started it already.
+      if (this.#state.model !== this.#client.requestedName) this.#startModel();
     }
     this.#applyView();
     this.dispatchEvent(new Event("statechange"));
