@@ -61,6 +61,21 @@ test('a scene that nothing solves says none found, and one that solves itself sa
   await itself.locator('#check-words').filter({ hasText: 'The scene solves itself' }).waitFor();
 });
 
+/** The README's example of a lesson that shows nothing of the model, so that nothing has started it. */
+const WITHOUT_MODEL = '&hide=puzzles,imagine,compare,predict,map,bend';
+
+test('in a lesson without the model: luck, the digest, and attempts are saved', async () => {
+  const { solving } = await known();
+  for (const [button, words] of [['#luck-ask', '#luck-words'], ['#digest', '#attempts-words'], ['#attempts-save', '#attempts-words']]) {
+    const page = await openPuzzle(session, { fragment: WITHOUT_MODEL, reducedMotion: true });
+    await type(page, solving);
+    await page.locator('#run').click();
+    await says(page, /^Solved/);
+    await page.locator(button).click();
+    await page.locator(words).filter({ hasText: /balls within a pixel|to the bit|One attempt is saved/ }).waitFor();
+  }
+});
+
 test('luck or plan, after a ball that solved and not before', async () => {
   const page = await openPuzzle(session, { reducedMotion: true });
   const { solving, missing } = await known();

@@ -96,7 +96,7 @@ export class PuzzleController extends EventTarget {
     this.#components = this.#createComponents(module);
     for (const component of this.#components) {
       component.addEventListener("staterequest", (event) => this.#changeState(/** @type {CustomEvent<Partial<State>>} */ (event).detail));
-      component.addEventListener("modelrequest", () => this.#retryModel());
+      component.addEventListener("modelrequest", () => this.#requestModel());
     }
     this.#client.addEventListener("change", () => this.#onClientChange());
     for (const button of root.querySelectorAll("button[data-opens]")) {
@@ -326,10 +326,9 @@ export class PuzzleController extends EventTarget {
     this.dispatchEvent(new Event("statechange"));
   }
 
-  /** Starts the model, unless no panel that needs it is shown; Bend needs it only where it is open. */
+  /** Starts the model, unless no panel that needs it is shown; Play and Bend ask for it where they need it. */
   #startModel() {
-    const { panel, model } = this.#state;
-    if (panel === "bend" || visiblePanels(this.#state).some((one) => one !== "play" && one !== "bend")) this.#client.start(model);
+    if (visiblePanels(this.#state).some((one) => one !== "play" && one !== "bend")) this.#client.start(this.#state.model);
   }
 
   /** Does a link leave out the buttons that lead away from what it shows? */
@@ -337,10 +336,10 @@ export class PuzzleController extends EventTarget {
     return this.#state.hide.includes("tools");
   }
 
-  /** Starts the model once more; falls back to the first model if the name is unknown. */
-  #retryModel() {
+  /** Starts the model because it is asked for, whatever is shown; falls back to the first model if the name is unknown. */
+  #requestModel() {
     if (this.#client.failure?.code === "no_model") this.#changeState({ model: null });
-    else this.#startModel();
+    else this.#client.start(this.#state.model);
   }
 
   #onClientChange() {
