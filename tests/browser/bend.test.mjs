@@ -53,8 +53,9 @@ test('a body that is dragged with the mouse is where it was dropped, and in the 
   await page.mouse.up();
   await waitForValue(page, '#bend-x', (now) => Math.abs(Number(now) - x - 20) <= 1);
   await waitForValue(page, '#bend-y', (now) => Math.abs(Number(now) - y - 30) <= 1);
-  const scene = await waitForScene(page, ({ bodies: [{ y: at }] }) => at !== y || true);
+  const scene = await waitForScene(page, ({ bodies: now }) => now[body1].y !== y);
   assert.ok(Math.abs(scene.bodies[body1].x - x - 20) <= 1);
+  assert.ok(Math.abs(scene.bodies[body1].y - y - 30) <= 1);
   assert.match(await page.locator('#puzzle-name').textContent(), /, bent$/);
   assert.equal(new URL(page.url()).hash.includes('task='), false);
 });
@@ -124,6 +125,22 @@ test('all of it with keys: select, move, turn, resize, duplicate, delete, undo, 
   await waitForScene(page, ({ bodies }) => JSON.stringify(bodies) === JSON.stringify(before.bodies));
   await scene.press('Control+y');
   await waitForScene(page, ({ bodies }) => bodies.length === before.bodies.length + 1);
+});
+
+test('a run that is shown stays until something is bent', async () => {
+  const page = await openBend();
+  const scene = page.locator('#scene');
+  await page.locator('#bend-watch').click();
+  await says(page, /^The scene without a ball/);
+  for (const key of ['Shift', 'q', 'Escape', 'Delete', 'Space']) await scene.press(key);
+  assert.match(await says(page, /scene/), /scene without a ball/);
+  await scene.press('n');
+  await says(page, /^Drag a body/);
+  await page.locator('#bend-watch').click();
+  await says(page, /^The scene without a ball/);
+  await page.locator('#bend-x').fill('100');
+  await page.locator('#bend-x').press('Enter');
+  await says(page, /^Drag a body/);
 });
 
 test('fields set the numbers, and the announcement says what was changed', async () => {

@@ -36,14 +36,17 @@ export class BendPen {
    */
   #keyGesture = null;
   #draftOf;
+  #onBegin;
   #onEnd;
 
   /**
    * @param {() => import("./draft.js").Draft | null} draftOf
+   * @param {() => void} onBegin called when the pointer comes down
    * @param {() => void} onEnd called when a drag has ended
    */
-  constructor(draftOf, onEnd) {
+  constructor(draftOf, onBegin, onEnd) {
     this.#draftOf = draftOf;
+    this.#onBegin = onBegin;
     this.#onEnd = onEnd;
   }
 
@@ -59,6 +62,7 @@ export class BendPen {
   begin(point, reach) {
     const draft = this.#draftOf();
     if (!draft) return;
+    this.#onBegin();
     this.#drag = draft.body ? knobDrag(draft.body, point, reach) : null;
     if (this.#drag) return;
     // The selected body stays grabbed where it is under another.

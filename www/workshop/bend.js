@@ -23,7 +23,7 @@ import { textOfScene } from "./scene-link.js";
 const REST = 300;
 
 export class Bend extends Component {
-  pen = new BendPen(() => this.#draftToBend(), () => this.#commit());
+  pen = new BendPen(() => this.#draft, () => this.#leaveRun(), () => this.#commit());
   #client;
   #live;
   #fields;
@@ -54,7 +54,7 @@ export class Bend extends Component {
     this.byId("bend-snap", HTMLInputElement).addEventListener("change", () => this.#applySnap());
     for (const button of this.byId("bend").querySelectorAll("[data-adds]")) {
       const shape = /** @type {import("../pkg/pathlight.js").OwnBody["shape"]} */ (button.getAttribute("data-adds"));
-      button.addEventListener("click", () => this.#draftToBend()?.add(shape, [SCENE_SIZE / 2, 0.7 * SCENE_SIZE]));
+      button.addEventListener("click", () => this.#draft?.add(shape, [SCENE_SIZE / 2, 0.7 * SCENE_SIZE]));
     }
   }
 
@@ -90,11 +90,11 @@ export class Bend extends Component {
   }
 
   undo() {
-    this.#draftToBend()?.undo();
+    this.#draft?.undo();
   }
 
   redo() {
-    this.#draftToBend()?.redo();
+    this.#draft?.redo();
   }
 
   /** The scene as it is being bent, or null. */
@@ -132,10 +132,9 @@ export class Bend extends Component {
     };
   }
 
-  /** The draft, to change it; a run that is shown is left. */
-  #draftToBend() {
+  /** Shows the draft in place of a run. */
+  #leaveRun() {
     if (this.session && !this.session.placing) this.session.reset();
-    return this.#draft;
   }
 
   /**
@@ -154,7 +153,11 @@ export class Bend extends Component {
     this.#fields.setDraft(draft);
     this.#problems = [];
     this.#live.clear();
-    draft?.addEventListener("change", () => draft === this.#draft && this.#onChange(draft));
+    draft?.addEventListener("change", () => {
+      if (draft !== this.#draft) return;
+      this.#leaveRun();
+      this.#onChange(draft);
+    });
     if (draft) {
       this.#applySnap();
       this.#onChange(draft);
