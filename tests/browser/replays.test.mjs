@@ -5,7 +5,7 @@ import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { after, before, test } from 'node:test';
 import { start } from './harness.mjs';
-import { known, openPuzzle, playModelTurn, says, type, unsolvedTask } from './page-actions.mjs';
+import { attempts, known, openPuzzle, playModelTurn, says, type, unsolvedTask } from './page-actions.mjs';
 
 let session;
 before(async () => (session = await start()));
@@ -34,9 +34,10 @@ test('a hundred attempts of the model are saved and come out the same, and one o
   await openAttempts(other, 'hundred.jsonl', lines.map((line) => JSON.stringify(line)).join('\n'));
   await words(other, 'hundred.jsonl: 100 of 100 attempts come out the same to the bit');
   await other.locator('#attempts-read button').nth(41).click();
-  await says(other, /ball|attempt/i);
+  await says(other, /^Not solved\. The opened attempt: /);
   await other.waitForFunction((task) => location.hash.includes(task), lines[41].task);
-  assert.equal(await other.locator('#ball-x').inputValue(), String(lines[41].ball[0]));
+  assert.equal(await other.locator('#digest').textContent(), `#${lines[41].digest.slice(0, 8)}`, 'the very same run');
+  assert.equal(await attempts(other), 0, 'it is not the person’s own');
 });
 
 test('an attempt that was changed is found out, and a foreign file is a sentence', async () => {

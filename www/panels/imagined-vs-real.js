@@ -131,7 +131,8 @@ const watchedRun = { runner: "alone", title: "Without a ball" };
  */
 function runOf(attempt) {
   if (!attempt) return watchedRun;
-  const { contender, number, preview } = attempt;
+  const { contender, number, preview, opened } = attempt;
   if (contender === "player") return { runner: contender, title: `Your attempt ${number}`, number };
+  if (opened) return { runner: contender, title: "The opened attempt" };
   return preview ? { runner: contender, title: `The model’s ball ${number}` } : { runner: contender, title: `The model’s attempt ${number}`, number };
 }

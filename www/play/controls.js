@@ -177,7 +177,7 @@ function statusOf(session) {
   if (phase === "watch") return { kind: "hint", words: finished ? "That was the scene without a ball." : "The scene without a ball." };
   if (phase === "compare" || !shown) return finished ? comparedStatus(session.pair) : { kind: "hint", words: compareStatus(session.pair) };
   if (session.ghosting) return { kind: "trying", words: `The model tries: attempt ${shown.number}.` };
-  const what = `${shown.contender === "player" ? "Your" : "The model’s"} ${shown.preview ? "ball" : "attempt"} ${shown.number}`;
+  const what = shown.opened ? "The opened attempt" : `${shown.contender === "player" ? "Your" : "The model’s"} ${shown.preview ? "ball" : "attempt"} ${shown.number}`;
   if (!finished) return { kind: "running", words: `${what} is running.` };
   if (shown.ending.solved) return { kind: "solved", words: `Solved! ${what}: ${shown.words}.` };
   return { kind: "missed", words: `Not solved. ${what}: ${missWords(session, shown)}.` };

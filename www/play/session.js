@@ -17,9 +17,9 @@ import { UndoStack } from "./undo-stack.js";
 /** @typedef {import("../pkg/pathlight.js").ListedAttempt} ListedAttempt */
 
 /**
- * An attempt that is shown. `preview`: it is a proposal of the model's that is only looked at; `tried` says whether the
- * model has tried it too.
- * @typedef {ListedAttempt & { contender: Contender, preview?: boolean, tried?: boolean }} ShownAttempt
+ * An attempt that is shown. `preview`: it is a proposal of the model's that is only looked at, and `tried` says whether the
+ * model has tried it too; or, if `opened`, somebody's attempt from a file.
+ * @typedef {ListedAttempt & { contender: Contender, preview?: boolean, tried?: boolean, opened?: boolean }} ShownAttempt
  */
 
 /**
@@ -260,6 +260,14 @@ export class Session extends EventTarget {
   preview(number, ball, tried, play = false) {
     const attempt = this.puzzle.preview(...ball);
     this.#show("attempt", { shown: { ...attempt, contender: "model", number, tried, preview: true }, play });
+  }
+
+  /**
+   * Plays somebody's attempt from a file; it does not count, and the ball being placed stays.
+   * @param {Ball} ball
+   */
+  playOpened(ball) {
+    this.#show("attempt", { shown: { ...this.puzzle.preview(...ball), contender: "model", preview: true, opened: true } });
   }
 
   /** Is the scene drawn on, instead of a ball placed in it? */

@@ -111,12 +111,9 @@ export class Replays extends Component {
   /** @param {AttemptLine} attempt */
   async #replay({ task, scene, ball }) {
     const text = scene ? await textOfScene(pathlight.ownScene(scene)) : null;
-    this.requestState({ task: text === null ? (task ?? null) : null, scene: text, ball, proposal: null, panel: "play" });
-    const { session } = this;
-    if (!session) return;
-    session.reset();
-    if (ball) session.run();
-    else session.watch();
+    this.requestState({ task: text === null ? (task ?? null) : null, scene: text, ball: null, proposal: null, panel: "play" });
+    if (ball) this.session?.playOpened(ball);
+    else this.session?.watch();
   }
 
   async #explain() {
