@@ -74,26 +74,17 @@ impl Args {
             let file = File::create(&self.out).with_context(|| format!("cannot write {}", self.out.display()))?;
             Box::new(BufWriter::new(file))
         };
-        if let Some((_, Played { id, scene, .. })) = own {
+        let proposals = |Played { id, scene, .. }: Played| {
             let proposals = agents::propose(&nets, &scene, id.seed(self.seed), self.attempts.into());
-            let line =
-                TaskProposals { task: None, balls: proposals.into_iter().map(|proposal| proposal.ball).collect() };
-            writeln!(out, "{}", serde_json::to_string(&line)?)?;
-            return Ok(out.flush()?);
+            TaskProposals { task: id.task(), balls: proposals.into_iter().map(|proposal| proposal.ball).collect() }
+        };
+        if let Some((_, played)) = own {
+            writeln!(out, "{}", serde_json::to_string(&proposals(played))?)?;
         }
         let mut progress = Progress::new(Some(tasks.len() as u64));
         for tasks in tasks.chunks(25) {
-            let lines: Vec<TaskProposals> = tasks
-                .par_iter()
-                .map(|&task| {
-                    let scene = Task::load(task)?.scene;
-                    let proposals = agents::propose(&nets, &scene, task.seed(self.seed), self.attempts.into());
-                    Ok(TaskProposals {
-                        task: Some(task),
-                        balls: proposals.into_iter().map(|proposal| proposal.ball).collect(),
-                    })
-                })
-                .collect::<anyhow::Result<_>>()?;
+            let lines: Vec<TaskProposals> =
+                tasks.par_iter().map(|&task| Ok(proposals(Task::load(task)?.into()))).collect::<anyhow::Result<_>>()?;
             for line in lines {
                 serde_json::to_writer(&mut out, &line)?;
                 out.write_all(b"\n")?;

@@ -71,6 +71,7 @@ impl Args {
             imagined_per_scene: self.imagined_per_scene,
             learning_rate: self.training.learning_rate,
             balls: scenes.balls(),
+            coverage: true,
             variants: scenes.variants(),
             without_dev,
             from: self.from.as_deref().map(digest).transpose()?,

@@ -9,7 +9,6 @@ use pathlight::play::verification::{AttemptLine, Verdict};
 use rayon::prelude::*;
 use serde::Serialize;
 
-use super::own_scene_file::exact_json;
 use super::progress::say;
 
 /// Simulate the attempts of a file again, and say for each: same, other outcome, or not valid
@@ -62,9 +61,8 @@ impl Args {
 }
 
 fn verdict(line: &[u8]) -> Verdict {
-    let parsed = exact_json(line).and_then(|value| Ok(serde_json::from_value::<AttemptLine>(value)?));
-    match parsed {
+    match serde_json::from_slice::<AttemptLine>(line) {
         Ok(attempt) => attempt.verify(),
-        Err(reason) => Verdict::NotValid(format!("The line is no attempt: {reason:#}.")),
+        Err(reason) => Verdict::NotValid(format!("The line is no attempt: {reason}.")),
     }
 }

@@ -33,6 +33,10 @@ pub enum WeightsError {
         "`{name}` has shape {found:?} and type {dtype:?}, but the nets expect {expected:?} in half precision: the weights belong to other nets"
     )]
     ShapeMismatch { name: String, found: Vec<usize>, expected: Vec<usize>, dtype: Dtype },
+    #[error(
+        "the dynamics net of the weights learned from set cells, and is now shown covered shares of cells: train it again with `pathlight train-dynamics`"
+    )]
+    SetCells,
     #[error("the weights have {0} tensors that the nets lack: they belong to other nets")]
     Extra(usize),
     #[error(
@@ -62,6 +66,7 @@ impl PathNet {
         match loader.error {
             Some(error) => Err(error),
             None if extra > 0 => Err(WeightsError::Extra(extra)),
+            None if card.dynamics.as_ref().is_some_and(|dynamics| !dynamics.coverage) => Err(WeightsError::SetCells),
             None => Ok((nets, card)),
         }
     }

@@ -77,5 +77,9 @@ pub fn paint_draft(
     if own.bodies.len() <= own.body1.max(own.body2) {
         return Err(error(Code::BadScene, "the goal of the scene names a body that it does not have"));
     }
+    let lengths = own.bodies.iter().flat_map(|body| body.dimensions.lengths());
+    if let Some((name, length, _)) = lengths.into_iter().find(|(_, length, _)| *length <= 0.0) {
+        return Err(error(Code::BadScene, format!("the {name} of a body is {length}, but has to be positive")));
+    }
     frame::paint(context, &own.to_scene(), &[], &from_js(view)?, &maps)
 }

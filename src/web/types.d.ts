@@ -329,6 +329,8 @@ export interface DynamicsCard {
     imagined_per_scene: number;
     learning_rate: number;
     balls: number;
+    /** The net sees the covered share of each cell. */
+    coverage: boolean;
     /** Variants of the tasks' scenes among the scenes. */
     variants: number;
     without_dev: boolean;

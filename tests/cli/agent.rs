@@ -131,7 +131,10 @@ fn a_bad_line_is_answered_with_an_error_and_changes_nothing() {
         (json!({"status": "not_solved", "task": "00000:000"}), "another task"),
         (json!({"status": "not_solved", "ball": [1, 2, 3]}), "another ball"),
         (json!({"status": "not_solved", "paths": {"object": [], "ball": []}}), "`paths` needs"),
-        (json!({"status": "not_solved", "paths": {"object": [[1e39, 0, 0]], "ball": [[0, 0, 0]]}}), "`paths` needs"),
+        (
+            json!({"status": "not_solved", "paths": {"object": [[1e39, 0, 0]], "ball": [[0, 0, 0]]}}),
+            "number out of range",
+        ),
         (json!({"status": "not_solved", "paths": {"object": [[1, 2]]}}), "at column"),
         (json!({"status": "not_solved", "scene": null, "task": 7}), "at column"),
         (json!({"note": " ".repeat(1 << 18)}), "longer than"),

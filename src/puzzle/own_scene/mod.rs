@@ -108,10 +108,9 @@ impl OwnScene {
         let count = self.bodies.len();
         if !BODIES.contains(&count) {
             let (least, most) = BODIES.into_inner();
-            let remedy = if count < least { "add some" } else { "remove some" };
-            problems.push(Problem::of_scene(format!(
-                "A scene has {least} to {most} bodies, and this one {count}: {remedy}."
-            )));
+            let remedy = if count < least { "fewer: add some" } else { "more: remove some" };
+            problems
+                .push(Problem::of_scene(format!("A scene has {least} to {most} bodies, and this one has {remedy}.")));
         }
         if self.name.as_ref().is_some_and(|name| name.chars().count() > NAME_LENGTH) {
             problems.push(Problem::of_scene(format!("The name is longer than {NAME_LENGTH} characters: shorten it.")));
