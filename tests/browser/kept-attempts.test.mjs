@@ -90,6 +90,38 @@ test('an attempt that is deleted, and all that are cleared, stay away', async ()
   assert.deepEqual([...(await titles(page, 'player-attempts')), ...(await titles(page, 'model-attempts'))], []);
 });
 
+test('attempts of two tabs stay both', async () => {
+  const page = await openPuzzle(session, { reducedMotion: true });
+  const other = await page.context().newPage();
+  await other.emulateMedia({ reducedMotion: 'reduce' });
+  await other.goto(page.url());
+  const { missing, solving } = await known();
+  await run(page, missing, /^Not solved/);
+  await run(other, solving, /^Solved/);
+  await other.reload();
+  await other.locator('#play-attempts li').nth(1).waitFor();
+  // What is deleted in one stays away when the other goes on.
+  await page.locator('#play-attempts [data-act=remove]').click();
+  await page.reload();
+  await page.locator('#play-attempts li').first().waitFor();
+  assert.equal(await attempts(page), 1);
+});
+
+test('the attempts saved at a puzzle are read back as those of the player and of the model', async () => {
+  const page = await played();
+  const [player, model] = [await titles(page, 'player-attempts'), await titles(page, 'model-attempts')];
+  await page.locator('#tab-play').click();
+  const [file] = await Promise.all([page.waitForEvent('download'), page.locator('#attempts-save').click()]);
+  const elsewhere = await session.open('/');
+  await elsewhere.locator('#templates a').first().waitFor();
+  await elsewhere.locator('#progress-file').setInputFiles(await file.path());
+  await elsewhere.locator('#progress-words').filter({ hasText: 'solved 1, in 2 attempts' }).waitFor();
+  await elsewhere.goto(`${session.origin}/#task=${EASY}&panel=compare`);
+  await elsewhere.locator('#model-attempts li').first().waitFor();
+  assert.deepEqual(await titles(elsewhere, 'player-attempts'), player);
+  assert.deepEqual(await titles(elsewhere, 'model-attempts'), model);
+});
+
 test('all is saved to a file and read back whole on another device', async () => {
   const page = await played();
   const [player, model] = [await titles(page, 'player-attempts'), await titles(page, 'model-attempts')];

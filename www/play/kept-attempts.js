@@ -9,8 +9,11 @@ import { SIMULATOR_VERSION } from "../shell/constants.js";
 export class KeptAttempts extends Component {
   #client;
   #store;
-  /** How many attempts there were when they were last kept or brought back. */
-  #kept = { player: 0, model: 0 };
+  /**
+   * The balls of the attempts, as text, when they were last kept or brought back.
+   * @type {Record<import("../pkg/pathlight.js").Contender, string[]>}
+   */
+  #kept = { player: [], model: [] };
 
   /**
    * @param {import("../shell/dom.js").Root} root
@@ -30,7 +33,7 @@ export class KeptAttempts extends Component {
     super.open(session);
     if (!this.#task) return;
     session.restore(this.#store.of(this.#task).filter(({ by }) => by === "player").map(({ ball }) => ball));
-    this.#kept = { player: session.standing("player").used, model: 0 };
+    this.#kept = { player: ballsOf(session.attempts("player")), model: [] };
     this.#bringBackModel();
     for (const event of /** @type {const} */ (["attempted", "change"])) this.listen(event, () => this.#keep(session));
   }
@@ -47,7 +50,7 @@ export class KeptAttempts extends Component {
     if (!session || !this.#task || name === undefined || session.modelName !== null) return;
     const attempts = this.#store.of(this.#task).filter(({ by, simulator }) => by === name && simulator === SIMULATOR_VERSION);
     session.restoreModel(attempts, name);
-    this.#kept.model = session.standing("model").used;
+    this.#kept.model = ballsOf(session.attempts("model"));
   }
 
   /** @param {Session} session */
@@ -55,12 +58,20 @@ export class KeptAttempts extends Component {
     // An attempt that runs for the first time is kept when it has ended.
     if (session.resultHidden || !this.#task) return;
     for (const contender of /** @type {const} */ (["player", "model"])) {
-      const { used } = session.standing(contender);
+      const kept = this.#kept[contender];
+      if (session.standing(contender).used === kept.length) continue;
+      const attempts = session.attempts(contender);
+      const balls = (this.#kept[contender] = ballsOf(attempts));
       const by = contender === "player" ? contender : session.modelName;
-      if (used === this.#kept[contender]) continue;
-      this.#kept[contender] = used;
       // The attempts of a model that goes are not deleted.
-      if (by !== null) this.#store.set(this.#task, by, session.attempts(contender), SIMULATOR_VERSION);
+      if (by === null) continue;
+      this.#store.remove(this.#task, by, kept.filter((ball) => !balls.includes(ball)));
+      this.#store.add(this.#task, by, attempts.filter(({ ball }) => !kept.includes(String(ball))), SIMULATOR_VERSION);
     }
   }
+}
+
+/** @param {import("../pkg/pathlight.js").Attempt[]} attempts */
+function ballsOf(attempts) {
+  return attempts.map(({ ball }) => String(ball));
 }

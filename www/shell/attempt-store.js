@@ -39,15 +39,28 @@ export class AttemptStore {
   }
 
   /**
-   * Replaces the attempts of one contender at a puzzle.
+   * Adds attempts of one contender at a puzzle, beside those that another tab has kept. An attempt with the same ball is replaced,
+   * and so are those of a model that another simulator made, for they are not brought back.
    * @param {string} task
    * @param {string} by
    * @param {Attempt[]} attempts
    * @param {number} simulator
    */
-  set(task, by, attempts, simulator) {
-    const others = this.of(task).filter((one) => one.by !== by);
-    this.#write(task, [...others, ...attempts.map(({ ball, ending }) => ({ task, by, ball, ending, simulator }))]);
+  add(task, by, attempts, simulator) {
+    if (attempts.length === 0) return;
+    const balls = new Set(attempts.map(({ ball }) => String(ball)));
+    const stays = (/** @type {KeptAttempt} */ one) => one.by !== by || (!balls.has(String(one.ball)) && (by === "player" || one.simulator === simulator));
+    this.#write(task, [...this.of(task).filter(stays), ...attempts.map(({ ball, ending }) => ({ task, by, ball, ending, simulator }))]);
+  }
+
+  /**
+   * Deletes the attempts of one contender at a puzzle with these balls.
+   * @param {string} task
+   * @param {string} by
+   * @param {string[]} balls as text
+   */
+  remove(task, by, balls) {
+    if (balls.length) this.#write(task, this.of(task).filter((one) => one.by !== by || !balls.includes(String(one.ball))));
   }
 
   /** All attempts, by puzzle. */
@@ -152,7 +165,8 @@ function attemptOf(line) {
   } catch {
     return null;
   }
-  const { task, by = "player", ball, status, steps, longest_touch = 0, final_touch = 0, simulator = 0 } = parsed ?? {};
+  // A line with a digest names who made it: it may be the model's.
+  const { task, digest, by = digest === undefined ? "player" : null, ball, status, steps, longest_touch = 0, final_touch = 0, simulator = 0 } = parsed ?? {};
   /** @type {(value: unknown) => boolean} */
   const isSteps = (value) => Number.isSafeInteger(value) && Number(value) >= 0 && Number(value) <= MOST_STEPS;
   const isBall = Array.isArray(ball) && ball.length === 3 && ball.every((value) => Number.isFinite(value));

@@ -54,10 +54,11 @@ export class Replays extends Component {
   async #save() {
     const { session } = this;
     if (!session) return;
-    const balls = /** @type {const} */ (["player", "model"]).flatMap((contender) => session.attempts(contender).map(({ ball }) => ball));
+    const { name } = session.about;
+    const made = [...attemptsBy("player", session.attempts("player")), ...attemptsBy(session.modelName ?? "model", session.attempts("model"))];
     try {
-      const lines = await this.#asked().attemptLines(session.played, balls, new AbortController().signal);
-      saveAttempts(session.about.name, lines);
+      const lines = await this.#asked().attemptLines(session.played, made.map(({ ball }) => ball), new AbortController().signal);
+      saveAttempts(name, lines.map((line, index) => ({ ...line, ...made[index] })));
       this.#say(`${lines.length === 1 ? "One attempt is" : `${lines.length} attempts are`} saved: “pathlight verify” simulates them again.`);
     } catch (error) {
       this.#say(/** @type {Error} */ (error).message);
@@ -156,4 +157,13 @@ export class Replays extends Component {
     setText(this.byId("attempts-words"), words);
     this.announce(words);
   }
+}
+
+/**
+ * What the lines of attempts tell beside what verifies them.
+ * @param {string} by
+ * @param {import("../pkg/pathlight.js").Attempt[]} attempts
+ */
+function attemptsBy(by, attempts) {
+  return attempts.map(({ ball, ending: { longest_touch, final_touch } }) => ({ ball, by, longest_touch, final_touch }));
 }
