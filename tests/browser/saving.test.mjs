@@ -61,3 +61,17 @@ test('recording can be stopped, and ends when the run is left', async () => {
   await page.locator('#reset').click();
   await page.locator('#save-words').filter({ hasText: 'given up' }).waitFor();
 });
+
+test('a browser that fails to record says so, and can be asked again', async () => {
+  const page = await openPuzzle(session, { reducedMotion: true });
+  await page.locator('#watch').click();
+  const failures = [
+    () => (MediaRecorder.prototype.start = () => { throw new DOMException('no encoder', 'NotSupportedError'); }),
+    () => (HTMLCanvasElement.prototype.captureStream = () => { throw new DOMException('tainted', 'SecurityError'); }),
+  ];
+  for (const fail of failures) {
+    await page.evaluate(fail);
+    await page.locator('#save-film').filter({ hasText: 'Save the run' }).click();
+    await page.locator('#save-words').filter({ hasText: 'could not record the film' }).waitFor();
+  }
+});

@@ -41,6 +41,8 @@ export class Pictures extends Component {
   close() {
     super.close();
     this.#recording?.abort();
+    this.#recording = null;
+    setText(this.byId("save-words"), "");
   }
 
   #savePicture() {
@@ -69,16 +71,26 @@ export class Pictures extends Component {
     // The recordings of the session may be replaced meanwhile: then the film is given up.
     const { phase, shown } = session;
     const showsTheSame = () => session === this.session && session.phase === phase && session.shown === shown;
-    const blob = await recorded(context.canvas, type, recording.signal, (seconds) => {
-      const step = Math.min(seconds * STEPS_PER_SECOND, steps);
-      if (!showsTheSame()) recording.abort();
-      else this.#paint(session, context, step);
-      setText(this.byId("save-words"), `Recording: ${Math.min(seconds, steps / STEPS_PER_SECOND).toFixed(0)} of ${(steps / STEPS_PER_SECOND).toFixed(0)} s.`);
-      return seconds < steps / STEPS_PER_SECOND + LAST_FRAME;
-    });
+    let words = "The film was given up.";
+    try {
+      const blob = await recorded(context.canvas, type, recording.signal, (seconds) => {
+        const step = Math.min(seconds * STEPS_PER_SECOND, steps);
+        if (!showsTheSame()) recording.abort();
+        else this.#paint(session, context, step);
+        setText(this.byId("save-words"), `Recording: ${Math.min(seconds, steps / STEPS_PER_SECOND).toFixed(0)} of ${(steps / STEPS_PER_SECOND).toFixed(0)} s.`);
+        return seconds < steps / STEPS_PER_SECOND + LAST_FRAME;
+      });
+      if (blob) {
+        download(fileName(titleOf(session), type.includes("mp4") ? "mp4" : "webm"), blob);
+        words = "The film is saved.";
+      }
+    } catch {
+      words = "This browser could not record the film. A picture can be saved.";
+    }
+    // The puzzle may have been left meanwhile.
+    if (this.#recording !== recording) return;
     this.#recording = null;
-    if (blob) download(fileName(titleOf(session), type.includes("mp4") ? "mp4" : "webm"), blob);
-    this.#say(blob ? "The film is saved." : "The film was given up.");
+    this.#say(words);
     this.#update();
   }
 
@@ -107,29 +119,36 @@ export class Pictures extends Component {
 }
 
 /**
- * Records a canvas while frames are drawn on it. Returns the film, or null if it was aborted.
+ * Records a canvas while frames are drawn on it. Returns the film, or null if it was aborted. Rejects if the browser cannot
+ * record it, or a frame cannot be drawn.
  * @param {HTMLCanvasElement} canvas
  * @param {string} type
  * @param {AbortSignal} signal
  * @param {(seconds: number) => boolean} drawFrame draws the frame of a time, s; returns whether more follow
  * @returns {Promise<Blob | null>}
  */
-function recorded(canvas, type, signal, drawFrame) {
+async function recorded(canvas, type, signal, drawFrame) {
   drawFrame(0);
   const recorder = new MediaRecorder(canvas.captureStream(), { mimeType: type, videoBitsPerSecond: BIT_RATE });
   /** @type {Blob[]} */
   const parts = [];
   recorder.addEventListener("dataavailable", ({ data }) => parts.push(data));
-  return new Promise((resolve) => {
-    recorder.addEventListener("stop", () => resolve(signal.aborted ? null : new Blob(parts, { type })));
-    recorder.start();
-    const begin = performance.now();
-    const onFrame = () => {
-      if (signal.aborted || !drawFrame((performance.now() - begin) / 1000)) recorder.stop();
-      else requestAnimationFrame(onFrame);
-    };
-    requestAnimationFrame(onFrame);
-  });
+  /** @type {unknown} */
+  let failure = null;
+  recorder.addEventListener("error", (event) => (failure = event));
+  const stopped = new Promise((resolve) => recorder.addEventListener("stop", resolve));
+  recorder.start();
+  const begin = performance.now();
+  try {
+    do await new Promise(requestAnimationFrame);
+    while (!signal.aborted && recorder.state === "recording" && drawFrame((performance.now() - begin) / 1000));
+  } finally {
+    // It has stopped by itself if it has failed.
+    if (recorder.state === "recording") recorder.stop();
+  }
+  await stopped;
+  if (failure) throw failure;
+  return signal.aborted ? null : new Blob(parts, { type });
 }
 
 /** @param {number} side */
