@@ -138,6 +138,31 @@ test('a puzzle is kept, shown in the grid after a reload, opened, deleted and br
   await page.locator('#puzzle-name').filter({ hasText: 'Mine' }).waitFor();
 });
 
+test('a ball that is moved writes no link of a kept puzzle again', async () => {
+  const page = await session.open('/');
+  await page.evaluate((scene) => localStorage.setItem('pathlight.own-puzzles', JSON.stringify([scene])), SCENE);
+  await page.reload();
+  const link = page.locator('#own-puzzles a');
+  await page.locator('#own-puzzles a[href*="scene="]').waitFor();
+  const href = await link.getAttribute('href');
+  await page.goto(`${session.origin}/#task=${EASY}&hide=map`);
+  await page.locator('#scene').waitFor();
+  assert.equal(await link.getAttribute('href'), `${href}&hide=map`);
+  const written = await page.evaluateHandle(() => {
+    const count = { written: 0 };
+    globalThis.CompressionStream = class extends CompressionStream {
+      constructor(/** @type {CompressionFormat} */ format) {
+        super(format);
+        count.written += 1;
+      }
+    };
+    return count;
+  });
+  for (let step = 0; step < 5; step += 1) await page.locator('#scene').press('ArrowRight');
+  await page.waitForFunction(() => /ball=/.test(location.hash));
+  assert.equal(await written.evaluate((count) => count.written), 0);
+});
+
 test('axe finds nothing in a grid with own puzzles', async () => {
   const page = await session.open('/');
   await page.evaluate((scene) => localStorage.setItem('pathlight.own-puzzles', JSON.stringify([scene])), SCENE);

@@ -34,6 +34,19 @@ test('the link to a usual scene has a few hundred characters', async () => {
   assert.ok(median < 500 && most < 4000, `median ${median}, most ${most}`);
 });
 
+test('the scenes that were met lately are known, and not more', async () => {
+  const { knownScene, sceneOfText: read, textOfScene: write } = await fresh();
+  const scene = pathlight.ownScene('00007:008');
+  const texts = [];
+  for (let index = 0; index < 300; index += 1) {
+    texts.push(await write({ ...scene, name: `Step ${index}` }));
+    assert.equal(knownScene(texts[0])?.name, 'Step 0', 'what is asked for stays');
+  }
+  assert.equal(knownScene(texts[299])?.name, 'Step 299');
+  assert.equal(texts.filter((text) => knownScene(text)).length, 100);
+  assert.equal((await read(texts[1])).name, 'Step 1');
+});
+
 test('damaged text is a sentence, wherever it is damaged', async () => {
   const { sceneOfText: read } = await fresh();
   const text = await textOfScene(pathlight.ownScene('00007:008'));

@@ -5,6 +5,7 @@ import { LazyThumbnails } from "../shell/lazy-thumbnails.js";
 import { byId, createButton } from "../shell/dom.js";
 import { showNotice } from "../shell/notice.js";
 import { pathlight } from "../shell/pathlight.js";
+import { sceneName } from "../shell/puzzle-name.js";
 import { INITIAL_STATE, formatFragment } from "../shell/url-state.js";
 import { ownPuzzles } from "../workshop/own-puzzles.js";
 import { readPuzzles, savePuzzles } from "../workshop/puzzle-file.js";
@@ -59,7 +60,7 @@ export class OwnGallery {
   /** @param {State} state */
   setState({ model, hide }) {
     this.#state = { model, hide };
-    this.#setHrefs();
+    for (const link of this.#list.querySelectorAll("a")) if (link.dataset.scene) this.#setHref(link);
   }
 
   /**
@@ -85,15 +86,11 @@ export class OwnGallery {
     this.#list.replaceChildren(...scenes.map((scene) => this.#item(scene)));
     byId(document, "own-empty").hidden = scenes.length > 0;
     byId(document, "own-save").hidden = scenes.length === 0;
-    this.#setHrefs();
   }
 
-  async #setHrefs() {
-    for (const link of this.#list.querySelectorAll("a")) {
-      const canvas = link.querySelector("canvas");
-      const scene = canvas && this.#sceneOf.get(canvas);
-      if (scene) link.href = `#${formatFragment({ ...INITIAL_STATE, ...this.#state, scene: await textOfScene(scene) })}`;
-    }
+  /** @param {HTMLAnchorElement} link whose scene's text is known */
+  #setHref(link) {
+    link.href = `#${formatFragment({ ...INITIAL_STATE, ...this.#state, scene: link.dataset.scene ?? null })}`;
   }
 
   /** @param {OwnScene} scene */
@@ -101,11 +98,15 @@ export class OwnGallery {
     const canvas = this.#thumbnails.add(SIDE);
     this.#sceneOf.set(canvas, scene);
     const title = document.createElement("strong");
-    title.textContent = nameOf(scene);
+    title.textContent = sceneName(scene);
     const link = document.createElement("a");
     link.append(canvas, title);
+    textOfScene(scene).then((text) => {
+      link.dataset.scene = text;
+      this.#setHref(link);
+    });
     const remove = createButton("Delete", () => this.#remove(scene));
-    remove.setAttribute("aria-label", `Delete ${nameOf(scene)}`);
+    remove.setAttribute("aria-label", `Delete ${sceneName(scene)}`);
     const item = document.createElement("li");
     item.append(link, remove);
     return item;
@@ -115,13 +116,8 @@ export class OwnGallery {
   #remove(scene) {
     const failure = this.#store.remove(scene);
     if (failure) showNotice(failure);
-    else showNotice(`“${nameOf(scene)}” is deleted.`, [["Undo", () => showNotice(this.#store.add([scene]) ?? `“${nameOf(scene)}” is back.`)]]);
+    else showNotice(`“${sceneName(scene)}” is deleted.`, [["Undo", () => showNotice(this.#store.add([scene]) ?? `“${sceneName(scene)}” is back.`)]]);
   }
-}
-
-/** @param {OwnScene} scene */
-function nameOf({ name }) {
-  return name ?? "Own puzzle";
 }
 
 /** @param {DragEvent} event */

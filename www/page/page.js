@@ -9,6 +9,7 @@ import { hideParts } from "../shell/hidden-parts.js";
 import { dismissNotice, showDone, showNotice } from "../shell/notice.js";
 import { pathlight } from "../shell/pathlight.js";
 import { sharedProgress } from "../shell/progress-store.js";
+import { sceneName } from "../shell/puzzle-name.js";
 import { ProgressView } from "../shell/progress-view.js";
 import { LessonDialog } from "./lesson-dialog.js";
 import { ResultsView } from "./results-view.js";
@@ -155,7 +156,7 @@ export class Page {
   #applyTitle({ task, scene, view }) {
     // Its name is known once it has been read; the puzzle itself says if it cannot be.
     if (scene !== null && !knownScene(scene)) sceneOfText(scene).then(() => this.#applyTitle(this.#state), () => {});
-    const name = scene === null ? (task !== null && this.#templateOf(task)?.name) || "" : (knownScene(scene)?.name ?? "Own puzzle");
+    const name = scene === null ? (task !== null && this.#templateOf(task)?.name) || "" : sceneName(knownScene(scene));
     byId(document, "puzzle-name").textContent = name;
     const title = name ? `${name}${task ? ` ${task}` : ""}` : view === "results" ? "Results" : "";
     document.title = title ? `${title} – Pathlight` : "Pathlight";

@@ -4,6 +4,7 @@
 import { palette } from "../pkg/pathlight.js";
 import { byId } from "../shell/dom.js";
 import { difficultyWords } from "../shell/difficulty.js";
+import { download } from "../shell/download.js";
 import { puzzleName } from "../shell/puzzle-name.js";
 import { INITIAL_STATE, formatFragment } from "../shell/url-state.js";
 import { dayWords, taskOfDay } from "./daily.js";
@@ -12,8 +13,6 @@ import { paintResultCard } from "./result-card.js";
 /** @typedef {import("../play/after-solving.js").Result} Result */
 /** @typedef {import("../shell/gallery.js").Template} Template */
 
-/** The browser may read a download some time after the click; its address is kept so long, ms. */
-const DOWNLOAD_TIME = 60_000;
 /** More misses than these are counted, not drawn. */
 const MOST_MARKS = 20;
 
@@ -114,11 +113,7 @@ export class ShareDialog {
 
   #save() {
     if (!this.#file) return;
-    const link = document.createElement("a");
-    link.href = URL.createObjectURL(this.#file);
-    link.download = this.#file.name;
-    link.click();
-    setTimeout(() => URL.revokeObjectURL(link.href), DOWNLOAD_TIME);
+    download(this.#file.name, this.#file);
     this.#say("The picture is saved.");
   }
 

@@ -1,4 +1,4 @@
-// The names that people read: "Funnel, 8 of 100" for a task.
+// The names that people read: "Funnel, 8 of 100" for a task, and those that people give their own puzzles.
 
 import { pathlight } from "./pathlight.js";
 
@@ -14,4 +14,12 @@ export function puzzleName(task) {
     for (const { name, tasks } of pathlight.templates()) tasks.forEach((one, index) => names.set(one, `${name}, ${index + 1} of ${tasks.length}`));
   }
   return names.get(task) ?? task;
+}
+
+/**
+ * The name of an own puzzle, also of one that has none or is not read yet.
+ * @param {{ name?: string } | null | undefined} scene
+ */
+export function sceneName(scene) {
+  return scene?.name ?? "Own puzzle";
 }

@@ -2,6 +2,7 @@
 
 import { download, fileName } from "../shell/download.js";
 import { pathlight } from "../shell/pathlight.js";
+import { sceneName } from "../shell/puzzle-name.js";
 import { plainScene } from "./plain-scene.js";
 
 /** @typedef {import("../pkg/pathlight.js").OwnScene} OwnScene */
@@ -14,7 +15,7 @@ const MAX_SIZE = 8e6;
  * @param {OwnScene} scene
  */
 export function savePuzzle(scene) {
-  download(fileName(scene.name ?? "own puzzle", "json"), jsonBlob(scene));
+  download(fileName(sceneName(scene), "json"), jsonBlob(scene));
 }
 
 /**

@@ -10,18 +10,33 @@ import { plainScene } from "./plain-scene.js";
 /** More than the JSON of a scene of the most bodies, bytes. */
 const MAX_JSON = 256_000;
 
+/** So many texts are known at most: a puzzle that is bent has another with every change. */
+const MOST_KNOWN = 100;
+
 /**
- * The scenes whose text is known, because they were read or written since the page was loaded.
+ * The scenes whose text is known, because they were read or written lately; that of the latest is the last.
  * @type {Map<string, OwnScene>}
  */
 const known = new Map();
 
 /**
- * Returns the scene of a text that was read or written before, or null.
+ * Returns the scene of a text that was read or written lately, or null.
  * @param {string} text
  */
 export function knownScene(text) {
-  return known.get(text) ?? null;
+  const scene = known.get(text);
+  if (scene) remember(text, scene);
+  return scene ?? null;
+}
+
+/**
+ * @param {string} text
+ * @param {OwnScene} scene
+ */
+function remember(text, scene) {
+  known.delete(text);
+  known.set(text, scene);
+  if (known.size > MOST_KNOWN) known.delete(known.keys().next().value ?? "");
 }
 
 /**
@@ -33,7 +48,7 @@ export async function textOfScene(scene) {
   const json = new Blob([JSON.stringify(scene)]).stream();
   const deflated = new Uint8Array(await new Response(json.pipeThrough(new CompressionStream("deflate-raw"))).arrayBuffer());
   const text = btoa(String.fromCharCode(...deflated)).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
-  known.set(text, scene);
+  remember(text, scene);
   return text;
 }
 
@@ -56,7 +71,7 @@ export async function sceneOfText(text) {
   const [problem] = pathlight.sceneProblems(scene);
   if (problem) throw failure("bad_data", `This link holds a puzzle of somebody’s own that cannot be played: ${problem.sentence}`);
   const own = plainScene(scene);
-  known.set(text, own);
+  remember(text, own);
   return own;
 }
 

@@ -2,12 +2,18 @@
 
 import { Component } from "../shell/component.js";
 import { setText } from "../shell/dom.js";
+import { sceneName } from "../shell/puzzle-name.js";
 import { ownPuzzles } from "./own-puzzles.js";
 import { savePuzzle } from "./puzzle-file.js";
 
 export class ShareOwn extends Component {
   #bend;
   #name = this.byId("bend-name", HTMLInputElement);
+  /**
+   * The scene that the sentence is about.
+   * @type {import("../pkg/pathlight.js").OwnScene | null}
+   */
+  #kept = null;
 
   /**
    * @param {import("../shell/dom.js").Root} root
@@ -29,7 +35,8 @@ export class ShareOwn extends Component {
     const scene = this.#bend.playable;
     if (!scene) return;
     const failure = ownPuzzles().add([scene]);
-    this.#say(failure ?? `“${scene.name ?? "Own puzzle"}” is kept in this browser: it is in the grid, after the benchmark’s puzzles.`);
+    this.#kept = scene;
+    this.#say(failure ?? `“${sceneName(scene)}” is kept in this browser: it is in the grid, after the benchmark’s puzzles.`);
   }
 
   /** @param {string} words */
@@ -41,6 +48,7 @@ export class ShareOwn extends Component {
   #update() {
     const scene = this.#bend.playable;
     for (const id of ["bend-keep", "bend-save"]) this.byId(id, HTMLButtonElement).disabled = scene === null;
+    if (this.#bend.scene !== this.#kept) setText(this.byId("bend-said"), "");
     const name = this.#bend.scene?.name ?? "";
     if (this.#name.value !== name && !this.#name.matches(":focus")) this.#name.value = name;
   }
