@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { start } from './harness.mjs';
-import { openPuzzle, unsolvedTask } from './page-actions.mjs';
+import { openPuzzle, says, unsolvedTask } from './page-actions.mjs';
 
 let session;
 before(async () => (session = await start()));
@@ -31,6 +31,37 @@ test('a puzzle is left while pictures of attempts wait to be drawn', async () =>
   // Its attempts come back with it, and their pictures are drawn.
   await page.goBack();
   await page.locator('#model-attempts canvas.drawn').nth(1).waitFor();
+});
+
+test('sentences about a puzzle go with it', async () => {
+  const sentences = ['#attempts-words', '#save-words', '#bend-said', '#bend-alone'];
+  const page = await openPuzzle(session, { fragment: '&panel=bend', reducedMotion: true });
+  await page.locator('#bend-keep').click();
+  await page.locator('#tab-play').click();
+  await page.locator('#watch').click();
+  await page.locator('#digest').click();
+  await page.locator('#save-film').click();
+  for (const id of sentences) await page.locator(id).filter({ hasText: /./ }).waitFor({ state: 'attached' });
+  await page.locator('#attempts-words').filter({ hasText: 'SHA-256' }).waitFor();
+  await page.evaluate(() => (location.hash = '#task=00001:000'));
+  await page.locator('#run:enabled').waitFor();
+  for (const id of sentences) await page.locator(id).filter({ hasNotText: /./ }).waitFor({ state: 'attached' });
+  // The film was given up; that is no news of this puzzle.
+  await page.locator('#watch').click();
+  await says(page, /^That was the scene/);
+  await page.locator('#save-film').filter({ hasText: 'Save the run' }).waitFor();
+  assert.equal(await page.locator('#save-words').textContent(), '');
+});
+
+test('an answer about a puzzle that was left is not shown', async () => {
+  const page = await openPuzzle(session, { reducedMotion: true });
+  await page.locator('#watch').click();
+  // The worker answers in order: the answer to the button comes before that to the search.
+  await page.locator('#digest').click();
+  await page.evaluate(() => (location.hash = '#task=00001:000&panel=bend'));
+  await page.locator('#check-search').click();
+  await page.locator('#check-words').filter({ hasText: 'so far' }).waitFor();
+  assert.equal(await page.locator('#attempts-words').textContent(), '');
 });
 
 test('the colour scheme changes after a puzzle was left', async () => {

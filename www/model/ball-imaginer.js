@@ -1,5 +1,6 @@
-// Asks the worker what the model imagines for a ball that may change all the time: the newest ball counts, and those that come
-// while the worker is at work are left out, except for the last. Knows nothing of the document.
+// Asks the worker what the model imagines for a ball that may change all the time. Knows nothing of the document.
+
+import { LatestCall } from "./latest-call.js";
 
 /** @typedef {import("./messages.js").Ball} Ball */
 /** @typedef {import("./messages.js").ImaginedBall} ImaginedBall */
@@ -17,13 +18,8 @@ export class BallImaginer extends EventTarget {
    */
   failure = null;
   #client;
-  /** @type {Ball | null} */
-  #wanted = null;
-  /**
-   * Runs while the worker is asked.
-   * @type {AbortController | null}
-   */
-  #call = null;
+  /** @type {LatestCall<{ played: Played, ball: Ball }, BallImaginer["answer"]>} */
+  #asking;
 
   /**
    * Fires "answer" when there is another answer, or none any more.
@@ -32,6 +28,11 @@ export class BallImaginer extends EventTarget {
   constructor(client) {
     super();
     this.#client = client;
+    this.#asking = new LatestCall(
+      ({ played, ball }, signal) => this.#answerFor(played, ball, signal),
+      (answer) => answer !== this.answer && this.#set(answer),
+      (message) => this.#set(null, message),
+    );
     client.addEventListener("change", () => client.status !== "ready" && this.forget());
   }
 
@@ -48,38 +49,28 @@ export class BallImaginer extends EventTarget {
   }
 
   /**
-   * Asks for a ball, unless there is an answer for it; null asks for none.
+   * Asks for a ball, unless there is an answer for it.
    * @param {Played} played
-   * @param {Ball | null} ball
+   * @param {Ball} ball
    */
-  async imagine(played, ball) {
-    this.#wanted = ball;
-    if (this.#call || !this.able) return;
-    const call = (this.#call = new AbortController());
-    try {
-      for (let of = this.#unanswered; of; of = this.#unanswered) {
-        const imagined = await this.#client.imagineBall(played, of, call.signal);
-        if (call.signal.aborted) return;
-        this.#set(imagined && { of, imagined });
-        if (!imagined) break;
-      }
-    } catch (error) {
-      if (!call.signal.aborted) this.#set(null, /** @type {Error} */ (error).message);
-    } finally {
-      if (this.#call === call) this.#call = null;
-    }
+  imagine(played, ball) {
+    if (this.able) this.#asking.ask({ played, ball });
   }
 
-  /** The ball that is wanted, if the answer is not for it. */
-  get #unanswered() {
-    return String(this.#wanted) === String(this.answer?.of ?? null) ? null : this.#wanted;
+  /**
+   * @param {Played} played
+   * @param {Ball} ball
+   * @param {AbortSignal} signal
+   */
+  async #answerFor(played, ball, signal) {
+    if (String(ball) === String(this.answer?.of)) return this.answer;
+    const imagined = await this.#client.imagineBall(played, ball, signal);
+    return imagined && { of: ball, imagined };
   }
 
   /** Forgets the answer: it is another puzzle's or another model's. */
   forget() {
-    this.#call?.abort();
-    this.#call = null;
-    this.#wanted = null;
+    this.#asking.stop();
     this.#set(null);
   }
 

@@ -5,26 +5,27 @@ import { Component } from "../shell/component.js";
 import { GRID_SIDE, STAGES } from "../shell/constants.js";
 import { contextOf, setText } from "../shell/dom.js";
 import { pathlight } from "../shell/pathlight.js";
+import { LatestCall } from "../model/latest-call.js";
 import { summary } from "../model/map-summary.js";
 import { STAGE_TEXT } from "../model/stage-text.js";
-import { LatestCall } from "./latest-call.js";
 
 /** @typedef {import("../pkg/pathlight.js").OwnScene} OwnScene */
 /** @typedef {import("../pkg/pathlight.js").Stage} Stage */
+/** @typedef {import("../model/messages.js").Watched} Watched */
 
 export class LiveScene extends Component {
   /** May what the nets imagine be shown? */
   imagines = true;
-  /**
-   * The positions of the green object in the scene alone, x, y, x, y, … in px, or null.
-   * @type {Float32Array | null}
-   */
-  path = null;
   #client;
   /** @type {OwnScene | null} */
   #scene = null;
   /** @type {import("../pkg/pathlight.js").Maps | null} */
   #maps = null;
+  /**
+   * What the scene does alone.
+   * @type {Watched | null}
+   */
+  #watched = null;
   /** @type {string | null} */
   #failure = null;
   #rows;
@@ -57,13 +58,16 @@ export class LiveScene extends Component {
     this.#watching = new LatestCall(
       (/** @type {OwnScene} */ scene, signal) => client.watch(scene, signal),
       (watched) => {
-        this.path = watched.path;
-        setText(this.byId("bend-alone"), aloneWords(watched));
-        this.dispatchEvent(new Event("live"));
+        this.#showWatched(watched);
       },
       onFailure,
     );
     client.addEventListener("change", () => this.#onClientChange());
+  }
+
+  /** The positions of the green object in the scene alone, x, y, x, y, … in px, or null. */
+  get path() {
+    return this.#watched?.path ?? null;
   }
 
   /** The canvases of the maps that are switched on. */
@@ -78,7 +82,12 @@ export class LiveScene extends Component {
    */
   follow(scene, playable) {
     this.#scene = playable ? scene : null;
-    this.#ask();
+    if (playable) {
+      this.#ask();
+    } else {
+      this.#watching.stop();
+      this.#showWatched(null);
+    }
   }
 
   /** Forgets the scene, and what was imagined of it. */
@@ -86,10 +95,10 @@ export class LiveScene extends Component {
     this.#imagining.stop();
     this.#watching.stop();
     this.#scene = null;
-    this.path = null;
     this.#maps = null;
     this.#failure = null;
     this.#show();
+    this.#showWatched(null);
   }
 
   /** @param {boolean} dark */
@@ -131,6 +140,13 @@ export class LiveScene extends Component {
     return { stage, element, box, map: contextOf(canvas) };
   }
 
+  /** @param {Watched | null} watched */
+  #showWatched(watched) {
+    this.#watched = watched;
+    setText(this.byId("bend-alone"), watched ? aloneWords(watched) : "");
+    this.dispatchEvent(new Event("live"));
+  }
+
   #show() {
     for (const { stage, map, element } of this.#rows) {
       map.clearRect(0, 0, GRID_SIDE, GRID_SIDE);
@@ -146,7 +162,7 @@ export class LiveScene extends Component {
   }
 }
 
-/** @param {import("../model/messages.js").Watched} watched */
+/** @param {Watched} watched */
 function aloneWords({ path, solved }) {
   if (solved) return "Without a ball the scene solves itself: there is nothing left to do.";
   const [x, y] = path.slice(-2);

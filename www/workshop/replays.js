@@ -4,6 +4,7 @@
 import { Component } from "../shell/component.js";
 import { createButton, setText } from "../shell/dom.js";
 import { pathlight } from "../shell/pathlight.js";
+import { sceneName } from "../shell/puzzle-name.js";
 import { readNativeAttempts } from "../model/native-attempts.js";
 import { readAttempts, saveAttempts } from "./attempt-file.js";
 import { textOfScene } from "./scene-link.js";
@@ -20,10 +21,12 @@ export class Replays extends Component {
   #input = this.byId("attempts-file", HTMLInputElement);
   #badge = this.byId("digest", HTMLButtonElement);
   /**
-   * Runs while the lines of a file are verified.
+   * Runs while the worker is asked.
    * @type {AbortController | null}
    */
   #call = null;
+  /** The sentence about the attempts that are listed. They are a file's, not the puzzle's, and stay when it is left. */
+  #listWords = "";
   /**
    * The run whose line is known: simulated once, not at every change.
    * @type {{ shown: object | null, phase: string, line: AttemptLine } | null}
@@ -51,43 +54,53 @@ export class Replays extends Component {
     this.#update();
   }
 
-  async #save() {
+  close() {
+    super.close();
+    this.#call?.abort();
+    setText(this.byId("attempts-words"), this.#listWords);
+  }
+
+  #save() {
     const { session } = this;
     if (!session) return;
     const { name } = session.about;
     const made = [...attemptsBy("player", session.attempts("player")), ...attemptsBy(session.modelName ?? "model", session.attempts("model"))];
-    try {
-      const lines = await this.#asked().attemptLines(session.played, made.map(({ ball }) => ball), new AbortController().signal);
+    this.#tell(async (signal) => {
+      const lines = await this.#client.attemptLines(session.played, made.map(({ ball }) => ball), signal);
       saveAttempts(name, lines.map((line, index) => ({ ...line, ...made[index] })));
-      this.#say(`${lines.length === 1 ? "One attempt is" : `${lines.length} attempts are`} saved: “pathlight verify” simulates them again.`);
-    } catch (error) {
-      this.#say(/** @type {Error} */ (error).message);
-    }
+      return `${lines.length === 1 ? "One attempt is" : `${lines.length} attempts are`} saved: “pathlight verify” simulates them again.`;
+    });
   }
 
-  async #open() {
+  #open() {
     const [file] = this.#input.files ?? [];
     this.#input.value = "";
     if (!file) return;
-    this.#call?.abort();
-    const call = (this.#call = new AbortController());
-    try {
+    this.#tell(async (signal) => {
       const lines = await readAttempts(file);
-      this.#say("Each attempt is simulated again.");
-      const verifications = await this.#asked().verify(lines, call.signal);
-      if (call.signal.aborted) return;
+      if (!signal.aborted) this.#say("Each attempt is simulated again.");
+      const verifications = await this.#client.verify(lines, signal);
       this.byId("attempts-read").replaceChildren(...lines.map((line, index) => this.#item(line, verifications[index])));
       const same = verifications.filter(({ verdict }) => verdict === "same").length;
-      this.#say(`${file.name}: ${same} of ${lines.length} attempts come out the same to the bit.`);
+      return (this.#listWords = `${file.name}: ${same} of ${lines.length} attempts come out the same to the bit.`);
+    });
+  }
+
+  /**
+   * Says what the worker is asked for, unless something else is asked for or the puzzle is left meanwhile.
+   * @param {(signal: AbortSignal) => Promise<string>} ask
+   */
+  async #tell(ask) {
+    this.#call?.abort();
+    const call = (this.#call = new AbortController());
+    // A lesson that shows nothing of the model has not started the worker.
+    if (!this.#client.alive) this.requestModel();
+    try {
+      const words = await ask(call.signal);
+      if (!call.signal.aborted) this.#say(words);
     } catch (error) {
       if (!call.signal.aborted) this.#say(/** @type {Error} */ (error).message);
     }
-  }
-
-  /** The worker; a lesson that shows nothing of the model has not started it. */
-  #asked() {
-    if (!this.#client.alive) this.requestModel();
-    return this.#client;
   }
 
   /**
@@ -105,7 +118,7 @@ export class Replays extends Component {
     const { task, scene, ball, status, steps } = attempt;
     const place = ball ? `x ${ball[0]}, y ${ball[1]}, radius ${ball[2]}` : "no ball";
     const words = verification.verdict === "same" ? `${status === "solved" ? "solved" : "not solved"} in ${steps} steps, the same to the bit` : verification.reason;
-    item.append(createButton(`${task ?? scene?.name ?? "Own puzzle"}, ${place}: ${words}`, () => this.#replay(attempt)));
+    item.append(createButton(`${task ?? sceneName(scene)}, ${place}: ${words}`, () => this.#replay(attempt)));
     return item;
   }
 
@@ -117,18 +130,16 @@ export class Replays extends Component {
     else this.session?.watch();
   }
 
-  async #explain() {
+  #explain() {
     const line = this.#line;
     if (!line) return;
-    try {
+    this.#tell(async (signal) => {
       const native = await readNativeAttempts();
-      const [again, ...others] = await this.#asked().verify([line, ...native], new AbortController().signal);
+      const [again, ...others] = await this.#client.verify([line, ...native], signal);
       const agrees = again.verdict === "same" ? "A second instance of the simulator has just computed the same, to the bit." : again.reason;
       const same = others.filter(({ verdict }) => verdict === "same").length;
-      this.#say(`${line.digest.slice(0, BADGE_LENGTH)}… is the SHA-256 of all poses of this run. ${agrees} ${native.length ? `Of ${native.length} runs whose digests the native program has shipped, this browser computes ${same} to the bit. ` : ""}Save the attempts, and “pathlight verify” compares this one too.`);
-    } catch (error) {
-      this.#say(/** @type {Error} */ (error).message);
-    }
+      return `${line.digest.slice(0, BADGE_LENGTH)}… is the SHA-256 of all poses of this run. ${agrees} ${native.length ? `Of ${native.length} runs whose digests the native program has shipped, this browser computes ${same} to the bit. ` : ""}Save the attempts, and “pathlight verify” compares this one too.`;
+    });
   }
 
   /** The line of the run that is shown and has ended, or null. */
