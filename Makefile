@@ -1,6 +1,7 @@
 # make play      builds what is missing and serves the page on PORT; PAGE=www serves its sources as they are, so that a change
 #                shows when the page is loaded again
 # make test      runs every check and test, natively, in Node and in Chromium
+# make test-cluster   makes small results through a Slurm on this machine, and compares (needs root, and Debian for its packages)
 # make build     builds the wasm package and the binary with all commands
 # make package   packs the npm package for scripts and other pages: target/pathlight-VERSION.tgz
 # make dist      builds the page as one folder for any static host, and prints its size
@@ -28,7 +29,7 @@ PACKAGED := Cargo.toml Cargo.lock .cargo/config.toml scripts/build-wasm scripts/
 BUNDLE := scripts/install-tools js-tools && node scripts/bundle-page.mjs
 
 .DELETE_ON_ERROR:
-.PHONY: play test bench build package dist timings pictures clean
+.PHONY: play test test-cluster bench build package dist timings pictures clean
 
 play: $(PACKAGE)
 	@[ -x target/release/pathlight-serve ] || echo "== compiling the server (about a minute on 2 cores, once)"
@@ -39,6 +40,11 @@ play: $(PACKAGE)
 
 test:
 	@scripts/test
+
+test-cluster:
+	scripts/install-tools slurm
+	cargo build --release --bin pathlight
+	tests/cluster/run
 
 bench: $(PACKAGE)
 	@BENCH="$(BENCH)" ROUNDS="$(ROUNDS)" benches/run

@@ -57,15 +57,15 @@ pub struct Args {
 pub struct CollectSettings {
     seed: u64,
     #[serde(alias = "wanted")]
-    per_task: usize,
+    pub per_task: usize,
     /// `simulator::VERSION`
     simulator: u32,
     #[serde(default)]
-    template: Option<usize>,
+    pub template: Option<usize>,
     #[serde(default = "default_limit")]
-    limit: usize,
+    pub limit: usize,
     #[serde(default = "default_rounds")]
-    rounds: usize,
+    pub rounds: usize,
 }
 
 fn default_limit() -> usize {
@@ -79,7 +79,7 @@ fn default_rounds() -> usize {
 /// A line after the settings.
 #[derive(Serialize, Deserialize)]
 #[serde(untagged)]
-enum CollectEntry {
+pub enum CollectEntry {
     Solution(Solution),
     /// The end of a round, and the rollouts so far.
     Round {

@@ -111,6 +111,19 @@ pub fn read<E: Entry>(path: &Path) -> anyhow::Result<(E::Settings, Vec<E>)> {
     Ok((contents.settings, contents.entries))
 }
 
+/// Whether a file begins with the settings of such entries.
+///
+/// # Errors
+/// If it cannot be read.
+pub fn is_file_of<E: Entry>(path: &Path) -> anyhow::Result<bool> {
+    let cannot_read = || format!("cannot read {}", path.display());
+    let mut line = Vec::new();
+    BufReader::new(File::open(path).with_context(cannot_read)?)
+        .read_until(b'\n', &mut line)
+        .with_context(cannot_read)?;
+    Ok(serde_json::from_slice::<E::Settings>(&line).is_ok())
+}
+
 /// Whether the file is empty or ends within the settings that this process would write: nothing is lost with it, and no
 /// file of other contents is taken for one.
 fn is_cut_off_in_the_settings(mut file: &File, settings: &[u8]) -> anyhow::Result<bool> {

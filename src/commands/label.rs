@@ -81,11 +81,11 @@ pub struct Args {
 #[derive(Serialize, Deserialize)]
 pub struct LabelSettings {
     seed: u64,
-    tasks: NonZeroUsize,
+    pub tasks: NonZeroUsize,
     #[serde(default)]
-    template: Option<usize>,
+    pub template: Option<usize>,
     #[serde(default = "default_limit")]
-    limit: usize,
+    pub limit: usize,
     /// `simulator::VERSION`
     simulator: u32,
     /// SHA-256 of the file of solutions.
@@ -98,7 +98,7 @@ pub struct LabelSettings {
     variants: bool,
     /// Setup and fold if only the fold's training tasks were used; absent if all tasks were.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    training_tasks_of: Option<(Setup, u8)>,
+    pub training_tasks_of: Option<(Setup, u8)>,
 }
 
 fn default_limit() -> usize {

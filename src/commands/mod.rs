@@ -29,6 +29,7 @@ mod forecasts;
 mod journal;
 mod label;
 mod labelled_scenes;
+mod merge;
 mod model_args;
 mod own_scene_file;
 mod progress;
@@ -61,6 +62,7 @@ enum Command {
     Collect(collect::Args),
     Train(train::Args),
     Label(label::Args),
+    Merge(merge::Args),
     TrainJudge(train_judge::Args),
     TrainDynamics(train_dynamics::Args),
     Publish(publish::Args),
@@ -87,6 +89,7 @@ impl Command {
             Command::Collect(args) => args.run(),
             Command::Train(args) => args.run(),
             Command::Label(args) => args.run(),
+            Command::Merge(args) => args.run(),
             Command::TrainJudge(args) => args.run(),
             Command::TrainDynamics(args) => args.run(),
             Command::Publish(args) => args.run(),

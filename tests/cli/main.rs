@@ -15,6 +15,7 @@ mod calibration;
 mod collect;
 mod forecasts;
 mod label;
+mod merge;
 mod own_scenes;
 mod pipes;
 mod reference;

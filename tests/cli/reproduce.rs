@@ -35,10 +35,11 @@ fn small(folder: &Path) -> Vec<String> {
     words.map(String::from).to_vec()
 }
 
-/// A job of the array.
-fn job(index: &str, words: &[String]) -> Output {
-    let mut script = Command::new("results/array.sh");
-    script.env("PATHLIGHT", env!("CARGO_BIN_EXE_pathlight")).env("SLURM_ARRAY_TASK_ID", index).args(words);
+/// A job of the array of folds. It names the files and the rounds of labelling itself.
+fn job(index: &str, folder: &Path, words: &[String]) -> Output {
+    let mut script = Command::new("scripts/cluster/job");
+    script.env("PATHLIGHT", env!("CARGO_BIN_EXE_pathlight")).env("SLURM_ARRAY_TASK_ID", index);
+    script.env("FOLDER", folder).env("LABEL_ROUNDS", "1").arg("fold").args(&words[10..]);
     script.output().expect("the script runs")
 }
 
@@ -52,7 +53,7 @@ fn jobs_make_results_and_the_report_reads_them() {
     output_of(&[&["label", "--out", labels], &few[..]].concat());
 
     for index in ["3", "10"] {
-        let made = job(index, &words);
+        let made = job(index, folder.path(), &words);
         let said = String::from_utf8_lossy(&made.stderr);
         assert!(made.status.success(), "{said}");
         // The commands that it names are those that it ran: run again, they find their own runs complete.
@@ -80,11 +81,11 @@ fn jobs_make_results_and_the_report_reads_them() {
     assert!(agents.iter().all(|one| one["first_solved"].as_array().is_some_and(|tasks| tasks.len() == 25)));
 
     let before = file("cross-0.json");
-    let again = job("10", &words);
+    let again = job("10", folder.path(), &words);
     assert!(String::from_utf8_lossy(&again.stderr).contains("cross-0.json exists"));
     assert_eq!(file("cross-0.json"), before);
     let other: Vec<String> = [&words[..], &["--seed".to_string(), "1".to_string()]].concat();
-    let refused = job("10", &other);
+    let refused = job("10", folder.path(), &other);
     assert!(String::from_utf8_lossy(&refused.stderr).contains("`seed` is 0 instead of 1): choose other folders"));
 
     let report = ["reproduce", "--only", "report", "--results", &words[1]];
@@ -106,7 +107,7 @@ fn jobs_make_results_and_the_report_reads_them() {
         assert_refused(&report, "within-4.json was made with other settings");
         assert_refused(&report, difference);
         if key == "/report/agents_version" {
-            let made = job("4", &words);
+            let made = job("4", folder.path(), &words);
             assert!(String::from_utf8_lossy(&made.stderr).contains(difference), "{made:?}");
         }
     }
@@ -119,6 +120,8 @@ fn jobs_make_results_and_the_report_reads_them() {
     assert!(printed.lines().any(|line| line.starts_with("| **random** |") && line.contains(&format!(" {random:.1} "))));
     let picture = fs::read_to_string(results.join("templates.svg")).expect("a picture");
     assert!(picture.contains("within, mean over the folds") && picture.contains("00024"));
+    let costs = fs::read_to_string(results.join("costs.md")).expect("costs");
+    assert!(costs.contains("\n| within | 3 | 1 | ") && costs.contains("\n| 200 | "), "{costs}");
 }
 
 #[test]
@@ -171,8 +174,8 @@ fn what_is_missing_is_named() {
     fs::create_dir(folder.path().join("results")).expect("a folder");
     fs::write(folder.path().join("results/within-0.json"), "{").expect("a file");
     assert_refused(&with("folds"), "is not a result of `pathlight reproduce`");
-    for index in ["", "20", "within"] {
-        let refused = job(index, &words);
-        assert!(String::from_utf8_lossy(&refused.stderr).contains("set it to 0 to 19"), "{index}");
+    for (index, named) in [("25", "submit the job with"), ("20", "rows of 0-19"), ("within", "submit the job with")] {
+        let refused = job(index, folder.path(), &words);
+        assert!(String::from_utf8_lossy(&refused.stderr).contains(named), "{index}");
     }
 }

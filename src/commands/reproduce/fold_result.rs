@@ -67,6 +67,9 @@ pub struct FoldResult {
     pub weights: u64,
     /// Wall-clock time of the evaluation of all agents, s.
     pub evaluation_seconds: f64,
+    /// Threads that it was made with; absent from older results.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub threads: Option<usize>,
     pub report: Report,
 }
 

@@ -71,6 +71,7 @@ pub fn run(
         judge: trained(&judge_folder)?,
         weights: fs::metadata(&judge_weights)?.len(),
         evaluation_seconds: started.elapsed().as_secs_f64(),
+        threads: Some(rayon::current_num_threads()),
         report,
     })
 }

@@ -16,6 +16,7 @@ use super::progress::say;
 use super::{collect, defaults, label};
 use fold_result::{DataFiles, FoldResult, Hyperparameters, ResultSettings};
 
+mod costs;
 mod fold_result;
 mod fold_run;
 mod plot;
@@ -62,7 +63,7 @@ enum Part {
     Data,
     /// Training and evaluation: a JSON file per setup and fold
     Folds,
-    /// README.md and a plot of the existing results
+    /// README.md, a plot and costs.md of the existing results
     Report,
 }
 
@@ -84,7 +85,9 @@ impl Args {
             }
         }
         if asked(Part::Report) {
-            report::write(&fold_result::read(&self.results)?, &self.solutions, &self.results)?;
+            let results = fold_result::read(&self.results)?;
+            report::write(&results, &self.solutions, &self.results)?;
+            costs::write(&results, &self.solutions, &self.results)?;
         }
         Ok(())
     }

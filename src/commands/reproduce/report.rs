@@ -122,22 +122,22 @@ fn training(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
         text,
         "\n## Training\n\nLearning rates are peak values. The nets' rate is constant, then decays linearly to zero over \
          the decay epochs; the judge's warms up, then decays linearly to zero. A loss is the mean over the last \
-         batches; times are wall-clock.\n"
+         batches. `costs.md` has the times.\n"
     )?;
     writeln!(
         text,
-        "| setup | fold | solutions (tasks) | epochs x batch | learning rate | decay epochs | placement loss | min | balls | \
-         judge: epochs x batch x balls | learning rate | loss | min | weights, MB | evaluation, s |\n|{}",
-        " ---: |".repeat(15)
+        "| setup | fold | solutions (tasks) | epochs x batch | learning rate | decay epochs | placement loss | balls | \
+         judge: epochs x batch x balls | learning rate | loss | weights, MB |\n|{}",
+        " ---: |".repeat(12)
     )?;
-    for FoldResult { report, nets, judge, weights, evaluation_seconds, .. } in results {
+    for FoldResult { report, nets, judge, weights, .. } in results {
         let Some(judge_card) = &judge.card.judge else { continue };
         let card = &nets.card;
         let last =
             |run: &Checkpoint| run.log.last().and_then(|(_, _, losses)| losses.last().copied()).unwrap_or(f32::NAN);
         writeln!(
             text,
-            "| {} | {} | {} ({}) | {} x {} | {} | {} | {:.4} | {:.0} | {} | {} x {} x {} | {} | {:.4} | {:.0} | {:.2} | {:.0} |",
+            "| {} | {} | {} ({}) | {} x {} | {} | {} | {:.4} | {} | {} x {} x {} | {} | {:.4} | {:.2} |",
             report.setup,
             report.fold,
             card.samples,
@@ -147,16 +147,13 @@ fn training(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
             card.learning_rate,
             card.decay_epochs,
             last(nets),
-            nets.seconds / 60.0,
             judge_card.balls,
             judge_card.epochs,
             judge_card.batch,
             judge_card.balls_per_scene,
             judge_card.learning_rate,
             last(judge),
-            judge.seconds / 60.0,
             *weights as f64 / 1e6,
-            evaluation_seconds,
         )?;
     }
     Ok(())
@@ -216,14 +213,8 @@ pathlight reproduce --only report               # this file and the plot
 ```
 
 Folds only read the two shared data files, so up to twenty processes can run in parallel, on all machines that share
-the folder. `results/array.sh` is such a job, for Slurm's arrays or anything else that sets `SLURM_ARRAY_TASK_ID`:
-
-```
-pathlight reproduce --only data
-sbatch --array=0-19 --cpus-per-task=2 results/array.sh
-seq 0 19 | RAYON_NUM_THREADS=2 xargs -P 4 -I{} env SLURM_ARRAY_TASK_ID={} results/array.sh  # without a scheduler
-pathlight reproduce --only report
-```
+the folder. `scripts/cluster/submit FOLDER` submits the whole chain to Slurm, from the search for solutions to the report, as
+arrays of jobs that each wait for the one before. `costs.md` says what that takes.
 ";
 
 /// The results of a setup.

@@ -1,0 +1,124 @@
+//! What the results cost, and what more would: `costs.md` beside the report. Apart from it, because times differ from run to
+//! run, and the report does not.
+
+use std::fmt::Write as _;
+use std::fs;
+use std::path::Path;
+use std::time::Instant;
+
+use anyhow::Context;
+use pathlight::benchmark::folds::{FOLDS, Setup};
+use pathlight::dataset::labels::LabelledBalls;
+use pathlight::dataset::solutions::Solution;
+use pathlight::puzzle::action::Ball;
+use pathlight::puzzle::task::Task;
+use pathlight::puzzle::templates::TEMPLATES;
+
+use super::fold_result::FoldResult;
+use super::report::of;
+use crate::commands::collect::read_solutions;
+use crate::commands::label::BALLS;
+
+/// How many times the labels the estimate is for.
+const MORE_LABELS: f64 = 10.0;
+
+/// Cores that the estimate is for.
+const CORES: [usize; 3] = [1, 20, 200];
+
+/// A row's costs, core-minutes.
+struct RowCost {
+    nets: f64,
+    judge: f64,
+    evaluation: f64,
+}
+
+/// Writes the costs to a folder.
+///
+/// # Errors
+/// If the solutions cannot be read, or the folder cannot be written.
+pub fn write(results: &[FoldResult], solutions: &Path, folder: &Path) -> anyhow::Result<()> {
+    let per_ball = seconds_per_ball(&read_solutions(solutions)?.solutions)?;
+    let mut text = String::from(
+        "# Costs\n\n`pathlight reproduce` printed this beside the report. Times are wall-clock times multiplied by the number \
+         of threads; where a result does not name its threads, they count as one.\n\n",
+    );
+    rows(&mut text, results)?;
+    estimate(&mut text, results, per_ball)?;
+    let path = folder.join("costs.md");
+    fs::write(&path, &text).with_context(|| format!("cannot write {}", path.display()))
+}
+
+fn cost(result: &FoldResult) -> RowCost {
+    let minutes = |seconds: f64| seconds * result.threads.unwrap_or(1) as f64 / 60.0;
+    RowCost {
+        nets: minutes(result.nets.seconds),
+        judge: minutes(result.judge.seconds),
+        evaluation: minutes(result.evaluation_seconds),
+    }
+}
+
+fn rows(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
+    writeln!(text, "## Each row, core-minutes\n")?;
+    writeln!(text, "| setup | fold | threads | four nets | judge | evaluation | all |\n|{}", " ---: |".repeat(7))?;
+    for result in results {
+        let RowCost { nets, judge, evaluation } = cost(result);
+        let threads = result.threads.map_or("–".to_string(), |threads| threads.to_string());
+        let (setup, fold, all) = (result.report.setup, result.report.fold, nets + judge + evaluation);
+        writeln!(text, "| {setup} | {fold} | {threads} | {nets:.1} | {judge:.1} | {evaluation:.1} | {all:.1} |")?;
+    }
+    Ok(())
+}
+
+/// All rows with more labels, of which every ball is seen as often, so that the judge trains longer by the same factor.
+fn estimate(text: &mut String, results: &[FoldResult], seconds_per_ball: f64) -> anyhow::Result<()> {
+    let Some(first) = results.first() else { return Ok(()) };
+    let tasks: usize = TEMPLATES.iter().map(|&template| Task::of(template).count()).sum();
+    let balls = MORE_LABELS * (tasks * BALLS) as f64 * f64::from(first.hyperparameters.label_rounds);
+    let label_hours = balls * seconds_per_ball / 3600.0;
+    // The mean of a setup stands for its folds that were not made.
+    let hours = |setup: Setup| {
+        let costs: Vec<f64> = of(results, setup)
+            .map(cost)
+            .map(|RowCost { nets, judge, evaluation }| (nets + MORE_LABELS * judge + evaluation) / 60.0)
+            .collect();
+        (!costs.is_empty()).then(|| costs.iter().sum::<f64>() / costs.len() as f64)
+    };
+    let rows: Vec<f64> = [Setup::Within, Setup::Cross].into_iter().filter_map(hours).collect();
+    let count = rows.len() * usize::from(FOLDS);
+    let longest = rows.iter().copied().fold(0.0, f64::max);
+    let all: f64 = rows.iter().sum::<f64>() * f64::from(FOLDS);
+    writeln!(
+        text,
+        "\n## {count} rows at {MORE_LABELS} times the labels, estimated\n\n\
+         {balls:.2e} balls to label, at {:.2} ms each on one core (measured on {} balls when this was written). The judge is \
+         trained {MORE_LABELS} times as long; four nets and evaluation stay. A row is one job on one core; the labels are made by \
+         at most {} jobs, one for each template.\n",
+        1e3 * seconds_per_ball,
+        TEMPLATES.len() * BALLS,
+        TEMPLATES.len(),
+    )?;
+    writeln!(text, "| cores | labels, h | rows, h | all, h | most of it |\n| ---: | ---: | ---: | ---: | --- |")?;
+    for cores in CORES {
+        let labels = label_hours / cores.min(TEMPLATES.len()) as f64;
+        // No schedule is shorter than the mean load of a core, or than the longest job.
+        let rows = longest.max(all / cores as f64);
+        let most = match (labels > rows, rows > longest) {
+            (true, _) => "labels",
+            (false, true) => "training",
+            (false, false) => "the training of one row, which further cores do not shorten",
+        };
+        writeln!(text, "| {cores} | {labels:.2} | {rows:.2} | {:.2} | {most} |", labels + rows)?;
+    }
+    Ok(())
+}
+
+/// How long a ball takes to label, on one core: a round of the first task of each template.
+fn seconds_per_ball(solutions: &[Solution]) -> anyhow::Result<f64> {
+    let started = Instant::now();
+    for template in TEMPLATES {
+        let Some(task) = Task::of(template).next() else { continue };
+        let own: Vec<Ball> = solutions.iter().filter(|one| one.task == task.id).map(|one| one.ball).collect();
+        LabelledBalls::sample(&task, &own, &own, BALLS, 0, 0);
+    }
+    Ok(started.elapsed().as_secs_f64() / (TEMPLATES.len() * BALLS) as f64)
+}
