@@ -1,9 +1,9 @@
 // axe finds nothing serious or critical on any view, on a desktop and on a phone, light and dark; and the roles stand
 // out from the paper.
 
-import AxeBuilder from '@axe-core/playwright';
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
+import { axeFindsNothing } from './axe.mjs';
 import { start } from './harness.mjs';
 import { EASY, known, openPuzzle, playModelTurn, says, type } from './page-actions.mjs';
 
@@ -16,26 +16,19 @@ const SCREENS = {
   'a phone': { viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true },
 };
 
-async function check(page, view) {
-  const { violations } = await new AxeBuilder({ page }).analyze();
-  const bad = violations.filter(({ impact }) => impact === 'serious' || impact === 'critical');
-  const told = bad.map(({ id, help, nodes }) => `${id}: ${help}\n  ${nodes.map(({ html }) => html).join('\n  ')}`);
-  assert.equal(bad.length, 0, `${view}:\n${told.join('\n')}`);
-}
-
 for (const [screen, size] of Object.entries(SCREENS)) {
   for (const colorScheme of /** @type {const} */ (['light', 'dark'])) {
     test(`the grid, a bad link and all sheets on ${screen}, ${colorScheme}`, async () => {
       const page = await session.open('/#task=00007:999', { ...size, colorScheme });
       await page.locator('#templates canvas.drawn').first().waitFor();
       await page.evaluate((task) => localStorage.setItem('pathlight.progress', JSON.stringify({ tasks: { [task]: { attempts: 3, solved: 2 } } })), EASY);
-      await check(page, 'bad link');
+      await axeFindsNothing(page, 'bad link');
       await page.reload();
       await page.locator('#progress:visible').waitFor();
-      await check(page, 'grid');
+      await axeFindsNothing(page, 'grid');
       for (const sheet of ['keys-dialog', 'about-dialog', 'forget-dialog']) {
         await page.locator(`#${sheet}`).evaluate((dialog) => dialog.showModal());
-        await check(page, sheet);
+        await axeFindsNothing(page, sheet);
         await page.keyboard.press('Escape');
       }
     });
@@ -43,37 +36,37 @@ for (const [screen, size] of Object.entries(SCREENS)) {
     test(`placing, running, solved, missed and overlaid on ${screen}, ${colorScheme}`, async () => {
       const page = await openPuzzle(session, { ...size, colorScheme });
       const { solving, missing, invalid } = await known();
-      await check(page, 'placing');
+      await axeFindsNothing(page, 'placing');
       await type(page, missing);
       await page.locator('#forecast-on').check();
       await page.locator('#forecast-words').filter({ hasText: 'thinks' }).waitFor();
       await page.locator('#forecast-how summary').click();
-      await check(page, 'what would this ball do?');
+      await axeFindsNothing(page, 'what would this ball do?');
       await page.locator('#speed').selectOption('0.25');
       await page.locator('#run').click();
       await says(page, /is running/);
-      await check(page, 'running');
+      await axeFindsNothing(page, 'running');
       await page.locator('#reset').click();
       await page.emulateMedia({ reducedMotion: 'reduce' });
       for (const { one, words } of [{ one: missing, words: /^Not solved/ }, { one: solving, words: /^Solved/ }, { one: invalid, words: /does not count/ }]) {
         await type(page, one);
         await page.locator('#run').click();
         await says(page, words);
-        await check(page, String(words));
+        await axeFindsNothing(page, String(words));
       }
       await page.locator('#play-attempts [data-act=overlay]').first().click();
       await says(page, /\(dashed\)/);
-      await check(page, 'overlaid');
+      await axeFindsNothing(page, 'overlaid');
     });
 
     test(`imagine and compare on ${screen}, ${colorScheme}`, async () => {
       const page = await openPuzzle(session, { ...size, colorScheme, fragment: '&panel=imagine&layers=base,placement', reducedMotion: true });
       await page.locator('#imagined-in').filter({ hasText: 'Imagined' }).waitFor();
-      await check(page, 'imagine');
+      await axeFindsNothing(page, 'imagine');
       await page.locator('#tab-compare').click();
-      await check(page, 'compare, before');
+      await axeFindsNothing(page, 'compare, before');
       await playModelTurn(page);
-      await check(page, 'compare, after');
+      await axeFindsNothing(page, 'compare, after');
     });
 
     test(`how the model thinks on ${screen}, ${colorScheme}`, async () => {
@@ -83,20 +76,20 @@ for (const [screen, size] of Object.entries(SCREENS)) {
       await page.locator('#walkthrough-next').click();
       await page.locator('[data-stage=base] .map').press('ArrowUp');
       for (const sum of await page.locator('#imagine summary:visible').all()) await sum.click();
-      await check(page, 'a step of the story, read');
+      await axeFindsNothing(page, 'a step of the story, read');
       await page.locator('#walkthrough-dots button:visible').last().click();
       await page.waitForTimeout(300);
-      await check(page, 'the last step of the story');
+      await axeFindsNothing(page, 'the last step of the story');
       await tab('predict');
-      await check(page, 'predict');
+      await axeFindsNothing(page, 'predict');
       await page.locator('#scene').press('Shift+ArrowDown');
       await page.locator('#predict-watch').click();
       await page.locator('#predict-result:visible').waitFor();
-      await check(page, 'predict, measured');
+      await axeFindsNothing(page, 'predict, measured');
       await tab('imagine');
       await page.locator('#walkthrough-all').click();
       await page.locator('#runs li').first().waitFor();
-      await check(page, 'imagined and real');
+      await axeFindsNothing(page, 'imagined and real');
       await tab('compare');
       await page.waitForFunction(() => /panel=compare/.test(location.hash));
       await page.evaluate((task) => localStorage.setItem('pathlight.progress', JSON.stringify({ tasks: { [task]: { attempts: 3, solved: 2 } } })), EASY);
@@ -106,12 +99,12 @@ for (const [screen, size] of Object.entries(SCREENS)) {
       await page.locator('#proposal-next').click();
       await page.locator('#proposal-facts:visible').waitFor();
       for (const sum of await page.locator('#compare summary:visible').all()) await sum.click();
-      await check(page, 'a ball of the model’s, and the score');
+      await axeFindsNothing(page, 'a ball of the model’s, and the score');
       await tab('map');
       await page.locator('#solve-map-search').click();
       await page.locator('#solve-map-words').filter({ hasText: 'tried so far' }).waitFor();
       await page.locator('#solve-map-placement').check();
-      await check(page, 'map');
+      await axeFindsNothing(page, 'map');
     });
   }
 }

@@ -1,8 +1,8 @@
 // <pathlight-puzzle> and the page around it: the page's styles, language, policy and missing files, and what axe finds.
 
-import AxeBuilder from '@axe-core/playwright';
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
+import { axeFindsNothing } from './axe.mjs';
 import { LESSON, embed, imagined, single, wait, workers } from './embedding.mjs';
 import { start } from './harness.mjs';
 import { known } from './page-actions.mjs';
@@ -19,11 +19,6 @@ async function solve(page) {
   await page.locator('#status').filter({ hasText: /^Solved!/ }).waitFor();
 }
 
-async function check(page, view) {
-  const { violations } = await new AxeBuilder({ page }).analyze();
-  assert.deepEqual(violations.map(({ id, nodes }) => [id, nodes.map(({ html }) => html)]), [], view);
-}
-
 for (const colorScheme of /** @type {const} */ (['light', 'dark'])) {
   test(`axe finds nothing in an embedded puzzle, ${colorScheme}`, async () => {
     const page = await embed(session, LESSON, { colorScheme });
@@ -34,17 +29,17 @@ for (const colorScheme of /** @type {const} */ (['light', 'dark'])) {
     assert.match(names[1], /^Puzzle Funnel 00007:008$/);
     for (const panel of ['play', 'imagine', 'compare', 'predict', 'map']) {
       await two.locator(`#tab-${panel}`).click();
-      await check(page, panel);
+      await axeFindsNothing(page, panel, { all: true });
     }
     for (const show of ['showKeys', 'showAbout']) {
       await two.evaluate((element, name) => element[name](), show);
       await two.locator('dialog[open]').waitFor();
-      await check(page, show);
+      await axeFindsNothing(page, show, { all: true });
       await page.keyboard.press('Escape');
     }
     await one.evaluate((element) => element.setAttribute('task', '00007:999'));
     await one.locator('#problem').waitFor();
-    await check(page, 'an unknown puzzle');
+    await axeFindsNothing(page, 'an unknown puzzle', { all: true });
   });
 }
 
@@ -102,7 +97,7 @@ for (const { what, files, answer, words } of [
     const alert = page.getByRole('alert').filter({ hasText: words });
     await alert.waitFor();
     assert.ok(await alert.evaluate((element) => element.matches(':lang(en)')));
-    await check(page, what);
+    await axeFindsNothing(page, what, { all: true });
     await alert.getByRole('button', { name: 'Try again' }).click();
     await page.locator('.placeholder button:focus').waitFor();
     await page.unroute(files);
