@@ -57,6 +57,26 @@ test('a link opens the puzzle elsewhere, with its name and goal', async () => {
   await page.locator('#puzzle-name').filter({ hasText: 'Over the wall' }).waitFor();
   assert.match(await page.locator('#goal').textContent(), /green ball.*purple bar/);
   assert.equal(await page.locator('.picker').isVisible(), false);
+  // Beside a puzzle the name of the page is enough, of whatever kind it is.
+  await page.setViewportSize({ width: 800, height: 900 });
+  const sizes = [];
+  for (const fragment of [`scene=${text}`, `task=${EASY}`]) {
+    await page.goto(`${session.origin}/#${fragment}`);
+    await page.locator('#goal').waitFor();
+    sizes.push(await page.locator('header').first().evaluate((header) => header.querySelector('.brand').clientWidth));
+  }
+  assert.equal(sizes[0], sizes[1]);
+});
+
+test('the table of the model’s balls quotes the name of the puzzle', async () => {
+  const first = await session.open('/');
+  await first.locator('#own-open').waitFor();
+  const page = await session.open(`/#scene=${await textOf(first, { ...SCENE, name: 'Over, "by hand"' })}&panel=compare`);
+  const [table] = await Promise.all([page.waitForEvent('download'), page.locator('#proposal-save').click()]);
+  const [head, ...rows] = (await readFile(await table.path(), 'utf8')).trimEnd().split('\r\n');
+  const name = '"Over, ""by hand""",';
+  assert.ok(rows.length > 0 && rows.every((row) => row.startsWith(name)), rows[0]);
+  assert.ok(rows.every((row) => row.slice(name.length).split(',').length === head.split(',').length - 1), rows[0]);
 });
 
 test('a damaged link is a sentence, and the kept puzzles stay', async () => {

@@ -68,7 +68,7 @@ test('the whole is saved as CSV', async () => {
       const [task, first] = solved[7];
       const prefix = [model, simulator, version, agent, task].join(',');
       const line = lines.find((one) => one.startsWith(`${prefix},`));
-      assert.match(line ?? '', new RegExp(`^${prefix},"[^"]+",${first ?? ''}$`));
+      assert.match(line ?? '', new RegExp(`^${prefix},(?:[^",]+|"[^"]+"),${first ?? ''}$`));
     }
   }
   assert.equal(lines.length, 1 + expected);
@@ -99,12 +99,13 @@ test('a link opens it; one that hides puzzles or the model does not tell of it',
 test('results that cannot be loaded are a sentence, and are asked for again', async () => {
   const page = await session.open('/icon.svg');
   await page.route('**/results.json', (route) => route.fulfill({ status: 503 }));
-  await page.goto(`${session.origin}/#view=results`);
+  await page.goto(`${session.origin}/#model=cross-0&view=results`);
   await page.locator('#results-failure-words').filter({ hasText: 'The results could not be loaded: the server answered 503' }).waitFor();
   session.takeProblems();
   await page.unroute('**/results.json');
   await page.locator('#results-retry').click();
   await cells(page).first().waitFor();
+  assert.equal(await page.locator('#results-model').inputValue(), 'cross-0');
 });
 
 for (const [screen, options] of Object.entries({ 'a desktop, dark': { viewport: { width: 1280, height: 800 }, colorScheme: 'dark' }, 'a phone': { viewport: { width: 320, height: 568 }, hasTouch: true, isMobile: true } })) {

@@ -2,6 +2,7 @@
 // the document.
 
 import { STEPS_PER_SECOND } from "../shell/constants.js";
+import { toCsv } from "../shell/csv.js";
 
 /** @typedef {import("../pkg/pathlight.js").TriedProposal} TriedProposal */
 /** @typedef {"solved" | "touched" | "missed"} Outcome */
@@ -45,12 +46,12 @@ export function outcomesWords(tried) {
  * @param {{ task: string, model: string, seen: boolean, simulator: number }} about
  */
 export function ballsCsv(tried, { task, model, seen, simulator }) {
-  const lines = ["task,model,seen_in_training,simulator,number,x,y,r,outcome,longest_touch,seconds,origin,chance,chance_before,lowered_by"];
-  tried.forEach((one, index) => {
+  const names = ["task", "model", "seen_in_training", "simulator", "number", "x", "y", "r", "outcome", "longest_touch", "seconds", "origin", "chance", "chance_before", "lowered_by"];
+  const rows = tried.map((one, index) => {
     const { ball, ending, origin } = one;
-    const chances = origin.kind === "imagined" ? [origin.probability, origin.prior, origin.lowered_by ?? ""] : [origin.kind === "judge" ? origin.probability : "", "", ""];
+    const chances = origin.kind === "imagined" ? [origin.probability, origin.prior, origin.lowered_by] : [origin.kind === "judge" ? origin.probability : null, null, null];
     const seconds = [ending.longest_touch, ending.steps].map((steps) => (steps / STEPS_PER_SECOND).toFixed(2));
-    lines.push([task, model, seen, simulator, index + 1, ...ball, outcomeOf(one), ...seconds, origin.kind, ...chances].join(","));
+    return [task, model, seen, simulator, index + 1, ...ball, outcomeOf(one), ...seconds, origin.kind, ...chances];
   });
-  return `${lines.join("\r\n")}\r\n`;
+  return toCsv([names, ...rows]);
 }

@@ -5,6 +5,7 @@
 
 import { failure } from "../api/failure.js";
 import { readFile } from "../api/files.js";
+import { toCsv } from "../shell/csv.js";
 
 /**
  * The balls to which a model gives a chance in one tenth of 0..1: their number, the mean of the chances, and how many solve.
@@ -54,17 +55,9 @@ async function load() {
  * @param {ModelResults[]} models
  * @param {(task: string) => string} nameOf the name of a task's template
  */
-export function toCsv(models, nameOf) {
-  const lines = ["model,simulator,agents_version,agent,task,template,first_solved"];
-  for (const { name, simulator, agents_version: version, tasks, first_solved: solved } of models) {
-    for (const [agent, firsts] of Object.entries(solved)) {
-      tasks.forEach((task, index) => lines.push([name, simulator, version, agent, task, quoted(nameOf(task)), firsts[index] ?? ""].join(",")));
-    }
-  }
-  return `${lines.join("\r\n")}\r\n`;
-}
-
-/** @param {string} text */
-function quoted(text) {
-  return `"${text.replaceAll('"', '""')}"`;
+export function resultsCsv(models, nameOf) {
+  const rows = models.flatMap(({ name, simulator, agents_version: version, tasks, first_solved: solved }) =>
+    Object.entries(solved).flatMap(([agent, firsts]) => tasks.map((task, index) => [name, simulator, version, agent, task, nameOf(task), firsts[index]])),
+  );
+  return toCsv([["model", "simulator", "agents_version", "agent", "task", "template", "first_solved"], ...rows]);
 }

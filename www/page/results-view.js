@@ -4,7 +4,7 @@
 import { auccessWords, outcomeCount } from "./results-words.js";
 import { calibrationChart, calibrationTable } from "./calibration-chart.js";
 import { AGENT_NAMES, modelWords } from "../model/model-words.js";
-import { readResults, toCsv } from "../model/results.js";
+import { readResults, resultsCsv } from "../model/results.js";
 import { byId } from "../shell/dom.js";
 import { download } from "../shell/download.js";
 
@@ -25,6 +25,11 @@ export class ResultsView {
   #filter = byId(document, "results-filter", HTMLSelectElement);
   #templates;
   #hrefOf;
+  /**
+   * The name of the model whose results are asked for; null for the first.
+   * @type {string | null}
+   */
+  #asked = null;
   /** @type {ModelResults[]} */
   #models = [];
 
@@ -38,7 +43,7 @@ export class ResultsView {
     this.#model.addEventListener("change", () => this.#onModel());
     for (const select of [this.#agent, this.#filter]) select.addEventListener("change", () => this.#update());
     byId(document, "results-csv").addEventListener("click", () => this.#save());
-    byId(document, "results-retry").addEventListener("click", () => this.show(null));
+    byId(document, "results-retry").addEventListener("click", () => this.show(this.#asked));
   }
 
   /**
@@ -47,6 +52,7 @@ export class ResultsView {
    */
   async show(name) {
     this.#section.hidden = false;
+    this.#asked = name;
     const failure = byId(document, "results-failure");
     try {
       this.#models = await readResults();
@@ -56,6 +62,8 @@ export class ResultsView {
       byId(document, "results-failure-words").textContent = /** @type {Error} */ (error).message;
       return;
     }
+    // Another was asked for meanwhile.
+    if (name !== this.#asked) return;
     byId(document, "results-body").hidden = false;
     this.#model.replaceChildren(...this.#models.map((one) => new Option(one.name, one.name, false, one.name === name)));
     this.#onModel();
@@ -134,7 +142,7 @@ export class ResultsView {
 
   #save() {
     const names = new Map(this.#templates.map(({ id, name }) => [id, name]));
-    const csv = toCsv(this.#models, (task) => names.get(task.slice(0, 5)) ?? "");
+    const csv = resultsCsv(this.#models, (task) => names.get(task.slice(0, 5)) ?? "");
     download("pathlight-results.csv", new Blob([csv], { type: "text/csv" }));
   }
 }
