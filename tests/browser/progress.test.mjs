@@ -85,6 +85,14 @@ test('progress is saved to a file, and forgotten only when the person is sure', 
   await page.locator('#progress').waitFor({ state: 'hidden' });
   assert.equal(await mark(page).textContent(), '');
   assert.equal(await page.evaluate((key) => localStorage.getItem(key), KEY), null);
+
+  // The answer of the time before does not count.
+  await page.locator('#templates a').first().click();
+  await run(page, (await known()).missing, /^Not solved/);
+  await page.locator('#home').click();
+  await page.locator('#progress-forget').click();
+  await page.keyboard.press('Escape');
+  assert.ok(await page.locator('#forget-dialog').isHidden() && (await page.locator('#progress').isVisible()));
 });
 
 for (const [what, kept, tried] of [

@@ -26,6 +26,11 @@ export class ProgressView {
     this.#gallery = gallery;
     byId(document, "progress-save").addEventListener("click", () => this.#save());
     const dialog = byId(document, "forget-dialog", HTMLDialogElement);
+    byId(document, "progress-forget").addEventListener("click", () => {
+      // Escape leaves the value of the time before.
+      dialog.returnValue = "";
+      dialog.showModal();
+    });
     dialog.addEventListener("close", () => {
       if (dialog.returnValue !== "forget") return;
       progress.attempts.clear();
