@@ -19,14 +19,19 @@ async function solvedTask(passes) {
 const turn = (page) => page.locator('#model-turn');
 const made = (page) => page.locator('#model-attempts li').count();
 
-test('its misses are counted one after the other, then its solution runs to “Solved!”', async () => {
-  const [task, attempts] = await solvedTask((attempt) => attempt >= 4 && attempt <= 8);
-  const page = await openPuzzle(session, { task, fragment: '&panel=compare' });
-  const seen = await page.locator('#status').evaluateHandle((status) => {
+/** All that the status line says from now on. */
+function said(page) {
+  return page.locator('#status').evaluateHandle((status) => {
     const words = [];
     new MutationObserver(() => words.push(status.textContent)).observe(status, { childList: true, characterData: true, subtree: true });
     return words;
   });
+}
+
+test('its misses are counted one after the other, then its solution runs to “Solved!”', async () => {
+  const [task, attempts] = await solvedTask((attempt) => attempt >= 4 && attempt <= 8);
+  const page = await openPuzzle(session, { task, fragment: '&panel=compare' });
+  const seen = await said(page);
   await turn(page).click();
   await says(page, /^Solved! The model’s attempt \d+: solved after/, 60_000);
   const words = await seen.jsonValue();
@@ -47,6 +52,10 @@ test('the show can be stopped; only what was shown counts', async () => {
   await page.waitForTimeout(1000);
   assert.equal(await made(page), count);
   await says(page, /place the red ball/);
+  const words = await said(page);
+  await turn(page).click();
+  await says(page, new RegExp(`The model tries: attempt ${count + 2}`));
+  assert.equal((await words.jsonValue()).find((one) => one.startsWith('The model tries')), `The model tries: attempt ${count + 1}.`, 'it goes on where it was');
 });
 
 test('the show can be skipped, by keyboard too', async () => {

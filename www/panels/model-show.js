@@ -28,7 +28,7 @@ export class ModelShow {
 
   /**
    * @param {Session} session
-   * @param {(attempt: Attempt) => void} record adds an attempt to the session
+   * @param {(attempt: Attempt) => number} record adds an attempt to the session, unless it is there already; returns its number
    */
   constructor(session, record) {
     this.#session = session;
@@ -74,10 +74,11 @@ export class ModelShow {
       while (this.#waiting.length === 0 && !this.#ended && !this.#stopped) await new Promise((resolve) => (this.#wake = () => resolve(null)));
       const attempt = this.#waiting.shift();
       if (this.#stopped || !attempt) break;
-      this.#record(attempt);
-      if (this.#skipping || attempt.ending.solved) continue;
       const { used } = this.#session.standing("model");
-      const watched = await this.#session.flash(used, duration, ghosts.slice());
+      const number = this.#record(attempt);
+      // A turn that was stopped goes on after what has been shown of it.
+      if (this.#skipping || attempt.ending.solved || number <= used) continue;
+      const watched = await this.#session.flash(number, duration, ghosts.slice());
       if (this.#stopped) return;
       // The person looks at something else meanwhile.
       if (!watched) this.#skipping = true;

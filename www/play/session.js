@@ -426,14 +426,15 @@ export class Session extends EventTarget {
   }
 
   /**
-   * Adds an attempt that the worker has simulated for a model.
+   * Adds an attempt that the worker has simulated for a model; one with the same ball is not added again. Returns its number.
    * @param {Attempt} attempt
    * @param {string} modelName
    */
   recordModelAttempt(attempt, modelName) {
-    this.puzzle.addModelAttempt(attempt);
+    const { number } = this.puzzle.addModelAttempt(attempt);
     this.modelName = modelName;
     this.#emit("change");
+    return number;
   }
 
   /** Forgets the model's attempts, and stops showing them. */
