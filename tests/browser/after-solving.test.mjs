@@ -81,6 +81,14 @@ test('a link that hides the puzzles and the model leads to neither', async () =>
   for (const id of ['solved-next', 'solved-model', 'solved-share', 'next-by']) assert.ok(await page.locator(`#${id}`).isHidden(), id);
 });
 
+test('a sheet that cannot be loaded is a sentence, and is asked for again', async () => {
+  const { page } = await solved();
+  await page.route('**/share-dialog.js', (route) => route.abort());
+  await page.locator('#solved-share').click();
+  await page.locator('#notice-text').filter({ hasText: 'The sheet to share a result could not be loaded.' }).waitFor();
+  session.takeProblems();
+});
+
 for (const [screen, options] of Object.entries({ 'a desktop': {}, 'a phone': PHONE })) {
   test(`a result is shared as picture, text and challenge on ${screen}`, async () => {
     const { page, solving } = await solved({ ...options, permissions: ['clipboard-read', 'clipboard-write'] });

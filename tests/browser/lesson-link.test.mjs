@@ -37,6 +37,22 @@ async function coded(page) {
   return jsQR(Uint8ClampedArray.from(data), width, height)?.data;
 }
 
+test('a code that could not be drawn once comes with the next link', async () => {
+  const page = await openPuzzle(session);
+  await page.locator('#lesson-code').evaluate((canvas) => {
+    const { getContext } = canvas;
+    canvas.getContext = () => {
+      canvas.getContext = getContext;
+      throw new Error('no canvas');
+    };
+  });
+  await page.locator('#lesson-button').click();
+  await page.locator('#lesson-code-failure').filter({ hasText: 'There is no QR code: no canvas.' }).waitFor();
+  await page.locator('#lesson-dialog [name=map]').uncheck();
+  assert.equal(await coded(page), await address(page));
+  assert.ok(await page.locator('#lesson-code-failure').isHidden());
+});
+
 test('boxes by keys make the link, the preview and the code; the link opens just that', async () => {
   const page = await openDialog({ fragment: '&panel=imagine' });
   assert.equal(await address(page), page.url(), 'at first it is the link to what is shown');

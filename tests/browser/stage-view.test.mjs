@@ -165,3 +165,11 @@ test('Back after three tabs and two steps leads through them, and leaves the bal
   await page.locator('#compare:visible').waitFor();
   assert.deepEqual(await ball(page), [60, 200, 9]);
 });
+
+test('a link to the stage without a puzzle shows the grid and its header', async () => {
+  const page = await session.open('/#view=stage');
+  await page.locator('#templates a').first().waitFor();
+  assert.ok(await page.locator('header').first().isVisible());
+  await page.locator('#templates a').first().click();
+  await page.locator('#tab-play').waitFor();
+});

@@ -124,6 +124,7 @@ export class LessonDialog {
       /** @type {QrLibrary} */
       const { generate } = /** @type {any} */ (await import("../pkg/lean-qr.js"));
       generate(address).toCanvas(canvas, { on: [0, 0, 0], off: [255, 255, 255] });
+      failure.textContent = "";
     } catch (error) {
       failure.textContent = `There is no QR code: ${/** @type {Error} */ (error).message}. The address above works without it.`;
     }

@@ -52,10 +52,7 @@ export class Page {
   constructor() {
     this.#puzzle.hrefOf = (task, panel) => hrefOf(this.#state, task, panel);
     this.#puzzle.addEventListener("statechange", () => this.#onStateChange());
-    this.#puzzle.addEventListener("share", async (event) => {
-      const { ShareDialog } = await import("./share-dialog.js");
-      (this.#shareDialog ??= new ShareDialog(this.#templates)).show(/** @type {CustomEvent} */ (event).detail, darkScheme.matches);
-    });
+    this.#puzzle.addEventListener("share", (event) => this.#share(/** @type {CustomEvent} */ (event).detail));
     addEventListener("popstate", ({ state }) => this.#onRoute(state === OWN_ENTRY));
     darkScheme.addEventListener("change", () => this.#applyTheme());
     this.#onClick("previous", () => this.#stepPuzzle(-1));
@@ -66,7 +63,6 @@ export class Page {
     this.#onClick("lesson-button", () => (this.#lessonDialog ??= new LessonDialog()).show(this.#state));
     this.#onClick("about-button", () => this.#puzzle.showAbout());
     this.#onClick("keys-button", () => this.#puzzle.showKeys());
-    this.#onClick("progress-forget", () => byId(document, "forget-dialog", HTMLDialogElement).showModal());
     this.#onClick("skip", (event) => {
       // Not the browser's own jump: what follows # is the state.
       event.preventDefault();
@@ -126,6 +122,8 @@ export class Page {
     } else if (!showsPuzzle(state) && !gallery && !problem) {
       showNotice("This link names no puzzle, and hides the list of them.");
     }
+    // There is nothing on the stage, and the way out of it is the puzzle's.
+    if (!showsPuzzle(state) && state.view === "stage") state.view = null;
     this.#applyState(state);
     this.#place = placeOf(state);
   }
@@ -260,6 +258,17 @@ export class Page {
     /** @type {<Item>(list: Item[]) => Item} */
     const any = (list) => list[Math.floor(Math.random() * list.length)];
     this.#navigate({ task: any(any(this.#templates).tasks) });
+  }
+
+  /** @param {import("../play/after-solving.js").Result} result */
+  async #share(result) {
+    try {
+      const { ShareDialog } = await import("./share-dialog.js");
+      this.#shareDialog ??= new ShareDialog(this.#templates);
+    } catch {
+      return showNotice("The sheet to share a result could not be loaded. Check the connection; if Pathlight has been updated meanwhile, load the page again.");
+    }
+    this.#shareDialog.show(result, darkScheme.matches);
   }
 
   async #copyLink() {
