@@ -11,7 +11,7 @@ use pathlight::benchmark::auccess::MAX_ATTEMPTS;
 use pathlight::nets::{PathNet, flex};
 use pathlight::puzzle::task::{Task, TaskId, ids};
 use pathlight::puzzle::templates::TEMPLATES;
-use pathlight::raster::scene_channels;
+use pathlight::raster::{scene_channels, scene_coverage};
 
 fn proposals(criterion: &mut Criterion) {
     let bytes = include_bytes!("../assets/within-0.safetensors");
@@ -22,7 +22,7 @@ fn proposals(criterion: &mut Criterion) {
         .iter()
         .map(load)
         .map(|task| {
-            let logits = nets.judge_logits(&task.scene).expect("the weights have a dynamics net");
+            let logits = nets.cell_logits(&task.scene).expect("the weights have a dynamics net");
             (task, logits)
         })
         .collect();
@@ -35,9 +35,10 @@ fn proposals(criterion: &mut Criterion) {
         });
     };
     bench("load", &|task, _| drop(black_box(load(&task.id))));
-    bench("raster", &|task, _| drop(black_box(Box::new(scene_channels(&task.scene)))));
+    bench("set cells", &|task, _| drop(black_box(Box::new(scene_channels(&task.scene)))));
+    bench("covered shares", &|task, _| drop(black_box(scene_coverage(&task.scene))));
     bench("four nets", &|task, _| drop(black_box(nets.imagine(&task.scene))));
-    bench("judge", &|task, _| drop(black_box(nets.judge_logits(&task.scene))));
+    bench("logits of cells", &|task, _| drop(black_box(nets.cell_logits(&task.scene))));
     bench("probability map", &|task, logits| drop(black_box(ranking::probability_map(logits, &task.scene))));
     bench("ranked", &|task, logits| drop(black_box(ranking::ranked(logits, &task.scene, MAX_ATTEMPTS))));
     bench("a hundred balls", &|task, _| {

@@ -50,7 +50,7 @@ fn scene() -> Scene {
 fn maps(bytes: &[u8], device: &Device) -> [(&'static str, Vec<f32>); 5] {
     let (nets, _) = PathNet::load(bytes, device).expect("our own weights");
     let Imagined { base, target, action, placement } = nets.imagine(&scene());
-    let judge = nets.judge_logits(&scene()).expect("the weights have a judge");
+    let judge = nets.cell_logits(&scene()).expect("the weights have a judge");
     [("base", base), ("target", target), ("action", action), ("placement", placement), ("judge", judge)]
 }
 

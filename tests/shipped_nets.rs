@@ -52,7 +52,7 @@ fn the_shipped_nets_agree_with_plain_loops() {
 fn the_shipped_dynamics_net_agrees_with_plain_loops() {
     let (nets, file) = (nets(), file());
     for (id, scene) in scenes() {
-        let logits = nets.judge_logits(&scene).expect("the shipped weights have a dynamics net");
+        let logits = nets.cell_logits(&scene).expect("the shipped weights have a dynamics net");
         assert_close(
             &format!("{id}: cells"),
             &logits,

@@ -50,7 +50,7 @@ fn main() {
         }
         ["maps", task] => {
             let (nets, task) = (nets(), load(task));
-            let logits = || nets.judge_logits(&task.scene).expect("the weights have a dynamics net");
+            let logits = || nets.cell_logits(&task.scene).expect("the weights have a dynamics net");
             let Imagined { base, target, action, placement } = nets.imagine(&task.scene);
             let result = [base, target, action, placement, logits()].concat();
             repeat(&format!("{result:?}"), || {

@@ -108,7 +108,7 @@ pub fn propose(nets: &PathNet, scene: &Scene, seed: u64, count: usize) -> Vec<Pr
 /// Returns up to `count` proposals of the judge alone, or of the dynamics net's logits of the cells; `None` if the weights have
 /// neither.
 pub fn from_judge(nets: &PathNet, scene: &Scene, count: usize) -> Option<Vec<Proposal>> {
-    Some(ranking::ranked(&nets.judge_logits(scene)?, scene, count))
+    Some(ranking::ranked(&nets.cell_logits(scene)?, scene, count))
 }
 
 /// Returns up to `count` proposals of the paper's four nets alone: the balls that the placement map suggests.

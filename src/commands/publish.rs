@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, ensure};
 use pathlight::nets::{PathNet, flex};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use super::digest;
 
@@ -25,14 +25,14 @@ pub struct Args {
 }
 
 /// `model.json`.
-#[derive(Serialize)]
-struct List {
-    models: Vec<ModelEntry>,
+#[derive(Serialize, Deserialize)]
+pub struct ModelList {
+    pub models: Vec<ModelEntry>,
 }
 
-#[derive(Serialize)]
-struct ModelEntry {
-    name: String,
+#[derive(Serialize, Deserialize)]
+pub struct ModelEntry {
+    pub name: String,
     file: String,
     /// Bytes.
     size: u64,
@@ -52,7 +52,7 @@ impl Args {
             fs::write(&copy, rounded).with_context(|| format!("cannot write {}", copy.display()))?;
             written.push(copy);
         }
-        let list = List { models: entries(&self.assets)? };
+        let list = ModelList { models: entries(&self.assets)? };
         ensure!(!list.models.is_empty(), "{} holds no weights: name a file to publish", self.assets.display());
         let path = self.assets.join("model.json");
         let mut json = serde_json::to_vec_pretty(&list)?;

@@ -17,6 +17,7 @@ use serde::{Deserialize, Serialize};
 use super::agent_name::AgentName;
 use super::calibration::{Bin, Calibration};
 use super::evaluate::{Report, Score};
+use super::publish::{ModelEntry, ModelList};
 
 /// Collect the measurements of the shipped models into the file from which the page shows them
 #[derive(clap::Args)]
@@ -28,17 +29,6 @@ pub struct Args {
     /// The folder that the page loads from, whose model.json names the models
     #[arg(long, default_value = "assets")]
     assets: PathBuf,
-}
-
-/// `model.json`, as far as it is needed.
-#[derive(Deserialize)]
-struct List {
-    models: Vec<Named>,
-}
-
-#[derive(Deserialize)]
-struct Named {
-    name: String,
 }
 
 /// `results.json`.
@@ -65,9 +55,12 @@ struct ModelResults {
 
 impl Args {
     pub fn run(self) -> anyhow::Result<()> {
-        let list: List = read(&self.assets.join("model.json"), "pathlight publish")?;
-        let models =
-            list.models.into_iter().map(|Named { name }| self.results_of(name)).collect::<anyhow::Result<_>>()?;
+        let list: ModelList = read(&self.assets.join("model.json"), "pathlight publish")?;
+        let models = list
+            .models
+            .into_iter()
+            .map(|ModelEntry { name, .. }| self.results_of(name))
+            .collect::<anyhow::Result<_>>()?;
         let path = self.assets.join("results.json");
         let mut json = serde_json::to_vec(&Results { models })?;
         json.push(b'\n');

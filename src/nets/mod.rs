@@ -83,7 +83,7 @@ impl PathNet {
     /// Returns the logits of the cells of a scene, `[RADII, 64, 64]`: the judge's, or else the dynamics net's; `None` if the
     /// weights have neither. PHYRE's world is symmetric, so the logits of the scene and of its mirror image are averaged,
     /// which is more accurate than one.
-    pub fn judge_logits(&self, scene: &Scene) -> Option<Vec<f32>> {
+    pub fn cell_logits(&self, scene: &Scene) -> Option<Vec<f32>> {
         let both = |image: Tensor<4>| Tensor::cat(vec![image.clone(), image.flip([3])], 0); // [2, 5, 64, 64]
         let logits = match (&self.judge, &self.dynamics) {
             (Some(judge), _) => judge.forward(both(self.encode(scene))),

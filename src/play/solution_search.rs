@@ -40,6 +40,7 @@ pub struct Found {
     pub solves_itself: bool,
 }
 
+/// A search for the balls that solve a scene, ball by ball.
 pub struct SolutionSearch {
     scene: Scene,
     obstacles: Obstacles,

@@ -87,7 +87,7 @@ impl Model {
     ) -> Result<JsValue, JsValue> {
         let scene = load(played)?.scene;
         let imagined = self.net.imagine(&scene);
-        let judge = self.net.judge_logits(&scene).and_then(|logits| probability_map(&logits, &scene));
+        let judge = self.net.cell_logits(&scene).and_then(|logits| probability_map(&logits, &scene));
         let maps = js_sys::Object::new();
         for stage in Stage::ALL {
             let map = match stage {

@@ -31,7 +31,7 @@ fn a_dynamics_net_joins_the_weights_and_can_be_trained_further() {
     assert!(card.judge.is_none() && card.dynamics.expect("a card").balls > 64);
     let scene = Task::load("00002:007".parse().expect("an id")).expect("a task").scene;
     let read = nets.read(&scene).expect("a dynamics net");
-    assert_eq!(nets.judge_logits(&scene).as_ref(), Some(&read.logits), "it takes the place of the judge");
+    assert_eq!(nets.cell_logits(&scene).as_ref(), Some(&read.logits), "it takes the place of the judge");
     let balls = [Ball { x: 60.0, y: 200.0, r: 5.0 }, Ball { x: 200.0, y: 200.0, r: 25.0 }];
     let [left, right] = read.imagine(&balls).try_into().expect("two balls");
     assert!(left.paths.ball[0][0] < right.paths.ball[0][0], "a path begins where its ball starts");
