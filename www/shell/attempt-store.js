@@ -11,7 +11,8 @@
 
 const PREFIX = "pathlight.attempts.";
 const TASK = /^\d{5}:\d{3}$/;
-const NAME = /^[\w.-]{1,60}$/;
+/** The name of a model, or "player". */
+export const NAME = /^[\w.-]{1,60}$/;
 /** More attempts of one contender at one puzzle than this are damage. */
 const MOST = 100;
 /** More steps than this are damage. */

@@ -4,7 +4,8 @@
 //
 // { "tasks": {…}, "models": { "within-0": {…} }, "attempts": [{…}] }   as progress-store.js and attempt-store.js have them
 
-import { formatAttempts, parseAttempts } from "./attempt-store.js";
+import { NAME, formatAttempts, parseAttempts } from "./attempt-store.js";
+import { validTasks } from "./progress-store.js";
 
 /** @typedef {import("./progress-store.js").SharedProgress} SharedProgress */
 
@@ -24,23 +25,33 @@ export function progressJson(progress) {
 export function takeProgress(progress, text) {
   const { tasks, models, lines } = contentOf(text);
   const { attempts } = parseAttempts(lines);
-  // Files of attempts alone tell of the progress too.
-  /** @type {Map<string, { attempts: number, solved: number | null }>} */
-  const counted = new Map();
-  for (const { task, by, ending } of attempts) {
-    const { attempts: before, solved } = counted.get(`${by} ${task}`) ?? { attempts: 0, solved: null };
-    counted.set(`${by} ${task}`, { attempts: before + 1, solved: solved ?? (ending.solved ? before + 1 : null) });
-  }
-  const known = new Set([...Object.keys(Object(tasks)), ...attempts.map(({ task }) => task)]);
+  const ofPlayer = validTasks({ tasks });
+  const ofModels = Object.entries(Object(models)).map(([name, ofModel]) => ({ name, of: validTasks({ tasks: ofModel }) }));
+  const named = ofModels.filter(({ name, of }) => NAME.test(name) && Object.keys(of).length > 0);
+  const known = new Set([...[ofPlayer, ...named.map(({ of }) => of)].flatMap(Object.keys), ...attempts.map(({ task }) => task)]);
   if (known.size === 0) throw new Error("This file holds no progress of Pathlight and no attempts. Choose one that was saved here.");
   progress.attempts.take(attempts);
-  progress.player.take(tasks);
-  for (const [name, ofModel] of Object.entries(Object(models))) progress.ofModel(name).take(ofModel);
-  for (const [key, result] of counted) {
-    const [by, task] = key.split(" ");
-    (by === "player" ? progress.player : progress.ofModel(by)).take({ [task]: result });
-  }
+  progress.player.take(ofPlayer);
+  named.forEach(({ name, of }) => progress.ofModel(name).take(of));
+  // Files of attempts alone tell of the progress too.
+  for (const [by, tasksOf] of counted(attempts)) (by === "player" ? progress.player : progress.ofModel(by)).take(tasksOf);
   return { puzzles: known.size, attempts: attempts.length };
+}
+
+/**
+ * What attempts tell of the progress of each contender.
+ * @param {import("./attempt-store.js").KeptAttempt[]} attempts
+ */
+function counted(attempts) {
+  /** @type {Map<string, Record<string, import("./progress-store.js").TaskProgress>>} */
+  const contenders = new Map();
+  for (const { task, by, ending } of attempts) {
+    const tasks = contenders.get(by) ?? {};
+    const { attempts: before, solved } = tasks[task] ?? { attempts: 0, solved: null };
+    tasks[task] = { attempts: before + 1, solved: solved ?? (ending.solved ? before + 1 : null) };
+    contenders.set(by, tasks);
+  }
+  return contenders;
 }
 
 /**

@@ -224,7 +224,7 @@ export function sharedProgress(which) {
  * @param {any} stored
  * @returns {Record<string, TaskProgress>}
  */
-function validTasks(stored) {
+export function validTasks(stored) {
   /** @type {(value: unknown, most: number) => boolean} */
   const isCount = (value, most) => Number.isSafeInteger(value) && Number(value) >= 1 && Number(value) <= most;
   const entries = Object.entries(/** @type {Record<string, any>} */ (stored?.tasks ?? {})).filter(

@@ -8,6 +8,9 @@ import { progressJson, takeProgress } from "./progress-file.js";
 
 /** @typedef {import("./gallery.js").Template} Template */
 
+/** More than the progress and the attempts of a person at all puzzles, bytes. */
+const MAX_SIZE = 2e7;
+
 export class ProgressView {
   #progress;
   #store;
@@ -88,6 +91,7 @@ export class ProgressView {
     const [file] = input.files ?? [];
     if (!file) return;
     try {
+      if (file.size > MAX_SIZE) throw new Error(`${file.name} is too large to be progress of Pathlight. Nothing was changed.`);
       const { puzzles, attempts } = takeProgress(this.#progress, await file.text());
       showNotice(`Read back: ${counted(puzzles, "puzzle")}, with ${counted(attempts, "attempt")}.`);
     } catch (error) {

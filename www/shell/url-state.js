@@ -183,7 +183,8 @@ export function parseFragment(hash) {
     const [key, ...rest] = part.split("=");
     return [decoded(key), decoded(rest.join("="))];
   }));
-  const words = unread.map(([key, text]) => (text ? `“${key}=${text}”` : `“${key}”`));
+  const words = unread.slice(0, NAMED).map(([key, text]) => `“${shortened(text ? `${key}=${text}` : key)}”`);
+  if (unread.length > NAMED) words.push("more");
   return { state, problem: words.length ? `This link says ${words.join(" and ")}, which Pathlight does not understand.` : null };
 }
 
@@ -193,6 +194,17 @@ export function parseFragment(hash) {
  */
 export function showsPuzzle({ task, scene }) {
   return task !== null || scene !== null;
+}
+
+/** How many parts of a link that cannot be read are named. */
+const NAMED = 3;
+
+/**
+ * A text for a sentence: a damaged scene alone may have thousands of characters.
+ * @param {string} text
+ */
+function shortened(text) {
+  return text.length > 40 ? `${text.slice(0, 39)}…` : text;
 }
 
 /** @param {string} text */
