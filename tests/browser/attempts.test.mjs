@@ -48,11 +48,9 @@ test('two attempts of one’s own lie over each other', async () => {
   const page = await tried();
   await row(page, 1).locator('[data-act=replay]').click();
   await says(page, /^Not solved\. Your attempt 1/);
-  await page.waitForTimeout(100);
   const alone = await picture(page);
   await row(page, 2).getByRole('button', { name: 'Compare attempt 2' }).click();
   await says(page, /Your attempt 2: .+; your attempt 1 \(dashed\): /);
-  await page.waitForTimeout(100);
   assert.notEqual(await picture(page), alone);
   assert.equal(await page.locator('#play-attempts [aria-current]').count(), 2);
 });

@@ -49,14 +49,12 @@ test('it is off until it is asked for, and the switch is in the link', async () 
   assert.ok(await page.locator('#forecast-words').isHidden());
   await page.locator('#forecast-on').check();
   await followsTheBall(page);
-  await page.waitForTimeout(100);
   assert.notEqual(await picture(page), bare, 'the paths lie over the scene');
   await page.waitForFunction(() => /forecast=on/.test(location.hash));
   await page.reload();
   await followsTheBall(page);
   await page.locator('#forecast-on').uncheck();
   await page.locator('#forecast-words').waitFor({ state: 'hidden' });
-  await page.waitForTimeout(100);
   assert.equal(await picture(page), bare);
   await page.waitForFunction(() => !/forecast/.test(location.hash));
 });
@@ -69,7 +67,6 @@ test('it follows the mouse', async () => {
   const first = await picture(page);
   await page.mouse.move(...(await spot(page, 90, 236)));
   await followsTheBall(page);
-  await page.waitForTimeout(100);
   assert.notEqual(await picture(page), first);
   await page.mouse.up();
 });
@@ -94,7 +91,10 @@ test('it follows keys and fields, and is announced once the ball rests', async (
     new MutationObserver(() => heard.push(region?.textContent ?? '')).observe(/** @type {HTMLElement} */ (region), { childList: true, characterData: true, subtree: true });
     return heard;
   });
-  for (let time = 0; time < 8; time += 1) await page.keyboard.press('ArrowLeft');
+  // At once: on a slow machine the ball would rest between two key presses.
+  await page.locator('#scene').evaluate((scene) => {
+    for (let time = 0; time < 8; time += 1) scene.dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowLeft' }));
+  });
   await followsTheBall(page);
   const rested = await words(page);
   await page.waitForFunction(([heard, rested]) => heard.includes(rested), /** @type {const} */ ([heard, rested]));
@@ -146,7 +146,6 @@ test('after a run it stays beside the real paths until the ball changes', async 
   assert.equal(Number(said.match(/(\d+) px/)?.[1]), Math.max(1, Math.round(mean)));
   const both = await picture(page);
   await page.locator('#forecast-on').uncheck();
-  await page.waitForTimeout(100);
   assert.notEqual(await picture(page), both, 'it lay over the run');
   await page.locator('#forecast-on').check();
   await page.locator('#watch').click();
@@ -172,7 +171,6 @@ test('it reveals nothing in Predict', async () => {
   const there = await picture(page);
   await page.goto(`${session.origin}/#task=${EASY}&ball=128,230,8&panel=predict`);
   await page.waitForFunction(() => !/forecast/.test(location.hash));
-  await page.waitForTimeout(100);
   assert.equal(await picture(page), there);
 });
 

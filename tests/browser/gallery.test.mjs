@@ -33,7 +33,6 @@ test('every template opens from the grid with its scene and its goal', async () 
     const goal = await page.locator('#goal').textContent();
     const [, target] = goal.match(/^Make sure the green \w+ is touching the (blue|purple) [\w ]+\.$/) ?? [];
     assert.ok(target, `${name}: ${goal}`);
-    await page.waitForTimeout(50);
     for (const role of ['green', target]) {
       assert.ok((await pixels(page, colours[role])) > 20, `${name}: the ${role} body is drawn`);
     }

@@ -13,12 +13,6 @@ after(() => session.stop());
 
 const imagine = (options) => openImagined(session, options);
 
-/** The scene once it has been painted anew. */
-async function settled(page) {
-  await page.waitForTimeout(120);
-  return picture(page);
-}
-
 test('five different maps, each with a sentence, a summary and a legend', async () => {
   const page = await imagine();
   const seen = new Set();
@@ -36,18 +30,18 @@ test('five different maps, each with a sentence, a summary and a legend', async 
 
 test('a layer lies over the scene while it is on, as strongly as its opacity', async () => {
   const page = await imagine();
-  const bare = await settled(page);
+  const bare = await picture(page);
   for (const stage of STAGES) {
     const box = page.locator(`[data-stage=${stage}] input`);
     await box.check();
-    assert.notEqual(await settled(page), bare, `${stage} shows`);
+    assert.notEqual(await picture(page), bare, `${stage} shows`);
     await box.uncheck();
-    assert.equal(await settled(page), bare, `${stage} is gone`);
+    assert.equal(await picture(page), bare, `${stage} is gone`);
   }
   await page.locator('[data-stage=target] input').check();
-  const strong = await settled(page);
+  const strong = await picture(page);
   await page.locator('#opacity').fill('0.3');
-  assert.notEqual(await settled(page), strong);
+  assert.notEqual(await picture(page), strong);
   await page.waitForFunction(() => /layers=target/.test(location.hash) && /opacity=0.3/.test(location.hash));
 });
 
@@ -63,19 +57,19 @@ test('another puzzle is imagined afresh, and the page stays alive meanwhile', as
 
 test('maps that are switched on stay over the scene while a ball is placed, but not while a path is predicted', async () => {
   const page = await imagine();
-  const bare = await settled(page);
+  const bare = await picture(page);
   await page.locator('[data-stage=target] input').check();
   await page.locator('#tab-play').click();
-  const laid = await settled(page);
+  const laid = await picture(page);
   assert.notEqual(laid, bare);
   await page.locator('#tab-predict').click();
-  assert.equal(await settled(page), bare, 'they would tell the answer');
+  assert.equal(await picture(page), bare, 'they would tell the answer');
   await page.locator('#tab-compare').click();
-  assert.equal(await settled(page), laid);
+  assert.equal(await picture(page), laid);
   await page.locator('#tab-imagine').click();
   await page.locator('#walkthrough-next').click();
   await page.locator('#tab-play').click();
-  assert.equal(await settled(page), bare, 'the map of a step of the walkthrough stays in its panel');
+  assert.equal(await picture(page), bare, 'the map of a step of the walkthrough stays in its panel');
 });
 
 test('of more than two maps over the scene two are shaded, and the others outlined', async () => {
@@ -85,7 +79,6 @@ test('of more than two maps over the scene two are shaded, and the others outlin
   for (const stage of ['base', 'target', 'action']) {
     await page.locator(`[data-stage=${stage}] input`).check();
     assert.equal(await note.isVisible(), stage === 'action');
-    await page.waitForTimeout(150);
     pictures.push(await picture(page));
   }
   // A shade covers a good part of the scene, an outline little of it.

@@ -74,11 +74,9 @@ test('player and model side by side, both paths over each other', async () => {
   await page.locator('#tab-compare').click();
   assert.match(await page.locator('#verdict').textContent(), /^You solved it on attempt 1\. The model has not had its turn\.$/);
   await says(page, /^Solved! Your attempt 1: solved after/);
-  await page.waitForTimeout(150);
   const alone = await picture(page);
   await playModelTurn(page);
   await says(page, /^Solved! Your attempt 1: .+; the model’s attempt \d+ \(dashed\): /);
-  await page.waitForTimeout(150);
   assert.notEqual(await picture(page), alone, 'the model’s path is drawn too');
   assert.match(await page.locator('#verdict').textContent(), /^You (and the model both solved it on attempt 1|solved it on attempt 1(, the model on attempt|\. The model has not, in 100))/);
   await page.locator('#clear-attempts').click();

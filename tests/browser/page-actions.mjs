@@ -184,8 +184,17 @@ export async function type(page, [x, y, r]) {
   assert.deepEqual(await ball(page), [x, y, r]);
 }
 
+/**
+ * Waits until what has changed is painted: a canvas is drawn at the frame that follows.
+ * @param {Page} page
+ */
+async function painted(page) {
+  await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+}
+
 /** How many pixels of the scene are nearly of this colour, "#rrggbb". */
 export async function pixels(page, colour, selector = '#scene') {
+  await painted(page);
   return page.locator(selector).evaluate((canvas, colour) => {
     const expected = [1, 3, 5].map((at) => parseInt(colour.slice(at, at + 2), 16));
     const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
@@ -204,6 +213,7 @@ export async function palette(page) {
 
 /** A picture of the scene, to see whether it has changed. */
 export async function picture(page, selector = '#scene') {
+  await painted(page);
   return page.locator(selector).evaluate((canvas) => canvas.toDataURL());
 }
 

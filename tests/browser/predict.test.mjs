@@ -138,6 +138,6 @@ test('maps that are switched on do not tell the answer here', async () => {
   await page.waitForTimeout(300);
   assert.equal(await picture(page), bare);
   await page.locator('#tab-imagine').click();
-  await page.waitForTimeout(300);
+  await page.locator('#imagined-in').filter({ hasText: 'Imagined' }).waitFor();
   assert.notEqual(await picture(page), bare, 'they lie over the scene where they are switched on');
 });

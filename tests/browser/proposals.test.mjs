@@ -39,7 +39,6 @@ test('every ball can be looked at: where it is, whether it is allowed, its outco
     if (number < looked) await page.locator('#proposal-next').click();
   }
   assert.equal(balls.size, looked, 'no two are alike');
-  await page.waitForTimeout(150);
   assert.notEqual(await picture(page), bare, 'its paths and the marks are in the scene');
   await page.locator('#proposal-slider').fill(String(count));
   assert.equal(await fact(page, 'number'), `${count} of ${count}`);
@@ -101,12 +100,10 @@ test('each shows what the model imagined for it, beside what really happened', a
   const page = await compare('&proposal=1');
   const imagined = page.locator('#proposal-imagined');
   await imagined.filter({ hasText: /^[A-Z][a-z ]+ \(.+ %\)\. It imagined the green object \d+ px from where it really was, on average\.$/ }).waitFor();
-  await page.waitForTimeout(150);
   const first = await picture(page);
   await page.locator('#proposal-next').click();
   await page.locator('#proposal-number', { hasText: '2 of' }).waitFor();
   await imagined.filter({ hasText: 'It imagined' }).waitFor();
-  await page.waitForTimeout(150);
   assert.notEqual(await picture(page), first);
 });
 

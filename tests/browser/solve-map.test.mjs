@@ -65,7 +65,6 @@ test('every place is tried in the end, for the ball’s own radius, and the plac
   const alone = await picture(page);
   await page.locator('#solve-map-placement').check();
   await page.waitForFunction(() => /layers=placement/.test(location.hash));
-  await page.waitForTimeout(100);
   assert.notEqual(await picture(page), alone);
   await page.locator('#tab-play').click();
   await page.locator('#solve-map-placement').waitFor({ state: 'hidden' });

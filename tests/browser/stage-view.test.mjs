@@ -38,7 +38,6 @@ test('a clicker leads through the story, which ends with the ball run and imagin
     await page.locator('#caption-step', { hasText: `${index + 1} of ${STEPS.length}` }).waitFor();
     await page.locator('#caption-result').filter({ hasText: /\S.*\.$/ }).waitFor();
     await page.locator('#caption-result').filter({ hasText: 'is choosing' }).waitFor({ state: 'detached' });
-    await page.waitForTimeout(150);
     pictures.add(await picture(page));
   }
   assert.ok(pictures.size >= STEPS.length, `${pictures.size} pictures: run and its end are the same with reduced motion`);

@@ -22,10 +22,11 @@ for (const [screen, options] of Object.entries(SCREENS)) {
     const page = await openPuzzle(session, { ...options, task: '00007:008', reducedMotion: true, fragment: '&view=stage' });
     await page.locator('#imagined-in').filter({ hasText: 'Imagined in' }).waitFor({ state: 'attached' });
     for (let step = 1; step <= 10; step += 1) {
+      const entries = await page.evaluate(() => history.length);
       await page.keyboard.press('PageDown');
       await page.locator('#caption-step').filter({ hasText: `${step} of 10` }).waitFor({ state: 'attached' });
       // A viewer looks at a step for a while; those that are only passed have no entry in the history.
-      await page.waitForTimeout(400);
+      await page.waitForFunction((before) => history.length > before, entries);
     }
     await page.locator('#caption-result').filter({ hasText: 'It imagined the green object' }).waitFor();
     await says(page, /olved/);

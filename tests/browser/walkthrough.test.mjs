@@ -113,7 +113,6 @@ test('it ends with the choice: the candidates, what is imagined for them, the ba
     await page.locator('#choice-result').filter({ hasText: words }).waitFor();
     assert.deepEqual(await shown(page), { rows: [], laid: [] });
     assert.match(await page.locator('#announcement').textContent(), new RegExp(`^${name}\\. `), 'it is said aloud');
-    await page.waitForTimeout(200);
     pictures.add(await picture(page));
   }
   assert.equal(pictures.size, 4, 'each lays something else over the scene');
