@@ -6,6 +6,7 @@ import { Component } from "../shell/component.js";
 import { FIRST_RADIUS, GRID_SIDE, SCENE_SIZE } from "../shell/constants.js";
 import { contextOf, find, setText } from "../shell/dom.js";
 import { sides } from "../model/map-summary.js";
+import { Search } from "../model/search.js";
 import { percent } from "./overlap-card.js";
 
 /** The outcomes of a place that are counted, as the wasm numbers them. */
@@ -28,13 +29,7 @@ export class SolveMapPanel extends Component {
   #radius = FIRST_RADIUS;
   /** The fraction of the places that has been tried. */
   #progress = 0;
-  /**
-   * The search that runs.
-   * @type {AbortController | null}
-   */
-  #search = null;
-  /** @type {string | null} */
-  #callFailure = null;
+  #search = new Search(() => this.#onEnd());
 
   /**
    * Fires "map" when there is more to see.
@@ -49,7 +44,7 @@ export class SolveMapPanel extends Component {
     const canvas = document.createElement("canvas");
     canvas.width = canvas.height = SCENE_SIZE;
     this.#context = contextOf(canvas);
-    this.byId("solve-map-search").addEventListener("click", () => (this.#search ? this.#stop() : this.#start()));
+    this.byId("solve-map-search").addEventListener("click", () => (this.#search.running ? this.#search.stop() : this.#start()));
     this.#placementBox.addEventListener("change", () => {
       const others = this.#checkedLayers.filter((stage) => stage !== "placement");
       this.requestState({ layers: this.#placementBox.checked ? [...others, "placement"] : others });
@@ -66,10 +61,8 @@ export class SolveMapPanel extends Component {
 
   close() {
     super.close();
-    this.#search?.abort();
-    this.#search = null;
+    this.#search.forget();
     this.#outcomes = null;
-    this.#callFailure = null;
   }
 
   /** @param {import("../shell/url-state.js").View} view */
@@ -98,36 +91,23 @@ export class SolveMapPanel extends Component {
     return this.session?.ball?.[2] ?? FIRST_RADIUS;
   }
 
-  async #start() {
-    if (!this.session) return;
+  #start() {
+    const { session } = this;
+    if (!session) return;
     // A search needs a worker but no weights: it goes on without a model, but not after a crash.
     if (!this.#client.alive) this.requestModel();
-    const search = (this.#search = new AbortController());
     this.#radius = this.#nextRadius;
     this.#outcomes = null;
-    this.#callFailure = null;
     this.#progress = 0;
+    this.#search.start((signal) => this.#client.solve(session.played, this.#radius, signal, ({ outcomes, progress }) => {
+      this.#outcomes = outcomes;
+      this.#progress = progress;
+      this.#paint();
+    }));
     this.#paint();
-    try {
-      await this.#client.solve(this.session.played, this.#radius, search.signal, ({ outcomes, progress }) => {
-        this.#outcomes = outcomes;
-        this.#progress = progress;
-        this.#paint();
-      });
-    } catch (error) {
-      if (!search.signal.aborted) this.#callFailure = `The search ended: ${/** @type {Error} */ (error).message} Press the button to search again.`;
-    }
-    if (search === this.#search) this.#endSearch();
   }
 
-  #stop() {
-    if (!this.#search) return;
-    this.#search.abort();
-    this.#endSearch();
-  }
-
-  #endSearch() {
-    this.#search = null;
+  #onEnd() {
     this.#update();
     // Announced only now: during the search each announcement would replace the one before.
     this.announce(this.byId("solve-map-words").textContent ?? "");
@@ -141,10 +121,10 @@ export class SolveMapPanel extends Component {
 
   #update() {
     if (!this.session) return;
-    setText(this.byId("solve-map-search"), this.#search ? "Stop" : `Try every place with radius ${this.#nextRadius}`);
-    this.byId("solve-map-progress").hidden = !this.#search;
+    setText(this.byId("solve-map-search"), this.#search.running ? "Stop" : `Try every place with radius ${this.#nextRadius}`);
+    this.byId("solve-map-progress").hidden = !this.#search.running;
     find(this.byId("solve-map-progress"), "progress", HTMLProgressElement).value = this.#progress;
-    setText(this.byId("solve-map-words"), this.#callFailure ?? (this.#outcomes ? this.#words(this.#outcomes) : ""));
+    setText(this.byId("solve-map-words"), this.#search.failure ?? (this.#outcomes ? this.#words(this.#outcomes) : ""));
   }
 
   /** @param {Uint8Array} outcomes */

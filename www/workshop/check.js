@@ -3,21 +3,16 @@
 
 import { Component } from "../shell/component.js";
 import { find, setText } from "../shell/dom.js";
+import { Search } from "../model/search.js";
 
 /** @typedef {import("../pkg/pathlight.js").FoundSolutions} FoundSolutions */
 
 export class Check extends Component {
   #client;
   #button = this.byId("check-search");
-  /**
-   * The search that runs.
-   * @type {AbortController | null}
-   */
-  #search = null;
+  #search = new Search(() => this.#onEnd());
   /** @type {FoundSolutions | null} */
   #found = null;
-  /** @type {string | null} */
-  #failure = null;
   #revealed = false;
 
   /**
@@ -27,7 +22,7 @@ export class Check extends Component {
   constructor(root, client) {
     super(root);
     this.#client = client;
-    this.#button.addEventListener("click", () => (this.#search ? this.#end(this.#search) : this.#start()));
+    this.#button.addEventListener("click", () => (this.#search.running ? this.#search.stop() : this.#start()));
     this.byId("check-reveal").addEventListener("click", () => this.#reveal());
   }
 
@@ -39,37 +34,25 @@ export class Check extends Component {
 
   close() {
     super.close();
-    this.#search?.abort();
-    this.#search = null;
+    this.#search.forget();
     this.#found = null;
-    this.#failure = null;
     this.#revealed = false;
   }
 
-  async #start() {
+  #start() {
     const { session } = this;
     if (!session) return;
     if (!this.#client.alive) this.requestModel();
-    const search = (this.#search = new AbortController());
     this.#found = null;
-    this.#failure = null;
     this.#revealed = false;
+    this.#search.start((signal) => this.#client.search(session.played, signal, (found) => {
+      this.#found = found;
+      this.#update();
+    }));
     this.#update();
-    try {
-      await this.#client.search(session.played, search.signal, (found) => {
-        this.#found = found;
-        this.#update();
-      });
-    } catch (error) {
-      if (!search.signal.aborted) this.#failure = `The search ended: ${/** @type {Error} */ (error).message} Press the button to search again.`;
-    }
-    if (search === this.#search) this.#end(search);
   }
 
-  /** @param {AbortController} search */
-  #end(search) {
-    search.abort();
-    this.#search = null;
+  #onEnd() {
     this.#update();
     this.announce(this.byId("check-words").textContent ?? "");
   }
@@ -85,10 +68,10 @@ export class Check extends Component {
 
   #update() {
     const found = this.#found;
-    setText(this.#button, this.#search ? "Stop" : "Search for solutions");
-    this.byId("check-progress").hidden = this.#search === null;
+    setText(this.#button, this.#search.running ? "Stop" : "Search for solutions");
+    this.byId("check-progress").hidden = !this.#search.running;
     find(this.byId("check-progress"), "progress", HTMLProgressElement).value = found?.progress ?? 0;
-    setText(this.byId("check-words"), this.#failure ?? (found ? words(found) : ""));
+    setText(this.byId("check-words"), this.#search.failure ?? (found ? words(found) : ""));
     const ball = found?.easiest ?? null;
     this.byId("check-reveal").hidden = ball === null || this.#revealed;
     setText(this.byId("check-ball"), ball && this.#revealed ? `The easiest ball is at x ${ball[0]}, y ${ball[1]} with radius ${ball[2]}: it lies in the scene now. Press Run.` : "");
