@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { start } from './harness.mjs';
-import { openPuzzle, says, unsolvedTask } from './page-actions.mjs';
+import { attempts, known, openPuzzle, says, type, unsolvedTask } from './page-actions.mjs';
 
 let session;
 before(async () => (session = await start()));
@@ -75,4 +75,15 @@ test('the colour scheme changes after a puzzle was left', async () => {
   await page.emulateMedia({ colorScheme: 'dark', reducedMotion: 'reduce' });
   await page.waitForTimeout(300);
   assert.ok(await page.locator('#notice').isHidden());
+});
+
+test('an attempt that runs while the page is left counts', async () => {
+  const page = await openPuzzle(session);
+  await type(page, (await known()).missing);
+  await page.locator('#run').click();
+  await says(page, /is running/);
+  assert.equal(await attempts(page), 0);
+  await page.reload();
+  await page.locator('#play-attempts li').first().waitFor();
+  assert.equal(await attempts(page), 1);
 });

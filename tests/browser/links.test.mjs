@@ -36,6 +36,33 @@ test('what the page shows is in its address, and opens again from there', async 
   assert.equal(await page.locator('#tab-compare').getAttribute('aria-selected'), 'true');
 });
 
+test('a link to the same puzzle without a ball leaves it, and back moves none; the address follows', async () => {
+  const page = await openPuzzle(session);
+  await type(page, [90, 190, 7]);
+  await page.evaluate((task) => void (location.hash = `#task=${task}&panel=imagine`), EASY);
+  await page.waitForFunction(() => /ball=90,190,7/.test(location.hash) && /panel=imagine/.test(location.hash));
+  await page.locator('#tab-play').click();
+  await page.waitForFunction(() => !/panel/.test(location.hash));
+  await page.locator('#ball-x').fill('91');
+  await page.locator('#ball-x').press('Tab');
+  await page.goBack();
+  await page.waitForFunction(() => /ball=91,190,7/.test(location.hash) && /panel=imagine/.test(location.hash));
+  assert.deepEqual(await ball(page), [91, 190, 7]);
+});
+
+test('of an own puzzle that cannot be read nothing is shown but why', async () => {
+  const page = await openPuzzle(session);
+  await page.evaluate(() => void (location.hash = '#scene=soup'));
+  await page.locator('#problem').filter({ hasText: 'damaged' }).waitFor();
+  await page.locator('#stage-button').click();
+  await page.waitForFunction(() => /view=stage/.test(location.hash));
+  assert.ok(await page.locator('#problem').filter({ hasText: 'damaged' }).isVisible());
+  assert.ok(await page.locator('#scene').isHidden());
+  await page.goBack();
+  await page.goBack();
+  await page.locator('#scene').waitFor();
+});
+
 test('a link hides what a lesson leaves out, and goes on hiding it', async () => {
   const page = await openPuzzle(session, { fragment: '&panel=imagine&hide=story,imagine,compare,watch,attempts,fields' });
   for (const hidden of ['#story', '#tab-imagine', '#tab-compare', '#imagine', '#watch', '#play-attempts', '#ball-x']) {

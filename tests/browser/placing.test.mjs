@@ -60,6 +60,14 @@ test('an invalid ball is outlined, named and never counts', async () => {
   assert.equal(await attempts(page), 0);
 });
 
+test('a field that is emptied goes on showing the ball', async () => {
+  const page = await openPuzzle(session);
+  await type(page, [128, 200, 12]);
+  await page.locator('#ball-r').fill('');
+  await page.locator('#ball-r').press('Tab');
+  assert.equal(await page.locator('#ball-r').inputValue(), '12');
+});
+
 test('without a ball, Run says what to do', async () => {
   const page = await openPuzzle(session);
   await page.locator('#run').click();

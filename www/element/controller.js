@@ -70,6 +70,11 @@ export class PuzzleController extends EventTarget {
   #components;
   /** @type {Session | null} */
   #session = null;
+  /**
+   * The text of an own scene that could not be read, and why.
+   * @type {{ text: string, sentence: string } | null}
+   */
+  #unreadable = null;
   #lastModel;
   /** @type {boolean | null} */
   #dark = null;
@@ -179,7 +184,7 @@ export class PuzzleController extends EventTarget {
     if (formatFragment(state) !== formatFragment(this.#state)) this.apply(state);
     const words = unread.map(([key, text]) => `${key}="${text}"`);
     if (words.length) this.#showProblem(`This puzzle is asked for with ${words.join(" and ")}, which Pathlight does not understand.`);
-    else this.#showProblem(unknownTask(state));
+    else this.#showProblem(this.#problemOf(state));
   }
 
   /**
@@ -194,12 +199,12 @@ export class PuzzleController extends EventTarget {
     this.#state = { ...state };
     const { ball } = state;
     const played = this.#playedOf(state);
-    const problem = unknownTask(state);
+    const problem = this.#problemOf(state);
     this.#showProblem(problem);
     find(this.#root, ".puzzle").hidden = !showsPuzzle(state) || problem !== null;
     if (played !== null && !problem) {
       const session = (this.#session ??= this.#openPuzzle(played));
-      if (ball && String(ball) !== String(session.ball)) session.place(ball);
+      if (String(ball) !== String(session.ball)) session.replaceBall(ball);
       if (modelChanged || this.#client.status === "off") this.#startModel();
     }
     this.#applyView();
@@ -213,7 +218,7 @@ export class PuzzleController extends EventTarget {
   #playedOf({ task, scene }) {
     if (scene === null) return task;
     const known = knownScene(scene);
-    if (!known) this.#readScene(scene);
+    if (!known && this.#unreadable?.text !== scene) this.#readScene(scene);
     return known;
   }
 
@@ -221,10 +226,19 @@ export class PuzzleController extends EventTarget {
   async #readScene(text) {
     try {
       await sceneOfText(text);
-      if (this.#state.scene === text) this.apply(this.#state);
     } catch (error) {
-      if (this.#state.scene === text) this.#showProblem(/** @type {Error} */ (error).message);
+      this.#unreadable = { text, sentence: /** @type {Error} */ (error).message };
     }
+    if (this.#state.scene === text) this.apply(this.#state);
+  }
+
+  /**
+   * Why there is no puzzle for a state; null if there is one, or may be.
+   * @param {State} state
+   */
+  #problemOf({ task, scene }) {
+    if (scene !== null) return this.#unreadable?.text === scene ? this.#unreadable.sentence : null;
+    return task === null || TASKS.has(task) ? null : `There is no puzzle ${task}.`;
   }
 
   /**
@@ -237,6 +251,11 @@ export class PuzzleController extends EventTarget {
     const { style } = find(this.#root, ".puzzle");
     for (const [name, colour] of Object.entries(palette(dark))) style.setProperty(`--${name}`, colour);
     for (const component of this.#components) component.setTheme(dark);
+  }
+
+  /** The page is being left, perhaps for good: an attempt that runs is kept, as it is when its puzzle is left. */
+  onPageHide() {
+    this.#session?.revealResult();
   }
 
   /** Closes the puzzle and ends the worker; `apply` begins anew. */
@@ -383,9 +402,4 @@ export class PuzzleController extends EventTarget {
     problem.hidden = sentence === null;
     setText(problem, sentence ?? "");
   }
-}
-
-/** @param {State} state */
-function unknownTask({ task }) {
-  return task === null || TASKS.has(task) ? null : `There is no puzzle ${task}.`;
 }

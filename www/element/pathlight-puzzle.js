@@ -66,7 +66,9 @@ export class PathlightPuzzle extends HTMLElement {
     this.#takeEarlyProperties();
     this.#disconnected.abort();
     this.#disconnected = new AbortController();
-    darkScheme.addEventListener("change", () => this.#scheduleUpdate(), { signal: this.#disconnected.signal });
+    const { signal } = this.#disconnected;
+    darkScheme.addEventListener("change", () => this.#scheduleUpdate(), { signal });
+    addEventListener("pagehide", () => this.#controller?.onPageHide(), { signal });
     if (!this.#loading) this.#load();
     this.#scheduleUpdate();
   }

@@ -102,12 +102,14 @@ export class Page {
 
   /**
    * Shows what the address asks for.
-   * @param {boolean} [own] is it an entry that the page has written? Then going back leaves the ball where it is
+   * @param {boolean} [own] is it an entry that the page has written?
    */
   #onRoute(own = false) {
     dismissNotice();
     const { state, problem } = parseFragment(location.hash);
-    if (own && state.task === this.#state.task && state.scene === this.#state.scene) state.ball = this.#state.ball;
+    // The ball stays where it is, unless a link to the same puzzle places it elsewhere.
+    const ballStays = (own || state.ball === null) && state.task === this.#state.task && state.scene === this.#state.scene;
+    if (ballStays) state.ball = this.#state.ball;
     const gallery = hrefOf(state, null);
     if (problem) showNotice(problem, gallery ? [["All puzzles", gallery]] : []);
     if (state.task !== null && !this.#templateOf(state.task)?.tasks.includes(state.task)) {
@@ -126,6 +128,7 @@ export class Page {
     if (!showsPuzzle(state) && state.view === "stage") state.view = null;
     this.#applyState(state);
     this.#place = placeOf(state);
+    if (ballStays) this.#syncUrl();
   }
 
   /**

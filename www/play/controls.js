@@ -72,11 +72,13 @@ export class Controls extends Component {
     if (this.session) this.session.playback.speed = Number(this.byId("speed", HTMLSelectElement).value);
   }
 
-  /** Takes the three numbers once all are there. */
+  /** Takes the three numbers once all are there. Of a ball that is there none can be left out. */
   #onTyped() {
+    const { session } = this;
     const texts = this.#fields.map(({ value }) => value);
     const [x, y, r] = texts.map(Number);
-    if (texts.every((text) => text !== "" && Number.isFinite(Number(text)))) this.session?.place([x, y, r]);
+    if (texts.every((text) => text !== "" && Number.isFinite(Number(text)))) session?.place([x, y, r]);
+    else if (session?.ball) this.#update(session);
   }
 
   /** @param {Session} session */

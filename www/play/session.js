@@ -126,6 +126,16 @@ export class Session extends EventTarget {
   }
 
   /**
+   * Places the ball, or takes it away.
+   * @param {Ball | null} ball
+   */
+  replaceBall(ball) {
+    if (ball) return this.place(ball);
+    this.#placements.push(null);
+    this.#setBall(null);
+  }
+
+  /**
    * Moves the ball and changes its radius by so many px; a first ball appears in the middle.
    * @param {number} dx
    * @param {number} dy
