@@ -165,6 +165,26 @@ test('Back after three tabs and two steps leads through them, and leaves the bal
   assert.deepEqual(await ball(page), [60, 200, 9]);
 });
 
+test('Back that follows a tab at once leads to the tab before, as it was left', async () => {
+  const page = await openPuzzle(session);
+  await page.locator('#tab-imagine').click();
+  await page.locator('#imagine:visible').waitFor();
+  await page.waitForTimeout(400);
+  await page.evaluate(() => {
+    const root = document.querySelector('pathlight-puzzle')?.shadowRoot;
+    for (const selector of ['[data-stage=target] input', '#tab-compare']) {
+      const control = root?.querySelector(selector);
+      if (control instanceof HTMLElement) control.click();
+    }
+    history.back();
+  });
+  await page.locator('#imagine:visible').waitFor();
+  await page.waitForFunction(() => location.hash.endsWith('&panel=imagine&layers=target'));
+  assert.ok(await page.locator('[data-stage=target] input').isChecked());
+  await page.goForward();
+  await page.locator('#compare:visible').waitFor();
+});
+
 test('a link to the stage without a puzzle shows the grid and its header', async () => {
   const page = await session.open('/#view=stage');
   await page.locator('#templates a').first().waitFor();

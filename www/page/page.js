@@ -1,4 +1,4 @@
-// The page: the grid of puzzles, the header, the progress and the address, round one <pathlight-puzzle>. The state of the page
+// The page: the grid of puzzles, the header and the progress, round one <pathlight-puzzle>. The state of the page
 // is the puzzle's; with no task the grid is shown.
 
 import { palette } from "../pkg/pathlight.js";
@@ -14,18 +14,13 @@ import { ProgressView } from "../shell/progress-view.js";
 import { LessonDialog } from "./lesson-dialog.js";
 import { ResultsView } from "./results-view.js";
 import { leavesPlainKeys } from "../shell/shortcuts.js";
-import { INITIAL_STATE, formatFragment, hrefOf, parseFragment, resultsHref, showsPuzzle } from "../shell/url-state.js";
+import { INITIAL_STATE, hrefOf, resultsHref, showsPuzzle } from "../shell/url-state.js";
 import { knownScene, sceneOfText } from "../workshop/scene-link.js";
+import { Address } from "./address.js";
 import { OwnGallery } from "./own-gallery.js";
 import { FIRST_TASK, Picks } from "./picks.js";
 
 /** @typedef {import("../shell/url-state.js").State} State */
-
-/** Browsers refuse to change the address at every step of a drag; it is changed this much later, ms. */
-const URL_DELAY = 200;
-
-/** Marks the entries in the history that the page itself has written. */
-const OWN_ENTRY = "pathlight";
 
 const darkScheme = matchMedia("(prefers-color-scheme: dark)");
 const gallerySection = byId(document, "gallery");
@@ -41,19 +36,15 @@ export class Page {
   #progressView = new ProgressView(sharedProgress("kept"), this.#templates, this.#gallery);
   /** @type {import("./share-dialog.js").ShareDialog | null} */
   #shareDialog = null;
-  /** @type {number | undefined} */
-  #urlTimer;
+  #address = new Address((own) => this.#onRoute(own));
   #results = new ResultsView(this.#templates, (task, model) => hrefOf({ ...this.#state, model }, task, "compare"));
   /** @type {LessonDialog | null} */
   #lessonDialog = null;
-  /** What has an entry of its own in the history, as it was last written there. */
-  #place = "";
 
   constructor() {
     this.#puzzle.hrefOf = (task, panel) => hrefOf(this.#state, task, panel);
     this.#puzzle.addEventListener("statechange", () => this.#onStateChange());
     this.#puzzle.addEventListener("share", (event) => this.#share(/** @type {CustomEvent} */ (event).detail));
-    addEventListener("popstate", ({ state }) => this.#onRoute(state === OWN_ENTRY));
     darkScheme.addEventListener("change", () => this.#applyTheme());
     this.#onClick("previous", () => this.#stepPuzzle(-1));
     this.#onClick("next", () => this.#stepPuzzle(1));
@@ -106,7 +97,7 @@ export class Page {
    */
   #onRoute(own = false) {
     dismissNotice();
-    const { state, problem } = parseFragment(location.hash);
+    const { state, problem } = this.#address.read();
     // The ball stays where it is, unless a link to the same puzzle places it elsewhere.
     const ballStays = (own || state.ball === null) && state.task === this.#state.task && state.scene === this.#state.scene;
     if (ballStays) state.ball = this.#state.ball;
@@ -127,8 +118,8 @@ export class Page {
     // There is nothing on the stage, and the way out of it is the puzzle's.
     if (!showsPuzzle(state) && state.view === "stage") state.view = null;
     this.#applyState(state);
-    this.#place = placeOf(state);
-    if (ballStays) this.#syncUrl();
+    this.#address.take(state);
+    if (ballStays) this.#address.write(state);
   }
 
   /**
@@ -190,7 +181,7 @@ export class Page {
   #onStateChange() {
     this.#applyTitle(this.#state);
     this.#applyLinks();
-    this.#syncUrl();
+    this.#address.write(this.#state);
   }
 
   #orderGallery() {
@@ -213,29 +204,9 @@ export class Page {
    */
   #navigate({ task, scene }) {
     const state = { ...this.#state, task: task ?? null, scene: scene ?? null, ball: null, proposal: null, challenge: null };
-    clearTimeout(this.#urlTimer);
-    history.pushState(OWN_ENTRY, "", `#${formatFragment(state)}`);
-    this.#place = placeOf(state);
+    this.#address.push(state);
     dismissNotice();
     this.#applyState(state);
-  }
-
-  /** Writes the state to the address, a little later. */
-  #syncUrl() {
-    clearTimeout(this.#urlTimer);
-    this.#urlTimer = setTimeout(() => this.#writeUrl(), URL_DELAY);
-  }
-
-  /** Writes the state to the address: a step or a tab as a new entry in the history, anything else in place of the present one. */
-  #writeUrl() {
-    clearTimeout(this.#urlTimer);
-    const state = this.#state;
-    if (!showsPuzzle(state)) return;
-    const address = `#${formatFragment(state)}`;
-    const place = placeOf(state);
-    if (place !== this.#place) history.pushState(OWN_ENTRY, "", address);
-    else history.replaceState(OWN_ENTRY, "", address);
-    this.#place = place;
   }
 
   /** @param {KeyboardEvent} event */
@@ -275,7 +246,8 @@ export class Page {
   }
 
   async #copyLink() {
-    this.#writeUrl();
+    this.#address.write(this.#state);
+    this.#address.flush();
     try {
       await navigator.clipboard.writeText(location.href);
       showDone("The link to what you see is copied.");
@@ -283,12 +255,4 @@ export class Page {
       showNotice(`This browser does not let the page copy. The link is ${location.href}`);
     }
   }
-}
-
-/**
- * What of a state is worth an entry in the history: the way back leads through tabs and steps, not through each place of a ball.
- * @param {State} state
- */
-function placeOf({ task, panel, stage, view }) {
-  return String([task, panel, stage, view]);
 }
