@@ -146,7 +146,7 @@ test('where there is a share sheet, picture, text and link go to it', async () =
   assert.match(shared.url, /#task=00000:000&challenge=1$/);
 });
 
-test('“Stump the net” opens a puzzle that the model does not solve, and another once that is solved', async () => {
+test('“Stump the model” opens a puzzle that the model does not solve, and another once that is solved', async () => {
   const { agents } = JSON.parse(await readFile(new URL('../../results/shipped/within-0.json', import.meta.url), 'utf8'));
   const unsolvedTasks = agents.find(({ agent }) => agent === 'online').first_solved.filter(([, attempt]) => attempt === null).map(([task]) => task);
   const page = await session.open('/', { reducedMotion: 'reduce' });

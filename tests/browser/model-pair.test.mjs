@@ -1,4 +1,4 @@
-// Two models side by side on one puzzle: what each has seen, imagines and tries, and who is sooner there.
+// Two models side by side on one puzzle: what each has seen, imagines and tries, and which needs fewer attempts.
 
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
@@ -33,8 +33,8 @@ test('each is named with what it has seen, its map, its balls and when it solves
   assert.equal(await page.locator('#pair-columns h3').allTextContents().then(String), 'within-0,cross-0');
   assert.equal(await column(page, 1).locator('.model-badge').innerText(), 'never seen');
   assert.equal(await column(page, 1).locator('.outcome-strip span').count(), first);
-  assert.match(await column(page, 1).locator('.pair-outcome').textContent(), new RegExp(`^Solved on attempt ${first}\\. Of its first ball it thought: .+ \\(.+ %\\)\\.$`));
-  await page.locator('#pair-words').filter({ hasText: /(is sooner there|as many attempts)\.$/ }).waitFor();
+  assert.match(await column(page, 1).locator('.pair-outcome').textContent(), new RegExp(`^Solved on attempt ${first}\\. Its own guess of its first ball: .+ \\(.+ %\\)\\.$`));
+  await page.locator('#pair-words').filter({ hasText: /^((within|cross)-0 needs fewer attempts: \d+ instead of \d+|Only (within|cross)-0 solves this puzzle|Both solve it on attempt \d+)\.$/ }).waitFor();
   const place = await column(page, 0).locator('.pair-place').textContent();
   assert.match(place, /^Most sure .+\.$/);
   await page.locator('#pair-stage').selectOption('action');

@@ -1,4 +1,4 @@
-// Predict first: the green object's path drawn by mouse, finger and keys, then run and measured beside the net.
+// Predict first: the green object's path drawn by mouse, finger and keys, then run and measured beside the model.
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
@@ -29,7 +29,7 @@ function green(page) {
   });
 }
 
-const VERDICT = /^(You were closer: \d+ %, the net \d+ %|The net was closer: \d+ %, you \d+ %|A draw: both were right by \d+ %)\.$/;
+const VERDICT = /^(You were closer: \d+ %, the model \d+ %|The model was closer: \d+ %, you \d+ %|A draw: both were right by \d+ %)\.$/;
 
 async function verdict(page) {
   await page.locator('#predict-words').filter({ hasText: VERDICT }).waitFor();
@@ -62,7 +62,7 @@ test('a line is drawn with the mouse, places no ball, and is measured when it ha
   assert.ok(await page.locator('#predict-result').isHidden());
 });
 
-test('with a ball the run is an attempt, and the net’s target path is measured', async () => {
+test('with a ball the run is an attempt, and the model’s target path is measured', async () => {
   const page = await predict();
   const { solving } = await known();
   const [x, y] = await green(page);

@@ -17,7 +17,7 @@ export const PANELS_MARKUP = `
   <div id="forecast" data-hideable="imagine"><div data-hideable="forecast">
     <label class="check"><input type="checkbox" id="forecast-on"> What would this ball do?</label>
     <div id="forecast-said" hidden><p id="forecast-words"></p><p class="model-badge"></p></div>
-    <details id="forecast-how" hidden><summary>What do I see?</summary><p>Dotted lines, and outlines of the bodies along them: where a net imagines this very ball and the green object, before anything moves. The wider the ribbon around a line, the less sure it is of it. Nothing is simulated for that, so it can be wrong: run the ball, and see how far off it was.</p></details>
+    <details id="forecast-how" hidden><summary>What do I see?</summary><p>Dotted lines, and outlines of the bodies along them: where the model imagines this very ball and the green object, before anything moves. The wider the ribbon around a line, the less sure it is of it. Nothing is simulated for that, so it can be wrong: run the ball, and see how far off it was.</p></details>
   </div></div>
   <form id="ball-form" class="ball-form" autocomplete="off" data-hideable="fields">
     <label class="radius">Radius <input type="range" id="radius" step="1"></label>
@@ -119,7 +119,7 @@ export const PANELS_MARKUP = `
 
   <section class="section" id="model-pair" aria-labelledby="pair-title" hidden>
     <h2 id="pair-title">Two models side by side</h2>
-    <p class="actions"><button type="button" id="pair-run">Let both play</button> <label>beside it <select id="pair-model"></select></label> <label id="pair-map" hidden>Map <select id="pair-stage"></select></label></p>
+    <p class="actions"><button type="button" id="pair-run">Let both play</button> <label>Second model <select id="pair-model"></select></label> <label id="pair-map" hidden>Map <select id="pair-stage"></select></label></p>
     <p id="pair-words"></p>
     <div class="pair" id="pair-columns"></div>
   </section>
@@ -140,7 +140,7 @@ export const PANELS_MARKUP = `
 </div>
 
 <div role="tabpanel" id="predict" aria-labelledby="tab-predict" tabindex="0" hidden>
-  <p>Which way will the green object go? Draw its path in the scene. Then run, and see who was closer: you or the net.</p>
+  <p>Which way will the green object go? Draw its path in the scene. Then run, and see who was closer: you or the model.</p>
   <p class="actions">
     <button type="button" id="predict-watch" class="primary">Run without ball</button>
     <button type="button" id="predict-run">Run with ball</button>
@@ -150,7 +150,7 @@ export const PANELS_MARKUP = `
   <section id="predict-result" aria-label="Prediction and reality" hidden>
     <p class="model-badge"></p>
     <ul class="overlap-cards" id="predict-cards"></ul>
-    <details><summary>How is it measured?</summary><p>Your line counts as if the green object had slid along it. What is shaded and what was real, inside the line, are laid over each other: 100 % means that both are the same. The net is measured alike: its base path if there is no ball, its target path if there is one. It has not seen your ball.</p></details>
+    <details><summary>How is it measured?</summary><p>Your line counts as if the green object had slid along it. What is shaded and what was real, inside the line, are laid over each other: 100 % means that both are the same. The model is measured alike: its base path if there is no ball, its target path if there is one. It has not seen your ball.</p></details>
   </section>
   <p class="hint">Draw with the mouse or a finger. With keys, in the scene: arrows draw on from the green object, with <kbd>Shift</kbd> further; <kbd>Backspace</kbd> takes a piece back.</p>
 </div>

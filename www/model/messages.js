@@ -39,8 +39,6 @@
 /** @typedef {import("../pkg/pathlight.js").AttemptLine} AttemptLine */
 /** @typedef {import("../pkg/pathlight.js").Verification} Verification */
 
-/** @typedef {{ finished: boolean }} Finished */
-
 /**
  * The calls of the worker: their arguments and their values.
  * `start` takes the compiled wasm; `load` the name of weights in assets/model.json (null: the first); `propose` returns the
@@ -54,13 +52,13 @@
  * @property {{ args: { played: Played, ball: Ball }, value: ImaginedBall | null }} imagineBall
  * @property {{ args: { played: Played, seed: number }, value: Considered | null }} consider
  * @property {{ args: { played: Played, seed: number }, value: import("../pkg/pathlight.js").TriedProposal[] }} propose
- * @property {{ args: { played: Played, seed: number }, value: Finished }} turn
+ * @property {{ args: { played: Played, seed: number }, value: void }} turn
  * @property {{ args: { played: Played }, value: Watched }} watch
- * @property {{ args: { played: Played }, value: Finished }} search
+ * @property {{ args: { played: Played }, value: void }} search
  * @property {{ args: { played: Played, ball: Ball }, value: import("../pkg/pathlight.js").Luck }} luck
  * @property {{ args: { played: Played, balls: Ball[] }, value: AttemptLine[] }} attemptLines
  * @property {{ args: { lines: unknown[] }, value: Verification[] }} verify
- * @property {{ args: { played: Played, radius: number }, value: Finished }} solve
+ * @property {{ args: { played: Played, radius: number }, value: void }} solve
  */
 
 /**

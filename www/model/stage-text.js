@@ -63,6 +63,6 @@ export const CHOICE_TEXT = {
   real: {
     name: "Imagined and real",
     meaning: "What was imagined, over what really happened.",
-    how: "Dotted: the paths that the net imagined for this ball. Solid: its real path and that of the green object. The wider the ribbon around a dotted line, the less sure the net was of it.",
+    how: "Dotted: the paths that the model imagined for this ball. Solid: its real path and that of the green object. The wider the ribbon around a dotted line, the less sure the model was of it.",
   },
 };

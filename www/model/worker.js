@@ -124,9 +124,8 @@ async function turn({ played, seed }, sendUpdate, isCancelled) {
   for (const attempt of pathlight.turn(played, { seed })) {
     sendUpdate({ attempt });
     await yieldToMessages();
-    if (isCancelled()) return { finished: false };
+    if (isCancelled()) return;
   }
-  return { finished: true };
 }
 
 /** @param {Calls["watch"]["args"]} args */
@@ -157,11 +156,10 @@ async function search({ played }, sendUpdate, isCancelled) {
     if (performance.now() < end) continue;
     sendUpdate({ found: found() });
     await yieldToMessages();
-    if (isCancelled()) return { finished: false };
+    if (isCancelled()) return;
     end = performance.now() + SLICE;
   }
   sendUpdate({ found: latest() });
-  return { finished: true };
 }
 
 /** @param {Calls["luck"]["args"]} args */
@@ -211,10 +209,9 @@ async function solve({ played, radius }, sendUpdate, isCancelled) {
     if (progress < 1 && performance.now() < end) continue;
     sendUpdate({ map: { outcomes: outcomes(), progress } });
     await yieldToMessages();
-    if (isCancelled()) return { finished: false };
+    if (isCancelled()) return;
     end = performance.now() + SLICE;
   }
-  return { finished: true };
 }
 
 const channel = new MessageChannel();

@@ -31,7 +31,7 @@ export class Picks {
   constructor(templates, progress, open, startGuide) {
     this.#progress = progress;
     this.#open = open;
-    this.#stump.append(line("strong", "Stump the net"), line("span", "A puzzle that it does not solve in a hundred attempts"));
+    this.#stump.append(line("strong", "Stump the model"), line("span", "A puzzle that it does not solve in a hundred attempts"));
     this.#tasks = templates.flatMap(({ tasks }) => tasks);
     const welcome = byId(document, "welcome");
     welcome.hidden = progress.tasks.length > 0 || guideOffered();

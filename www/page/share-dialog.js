@@ -126,6 +126,6 @@ export class ShareDialog {
 /** @param {Result} result */
 function modelWords({ model }) {
   if (!model) return "";
-  if (model.solvedAt === null) return `The net did not solve it in ${model.used}.`;
-  return model.solvedAt === 1 ? "The net needed one attempt." : `The net needed ${model.solvedAt}.`;
+  if (model.solvedAt === null) return `The model did not solve it in ${model.used}.`;
+  return model.solvedAt === 1 ? "The model needed one attempt." : `The model needed ${model.solvedAt}.`;
 }

@@ -2,7 +2,7 @@
 // outcome, and when it solves. The second model has a worker of its own while they are shown.
 
 import { Component } from "../shell/component.js";
-import { ATTEMPT_LIMIT, STAGES } from "../shell/constants.js";
+import { STAGES } from "../shell/constants.js";
 import { contextOf, find, setText } from "../shell/dom.js";
 import { pathlight } from "../shell/pathlight.js";
 import { chanceWords } from "../model/chance-words.js";
@@ -89,7 +89,7 @@ export class ModelPair extends Component {
     if (!this.session || !loaded || this.#call) return;
     const { played } = this.session;
     const call = (this.#call = new AbortController());
-    this.#say("Both models play.");
+    this.#say("Both models are playing.");
     try {
       await started(this.#other, this.#name.value, call.signal);
       const ask = async (/** @type {SharedClient} */ client, /** @type {string} */ name) => {
@@ -185,12 +185,15 @@ function outcomeWords(tried) {
   const solved = solvedAt(tried);
   const ended = solved ? `Solved on attempt ${solved}.` : `Not solved in ${tried.length} attempts.`;
   const origin = tried[0]?.origin;
-  return origin?.kind === "imagined" ? `${ended} Of its first ball it thought: ${chanceWords(origin.probability)}.` : ended;
+  return origin?.kind === "imagined" ? `${ended} Its own guess of its first ball: ${chanceWords(origin.probability)}.` : ended;
 }
 
 /** @param {Side[]} sides */
 function verdictOf(sides) {
-  const [one, other] = sides.map(({ tried }) => solvedAt(tried) ?? ATTEMPT_LIMIT + 1);
-  if (one === other) return one > ATTEMPT_LIMIT ? "Neither model solves this puzzle." : "Both need as many attempts.";
-  return `${sides[one < other ? 0 : 1].name} is sooner there.`;
+  const attempts = sides.map(({ tried }) => solvedAt(tried) ?? Infinity);
+  const [fewer, more] = attempts.toSorted((one, other) => one - other);
+  const { name } = sides[attempts.indexOf(fewer)];
+  if (fewer === Infinity) return "Neither model solves this puzzle.";
+  if (more === Infinity) return `Only ${name} solves this puzzle.`;
+  return fewer === more ? `Both solve it on attempt ${fewer}.` : `${name} needs fewer attempts: ${fewer} instead of ${more}.`;
 }

@@ -27,7 +27,7 @@ export class Predict extends Component {
   #imagine;
   #visible = false;
   #playerCard;
-  #netCard;
+  #modelCard;
 
   /**
    * @param {import("../shell/dom.js").Root} root
@@ -38,8 +38,8 @@ export class Predict extends Component {
     super(root);
     this.#imagine = imagine;
     this.#playerCard = new OverlapCard(this.fromTemplate("overlap-card"), scenePicture);
-    this.#netCard = new OverlapCard(this.fromTemplate("overlap-card"), scenePicture);
-    this.byId("predict-cards").append(this.#playerCard.element, this.#netCard.element);
+    this.#modelCard = new OverlapCard(this.fromTemplate("overlap-card"), scenePicture);
+    this.byId("predict-cards").append(this.#playerCard.element, this.#modelCard.element);
     this.byId("predict-watch").addEventListener("click", () => this.session?.watch());
     this.byId("predict-run").addEventListener("click", () => {
       this.session?.reset();
@@ -150,15 +150,15 @@ export class Predict extends Component {
   #measure({ puzzle, phase }) {
     const stage = phase === "watch" ? "base" : "target";
     const real = puzzle.pathMasks()[0].object;
-    const netMap = this.#imagine.maps?.[stage];
+    const modelMap = this.#imagine.maps?.[stage];
     const shared = { stage: /** @type {import("../pkg/pathlight.js").Stage} */ (stage), real, dark: this.dark };
     const player = this.#playerCard.draw({ ...shared, name: "You", values: puzzle.sketchMask(new Float64Array(this.sketch.flat())) });
-    this.#netCard.element.hidden = !netMap;
-    if (!netMap) return `You were right by ${percent(player)}.`;
-    const net = this.#netCard.draw({ ...shared, name: "The net", values: netMap });
-    const [playerWords, netWords] = [percent(player), percent(net)];
-    if (playerWords === netWords) return `A draw: both were right by ${playerWords}.`;
-    return player > net ? `You were closer: ${playerWords}, the net ${netWords}.` : `The net was closer: ${netWords}, you ${playerWords}.`;
+    this.#modelCard.element.hidden = !modelMap;
+    if (!modelMap) return `You were right by ${percent(player)}.`;
+    const model = this.#modelCard.draw({ ...shared, name: "The model", values: modelMap });
+    const [playerWords, modelWords] = [percent(player), percent(model)];
+    if (playerWords === modelWords) return `A draw: both were right by ${playerWords}.`;
+    return player > model ? `You were closer: ${playerWords}, the model ${modelWords}.` : `The model was closer: ${modelWords}, you ${playerWords}.`;
   }
 }
 

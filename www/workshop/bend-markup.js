@@ -2,7 +2,7 @@
 
 export const BEND_MARKUP = `
 <div role="tabpanel" id="bend" aria-labelledby="tab-bend" tabindex="0" hidden>
-  <p>Make a puzzle of your own out of this one. <b data-hideable="imagine">The nets have never seen such scenes.</b></p>
+  <p>Make a puzzle of your own out of this one. <b data-hideable="imagine">The model has never seen such scenes.</b></p>
   <div class="bend-tools">
     <div class="undoing" role="group" aria-label="Changes">
       <button type="button" id="bend-undo" title="Undo  Ctrl+Z"><svg><use href="#icon-undo"/></svg><span class="visually-hidden">Undo</span></button>
@@ -36,11 +36,11 @@ export const BEND_MARKUP = `
       <button type="button" id="bend-remove">Delete</button>
     </div>
   </form>
-  <p class="hint" id="bend-hint">Select a body in the scene or in the list. With keys, in the scene: <kbd>N</kbd> and <kbd>P</kbd> select, arrows move, <kbd>,</kbd> <kbd>.</kbd> turn, <kbd>+</kbd> <kbd>−</kbd> resize, with <kbd>Shift</kbd> further; <kbd>D</kbd> duplicates, <kbd>Delete</kbd> removes.</p>
+  <p class="hint">Select a body in the scene or in the list. With keys, in the scene: <kbd>N</kbd> and <kbd>P</kbd> select, arrows move, <kbd>,</kbd> <kbd>.</kbd> turn, <kbd>+</kbd> <kbd>−</kbd> resize, with <kbd>Shift</kbd> further; <kbd>D</kbd> duplicates, <kbd>Delete</kbd> removes.</p>
   <p id="bend-alone"></p>
   <div data-hideable="imagine">
-    <p class="small">What the nets imagine: they learned from the benchmark’s puzzles alone, so here it may be nonsense.</p>
-    <ul id="bend-maps" class="bend-maps" aria-label="What the nets imagine"></ul>
+    <p class="small">What the model imagines: it learned from the benchmark’s puzzles alone, so here it may be nonsense.</p>
+    <ul id="bend-maps" class="bend-maps" aria-label="What the model imagines"></ul>
     <p class="small" id="bend-maps-words"></p>
   </div>
   <p class="actions"><button type="button" id="bend-watch">Watch without a ball</button></p>
