@@ -21,6 +21,7 @@
 //! | module | holds |
 //! | --- | --- |
 //! | `puzzle` | plain data: scenes, the action ball and when it is valid, rollouts, the 25 templates and their 2,500 tasks |
+//! | `colour` | the colours of roles and maps |
 //! | `raster` | scenes and rollouts as 64 x 64 images |
 //! | `simulator` | computes the rollout of a scene and a ball: a port of Box2D 2.3's step on rapier2d's geometry |
 //! | `benchmark` | PHYRE's folds and its metric, auccess |
@@ -32,6 +33,7 @@
 
 pub mod agents;
 pub mod benchmark;
+pub mod colour;
 pub mod dataset;
 pub mod nets;
 pub mod play;

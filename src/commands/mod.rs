@@ -23,10 +23,12 @@ mod differences;
 mod difficulty;
 mod evaluate;
 mod fidelity;
+mod figures;
 mod file_lock;
 mod fold_args;
 mod forecasts;
 mod journal;
+mod json_file;
 mod label;
 mod labelled_scenes;
 mod merge;
@@ -73,6 +75,7 @@ enum Command {
     Forecasts(forecasts::Args),
     Calibration(calibration::Args),
     Reproduce(reproduce::Args),
+    Figures(figures::Args),
     Simulate(simulate::Args),
     Verify(verify::Args),
     Serve(pathlight_serve::Args),
@@ -100,6 +103,7 @@ impl Command {
             Command::Forecasts(args) => args.run(),
             Command::Calibration(args) => args.run(),
             Command::Reproduce(args) => args.run(),
+            Command::Figures(args) => args.run(),
             Command::Simulate(args) => args.run(),
             Command::Serve(args) => args.run(),
             Command::Fidelity(args) => args.run(),

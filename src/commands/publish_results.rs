@@ -5,18 +5,19 @@
 use std::collections::BTreeMap;
 use std::fs;
 use std::io::{self, Write};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use anyhow::{Context, ensure};
 use pathlight::agents;
 use pathlight::benchmark::folds::Fold;
 use pathlight::puzzle::task::TaskId;
 use pathlight::simulator;
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 use super::agent_name::AgentName;
 use super::calibration::{Bin, Calibration};
 use super::evaluate::{Report, Score};
+use super::json_file;
 use super::publish::{ModelEntry, ModelList};
 
 /// Collect the measurements of the shipped models into the file from which the page shows them
@@ -55,7 +56,7 @@ struct ModelResults {
 
 impl Args {
     pub fn run(self) -> anyhow::Result<()> {
-        let list: ModelList = read(&self.assets.join("model.json"), "pathlight publish")?;
+        let list: ModelList = json_file::read(&self.assets.join("model.json"), "pathlight publish")?;
         let models = list
             .models
             .into_iter()
@@ -70,9 +71,9 @@ impl Args {
     }
 
     fn results_of(&self, name: String) -> anyhow::Result<ModelResults> {
-        let report: Report = read(&self.results.join(format!("{name}.json")), "pathlight evaluate --json")?;
+        let report: Report = json_file::read(&self.results.join(format!("{name}.json")), "pathlight evaluate --json")?;
         let path = self.results.join(format!("{name}-calibration.json"));
-        let calibration: Calibration = read(&path, "pathlight calibration --json")?;
+        let calibration: Calibration = json_file::read(&path, "pathlight calibration --json")?;
         ensure!(
             calibration.simulator == report.simulator
                 && (calibration.setup, calibration.fold) == (report.setup, report.fold),
@@ -108,11 +109,4 @@ impl Args {
             name,
         })
     }
-}
-
-/// Reads a JSON file that a command writes.
-fn read<T: for<'a> Deserialize<'a>>(path: &Path, command: &str) -> anyhow::Result<T> {
-    let name = path.display();
-    let bytes = fs::read(path).with_context(|| format!("cannot read {name}: write it with `{command}`"))?;
-    serde_json::from_slice(&bytes).with_context(|| format!("{name} is damaged: write it again with `{command}`"))
 }

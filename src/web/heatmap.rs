@@ -6,7 +6,7 @@ use wasm_bindgen::{Clamped, prelude::*};
 use web_sys::{CanvasRenderingContext2d, ImageData};
 
 use super::error::{Code, error};
-use super::stage::{Dashes, Stage};
+use crate::colour::stage::{Dashes, Stage};
 use crate::raster::{CELLS, SIDE};
 
 /// Length of one dash in a legend, pixels.

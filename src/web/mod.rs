@@ -11,6 +11,8 @@ use wasm_bindgen::prelude::*;
 use web_sys::CanvasRenderingContext2d;
 
 use crate::benchmark::difficulty::Difficulty;
+use crate::colour::palette::palette as colours;
+use crate::colour::stage::{SOLID, Stage};
 use crate::play::game::ATTEMPT_LIMIT;
 use crate::puzzle::action::RADIUS;
 use crate::puzzle::rollout::{GOAL_STEPS, STEPS_PER_SECOND};
@@ -20,7 +22,6 @@ use crate::puzzle::templates::TEMPLATES;
 use crate::raster::{PX_PER_CELL, SIDE};
 use crate::simulator;
 
-mod colour;
 mod describe;
 mod error;
 mod frame;
@@ -39,7 +40,6 @@ mod recording;
 mod ribbon;
 mod scripting;
 mod solve_map;
-mod stage;
 mod types;
 mod verification;
 
@@ -55,7 +55,6 @@ pub use verification::{SolutionSearch, attempt_line, luck, verify_attempt};
 use error::{Code, error, to_js};
 use paint::Painter;
 use played::load;
-use stage::Stage;
 
 /// Returns the constants that the page shares with the Rust code.
 #[wasm_bindgen(unchecked_return_type = "Constants")]
@@ -129,7 +128,7 @@ pub fn difficulty(id: &str) -> Result<JsValue, JsValue> {
 /// Returns the colours of the roles and of the paper as CSS colours.
 #[wasm_bindgen(unchecked_return_type = "Palette")]
 pub fn palette(dark: bool) -> Result<JsValue, JsValue> {
-    to_js(colour::palette(dark))
+    to_js(colours(dark))
 }
 
 /// Draws the scene of a task, or an own scene, so that it fills a square canvas. For an open puzzle, `Puzzle.paintThumbnail`
@@ -188,7 +187,7 @@ pub fn paint_outline(
     dark: bool,
 ) -> Result<(), JsValue> {
     let (colour, dashes) = match line {
-        "real" => (colour::palette(dark).ink.to_string(), stage::SOLID),
+        "real" => (colours(dark).ink.to_string(), SOLID),
         name => stage_named(name).map(|stage| (stage.line_colour(dark), stage.dashes()))?,
     };
     heatmap::outline(context, values, &colour, dashes)

@@ -10,10 +10,10 @@ use wasm_bindgen::prelude::*;
 
 use super::error::{Code, error, to_js};
 use super::played::load;
-use super::stage::Stage;
 use crate::agents::ranking::probability_map;
 use crate::agents::{self, Proposal};
 use crate::benchmark::folds::Fold;
+use crate::colour::stage::Stage;
 use crate::nets::{Card, Imagined, PathNet, ReadScene, flex};
 use crate::play::ending::Ending;
 use crate::play::game::ATTEMPT_LIMIT;

@@ -8,8 +8,8 @@ use std::f64::consts::TAU;
 use wasm_bindgen::prelude::*;
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement, Path2d};
 
-use super::colour::{Palette, palette};
 use super::error::{Code, error};
+use crate::colour::palette::{Palette, palette};
 use crate::puzzle::action::Ball;
 use crate::puzzle::rollout::Pose;
 use crate::puzzle::scene::{Body, Role, SIZE, Shape};

@@ -4,8 +4,8 @@ use crate::files::{Source, files, holds};
 use crate::rule::{Never, Only, Rule, unknown_files};
 
 /// The folders of `src/` from the data outwards: each uses only those before it.
-const LAYERS: [&str; 10] =
-    ["puzzle", "raster", "simulator", "benchmark", "dataset", "nets", "agents", "play", "web", "commands"];
+const LAYERS: [&str; 11] =
+    ["puzzle", "colour", "raster", "simulator", "benchmark", "dataset", "nets", "agents", "play", "web", "commands"];
 
 /// The outermost layers: nothing uses them, not even each other.
 const OUTERMOST: [&str; 2] = ["web", "commands"];

@@ -13,6 +13,7 @@ use pathlight::nets::{PathNet, flex};
 mod agent;
 mod calibration;
 mod collect;
+mod figures;
 mod forecasts;
 mod label;
 mod merge;

@@ -17,10 +17,10 @@ use super::{collect, defaults, label};
 use fold_result::{DataFiles, FoldResult, Hyperparameters, ResultSettings};
 
 mod costs;
-mod fold_result;
+pub mod fold_result;
 mod fold_run;
 mod plot;
-mod report;
+pub mod report;
 
 /// Reproduce the paper's table, or continue with it: data, folds, report
 #[derive(clap::Args)]

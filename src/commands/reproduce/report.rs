@@ -26,7 +26,7 @@ pub const AGENTS: [(AgentName, &str); 3] =
 
 /// Published auccess, mean over the ten folds, within and cross, on PHYRE's own engine: Harter et al. (2020), Table 1,
 /// for their nets and for DQN; the benchmark (PHYRE 0.2.2) for the random agent.
-const REPORTED: [(&str, [&str; 2]); 3] =
+pub const REPORTED: [(&str, [&str; 2]); 3] =
     [("DQN", ["77", "37"]), ("the paper's nets", ["62", "31"]), ("random", ["13.7", "13.0"])];
 
 /// Writes the report and its plot to a folder, and prints the report.

@@ -6,6 +6,7 @@
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
+use std::fs;
 use std::io::{self, Write};
 use std::path::PathBuf;
 
@@ -14,12 +15,13 @@ use pathlight::agents::sigmoid;
 use pathlight::dataset::sampling::random_ball;
 use pathlight::nets::PathNet;
 use pathlight::play::soft_iou::soft_iou;
-use pathlight::puzzle::action::Ball;
+use pathlight::puzzle::action::{Ball, Invalid};
+use pathlight::puzzle::rollout::Rollout;
 use pathlight::puzzle::sampled_paths::{SAMPLED_STEPS, SAMPLES, SampledPath};
-use pathlight::puzzle::scene::Body;
+use pathlight::puzzle::scene::{Body, Scene};
 use pathlight::puzzle::task::{Task, TaskId};
-use pathlight::raster::trail_image;
-use pathlight::simulator::{self, sampled_paths};
+use pathlight::raster::{Bitmap, path_image, trail_image};
+use pathlight::simulator::{self, sampled_paths, simulate};
 use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
 use rayon::prelude::*;
@@ -27,6 +29,11 @@ use rayon::prelude::*;
 use super::collect::read_solutions;
 use super::fold_args::FoldArgs;
 use super::model_args::ModelArgs;
+
+mod overlap;
+
+pub use overlap::{Forecasts, Overlap};
+use overlap::{MapOverlap, TemplateOverlap, mean};
 
 /// Samples whose distances are printed: after 1, 3 and 6.7 s, and at the end.
 const PRINTED: [usize; 4] = [3, 8, 12, SAMPLES - 1];
@@ -53,12 +60,16 @@ pub struct Args {
     #[arg(long, default_value_t = 0)]
     seed: u64,
 
+    /// Write the overlap of imagined and real paths, by template, to this file, as JSON
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+
     #[command(flatten)]
     model: ModelArgs,
 }
 
 /// What came of a ball beside what was imagined.
-struct Forecast {
+pub struct Forecast {
     solved: bool,
     /// 0..=1
     chance: f64,
@@ -91,9 +102,13 @@ impl Args {
             .flat_map(|tasks| tasks.iter().copied().take(limit))
             .collect();
         let known = |id: &TaskId| solutions.get(id).map_or(&[][..], Vec::as_slice);
-        let forecasts: Vec<Vec<Forecast>> =
+        let of_tasks: Vec<(MapOverlap, Vec<Forecast>)> =
             tasks.par_iter().map(|id| self.forecasts(&nets, *id, known(id))).collect::<anyhow::Result<_>>()?;
-        let forecasts: Vec<Forecast> = forecasts.into_iter().flatten().collect();
+        if let Some(path) = &self.json {
+            let json = serde_json::to_vec(&self.by_template(&tasks, &of_tasks))?;
+            fs::write(path, json).with_context(|| format!("cannot write {}", path.display()))?;
+        }
+        let forecasts: Vec<&Forecast> = of_tasks.iter().flat_map(|(_, forecasts)| forecasts).collect();
         let mut text = format!(
             "{} {}, {} test tasks, {} random balls each and known solutions, seed {}, simulator {}\n",
             self.fold.setup,
@@ -122,7 +137,7 @@ impl Args {
             steps.concat()
         )?;
         for (name, solved) in [("solved", true), ("not solved", false)] {
-            let of: Vec<&Forecast> = forecasts.iter().filter(|forecast| forecast.solved == solved).collect();
+            let of: Vec<&Forecast> = forecasts.iter().copied().filter(|forecast| forecast.solved == solved).collect();
             let mean = |value: &dyn Fn(&Forecast) -> f64| {
                 of.iter().map(|forecast| value(forecast)).sum::<f64>() / of.len().max(1) as f64
             };
@@ -144,8 +159,26 @@ impl Args {
         Ok(())
     }
 
-    /// Random balls of a task, and its solutions.
-    fn forecasts(&self, nets: &PathNet, id: TaskId, solutions: &[Ball]) -> anyhow::Result<Vec<Forecast>> {
+    fn by_template(&self, tasks: &[TaskId], of_tasks: &[(MapOverlap, Vec<Forecast>)]) -> Forecasts {
+        let pairs: Vec<(TaskId, &(MapOverlap, Vec<Forecast>))> = tasks.iter().copied().zip(of_tasks).collect();
+        let of_template = |chunk: &[(TaskId, &(MapOverlap, Vec<Forecast>))]| {
+            let (template, overlap) = (chunk[0].0.template, Overlap::mean(chunk.iter().map(|(_, of_task)| *of_task)));
+            TemplateOverlap { template, overlap }
+        };
+        Forecasts {
+            setup: self.fold.setup,
+            fold: self.fold.fold,
+            seed: self.seed,
+            simulator: simulator::VERSION,
+            tasks: tasks.len(),
+            balls: self.balls,
+            all: Overlap::mean(of_tasks.iter()),
+            templates: pairs.chunk_by(|a, b| a.0.template == b.0.template).map(of_template).collect(),
+        }
+    }
+
+    /// The maps of a task, and forecasts for random balls and its solutions.
+    fn forecasts(&self, nets: &PathNet, id: TaskId, solutions: &[Ball]) -> anyhow::Result<(MapOverlap, Vec<Forecast>)> {
         let scene = Task::load(id)?.scene;
         let mut rng = Pcg64Mcg::seed_from_u64(id.seed(self.seed));
         let random = std::iter::repeat_with(|| random_ball(&scene, &mut rng)).map_while(|ball| ball).take(self.balls);
@@ -172,8 +205,23 @@ impl Args {
                 }),
             })
         });
-        forecasts.collect()
+        Ok((maps(nets, &scene, solutions)?, forecasts.collect::<anyhow::Result<_>>()?))
     }
+}
+
+/// How well the maps of the four nets overlap what happens without a ball and with the known solutions.
+fn maps(nets: &PathNet, scene: &Scene, solutions: &[Ball]) -> anyhow::Result<MapOverlap> {
+    let imagined = nets.imagine(scene);
+    let iou = |map: &[f32], path: Bitmap| soft_iou(map, &path.to_f32().collect::<Vec<f32>>());
+    let object = |rollout: &Rollout| path_image(&scene.bodies[scene.body1], rollout, scene.body1);
+    let solved: Vec<(Ball, Rollout)> =
+        solutions.iter().map(|&ball| Ok((ball, simulate(scene, Some(ball))?))).collect::<Result<_, Invalid>>()?;
+    let ball = |(ball, rollout): &(Ball, Rollout)| path_image(&ball.body(), rollout, scene.bodies.len());
+    Ok(MapOverlap {
+        base: iou(&imagined.base, object(&simulate(scene, None)?)),
+        target: mean(solved.iter().map(|(_, rollout)| iou(&imagined.target, object(rollout)))),
+        action: mean(solved.iter().map(|one| iou(&imagined.action, ball(one)))),
+    })
 }
 
 /// The image of a path, `CELLS` values.

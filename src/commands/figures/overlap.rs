@@ -1,0 +1,76 @@
+//! How well imagined paths overlap those that happen, by template.
+
+use std::path::Path;
+
+use anyhow::ensure;
+use pathlight::puzzle::templates::TEMPLATES;
+use svg::node::element::Definitions;
+
+use super::bar_table::{self, Column, Columns, Scale};
+use super::measured::shipped_folds;
+use super::picture::Figure;
+use crate::commands::forecasts::{Forecasts, Overlap};
+use crate::commands::json_file;
+
+/// What is drawn of an overlap: two lines of a heading, a colour, the value, and one to compare with.
+type Part = ([&'static str; 2], &'static str, fn(&Overlap) -> Option<f64>, fn(&Overlap) -> Option<f64>);
+
+const NO_MARK: fn(&Overlap) -> Option<f64> = |_| None;
+
+const PARTS: [Part; 7] = [
+    (["base", "path"], "#0072b2", |overlap| overlap.base, NO_MARK),
+    (["target", "path"], "#009e73", |overlap| overlap.target, NO_MARK),
+    (["action", "path"], "#d55e00", |overlap| overlap.action, NO_MARK),
+    (["object,", "solved"], "#009e73", |overlap| overlap.solved.object, |overlap| overlap.solved.resting),
+    (["object,", "not solved"], "#009e73", |overlap| overlap.not_solved.object, |overlap| overlap.not_solved.resting),
+    (["ball,", "solved"], "#d55e00", |overlap| overlap.solved.ball, NO_MARK),
+    (["ball,", "not solved"], "#d55e00", |overlap| overlap.not_solved.ball, NO_MARK),
+];
+
+/// Draws the figure.
+///
+/// # Errors
+/// If the measurements of `pathlight forecasts` are missing or damaged.
+pub fn draw(results: &Path) -> anyhow::Result<Figure> {
+    let mut groups = Vec::new();
+    let mut random = Vec::new();
+    for fold in shipped_folds() {
+        let path = results.join(format!("shipped/{fold}-forecasts.json"));
+        let command = format!("pathlight forecasts --setup {} --json", fold.setup);
+        let forecasts: Forecasts = json_file::read(&path, &command)?;
+        ensure!(
+            (forecasts.setup, forecasts.fold) == (fold.setup, fold.fold),
+            "{} is not that of {fold}: write it again with `{command}`",
+            path.display()
+        );
+        random.push(format!("{} {}", forecasts.balls, fold.setup));
+        let columns = PARTS.map(|(headings, colour, value, mark)| {
+            let values = |part: fn(&Overlap) -> Option<f64>| -> Vec<Option<f64>> {
+                let of = |number: usize| {
+                    forecasts.templates.iter().find(|one| one.template == number).and_then(|one| part(&one.overlap))
+                };
+                (0..TEMPLATES.len()).map(of).chain([part(&forecasts.all)]).collect()
+            };
+            Column { headings: headings.map(str::to_string), colour, values: values(value), marks: values(mark) }
+        });
+        let headings = [fold.setup.to_string(), format!("fold {}, the model on the page", fold.fold)];
+        groups.push(Columns { headings, columns: columns.into() });
+    }
+    let scale = Scale { most: 1.0, decimals: 2 };
+    let (content, size) = bar_table::draw(&groups, &scale);
+    Ok(Figure {
+        name: "overlap-by-template",
+        title: "Overlap of imagined and real paths by template",
+        caption: format!(
+            "Soft IoU of imagined and real paths on the test tasks of fold 0, 0 to 1. Base, target and action path are the \
+             maps of the four nets, target and action beside the known solutions. Object and ball are the paths that the \
+             dynamics net imagines for balls that solve and for others: the known solutions, and random balls for each task \
+             ({}). A black mark is that of an object that stays where it is.",
+            random.join(", ")
+        ),
+        numbers: bar_table::sentences(&groups, &scale),
+        size,
+        definitions: Definitions::new(),
+        content,
+    })
+}

@@ -1,0 +1,81 @@
+//! What the figures are made of: the SVG document with its text alternatives, and words.
+//!
+//! A figure is drawn on paper of its own, so that it reads on any ground. Numbers are rounded, so that the same input yields the
+//! same bytes.
+
+use pathlight::colour::palette::palette;
+use svg::Document;
+use svg::node::Text as Words;
+use svg::node::element::{Definitions, Description, Group, Line, Rectangle, Text, Title};
+
+/// Colour of what is beside the point: axes, and words below pictures.
+pub const MUTED: &str = "#5b626c";
+
+/// Colour of lines behind the data.
+pub const FAINT: &str = "#dcdad3";
+
+/// A figure, and the words that stand for it.
+pub struct Figure {
+    /// The name of its file, without the extension.
+    pub name: &'static str,
+    pub title: &'static str,
+    /// What it shows and by which rule.
+    pub caption: String,
+    /// The numbers in it, as sentences.
+    pub numbers: String,
+    /// px
+    pub size: [f64; 2],
+    pub definitions: Definitions,
+    pub content: Group,
+}
+
+impl Figure {
+    /// Returns the SVG file.
+    pub fn to_svg(&self) -> String {
+        let [width, height] = self.size.map(px);
+        let paper = Rectangle::new().set("width", width).set("height", height).set("rx", 6);
+        let document = Document::new()
+            .set("viewBox", (0, 0, width, height))
+            .set("width", width)
+            .set("height", height)
+            .set("role", "img")
+            .set("aria-labelledby", "title desc")
+            .set("font-family", "sans-serif")
+            .add(Title::new(self.title).set("id", "title"))
+            .add(Description::new().set("id", "desc").add(Words::new(format!("{} {}", self.caption, self.numbers))))
+            .add(self.definitions.clone())
+            .add(paper.set("fill", palette(false).paper))
+            .add(self.content.clone());
+        format!("{document}\n")
+    }
+}
+
+/// Rounds a coordinate to a hundredth of a px.
+pub fn px(value: f64) -> f64 {
+    // Adding zero makes -0 a 0.
+    (value * 100.0).round() / 100.0 + 0.0
+}
+
+/// Where words lie to their point.
+#[derive(Clone, Copy)]
+pub enum Anchor {
+    Start,
+    Middle,
+    End,
+}
+
+/// Returns words; `size` is that of the font, px.
+pub fn words(text: impl Into<String>, [x, y]: [f64; 2], size: f64, anchor: Anchor) -> Text {
+    let anchor = match anchor {
+        Anchor::Start => "start",
+        Anchor::Middle => "middle",
+        Anchor::End => "end",
+    };
+    let text = Text::new(text).set("x", px(x)).set("y", px(y)).set("font-size", size);
+    text.set("text-anchor", anchor).set("fill", palette(false).ink)
+}
+
+/// Returns a straight line, 1 px wide.
+pub fn line([x, y]: [f64; 2], [u, v]: [f64; 2], colour: &str) -> Line {
+    Line::new().set("x1", px(x)).set("y1", px(y)).set("x2", px(u)).set("y2", px(v)).set("stroke", colour)
+}
