@@ -20,8 +20,8 @@ const MOST_STEPS = 1e5;
 
 export class AttemptStore {
   #persistent;
-  /** @type {Map<string, KeptAttempt[]>} what was written in this page, by puzzle */
-  #written = new Map();
+  /** @type {Map<string, KeptAttempt[]>} what the browser's store did not take, by puzzle: it lasts as long as the page */
+  #unwritten = new Map();
 
   /** @param {boolean} persistent does it outlast the page? */
   constructor(persistent) {
@@ -34,9 +34,10 @@ export class AttemptStore {
    * @returns {KeptAttempt[]}
    */
   of(task) {
-    const text = this.#ask((storage) => storage.getItem(PREFIX + task));
-    if (text === undefined) return this.#written.get(task) ?? [];
-    return text === null ? [] : parseAttempts(text).attempts.filter((one) => one.task === task);
+    const unwritten = this.#unwritten.get(task);
+    if (unwritten) return unwritten;
+    const text = this.#ask((storage) => storage.getItem(PREFIX + task)) ?? "";
+    return parseAttempts(text).attempts.filter((one) => one.task === task);
   }
 
   /**
@@ -66,9 +67,9 @@ export class AttemptStore {
 
   /** All attempts, by puzzle. */
   get all() {
-    const keys = this.#ask((storage) => Object.keys(storage).filter((key) => key.startsWith(PREFIX)));
-    const tasks = keys === undefined ? [...this.#written.keys()] : keys.map((key) => key.slice(PREFIX.length));
-    return tasks.sort().flatMap((task) => this.of(task));
+    const keys = this.#ask((storage) => Object.keys(storage).filter((key) => key.startsWith(PREFIX))) ?? [];
+    const tasks = new Set([...keys.map((key) => key.slice(PREFIX.length)), ...this.#unwritten.keys()]);
+    return [...tasks].sort().flatMap((task) => this.of(task));
   }
 
   /**
@@ -95,7 +96,7 @@ export class AttemptStore {
 
   /** Forgets all attempts. */
   clear() {
-    this.#written.clear();
+    this.#unwritten.clear();
     this.#ask((storage) => {
       for (const key of Object.keys(storage)) if (key.startsWith(PREFIX)) storage.removeItem(key);
     });
@@ -106,12 +107,17 @@ export class AttemptStore {
    * @param {KeptAttempt[]} attempts
    */
   #write(task, attempts) {
-    this.#written.set(task, attempts);
-    this.#ask((storage) => (attempts.length ? storage.setItem(PREFIX + task, formatAttempts(attempts)) : storage.removeItem(PREFIX + task)));
+    const isWritten = this.#ask((storage) => {
+      if (attempts.length) storage.setItem(PREFIX + task, formatAttempts(attempts));
+      else storage.removeItem(PREFIX + task);
+      return true;
+    });
+    if (isWritten) this.#unwritten.delete(task);
+    else this.#unwritten.set(task, attempts);
   }
 
   /**
-   * What the browser's store answers; undefined if there is none.
+   * What the browser's store answers; undefined if there is none, or if it is full.
    * @template T
    * @param {(storage: Storage) => T} act
    * @returns {T | undefined}
@@ -120,7 +126,6 @@ export class AttemptStore {
     try {
       return this.#persistent ? act(localStorage) : undefined;
     } catch {
-      this.#persistent = false;
       return undefined;
     }
   }

@@ -17,6 +17,8 @@ export class ProgressStore extends EventTarget {
   /** Does it outlast the page? */
   persistent;
   #key;
+  /** Is it meant to outlast the page? */
+  #isKept;
   /** @type {Record<string, TaskProgress>} */
   #tasks = {};
 
@@ -28,6 +30,7 @@ export class ProgressStore extends EventTarget {
   constructor(key = PLAYER_KEY, persistent = true) {
     super();
     this.#key = key;
+    this.#isKept = persistent;
     this.persistent = persistent;
     if (!persistent) return;
     this.#read();
@@ -100,6 +103,8 @@ export class ProgressStore extends EventTarget {
 
   clear() {
     this.#tasks = {};
+    // A store that was full can be cleared, and has room afterwards.
+    this.persistent = this.#isKept;
     this.#store((storage) => storage.removeItem(this.#key));
   }
 
