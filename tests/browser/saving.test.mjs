@@ -1,10 +1,10 @@
-// Saving what the scene shows: a picture, and a run as a film.
+// Saving what the scene shows: a picture, a run as a film, and the strip of what the nets imagine.
 
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { after, before, test } from 'node:test';
 import { start } from './harness.mjs';
-import { known, openPuzzle, says, type } from './page-actions.mjs';
+import { known, openImagined, openPuzzle, says, type } from './page-actions.mjs';
 
 let session;
 before(async () => (session = await start()));
@@ -74,4 +74,32 @@ test('a browser that fails to record says so, and can be asked again', async () 
     await page.locator('#save-film').filter({ hasText: 'Save the run' }).click();
     await page.locator('#save-words').filter({ hasText: 'could not record the film' }).waitFor();
   }
+});
+
+test('the strip shows the puzzle, each map and the run side by side, none of them blank', async () => {
+  const page = await openImagined(session, { reducedMotion: true });
+  const { solving } = await known();
+  await page.locator('#tab-play').click();
+  await type(page, solving);
+  await page.locator('#run').click();
+  await says(page, /^Solved/);
+  await page.locator('#tab-imagine').click();
+  const { name, bytes } = await saved(page, () => page.locator('#save-strip').click());
+  assert.match(name, /^two-drops-.*-strip\.png$/);
+  const [cells, side, gap, head] = [7, 320, 16, 60];
+  assert.deepEqual([bytes.readUInt32BE(16), bytes.readUInt32BE(20)], [gap + cells * (side + gap), head + side + 44]);
+  // The colours of each picture: paper, bodies, and what is imagined or has moved.
+  const player = await session.open('');
+  const pictures = await player.evaluate(
+    async ({ base64, cells, side, gap, head }) => {
+      const image = await createImageBitmap(new Blob([Uint8Array.from(atob(base64), (character) => character.charCodeAt(0))]));
+      const context = new OffscreenCanvas(image.width, image.height).getContext('2d');
+      if (!context) throw new Error('no canvas');
+      context.drawImage(image, 0, 0);
+      return Array.from({ length: cells }, (_, index) => [...context.getImageData(gap + index * (side + gap), head, side, side).data].join(' '));
+    },
+    { base64: bytes.toString('base64'), cells, side, gap, head },
+  );
+  assert.equal(new Set(pictures).size, cells, 'no two pictures are alike');
+  for (const picture of pictures) assert.ok(new Set(picture.match(/(\d+ ){3}\d+/g)).size > 20);
 });

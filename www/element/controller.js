@@ -19,6 +19,7 @@ import { ScenePicture } from "../panels/scene-picture.js";
 import { Scoreboard } from "../panels/scoreboard.js";
 import { SolveMapPanel } from "../panels/solve-map.js";
 import { StageView } from "../panels/stage-view.js";
+import { StripPicture } from "../panels/strip-picture.js";
 import { Walkthrough } from "../panels/walkthrough.js";
 import { AfterSolving } from "../play/after-solving.js";
 import { AttemptList } from "../play/attempt-list.js";
@@ -146,7 +147,7 @@ export class PuzzleController extends EventTarget {
       proposals, solveMap,
       new ModelBadge(root, client, imagine),
       new ModelPair(root, module, client, scenePicture),
-      bend, new ShareOwn(root, bend, this.#progress.player.persistent), new Pictures(root),
+      bend, new ShareOwn(root, bend, this.#progress.player.persistent), new Pictures(root), new StripPicture(root, imagine, scenePicture),
       new Check(root, client), new Luck(root, client), new Replays(root, client),
       new Scoreboard(root, client, this.#progress, (task) => this.#hrefOf()?.(task, "compare") ?? null),
       new Overlays(root, this.#canvas, { bend, choice, forecast, imagine, predict, proposals, solveMap }),

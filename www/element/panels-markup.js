@@ -72,6 +72,7 @@ export const PANELS_MARKUP = `
       <ul class="runs" id="runs"></ul>
       <details id="overlap-how" hidden><summary>What do the numbers mean?</summary><p>The shade is imagined, the line goes round what was real. 100 % means that both are the same, 0 % that they have nothing in common. It is the soft intersection over union on 64 × 64 cells: the smaller of the two values in each cell, added up, by the larger of the two, added up.</p></details>
     </section>
+    <p data-hideable="save"><button type="button" id="save-strip" disabled>Save the strip as a picture</button></p>
     <p class="small" id="imagined-in"></p>
     <p><button type="button" data-opens="about-dialog">How was it trained?</button></p>
   </div>

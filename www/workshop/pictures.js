@@ -5,6 +5,7 @@ import { Component } from "../shell/component.js";
 import { STEPS_PER_SECOND } from "../shell/constants.js";
 import { contextOf, setText } from "../shell/dom.js";
 import { download, fileName } from "../shell/download.js";
+import { paintStill } from "../play/still.js";
 
 /** Width and height of a picture, pixels, and of a film. */
 const PICTURE_SIDE = 1024;
@@ -49,7 +50,7 @@ export class Pictures extends Component {
     const { session } = this;
     if (!session) return;
     const context = newContext(PICTURE_SIDE);
-    this.#paint(session, context, session.playback.step);
+    paintStill(session, context, session.playback.step, this.dark);
     context.canvas.toBlob((blob) => {
       if (blob) download(fileName(titleOf(session), "png"), blob);
       else this.#say("This browser could not make the picture.");
@@ -76,7 +77,7 @@ export class Pictures extends Component {
       const blob = await recorded(context.canvas, type, recording.signal, (seconds) => {
         const step = Math.min(seconds * STEPS_PER_SECOND, steps);
         if (!showsTheSame()) recording.abort();
-        else this.#paint(session, context, step);
+        else paintStill(session, context, step, this.dark);
         setText(this.byId("save-words"), `Recording: ${Math.min(seconds, steps / STEPS_PER_SECOND).toFixed(0)} of ${(steps / STEPS_PER_SECOND).toFixed(0)} s.`);
         return seconds < steps / STEPS_PER_SECOND + LAST_FRAME;
       });
@@ -92,16 +93,6 @@ export class Pictures extends Component {
     this.#recording = null;
     this.#say(words);
     this.#update();
-  }
-
-  /**
-   * @param {import("../play/session.js").Session} session
-   * @param {CanvasRenderingContext2D} context
-   * @param {number} step
-   */
-  #paint(session, context, step) {
-    const whole = session.phase === "compare";
-    session.puzzle.paint(context, { step, ball: session.ball, knob: 0, whole, opacity: 1, dark: this.dark }, []);
   }
 
   /** @param {string} words */
