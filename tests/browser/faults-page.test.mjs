@@ -1,11 +1,11 @@
 // What breaks in the browser itself: traps, a worker that is killed in the middle of a turn, a store that is denied, full or full of
-// garbage, an hour asleep. The page goes on, and the person's attempts are kept.
+// garbage, an hour asleep, canvases without memory. The page goes on, and the person's attempts are kept.
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { start } from './harness.mjs';
 import { assertConsistent } from './invariants.mjs';
-import { EASY, attempts, known, openPuzzle, playModelTurn, says, type, unsolvedTask } from './page-actions.mjs';
+import { EASY, attempts, known, openPuzzle, picture, playModelTurn, says, type, unsolvedTask } from './page-actions.mjs';
 
 let session, balls;
 before(async () => {
@@ -161,4 +161,24 @@ test('an hour asleep in the middle of the model’s turn', async () => {
   await page.clock.fastForward('01:00:00');
   await page.locator('#model-turn').filter({ hasText: 'The model has played' }).waitFor({ timeout: 120_000 });
   await assertConsistent(page);
+});
+
+test('canvases without memory: a sentence says so, and what to do', async () => {
+  const context = await session.browser.newContext();
+  await context.addInitScript(() => void (HTMLCanvasElement.prototype.getContext = () => null));
+  const page = await session.openIn(context, `/#task=${EASY}`);
+  await page.getByText(/no canvas to draw on.*load the page again/i).first().waitFor();
+  session.takeProblems();
+});
+
+test('a scene whose canvas the browser has emptied is drawn again', async () => {
+  const page = await openPuzzle(session);
+  await page.waitForTimeout(300);
+  const before = await picture(page);
+  await page.locator('#scene').evaluate((canvas) => {
+    canvas.getContext('2d').reset();
+    canvas.dispatchEvent(new Event('contextrestored'));
+  });
+  await page.waitForTimeout(300);
+  assert.equal(await picture(page), before);
 });

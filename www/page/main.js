@@ -11,7 +11,7 @@ const reload = () => location.reload();
 /** @param {unknown} error */
 function showCrash(error) {
   const reason = error instanceof Error ? error.message : String(error);
-  showNotice(`Something in Pathlight broke: ${reason}. Load the page again to go on.`, [["Load it again", reload]]);
+  showNotice(`Something in Pathlight broke: ${reason.replace(/\.$/, "")}. Load the page again to go on.`, [["Load it again", reload]]);
 }
 
 addEventListener("error", ({ error, message }) => showCrash(error ?? message));

@@ -83,6 +83,8 @@ export class SceneCanvas extends Component {
     for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, () => this.#onPointerEnd());
     canvas.addEventListener("wheel", (event) => this.#onWheel(event), { passive: false });
     canvas.addEventListener("keydown", (event) => this.onKeydown(event));
+    // Browsers take the memory of a canvas away from a tab that is not seen.
+    canvas.addEventListener("contextrestored", () => this.draw());
   }
 
   /** @param {import("./session.js").Session} session */

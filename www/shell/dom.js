@@ -60,7 +60,7 @@ export function createButton(label, act) {
  */
 export function contextOf(canvas) {
   const context = canvas.getContext("2d");
-  if (!context) throw new Error("This browser has no 2D canvas.");
+  if (!context) throw new Error("This browser gives the page no canvas to draw on: perhaps its memory is used up. Close other tabs, and load the page again.");
   return context;
 }
 
