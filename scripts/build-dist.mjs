@@ -23,9 +23,9 @@ const SERVICE_WORKER = "offline/service-worker.js";
 const UNVERSIONED = /^(manifest\.webmanifest|icon\.svg|icons\/.*\.png)$/;
 /** What the page reads of the assets when somebody asks for it. */
 const LAZY_ASSETS = ["results.json", "attempts.jsonl"];
-const VERSIONED = /\.(js|css|wasm)$/;
+const VERSIONED = /\.(js|css|wasm|txt)$/;
 /** Pictures do not become smaller. */
-const COMPRESSIBLE = new Set([".html", ".css", ".js", ".json", ".jsonl", ".svg", ".wasm", ".webmanifest", ".safetensors"]);
+const COMPRESSIBLE = new Set([".html", ".css", ".js", ".json", ".jsonl", ".svg", ".txt", ".wasm", ".webmanifest", ".safetensors"]);
 /** Stands for the version until it is known. */
 const PLACEHOLDER = "VERSION";
 

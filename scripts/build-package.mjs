@@ -29,7 +29,7 @@ for (const path of declarations) {
     place(join('www', path), path);
   }
 }
-for (const file of ['pathlight.js', 'pathlight_bg.wasm']) place(`www/pkg/${file}`, `pkg/${file}`);
+for (const file of ['pathlight.js', 'pathlight_bg.wasm', 'licences.txt']) place(`www/pkg/${file}`, `pkg/${file}`);
 // Projects for Node alone have no types of the web; without them the declarations do not compile.
 const libraries = ['dom', 'esnext.disposable'].map((name) => `/// <reference lib="${name}" />\n`).join('');
 writeFileSync(join(stage, 'pkg/pathlight.d.ts'), libraries + read('www/pkg/pathlight.d.ts'));

@@ -1,16 +1,19 @@
 //! Serves the page to a browser on this machine: `pathlight serve`, and `pathlight-serve` alone.
 //!
 //! A static file server with what this page needs: media types, compression, a content security policy, and no caching
-//! without revalidation. `/assets/` holds the weights. The `Host` header is not checked: all files are public.
+//! without revalidation. `/assets/` holds the weights. All files are public; requests only read them.
 //!
 //! A crate of its own, so that whoever wants to play does not wait for the nets and their training to compile.
 
 use std::io::{self, Write};
+use std::net::SocketAddr;
 use std::path::PathBuf;
+use std::time::Duration;
 
 use anyhow::{Context, bail};
 use axum::Router;
 use axum::http::{HeaderName, HeaderValue, header};
+use axum::middleware;
 use axum::routing::any;
 use tokio::net::TcpListener;
 use tower_http::CompressionLevel;
@@ -19,9 +22,12 @@ use tower_http::compression::predicate::{DefaultPredicate, NotForContentType, Pr
 use tower_http::services::ServeDir;
 use tower_http::set_header::SetResponseHeaderLayer;
 
+mod connections;
 mod folder;
+mod host_check;
 
 use folder::Folder;
+use host_check::Hosts;
 
 /// Serve the page to a browser on this machine
 #[derive(clap::Args)]
@@ -45,6 +51,15 @@ pub struct Args {
     /// Let pages of these origins show the page in a frame, like `https://school.example`; by default none may
     #[arg(long, value_name = "ORIGIN", num_args = 1.., value_parser = origin)]
     frame_ancestors: Vec<String>,
+
+    /// Also answer requests to these names, as those that come through a proxy; while only this machine can connect, others than
+    /// its own are refused
+    #[arg(long, value_name = "NAME", num_args = 1..)]
+    allow_host: Vec<String>,
+
+    /// Close connections on which nothing moves for this time, s
+    #[arg(long, value_name = "SECONDS", default_value_t = 30, value_parser = clap::value_parser!(u16).range(1..))]
+    patience: u16,
 }
 
 /// Allows only the page's own scripts, wasm, styles and data. `frame-ancestors` comes on top.
@@ -87,11 +102,18 @@ impl Args {
         let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build()?;
         runtime.block_on(async {
             let listener = listen(&self.host, self.port).await?;
+            let address = listener.local_addr()?;
+            let hosts = if address.ip().is_loopback() { Hosts::Local(self.allow_host) } else { Hosts::Any };
+            let (router, patience) = (router(&page, &assets, policy, hosts), Duration::from_secs(self.patience.into()));
             tokio::select! {
                 // In this order, so that Ctrl+C is handled before the address is printed.
                 biased;
                 stopped = tokio::signal::ctrl_c() => Ok(stopped?),
-                served = serve(listener, router(&page, &assets, policy)) => served,
+                served = async {
+                    announce(address)?;
+                    connections::serve(listener, router, patience).await;
+                    Ok(())
+                } => served,
             }
         })
     }
@@ -103,14 +125,13 @@ fn say(line: &str) {
     let _ = writeln!(io::stderr(), "{line}");
 }
 
-/// Prints the address and serves until the process ends.
-async fn serve(listener: TcpListener, router: Router) -> anyhow::Result<()> {
-    let address = listener.local_addr()?;
+/// Prints the address.
+fn announce(address: SocketAddr) -> anyhow::Result<()> {
     writeln!(io::stdout(), "Pathlight is at http://{address}/ (Ctrl+C ends it)")?;
     if !address.ip().is_loopback() {
         say(&format!("warning: every machine that reaches {} can open the page", address.ip()));
     }
-    Ok(axum::serve(listener, router).await?)
+    Ok(())
 }
 
 async fn listen(host: &str, port: u16) -> anyhow::Result<TcpListener> {
@@ -145,12 +166,13 @@ fn policy(frame_ancestors: &[String]) -> HeaderValue {
     HeaderValue::from_str(&policy).expect("`origin` lets only letters, digits and punctuation through")
 }
 
-fn router(page: &Folder, assets: &Folder, policy: HeaderValue) -> Router {
+fn router(page: &Folder, assets: &Folder, policy: HeaderValue, hosts: Hosts) -> Router {
     // A fast level makes weights hardly smaller; `make dist` writes them compressed.
     let compressible = DefaultPredicate::new().and(NotForContentType::const_new("application/octet-stream"));
     // A fast level, because each response is compressed when it is sent.
     let compression = CompressionLayer::new().quality(CompressionLevel::Fastest).compress_when(compressible);
-    let router = files(page).nest("/assets", files(assets)).layer(compression);
+    let hosts = middleware::from_fn(move |request, next| host_check::check(hosts.clone(), request, next));
+    let router = files(page).nest("/assets", files(assets)).layer(compression).layer(hosts);
     let headers = HEADERS.map(|(name, value)| (name, HeaderValue::from_static(value)));
     headers
         .into_iter()

@@ -7,6 +7,8 @@ use std::process::{Child, Command, Stdio};
 
 use tempfile::{TempDir, tempdir};
 
+mod strangers;
+
 /// The binary, without arguments yet.
 fn pathlight_serve() -> Command {
     Command::new(env!("CARGO_BIN_EXE_pathlight-serve"))
@@ -243,6 +245,29 @@ fn a_browser_asks_again_and_gets_what_changed() {
     let (head, body) = server.get("/main.js", &[&known]);
     assert!(is(&head, 200), "{head}");
     assert_eq!(body, b"// rebuilt");
+}
+
+#[test]
+fn names_of_other_machines_are_refused_with_the_remedy_unless_they_are_allowed() {
+    let asked = |server: &Server, host: &str| {
+        let mut stream = TcpStream::connect(&server.address).expect("it listens");
+        write!(stream, "GET /main.js HTTP/1.1\r\nConnection: close\r\n{host}\r\n").expect("it listens");
+        let mut answer = String::new();
+        stream.read_to_string(&mut answer).expect("an answer");
+        answer.to_lowercase()
+    };
+    let server = Server::start();
+    for host in ["Host: localhost\r\n", "Host: [::1]:1\r\n"] {
+        assert!(is(&asked(&server, host), 200), "{host}");
+    }
+    for host in ["Host: evil.example\r\n", "Host: play.example\r\n", "Host: \r\n", ""] {
+        let answer = asked(&server, host);
+        assert!(
+            is(&answer, 421) && answer.contains("--allow-host") && answer.contains("default-src 'self'"),
+            "{host}: {answer}"
+        );
+    }
+    assert!(is(&asked(&Server::with(&["--allow-host", "play.example"]), "Host: play.example\r\n"), 200));
 }
 
 #[test]

@@ -10,6 +10,8 @@ use std::io::{BufRead, BufReader, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, bail, ensure};
+use pathlight::puzzle::action::{Ball, RADIUS};
+use pathlight::puzzle::scene::SIZE;
 use pathlight::puzzle::task::{TaskId, ids};
 use pathlight::puzzle::templates::TEMPLATES;
 use serde::Serialize;
@@ -17,6 +19,9 @@ use serde::de::DeserializeOwned;
 
 use super::differences::differences;
 use super::file_lock::lock;
+
+/// Longest line, bytes. Those of `label` have some 8,000.
+const MAX_LINE: u64 = 1 << 20;
 
 /// A line after the first.
 pub trait Entry: Serialize + DeserializeOwned {
@@ -133,29 +138,43 @@ fn is_cut_off_in_the_settings(mut file: &File, settings: &[u8]) -> anyhow::Resul
     Ok(start.len() < settings.len() && settings.starts_with(&start))
 }
 
-struct Contents<E: Entry> {
-    settings: E::Settings,
-    entries: Vec<E>,
+/// What a file holds.
+pub struct Contents<E: Entry> {
+    pub settings: E::Settings,
+    pub entries: Vec<E>,
     /// As in `Journal`.
     ends: Vec<u64>,
     /// Does the last line that was read have its newline?
     ends_with_newline: bool,
 }
 
-fn parse<E: Entry>(file: &File, path: &Path) -> anyhow::Result<Contents<E>> {
+/// Reads lines up to the end; errors name the file.
+///
+/// # Errors
+/// As those of `read`.
+pub fn parse<E: Entry>(file: impl Read, path: &Path) -> anyhow::Result<Contents<E>> {
     let (name, command) = (path.display(), E::COMMAND);
     let cannot_read = || format!("cannot read {name}");
     let mut reader = BufReader::new(file);
     let mut line = Vec::new();
-    let length = reader.read_until(b'\n', &mut line).with_context(cannot_read)?;
+    let mut next = |number: usize, line: &mut Vec<u8>| {
+        line.clear();
+        let length = (&mut reader).take(MAX_LINE).read_until(b'\n', line).with_context(cannot_read)? as u64;
+        let is_whole = length < MAX_LINE || line.ends_with(b"\n");
+        ensure!(
+            is_whole,
+            "line {number} of {name} has more than {MAX_LINE} bytes: choose a file of `pathlight {command}`"
+        );
+        anyhow::Ok(length)
+    };
+    let length = next(1, &mut line)?;
     let settings = serde_json::from_slice(&line);
     let settings =
         settings.with_context(|| format!("{name} is not a file of `pathlight {command}`: choose another file"))?;
     let ends_with_newline = line.ends_with(b"\n");
-    let mut contents = Contents { settings, entries: Vec::new(), ends: vec![length as u64], ends_with_newline };
+    let mut contents = Contents { settings, entries: Vec::new(), ends: vec![length], ends_with_newline };
     for number in 2.. {
-        line.clear();
-        let length = reader.read_until(b'\n', &mut line).with_context(cannot_read)?;
+        let length = next(number, &mut line)?;
         if length == 0 {
             break;
         }
@@ -169,7 +188,7 @@ fn parse<E: Entry>(file: &File, path: &Path) -> anyhow::Result<Contents<E>> {
             bail!("line {number} of {name} is wrong: {why}");
         }
         contents.entries.push(entry);
-        contents.ends.push(contents.ends.last().expect("the settings end somewhere") + length as u64);
+        contents.ends.push(contents.ends.last().expect("the settings end somewhere") + length);
         contents.ends_with_newline = ends_with_newline;
     }
     Ok(contents)
@@ -182,4 +201,17 @@ fn parse<E: Entry>(file: &File, path: &Path) -> anyhow::Result<Contents<E>> {
 pub fn check_task(task: TaskId) -> Result<(), String> {
     let known = TEMPLATES.get(task.template).is_some_and(|template| ids(template).any(|id| id == task));
     if known { Ok(()) } else { Err(format!("the benchmark has no task {task}")) }
+}
+
+/// Checks that a ball of a task has a radius of the benchmark's and is inside the scene; for `Entry::check`.
+///
+/// # Errors
+/// Names ball and task if not.
+pub fn check_ball(task: TaskId, ball: &Ball) -> Result<(), String> {
+    let span = ball.r..=SIZE - ball.r;
+    if RADIUS.contains(&ball.r) && span.contains(&ball.x) && span.contains(&ball.y) {
+        Ok(())
+    } else {
+        Err(format!("the ball {ball} of {task} has a wrong radius or is not inside the scene"))
+    }
 }

@@ -20,6 +20,7 @@ use super::collect::{CollectEntry, CollectSettings};
 use super::differences::differences;
 use super::journal::{self, Entry, is_file_of};
 use super::progress::say;
+use super::replace_file::replace_file;
 
 /// Merge files of `collect` or of `label`, one for each template, into the file of all templates
 #[derive(clap::Args)]
@@ -52,13 +53,7 @@ impl Args {
             say(&format!("{name} exists"));
             return Ok(());
         }
-        let part = self.out.with_extension("part");
-        let write = || {
-            self.out.parent().map_or(Ok(()), fs::create_dir_all)?;
-            fs::write(&part, &merged)?;
-            fs::rename(&part, &self.out)
-        };
-        write().with_context(|| format!("cannot write {name}"))?;
+        replace_file(&self.out, &merged)?;
         say(&format!("wrote {name}"));
         Ok(())
     }

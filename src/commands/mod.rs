@@ -38,6 +38,7 @@ mod progress;
 mod propose;
 mod publish;
 mod publish_results;
+mod replace_file;
 mod reproduce;
 mod simulate;
 mod solve_rates;

@@ -12,6 +12,7 @@ use pathlight::nets::{PathNet, flex};
 use serde::{Deserialize, Serialize};
 
 use super::digest;
+use super::replace_file::replace_file;
 
 /// Copy trained weights, rounded, to the assets, where the page loads them from
 #[derive(clap::Args)]
@@ -49,7 +50,7 @@ impl Args {
                 PathNet::load(&bytes, &flex()).with_context(|| format!("cannot use {}", path.display()))?;
             let copy = self.assets.join(format!("{}-{}.safetensors", card.setup, card.fold));
             let rounded = nets.rounded().save(&card).with_context(|| format!("cannot use {}", path.display()))?;
-            fs::write(&copy, rounded).with_context(|| format!("cannot write {}", copy.display()))?;
+            replace_file(&copy, &rounded)?;
             written.push(copy);
         }
         let list = ModelList { models: entries(&self.assets)? };
@@ -57,7 +58,7 @@ impl Args {
         let path = self.assets.join("model.json");
         let mut json = serde_json::to_vec_pretty(&list)?;
         json.push(b'\n');
-        fs::write(&path, json).with_context(|| format!("cannot write {}", path.display()))?;
+        replace_file(&path, &json)?;
         written.push(path);
         // All is written before anything is printed, so that a closed pipe does not stop halfway.
         let mut out = io::stdout().lock();

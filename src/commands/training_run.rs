@@ -18,6 +18,7 @@ use serde::{Deserialize, Serialize};
 use super::differences::differences;
 use super::file_lock::lock;
 use super::progress::Progress;
+use super::replace_file::replace_file;
 use super::training_args::TrainingArgs;
 
 const NETS: &str = "-checkpoint-nets.bpk";
@@ -163,23 +164,23 @@ impl<M: Module> TrainingRun<M> {
             "the loss became NaN or infinite after {done} batches in {name}: lower --learning-rate or change --seed"
         );
         let [nets, optimiser] = files(&self.folder, done);
-        self.trainer.save(&nets, &optimiser)?;
+        self.trainer.save(&nets, &optimiser).with_context(|| format!("cannot write to {name}"))?;
         self.checkpoint.done = done;
         self.checkpoint.seconds = self.seconds_before + self.started.elapsed().as_secs_f64();
         self.checkpoint.log.push((epoch, done, losses.to_vec()));
         self.write_checkpoint(&[&nets, &optimiser]).with_context(|| format!("cannot write to {name}"))
     }
 
-    /// Replaces `checkpoint.json`, writes the losses as CSV, and removes the run's older checkpoints.
+    /// Writes the losses as CSV, then replaces `checkpoint.json`, and removes the run's older checkpoints. A run interrupted in
+    /// between writes the losses again.
     fn write_checkpoint(&self, newest: &[&PathBuf]) -> anyhow::Result<()> {
-        fs::write(self.folder.join("next.json"), serde_json::to_vec(&self.checkpoint)?)?;
-        fs::rename(self.folder.join("next.json"), self.folder.join(CHECKPOINT))?;
         let mut losses = format!("epoch,batch,{}\n", self.checkpoint.losses.join(","));
         for (epoch, done, means) in &self.checkpoint.log {
             let means: Vec<String> = means.iter().map(|loss| format!("{loss:.5}")).collect();
             losses.push_str(&format!("{epoch},{done},{}\n", means.join(",")));
         }
-        fs::write(self.folder.join("losses.csv"), losses)?;
+        replace_file(&self.folder.join("losses.csv"), losses.as_bytes())?;
+        replace_file(&self.folder.join(CHECKPOINT), &serde_json::to_vec(&self.checkpoint)?)?;
         for file in fs::read_dir(&self.folder)? {
             let file = file?.path();
             if is_checkpoint(&file) && !newest.contains(&&file) {
@@ -195,8 +196,7 @@ impl<M: Module> TrainingRun<M> {
     /// If the folder cannot be written.
     pub fn write_weights(&self, nets: &PathNet) -> anyhow::Result<PathBuf> {
         let weights = self.folder.join("weights.safetensors");
-        fs::write(&weights, nets.save(&self.checkpoint.card)?)
-            .with_context(|| format!("cannot write {}", weights.display()))?;
+        replace_file(&weights, &nets.save(&self.checkpoint.card)?)?;
         Ok(weights)
     }
 }

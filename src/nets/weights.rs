@@ -37,6 +37,8 @@ pub enum WeightsError {
         "the dynamics net of the weights learned from set cells, and is now shown covered shares of cells: train it again with `pathlight train-dynamics`"
     )]
     SetCells,
+    #[error("`{0}` holds a number that is not finite: download or train the weights again")]
+    NotFinite(String),
     #[error("the weights have {0} tensors that the nets lack: they belong to other nets")]
     Extra(usize),
     #[error(
@@ -148,7 +150,8 @@ impl Loader<'_> {
             return Err(WeightsError::ShapeMismatch { name, found, expected: expected.to_vec(), dtype });
         }
         let values = view.data().as_chunks().0.iter().map(|&pair| f16::from_le_bytes(pair).to_f32());
-        Ok(values.collect())
+        let values: Vec<f32> = values.collect();
+        if values.iter().all(|value| value.is_finite()) { Ok(values) } else { Err(WeightsError::NotFinite(name)) }
     }
 }
 
@@ -195,7 +198,7 @@ mod tests {
     }
 
     #[test]
-    fn parameters_beyond_half_precision_are_not_saved() {
+    fn parameters_beyond_half_precision_are_neither_saved_nor_loaded() {
         let card = Card {
             setup: Setup::Within,
             fold: 0,
@@ -218,6 +221,14 @@ mod tests {
             let error = saved(value).expect_err("half precision has no such number");
             assert!(matches!(error, WeightsError::Unrepresentable { .. }), "{error}");
             assert!(error.to_string().contains("`base.down.0.bias` holds"), "{error}");
+        }
+        // The last two bytes of the file are a weight.
+        let mut bytes = saved(0.0).expect("weights");
+        assert!(PathNet::load(&bytes, &flex()).is_ok());
+        for value in [f16::INFINITY, f16::NAN] {
+            bytes.splice(bytes.len() - 2.., value.to_le_bytes());
+            let error = PathNet::load(&bytes, &flex()).map(drop).expect_err("it is no weight");
+            assert!(matches!(error, WeightsError::NotFinite(_)), "{error}");
         }
     }
 }

@@ -9,6 +9,7 @@ use std::fmt;
 use serde::{Deserialize, Serialize};
 
 use crate::puzzle::scene::{Body, Role, SIZE, Scene, Shape, ShapeType};
+use crate::puzzle::scene_form::FormFault;
 
 /// Smallest and largest radius of the action ball, px.
 pub const RADIUS: std::ops::RangeInclusive<f64> = 2.0..=32.0;
@@ -37,7 +38,7 @@ pub struct Ball {
     pub r: f64,
 }
 
-/// Why an action or a ball is invalid.
+/// Why an action or a ball is invalid, or the scene cannot be simulated with any.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum Invalid {
     #[error("x, y and r of an action must be between 0 and 1")]
@@ -49,6 +50,8 @@ pub enum Invalid {
     /// The index of a body of the scene.
     #[error("the ball overlaps body {0}")]
     Overlaps(usize),
+    #[error(transparent)]
+    Scene(#[from] FormFault),
 }
 
 impl Action {

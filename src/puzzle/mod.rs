@@ -10,6 +10,7 @@ pub mod recorded_paths;
 pub mod rollout;
 pub mod sampled_paths;
 pub mod scene;
+pub mod scene_form;
 pub mod stable_shuffle;
 pub mod task;
 pub mod templates;

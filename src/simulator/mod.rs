@@ -55,7 +55,7 @@ pub struct Outcome {
 /// Simulates a scene, with or without a ball. Returns the complete rollout: the pose of every dynamic body at every step.
 ///
 /// # Errors
-/// The reason why the ball is invalid in this scene.
+/// The reason why the ball is invalid in this scene, or why the scene cannot be simulated.
 pub fn simulate(scene: &Scene, ball: Option<Ball>) -> Result<Rollout, Invalid> {
     let simulation = Simulation::new(scene, ball)?;
     let bodies = simulation.dynamic_bodies.iter().map(|&(index, _)| index).collect();
@@ -114,6 +114,7 @@ impl Simulation {
     /// # Errors
     /// The reason why the ball is invalid in this scene.
     pub fn new(scene: &Scene, ball: Option<Ball>) -> Result<Simulation, Invalid> {
+        scene.check_form()?;
         let mut world = World::default();
         for wall in walls() {
             world.add(&wall);

@@ -40,6 +40,9 @@ test('the sheet names the paper, the benchmark and what the model learned from',
   assert.ok(entries.includes(`${said(samples)} solutions of ${said(tasks)} puzzles`), entries);
   assert.ok(entries.includes(`${epochs} times`), entries);
   assert.ok(entries.includes('Dev tasks'), entries);
+  const licences = await page.evaluate(async (address) => (await fetch(address)).text(), await about.locator('#licences').evaluate((link) => link.href));
+  for (const part of ['rapier2d', 'burn-core', 'serde_json', 'lean-qr']) assert.match(licences, new RegExp(`^${part} [0-9.]+: `, 'm'));
+  assert.match(licences, /Apache License\n +Version 2.0/);
   await about.getByRole('button', { name: 'Close' }).click();
   await about.waitFor({ state: 'hidden' });
 });

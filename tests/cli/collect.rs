@@ -61,7 +61,7 @@ fn a_new_file_takes_over_what_still_solves() {
     // A ball that solves nothing, before those that do.
     let (settings, lines) = one.split_once('\n').expect("settings and more");
     let task = lines.lines().next().and_then(|line| line.split('"').nth(3)).expect("a task");
-    let bad = format!(r#"{{"task":"{task}","ball":[1.0,1.0,2.0]}}"#);
+    let bad = format!(r#"{{"task":"{task}","ball":[3.0,3.0,2.0]}}"#);
     fs::write(file("bad"), format!("{settings}\n{bad}\n{lines}")).expect("written");
     let from = file("bad").display().to_string();
     let out = file("again").display().to_string();
@@ -150,6 +150,8 @@ fn files_that_are_not_its_own_are_refused_and_left_alone() {
     let name = path.display().to_string();
     assert_refused(&["collect", "--out", &name], "is not a file of `pathlight collect`");
     assert_eq!(fs::read_to_string(&path).expect("still there"), "Dear all,\n");
+    fs::write(&path, vec![b' '; 1 << 21]).expect("written");
+    assert_refused(&["collect", "--out", &name], "line 1 of ");
     collect(&folder.path().join("own"), "2", &[]);
     let own = folder.path().join("own").display().to_string();
     let refused = |more: &[&str], words: &str| {

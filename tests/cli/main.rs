@@ -15,6 +15,7 @@ mod calibration;
 mod collect;
 mod figures;
 mod forecasts;
+mod killed;
 mod label;
 mod merge;
 mod own_scenes;

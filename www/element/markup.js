@@ -166,6 +166,7 @@ template.innerHTML = `
   <p data-hideable="imagine">The nets: Augustin Harter, Andrew Melnik, Gaurav Kumar, Dhruv Agarwal, Animesh Garg and Helge Ritter, <a href="https://arxiv.org/abs/2011.07357">Solving Physics Puzzles by Reasoning about Paths</a> (2020).</p>
   <p>The puzzles: the 25 ball templates of <a href="https://phyre.ai">PHYRE</a>, a benchmark for physical reasoning by Anton Bakhtin and others (2019).</p>
   <p>All of this runs in your browser. Nothing that you do here leaves your device.</p>
+  <p>Pathlight is free software under the Apache License 2.0, and made with the work of many others: <a id="licences" target="_blank">their names and licences</a>.</p>
   <form method="dialog"><button>Close</button></form>
 </dialog>
 `;

@@ -2,6 +2,8 @@
 
 import { Component } from "./component.js";
 
+/** The licences of all that is shipped. Not in the markup, because only a module knows where it lies. */
+const LICENCES = new URL("../pkg/licences.txt", import.meta.url);
 
 /** @typedef {import("../pkg/pathlight.js").ModelCard} Card */
 
@@ -38,6 +40,7 @@ export class About extends Component {
     super(root);
     this.#client = client;
     client.addEventListener("change", () => this.#update());
+    this.byId("licences", HTMLAnchorElement).href = LICENCES.href;
   }
 
   #update() {

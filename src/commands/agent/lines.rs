@@ -2,23 +2,20 @@
 
 use std::io::{self, BufRead, Read};
 
-use anyhow::{Context, bail, ensure};
+use anyhow::{Context, bail};
 use pathlight::play::played::Played;
 use pathlight::puzzle::action::Ball;
 use pathlight::puzzle::own_scene::sentences;
 use pathlight::puzzle::recorded_paths::RecordedPaths;
 use pathlight::puzzle::rollout::Status;
 use pathlight::puzzle::sampled_paths::SampledPaths;
-use pathlight::puzzle::scene::{Scene, Shape};
+use pathlight::puzzle::scene::Scene;
 use pathlight::puzzle::task::TaskId;
 use serde::Deserialize;
 use serde_json::Value;
 
 /// Longest line, bytes. The paths of a rollout need about 10,000, a scene less.
 const MAX_LINE: u64 = 1 << 18;
-
-/// Largest coordinate or length of a scene that is accepted, px: far outside of any scene.
-const FARTHEST: f64 = 1e4;
 
 const EXAMPLES: &str = r#"write a line like {"task":"00007:008"} or {"status":"not_solved"}"#;
 
@@ -76,37 +73,13 @@ impl Line {
 /// Returns what a scene begins: an own scene has a version, others are as `tasks --json` prints them.
 fn scene_line(scene: Value) -> anyhow::Result<Line> {
     if scene.get("version").is_none() {
-        let scene = serde_json::from_value(scene).map_err(|error| anyhow::anyhow!("{error}; {EXAMPLES}"))?;
-        return checked(scene).map(Line::Scene);
+        let scene: Scene = serde_json::from_value(scene).map_err(|error| anyhow::anyhow!("{error}; {EXAMPLES}"))?;
+        scene.check_form()?;
+        return Ok(Line::Scene(scene));
     }
     Played::read(scene)
         .map(|played| Line::Own(Box::new(played)))
         .map_err(|problems| anyhow::anyhow!("{}", sentences(&problems)))
-}
-
-/// Refuses a scene that the nets cannot see.
-fn checked(scene: Scene) -> anyhow::Result<Scene> {
-    let Scene { body1, body2, bodies } = &scene;
-    ensure!(
-        body1 != body2 && *body1.max(body2) < bodies.len(),
-        "`body1` and `body2` of a scene are the indices of two of its bodies, from 0"
-    );
-    for (index, body) in bodies.iter().enumerate() {
-        let lengths = body.shapes.iter().flat_map(|shape| match shape {
-            Shape::Circle(radius) => vec![*radius],
-            Shape::Polygon(corners) => corners.concat(),
-        });
-        let far = lengths.chain([body.x, body.y, body.angle]).any(|number| number.abs() > FARTHEST);
-        let part = |shape: &Shape| match shape {
-            Shape::Circle(radius) => *radius > 0.0,
-            Shape::Polygon(corners) => corners.len() >= 3,
-        };
-        ensure!(
-            !far && !body.shapes.is_empty() && body.shapes.iter().all(part),
-            "body {index} of the scene is not one: it needs circles or polygons of at least three corners, in px"
-        );
-    }
-    Ok(scene)
 }
 
 /// Returns the next line, or why it cannot be used; `None` at the end.

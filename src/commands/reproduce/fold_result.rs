@@ -17,6 +17,7 @@ use crate::commands::differences::differences;
 use crate::commands::evaluate::Report;
 use crate::commands::fold_args::FoldArgs;
 use crate::commands::progress::say;
+use crate::commands::replace_file::replace_file;
 use crate::commands::training_run::Checkpoint;
 use crate::commands::{defaults, digest, train, train_judge};
 
@@ -150,13 +151,7 @@ impl FoldResult {
     /// # Errors
     /// If it cannot be written.
     pub fn save(&self, path: &Path) -> anyhow::Result<()> {
-        let part = path.with_extension("part");
-        let write = || {
-            path.parent().map_or(Ok(()), fs::create_dir_all)?;
-            fs::write(&part, serde_json::to_vec(self)?)?;
-            fs::rename(&part, path)
-        };
-        write().with_context(|| format!("cannot write {}", path.display()))?;
+        replace_file(path, &serde_json::to_vec(self)?)?;
         say(&format!("wrote {}", path.display()));
         Ok(())
     }

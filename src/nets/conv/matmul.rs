@@ -246,4 +246,20 @@ mod tests {
             }
         }
     }
+
+    /// What the unsafe call relies on.
+    #[test]
+    fn matrices_that_do_not_fit_their_slices_are_refused() {
+        let data = vec![0.0; 40 * 40];
+        let is_refused = |run: &dyn Fn()| std::panic::catch_unwind(std::panic::AssertUnwindSafe(run)).is_err();
+        for (rows, columns, stride) in [(41, 40, 40), (40, 41, 40), (2, 1, 1600), (0, 1, 1), (1, 0, 1)] {
+            assert!(is_refused(&|| _ = Matrix::new(&data, rows, columns, stride)), "{rows} x {columns}, {stride}");
+        }
+        let (a, b) = (Matrix::new(&data, 40, 40, 40), Matrix::new(&data, 40, 36, 40));
+        for (length, stride) in [(39 * 36 + 35, 36), (39 * 40 + 35, 40), (0, 0)] {
+            assert!(is_refused(&|| matmul(&mut vec![0.0; length], stride, a, b)), "{length}, {stride}");
+        }
+        assert!(is_refused(&|| matmul(&mut vec![0.0; 1600], 36, b, a)), "36 columns by 40 rows");
+        matmul(&mut vec![0.0; 39 * 36 + 36], 36, a, b);
+    }
 }

@@ -14,11 +14,13 @@ use pathlight::puzzle::task::TaskId;
 use pathlight::puzzle::templates::TEMPLATES;
 use pathlight::simulator;
 use rayon::prelude::*;
-use serde::{Deserialize, Serialize};
 
-use super::journal::{self, Journal, check_task};
+use super::journal::Journal;
 use super::progress::Progress;
 use super::task_selection::TaskSelection;
+pub use lines::{CollectEntry, CollectSettings, Collected, read_solutions};
+
+mod lines;
 
 /// Find balls that solve the tasks, by simulation, to train on
 #[derive(clap::Args)]
@@ -50,54 +52,6 @@ pub struct Args {
     /// Seed of all random draws
     #[arg(long, default_value_t = 0)]
     pub seed: u64,
-}
-
-/// What determines the content of a file. Absent fields take their defaults.
-#[derive(Serialize, Deserialize)]
-pub struct CollectSettings {
-    seed: u64,
-    #[serde(alias = "wanted")]
-    pub per_task: usize,
-    /// `simulator::VERSION`
-    simulator: u32,
-    #[serde(default)]
-    pub template: Option<usize>,
-    #[serde(default = "default_limit")]
-    pub limit: usize,
-    #[serde(default = "default_rounds")]
-    pub rounds: usize,
-}
-
-fn default_limit() -> usize {
-    100
-}
-
-fn default_rounds() -> usize {
-    200
-}
-
-/// A line after the settings.
-#[derive(Serialize, Deserialize)]
-#[serde(untagged)]
-pub enum CollectEntry {
-    Solution(Solution),
-    /// The end of a round, and the rollouts so far.
-    Round {
-        round: usize,
-        rollouts: usize,
-    },
-}
-
-impl journal::Entry for CollectEntry {
-    type Settings = CollectSettings;
-    const COMMAND: &'static str = "collect";
-
-    fn check(&self) -> Result<(), String> {
-        match self {
-            CollectEntry::Solution(solution) => check_task(solution.task),
-            CollectEntry::Round { .. } => Ok(()),
-        }
-    }
 }
 
 impl Args {
@@ -180,7 +134,7 @@ fn restore(lines: &[CollectEntry], searches: &mut [Search]) -> anyhow::Result<(u
     let (mut closed, mut next, mut rollouts) = (0, 0, 0);
     for (index, line) in lines.iter().enumerate() {
         if let CollectEntry::Round { round, rollouts: total } = line {
-            (closed, next, rollouts) = (index + 1, round + 1, *total);
+            (closed, next, rollouts) = (index + 1, round.saturating_add(1), *total);
         }
     }
     for line in &lines[..closed] {
@@ -206,29 +160,4 @@ fn report(searches: &[Search], per_task: usize, out: &mut impl Write) -> io::Res
         }
     }
     Ok(())
-}
-
-/// What a file of `pathlight collect` holds.
-pub struct Collected {
-    pub solutions: Vec<Solution>,
-    /// Version of the simulator that found them.
-    pub simulator: u32,
-    /// Balls simulated in the search.
-    pub rollouts: usize,
-}
-
-/// Reads a file of `pathlight collect`.
-///
-/// # Errors
-/// Says what is wrong with the file.
-pub fn read_solutions(path: &Path) -> anyhow::Result<Collected> {
-    let (settings, lines) = journal::read::<CollectEntry>(path)?;
-    let mut collected = Collected { solutions: Vec::new(), simulator: settings.simulator, rollouts: 0 };
-    for line in lines {
-        match line {
-            CollectEntry::Solution(solution) => collected.solutions.push(solution),
-            CollectEntry::Round { rollouts, .. } => collected.rollouts = rollouts,
-        }
-    }
-    Ok(collected)
 }

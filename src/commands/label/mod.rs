@@ -10,24 +10,25 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, ensure};
 use pathlight::agents::ranking::ranked;
 use pathlight::benchmark::folds::{FOLDS, Fold, Setup};
-use pathlight::dataset::labels::{LabelledBalls, PATHS_LEN};
+use pathlight::dataset::labels::LabelledBalls;
 use pathlight::dataset::scene_variants::scene_variant;
 use pathlight::nets::PathNet;
-use pathlight::puzzle::action::{Ball, RADIUS};
-use pathlight::puzzle::scene::SIZE;
+use pathlight::puzzle::action::Ball;
 use pathlight::puzzle::task::{Task, TaskId};
 use pathlight::puzzle::templates::TEMPLATES;
 use pathlight::simulator;
 use rayon::prelude::*;
-use serde::{Deserialize, Serialize};
 
 use super::collect::read_solutions;
 use super::digest;
 use super::fold_args::{FoldArgs, setup};
-use super::journal::{self, Journal, check_task};
+use super::journal::Journal;
 use super::model_args::ModelArgs;
 use super::progress::Progress;
 use super::task_selection::TaskSelection;
+pub use lines::{LabelSettings, Labelled, read_labels};
+
+mod lines;
 
 /// Balls of a task per line.
 pub const BALLS: usize = 64;
@@ -75,57 +76,6 @@ pub struct Args {
     /// Seed of all random draws
     #[arg(long, default_value_t = 0)]
     pub seed: u64,
-}
-
-/// What determines the content of a file. Absent fields take their defaults.
-#[derive(Serialize, Deserialize)]
-pub struct LabelSettings {
-    seed: u64,
-    pub tasks: NonZeroUsize,
-    #[serde(default)]
-    pub template: Option<usize>,
-    #[serde(default = "default_limit")]
-    pub limit: usize,
-    /// `simulator::VERSION`
-    simulator: u32,
-    /// SHA-256 of the file of solutions.
-    solutions: String,
-    /// SHA-256 of the weights whose most probable balls are labelled; absent if balls were sampled.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    weights: Option<String>,
-    /// Whether balls were tried in variants of the scenes.
-    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
-    variants: bool,
-    /// Setup and fold if only the fold's training tasks were used; absent if all tasks were.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub training_tasks_of: Option<(Setup, u8)>,
-}
-
-fn default_limit() -> usize {
-    100
-}
-
-impl journal::Entry for LabelledBalls {
-    type Settings = LabelSettings;
-    const COMMAND: &'static str = "label";
-
-    fn check(&self) -> Result<(), String> {
-        check_task(self.task)?;
-        let inside = |ball: &&Ball| {
-            let span = ball.r..=SIZE - ball.r;
-            RADIUS.contains(&ball.r) && span.contains(&ball.x) && span.contains(&ball.y)
-        };
-        let (paths, balls) = (self.paths.0.len(), self.solved.len() + self.failed.len());
-        if paths != 0 && paths != balls * PATHS_LEN {
-            return Err(format!("{} has {balls} balls, but {paths} bytes of paths", self.task));
-        }
-        match self.solved.iter().chain(&self.failed).find(|ball| !inside(ball)) {
-            Some(ball) => {
-                Err(format!("the ball {ball} of {} has a wrong radius or is not inside the scene", self.task))
-            }
-            None => Ok(()),
-        }
-    }
 }
 
 impl Args {
@@ -213,39 +163,4 @@ fn in_variant(task: &Task, own_solutions: &[Ball], seed: u64, round: usize) -> L
     let task = variant.map_or_else(|| task.clone(), |scene| Task { scene, ..task.clone() });
     let labelled = LabelledBalls::sample(&task, own_solutions, own_solutions, BALLS, seed, round);
     LabelledBalls { variant: changed.then_some(number), ..labelled }
-}
-
-/// What a file of `pathlight label` holds.
-pub struct Labelled {
-    /// A line per task and round.
-    pub lines: Vec<LabelledBalls>,
-    /// Setup and fold if only the fold's training tasks were used.
-    pub training_tasks_of: Option<(Setup, u8)>,
-    /// The balls are those that a net proposed.
-    pub proposed: bool,
-    tasks: NonZeroUsize,
-}
-
-impl Labelled {
-    /// Number of rounds; `None` if the last round is not complete.
-    pub fn rounds(&self) -> Option<usize> {
-        let (lines, tasks) = (self.lines.len(), self.tasks.get());
-        lines.is_multiple_of(tasks).then(|| lines / tasks)
-    }
-}
-
-/// Reads a file of `pathlight label`.
-///
-/// # Errors
-/// If the file is missing or damaged, or was made with another version of the simulator.
-pub fn read_labels(path: &Path) -> anyhow::Result<Labelled> {
-    let (settings, lines) = journal::read::<LabelledBalls>(path)?;
-    let LabelSettings { simulator: version, tasks, training_tasks_of, weights, .. } = settings;
-    ensure!(
-        version == simulator::VERSION,
-        "{} was labelled by simulator {version}, this is simulator {}: label the balls again",
-        path.display(),
-        simulator::VERSION
-    );
-    Ok(Labelled { lines, training_tasks_of, proposed: weights.is_some(), tasks })
 }

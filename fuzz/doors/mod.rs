@@ -1,0 +1,211 @@
+//! The doors: one function for each kind of input from outside, from its bytes to what becomes of them. None may panic, hang, or
+//! refuse without a word, whatever the bytes are.
+//!
+//! `targets/` feeds them with libFuzzer, `tests/doors.rs` with the corpus and mutations of it. The parsers of the command
+//! line are modules of the binary, so they are included here by their paths.
+
+use std::path::Path;
+use std::str;
+
+use pathlight::agents;
+use pathlight::nets::judge::logit_index;
+use pathlight::nets::{PathNet, flex};
+use pathlight::play::played::Played;
+use pathlight::play::verification::{AttemptLine, Verdict};
+use pathlight::puzzle::own_scene::OwnScene;
+use pathlight::puzzle::scene::Scene;
+use pathlight::puzzle::task::{Task, TaskId};
+use pathlight::raster;
+use pathlight::simulator::simulate;
+use serde_json::Value;
+
+use commands::journal::{self, Entry};
+
+mod any_scene;
+mod weights_file;
+
+#[path = "../../src/commands"]
+#[allow(dead_code)]
+mod commands {
+    pub mod agent {
+        pub mod lines;
+    }
+    pub mod collect {
+        pub mod lines;
+    }
+    pub mod differences;
+    pub mod file_lock;
+    pub mod journal;
+    pub mod label {
+        pub mod lines;
+    }
+    pub mod simulate {
+        pub mod start;
+    }
+}
+
+/// Takes any bytes, and panics if what becomes of them breaks a promise.
+pub type Door = fn(&[u8]);
+
+/// All doors by their names.
+pub const ALL: [(&str, Door); 9] = [
+    ("scene", scene),
+    ("task", task),
+    ("batch", batch),
+    ("weights", weights),
+    ("solutions", solutions),
+    ("labels", labels),
+    ("agent", agent),
+    ("attempts", attempts),
+    ("simulator", simulator),
+];
+
+/// An own scene as a file, a link or the page's storage holds it.
+pub fn scene(bytes: &[u8]) {
+    let Ok(value) = serde_json::from_slice::<Value>(bytes) else { return };
+    let own = match OwnScene::read(value.clone()) {
+        Ok(own) => own,
+        Err(problems) => return assert!(!problems.is_empty() && problems.iter().all(is_sentence)),
+    };
+    match Played::read(value) {
+        Ok(played) => {
+            let written = serde_json::to_vec(&own).expect("plain data");
+            let again = serde_json::from_slice(&written).expect("JSON");
+            assert_eq!(OwnScene::read(again), Ok(own), "a scene is read as it was written");
+            run(&played.scene);
+        }
+        Err(problems) => assert!(!problems.is_empty() && problems.iter().all(is_sentence)),
+    }
+}
+
+/// Lines of an id of a task, an action and a ball, as a person types them.
+pub fn task(bytes: &[u8]) {
+    let Ok(text) = str::from_utf8(bytes) else { return };
+    let mut lines = text.lines();
+    let mut line = || lines.next().unwrap_or_default();
+    let (id, action, ball) = (line(), line(), line());
+    let action = commands::simulate::start::parse_action(action);
+    let ball = commands::simulate::start::parse_ball(ball);
+    let id = match id.parse::<TaskId>() {
+        Ok(id) => id,
+        Err(why) => return says_why(&why),
+    };
+    assert_eq!(id.to_string(), id.to_string().parse::<TaskId>().expect("an id").to_string());
+    let task = match Task::load(id) {
+        Ok(task) => task,
+        Err(why) => return says_why(&why),
+    };
+    if let Ok(placed) = action.map(|action| action.place(&task.scene)) {
+        assert!(placed.map_or_else(|why| !why.to_string().is_empty(), |ball| ball.check(&task.scene).is_ok()));
+    }
+    if let Ok(ball) = ball {
+        let _ = simulate(&task.scene, Some(ball)).inspect_err(says_why);
+    }
+}
+
+/// Lines of `pathlight simulate --batch`.
+pub fn batch(bytes: &[u8]) {
+    for line in bytes.split(|&byte| byte == b'\n').take(4) {
+        let request = serde_json::from_slice::<commands::simulate::start::Request>(line).inspect_err(says_why);
+        let Ok(commands::simulate::start::Request { task, start }) = request else { continue };
+        let Ok(task) = Task::load(task).inspect_err(says_why) else { continue };
+        let placed = start.place(&task.scene).inspect_err(says_why);
+        let _ = placed.and_then(|ball| simulate(&task.scene, ball)).inspect_err(says_why);
+    }
+}
+
+/// A file of weights: the bytes, and the shipped file with its head changed by the bytes.
+pub fn weights(bytes: &[u8]) {
+    for file in [bytes.to_vec(), weights_file::changed(bytes)] {
+        let _ = PathNet::load(&file, &flex()).inspect_err(says_why);
+    }
+}
+
+/// A file of `pathlight collect`.
+pub fn solutions(bytes: &[u8]) {
+    journal::<commands::collect::lines::CollectEntry>(bytes);
+}
+
+/// A file of `pathlight label`. What it lets through can be trained on.
+pub fn labels(bytes: &[u8]) {
+    for line in journal::<pathlight::dataset::labels::LabelledBalls>(bytes) {
+        assert!(line.solved.iter().chain(&line.failed).all(|&ball| logit_index(ball).is_ok()));
+    }
+}
+
+/// Lines that `pathlight agent` is told.
+pub fn agent(bytes: &[u8]) {
+    let mut source = bytes;
+    while let Some(line) = commands::agent::lines::next_line(&mut source).expect("bytes are read") {
+        use commands::agent::lines::Line;
+        match line.and_then(|line| Line::parse(&line)) {
+            Ok(Line::Scene(scene)) => look_at(&scene),
+            Ok(Line::Own(played)) => look_at(&played.scene),
+            Ok(Line::Task(id)) => drop(Task::load(id).inspect_err(says_why)),
+            Ok(Line::Outcome { .. }) => {}
+            Err(why) => says_why(&why),
+        }
+    }
+}
+
+/// A line of an attempt that the page exports, imports and verifies.
+pub fn attempts(bytes: &[u8]) {
+    let Ok(line) = serde_json::from_slice::<AttemptLine>(bytes).inspect_err(says_why) else { return };
+    match line.verify() {
+        Verdict::Same => {}
+        Verdict::OtherOutcome(why) | Verdict::NotValid(why) => says_why(&why),
+    }
+}
+
+/// Any scene that a caller of the library can build, and any ball.
+pub fn simulator(bytes: &[u8]) {
+    let Ok((scene, ball)) = any_scene::from_bytes(bytes) else { return };
+    if let Some(ball) = ball {
+        let _ = simulate(&scene, Some(ball)).inspect_err(says_why);
+    }
+    match scene.check_form() {
+        Ok(()) => run(&scene),
+        Err(why) => {
+            says_why(&why);
+            assert!(simulate(&scene, None).is_err());
+        }
+    }
+}
+
+fn journal<E: Entry>(bytes: &[u8]) -> Vec<E> {
+    match journal::parse::<E>(bytes, Path::new("a file")) {
+        Ok(contents) => contents.entries,
+        Err(why) => {
+            says_why(&why);
+            Vec::new()
+        }
+    }
+}
+
+/// Simulates a scene of the right form and draws it.
+fn run(scene: &Scene) {
+    let rollout = simulate(scene, None).expect("a scene of the right form");
+    assert!(rollout.poses.as_flattened().iter().all(|number| number.is_finite()), "a pose is no number");
+    assert_eq!(rollout.poses.len(), (rollout.steps + 1) * rollout.bodies.len());
+    raster::path_image(&scene.bodies[scene.body1], &rollout, scene.body1);
+    look_at(scene);
+}
+
+/// Does what an agent without nets does.
+fn look_at(scene: &Scene) {
+    raster::scene_channels(scene);
+    raster::scene_coverage(scene);
+    for proposal in agents::random(scene, 0, 2) {
+        assert_eq!(proposal.ball.check(scene), Ok(()));
+    }
+}
+
+/// Asserts that an error is more than a word, and not a page.
+fn says_why(why: &impl ToString) {
+    let said = why.to_string();
+    assert!(said.len() > 10 && said.len() < 100_000, "refused with {said:?}");
+}
+
+fn is_sentence(problem: &pathlight::puzzle::own_scene::Problem) -> bool {
+    problem.sentence.ends_with('.') && problem.sentence.len() > 20
+}

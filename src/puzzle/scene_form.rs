@@ -1,0 +1,152 @@
+//! Whether a scene has the form that simulation and images rely on: numbers that are numbers, and convex shapes.
+//!
+//! The templates' scenes and own scenes within their limits have it. A scene that a caller builds, or that a program sends,
+//! is checked before it is used.
+
+use super::scene::{Body, Scene, Shape};
+
+/// Largest coordinate, length or angle, px and radians: far outside of any scene.
+pub const FARTHEST: f64 = 1e4;
+
+/// Smallest radius of a circle and length of an edge, px. Smaller ones have hardly a mass in single precision.
+pub const SMALLEST: f64 = 0.1;
+
+/// Smallest sine of the angle by which the outline of a polygon turns at a corner. In single precision a smaller one can
+/// vanish, and with it the corner.
+const LEAST_TURN: f64 = 1e-3;
+
+/// Why a scene cannot be simulated. Bodies are named by their indices.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum FormFault {
+    #[error("`body1` and `body2` of the scene are the indices of two of its bodies, from 0: correct them")]
+    Goal,
+    #[error("body {0} of the scene has no shape: give it circles or polygons")]
+    NoShape(usize),
+    #[error("body {0} of the scene has a number beyond ±{FARTHEST}: lengths are px, angles are radians")]
+    Number(usize),
+    #[error(
+        "body {0} of the scene has a shape that is none: a circle has a radius of at least {SMALLEST} px, a polygon is convex, with three \
+         or more corners counter-clockwise and at least {SMALLEST} px from one another"
+    )]
+    Shape(usize),
+}
+
+impl Scene {
+    /// Checks the form of the scene.
+    ///
+    /// # Errors
+    /// The first fault found.
+    pub fn check_form(&self) -> Result<(), FormFault> {
+        if self.body1 == self.body2 || self.body1.max(self.body2) >= self.bodies.len() {
+            return Err(FormFault::Goal);
+        }
+        self.bodies.iter().enumerate().try_for_each(|(index, body)| check_body(index, body))
+    }
+}
+
+fn check_body(index: usize, body: &Body) -> Result<(), FormFault> {
+    let is_near = |number: &f64| number.abs() <= FARTHEST;
+    let lengths_are_near = |shape: &Shape| match shape {
+        Shape::Circle(radius) => is_near(radius),
+        Shape::Polygon(corners) => corners.as_flattened().iter().all(is_near),
+    };
+    let is_shape = |shape: &Shape| match shape {
+        Shape::Circle(radius) => *radius >= SMALLEST,
+        Shape::Polygon(corners) => is_convex(corners),
+    };
+    if body.shapes.is_empty() {
+        Err(FormFault::NoShape(index))
+    } else if ![body.x, body.y, body.angle].iter().all(is_near) || !body.shapes.iter().all(lengths_are_near) {
+        Err(FormFault::Number(index))
+    } else if !body.shapes.iter().all(is_shape) {
+        Err(FormFault::Shape(index))
+    } else {
+        Ok(())
+    }
+}
+
+/// Whether the outline turns left at each of its three or more corners, once around in all.
+fn is_convex(corners: &[[f64; 2]]) -> bool {
+    let edge = |index: usize| {
+        let ([x, y], [u, v]) = (corners[index], corners[(index + 1) % corners.len()]);
+        [u - x, v - y]
+    };
+    let squared = |[x, y]: [f64; 2]| x * x + y * y;
+    let mut rounds = 0;
+    for index in 0..corners.len() {
+        let (before, after) = (edge(index), edge((index + 1) % corners.len()));
+        let cross = before[0] * after[1] - before[1] * after[0];
+        let is_left = cross > 0.0 && cross * cross >= LEAST_TURN * LEAST_TURN * squared(before) * squared(after);
+        if squared(before) < SMALLEST * SMALLEST || !is_left {
+            return false;
+        }
+        // Of an outline that turns left alone, each round turns from downwards to upwards once.
+        let is_upwards = |[x, y]: [f64; 2]| y > 0.0 || (y == 0.0 && x > 0.0);
+        rounds += usize::from(!is_upwards(before) && is_upwards(after));
+    }
+    rounds == 1
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::puzzle::task::Task;
+    use crate::puzzle::templates::TEMPLATES;
+
+    fn scene() -> Scene {
+        Task::load("00007:008".parse().expect("an id")).expect("a task").scene
+    }
+
+    /// The fault of a scene whose first body has this shape.
+    fn fault(shape: Shape) -> Option<FormFault> {
+        let mut scene = scene();
+        scene.bodies[0].shapes = vec![shape];
+        scene.check_form().err()
+    }
+
+    #[test]
+    fn every_task_has_the_form() {
+        for task in TEMPLATES.into_iter().flat_map(Task::of) {
+            assert_eq!(task.scene.check_form(), Ok(()), "{}", task.id);
+        }
+    }
+
+    #[test]
+    fn a_goal_that_is_no_pair_of_bodies_is_refused() {
+        for (body1, body2) in [(0, 0), (0, 1000), (usize::MAX, 0)] {
+            assert_eq!(Scene { body1, body2, ..scene() }.check_form(), Err(FormFault::Goal));
+        }
+    }
+
+    #[test]
+    fn shapes_are_circles_or_convex_polygons() {
+        let triangle = [[0.0, 0.0], [10.0, 0.0], [0.0, 10.0]];
+        let polygon = |corners: &[[f64; 2]]| fault(Shape::Polygon(corners.to_vec()));
+        assert_eq!(polygon(&triangle), None);
+        let [a, b, c] = triangle;
+        let star: Vec<[f64; 2]> =
+            [0.0, 4.0, 8.0, 12.0, 16.0].map(|fifth: f64| [libm::cos(fifth * 0.314), libm::sin(fifth * 0.314)]).to_vec();
+        let pentagram: Vec<[f64; 2]> = [0, 2, 4, 1, 3].map(|corner| star[corner].map(|part| 10.0 * part)).to_vec();
+        let wrong: [&[[f64; 2]]; 8] = [
+            &[],
+            &[a, b],
+            &[c, b, a],
+            &[a, b, b, c],
+            &[a, [5.0, 0.0], b, c],
+            &[a, b, [1.0, 1.0], c],
+            &[[0.0, 0.0], [0.01, 0.0], [0.0, 0.01]],
+            &pentagram,
+        ];
+        for corners in wrong {
+            assert_eq!(polygon(corners), Some(FormFault::Shape(0)), "{corners:?}");
+        }
+        assert_eq!(fault(Shape::Circle(-1.0)), Some(FormFault::Shape(0)));
+        for number in [f64::NAN, f64::INFINITY, 2e4] {
+            assert_eq!(fault(Shape::Circle(number)), Some(FormFault::Number(0)));
+            assert_eq!(polygon(&[a, b, [0.0, number]]), Some(FormFault::Number(0)));
+        }
+        let mut empty = scene();
+        empty.bodies[1].shapes.clear();
+        assert_eq!(empty.check_form(), Err(FormFault::NoShape(1)));
+    }
+}
