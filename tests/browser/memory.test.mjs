@@ -1,0 +1,28 @@
+// Puzzles that are opened and turns that are played leave nothing behind: the heap, the wasm of page and worker and the elements
+// stay as they are. memory.mjs measures a thousand puzzles and a hundred turns.
+
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { start } from './harness.mjs';
+import { memoryOf, openPuzzles, playTurns } from './memory.mjs';
+import { openImagined } from './page-actions.mjs';
+
+/** So much of the heap is noise, bytes. */
+const NOISE = 400_000;
+
+let session;
+before(async () => (session = await start()));
+after(() => session.stop());
+
+test('fifty puzzles and ten turns', async () => {
+  const page = await openImagined(session, { reducedMotion: true });
+  await openPuzzles(page, 25);
+  await playTurns(page, 2);
+  const before = await memoryOf(page);
+  await openPuzzles(page, 25);
+  await playTurns(page, 8);
+  const later = await memoryOf(page);
+  assert.ok(later.heap - before.heap < NOISE, `the heap has grown from ${before.heap} to ${later.heap}`);
+  assert.deepEqual([later.pageWasm, later.workerWasm], [before.pageWasm, before.workerWasm]);
+  assert.ok(later.elements - before.elements < 300, `from ${before.elements} to ${later.elements} nodes`);
+});
