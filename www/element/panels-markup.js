@@ -1,6 +1,6 @@
 // The markup of the panels, as constant text; the tabs that show them are in markup.js.
 
-import { LUCK_MARKUP, REPLAYS_MARKUP, SAVE_MARKUP } from "../workshop/bend-markup.js";
+import { LUCK_MARKUP, REPLAYS_MARKUP, SAVE_MARKUP } from "../workshop/play-markup.js";
 
 export const PANELS_MARKUP = `
 <div role="tabpanel" id="play" aria-labelledby="tab-play" tabindex="0" hidden>
