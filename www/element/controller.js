@@ -205,7 +205,7 @@ export class PuzzleController extends EventTarget {
     find(this.#root, ".puzzle").hidden = !showsPuzzle(state) || problem !== null;
     if (played !== null && !problem) {
       const session = (this.#session ??= this.#openPuzzle(played));
-      if (String(ball) !== String(session.ball)) session.replaceBall(ball);
+      if (String(ball) !== String(session.ball)) session.placement.replace(ball);
       if (modelChanged || this.#client.status === "off") this.#startModel();
     }
     this.#applyView();
@@ -274,7 +274,7 @@ export class PuzzleController extends EventTarget {
     this.#stageView?.onKeydown(event);
     onShortcut(event, {
       session: this.#session,
-      undoing: this.#state.panel === "bend" ? this.#bend : this.#session,
+      undoing: this.#state.panel === "bend" ? this.#bend : (this.#session?.placement ?? null),
       scene: this.#canvas,
       showPanel: (index) => {
         const panel = visiblePanels(this.#state)[index];

@@ -6,7 +6,7 @@ import { Component } from "../shell/component.js";
 import { setText } from "../shell/dom.js";
 import { BallImaginer } from "../model/ball-imaginer.js";
 import { chanceWords, errorWords } from "../model/chance-words.js";
-import { sentence } from "../play/session.js";
+import { sentence } from "../shell/sentence.js";
 import { CHOICE_TEXT } from "../model/stage-text.js";
 
 /** @typedef {import("../shell/url-state.js").ChoiceStep} ChoiceStep */
@@ -109,7 +109,7 @@ export class Choice extends Component {
     const ball = this.#considered?.chosen.ball;
     const step = this.#step === "run" || this.#step === "real" ? this.#step : null;
     if (!session || step === (this.#running?.step ?? null)) return;
-    const tried = session.attempts("model").some((attempt) => String(attempt.ball) === String(ball));
+    const tried = session.attempts.of("model").some((attempt) => String(attempt.ball) === String(ball));
     // First, because the session tells at once that it shows something else.
     this.#running = null;
     if (!step) {

@@ -113,8 +113,8 @@ export class Compare extends Component {
    * @param {Session} session
    */
   #showResult(session) {
-    const { used, solved_at: solvedAt } = session.standing("model");
-    if (session.standing("player").used > 0 || used === 0) session.compare(true);
+    const { used, solved_at: solvedAt } = session.attempts.standing("model");
+    if (session.attempts.standing("player").used > 0 || used === 0) session.compare(true);
     else session.replay("model", solvedAt ?? used);
   }
 
@@ -130,7 +130,7 @@ export class Compare extends Component {
   #update() {
     this.#trouble.update(this.#client, this.#callFailure, { restartModel: () => this.requestModel(), repeatCall: () => this.#playTurn() });
     if (!this.session) return;
-    const [player, model] = [this.session.standing("player"), this.session.standing("model")];
+    const [player, model] = [this.session.attempts.standing("player"), this.session.attempts.standing("model")];
     const over = model.solved_at !== null || model.used === ATTEMPT_LIMIT;
     this.#turnButton.disabled = this.#client.status !== "ready" || over;
     setText(this.#turnButton, this.#turn ? "Stop the model" : over ? "The model has played" : "Let the model play");

@@ -10,7 +10,7 @@ import { summary } from "../model/map-summary.js";
 import { modelWords } from "../model/model-words.js";
 import { mapWords } from "../model/place-words.js";
 import { STAGE_TEXT } from "../model/stage-text.js";
-import { sentence } from "../play/session.js";
+import { sentence } from "../shell/sentence.js";
 import { TroubleBox } from "./trouble-box.js";
 
 /** @typedef {import("../pkg/pathlight.js").Stage} Stage */

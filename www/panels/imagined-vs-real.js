@@ -71,7 +71,7 @@ export class ImaginedVsReal extends Component {
     for (const contender of /** @type {const} */ (["player", "model"])) {
       // The attempt may have been deleted meanwhile.
       const number = this.#runs.get(contender)?.number;
-      if (number !== undefined && number > session.standing(contender).used) changed = this.#runs.delete(contender);
+      if (number !== undefined && number > session.attempts.standing(contender).used) changed = this.#runs.delete(contender);
     }
     const current = phase === "compare" ? pair : (shown ?? phase);
     if (finished && !placing && current !== this.#lastRead) {

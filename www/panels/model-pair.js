@@ -10,7 +10,7 @@ import { modelWords, seenWords } from "../model/model-words.js";
 import { mapWords } from "../model/place-words.js";
 import { STAGE_TEXT } from "../model/stage-text.js";
 import { SharedClient } from "../model/shared-client.js";
-import { sentence } from "../play/session.js";
+import { sentence } from "../shell/sentence.js";
 import { OutcomeStrip } from "./outcome-strip.js";
 
 /** @typedef {import("../pkg/pathlight.js").Stage} Stage */

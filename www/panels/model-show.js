@@ -74,7 +74,7 @@ export class ModelShow {
       while (this.#waiting.length === 0 && !this.#ended && !this.#stopped) await new Promise((resolve) => (this.#wake = () => resolve(null)));
       const attempt = this.#waiting.shift();
       if (this.#stopped || !attempt) break;
-      const { used } = this.#session.standing("model");
+      const { used } = this.#session.attempts.standing("model");
       const number = this.#record(attempt);
       // A turn that was stopped goes on after what has been shown of it.
       if (this.#skipping || attempt.ending.solved || number <= used) continue;

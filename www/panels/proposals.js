@@ -10,7 +10,7 @@ import { BallImaginer } from "../model/ball-imaginer.js";
 import { chanceWords, errorWords, percent } from "../model/chance-words.js";
 import { valueAt } from "../model/map-summary.js";
 import { ballsCsv, otherOutcome, outcomesWords } from "../model/outcomes.js";
-import { sentence } from "../play/session.js";
+import { sentence } from "../shell/sentence.js";
 import { OutcomeStrip } from "./outcome-strip.js";
 import { TroubleBox } from "./trouble-box.js";
 
@@ -206,7 +206,7 @@ export class Proposals extends Component {
     const proposal = number === null ? null : proposals[number - 1];
     if (number !== null && proposal && this.#shown !== number) {
       this.#shown = number;
-      const tried = session.attempts("model").some(({ ball }) => String(ball) === String(proposal.ball));
+      const tried = session.attempts.of("model").some(({ ball }) => String(ball) === String(proposal.ball));
       session.preview(number, proposal.ball, tried);
       this.#imaginer.imagine(session.played, proposal.ball);
     }

@@ -44,11 +44,11 @@ export class Scoreboard extends Component {
    * @param {import("../play/session.js").Session} session
    */
   #recordTurn(session) {
-    if (session.modelName === null) return;
-    const store = this.#progress.ofModel(session.modelName);
+    if (session.attempts.modelName === null) return;
+    const store = this.#progress.ofModel(session.attempts.modelName);
     const { id } = session.about;
     if (id === null) return;
-    const { used, solved_at: solved } = session.standing("model");
+    const { used, solved_at: solved } = session.attempts.standing("model");
     const stored = store.of(id);
     // The turn is the same each time, so the longer one holds the shorter.
     if (used > stored.attempts) store.set(id, { attempts: used, solved });

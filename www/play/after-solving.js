@@ -76,7 +76,7 @@ export class AfterSolving extends Component {
 
   #update() {
     const { session } = this;
-    const solvedAt = session && !session.resultHidden ? session.standing("player").solved_at : null;
+    const solvedAt = session && !session.resultHidden ? session.attempts.standing("player").solved_at : null;
     const section = this.byId("solved");
     // What is new stands at the top of the panel.
     if (section.hidden && solvedAt !== null) this.byId("play").scrollTop = 0;
@@ -115,15 +115,15 @@ export class AfterSolving extends Component {
   #showModel() {
     this.requestState({ panel: "compare" });
     const turn = this.byId("model-turn", HTMLButtonElement);
-    if (this.session?.standing("model").used === 0 && !turn.disabled) turn.click();
+    if (this.session?.attempts.standing("model").used === 0 && !turn.disabled) turn.click();
     turn.focus({ preventScroll: true });
   }
 
   #share() {
     const { session } = this;
-    const solvedAt = session?.standing("player").solved_at;
+    const solvedAt = session?.attempts.standing("player").solved_at;
     if (!session || !solvedAt) return;
-    const { used, solved_at: modelSolvedAt } = session.standing("model");
+    const { used, solved_at: modelSolvedAt } = session.attempts.standing("model");
     const { puzzle, about: { id } } = session;
     if (id === null) return;
     /** @type {Result} */

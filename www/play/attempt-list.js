@@ -79,13 +79,13 @@ export class AttemptList extends Component {
 
   /** @param {Session} session */
   #update(session) {
-    const standing = session.standing(this.#contender);
+    const standing = session.attempts.standing(this.#contender);
     // An attempt that runs for the first time is listed when it has ended.
     const used = standing.used - Number(session.resultHidden && this.#contender === "player");
     const solvedAt = standing.solved_at !== null && standing.solved_at <= used ? standing.solved_at : null;
     if (used < this.#length) this.#clear();
     if (used > this.#length) {
-      this.#list.append(...session.attempts(this.#contender).slice(this.#length, used).map((attempt) => this.#row(attempt)));
+      this.#list.append(...session.attempts.of(this.#contender).slice(this.#length, used).map((attempt) => this.#row(attempt)));
       this.#length = used;
       this.#list.scrollTop = this.#list.scrollHeight;
     }

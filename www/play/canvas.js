@@ -222,7 +222,7 @@ export class SceneCanvas extends Component {
     }
     /** @type {Drag} */
     const drag = { kind: "move", dx: 0, dy: 0, ball: [x, y, ball?.[2] ?? FIRST_RADIUS] };
-    session.place(drag.ball, drag);
+    session.placement.place(drag.ball, drag);
     drag.ball = session.ball ?? drag.ball;
     this.#drag = drag;
   }
@@ -244,8 +244,8 @@ export class SceneCanvas extends Component {
       return;
     }
     const [ballX, ballY, r] = drag.ball;
-    if (drag.kind === "resize") session.place([ballX, ballY, Math.hypot(x - ballX, y - ballY)], drag);
-    else session.place([x + drag.dx, y + drag.dy, r], drag);
+    if (drag.kind === "resize") session.placement.place([ballX, ballY, Math.hypot(x - ballX, y - ballY)], drag);
+    else session.placement.place([x + drag.dx, y + drag.dy, r], drag);
     drag.ball = session.ball ?? drag.ball;
   }
 
@@ -254,7 +254,7 @@ export class SceneCanvas extends Component {
     const session = this.session;
     if (!session?.placing || !session.ball || event.ctrlKey || event.deltaY === 0) return;
     event.preventDefault();
-    session.nudge(0, 0, event.deltaY < 0 ? 1 : -1, "wheel");
+    session.placement.nudge(0, 0, event.deltaY < 0 ? 1 : -1, "wheel");
     // A drag goes on with the ball of another size.
     if (this.#drag && this.#drag.kind !== "pen") this.#drag.ball = session.ball;
   }
@@ -276,7 +276,7 @@ export class SceneCanvas extends Component {
     if (dx || dy || dr) {
       // A key that is held down is one gesture.
       if (!event.repeat) this.#keyGesture = {};
-      session.nudge(dx * distance, dy * distance, dr, this.#keyGesture);
+      session.placement.nudge(dx * distance, dy * distance, dr, this.#keyGesture);
       event.preventDefault();
     } else if (event.key === "Enter") {
       session.run();

@@ -4,7 +4,7 @@ import { Component } from "../shell/component.js";
 import { FIRST_RADIUS, GOAL_SECONDS, MAX_RADIUS, MIN_RADIUS, SCENE_SIZE, STEPS_PER_SECOND } from "../shell/constants.js";
 import { difficultyWords } from "../shell/difficulty.js";
 import { find, setText } from "../shell/dom.js";
-import { sentence } from "./session.js";
+import { sentence } from "../shell/sentence.js";
 
 /** @typedef {import("./session.js").Session} Session */
 /** @typedef {import("./session.js").ShownAttempt} ShownAttempt */
@@ -39,12 +39,12 @@ export class Controls extends Component {
     onClick("reset", (session) => session.reset());
     onClick("see-closest", (session) => session.approach && session.seek(session.approach.step));
     onClick("watch", (session) => session.watch());
-    onClick("undo", (session) => session.undo());
-    onClick("redo", (session) => session.redo());
+    onClick("undo", (session) => session.placement.undo());
+    onClick("redo", (session) => session.placement.redo());
     this.#time.addEventListener("input", () => this.session?.seek(Number(this.#time.value)));
     this.byId("speed").addEventListener("change", () => this.#applySpeed());
     this.byId("ball-form").addEventListener("submit", (event) => event.preventDefault());
-    this.#radius.addEventListener("input", () => this.session?.resize(Number(this.#radius.value), "radius"));
+    this.#radius.addEventListener("input", () => this.session?.placement.resize(Number(this.#radius.value), "radius"));
     for (const field of this.#fields) field.addEventListener("change", () => this.#onTyped());
   }
 
@@ -77,7 +77,7 @@ export class Controls extends Component {
     const { session } = this;
     const texts = this.#fields.map(({ value }) => value);
     const [x, y, r] = texts.map(Number);
-    if (texts.every((text) => text !== "" && Number.isFinite(Number(text)))) session?.place([x, y, r]);
+    if (texts.every((text) => text !== "" && Number.isFinite(Number(text)))) session?.placement.place([x, y, r]);
     else if (session?.ball) this.#update(session);
   }
 
@@ -92,8 +92,8 @@ export class Controls extends Component {
     this.#time.disabled = placing;
     this.#time.max = String(last);
     this.byId("reset", HTMLButtonElement).disabled = placing;
-    this.byId("undo", HTMLButtonElement).disabled = !session.canUndo;
-    this.byId("redo", HTMLButtonElement).disabled = !session.canRedo;
+    this.byId("undo", HTMLButtonElement).disabled = !session.placement.canUndo;
+    this.byId("redo", HTMLButtonElement).disabled = !session.placement.canRedo;
     this.#touches = placing ? [] : puzzle.touches();
     // Of two rollouts over each other the meter could mean either; of one that never touched it has nothing to say.
     this.#goalMeter.hidden = placing || phase === "compare" || session.approach !== null;

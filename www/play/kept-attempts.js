@@ -33,7 +33,7 @@ export class KeptAttempts extends Component {
     super.open(session);
     if (!this.#task) return;
     session.restore(this.#store.of(this.#task).filter(({ by }) => by === "player").map(({ ball }) => ball));
-    this.#kept = { player: ballsOf(session.attempts("player")), model: [] };
+    this.#kept = { player: ballsOf(session.attempts.of("player")), model: [] };
     this.#bringBackModel();
     for (const event of /** @type {const} */ (["attempted", "change"])) this.listen(event, () => this.#keep(session));
   }
@@ -47,10 +47,10 @@ export class KeptAttempts extends Component {
   #bringBackModel() {
     const { session } = this;
     const name = this.#client.loaded?.name;
-    if (!session || !this.#task || name === undefined || session.modelName !== null) return;
+    if (!session || !this.#task || name === undefined || session.attempts.modelName !== null) return;
     const attempts = this.#store.of(this.#task).filter(({ by, simulator }) => by === name && simulator === SIMULATOR_VERSION);
     session.restoreModel(attempts, name);
-    this.#kept.model = ballsOf(session.attempts("model"));
+    this.#kept.model = ballsOf(session.attempts.of("model"));
   }
 
   /** @param {Session} session */
@@ -59,10 +59,10 @@ export class KeptAttempts extends Component {
     if (session.resultHidden || !this.#task) return;
     for (const contender of /** @type {const} */ (["player", "model"])) {
       const kept = this.#kept[contender];
-      if (session.standing(contender).used === kept.length) continue;
-      const attempts = session.attempts(contender);
+      if (session.attempts.standing(contender).used === kept.length) continue;
+      const attempts = session.attempts.of(contender);
       const balls = (this.#kept[contender] = ballsOf(attempts));
-      const by = contender === "player" ? contender : session.modelName;
+      const by = contender === "player" ? contender : session.attempts.modelName;
       // The attempts of a model that goes are not deleted.
       if (by === null) continue;
       this.#store.remove(this.#task, by, kept.filter((ball) => !balls.includes(ball)));

@@ -1,5 +1,5 @@
-// One puzzle being played: the ball being placed, the rollout being shown, the attempts of player and model. Wraps the
-// wasm's Puzzle and the clock; the components ask it to do things and listen:
+// One puzzle being played: the ball being placed (placement.js), the attempts of player and model (attempts.js), and the rollout
+// being shown. Wraps the wasm's Puzzle and the clock; the components ask it to do things and listen:
 //   "change"     something to read has changed
 //   "draw"       only the picture has changed
 //   "attempted"  a new attempt of the player's has run to its end, or was left; `shown` holds it
@@ -7,9 +7,10 @@
 // the Puzzle.
 
 import { Puzzle } from "../pkg/pathlight.js";
-import { FIRST_RADIUS, MAX_RADIUS, MIN_RADIUS, SCENE_SIZE } from "../shell/constants.js";
+import { sentence } from "../shell/sentence.js";
+import { Attempts } from "./attempts.js";
+import { Placement } from "./placement.js";
 import { Playback } from "./playback.js";
-import { UndoStack } from "./undo-stack.js";
 
 /** @typedef {import("../pkg/pathlight.js").Ball} Ball */
 /** @typedef {import("../pkg/pathlight.js").Contender} Contender */
@@ -29,7 +30,6 @@ import { UndoStack } from "./undo-stack.js";
 
 /** Codes of errors that refuse a ball; any other error is a defect. */
 const REFUSALS = ["invalid_ball", "attempt_limit"];
-const MIDDLE = SCENE_SIZE / 2;
 
 export class Session extends EventTarget {
   /** What the worker's calls are about. */
@@ -37,14 +37,9 @@ export class Session extends EventTarget {
   /** The wasm's Puzzle; freed by `close`. */
   puzzle;
   about;
+  placement;
+  attempts;
   playback = new Playback();
-  /** @type {Ball | null} */
-  ball = null;
-  /**
-   * Why the ball may not be placed, or null.
-   * @type {string | null}
-   */
-  invalidReason = null;
   /** @type {"placing" | "attempt" | "watch" | "compare"} */
   phase = "placing";
   /**
@@ -78,16 +73,9 @@ export class Session extends EventTarget {
   ghosts = [];
   /** Is a miss of the model's turn shown? */
   ghosting = false;
-  /**
-   * The name of the model that made the model's attempts, or null while there are none.
-   * @type {string | null}
-   */
-  modelName = null;
   #drawing = false;
   #bending = false;
   #prefersReducedMotion;
-  /** @type {UndoStack<Ball | null>} */
-  #placements = new UndoStack(/** @type {Ball | null} */ (null));
 
   /**
    * @param {import("../model/messages.js").Played} played
@@ -98,7 +86,10 @@ export class Session extends EventTarget {
     this.played = played;
     this.puzzle = new Puzzle(played);
     this.about = this.puzzle.about();
+    this.placement = new Placement((ball) => this.puzzle.whyInvalid(...ball));
+    this.attempts = new Attempts(this.puzzle);
     this.#prefersReducedMotion = prefersReducedMotion;
+    this.placement.addEventListener("change", () => this.#onPlaced());
     this.playback.addEventListener("tick", () => this.#onTick());
   }
 
@@ -110,73 +101,17 @@ export class Session extends EventTarget {
     return this.phase === "placing";
   }
 
-  /**
-   * Places the ball, in px; it is rounded and kept inside the scene. Placements of one `gesture` (a drag, say) are undone
-   * together.
-   * @param {Ball} ball
-   * @param {unknown} [gesture]
-   */
-  place([x, y, r], gesture = null) {
-    /** @type {(value: number, low: number, high: number) => number} */
-    const clamped = (value, low, high) => Math.min(Math.max(Math.round(value), low), high);
-    /** @type {Ball} */
-    const ball = [clamped(x, 0, SCENE_SIZE - 1), clamped(y, 0, SCENE_SIZE - 1), clamped(r, MIN_RADIUS, MAX_RADIUS)];
-    this.#placements.push(ball, gesture);
-    this.#setBall(ball);
+  /** The ball being placed, or null. */
+  get ball() {
+    return this.placement.ball;
   }
 
-  /**
-   * Places the ball, or takes it away.
-   * @param {Ball | null} ball
-   */
-  replaceBall(ball) {
-    if (ball) return this.place(ball);
-    this.#placements.push(null);
-    this.#setBall(null);
+  /** Why that ball may not be placed, or null. */
+  get invalidReason() {
+    return this.placement.invalidReason;
   }
 
-  /**
-   * Moves the ball and changes its radius by so many px; a first ball appears in the middle.
-   * @param {number} dx
-   * @param {number} dy
-   * @param {number} dr
-   * @param {unknown} [gesture]
-   */
-  nudge(dx, dy, dr, gesture = null) {
-    const [x, y, r] = this.ball ?? [MIDDLE - dx, MIDDLE - dy, FIRST_RADIUS - dr];
-    this.place([x + dx, y + dy, r + dr], gesture);
-  }
-
-  /**
-   * Changes the radius; a first ball appears in the middle.
-   * @param {number} r
-   * @param {unknown} [gesture]
-   */
-  resize(r, gesture = null) {
-    const [x, y] = this.ball ?? [MIDDLE, MIDDLE];
-    this.place([x, y, r], gesture);
-  }
-
-  get canUndo() {
-    return this.#placements.canUndo;
-  }
-
-  get canRedo() {
-    return this.#placements.canRedo;
-  }
-
-  undo() {
-    if (this.canUndo) this.#setBall(this.#placements.undo());
-  }
-
-  redo() {
-    if (this.canRedo) this.#setBall(this.#placements.redo());
-  }
-
-  /** @param {Ball | null} ball */
-  #setBall(ball) {
-    this.ball = ball;
-    this.invalidReason = (ball && this.puzzle.whyInvalid(...ball)) ?? null;
+  #onPlaced() {
     this.refusal = null;
     if (this.placing) this.#emit("change");
     else this.reset();
@@ -198,7 +133,7 @@ export class Session extends EventTarget {
   /** @param {Ball} ball */
   #attempt(ball) {
     try {
-      const before = this.standing("player").used;
+      const before = this.attempts.standing("player").used;
       const attempt = this.puzzle.attempt(...ball);
       this.#show("attempt", { shown: { contender: "player", ...attempt }, resultHidden: attempt.number > before });
     } catch (caught) {
@@ -221,11 +156,7 @@ export class Session extends EventTarget {
    */
   replay(contender, number) {
     const attempt = this.puzzle.replay(contender, number);
-    if (contender === "player") {
-      this.ball = attempt.ball;
-      this.invalidReason = null;
-      this.#placements.push(attempt.ball);
-    }
+    if (contender === "player") this.placement.take(attempt.ball);
     this.#show("attempt", { shown: { contender, ...attempt } });
   }
 
@@ -338,26 +269,16 @@ export class Session extends EventTarget {
     const [only, ...others] = this.visibleAttempts;
     if (only && others.length === 0 && (only.contender !== contender || only.number !== number)) return only;
     const opponent = contender === "player" ? "model" : "player";
-    const { used } = this.standing(opponent);
+    const { used } = this.attempts.standing(opponent);
     if (used > 0) return { contender: opponent, number: used };
     const neighbour = number > 1 ? number - 1 : 2;
-    return neighbour <= this.standing(contender).used ? { contender, number: neighbour } : null;
+    return neighbour <= this.attempts.standing(contender).used ? { contender, number: neighbour } : null;
   }
 
   /** The attempts that are being shown. */
   get visibleAttempts() {
     if (this.phase === "compare") return this.pair;
     return this.shown && !this.shown.preview ? [this.shown] : [];
-  }
-
-  /** @param {Contender} contender */
-  standing(contender) {
-    return this.puzzle.standing(contender);
-  }
-
-  /** @param {Contender} contender */
-  attempts(contender) {
-    return this.puzzle.attempts(contender);
   }
 
   /**
@@ -367,7 +288,7 @@ export class Session extends EventTarget {
    */
   remove(contender, number) {
     this.revealResult();
-    this.puzzle.remove(contender, number);
+    this.attempts.remove(contender, number);
     // The shown attempt may be the deleted one, or have another number now.
     if (this.placing) this.#emit("change");
     else this.reset();
@@ -413,11 +334,7 @@ export class Session extends EventTarget {
    */
   restore(balls) {
     if (balls.length === 0) return;
-    for (const ball of balls) {
-      // A ball of another version may not fit any more.
-      if (this.puzzle.whyInvalid(...ball) === undefined) this.puzzle.attempt(...ball);
-    }
-    this.puzzle.reset();
+    this.attempts.restore(balls);
     this.#emit("change");
   }
 
@@ -428,21 +345,17 @@ export class Session extends EventTarget {
    */
   restoreModel(attempts, modelName) {
     if (attempts.length === 0) return;
-    for (const attempt of attempts) {
-      if (this.puzzle.whyInvalid(...attempt.ball) === undefined) this.puzzle.addModelAttempt(attempt);
-    }
-    this.modelName = modelName;
+    this.attempts.restoreModel(attempts, modelName);
     this.#emit("change");
   }
 
   /**
-   * Adds an attempt that the worker has simulated for a model; one with the same ball is not added again. Returns its number.
+   * Adds an attempt that the worker has simulated for a model. Returns its number.
    * @param {Attempt} attempt
    * @param {string} modelName
    */
   recordModelAttempt(attempt, modelName) {
-    const { number } = this.puzzle.addModelAttempt(attempt);
-    this.modelName = modelName;
+    const number = this.attempts.add(attempt, modelName);
     this.#emit("change");
     return number;
   }
@@ -450,17 +363,15 @@ export class Session extends EventTarget {
   /** Forgets the model's attempts, and stops showing them. */
   clearModelAttempts() {
     const visible = this.shown?.contender === "model" || this.pair.some(({ contender }) => contender === "model");
-    this.puzzle.clear("model");
-    this.modelName = null;
+    this.attempts.clear("model");
     if (visible) this.reset();
     else this.#emit("change");
   }
 
   /** Forgets the attempts of both. */
   clearAllAttempts() {
-    this.puzzle.clear("player");
-    this.puzzle.clear("model");
-    this.modelName = null;
+    this.attempts.clear("player");
+    this.attempts.clear("model");
     this.reset();
   }
 
@@ -514,12 +425,4 @@ export class Session extends EventTarget {
   #emit(event) {
     this.dispatchEvent(new Event(event));
   }
-}
-
-/**
- * Words as a sentence: "the ball …" becomes "The ball ….".
- * @param {string} words
- */
-export function sentence(words) {
-  return words[0].toUpperCase() + words.slice(1) + (/[.!?]$/.test(words) ? "" : ".");
 }

@@ -61,7 +61,7 @@ export class Check extends Component {
     const ball = this.#found?.easiest;
     if (!ball || !this.session) return;
     this.#revealed = true;
-    this.session.place(ball);
+    this.session.placement.place(ball);
     this.#update();
     this.announce(this.byId("check-ball").textContent ?? "");
   }

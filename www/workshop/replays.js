@@ -64,7 +64,7 @@ export class Replays extends Component {
     const { session } = this;
     if (!session) return;
     const { name } = session.about;
-    const made = [...attemptsBy("player", session.attempts("player")), ...attemptsBy(session.modelName ?? "model", session.attempts("model"))];
+    const made = [...attemptsBy("player", session.attempts.of("player")), ...attemptsBy(session.attempts.modelName ?? "model", session.attempts.of("model"))];
     this.#tell(async (signal) => {
       const lines = await this.#client.attemptLines(session.played, made.map(({ ball }) => ball), signal);
       saveAttempts(name, lines.map((line, index) => ({ ...line, ...made[index] })));
@@ -155,7 +155,7 @@ export class Replays extends Component {
   #update() {
     const { session } = this;
     if (!session) return;
-    this.byId("attempts-save", HTMLButtonElement).disabled = session.standing("player").used + session.standing("model").used === 0;
+    this.byId("attempts-save", HTMLButtonElement).disabled = session.attempts.standing("player").used + session.attempts.standing("model").used === 0;
     const line = this.#line;
     this.#badge.hidden = line === null;
     if (!line) return;
