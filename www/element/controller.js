@@ -1,49 +1,18 @@
 // Joins the components of one puzzle in its shadow tree: opens and closes its session, starts its model, and passes the state
-// to all of them. Each component knows the session and the wasm; only this file knows all of them. shell/component.js
-// describes their lifecycle. Knows nothing of the page around the shadow tree, nor of its address.
+// to all of them. Each component knows the session and the wasm; only components.js and this file know all of them.
+// shell/component.js describes their lifecycle. Knows nothing of the page around the shadow tree, nor of its address.
 
 import { palette } from "../pkg/pathlight.js";
 import { SharedClient } from "../model/shared-client.js";
-import { Choice } from "../panels/choice.js";
-import { Compare } from "../panels/compare.js";
-import { Forecast } from "../panels/forecast.js";
-import { Imagine } from "../panels/imagine.js";
-import { ImaginedVsReal } from "../panels/imagined-vs-real.js";
-import { ModelPair } from "../panels/model-pair.js";
-import { ModelBadge } from "../panels/model-badge.js";
-import { Overlays } from "../panels/overlays.js";
-import { Predict } from "../panels/predict.js";
-import { Probe } from "../panels/probe.js";
-import { Proposals } from "../panels/proposals.js";
-import { ScenePicture } from "../panels/scene-picture.js";
-import { Scoreboard } from "../panels/scoreboard.js";
-import { SolveMapPanel } from "../panels/solve-map.js";
-import { StageView } from "../panels/stage-view.js";
-import { StripPicture } from "../panels/strip-picture.js";
-import { Walkthrough } from "../panels/walkthrough.js";
-import { AfterSolving } from "../play/after-solving.js";
-import { AttemptList } from "../play/attempt-list.js";
-import { SceneCanvas } from "../play/canvas.js";
-import { Controls } from "../play/controls.js";
-import { Guide } from "../play/guide.js";
-import { KeptAttempts } from "../play/kept-attempts.js";
 import { Session } from "../play/session.js";
-import { About } from "../shell/about.js";
 import { byId, find, setText } from "../shell/dom.js";
 import { hideParts } from "../shell/hidden-parts.js";
 import { pathlight } from "../shell/pathlight.js";
 import { onShortcut } from "../shell/shortcuts.js";
-import { Tabs } from "../shell/tabs.js";
 import { INITIAL_STATE, formatFragment, formatState, parseState, showsPuzzle, viewOf, visiblePanels } from "../shell/url-state.js";
-import { Bend } from "../workshop/bend.js";
-import { Check } from "../workshop/check.js";
-import { Luck } from "../workshop/luck.js";
-import { Pictures } from "../workshop/pictures.js";
-import { Replays } from "../workshop/replays.js";
-import { ShareOwn } from "../workshop/share-own.js";
 import { knownScene, sceneOfText } from "../workshop/scene-link.js";
+import { createComponents } from "./components.js";
 
-/** @typedef {import("../shell/component.js").Component} Component */
 /** @typedef {import("../shell/url-state.js").State} State */
 
 /**
@@ -61,13 +30,6 @@ export class PuzzleController extends EventTarget {
   #progress;
   #hrefOf;
   #client;
-  #canvas;
-  /** @type {StageView | null} */
-  #stageView = null;
-  #guide;
-  /** @type {Proposals | null} */
-  #proposals = null;
-  #bend;
   #components;
   /** @type {Session | null} */
   #session = null;
@@ -96,11 +58,9 @@ export class PuzzleController extends EventTarget {
     this.#hrefOf = hrefOf;
     this.#client = new SharedClient(module);
     this.#lastModel = this.model;
-    this.#canvas = new SceneCanvas(root);
-    this.#guide = new Guide(root);
-    this.#bend = new Bend(root, this.#client);
-    this.#components = this.#createComponents(module);
-    for (const component of this.#components) {
+    this.#components = createComponents(root, module, this.#client, progress, (task, panel) => hrefOf()?.(task, panel) ?? null);
+    this.#components.afterSolving.addEventListener("share", (event) => this.dispatchEvent(new CustomEvent("share", { detail: /** @type {CustomEvent} */ (event).detail })));
+    for (const component of this.#components.all) {
       component.addEventListener("staterequest", (event) => this.#changeState(/** @type {CustomEvent<Partial<State>>} */ (event).detail));
       component.addEventListener("modelrequest", () => this.#requestModel());
     }
@@ -109,55 +69,6 @@ export class PuzzleController extends EventTarget {
       button.addEventListener("click", () => this.showDialog(button.getAttribute("data-opens") ?? ""));
     }
     root.addEventListener("keydown", (event) => this.onKeydown(/** @type {KeyboardEvent} */ (event)));
-  }
-
-  /**
-   * All components in the order in which they are opened: the maps are asked for first; what others read comes before them.
-   * @param {WebAssembly.Module} module
-   * @returns {Component[]}
-   */
-  #createComponents(module) {
-    const [root, client, bend] = [this.#root, this.#client, this.#bend];
-    const scenePicture = new ScenePicture(root);
-    const imagine = new Imagine(root, client, scenePicture);
-    const predict = new Predict(root, imagine, scenePicture);
-    const proposals = (this.#proposals = new Proposals(root, client, imagine));
-    const [choice, forecast, solveMap] = [new Choice(root, client), new Forecast(root, client), new SolveMapPanel(root, client, imagine)];
-    const walkthrough = new Walkthrough(root, imagine, choice);
-    const stageView = (this.#stageView = new StageView(root, walkthrough));
-    return [
-      new Tabs(root),
-      new About(root, client),
-      scenePicture,
-      imagine,
-      this.#canvas,
-      new Controls(root),
-      new KeptAttempts(root, client, this.#progress.attempts),
-      this.#guide,
-      this.#afterSolving(),
-      new AttemptList(root, byId(root, "play-attempts"), byId(root, "play-count"), "player"),
-      new AttemptList(root, byId(root, "player-attempts"), byId(root, "player-count"), "player"),
-      new AttemptList(root, byId(root, "model-attempts"), byId(root, "model-count"), "model"),
-      choice,
-      walkthrough, stageView,
-      new Probe(root, imagine),
-      new ImaginedVsReal(root, imagine, scenePicture),
-      predict, forecast,
-      new Compare(root, client),
-      proposals, solveMap,
-      new ModelBadge(root, client, imagine),
-      new ModelPair(root, module, client, scenePicture),
-      bend, new ShareOwn(root, bend, this.#progress.player.persistent), new Pictures(root), new StripPicture(root, imagine, scenePicture),
-      new Check(root, client), new Luck(root, client), new Replays(root, client),
-      new Scoreboard(root, client, this.#progress, (task) => this.#hrefOf()?.(task, "compare") ?? null),
-      new Overlays(root, this.#canvas, { bend, choice, forecast, imagine, predict, proposals, solveMap }),
-    ];
-  }
-
-  #afterSolving() {
-    const afterSolving = new AfterSolving(this.#root, this.#progress, (task) => this.#hrefOf()?.(task, "play") ?? null);
-    afterSolving.addEventListener("share", (event) => this.dispatchEvent(new CustomEvent("share", { detail: /** @type {CustomEvent} */ (event).detail })));
-    return afterSolving;
   }
 
   /** Returns a copy of the state. */
@@ -251,7 +162,7 @@ export class PuzzleController extends EventTarget {
     this.#dark = dark;
     const { style } = find(this.#root, ".puzzle");
     for (const [name, colour] of Object.entries(palette(dark))) style.setProperty(`--${name}`, colour);
-    for (const component of this.#components) component.setTheme(dark);
+    for (const component of this.#components.all) component.setTheme(dark);
   }
 
   /** The page is being left, perhaps for good: an attempt that runs is kept, as it is when its puzzle is left. */
@@ -271,18 +182,18 @@ export class PuzzleController extends EventTarget {
    * @param {KeyboardEvent} event
    */
   onKeydown(event) {
-    this.#stageView?.onKeydown(event);
+    this.#components.stageView.onKeydown(event);
     onShortcut(event, {
       session: this.#session,
-      undoing: this.#state.panel === "bend" ? this.#bend : (this.#session?.placement ?? null),
-      scene: this.#canvas,
+      undoing: this.#state.panel === "bend" ? this.#components.bend : (this.#session?.placement ?? null),
+      scene: this.#components.canvas,
       showPanel: (index) => {
         const panel = visiblePanels(this.#state)[index];
         if (panel) this.#changeState({ panel });
       },
       // What a link for a lesson hides has no key either.
       showKeys: () => !this.#locked && this.showDialog("keys-dialog"),
-      goToOtherOutcome: (by) => this.#proposals?.goToOtherOutcome(by),
+      goToOtherOutcome: (by) => this.#components.proposals.goToOtherOutcome(by),
       toggleStageView: () => !this.#locked && this.toggleStageView(),
     });
   }
@@ -295,7 +206,7 @@ export class PuzzleController extends EventTarget {
 
   /** Leads through the open puzzle, step by step. */
   startGuide() {
-    this.#guide.start();
+    this.#components.guide.start();
   }
 
   /** @param {string} id */
@@ -309,7 +220,7 @@ export class PuzzleController extends EventTarget {
     find(this.#root, ".puzzle").setAttribute("aria-label", `Puzzle ${session.about.name} ${session.about.id ?? ""}`.trim());
     session.addEventListener("change", () => this.#onSessionChange(session));
     session.addEventListener("attempted", () => this.#onAttempted(session));
-    for (const component of this.#components) component.open(session);
+    for (const component of this.#components.all) component.open(session);
     return session;
   }
 
@@ -320,7 +231,7 @@ export class PuzzleController extends EventTarget {
     // While the components still listen.
     session.revealResult();
     // In reverse: what others read goes last.
-    for (const component of this.#components.toReversed()) component.close();
+    for (const component of this.#components.all.toReversed()) component.close();
     session.close();
   }
 
@@ -394,7 +305,7 @@ export class PuzzleController extends EventTarget {
   #applyView() {
     const view = viewOf(this.#state);
     hideParts(this.#root, this.#hrefOf() ? view.hide : [...view.hide, "puzzles"]);
-    for (const component of this.#components) component.setState(view);
+    for (const component of this.#components.all) component.setState(view);
   }
 
   /** @param {string | null} sentence */

@@ -1,0 +1,88 @@
+// The components of one puzzle, made in the order in which they are opened: the maps are asked for first, and what others read comes
+// before them.
+
+import { Choice } from "../panels/choice.js";
+import { Compare } from "../panels/compare.js";
+import { Forecast } from "../panels/forecast.js";
+import { Imagine } from "../panels/imagine.js";
+import { ImaginedVsReal } from "../panels/imagined-vs-real.js";
+import { ModelPair } from "../panels/model-pair.js";
+import { ModelBadge } from "../panels/model-badge.js";
+import { Overlays } from "../panels/overlays.js";
+import { Predict } from "../panels/predict.js";
+import { Probe } from "../panels/probe.js";
+import { Proposals } from "../panels/proposals.js";
+import { ScenePicture } from "../panels/scene-picture.js";
+import { Scoreboard } from "../panels/scoreboard.js";
+import { SolveMapPanel } from "../panels/solve-map.js";
+import { StageView } from "../panels/stage-view.js";
+import { StripPicture } from "../panels/strip-picture.js";
+import { Walkthrough } from "../panels/walkthrough.js";
+import { AfterSolving } from "../play/after-solving.js";
+import { AttemptList } from "../play/attempt-list.js";
+import { SceneCanvas } from "../play/canvas.js";
+import { Controls } from "../play/controls.js";
+import { Guide } from "../play/guide.js";
+import { KeptAttempts } from "../play/kept-attempts.js";
+import { About } from "../shell/about.js";
+import { byId } from "../shell/dom.js";
+import { Tabs } from "../shell/tabs.js";
+import { Bend } from "../workshop/bend.js";
+import { Check } from "../workshop/check.js";
+import { Luck } from "../workshop/luck.js";
+import { Pictures } from "../workshop/pictures.js";
+import { Replays } from "../workshop/replays.js";
+import { ShareOwn } from "../workshop/share-own.js";
+
+/** @typedef {import("../shell/component.js").Component} Component */
+
+/**
+ * Returns all components, and by name those that the controller itself asks for something.
+ * @param {ShadowRoot} root
+ * @param {WebAssembly.Module} module
+ * @param {import("../model/shared-client.js").SharedClient} client
+ * @param {import("../shell/progress-store.js").SharedProgress} progress
+ * @param {(task: string, panel: import("../shell/url-state.js").Panel) => string | null} hrefOf the address of another puzzle, or null
+ */
+export function createComponents(root, module, client, progress, hrefOf) {
+  const canvas = new SceneCanvas(root);
+  const guide = new Guide(root);
+  const bend = new Bend(root, client);
+  const scenePicture = new ScenePicture(root);
+  const imagine = new Imagine(root, client, scenePicture);
+  const predict = new Predict(root, imagine, scenePicture);
+  const proposals = new Proposals(root, client, imagine);
+  const [choice, forecast, solveMap] = [new Choice(root, client), new Forecast(root, client), new SolveMapPanel(root, client, imagine)];
+  const walkthrough = new Walkthrough(root, imagine, choice);
+  const stageView = new StageView(root, walkthrough);
+  const afterSolving = new AfterSolving(root, progress, (task) => hrefOf(task, "play"));
+  /** @type {Component[]} */
+  const all = [
+    new Tabs(root),
+    new About(root, client),
+    scenePicture,
+    imagine,
+    canvas,
+    new Controls(root),
+    new KeptAttempts(root, client, progress.attempts),
+    guide,
+    afterSolving,
+    new AttemptList(root, byId(root, "play-attempts"), byId(root, "play-count"), "player"),
+    new AttemptList(root, byId(root, "player-attempts"), byId(root, "player-count"), "player"),
+    new AttemptList(root, byId(root, "model-attempts"), byId(root, "model-count"), "model"),
+    choice,
+    walkthrough, stageView,
+    new Probe(root, imagine),
+    new ImaginedVsReal(root, imagine, scenePicture),
+    predict, forecast,
+    new Compare(root, client),
+    proposals, solveMap,
+    new ModelBadge(root, client, imagine),
+    new ModelPair(root, module, client, scenePicture),
+    bend, new ShareOwn(root, bend, progress.player.persistent), new Pictures(root), new StripPicture(root, imagine, scenePicture),
+    new Check(root, client), new Luck(root, client), new Replays(root, client),
+    new Scoreboard(root, client, progress, (task) => hrefOf(task, "compare")),
+    new Overlays(root, canvas, { bend, choice, forecast, imagine, predict, proposals, solveMap }),
+  ];
+  return { all, canvas, guide, bend, proposals, stageView, afterSolving };
+}
