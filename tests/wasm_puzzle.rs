@@ -411,6 +411,16 @@ fn foreign_values_are_sentences_and_never_crash() {
         assert!(problems[0]["sentence"].as_str().is_some_and(|sentence| sentence.ends_with('.')));
         assert_eq!(json(verify_attempt(value).expect("a verdict"))["verdict"], "not_valid");
     }
+    let line = json(attempt_line(TASK.into(), JsValue::NULL).expect("a line"));
+    let named = |key: &str, name: &str| {
+        let mut line = line.clone();
+        line[key] = name.into();
+        json(verify_attempt(js(&line)).expect("a verdict"))["reason"].as_str().expect("a sentence").to_string()
+    };
+    for (key, name) in [("task", "beach"), ("task", "00000:999"), ("task", "00099:000"), ("engine", "rapier")] {
+        let reason = named(key, name);
+        assert!(reason.contains(name.split(':').next().expect("a part")), "{reason}");
+    }
     let mut own = json(own_scene(TASK.into()).expect("a task"));
     own["bodies"][0]["x"] = 999.into();
     assert_eq!(code(simulate(js(&own), JsValue::NULL).expect_err("refused")), "bad_scene");

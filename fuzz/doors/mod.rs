@@ -12,7 +12,7 @@ use pathlight::nets::judge::logit_index;
 use pathlight::nets::{PathNet, flex};
 use pathlight::play::played::Played;
 use pathlight::play::verification::{AttemptLine, Verdict};
-use pathlight::puzzle::own_scene::OwnScene;
+use pathlight::puzzle::own_scene::{OwnScene, sentences};
 use pathlight::puzzle::scene::Scene;
 use pathlight::puzzle::task::{Task, TaskId};
 use pathlight::raster;
@@ -20,6 +20,7 @@ use pathlight::simulator::simulate;
 use serde_json::Value;
 
 use commands::journal::{self, Entry};
+use commands::simulate::start::{Place, Request};
 
 mod any_scene;
 mod weights_file;
@@ -106,11 +107,15 @@ pub fn task(bytes: &[u8]) {
 /// Lines of `pathlight simulate --batch`.
 pub fn batch(bytes: &[u8]) {
     for line in bytes.split(|&byte| byte == b'\n').take(4) {
-        let request = serde_json::from_slice::<commands::simulate::start::Request>(line).inspect_err(says_why);
-        let Ok(commands::simulate::start::Request { task, start }) = request else { continue };
-        let Ok(task) = Task::load(task).inspect_err(says_why) else { continue };
-        let placed = start.place(&task.scene).inspect_err(says_why);
-        let _ = placed.and_then(|ball| simulate(&task.scene, ball)).inspect_err(says_why);
+        let request = serde_json::from_slice::<Request>(line).inspect_err(says_why);
+        let Ok(Request { place, start }) = request else { continue };
+        let played = match place {
+            Place::Task(task) => Task::load(task).map(Played::from).map_err(|why| why.to_string()),
+            Place::Scene(scene) => Played::read(scene).map_err(|problems| sentences(&problems)),
+        };
+        let Ok(Played { scene, .. }) = played.inspect_err(says_why) else { continue };
+        let placed = start.place(&scene).inspect_err(says_why);
+        let _ = placed.and_then(|ball| simulate(&scene, ball)).inspect_err(says_why);
     }
 }
 

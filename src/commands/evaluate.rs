@@ -17,11 +17,12 @@ use pathlight::play::turn::Turn;
 use pathlight::puzzle::scene::Scene;
 use pathlight::puzzle::task::{Task, TaskId};
 use pathlight::puzzle::templates::TEMPLATES;
-use pathlight::simulator;
+use pathlight::simulator::Engine;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use super::agent_name::AgentName;
+use super::engine_arg::EngineArg;
 use super::fold_args::FoldArgs;
 use super::model_args::ModelArgs;
 use super::progress::Progress;
@@ -53,6 +54,9 @@ pub struct Args {
     pub json: Option<PathBuf>,
 
     #[command(flatten)]
+    pub engine: EngineArg,
+
+    #[command(flatten)]
     pub model: ModelArgs,
 }
 
@@ -64,7 +68,10 @@ pub struct Report {
     /// `test` or `dev`.
     pub tasks_of: String,
     pub seed: u64,
-    /// `simulator::VERSION`
+    /// What simulated the attempts; absent if that is the first engine.
+    #[serde(default, skip_serializing_if = "Engine::is_first")]
+    pub engine: Engine,
+    /// The version of the engine.
     pub simulator: u32,
     /// `agents::VERSION`; 0 in a file that does not record it.
     #[serde(default)]
@@ -105,6 +112,7 @@ impl Args {
     /// # Errors
     /// If the weights cannot be used for it.
     pub fn measure(&self) -> anyhow::Result<Report> {
+        let EngineArg { engine } = self.engine;
         let fold = self.fold.tasks();
         let (tasks, tasks_of) = if self.dev { (fold.dev, "dev") } else { (fold.test, "test") };
         let tasks: Vec<TaskId> = tasks
@@ -116,7 +124,8 @@ impl Args {
             fold: self.fold.fold,
             tasks_of: tasks_of.to_string(),
             seed: self.seed,
-            simulator: simulator::VERSION,
+            engine,
+            simulator: engine.version(),
             agents_version: agents::VERSION,
             card: None,
             agents: Vec::new(),
@@ -148,16 +157,17 @@ impl Args {
         for agent in AgentName::MODEL.into_iter().filter(can_be_measured).chain([AgentName::Random]) {
             let start =
                 |task: TaskId, scene: &Scene| agent.start(nets.as_ref(), scene, task.seed(self.seed), MAX_ATTEMPTS);
-            report.agents.push(score(agent, start, &tasks)?);
+            report.agents.push(score(agent, start, engine, &tasks)?);
         }
         Ok(report)
     }
 }
 
-/// Measures an agent on some tasks.
+/// Measures an agent on some tasks in an engine.
 fn score(
     agent: AgentName,
     start: impl Fn(TaskId, &Scene) -> Box<dyn Agent> + Sync,
+    engine: Engine,
     tasks: &[TaskId],
 ) -> anyhow::Result<Score> {
     let mut progress = Progress::new(Some(tasks.len() as u64));
@@ -166,7 +176,7 @@ fn score(
         let played = chunk.par_iter().map(|&task| {
             let scene = Task::load(task)?.scene;
             let agent = start(task, &scene);
-            Ok((task, Turn::new(scene, agent).first_solved().expect("agents propose valid balls")))
+            Ok((task, Turn::in_engine(scene, agent, engine).first_solved().expect("agents propose valid balls")))
         });
         first_solved.extend(played.collect::<anyhow::Result<Vec<_>>>()?);
         progress.advance(chunk.len() as u64, format!("tasks attempted by {agent}"));
@@ -189,9 +199,13 @@ impl Report {
         // All agents attempt the same tasks.
         let attempted = self.agents.first().map_or(&[][..], |score| &score.first_solved);
         let tasks: Vec<TaskId> = attempted.iter().map(|&(task, _)| task).collect();
-        let Report { setup, fold, tasks_of, seed, simulator, .. } = self;
+        let Report { setup, fold, tasks_of, seed, engine, simulator, .. } = self;
         let mut text = String::new();
-        writeln!(text, "{setup}, fold {fold}, {} {tasks_of} tasks, seed {seed}, simulator {simulator}", tasks.len())?;
+        write!(text, "{setup}, fold {fold}, {} {tasks_of} tasks, seed {seed}, ", tasks.len())?;
+        if !engine.is_first() {
+            write!(text, "engine {engine}, ")?;
+        }
+        writeln!(text, "simulator {simulator}")?;
         if let Some(card @ Card { samples, tasks, epochs, seed, .. }) = self.card.as_ref() {
             write!(text, "model: {samples} solutions of {tasks} tasks, {epochs} epochs, seed {seed}")?;
             if let Some(judge) = &card.judge {

@@ -1,7 +1,8 @@
 //! `pathlight fidelity`: how well the simulator agrees with PHYRE's own.
 //!
 //! The reference folder has outcomes.jsonl (task, ball, kind, solved) and trajectories.jsonl (poses of rollouts); it is
-//! not part of the project. The tables have columns for even and for odd task numbers: tune the simulator on the even
+//! not part of the project. With `--engine rapier` it prints the tables of the first engine and then those of rapier2d's own pipeline. The
+//! tables have columns for even and for odd task numbers: tune the simulator on the even
 //! ones, the odd ones are held out.
 
 use std::fs;
@@ -14,11 +15,12 @@ use pathlight::puzzle::action::Ball;
 use pathlight::puzzle::rollout::STEPS_PER_SECOND;
 use pathlight::puzzle::task::{Task, TaskId};
 use pathlight::puzzle::templates::TEMPLATES;
-use pathlight::simulator::{outcome, simulate};
+use pathlight::simulator::Engine;
 use rayon::prelude::*;
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 
+use super::engine_arg::EngineArg;
 use super::progress::say;
 
 /// Compare the simulator with PHYRE's outcomes and trajectories
@@ -31,6 +33,9 @@ pub struct Args {
     /// Use only the first N tasks of each template, for a quick look
     #[arg(long, value_name = "N", default_value_t = 100)]
     limit: usize,
+
+    #[command(flatten)]
+    engine: EngineArg,
 }
 
 /// A line of outcomes.jsonl.
@@ -85,69 +90,22 @@ struct Agreement {
 
 impl Args {
     pub fn run(self) -> anyhow::Result<()> {
-        let started = Instant::now();
         let mut out = io::stdout().lock();
-        self.outcomes(&mut out)?;
-        self.trajectories(&mut out)?;
-        say(&format!("took {:.1} s", started.elapsed().as_secs_f64()));
-        Ok(())
-    }
-
-    fn outcomes(&self, out: &mut impl Write) -> anyhow::Result<()> {
-        let lines: Vec<Recorded> = read_lines(&self.reference.join("outcomes.jsonl"))?;
-        let lines: Vec<Recorded> = lines.into_iter().filter(|line| self.wants(line.task)).collect();
-        let solved: Vec<bool> = lines
-            .par_iter()
-            .map(|line| {
-                let scene = Task::load(line.task)?.scene;
-                Ok(outcome(&scene, Some(line.ball)).with_context(|| description(line))?.solved)
-            })
-            .collect::<anyhow::Result<_>>()?;
-
-        // [template, or all][column][even or odd]
-        let mut agreements = vec![[[Agreement::default(); 2]; COLUMNS.len()]; TEMPLATES.len() + 1];
-        for (line, solved) in lines.iter().zip(solved) {
-            let column = COLUMNS.iter().position(|&(_, kind, recorded)| kind == line.kind && recorded == line.solved);
-            let Some(column) = column else {
-                bail!("{} is recorded as a solution that does not solve: correct outcomes.jsonl", description(line))
-            };
-            for row in [line.task.template, TEMPLATES.len()] {
-                let agreement = &mut agreements[row][column][usize::from(line.task.number % 2)];
-                agreement.agree += usize::from(solved == line.solved);
-                agreement.all += 1;
+        let recorded: Vec<Recorded> = read_lines(&self.reference.join("outcomes.jsonl"))?;
+        let recorded: Vec<Recorded> = recorded.into_iter().filter(|line| self.wants(line.task)).collect();
+        let trajectories: Vec<Trajectory> = read_lines(&self.reference.join("trajectories.jsonl"))?;
+        let trajectories: Vec<Trajectory> = trajectories.into_iter().filter(|line| self.wants(line.task)).collect();
+        // Another engine stands beside the first.
+        let engines = [Engine::default(), self.engine.engine];
+        let engines = &engines[..if engines[1].is_first() { 1 } else { 2 }];
+        for &engine in engines {
+            let started = Instant::now();
+            if engines.len() > 1 {
+                writeln!(out, "{}Engine {engine}\n", if engine.is_first() { "" } else { "\n" })?;
             }
-        }
-        writeln!(out, "Outcomes that agree, %: even task numbers, odd ones, both (of how many)")?;
-        writeln!(out, "{:9}{}", "", COLUMNS.map(|(name, ..)| format!("{name:^30}")).concat())?;
-        for (template, columns) in agreements.iter().enumerate() {
-            let name = if template < TEMPLATES.len() { format!("{template:05}") } else { "all".into() };
-            writeln!(out, "{name:9}{}", columns.map(cell).concat())?;
-        }
-        Ok(())
-    }
-
-    fn trajectories(&self, out: &mut impl Write) -> anyhow::Result<()> {
-        let lines: Vec<Trajectory> = read_lines(&self.reference.join("trajectories.jsonl"))?;
-        let lines: Vec<Trajectory> = lines.into_iter().filter(|line| self.wants(line.task)).collect();
-        let errors: Vec<[Vec<f64>; TIMES.len()]> = lines.par_iter().map(errors).collect::<anyhow::Result<_>>()?;
-        writeln!(
-            out,
-            "\nDistance from the reference position of each moving body, px: median, 90th percentile (bodies)"
-        )?;
-        writeln!(out, "{:14}{}", "", TIMES.map(|time| format!("{:^26}", format!("{time} s"))).concat())?;
-        for (name, with_ball) in [("without a ball", false), ("with a ball", true)] {
-            let cells = [0, 1, 2, 3].map(|time| {
-                let of_kind = lines.iter().zip(&errors).filter(|(line, _)| line.ball.is_some() == with_ball);
-                let mut errors: Vec<f64> = of_kind.flat_map(|(_, errors)| &errors[time]).copied().collect();
-                errors.sort_by(f64::total_cmp);
-                format!(
-                    "{:>9} {:>8} {:>7}",
-                    quantile(&errors, 0.5),
-                    quantile(&errors, 0.9),
-                    format!("({})", errors.len())
-                )
-            });
-            writeln!(out, "{name:14}{}", cells.concat())?;
+            write_agreements(&mut out, engine, &recorded)?;
+            write_distances(&mut out, engine, &trajectories)?;
+            say(&format!("{engine} took {:.1} s", started.elapsed().as_secs_f64()));
         }
         Ok(())
     }
@@ -159,11 +117,59 @@ impl Args {
     }
 }
 
-/// Distances of the bodies from their reference positions at each of the times, px; empty where either rollout has
+fn write_agreements(out: &mut impl Write, engine: Engine, lines: &[Recorded]) -> anyhow::Result<()> {
+    let solved: Vec<bool> = lines
+        .par_iter()
+        .map(|line| {
+            let scene = Task::load(line.task)?.scene;
+            Ok(engine.outcome(&scene, Some(line.ball)).with_context(|| description(line))?.solved)
+        })
+        .collect::<anyhow::Result<_>>()?;
+
+    // [template, or all][column][even or odd]
+    let mut agreements = vec![[[Agreement::default(); 2]; COLUMNS.len()]; TEMPLATES.len() + 1];
+    for (line, solved) in lines.iter().zip(solved) {
+        let column = COLUMNS.iter().position(|&(_, kind, recorded)| kind == line.kind && recorded == line.solved);
+        let Some(column) = column else {
+            bail!("{} is recorded as a solution that does not solve: correct outcomes.jsonl", description(line))
+        };
+        for row in [line.task.template, TEMPLATES.len()] {
+            let agreement = &mut agreements[row][column][usize::from(line.task.number % 2)];
+            agreement.agree += usize::from(solved == line.solved);
+            agreement.all += 1;
+        }
+    }
+    writeln!(out, "Outcomes that agree, %: even task numbers, odd ones, both (of how many)")?;
+    writeln!(out, "{:9}{}", "", COLUMNS.map(|(name, ..)| format!("{name:^30}")).concat())?;
+    for (template, columns) in agreements.iter().enumerate() {
+        let name = if template < TEMPLATES.len() { format!("{template:05}") } else { "all".into() };
+        writeln!(out, "{name:9}{}", columns.map(cell).concat())?;
+    }
+    Ok(())
+}
+
+fn write_distances(out: &mut impl Write, engine: Engine, lines: &[Trajectory]) -> anyhow::Result<()> {
+    let errors: Vec<[Vec<f64>; TIMES.len()]> =
+        lines.par_iter().map(|line| errors(line, engine)).collect::<anyhow::Result<_>>()?;
+    writeln!(out, "\nDistance from the reference position of each moving body, px: median, 90th percentile (bodies)")?;
+    writeln!(out, "{:14}{}", "", TIMES.map(|time| format!("{:^26}", format!("{time} s"))).concat())?;
+    for (name, with_ball) in [("without a ball", false), ("with a ball", true)] {
+        let cells = [0, 1, 2, 3].map(|time| {
+            let of_kind = lines.iter().zip(&errors).filter(|(line, _)| line.ball.is_some() == with_ball);
+            let mut errors: Vec<f64> = of_kind.flat_map(|(_, errors)| &errors[time]).copied().collect();
+            errors.sort_by(f64::total_cmp);
+            format!("{:>9} {:>8} {:>7}", quantile(&errors, 0.5), quantile(&errors, 0.9), format!("({})", errors.len()))
+        });
+        writeln!(out, "{name:14}{}", cells.concat())?;
+    }
+    Ok(())
+}
+
+/// Returns the distances of the bodies from their reference positions at each of the times, px; empty where either rollout has
 /// ended.
-fn errors(line: &Trajectory) -> anyhow::Result<[Vec<f64>; TIMES.len()]> {
+fn errors(line: &Trajectory, engine: Engine) -> anyhow::Result<[Vec<f64>; TIMES.len()]> {
     let Trajectory { task, every, first_step, .. } = *line;
-    let rollout = simulate(&Task::load(task)?.scene, line.ball).with_context(|| task.to_string())?;
+    let rollout = engine.simulate(&Task::load(task)?.scene, line.ball).with_context(|| task.to_string())?;
     Ok(TIMES.map(|time| {
         // The first row at this time or after it.
         let row = (time * STEPS_PER_SECOND).saturating_sub(first_step).div_ceil(every.max(1));

@@ -21,6 +21,7 @@ mod calibration;
 mod collect;
 mod differences;
 mod difficulty;
+mod engine_arg;
 mod evaluate;
 mod fidelity;
 mod figures;

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use anyhow::{Context, bail};
+use anyhow::{Context, anyhow};
 use pathlight::play::played::Played;
 use pathlight::puzzle::own_scene::sentences;
 use serde_json::Value;
@@ -15,14 +15,11 @@ const MAX_SIZE: u64 = 1 << 20;
 ///
 /// # Errors
 /// If the file cannot be read, is no scene, or the scene may not be played: then all reasons.
-pub fn read(path: &Path) -> anyhow::Result<(Value, Played)> {
+pub fn read(path: &Path) -> anyhow::Result<Played> {
     let shown = path.display();
     let size = fs::metadata(path).with_context(|| format!("cannot read {shown}"))?.len();
     anyhow::ensure!(size <= MAX_SIZE, "{shown} is larger than {MAX_SIZE} bytes, so it is no scene");
     let bytes = fs::read(path).with_context(|| format!("cannot read {shown}"))?;
     let value: Value = serde_json::from_slice(&bytes).with_context(|| format!("{shown} is no JSON"))?;
-    match Played::read(value.clone()) {
-        Ok(played) => Ok((value, played)),
-        Err(problems) => bail!("the scene of {shown} may not be played. {}", sentences(&problems)),
-    }
+    Played::read(value).map_err(|problems| anyhow!("the scene of {shown} may not be played. {}", sentences(&problems)))
 }

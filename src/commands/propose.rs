@@ -78,7 +78,7 @@ impl Args {
             let proposals = agents::propose(&nets, &scene, id.seed(self.seed), self.attempts.into());
             TaskProposals { task: id.task(), balls: proposals.into_iter().map(|proposal| proposal.ball).collect() }
         };
-        if let Some((_, played)) = own {
+        if let Some(played) = own {
             writeln!(out, "{}", serde_json::to_string(&proposals(played))?)?;
         }
         let mut progress = Progress::new(Some(tasks.len() as u64));

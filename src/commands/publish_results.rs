@@ -84,6 +84,7 @@ impl Args {
         let all = |score: &Score| score.first_solved.iter().map(|(task, _)| task).eq(&tasks);
         ensure!(
             format!("{}-{}", report.setup, report.fold) == name
+                && report.engine.is_first()
                 && (report.simulator, report.agents_version) == (simulator::VERSION, agents::VERSION)
                 && !report.agents.is_empty()
                 && report.agents.iter().all(all),

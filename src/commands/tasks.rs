@@ -48,7 +48,7 @@ impl Args {
             let own = OwnScene::of(&Task::load(task)?.scene).expect("a template uses the four shapes");
             writeln!(out, "{}", serde_json::to_string(&own)?)?;
         } else if let Some(file) = &self.scene {
-            let (_, played) = own_scene_file::read(file)?;
+            let played = own_scene_file::read(file)?;
             writeln!(out, "{}", serde_json::to_string(&OwnTask { goal: &played.goal, scene: &played.scene })?)?;
         } else {
             self.print_tasks(&mut out)?;

@@ -1,9 +1,12 @@
-//! Luck or plan: whether a ball that solves does so by a hair. Of the balls within a pixel of it, how many solve too?
+//! Luck or plan: whether a ball that solves does so by a hair. Of the balls within a pixel of it, how many solve too, and does
+//! the ball itself solve in another engine, which the wasm lacks?
 
 use serde::Serialize;
 
 use crate::puzzle::action::{Ball, Obstacles};
 use crate::puzzle::scene::Scene;
+#[cfg(not(target_arch = "wasm32"))]
+use crate::simulator::Engine;
 use crate::simulator::outcome;
 
 /// What becomes of a ball and of the balls within a pixel of it in x, y and radius.
@@ -13,6 +16,9 @@ pub struct Luck {
     pub valid: usize,
     /// Those that solve.
     pub solved: usize,
+    /// Whether the ball itself solves under rapier2d's own pipeline; false if it may not be placed.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub rapier: bool,
 }
 
 /// Tries a ball and the 26 around it.
@@ -25,7 +31,12 @@ pub fn luck(scene: &Scene, ball: Ball) -> Luck {
         .filter(|ball| obstacles.check(ball).is_ok())
         .filter_map(|ball| Some(outcome(scene, Some(ball)).ok()?.solved))
         .collect();
-    Luck { valid: outcomes.len(), solved: outcomes.iter().filter(|&&solved| solved).count() }
+    Luck {
+        valid: outcomes.len(),
+        solved: outcomes.iter().filter(|&&solved| solved).count(),
+        #[cfg(not(target_arch = "wasm32"))]
+        rapier: Engine::Rapier.outcome(scene, Some(ball)).is_ok_and(|outcome| outcome.solved),
+    }
 }
 
 #[cfg(test)]
@@ -44,7 +55,8 @@ mod tests {
         });
         let AttemptLine { task, ball, .. } = solving.expect("one of the shipped attempts solves");
         let (scene, ball) = (Task::load(task.expect("a task")).expect("a task").scene, ball.expect("a ball"));
-        let mut expected = Luck { valid: 0, solved: 0 };
+        let rapier = Engine::Rapier.simulate(&scene, Some(ball)).expect("a valid ball").solved;
+        let mut expected = Luck { valid: 0, solved: 0, rapier };
         for (dx, dy, dr) in (0..27).map(|index| (index % 3 - 1, index / 3 % 3 - 1, index / 9 - 1)) {
             let near = Ball { x: ball.x + f64::from(dx), y: ball.y + f64::from(dy), r: ball.r + f64::from(dr) };
             let Ok(outcome) = outcome(&scene, Some(near)) else { continue };
@@ -60,6 +72,6 @@ mod tests {
         let scene = Task::load("00000:000".parse().expect("an id")).expect("a task").scene;
         // The smallest ball in the upper left corner: neither smaller, nor farther out.
         let corner = luck(&scene, Ball { x: 2.0, y: 254.0, r: 2.0 });
-        assert_eq!(corner, Luck { valid: 5, solved: 0 });
+        assert_eq!(corner, Luck { valid: 5, solved: 0, rapier: false });
     }
 }

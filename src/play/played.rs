@@ -12,8 +12,8 @@ use crate::puzzle::task::{Task, TaskId, goal_sentence, spread};
 #[derive(Clone, Debug, PartialEq)]
 pub struct Played {
     pub id: PlayedId,
-    /// What its maker calls an own scene.
-    pub name: Option<String>,
+    /// What was made, if it is an own scene.
+    pub own: Option<OwnScene>,
     /// The goal sentence.
     pub goal: String,
     pub scene: Scene,
@@ -58,7 +58,12 @@ impl Played {
         let nameless = OwnScene { name: None, ..own.clone() };
         let json = serde_json::to_vec(&nameless).expect("plain data");
         let id = PlayedId::Own(Sha256::digest(json).into());
-        Ok(Played { id, name: own.name.clone(), goal: goal_sentence(&scene), scene })
+        Ok(Played { id, own: Some(own.clone()), goal: goal_sentence(&scene), scene })
+    }
+
+    /// Returns what its maker calls an own scene.
+    pub fn name(&self) -> Option<&str> {
+        self.own.as_ref()?.name.as_deref()
     }
 
     /// Reads an own scene to play from JSON.
@@ -72,7 +77,7 @@ impl Played {
 
 impl From<Task> for Played {
     fn from(task: Task) -> Played {
-        Played { id: PlayedId::Task(task.id), name: None, goal: task.goal, scene: task.scene }
+        Played { id: PlayedId::Task(task.id), own: None, goal: task.goal, scene: task.scene }
     }
 }
 

@@ -9,11 +9,12 @@ use crate::puzzle::action::Invalid;
 use crate::puzzle::recorded_paths::RecordedPaths;
 use crate::puzzle::rollout::Rollout;
 use crate::puzzle::scene::Scene;
-use crate::simulator::simulate;
+use crate::simulator::Engine;
 
 pub struct Turn {
     scene: Scene,
     agent: Box<dyn Agent>,
+    engine: Engine,
     /// Attempts made.
     used: usize,
     solved: bool,
@@ -22,7 +23,12 @@ pub struct Turn {
 impl Turn {
     /// Starts the turn of an agent that is at work on this scene.
     pub fn new(scene: Scene, agent: Box<dyn Agent>) -> Turn {
-        Turn { scene, agent, used: 0, solved: false }
+        Turn::in_engine(scene, agent, Engine::default())
+    }
+
+    /// Starts a turn like `new`, in any engine.
+    pub fn in_engine(scene: Scene, agent: Box<dyn Agent>, engine: Engine) -> Turn {
+        Turn { scene, agent, engine, used: 0, solved: false }
     }
 
     /// Simulates the agent's next ball; `None` once the puzzle is solved, all attempts are used or the agent has no more
@@ -35,7 +41,7 @@ impl Turn {
             return Ok(None);
         }
         let Some(proposal) = self.agent.propose() else { return Ok(None) };
-        let rollout = simulate(&self.scene, Some(proposal.ball))?;
+        let rollout = self.engine.simulate(&self.scene, Some(proposal.ball))?;
         let paths = RecordedPaths::of(&rollout, &self.scene).and_then(|paths| paths.sampled());
         self.agent.observe(&Observation { solved: rollout.solved, paths });
         self.used += 1;
@@ -61,6 +67,7 @@ mod tests {
     use crate::agents::Origin;
     use crate::puzzle::action::Ball;
     use crate::puzzle::task::Task;
+    use crate::simulator::simulate;
 
     /// Proposes these balls, last first, and passes on what it observes.
     struct Witness(Vec<Ball>, Sender<Observation>);

@@ -10,7 +10,7 @@ use crate::puzzle::action::Ball;
 use crate::puzzle::own_scene::sentences;
 use crate::puzzle::rollout::{Status, digest_of};
 use crate::puzzle::task::{Task, TaskId};
-use crate::simulator::{VERSION, simulate};
+use crate::simulator::Engine;
 
 /// An attempt, and what came of it. Exactly one of `task` and `scene` is there.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -20,9 +20,12 @@ pub struct AttemptLine {
     /// An own scene.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub scene: Option<Value>,
-    /// px; null if the scene ran without a ball.
+    /// px; null if the scene ran without a ball, or, with the status `invalid`, if an action placed none.
     pub ball: Option<Ball>,
-    /// The version of the simulator.
+    /// What simulated it; absent if that is the first engine.
+    #[serde(default, skip_serializing_if = "Engine::is_first")]
+    pub engine: Engine,
+    /// The version of the engine.
     pub simulator: u32,
     pub status: Status,
     /// Simulated steps; 0 if the ball is invalid.
@@ -44,35 +47,56 @@ pub enum Verdict {
 }
 
 impl AttemptLine {
-    /// Simulates a task or an own scene, and returns the line of it.
+    /// Simulates a ball, or the scene alone without one, and returns the line of it.
+    pub fn of(played: &Played, ball: Option<Ball>, engine: Engine) -> AttemptLine {
+        let nothing = AttemptLine { ball, ..AttemptLine::placing_no_ball(played, engine) };
+        match engine.simulate(&played.scene, ball) {
+            Ok(rollout) => {
+                AttemptLine { status: rollout.status(), steps: rollout.steps, digest: rollout.digest(), ..nothing }
+            }
+            Err(_) => nothing,
+        }
+    }
+
+    /// Returns the line of an action that places no ball.
+    pub fn placing_no_ball(played: &Played, engine: Engine) -> AttemptLine {
+        AttemptLine {
+            task: played.id.task(),
+            scene: played.own.as_ref().map(|own| serde_json::to_value(own).expect("plain data")),
+            ball: None,
+            engine,
+            simulator: engine.version(),
+            status: Status::Invalid,
+            steps: 0,
+            digest: digest_of(&[]),
+        }
+    }
+
+    /// Returns what was played.
     ///
     /// # Errors
     /// Why it cannot be played, in a sentence.
-    pub fn simulated(task: Option<TaskId>, scene: Option<Value>, ball: Option<Ball>) -> Result<AttemptLine, String> {
-        let played = match (task, scene.clone()) {
-            (Some(task), None) => Task::load(task).map(Played::from).map_err(|why| why.to_string())?,
-            (None, Some(scene)) => Played::read(scene).map_err(|problems| sentences(&problems))?,
-            _ => return Err("An attempt names either a `task` or a `scene`: write one of them.".to_string()),
-        };
-        let (status, steps, digest) = match simulate(&played.scene, ball) {
-            Ok(rollout) => (rollout.status(), rollout.steps, rollout.digest()),
-            Err(_) => (Status::Invalid, 0, digest_of(&[])),
-        };
-        Ok(AttemptLine { task, scene, ball, simulator: VERSION, status, steps, digest })
+    fn played(&self) -> Result<Played, String> {
+        match (self.task, &self.scene) {
+            (Some(task), None) => Task::load(task).map(Played::from).map_err(|why| why.to_string()),
+            (None, Some(scene)) => Played::read(scene.clone()).map_err(|problems| sentences(&problems)),
+            _ => Err("An attempt names either a `task` or a `scene`: write one of them.".to_string()),
+        }
     }
 
     /// Simulates the attempt again and compares.
     pub fn verify(&self) -> Verdict {
-        let again = match AttemptLine::simulated(self.task, self.scene.clone(), self.ball) {
-            Ok(again) => again,
-            Err(why) => return Verdict::NotValid(why),
+        let again = match (self.played(), self.ball, self.status) {
+            (Err(why), ..) => return Verdict::NotValid(why),
+            (Ok(played), None, Status::Invalid) => AttemptLine::placing_no_ball(&played, self.engine),
+            (Ok(played), ball, _) => AttemptLine::of(&played, ball, self.engine),
         };
         if again.status == Status::Invalid && self.status != Status::Invalid {
             return Verdict::NotValid("The ball may not be placed there.".to_string());
         }
-        let version = match self.simulator {
-            VERSION => String::new(),
-            other => format!(" It was made by version {other} of the simulator, and this is version {VERSION}."),
+        let version = match (self.simulator, again.simulator) {
+            (one, other) if one == other => String::new(),
+            (one, other) => format!(" It was made by version {one} of the simulator, and this is version {other}."),
         };
         let name = |status| match status {
             Status::Solved => "solved",
@@ -96,8 +120,12 @@ mod tests {
     use crate::puzzle::own_scene::OwnScene;
 
     fn line() -> AttemptLine {
-        let task = "00000:000".parse().expect("an id");
-        AttemptLine::simulated(Some(task), None, Some(Ball { x: 128.0, y: 250.0, r: 4.0 })).expect("a task")
+        in_engine(Engine::default())
+    }
+
+    fn in_engine(engine: Engine) -> AttemptLine {
+        let task = Task::load("00000:000".parse().expect("an id")).expect("a task");
+        AttemptLine::of(&task.into(), Some(Ball { x: 128.0, y: 250.0, r: 4.0 }), engine)
     }
 
     #[test]
@@ -116,10 +144,32 @@ mod tests {
     #[test]
     fn an_own_scene_is_verified_like_its_task() {
         let task = Task::load(line().task.expect("a task")).expect("a task");
-        let own = serde_json::to_value(OwnScene::of(&task.scene).expect("the four shapes")).expect("plain data");
-        let own = AttemptLine::simulated(None, Some(own), line().ball).expect("a scene");
+        let own = Played::own(&OwnScene::of(&task.scene).expect("the four shapes")).expect("a scene");
+        let own = AttemptLine::of(&own, line().ball, Engine::default());
         assert_eq!((&own.digest, own.verify()), (&line().digest, Verdict::Same));
         assert!(matches!(AttemptLine { scene: Some(Value::Null), ..own }.verify(), Verdict::NotValid(_)));
+    }
+
+    #[test]
+    fn an_action_that_places_no_ball_is_verified_as_nothing_simulated() {
+        let played = line().played().expect("a task");
+        let nothing = AttemptLine::placing_no_ball(&played, Engine::default());
+        assert_eq!((nothing.verify(), nothing.steps), (Verdict::Same, 0));
+        let alone = AttemptLine::of(&played, None, Engine::default());
+        assert_eq!(alone.verify(), Verdict::Same);
+        for claim in [AttemptLine { steps: 3, ..nothing.clone() }, AttemptLine { digest: alone.digest, ..nothing }] {
+            assert!(matches!(claim.verify(), Verdict::OtherOutcome(_)));
+        }
+    }
+
+    #[test]
+    fn the_other_engine_is_named_and_verified_by_itself() {
+        let (first, second) = (line(), in_engine(Engine::Rapier));
+        assert_eq!(second.verify(), Verdict::Same);
+        assert_ne!(first.digest, second.digest);
+        assert!(matches!(AttemptLine { engine: Engine::Box2d, ..second.clone() }.verify(), Verdict::OtherOutcome(_)));
+        let [first, second] = [first, second].map(|line| serde_json::to_value(line).expect("plain data"));
+        assert_eq!((first.get("engine"), &second["engine"]), (None, &Value::from("rapier")));
     }
 
     #[test]

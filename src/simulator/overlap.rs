@@ -3,6 +3,7 @@
 
 use super::constants::PX_PER_METRE;
 use super::contact::Contact;
+use super::simulation::EngineWorld;
 use super::world::World;
 use crate::puzzle::scene::Scene;
 

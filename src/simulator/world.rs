@@ -1,10 +1,11 @@
 //! The world and its step: b2World::Step and b2ContactManager of Box2D 2.3.
 //!
 //! A step finds new contacts, updates all, solves the islands (`island`) and then the times of impact (`toi_solver`).
-//! rapier's own pipeline solves softer contacts in another order, which no parameter changes; therefore only its geometry
-//! is used. The orders of bodies and contacts are those of Box2D's lists (newest first), because the result of a
+//! rapier's own pipeline (`rapier_world`) solves softer contacts in another order, which no parameter changes; therefore only its geometry
+//! is used here. The orders of bodies and contacts are those of Box2D's lists (newest first), because the result of a
 //! Gauss-Seidel solver depends on the order.
 
+use rapier2d::math::Vector;
 use rapier2d::parry::bounding_volume::BoundingVolume;
 
 use super::body::{RigidBody, SolverBody};
@@ -12,6 +13,7 @@ use super::contact::Contact;
 use super::contact_solver::VelocityConstraint;
 use super::fixture::Fixture;
 use super::island::Island;
+use super::simulation::EngineWorld;
 use crate::puzzle::scene::Body;
 
 #[derive(Default)]
@@ -30,9 +32,8 @@ pub struct World {
     moved: Vec<usize>,
 }
 
-impl World {
-    /// Adds a body; returns its index.
-    pub fn add(&mut self, body: &Body) -> usize {
+impl EngineWorld for World {
+    fn add(&mut self, body: &Body) -> usize {
         let index = self.bodies.len();
         let (body, solver_body, fixtures) = RigidBody::new(body, index, self.fixtures.len());
         self.bodies.push(body);
@@ -41,18 +42,15 @@ impl World {
         index
     }
 
-    /// Whether any body is awake. Nothing moves otherwise.
-    pub fn is_awake(&self) -> bool {
+    fn is_awake(&self) -> bool {
         self.bodies.iter().any(|body| body.awake)
     }
 
-    /// Whether two bodies had a touching contact when it was last updated.
-    pub fn has_touching_contact(&self, a: usize, b: usize) -> bool {
+    fn has_touching_contact(&self, a: usize, b: usize) -> bool {
         self.contacts.iter().any(|contact| contact.touching && (contact.bodies == [a, b] || contact.bodies == [b, a]))
     }
 
-    /// Simulates one `TIME_STEP`.
-    pub fn step(&mut self) {
+    fn step(&mut self) {
         self.find_new_contacts();
         self.update_contacts();
         self.solve_islands();
@@ -60,6 +58,16 @@ impl World {
         self.solve_toi();
     }
 
+    fn origin(&self, body: usize) -> Vector {
+        self.bodies[body].origin()
+    }
+
+    fn angle(&self, body: usize) -> f32 {
+        self.bodies[body].sweep.position.angle
+    }
+}
+
+impl World {
     /// The broad phase: adds a contact for every new pair of fixtures whose fat AABBs overlap.
     pub(super) fn find_new_contacts(&mut self) {
         self.moved.clear();
@@ -144,8 +152,6 @@ impl World {
 
 #[cfg(test)]
 mod tests {
-    use rapier2d::math::Vector;
-
     use super::super::constants::{GRAVITY, TIME_STEP, TIME_TO_SLEEP};
     use super::*;
     use crate::puzzle::action::Ball;

@@ -20,9 +20,8 @@ use crate::puzzle::own_scene::{BODIES, MAX_OVERLAP, NAME_LENGTH, OwnScene, Probl
 #[wasm_bindgen(js_name = ownScene, unchecked_return_type = "OwnScene")]
 pub fn own_scene(#[wasm_bindgen(unchecked_param_type = "Played")] played: JsValue) -> Result<JsValue, JsValue> {
     let played = load(played)?;
-    let own =
-        OwnScene::of(&played.scene).ok_or_else(|| error(Code::BadScene, "the scene has a body of no known shape"))?;
-    to_js(&OwnScene { name: played.name, ..own })
+    let own = played.own.or_else(|| OwnScene::of(&played.scene));
+    to_js(&own.ok_or_else(|| error(Code::BadScene, "the scene has a body of no known shape"))?)
 }
 
 /// Returns all reasons why a value is no own scene that may be played; none if it may. Never fails: a value that is no

@@ -82,6 +82,6 @@ fn bad_scene(problems: &[Problem]) -> JsValue {
 }
 
 /// Returns a value that is no text as a person would write it, for the error that names it.
-fn written(value: &JsValue) -> String {
+pub fn written(value: &JsValue) -> String {
     js_sys::JSON::stringify(value).ok().and_then(|text| text.as_string()).unwrap_or_else(|| "undefined".to_string())
 }

@@ -74,7 +74,7 @@ impl Puzzle {
         let id = self.played.id.task();
         let (name, story) = match id.map(|task| TEMPLATES[task.template]) {
             Some(template) => (template.name, template.story),
-            None => (self.played.name.as_deref().unwrap_or(OWN_NAME), OWN_STORY),
+            None => (self.played.name().unwrap_or(OWN_NAME), OWN_STORY),
         };
         to_js(&About {
             id: id.map(String::from),

@@ -105,8 +105,11 @@ export interface Luck {
 export interface AttemptLine {
     task?: string;
     scene?: OwnScene;
+    /** Null without a ball, or, with the status `invalid`, if an action placed none. */
     ball: Ball | null;
-    /** The version of the simulator. */
+    /** What simulated it, if that is not the first engine: the native program, which alone has another. */
+    engine?: "rapier";
+    /** The version of the engine. */
     simulator: number;
     status: Status;
     steps: number;

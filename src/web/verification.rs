@@ -4,14 +4,15 @@
 use serde_json::Value;
 use wasm_bindgen::prelude::*;
 
-use super::error::{Code, error, from_js, to_js};
-use super::played::{load, plain_scene};
+use super::error::{from_js, to_js};
+use super::played::{load, plain_scene, written};
 use super::scripting::ball_from;
 use crate::play::verification::{AttemptLine, Verdict};
 use crate::play::{luck, solution_search};
 use crate::puzzle::action::Ball;
 use crate::puzzle::rollout::Status;
-use crate::puzzle::task::TaskId;
+use crate::puzzle::task::{TaskError, TaskId};
+use crate::simulator::{Engine, UnknownEngine};
 
 /// The search for solutions of a scene over the whole action space, one ball per call.
 #[wasm_bindgen]
@@ -61,38 +62,49 @@ pub fn attempt_line(
     #[wasm_bindgen(unchecked_param_type = "Played")] played: JsValue,
     #[wasm_bindgen(unchecked_param_type = "Ball | null")] ball: JsValue,
 ) -> Result<JsValue, JsValue> {
-    let scene = played.is_object().then(|| plain_scene(&played));
-    let task = load(played)?.id.task();
-    let line = AttemptLine::simulated(task, scene, ball_from(ball)?);
-    to_js(&line.map_err(|sentence| error(Code::BadScene, sentence))?)
+    to_js(&AttemptLine::of(&load(played)?, ball_from(ball)?, Engine::default()))
 }
 
 /// Simulates the attempt of a line again, and returns whether it is the same to the bit. Fails for no value: what is not a line is
 /// `not_valid`.
 #[wasm_bindgen(js_name = verifyAttempt, unchecked_return_type = "Verification")]
 pub fn verify_attempt(#[wasm_bindgen(unchecked_param_type = "unknown")] line: JsValue) -> Result<JsValue, JsValue> {
-    let verdict = match read_line(&line) {
-        Some(line) => line.verify(),
-        None => Verdict::NotValid(
-            "This is not an attempt: it is a JSON object with `task` or `scene`, `ball`, `simulator`, `status`, `steps` and `digest`."
-                .to_string(),
-        ),
+    let verdict = match read_names(&line) {
+        Err(unknown) => Verdict::NotValid(format!("This cannot be simulated: {unknown}.")),
+        Ok((task, engine)) => match read_line(&line, task, engine) {
+            Some(line) => line.verify(),
+            None => Verdict::NotValid(
+                "This is not an attempt: it is a JSON object with `task` or `scene`, `ball`, `simulator`, `status`, `steps` and `digest`."
+                    .to_string(),
+            ),
+        },
     };
     to_js(&verdict)
 }
 
-/// Reads a line key by key: see `plain_scene`.
-fn read_line(line: &JsValue) -> Option<AttemptLine> {
+/// Returns the value of a key of a line, unless it is missing or null.
+fn known(line: &JsValue, key: &str) -> Option<JsValue> {
+    js_sys::Reflect::get(line, &key.into()).ok().filter(|value| !value.is_undefined() && !value.is_null())
+}
+
+/// Reads the task and the engine that a line names.
+///
+/// # Errors
+/// Which of them there is not.
+fn read_names(line: &JsValue) -> Result<(Option<TaskId>, Engine), String> {
+    let text = |key: &str| known(line, key).map(|value| value.as_string().unwrap_or_else(|| written(&value)));
+    let task = text("task").map(|id| id.parse().map_err(|why: TaskError| why.to_string())).transpose()?;
+    let engine = text("engine").map(|name| name.parse().map_err(|why: UnknownEngine| why.to_string())).transpose()?;
+    Ok((task, engine.unwrap_or_default()))
+}
+
+/// Reads the rest of a line key by key: see `plain_scene`.
+fn read_line(line: &JsValue, task: Option<TaskId>, engine: Engine) -> Option<AttemptLine> {
     let get = |key: &str| js_sys::Reflect::get(line, &key.into()).ok();
-    let known = |key: &str| get(key).filter(|value| !value.is_undefined() && !value.is_null());
-    let task = match known("task") {
-        Some(task) => Some(task.as_string()?.parse::<TaskId>().ok()?),
-        None => None,
-    };
-    let scene: Option<Value> = known("scene").map(|scene| plain_scene(&scene));
+    let scene: Option<Value> = known(line, "scene").map(|scene| plain_scene(&scene));
     let ball: Option<Ball> = from_js(get("ball")?).ok()?;
     let status: Status = serde_json::from_value(Value::String(get("status")?.as_string()?)).ok()?;
     let whole = |key: &str| get(key)?.as_f64().filter(|number| number.fract() == 0.0 && (0.0..1e9).contains(number));
     let (simulator, steps) = (whole("simulator")? as u32, whole("steps")? as usize);
-    Some(AttemptLine { task, scene, ball, simulator, status, steps, digest: get("digest")?.as_string()? })
+    Some(AttemptLine { task, scene, ball, engine, simulator, status, steps, digest: get("digest")?.as_string()? })
 }

@@ -1,10 +1,11 @@
-// Attempts as files: a hundred made in the browser are saved with their digests, read back, the same to the bit, and replayed; what was
-// changed or is foreign is found out. The badge of a run names its digest.
+// Attempts as files: a hundred made in the browser are saved with their digests, verified by the native program, read back, the same to the
+// bit, and replayed; what was changed or is foreign is found out. The badge of a run names its digest.
 
 import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
 import { readFile } from 'node:fs/promises';
 import { after, before, test } from 'node:test';
-import { start } from './harness.mjs';
+import { binary, start } from './harness.mjs';
 import { attempts, known, openPuzzle, playModelTurn, says, type, unsolvedTask } from './page-actions.mjs';
 
 let session;
@@ -21,6 +22,12 @@ function openAttempts(page, name, text) {
   return page.locator('#attempts-file').setInputFiles({ name, mimeType: 'application/jsonl', buffer: Buffer.from(text) });
 }
 
+/** Has the native program verify attempts. */
+function verify(text) {
+  const { status, stdout, stderr } = spawnSync(binary, ['verify', '-'], { input: text, encoding: 'utf8' });
+  return { status, stderr, verdicts: stdout.trimEnd().split('\n').map((line) => JSON.parse(line).verdict) };
+}
+
 const words = (page, pattern) => page.locator('#attempts-words').filter({ hasText: pattern }).waitFor();
 
 test('a hundred attempts of the model are saved and come out the same, and one of them is replayed', async () => {
@@ -30,8 +37,12 @@ test('a hundred attempts of the model are saved and come out the same, and one o
   const lines = await savedAttempts(page);
   assert.equal(lines.length, 100);
   assert.ok(lines.every(({ digest, ball, status }) => /^[0-9a-f]{64}$/.test(digest) && ball.length === 3 && status));
+  const text = lines.map((line) => JSON.stringify(line)).join('\n');
+  const verified = verify(text);
+  assert.equal(verified.status, 0, verified.stderr);
+  assert.deepEqual(verified.verdicts, Array(100).fill('same'), 'natively too');
   const other = await openPuzzle(session, { reducedMotion: true });
-  await openAttempts(other, 'hundred.jsonl', lines.map((line) => JSON.stringify(line)).join('\n'));
+  await openAttempts(other, 'hundred.jsonl', text);
   await words(other, 'hundred.jsonl: 100 of 100 attempts come out the same to the bit');
   await other.locator('#attempts-read button').nth(41).click();
   await says(other, /^Not solved\. The opened attempt: /);

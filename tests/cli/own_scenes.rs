@@ -4,7 +4,7 @@ use std::fs;
 
 use serde_json::Value;
 
-use crate::{assert_refused, output_of, run, stdout};
+use crate::{assert_refused, output_of, run, stderr, stdout};
 
 const TASK: &str = "00000:002";
 
@@ -54,6 +54,45 @@ fn a_scene_that_may_not_be_played_is_refused_with_all_reasons() {
     assert_refused(&["simulate", "--scene", file], "(body 1) has no place");
     fs::write(&path, "{").expect("written");
     assert_refused(&["simulate", "--scene", file], "scene.json");
+}
+
+#[test]
+fn a_batch_takes_own_scenes_beside_tasks() {
+    let folder = folder();
+    let path = folder.path().join("scene.json");
+    let file = path.to_str().expect("a path");
+    let scene = fs::read_to_string(&path).expect("read");
+    let lines = format!(
+        "{}\n{}\n{}\n",
+        format_args!(r#"{{"scene":{},"ball":[128,240,9]}}"#, scene.trim()),
+        format_args!(r#"{{"task":"{TASK}","ball":[128,240,9]}}"#),
+        format_args!(r#"{{"scene":{},"ball":null}}"#, scene.trim()),
+    );
+    for flags in [&[][..], &["--paths"], &["--verifiable"]] {
+        let batch = run(&[&["simulate", "--batch", "-"], flags].concat(), &lines);
+        assert_eq!(batch.status.code(), Some(0), "{batch:?}");
+        let one = |args: &[&str]| output_of(&[&["simulate"], args, flags].concat());
+        let expected = [
+            one(&["--scene", file, "--ball", "128,240,9"]),
+            one(&["--task", TASK, "--ball", "128,240,9"]),
+            one(&["--scene", file]),
+        ];
+        assert_eq!(stdout(&batch), expected.concat());
+    }
+    let bad = run(&["simulate", "--batch", "-"], r#"{"scene":{"version":1},"ball":null}"#);
+    assert_eq!(bad.status.code(), Some(2));
+    assert!(stderr(&bad).contains("error: line 1: "), "{}", stderr(&bad));
+}
+
+#[test]
+fn an_action_that_places_no_ball_is_an_invalid_line_that_verifies() {
+    let flags = ["--action", "0.5,1.5,0", "--verifiable"];
+    let single = output_of(&[&["simulate", "--task", TASK][..], &flags].concat());
+    let line = parsed(&single);
+    assert_eq!((&line["status"], &line["ball"], &line["steps"]), (&"invalid".into(), &Value::Null, &0.into()));
+    let request = format!(r#"{{"task":"{TASK}","action":[0.5,1.5,0]}}"#);
+    assert_eq!(stdout(&run(&["simulate", "--batch", "-", "--verifiable"], &request)), single);
+    assert_eq!(run(&["verify", "-"], &single).status.code(), Some(0));
 }
 
 #[test]

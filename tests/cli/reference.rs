@@ -64,6 +64,12 @@ fn agreement_and_distances_are_counted() {
     assert_eq!(all, expected);
     assert_eq!(row("without a ball")[..2], ["3.00", "3.00"]);
 
+    // The other engine stands beside the first.
+    let both = output_of(&["fidelity", "--engine", "rapier", "--reference", &folder.path().display().to_string()]);
+    let (first, other) = both.split_once("Engine rapier").expect("a heading");
+    assert_eq!(first.trim(), format!("Engine box2d\n\n{}", text.trim()));
+    assert_eq!(other.lines().filter(|line| line.starts_with("all ")).count(), 1);
+
     fs::write(folder.path().join("outcomes.jsonl"), "{}").expect("written");
     assert_refused(&["fidelity", "--reference", &folder.path().display().to_string()], "outcomes.jsonl, line 1");
     assert_refused(&["fidelity", "--reference", "no/such/folder"], "--reference names the folder");

@@ -29,6 +29,31 @@ fn an_action_is_the_ball_that_it_places() {
 }
 
 #[test]
+fn the_other_engine_names_itself_in_answers_and_attempts() {
+    let of = |args: &[&str]| output_of(&[&["simulate", "--task", TASK, "--ball", "221,222,20"], args].concat());
+    let (first, other) = (of(&[]), of(&["--engine", "rapier"]));
+    assert_eq!(first, of(&["--engine", "box2d"]));
+    assert_eq!((parsed(&first).get("engine"), &parsed(&other)["engine"]), (None, &json!("rapier")));
+    let request = json!({"task": TASK, "ball": [221, 222, 20]}).to_string();
+    assert_eq!(stdout(&run(&["simulate", "--batch", "-", "--engine", "rapier"], &request)), other);
+    let lines = of(&["--verifiable", "--engine", "rapier"]) + &of(&["--verifiable"]);
+    assert!(lines.contains(r#""engine":"rapier""#), "{lines}");
+    assert_eq!(run(&["verify", "-"], &lines).status.code(), Some(0));
+    assert_refused(&["simulate", "--task", TASK, "--engine", "soup"], "the engine soup is not known");
+}
+
+#[test]
+fn luck_counts_the_balls_beside_one_and_asks_the_other_engine() {
+    let ball = ["simulate", "--task", TASK, "--ball", "221,222,20"];
+    let luck = parsed(&output_of(&[&ball[..], &["--luck"]].concat()))["luck"].clone();
+    let rapier = parsed(&output_of(&[&ball[..], &["--engine", "rapier"]].concat()))["status"] == "solved";
+    assert_eq!(luck["rapier"], rapier);
+    assert!((1..=27).contains(&luck["valid"].as_u64().expect("a count")), "{luck}");
+    assert!(luck["solved"].as_u64() <= luck["valid"].as_u64());
+    assert_eq!(parsed(&output_of(&["simulate", "--task", TASK, "--luck"])).get("luck"), None, "without a ball");
+}
+
+#[test]
 fn prints_a_row_of_poses_for_the_start_and_every_step() {
     let answer = parsed(&output_of(&["simulate", "--task", TASK, "--ball", "221,222,20", "--poses"]));
     let steps = answer["steps"].as_u64().expect("a number") as usize;
@@ -114,6 +139,8 @@ fn a_bad_line_is_named_and_the_rest_goes_on() {
         r#"{"task":"00000:000","ball":[1,2]}"#,
         r#"{"task":"00000:000","ball":[1.5,2,3]}"#,
         r#"{"task":"00000:000","ball":[1,2,3],"action":[0,0,0]}"#,
+        r#"{"task":"00000:000","scene":{},"ball":null}"#,
+        r#"{"ball":null}"#,
     ];
     let output = run(&["simulate", "--batch", "-"], &format!("{good}\n\n{}\n{good}\n", bad.join("\n")));
     assert_eq!(output.status.code(), Some(2));
@@ -124,7 +151,7 @@ fn a_bad_line_is_named_and_the_rest_goes_on() {
     for (number, line) in (3..).zip(named) {
         assert!(line.starts_with(&format!("error: line {number}: ")), "{line}");
     }
-    assert!(said.contains("error: 7 lines could not be simulated"), "{said}");
+    assert!(said.contains("error: 9 lines could not be simulated"), "{said}");
 }
 
 #[test]

@@ -8,25 +8,25 @@ use std::io::{self, BufRead, BufReader, BufWriter, Read, Write};
 
 use anyhow::{Context, ensure};
 use pathlight::play::played::Played;
-use pathlight::play::verification::AttemptLine;
+use pathlight::puzzle::own_scene::sentences;
 use pathlight::puzzle::task::Task;
-use pathlight::simulator::{outcome, simulate};
+use pathlight::simulator::Engine;
 use rayon::prelude::*;
 
-use super::start::Request;
-use super::{Answer, Format};
+use super::start::{Place, Request};
+use super::{Answer, Format, attempt_line};
 use crate::commands::progress::Progress;
 
 /// Lines per core in one chunk: enough that cores rarely wait for one another.
 const LINES_PER_CORE: usize = 64;
 
-/// Longest line, bytes. A request needs about 50; other keys may take the rest.
+/// Longest line, bytes. The largest scene needs some 10,000, a task about 50; other keys may take the rest.
 const MAX_LINE: usize = 1 << 16;
 
 const EXAMPLE: &str = r#"{"task":"00007:008","ball":[128,200,15]}"#;
 
 /// Simulates the lines of a file, or of standard input if it is `-`.
-pub fn run(file: &str, format: Format) -> anyhow::Result<()> {
+pub fn run(file: &str, format: Format, engine: Engine) -> anyhow::Result<()> {
     let (source, bytes): (Box<dyn Read>, _) = match file {
         "-" => (Box::new(io::stdin().lock()), None),
         path => {
@@ -45,7 +45,7 @@ pub fn run(file: &str, format: Format) -> anyhow::Result<()> {
             break;
         }
         let too_long = lines.pop_if(|line| line.len() > MAX_LINE).is_some();
-        let answers: Vec<_> = lines.par_iter().map(|line| answer(line, format)).collect();
+        let answers: Vec<_> = lines.par_iter().map(|line| answer(line, format, engine)).collect();
         for (number, answer) in (first..).zip(answers) {
             match answer {
                 Ok(Some(answer)) => {
@@ -95,31 +95,32 @@ fn next_lines(source: &mut BufReader<impl Read>) -> io::Result<Vec<Vec<u8>>> {
 }
 
 /// The answer to a line, nothing to a blank one, or what is wrong with it.
-fn answer(line: &[u8], format: Format) -> anyhow::Result<Option<String>> {
+fn answer(line: &[u8], format: Format, engine: Engine) -> anyhow::Result<Option<String>> {
     if line.trim_ascii().is_empty() {
         return Ok(None);
     }
-    let Request { task, start } = serde_json::from_slice(line).map_err(|error| {
+    let Request { place, start } = serde_json::from_slice(line).map_err(|error| {
         // The parser sees a single line and calls it line 1.
         let what = error.to_string().replace(" at line 1 column", " at column");
         anyhow::anyhow!("{what}; write it like {EXAMPLE}")
     })?;
-    let played = Played::from(Task::load(task)?);
+    let played = match place {
+        Place::Task(task) => Played::from(Task::load(task)?),
+        Place::Scene(scene) => Played::read(scene).map_err(|problems| anyhow::anyhow!("{}", sentences(&problems)))?,
+    };
     let scene = &played.scene;
     let ball = start.place(scene);
     let placed = ball.ok().flatten();
     let answer = match format {
-        Format::Verifiable => {
-            let line = AttemptLine::simulated(Some(task), None, ball?).map_err(anyhow::Error::msg)?;
-            serde_json::to_string(&line)
-        }
+        Format::Verifiable => serde_json::to_string(&attempt_line(&played, ball, engine)),
         Format::Answer { paths: true } => {
-            let rollout = ball.and_then(|ball| simulate(scene, ball));
-            serde_json::to_string(&Answer::of_rollout(&played, placed, &rollout, true))
+            let rollout = ball.and_then(|ball| engine.simulate(scene, ball));
+            serde_json::to_string(&Answer::of_rollout(&played, placed, &rollout, engine, true))
         }
         // Keeps no poses.
         Format::Answer { paths: false } => {
-            serde_json::to_string(&Answer::new(Some(task), placed, ball.and_then(|ball| outcome(scene, ball))))
+            let outcome = ball.and_then(|ball| engine.outcome(scene, ball));
+            serde_json::to_string(&Answer::new(played.id.task(), placed, engine, outcome))
         }
     };
     Ok(Some(answer?))

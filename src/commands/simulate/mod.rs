@@ -1,4 +1,4 @@
-//! `pathlight simulate`: the outcome of a ball in a task, for one ball or for a file of them.
+//! `pathlight simulate`: the outcome of a ball in a task or an own scene, for one ball or for a file of them.
 //!
 //! Both ways print the same JSON line: task, ball in px, status, reason if it is invalid, and steps.
 
@@ -6,16 +6,17 @@ use std::io::{self, Write};
 use std::path::PathBuf;
 
 use clap::ArgGroup;
+use pathlight::play::luck::{Luck, luck};
 use pathlight::play::played::Played;
 use pathlight::play::verification::AttemptLine;
 use pathlight::puzzle::action::{Action, Ball, Invalid};
 use pathlight::puzzle::recorded_paths::RecordedPaths;
 use pathlight::puzzle::rollout::{Pose, Rollout, Status};
 use pathlight::puzzle::task::{Task, TaskId};
-use pathlight::simulator::{Outcome, simulate};
+use pathlight::simulator::{Engine, Outcome};
 use serde::{Serialize, Serializer};
-use serde_json::Value;
 
+use super::engine_arg::EngineArg;
 use super::own_scene_file;
 
 mod batch;
@@ -56,10 +57,18 @@ pub struct Args {
     #[arg(long, conflicts_with_all = ["poses", "paths"])]
     verifiable: bool,
 
+    /// Also print, of the balls within a pixel in x, y and radius, how many may be placed and how many solve, and whether the
+    /// ball itself solves with --engine rapier: luck or a plan?
+    #[arg(long, conflicts_with_all = ["verifiable", "batch", "engine"])]
+    luck: bool,
+
     /// Simulate each line of this file ("-" is standard input) on all cores: {"task":"00007:008","ball":[X,Y,R]},
-    /// with "action":[x,y,r] instead of "ball", or with "ball":null for no ball
+    /// with "scene":{…}, an own scene, instead of "task"; with "action":[x,y,r] instead of "ball", or with "ball":null for no ball
     #[arg(long, value_name = "FILE", conflicts_with_all = ["task", "scene", "action", "ball", "poses"])]
     batch: Option<String>,
+
+    #[command(flatten)]
+    engine: EngineArg,
 }
 
 impl Args {
@@ -68,20 +77,27 @@ impl Args {
             Some(action) => Start::Action(action),
             None => Start::Ball(self.ball),
         };
+        let EngineArg { engine } = self.engine;
         if let Some(file) = self.batch {
-            return batch::run(
-                &file,
-                if self.verifiable { Format::Verifiable } else { Format::Answer { paths: self.paths } },
-            );
+            let format = if self.verifiable { Format::Verifiable } else { Format::Answer { paths: self.paths } };
+            return batch::run(&file, format, engine);
         }
-        let (scene, played) = match (self.scene, self.task) {
-            (Some(file), _) => own_scene_file::read(&file).map(|(scene, played)| (Some(scene), played))?,
-            (None, task) => (None, Task::load(task.expect("clap requires a task, a scene or a batch"))?.into()),
+        let played = match (self.scene, self.task) {
+            (Some(file), _) => own_scene_file::read(&file)?,
+            (None, task) => Task::load(task.expect("clap requires a task, a scene or a batch"))?.into(),
         };
-        if self.verifiable {
-            return verifiable(&played, scene, start);
-        }
-        one(&played, start, self.paths, self.poses)
+        let ball = start.place(&played.scene);
+        let line = if self.verifiable {
+            serde_json::to_string(&attempt_line(&played, ball, engine))
+        } else {
+            let rollout = ball.and_then(|ball| engine.simulate(&played.scene, ball));
+            let placed = ball.ok().flatten();
+            let answer = Answer::of_rollout(&played, placed, &rollout, engine, self.paths);
+            let luck = placed.filter(|_| self.luck).map(|ball| luck(&played.scene, ball));
+            let poses = rollout.as_ref().ok().filter(|_| self.poses).map(Poses::of);
+            serde_json::to_string(&ResultLine { answer, luck, poses })
+        };
+        Ok(writeln!(io::stdout(), "{}", line?)?)
     }
 }
 
@@ -92,19 +108,12 @@ enum Format {
     Verifiable,
 }
 
-/// Prints the line of an attempt that `verify` simulates again.
-fn verifiable(played: &Played, scene: Option<Value>, start: Start) -> anyhow::Result<()> {
-    let ball = start.place(&played.scene)?;
-    let line = AttemptLine::simulated(played.id.task(), scene, ball).map_err(anyhow::Error::msg)?;
-    Ok(writeln!(io::stdout(), "{}", serde_json::to_string(&line)?)?)
-}
-
-fn one(played: &Played, start: Start, with_paths: bool, with_poses: bool) -> anyhow::Result<()> {
-    let ball = start.place(&played.scene);
-    let rollout = ball.and_then(|ball| simulate(&played.scene, ball));
-    let answer = Answer::of_rollout(played, ball.ok().flatten(), &rollout, with_paths);
-    let poses = rollout.as_ref().ok().filter(|_| with_poses).map(Poses::of);
-    Ok(writeln!(io::stdout(), "{}", serde_json::to_string(&ResultLine { answer, poses })?)?)
+/// Returns the line of an attempt that `verify` simulates again.
+fn attempt_line(played: &Played, ball: Result<Option<Ball>, Invalid>, engine: Engine) -> AttemptLine {
+    match ball {
+        Ok(ball) => AttemptLine::of(played, ball, engine),
+        Err(_) => AttemptLine::placing_no_ball(played, engine),
+    }
 }
 
 /// The outcome of one ball.
@@ -116,6 +125,9 @@ struct Answer {
     /// px; null if there is none: none was asked for, or the action places none.
     #[serde(serialize_with = "whole_numbers")]
     ball: Option<Ball>,
+    /// Absent if it is the first.
+    #[serde(skip_serializing_if = "Engine::is_first")]
+    engine: Engine,
     status: Status,
     /// Why it is invalid.
     reason: Option<String>,
@@ -127,20 +139,26 @@ struct Answer {
 }
 
 impl Answer {
-    fn of_rollout(played: &Played, ball: Option<Ball>, rollout: &Result<Rollout, Invalid>, with_paths: bool) -> Answer {
+    fn of_rollout(
+        played: &Played,
+        ball: Option<Ball>,
+        rollout: &Result<Rollout, Invalid>,
+        engine: Engine,
+        with_paths: bool,
+    ) -> Answer {
         let outcome = rollout.as_ref().map(|rollout| Outcome { solved: rollout.solved, steps: rollout.steps });
         let simulated = rollout.as_ref().ok().filter(|_| with_paths);
         let paths = simulated.and_then(|rollout| RecordedPaths::of(rollout, &played.scene));
-        Answer { paths, ..Answer::new(played.id.task(), ball, outcome.map_err(|invalid| *invalid)) }
+        Answer { paths, ..Answer::new(played.id.task(), ball, engine, outcome.map_err(|invalid| *invalid)) }
     }
 
-    fn new(task: Option<TaskId>, ball: Option<Ball>, outcome: Result<Outcome, Invalid>) -> Answer {
+    fn new(task: Option<TaskId>, ball: Option<Ball>, engine: Engine, outcome: Result<Outcome, Invalid>) -> Answer {
         let (status, reason, steps) = match outcome {
             Ok(Outcome { solved: true, steps }) => (Status::Solved, None, steps),
             Ok(Outcome { solved: false, steps }) => (Status::NotSolved, None, steps),
             Err(invalid) => (Status::Invalid, Some(invalid.to_string()), 0),
         };
-        Answer { task, ball, status, reason, steps, paths: None }
+        Answer { task, ball, engine, status, reason, steps, paths: None }
     }
 }
 
@@ -149,11 +167,13 @@ pub(super) fn whole_numbers<S: Serializer>(ball: &Option<Ball>, serializer: S) -
     ball.map(|ball| <[f64; 3]>::from(ball).map(|number| number as i32)).serialize(serializer)
 }
 
-/// An answer and, if asked for, its rollout.
+/// An answer and, if asked for, its luck and its rollout.
 #[derive(Serialize)]
 struct ResultLine<'a> {
     #[serde(flatten)]
     answer: Answer,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    luck: Option<Luck>,
     #[serde(flatten)]
     poses: Option<Poses<'a>>,
 }

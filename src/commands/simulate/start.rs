@@ -6,6 +6,7 @@ use pathlight::puzzle::action::{Action, Ball, Invalid};
 use pathlight::puzzle::scene::Scene;
 use pathlight::puzzle::task::TaskId;
 use serde::{Deserialize, Deserializer};
+use serde_json::Value;
 
 /// What a rollout starts with.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,17 +29,26 @@ impl Start {
     }
 }
 
-/// One line of a batch: a task and its start. Other keys are ignored.
+/// One line of a batch: a task or an own scene, and its start. Other keys are ignored.
 #[derive(Debug, Deserialize, PartialEq)]
 #[serde(try_from = "Keys")]
 pub struct Request {
-    pub task: TaskId,
+    pub place: Place,
     pub start: Start,
+}
+
+/// Where a ball is placed.
+#[derive(Debug, PartialEq)]
+pub enum Place {
+    Task(TaskId),
+    /// What may be an own scene.
+    Scene(Value),
 }
 
 #[derive(Deserialize)]
 struct Keys {
-    task: TaskId,
+    task: Option<TaskId>,
+    scene: Option<Value>,
     /// Null means no ball; a missing key does not.
     #[serde(default, deserialize_with = "present")]
     ball: Option<Option<Ball>>,
@@ -52,14 +62,20 @@ fn present<'de, D: Deserializer<'de>>(value: D) -> Result<Option<Option<Ball>>, 
 impl TryFrom<Keys> for Request {
     type Error = &'static str;
 
-    fn try_from(Keys { task, ball, action }: Keys) -> Result<Request, &'static str> {
+    fn try_from(Keys { task, scene, ball, action }: Keys) -> Result<Request, &'static str> {
+        let place = match (task, scene) {
+            (Some(task), None) => Place::Task(task),
+            (None, Some(scene)) => Place::Scene(scene),
+            (Some(_), Some(_)) => return Err("`task` and `scene` exclude each other: leave one out"),
+            (None, None) => return Err("`task` or `scene` is missing"),
+        };
         let start = match (ball, action) {
             (Some(ball), None) => Start::Ball(ball.map(whole).transpose()?),
             (None, Some(action)) => Start::Action(action),
             (Some(_), Some(_)) => return Err("`ball` and `action` exclude each other: leave one out"),
             (None, None) => return Err("`ball` or `action` is missing; \"ball\":null simulates without a ball"),
         };
-        Ok(Request { task, start })
+        Ok(Request { place, start })
     }
 }
 

@@ -1,0 +1,106 @@
+//! The engines by name: a scene and perhaps a ball in, a rollout out, whichever computes it.
+//!
+//! The first is the port of Box2D's step, on which everything else stands; rapier2d's own pipeline is a second opinion. The wasm goes
+//! without it, because it would be too large.
+
+use std::fmt;
+use std::str::FromStr;
+
+use serde::{Deserialize, Serialize};
+
+#[cfg(not(target_arch = "wasm32"))]
+use super::rapier_world::RapierWorld;
+use super::simulation::Outcome;
+#[cfg(not(target_arch = "wasm32"))]
+use super::simulation::Simulation;
+use super::{VERSION, outcome, simulate};
+use crate::puzzle::action::{Ball, Invalid};
+use crate::puzzle::rollout::Rollout;
+use crate::puzzle::scene::Scene;
+
+/// What computes a rollout.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Engine {
+    /// The port of Box2D's step.
+    #[default]
+    Box2d,
+    /// rapier2d's own pipeline, with its own parameters.
+    #[cfg(not(target_arch = "wasm32"))]
+    Rapier,
+}
+
+/// A name that no engine has.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("the engine {0} is not known here; the engines are box2d and, in the native program alone, rapier")]
+pub struct UnknownEngine(String);
+
+impl Engine {
+    pub const ALL: &[Engine] = &[
+        Engine::Box2d,
+        #[cfg(not(target_arch = "wasm32"))]
+        Engine::Rapier,
+    ];
+
+    /// Whether it is the first engine, which goes without saying.
+    pub fn is_first(&self) -> bool {
+        *self == Engine::default()
+    }
+
+    /// Returns the version of its rollouts, raised whenever any of them changes.
+    pub fn version(self) -> u32 {
+        match self {
+            Engine::Box2d => VERSION,
+            #[cfg(not(target_arch = "wasm32"))]
+            Engine::Rapier => 1,
+        }
+    }
+
+    /// Returns the name that the command line and the attempts give it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Engine::Box2d => "box2d",
+            #[cfg(not(target_arch = "wasm32"))]
+            Engine::Rapier => "rapier",
+        }
+    }
+
+    /// Simulates a scene, with or without a ball: see `simulate`.
+    ///
+    /// # Errors
+    /// The reason why the ball is invalid in this scene.
+    pub fn simulate(self, scene: &Scene, ball: Option<Ball>) -> Result<Rollout, Invalid> {
+        match self {
+            Engine::Box2d => simulate(scene, ball),
+            #[cfg(not(target_arch = "wasm32"))]
+            Engine::Rapier => Ok(Simulation::<RapierWorld>::of(scene, ball)?.rollout()),
+        }
+    }
+
+    /// Simulates like `simulate`, but keeps no poses.
+    ///
+    /// # Errors
+    /// The reason why the ball is invalid in this scene.
+    pub fn outcome(self, scene: &Scene, ball: Option<Ball>) -> Result<Outcome, Invalid> {
+        match self {
+            Engine::Box2d => outcome(scene, ball),
+            #[cfg(not(target_arch = "wasm32"))]
+            Engine::Rapier => Ok(Simulation::<RapierWorld>::of(scene, ball)?.run()),
+        }
+    }
+}
+
+impl fmt::Display for Engine {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+impl FromStr for Engine {
+    type Err = UnknownEngine;
+
+    fn from_str(name: &str) -> Result<Engine, UnknownEngine> {
+        let named = Engine::ALL.iter().find(|engine| engine.name() == name);
+        named.copied().ok_or_else(|| UnknownEngine(name.to_string()))
+    }
+}

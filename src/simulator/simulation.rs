@@ -1,0 +1,162 @@
+//! A rollout in the world of an engine: what is simulated, for how long, and when the goal is reached.
+
+use rapier2d::math::Vector;
+
+use super::constants::{BALL_TOUCH_DISTANCE, PX_PER_METRE};
+use super::world::World;
+use crate::puzzle::action::{Ball, Invalid};
+use crate::puzzle::rollout::{GOAL_STEPS, MAX_STEPS, Pose, Rollout};
+use crate::puzzle::sampled_paths::{SAMPLED_STEPS, SAMPLES, SampledPaths};
+use crate::puzzle::scene::{Body, Scene, walls};
+
+/// The world of an engine: what a simulation needs of it. Bodies are named by the order in which they were added.
+pub trait EngineWorld: Default {
+    /// Adds a body at rest; returns its index.
+    fn add(&mut self, body: &Body) -> usize;
+
+    /// Whether any body is awake. Nothing moves otherwise.
+    fn is_awake(&self) -> bool;
+
+    /// Simulates one `TIME_STEP`.
+    fn step(&mut self);
+
+    /// Whether two bodies had a touching contact when it was last updated.
+    fn has_touching_contact(&self, a: usize, b: usize) -> bool;
+
+    /// Returns the origin of a body, m.
+    fn origin(&self, body: usize) -> Vector;
+
+    /// Returns the angle of a body, radians, not wrapped.
+    fn angle(&self, body: usize) -> f32;
+}
+
+/// How a rollout ended, without its poses.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Outcome {
+    pub solved: bool,
+    /// Number of simulated steps: `MAX_STEPS`, or fewer if solved.
+    pub steps: usize,
+}
+
+/// A rollout before its first step: the world of a scene, and what decides whether its goal is reached.
+pub struct Simulation<W = World> {
+    world: W,
+    /// The dynamic bodies: index in the scene and index in the world.
+    dynamic_bodies: Vec<(usize, usize)>,
+    /// The green object and its goal: indices in the world.
+    goal: [usize; 2],
+    /// If both are balls: they touch when their centres are nearer than this, px.
+    touch_distance: Option<f64>,
+}
+
+impl Simulation {
+    /// Builds the world of a scene, with or without a ball, in the first engine.
+    ///
+    /// # Errors
+    /// The reason why the ball is invalid in this scene, or why the scene cannot be simulated.
+    pub fn new(scene: &Scene, ball: Option<Ball>) -> Result<Simulation, Invalid> {
+        Simulation::of(scene, ball)
+    }
+}
+
+impl<W: EngineWorld> Simulation<W> {
+    /// Builds the world of a scene, with or without a ball.
+    ///
+    /// # Errors
+    /// The reason why the ball is invalid in this scene, or why the scene cannot be simulated.
+    pub fn of(scene: &Scene, ball: Option<Ball>) -> Result<Simulation<W>, Invalid> {
+        scene.check_form()?;
+        let mut world = W::default();
+        for wall in walls() {
+            world.add(&wall);
+        }
+        let indices: Vec<usize> = scene.bodies.iter().map(|body| world.add(body)).collect();
+        let all = indices.iter().copied().enumerate();
+        let mut dynamic_bodies: Vec<_> = all.filter(|&(body, _)| scene.bodies[body].dynamic).collect();
+        if let Some(ball) = ball {
+            ball.check(scene)?;
+            dynamic_bodies.push((scene.bodies.len(), world.add(&ball.body())));
+        }
+        let [object, target] = [scene.body1, scene.body2].map(|body| scene.bodies[body].ball_radius());
+        let touch_distance = object.zip(target).map(|(r1, r2)| r1 + r2 + BALL_TOUCH_DISTANCE);
+        let goal = [indices[scene.body1], indices[scene.body2]];
+        Ok(Simulation { world, dynamic_bodies, goal, touch_distance })
+    }
+
+    /// Steps until the task is solved or `MAX_STEPS` are over.
+    pub fn run(self) -> Outcome {
+        self.run_with(|_, _| ())
+    }
+
+    /// Runs like `run`, and keeps every pose.
+    pub fn rollout(self) -> Rollout {
+        let bodies = self.dynamic_bodies.iter().map(|&(index, _)| index).collect();
+        let (mut poses, mut touching) = (Vec::new(), Vec::new());
+        let Outcome { solved, steps } = self.run_with(|simulation, touches| {
+            poses.extend(simulation.poses());
+            touching.push(touches);
+        });
+        Rollout { solved, steps, bodies, poses, touching }
+    }
+
+    /// Runs like `run`, and keeps the sampled paths of the green object and of the ball, without which it panics.
+    pub fn sampled_paths(self) -> (Outcome, SampledPaths) {
+        let &(_, ball) = self.dynamic_bodies.last().expect("the ball moves");
+        let object = self.goal[0];
+        let mut paths = SampledPaths { object: [[0.0; 2]; SAMPLES], ball: [[0.0; 2]; SAMPLES] };
+        let (mut step, mut sample, mut latest) = (0, 0, [[0.0; 2]; 2]);
+        let outcome = self.run_with(|simulation, _| {
+            latest = [object, ball].map(|body| simulation.pose(body)).map(|[x, y, _]| [x, y]);
+            if SAMPLED_STEPS.get(sample) == Some(&step) {
+                [paths.object[sample], paths.ball[sample]] = latest;
+                sample += 1;
+            }
+            step += 1;
+        });
+        paths.object[sample..].fill(latest[0]);
+        paths.ball[sample..].fill(latest[1]);
+        (outcome, paths)
+    }
+
+    /// Runs like `run`. Calls `on_step` for the start and after each step, with whether the object touches the
+    /// goal.
+    fn run_with(mut self, mut on_step: impl FnMut(&Simulation<W>, bool)) -> Outcome {
+        on_step(&self, self.touches());
+        let mut touch_steps = 0;
+        for steps in 1..=MAX_STEPS {
+            // When all bodies sleep, nothing moves and no contact changes.
+            if self.world.is_awake() {
+                self.world.step();
+            }
+            let touches = self.touches();
+            on_step(&self, touches);
+            touch_steps = if touches { touch_steps + 1 } else { 0 };
+            if touch_steps == GOAL_STEPS {
+                return Outcome { solved: true, steps };
+            }
+        }
+        Outcome { solved: false, steps: MAX_STEPS }
+    }
+
+    fn touches(&self) -> bool {
+        let [a, b] = self.goal;
+        match self.touch_distance {
+            Some(touch_distance) => {
+                let delta = self.world.origin(a) - self.world.origin(b);
+                libm::hypot(f64::from(delta.x), f64::from(delta.y)) * PX_PER_METRE < touch_distance
+            }
+            None => self.world.has_touching_contact(a, b),
+        }
+    }
+
+    /// Returns the pose of every dynamic body, px and radians.
+    fn poses(&self) -> impl Iterator<Item = Pose> {
+        self.dynamic_bodies.iter().map(|&(_, index)| self.pose(index))
+    }
+
+    /// Returns the pose of a body by its index in the world, px and radians.
+    fn pose(&self, index: usize) -> Pose {
+        let origin = self.world.origin(index) * PX_PER_METRE as f32;
+        [origin.x, origin.y, self.world.angle(index)]
+    }
+}
