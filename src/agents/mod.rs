@@ -7,6 +7,8 @@
 //! `TaskId::seed`.
 
 mod fitting_balls;
+#[cfg(not(target_arch = "wasm32"))]
+mod fixed_actions;
 pub mod gaussian_process;
 pub mod imagined_candidates;
 pub mod online;
@@ -21,6 +23,8 @@ use imagined_candidates::imagined_candidates;
 use online::{OnlineAgent, Similarity};
 
 use crate::dataset::sampling::random_ball;
+#[cfg(not(target_arch = "wasm32"))]
+use crate::nets::Dqn;
 use crate::nets::PathNet;
 use crate::puzzle::action::Ball;
 use crate::puzzle::sampled_paths::SampledPaths;
@@ -76,6 +80,9 @@ pub enum Origin {
     /// The dynamics net: the probability, 0..=1, that the ball solves, as imagined before any attempt, and after the attempts
     /// so far; and the attempt, by its number from 1, that lowered it most, if one did noticeably.
     Imagined { prior: f64, probability: f64, lowered_by: Option<usize> },
+    /// DQN's fixed list: the probability, 0..=1, that the ball solves.
+    #[cfg(not(target_arch = "wasm32"))]
+    Dqn { probability: f64 },
 }
 
 /// Version of the proposals, as `simulator::VERSION` is of the rollouts. Raise it whenever the same weights or the same
@@ -114,6 +121,12 @@ pub fn from_judge(nets: &PathNet, scene: &Scene, count: usize) -> Option<Vec<Pro
 /// Returns up to `count` proposals of the paper's four nets alone: the balls that the placement map suggests.
 pub fn from_map(nets: &PathNet, scene: &Scene, seed: u64, count: usize) -> Vec<Proposal> {
     placement::proposals(&nets.imagine(scene).placement, scene, seed, count)
+}
+
+/// Returns up to `count` proposals of DQN, the benchmark's baseline: the best of a fixed list of actions.
+#[cfg(not(target_arch = "wasm32"))]
+pub fn from_dqn(dqn: &Dqn, scene: &Scene, count: usize) -> Vec<Proposal> {
+    fixed_actions::ranked(dqn, scene, count)
 }
 
 /// Returns `count` balls drawn uniformly from the action space; none if the scene has no room for a ball.

@@ -7,7 +7,7 @@ use clap::ValueEnum;
 use pathlight::agents::imagined_candidates::imagined_candidates;
 use pathlight::agents::online::{OnlineAgent, Similarity};
 use pathlight::agents::{self, Agent};
-use pathlight::nets::PathNet;
+use pathlight::nets::{Dqn, PathNet};
 use pathlight::puzzle::scene::Scene;
 use serde::{Deserialize, Serialize};
 
@@ -25,16 +25,26 @@ pub enum AgentName {
     Judge,
     /// The paper's four nets: balls from the placement map
     Paper,
+    /// DQN, the benchmark's baseline, which ranks a fixed list of actions
+    Dqn,
     /// Uniformly random balls
     Random,
 }
 
+/// The nets that were loaded.
+#[derive(Clone, Copy)]
+pub struct Loaded<'a> {
+    /// Those of a model.
+    pub nets: Option<&'a PathNet>,
+    pub dqn: Option<&'a Dqn>,
+}
+
 impl AgentName {
-    /// The agents that need nets.
+    /// The agents of a model.
     pub const MODEL: [AgentName; 5] =
         [AgentName::Online, AgentName::OnlineByBalls, AgentName::Dynamics, AgentName::Judge, AgentName::Paper];
 
-    /// Checks that the weights have what this agent needs.
+    /// Checks that the weights of a model have what this agent needs of them.
     ///
     /// # Errors
     /// Says what they lack.
@@ -48,15 +58,15 @@ impl AgentName {
                 nets.dynamics.is_some(),
                 "the weights have no dynamics net: train one with `pathlight train-dynamics`, or leave --agent {self} out"
             ),
-            AgentName::Paper | AgentName::Random => (),
+            AgentName::Dqn | AgentName::Paper | AgentName::Random => (),
         }
         Ok(())
     }
 
     /// Returns this agent at work on a scene, with up to `count` balls. `seed` is that of the puzzle; only the random agent
     /// goes without nets.
-    pub fn start(self, nets: Option<&PathNet>, scene: &Scene, seed: u64, count: usize) -> Box<dyn Agent> {
-        let nets = || nets.expect("the weights of a model are loaded first");
+    pub fn start(self, loaded: Loaded, scene: &Scene, seed: u64, count: usize) -> Box<dyn Agent> {
+        let nets = || loaded.nets.expect("the weights of a model are loaded first");
         // Damaged weights know no candidates.
         let candidates = || imagined_candidates(nets(), scene, count).unwrap_or_default();
         let proposals = match self {
@@ -64,6 +74,7 @@ impl AgentName {
             AgentName::OnlineByBalls => return Box::new(OnlineAgent::new(candidates(), Similarity::OF_BALLS)),
             AgentName::Dynamics => OnlineAgent::new(candidates(), Similarity::DEFAULT).list(count),
             AgentName::Judge => agents::from_judge(nets(), scene, count).unwrap_or_default(),
+            AgentName::Dqn => agents::from_dqn(loaded.dqn.expect("its weights are loaded first"), scene, count),
             AgentName::Paper => agents::from_map(nets(), scene, seed, count),
             AgentName::Random => agents::random(scene, seed, count),
         };

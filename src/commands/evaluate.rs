@@ -12,7 +12,7 @@ use anyhow::{Context, ensure};
 use pathlight::agents::{self, Agent};
 use pathlight::benchmark::auccess::{MAX_ATTEMPTS, auccess, solved_within};
 use pathlight::benchmark::folds::Setup;
-use pathlight::nets::Card;
+use pathlight::nets::{Card, DqnCard};
 use pathlight::play::turn::Turn;
 use pathlight::puzzle::scene::Scene;
 use pathlight::puzzle::task::{Task, TaskId};
@@ -21,7 +21,8 @@ use pathlight::simulator::Engine;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use super::agent_name::AgentName;
+use super::agent_name::{AgentName, Loaded};
+use super::dqn_args::DqnArgs;
 use super::engine_arg::EngineArg;
 use super::fold_args::FoldArgs;
 use super::model_args::ModelArgs;
@@ -58,6 +59,9 @@ pub struct Args {
 
     #[command(flatten)]
     pub model: ModelArgs,
+
+    #[command(flatten)]
+    pub dqn: DqnArgs,
 }
 
 /// What was measured, and how. The `--json` file.
@@ -78,6 +82,9 @@ pub struct Report {
     pub agents_version: u32,
     /// How the model was trained, if it was measured.
     pub card: Option<Card>,
+    /// How DQN was trained, if it was measured.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub dqn: Option<DqnCard>,
     pub agents: Vec<Score>,
 }
 
@@ -128,38 +135,51 @@ impl Args {
             simulator: engine.version(),
             agents_version: agents::VERSION,
             card: None,
+            dqn: None,
             agents: Vec::new(),
         };
         let measures = |agent| match self.agents.as_slice() {
             [] => agent != AgentName::OnlineByBalls,
             named => named.contains(&agent),
         };
-        let nets = if AgentName::MODEL.into_iter().any(measures) {
-            let (nets, mut card) = self.model.load(&self.fold)?;
-            ensure!(
-                !self.dev || card.without_dev,
-                "these weights were trained on the dev tasks too, so --dev would measure nothing new: train with \
-                 `pathlight train --without-dev`"
-            );
+        let (mut nets, mut dqn) = (None, None);
+        if AgentName::MODEL.into_iter().any(measures) {
+            let (loaded, mut card) = self.model.load(&self.fold)?;
+            self.check_dev(card.without_dev, "train")?;
             for agent in &self.agents {
-                agent.check(&nets)?;
+                agent.check(&loaded)?;
             }
             if !measures(AgentName::Judge) {
                 card.judge = None;
             }
             report.card = Some(card);
-            Some(nets)
-        } else {
-            None
-        };
-        let can_be_measured =
-            |agent: &AgentName| measures(*agent) && nets.as_ref().is_some_and(|nets| agent.check(nets).is_ok());
-        for agent in AgentName::MODEL.into_iter().filter(can_be_measured).chain([AgentName::Random]) {
-            let start =
-                |task: TaskId, scene: &Scene| agent.start(nets.as_ref(), scene, task.seed(self.seed), MAX_ATTEMPTS);
+            nets = Some(loaded);
+        }
+        if self.agents.contains(&AgentName::Dqn) || self.dqn.dqn.is_some() {
+            let (loaded, card) = self.dqn.load(&self.fold)?;
+            self.check_dev(card.without_dev, "train-dqn")?;
+            report.dqn = Some(card);
+            dqn = Some(loaded);
+        }
+        let loaded = Loaded { nets: nets.as_ref(), dqn: dqn.as_ref() };
+        let of_model =
+            |agent: &AgentName| measures(*agent) && loaded.nets.is_some_and(|nets| agent.check(nets).is_ok());
+        let dqn = loaded.dqn.map(|_| AgentName::Dqn);
+        for agent in AgentName::MODEL.into_iter().filter(of_model).chain(dqn).chain([AgentName::Random]) {
+            let start = |task: TaskId, scene: &Scene| agent.start(loaded, scene, task.seed(self.seed), MAX_ATTEMPTS);
             report.agents.push(score(agent, start, engine, &tasks)?);
         }
         Ok(report)
+    }
+
+    /// Checks that the dev tasks, if they are attempted, were not trained on.
+    fn check_dev(&self, without_dev: bool, command: &str) -> anyhow::Result<()> {
+        ensure!(
+            !self.dev || without_dev,
+            "these weights were trained on the dev tasks too, so --dev would measure nothing new: train with \
+             `pathlight {command} --without-dev`"
+        );
+        Ok(())
     }
 }
 
@@ -215,6 +235,9 @@ impl Report {
                 write!(text, "; dynamics net: {} balls, {} epochs", dynamics.balls, dynamics.epochs)?;
             }
             writeln!(text)?;
+        }
+        if let Some(DqnCard { balls, epochs, seed, .. }) = &self.dqn {
+            writeln!(text, "DQN: {balls} balls, {epochs} epochs, seed {seed}")?;
         }
         write!(text, "{:30} {:>5}", "template", "tasks")?;
         for Score { agent, .. } in &self.agents {

@@ -1,5 +1,5 @@
-//! The labelled balls of a fold's training tasks, by scene, and those of them that make a batch; used by `train-judge` and
-//! `train-dynamics`.
+//! The labelled balls of a fold's training tasks, by scene, and those of them that make a batch; used by `train-judge`,
+//! `train-dynamics` and `train-dqn`.
 
 use std::collections::btree_map::{BTreeMap, Entry};
 use std::path::PathBuf;
@@ -35,6 +35,15 @@ pub struct LabelledScene {
     paths: Vec<u8>,
 }
 
+/// Which balls of a scene a batch takes.
+#[derive(Clone, Copy)]
+pub enum Sampling {
+    /// Up to so many different ones.
+    Uniform(u16),
+    /// So many, of which half solve if the scene has both kinds; the same ball may be drawn again.
+    Balanced(u16),
+}
+
 /// What a batch takes of a scene.
 pub struct Drawn<'a> {
     pub scene: &'a LabelledScene,
@@ -45,6 +54,21 @@ pub struct Drawn<'a> {
 }
 
 impl LabelledScene {
+    /// Draws the indices of balls.
+    fn draw(&self, sampling: Sampling, rng: &mut Pcg64Mcg) -> Vec<usize> {
+        match sampling {
+            Sampling::Uniform(count) => {
+                index::sample(rng, self.balls.len(), self.balls.len().min(count.into())).into_vec()
+            }
+            Sampling::Balanced(count) => {
+                let (solved, failed): (Vec<usize>, Vec<usize>) =
+                    (0..self.balls.len()).partition(|&ball| self.balls[ball].1);
+                let kinds = [&solved, &failed].into_iter().filter(|kind| !kind.is_empty()).cycle().take(count.into());
+                kinds.map(|kind| kind[rng.random_range(0..kind.len())]).collect()
+            }
+        }
+    }
+
     /// The paths of a ball, by its index.
     pub fn paths(&self, ball: usize) -> &[u8] {
         &self.paths[ball * PATHS_LEN..][..PATHS_LEN]
@@ -130,7 +154,7 @@ impl LabelledScenes {
     pub fn draw(
         &self,
         training: &TrainingArgs,
-        balls_per_scene: u16,
+        sampling: Sampling,
         number: usize,
     ) -> impl Iterator<Item = Drawn<'_>> + use<'_> {
         let size = usize::from(training.batch);
@@ -141,9 +165,31 @@ impl LabelledScenes {
         order.shuffle(&mut Pcg64Mcg::seed_from_u64(seed.wrapping_add(epoch as u64)));
         let mut rng = Pcg64Mcg::seed_from_u64(!seed.wrapping_add(number as u64));
         order.into_iter().skip(batch * size).take(size).map(move |scene| {
-            let count = scene.balls.len();
-            let balls = index::sample(&mut rng, count, count.min(balls_per_scene.into())).into_vec();
+            let balls = scene.draw(sampling, &mut rng);
             Drawn { scene, balls, mirrored: rng.random() }
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn half_of_a_balanced_draw_solves() {
+        let scene = Task::load("00002:007".parse().expect("an id")).expect("a task").scene;
+        let ball = Ball { x: 100.0, y: 100.0, r: 5.0 };
+        let starts = Starts::of(&scene);
+        let scene = |balls| LabelledScene { variant: false, scene: scene.clone(), starts, balls, paths: Vec::new() };
+        let mixed = scene((0..30).map(|index| (ball, index == 7)).collect());
+        let mut rng = Pcg64Mcg::seed_from_u64(1);
+        let drawn = mixed.draw(Sampling::Balanced(10), &mut rng);
+        assert_eq!(drawn.iter().filter(|&&index| index == 7).count(), 5);
+        assert_eq!(drawn.len(), 10);
+        let failed = scene(vec![(ball, false); 3]);
+        assert_eq!(failed.draw(Sampling::Balanced(10), &mut rng).len(), 10, "of one kind, all are of that kind");
+        let mut all = failed.draw(Sampling::Uniform(10), &mut rng);
+        all.sort_unstable();
+        assert_eq!(all, [0, 1, 2], "a uniform draw takes no ball twice");
     }
 }

@@ -21,6 +21,7 @@ mod calibration;
 mod collect;
 mod differences;
 mod difficulty;
+mod dqn_args;
 mod engine_arg;
 mod evaluate;
 mod fidelity;
@@ -46,6 +47,7 @@ mod solve_rates;
 mod task_selection;
 mod tasks;
 mod train;
+mod train_dqn;
 mod train_dynamics;
 mod train_judge;
 mod training_args;
@@ -69,6 +71,7 @@ enum Command {
     Merge(merge::Args),
     TrainJudge(train_judge::Args),
     TrainDynamics(train_dynamics::Args),
+    TrainDqn(train_dqn::Args),
     Publish(publish::Args),
     PublishResults(publish_results::Args),
     Propose(propose::Args),
@@ -97,6 +100,7 @@ impl Command {
             Command::Merge(args) => args.run(),
             Command::TrainJudge(args) => args.run(),
             Command::TrainDynamics(args) => args.run(),
+            Command::TrainDqn(args) => args.run(),
             Command::Publish(args) => args.run(),
             Command::PublishResults(args) => args.run(),
             Command::Propose(args) => args.run(),

@@ -71,7 +71,7 @@ impl Args {
             |trainer, batch, learning_rate| trainer.step(batch, learning_rate).to_vec(),
         )?;
         if complete {
-            say(&format!("the weights are in {}", run.write_weights(&run.trainer.nets())?.display()));
+            say(&format!("the weights are in {}", run.write_weights(|card| run.trainer.nets().save(card))?.display()));
         }
         Ok(())
     }

@@ -13,7 +13,7 @@ use pathlight::raster::scene_coverage;
 
 use super::digest;
 use super::fold_args::FoldArgs;
-use super::labelled_scenes::{Drawn, LabelledScenes};
+use super::labelled_scenes::{Drawn, LabelledScenes, Sampling};
 use super::model_args::ModelArgs;
 use super::progress::say;
 use super::training_args::TrainingArgs;
@@ -96,7 +96,7 @@ impl Args {
         if complete {
             // Its own logits of the cells take the place of the judge's.
             (nets.judge, nets.dynamics) = (None, Some(run.trainer.nets()));
-            say(&format!("the weights of all nets are in {}", run.write_weights(&nets)?.display()));
+            say(&format!("the weights of all nets are in {}", run.write_weights(|card| nets.save(card))?.display()));
         }
         Ok(())
     }
@@ -118,7 +118,9 @@ impl Args {
     /// A batch of the run, by its number.
     fn batch(&self, scenes: &LabelledScenes, number: usize) -> DynamicsBatch {
         let mut batch = DynamicsBatch::default();
-        for Drawn { scene, balls, mirrored } in scenes.draw(&self.training, self.balls_per_scene, number) {
+        for Drawn { scene, balls, mirrored } in
+            scenes.draw(&self.training, Sampling::Uniform(self.balls_per_scene), number)
+        {
             let balls = balls.into_iter().map(|ball| {
                 let (placed, solved) = scene.balls[ball];
                 (placed, solved, scene.paths(ball))

@@ -12,7 +12,7 @@ use pathlight::raster::scene_channels;
 
 use super::digest;
 use super::fold_args::FoldArgs;
-use super::labelled_scenes::{Drawn, LabelledScenes};
+use super::labelled_scenes::{Drawn, LabelledScenes, Sampling};
 use super::model_args::ModelArgs;
 use super::progress::say;
 use super::training_args::TrainingArgs;
@@ -71,7 +71,10 @@ impl Args {
         if complete {
             // Agents would prefer a dynamics net.
             (nets.judge, nets.dynamics) = (Some(run.trainer.nets()), None);
-            say(&format!("the weights of all five nets are in {}", run.write_weights(&nets)?.display()));
+            say(&format!(
+                "the weights of all five nets are in {}",
+                run.write_weights(|card| nets.save(card))?.display()
+            ));
         }
         Ok(())
     }
@@ -79,7 +82,9 @@ impl Args {
     /// A batch of the run, by its number.
     fn batch(&self, scenes: &LabelledScenes, number: usize) -> JudgeBatch {
         let mut batch = JudgeBatch::default();
-        for Drawn { scene, balls, mirrored } in scenes.draw(&self.training, self.balls_per_scene, number) {
+        for Drawn { scene, balls, mirrored } in
+            scenes.draw(&self.training, Sampling::Uniform(self.balls_per_scene), number)
+        {
             let balls: Vec<_> = balls.into_iter().map(|ball| scene.balls[ball]).collect();
             batch
                 .add(&scene_channels(&scene.scene), &balls, mirrored)

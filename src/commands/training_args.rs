@@ -1,4 +1,4 @@
-//! The arguments that `train` and `train-judge` share.
+//! The arguments that the commands that train share.
 
 use std::path::PathBuf;
 
@@ -6,11 +6,11 @@ use std::path::PathBuf;
 #[derive(clap::Args)]
 pub struct TrainingArgs {
     /// Folder of the run: checkpoint, losses.csv, weights.safetensors [default: target/train/SETUP-FOLD for train,
-    /// and judge in it for train-judge]
+    /// and judge, dynamics or dqn in it for the others]
     #[arg(long)]
     pub out: Option<PathBuf>,
 
-    /// Samples per batch for train, scenes per batch for train-judge
+    /// Samples per batch for train, scenes per batch for the others
     #[arg(long, default_value_t = 32, value_parser = clap::value_parser!(u16).range(1..))]
     pub batch: u16,
 

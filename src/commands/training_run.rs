@@ -1,4 +1,4 @@
-//! A training run in a folder: checkpoint, losses, weights; used by `train` and `train-judge`.
+//! A training run in a folder: checkpoint, losses, weights; used by the commands that train.
 //!
 //! An interrupted run continues from its last checkpoint with the same result as an uninterrupted one. A folder whose
 //! run has other settings or data is refused.
@@ -12,7 +12,8 @@ use std::time::Instant;
 
 use anyhow::{Context, bail, ensure};
 use pathlight::nets::training::{Module, Schedule, Trainer};
-use pathlight::nets::{Card, PathNet};
+use pathlight::nets::{Card, WeightsError};
+use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
 use super::differences::differences;
@@ -26,11 +27,11 @@ const OPTIMISER: &str = "-checkpoint-adam.bpk";
 const CHECKPOINT: &str = "checkpoint.json";
 const LOCK: &str = "lock";
 
-/// A trainer, and the folder that its progress is saved in.
-pub struct TrainingRun<M> {
+/// A trainer, and the folder that its progress is saved in. `C` is the card of the weights.
+pub struct TrainingRun<M, C = Card> {
     folder: PathBuf,
     pub trainer: Trainer<M>,
-    checkpoint: Checkpoint,
+    checkpoint: Checkpoint<C>,
     started: Instant,
     /// Time that earlier processes have spent on it, s.
     seconds_before: f64,
@@ -39,8 +40,8 @@ pub struct TrainingRun<M> {
 
 /// What `checkpoint.json` holds; the nets and the state of the optimiser have files of their own.
 #[derive(Serialize, Deserialize)]
-pub struct Checkpoint {
-    pub card: Card,
+pub struct Checkpoint<C = Card> {
+    pub card: C,
     /// SHA-256 of the file of training data.
     pub data: String,
     /// Batches trained on.
@@ -60,7 +61,7 @@ pub struct Plan {
     pub schedule: Schedule,
 }
 
-impl<M: Module> TrainingRun<M> {
+impl<M: Module, C: PartialEq + Serialize + DeserializeOwned> TrainingRun<M, C> {
     /// Opens the run of a folder: from its checkpoint, or with the fresh trainer. `data` is the digest of the training
     /// data, `losses` are the names of the losses of a step.
     ///
@@ -68,11 +69,11 @@ impl<M: Module> TrainingRun<M> {
     /// If the folder holds another run, is used by another process, or cannot be written.
     pub fn open(
         folder: PathBuf,
-        card: Card,
+        card: C,
         data: String,
         losses: &[&str],
         trainer: Trainer<M>,
-    ) -> anyhow::Result<TrainingRun<M>> {
+    ) -> anyhow::Result<TrainingRun<M, C>> {
         let lock = lock(&folder.join(LOCK))?;
         let losses = losses.iter().map(ToString::to_string).collect();
         let fresh = Checkpoint { card, data, done: 0, seconds: 0.0, losses, log: Vec::new() };
@@ -190,13 +191,13 @@ impl<M: Module> TrainingRun<M> {
         Ok(())
     }
 
-    /// Writes the weights of a complete run; returns their file.
+    /// Writes the weights of a complete run, which `save` makes of its card; returns their file.
     ///
     /// # Errors
-    /// If the folder cannot be written.
-    pub fn write_weights(&self, nets: &PathNet) -> anyhow::Result<PathBuf> {
+    /// If they cannot be saved, or the folder cannot be written.
+    pub fn write_weights(&self, save: impl FnOnce(&C) -> Result<Vec<u8>, WeightsError>) -> anyhow::Result<PathBuf> {
         let weights = self.folder.join("weights.safetensors");
-        replace_file(&weights, &nets.save(&self.checkpoint.card)?)?;
+        replace_file(&weights, &save(&self.checkpoint.card)?)?;
         Ok(weights)
     }
 }
@@ -217,7 +218,7 @@ fn is_checkpoint(file: &Path) -> bool {
 ///
 /// # Errors
 /// If it cannot be read.
-pub fn read_checkpoint(folder: &Path) -> anyhow::Result<Option<Checkpoint>> {
+pub fn read_checkpoint<C: DeserializeOwned>(folder: &Path) -> anyhow::Result<Option<Checkpoint<C>>> {
     let path = folder.join(CHECKPOINT);
     match fs::read(&path) {
         Err(error) if error.kind() == ErrorKind::NotFound => Ok(None),

@@ -90,3 +90,27 @@ pub struct DynamicsCard {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub from: Option<String>,
 }
+
+/// The settings that DQN was trained with: the card of its own weights.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct DqnCard {
+    pub setup: Setup,
+    /// 0..=9; the net has seen only this fold's training tasks.
+    pub fold: u8,
+    /// Seed of the initial weights and of the order of the scenes.
+    pub seed: u64,
+    /// Passes over the scenes.
+    pub epochs: usize,
+    /// Scenes per batch.
+    pub batch: u16,
+    /// Balls drawn per scene in a batch, half of them solutions.
+    pub balls_per_scene: u16,
+    /// Highest learning rate of Adam.
+    pub learning_rate: f64,
+    /// Labelled balls that these are drawn from.
+    pub balls: usize,
+    /// How many of the scenes are variants of the tasks' scenes.
+    pub variants: usize,
+    /// The fold's dev tasks were left out of training, so that settings may be chosen on them.
+    pub without_dev: bool,
+}

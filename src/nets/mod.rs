@@ -14,6 +14,8 @@ use crate::raster::{Bitmap, CHANNELS, Coverage, SIDE, scene_channels, scene_cove
 pub mod ball_head;
 mod card;
 mod conv;
+#[cfg(not(target_arch = "wasm32"))]
+pub mod dqn;
 pub mod dynamics;
 mod hourglass;
 pub mod imagined_balls;
@@ -25,7 +27,9 @@ pub mod training;
 mod u_net;
 mod weights;
 
-pub use card::{Card, DynamicsCard, JudgeCard};
+pub use card::{Card, DqnCard, DynamicsCard, JudgeCard};
+#[cfg(not(target_arch = "wasm32"))]
+pub use dqn::Dqn;
 pub use dynamics::DynamicsNet;
 pub use hourglass::Hourglass;
 pub use imagined_balls::{ImaginedBall, ReadScene};

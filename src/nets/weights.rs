@@ -12,8 +12,12 @@ use burn::module::{Module, ModuleMapper, ModuleVisitor, Param};
 use burn::tensor::{Device, Tensor, TensorData};
 use half::f16;
 use safetensors::tensor::{Dtype, SafeTensors, TensorView};
+use serde::Serialize;
+use serde::de::DeserializeOwned;
 
 use super::{Card, DynamicsNet, Judge, PathNet};
+#[cfg(not(target_arch = "wasm32"))]
+use super::{Dqn, DqnCard};
 
 /// The key of the card in the file's metadata.
 const CARD: &str = "pathlight";
@@ -55,7 +59,6 @@ impl PathNet {
     pub fn load(bytes: &[u8], device: &Device) -> Result<(PathNet, Card), WeightsError> {
         let card = read_card(bytes)?;
         let file = SafeTensors::deserialize(bytes)?;
-        let mut loader = Loader { file: &file, device, path: Vec::new(), loaded: 0, error: None };
         let mut nets = PathNet::new(device);
         if file.names().iter().any(|name| name.starts_with("judge.")) {
             nets.judge = Some(Judge::new(device));
@@ -63,14 +66,11 @@ impl PathNet {
         if file.names().iter().any(|name| name.starts_with("dynamics.")) {
             nets.dynamics = Some(DynamicsNet::new(device));
         }
-        let nets = nets.map(&mut loader);
-        let extra = file.len().saturating_sub(loader.loaded);
-        match loader.error {
-            Some(error) => Err(error),
-            None if extra > 0 => Err(WeightsError::Extra(extra)),
-            None if card.dynamics.as_ref().is_some_and(|dynamics| !dynamics.coverage) => Err(WeightsError::SetCells),
-            None => Ok((nets, card)),
+        let nets = load(nets, &file, device)?;
+        if card.dynamics.as_ref().is_some_and(|dynamics| !dynamics.coverage) {
+            return Err(WeightsError::SetCells);
         }
+        Ok((nets, card))
     }
 
     /// Returns the bytes of a weights file of these nets.
@@ -78,19 +78,56 @@ impl PathNet {
     /// # Errors
     /// If a parameter is NaN, infinite or beyond the range of half precision.
     pub fn save(&self, card: &Card) -> Result<Vec<u8>, WeightsError> {
-        let mut exporter = Exporter::default();
-        self.visit(&mut exporter);
-        if let Some(error) = exporter.error {
-            return Err(error);
-        }
-        let tensors = exporter.tensors.iter().map(|(name, (shape, bytes))| {
-            let view = TensorView::new(Dtype::F16, shape.clone(), bytes).expect("two bytes per value");
-            (name.as_str(), view)
-        });
-        let card = serde_json::to_string(card).expect("a card is plain data");
-        Ok(safetensors::serialize(tensors, Some(HashMap::from([(CARD.to_string(), card)])))
-            .expect("names and sizes come from the nets"))
+        save(self, card)
     }
+}
+
+#[cfg(not(target_arch = "wasm32"))]
+impl Dqn {
+    /// Returns the net of a weights file, and its card.
+    ///
+    /// # Errors
+    /// If the bytes are not a weights file of this net.
+    pub fn load(bytes: &[u8], device: &Device) -> Result<(Dqn, DqnCard), WeightsError> {
+        let card = card_of(bytes)?;
+        Ok((load(Dqn::new(device), &SafeTensors::deserialize(bytes)?, device)?, card))
+    }
+
+    /// Returns the bytes of a weights file of this net.
+    ///
+    /// # Errors
+    /// If a parameter is NaN, infinite or beyond the range of half precision.
+    pub fn save(&self, card: &DqnCard) -> Result<Vec<u8>, WeightsError> {
+        save(self, card)
+    }
+}
+
+/// Replaces all parameters of fresh nets by those of a file.
+fn load<M: Module>(nets: M, file: &SafeTensors, device: &Device) -> Result<M, WeightsError> {
+    let mut loader = Loader { file, device, path: Vec::new(), loaded: 0, error: None };
+    let nets = nets.map(&mut loader);
+    let extra = file.len().saturating_sub(loader.loaded);
+    match loader.error {
+        Some(error) => Err(error),
+        None if extra > 0 => Err(WeightsError::Extra(extra)),
+        None => Ok(nets),
+    }
+}
+
+/// The bytes of a file of these nets.
+fn save(nets: &impl Module, card: &impl Serialize) -> Result<Vec<u8>, WeightsError> {
+    let mut exporter = Exporter::default();
+    nets.visit(&mut exporter);
+    if let Some(error) = exporter.error {
+        return Err(error);
+    }
+    let tensors = exporter.tensors.iter().map(|(name, (shape, bytes))| {
+        let view = TensorView::new(Dtype::F16, shape.clone(), bytes).expect("two bytes per value");
+        (name.as_str(), view)
+    });
+    let card = serde_json::to_string(card).expect("a card is plain data");
+    Ok(safetensors::serialize(tensors, Some(HashMap::from([(CARD.to_string(), card)])))
+        .expect("names and sizes come from the nets"))
 }
 
 /// Returns the card of a weights file without loading its nets.
@@ -98,6 +135,11 @@ impl PathNet {
 /// # Errors
 /// If the bytes are not a weights file.
 pub fn read_card(bytes: &[u8]) -> Result<Card, WeightsError> {
+    card_of(bytes)
+}
+
+/// The card of a file, for the nets that it should belong to.
+fn card_of<C: DeserializeOwned>(bytes: &[u8]) -> Result<C, WeightsError> {
     let (_, header) = SafeTensors::read_metadata(bytes)?;
     let card = header.metadata().as_ref().and_then(|metadata| metadata.get(CARD)).ok_or(WeightsError::NoCard)?;
     Ok(serde_json::from_str(card)?)
@@ -230,5 +272,27 @@ mod tests {
             let error = PathNet::load(&bytes, &flex()).map(drop).expect_err("it is no weight");
             assert!(matches!(error, WeightsError::NotFinite(_)), "{error}");
         }
+    }
+    #[test]
+    fn dqn_has_files_of_its_own() {
+        let card = DqnCard {
+            setup: Setup::Cross,
+            fold: 3,
+            seed: 0,
+            epochs: 1,
+            batch: 1,
+            balls_per_scene: 2,
+            learning_rate: 1.0,
+            balls: 1,
+            variants: 0,
+            without_dev: false,
+        };
+        let device = flex();
+        device.seed(2);
+        let bytes = Dqn::new(&device).save(&card).expect("fresh weights are finite");
+        let (loaded, of_file) = Dqn::load(&bytes, &device).expect("our own file");
+        assert_eq!(of_file, card);
+        assert_eq!(loaded.save(&card).expect("finite weights"), bytes);
+        assert!(matches!(PathNet::load(&bytes, &device), Err(WeightsError::BadCard(_))));
     }
 }

@@ -26,6 +26,7 @@ mod serve;
 mod simulate;
 mod tasks;
 mod train;
+mod train_dqn;
 mod train_dynamics;
 mod train_judge;
 

@@ -29,6 +29,8 @@ fn small(folder: &Path) -> Vec<String> {
         "2",
         "--judge-epochs-cross",
         "1",
+        "--dqn-epochs",
+        "1",
         "--limit",
         "1",
     ];
@@ -113,8 +115,25 @@ fn jobs_make_results_and_the_report_reads_them() {
     }
     fs::remove_file(results.join("within-4.json")).expect("removed");
 
-    let report = ["reproduce", "--only", "report"].into_iter().chain(words.iter().map(String::as_str));
-    let printed = output_of(&report.collect::<Vec<_>>());
+    let with = |part: &[&'static str]| {
+        let part = ["reproduce", "--only"].iter().chain(part).copied();
+        part.chain(words.iter().map(String::as_str)).collect::<Vec<_>>()
+    };
+    let of_dqn = |printed: &str| {
+        let row = printed.lines().find(|line| line.starts_with("| **DQN, smaller** |")).expect("a row");
+        row.to_string()
+    };
+    assert!(of_dqn(&output_of(&with(&["report"]))).ends_with("| – | – |"), "no result has DQN yet");
+    output_of(&with(&["dqn", "--setup", "within", "--fold", "3"]));
+    let dqn: Value = serde_json::from_slice(&file("dqn/within-3.json")).expect("JSON");
+    assert_eq!(dqn["report"]["agents"][0]["agent"], "dqn");
+    let other = [&with(&["dqn", "--setup", "within", "--fold", "3"])[..], &["--seed", "1"]].concat();
+    assert_refused(&other, "`seed` is 0 instead of 1");
+
+    let printed = output_of(&with(&["report"]));
+    let measured = dqn["report"]["agents"][0]["auccess"].as_f64().expect("a number");
+    assert!(of_dqn(&printed).ends_with(&format!("| {measured:.1} | – |")), "{}", of_dqn(&printed));
+    assert!(printed.contains("\n### DQN\n"));
     assert_eq!(printed, fs::read_to_string(results.join("README.md")).expect("a report"));
     let random = result["report"]["agents"][2]["auccess"].as_f64().expect("a number");
     assert!(printed.lines().any(|line| line.starts_with("| **random** |") && line.contains(&format!(" {random:.1} "))));

@@ -9,7 +9,7 @@ use std::io::{self, Write};
 use anyhow::ensure;
 use pathlight::agents::{Agent, Observation};
 use pathlight::benchmark::auccess::MAX_ATTEMPTS;
-use pathlight::nets::PathNet;
+use pathlight::nets::{Dqn, PathNet};
 use pathlight::puzzle::action::Ball;
 use pathlight::puzzle::rollout::Status;
 use pathlight::puzzle::sampled_paths::SampledPaths;
@@ -17,7 +17,8 @@ use pathlight::puzzle::scene::Scene;
 use pathlight::puzzle::task::{Task, TaskId};
 use serde::Serialize;
 
-use super::agent_name::AgentName;
+use super::agent_name::{AgentName, Loaded};
+use super::dqn_args::DqnArgs;
 use super::fold_args::FoldArgs;
 use super::model_args::ModelArgs;
 use super::simulate::whole_numbers;
@@ -51,6 +52,9 @@ pub struct Args {
 
     #[command(flatten)]
     model: ModelArgs,
+
+    #[command(flatten)]
+    dqn: DqnArgs,
 }
 
 /// An answer to a line.
@@ -72,8 +76,10 @@ enum Answer {
 
 impl Args {
     pub fn run(self) -> anyhow::Result<()> {
-        let (agent, nets) = if self.agent == Some(AgentName::Random) {
-            (AgentName::Random, None)
+        let (agent, nets, dqn) = if self.agent == Some(AgentName::Random) {
+            (AgentName::Random, None, None)
+        } else if self.agent == Some(AgentName::Dqn) {
+            (AgentName::Dqn, None, Some(self.dqn.load(&self.fold)?.0))
         } else {
             let (nets, _) = self.model.load(&self.fold)?;
             let default = match (&nets.dynamics, &nets.judge) {
@@ -83,9 +89,9 @@ impl Args {
             };
             let agent = self.agent.unwrap_or(default);
             agent.check(&nets)?;
-            (agent, Some(nets))
+            (agent, Some(nets), None)
         };
-        let mut player = Player { agent, nets, seed: self.seed, puzzle: None };
+        let mut player = Player { agent, nets, dqn, seed: self.seed, puzzle: None };
         let (mut source, mut out) = (io::stdin().lock(), io::stdout().lock());
         let mut refused = 0;
         while let Some(line) = next_line(&mut source)? {
@@ -113,6 +119,7 @@ impl Args {
 struct Player {
     agent: AgentName,
     nets: Option<PathNet>,
+    dqn: Option<Dqn>,
     seed: u64,
     puzzle: Option<Puzzle>,
 }
@@ -150,7 +157,8 @@ impl Player {
     }
 
     fn begin(&mut self, task: Option<TaskId>, seed: u64, scene: &Scene) -> &Puzzle {
-        let agent = self.agent.start(self.nets.as_ref(), scene, seed, BALLS);
+        let loaded = Loaded { nets: self.nets.as_ref(), dqn: self.dqn.as_ref() };
+        let agent = self.agent.start(loaded, scene, seed, BALLS);
         let mut puzzle = Puzzle { task, agent, ball: None, used: 0 };
         puzzle.propose();
         self.puzzle.insert(puzzle)

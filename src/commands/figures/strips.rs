@@ -24,6 +24,7 @@ use svg::node::element::{Definitions, Group, Use};
 use super::measured::{shipped, shipped_folds};
 use super::picture::{Anchor, Figure, MUTED, words};
 use super::scene_drawing::{self, LineStyle, ball_outline, hatch, map, path, positions, window};
+use crate::commands::agent_name::Loaded;
 use crate::commands::evaluate::Report;
 use crate::commands::model_args::ModelArgs;
 
@@ -139,7 +140,8 @@ impl Strip {
         let scene = &task.scene;
         let agent = report.agents[0].agent;
         agent.check(nets)?;
-        let mut turn = Turn::new(scene.clone(), agent.start(Some(nets), scene, id.seed(report.seed), MAX_ATTEMPTS));
+        let loaded = Loaded { nets: Some(nets), dqn: None };
+        let mut turn = Turn::new(scene.clone(), agent.start(loaded, scene, id.seed(report.seed), MAX_ATTEMPTS));
         let (mut shown, mut attempts, mut solved) = (None, 0, false);
         while let Some((proposal, rollout)) = turn.attempt()? {
             attempts += 1;
@@ -178,7 +180,7 @@ impl Strip {
         let action = overlap(&imagined.action, &red, rollout, scene.bodies.len());
         let iou = |value: f64| format!("IoU {value:.2}");
         let chance = match origin {
-            Origin::Imagined { probability, .. } | Origin::Judge { probability } => {
+            Origin::Imagined { probability, .. } | Origin::Judge { probability } | Origin::Dqn { probability } => {
                 format!(", chance {:.0} %", 100.0 * probability)
             }
             Origin::Map { .. } | Origin::Perturbed { .. } | Origin::Uniform => String::new(),

@@ -14,6 +14,7 @@ use pathlight::puzzle::action::Ball;
 use pathlight::puzzle::task::Task;
 use pathlight::puzzle::templates::TEMPLATES;
 
+use super::dqn_report;
 use super::fold_result::FoldResult;
 use super::report::of;
 use crate::commands::collect::read_solutions;
@@ -43,6 +44,7 @@ pub fn write(results: &[FoldResult], solutions: &Path, folder: &Path) -> anyhow:
          of threads; where a result does not name its threads, they count as one.\n\n",
     );
     rows(&mut text, results)?;
+    dqn_report::costs(&mut text, results)?;
     estimate(&mut text, results, per_ball)?;
     let path = folder.join("costs.md");
     fs::write(&path, &text).with_context(|| format!("cannot write {}", path.display()))

@@ -12,6 +12,7 @@ use pathlight::benchmark::folds::{FOLDS, Setup};
 use pathlight::simulator;
 use serde::{Deserialize, Serialize};
 
+use super::dqn_result::DqnResult;
 use crate::commands::agent_name::AgentName;
 use crate::commands::differences::differences;
 use crate::commands::evaluate::Report;
@@ -72,6 +73,9 @@ pub struct FoldResult {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub threads: Option<usize>,
     pub report: Report,
+    /// From a file of its own.
+    #[serde(skip)]
+    pub dqn: Option<DqnResult>,
 }
 
 /// What determines a result, apart from its setup and fold. Results belong in one table if these agree.
@@ -178,16 +182,19 @@ impl FoldResult {
 
     /// The first solving attempts of an agent, on all tasks or those of a template; empty if it was not measured.
     pub fn first_solved(&self, agent: AgentName, template: Option<usize>) -> Vec<Option<usize>> {
-        let score = self.report.agents.iter().find(|score| score.agent == agent);
+        let report =
+            if agent == AgentName::Dqn { self.dqn.as_ref().map(|dqn| &dqn.report) } else { Some(&self.report) };
+        let score = report.and_then(|report| report.agents.iter().find(|score| score.agent == agent));
         let all = score.into_iter().flat_map(|score| &score.first_solved);
         all.filter(|(task, _)| template.is_none_or(|one| task.template == one)).map(|&(_, first)| first).collect()
     }
 
-    /// Auccess, and the percentages of tasks solved at the first attempt, within 10 and within 100.
-    pub fn score(&self, agent: AgentName) -> [f64; 4] {
+    /// Auccess, and the percentages of tasks solved at the first attempt, within 10 and within 100; `None` if the agent was
+    /// not measured.
+    pub fn score(&self, agent: AgentName) -> Option<[f64; 4]> {
         let firsts = self.first_solved(agent, None);
         let [one, ten, hundred] = [1, 10, MAX_ATTEMPTS].map(|attempts| 100.0 * solved_within(&firsts, attempts));
-        [auccess(&firsts), one, ten, hundred]
+        (!firsts.is_empty()).then(|| [auccess(&firsts), one, ten, hundred])
     }
 }
 
@@ -201,7 +208,8 @@ pub fn read(folder: &Path) -> anyhow::Result<Vec<FoldResult>> {
         for fold in 0..FOLDS {
             let fold = FoldArgs { setup, fold };
             let path = folder.join(format!("{fold}.json"));
-            let Some(result) = FoldResult::load(&path, fold)? else { continue };
+            let Some(mut result) = FoldResult::load(&path, fold)? else { continue };
+            result.dqn = DqnResult::load(folder, fold)?;
             if let Some(first) = results.first() {
                 let other = result.settings().differences(&first.settings());
                 ensure!(
@@ -212,6 +220,18 @@ pub fn read(folder: &Path) -> anyhow::Result<Vec<FoldResult>> {
                 );
             }
             results.push(result);
+        }
+    }
+    let mut of_dqn = results.iter().filter_map(|result| result.dqn.as_ref());
+    if let Some(first) = of_dqn.next() {
+        for result in of_dqn {
+            let other = differences(&result.settings(), &first.settings());
+            let Report { setup, fold, .. } = result.report;
+            ensure!(
+                other.is_empty(),
+                "DQN's result of {setup} {fold} was made with other settings than the results before it ({other}): keep \
+                 such results in different folders (--results)"
+            );
         }
     }
     ensure!(!results.is_empty(), "{} holds no results: run `pathlight reproduce` first", folder.display());

@@ -73,5 +73,6 @@ pub fn run(
         evaluation_seconds: started.elapsed().as_secs_f64(),
         threads: Some(rayon::current_num_threads()),
         report,
+        dqn: None,
     })
 }

@@ -1,9 +1,9 @@
 //! `pathlight reproduce`: reproduces the paper's table over setups and folds, with the other commands, and reports on it.
 //!
-//! Three parts, by default one after the other: the data that all folds share (`collect`, `label`); a result per setup
-//! and fold, as a JSON file each (`train`, `train-judge`, `evaluate`); a report on the existing results (Markdown and a
-//! plot). Each part continues where it was interrupted. Results do not depend on each other, so they
-//! can be made in parallel, on several machines.
+//! Four parts, by default one after the other: the data that all folds share (`collect`, `label`); a result per setup
+//! and fold, as a JSON file each (`train`, `train-judge`, `evaluate`); one for DQN beside it (`train-dqn`, `evaluate`); a
+//! report on the existing results (Markdown and a plot). Each part continues where it was interrupted. Results do not depend
+//! on each other, so they can be made in parallel, on several machines.
 
 use std::path::PathBuf;
 
@@ -14,15 +14,18 @@ use pathlight::benchmark::folds::{FOLDS, Setup};
 use super::fold_args::{FoldArgs, setup};
 use super::progress::say;
 use super::{collect, defaults, label};
+use dqn_result::DqnPlan;
 use fold_result::{DataFiles, FoldResult, Hyperparameters, ResultSettings};
 
 mod costs;
+mod dqn_report;
+mod dqn_result;
 pub mod fold_result;
 mod fold_run;
 mod plot;
 pub mod report;
 
-/// Reproduce the paper's table, or continue with it: data, folds, report
+/// Reproduce the paper's table, or continue with it: data, folds, DQN, report
 #[derive(clap::Args)]
 pub struct Args {
     /// Do only this part
@@ -45,7 +48,7 @@ pub struct Args {
     #[arg(long, default_value = "assets/solutions.jsonl")]
     solutions: PathBuf,
 
-    /// Balls with their outcome: labelled until complete, and trained on by the judge
+    /// Balls with their outcome: labelled until complete, and trained on by the judge and DQN
     #[arg(long, default_value = "target/labels.jsonl")]
     labels: PathBuf,
 
@@ -55,6 +58,10 @@ pub struct Args {
 
     #[command(flatten)]
     hyperparameters: Hyperparameters,
+
+    /// Epochs of DQN
+    #[arg(long, value_name = "EPOCHS", default_value_t = 15, value_parser = clap::value_parser!(u16).range(1..))]
+    dqn_epochs: u16,
 }
 
 #[derive(Clone, Copy, PartialEq, ValueEnum)]
@@ -63,6 +70,8 @@ enum Part {
     Data,
     /// Training and evaluation: a JSON file per setup and fold
     Folds,
+    /// Training and evaluation of DQN, the benchmark's baseline: a JSON file per setup and fold in dqn
+    Dqn,
     /// README.md, a plot and costs.md of the existing results
     Report,
 }
@@ -75,13 +84,13 @@ impl Args {
             self.make_data()?;
         }
         if asked(Part::Folds) {
-            let folds = if self.folds.is_empty() { (0..FOLDS).collect() } else { self.folds.clone() };
-            for fold in folds {
-                for setup in [Setup::Within, Setup::Cross] {
-                    if self.setup.is_none_or(|one| one == setup) {
-                        self.make_result(FoldArgs { setup, fold }, &data)?;
-                    }
-                }
+            for fold in self.chosen_folds() {
+                self.make_result(fold, &data)?;
+            }
+        }
+        if asked(Part::Dqn) {
+            for fold in self.chosen_folds() {
+                self.make_dqn(fold)?;
             }
         }
         if asked(Part::Report) {
@@ -90,6 +99,14 @@ impl Args {
             costs::write(&results, &self.solutions, &self.results)?;
         }
         Ok(())
+    }
+
+    /// The folds to make results of, both setups of a fold one after the other.
+    fn chosen_folds(&self) -> Vec<FoldArgs> {
+        let folds = if self.folds.is_empty() { (0..FOLDS).collect() } else { self.folds.clone() };
+        let setups =
+            [Setup::Within, Setup::Cross].into_iter().filter(|&one| self.setup.is_none_or(|setup| setup == one));
+        folds.into_iter().flat_map(|fold| setups.clone().map(move |setup| FoldArgs { setup, fold })).collect()
     }
 
     /// Collects solutions and labels balls.
@@ -120,5 +137,11 @@ impl Args {
         let folder = self.train_dir.join(fold.to_string());
         let result = fold_run::run(fold, &self.hyperparameters, data, &folder);
         result.with_context(|| format!("cannot make {name}"))?.save(&path)
+    }
+    /// Makes DQN's result of a fold, unless its file exists.
+    fn make_dqn(&self, fold: FoldArgs) -> anyhow::Result<()> {
+        let &Hyperparameters { seed, limit, .. } = &self.hyperparameters;
+        let plan = DqnPlan { seed, epochs: self.dqn_epochs, limit, labels: &self.labels };
+        plan.make(fold, &self.results, &self.train_dir.join(fold.to_string()).join("dqn"))
     }
 }

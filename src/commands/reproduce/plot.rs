@@ -17,11 +17,12 @@ use super::report::{AGENTS, of};
 const PANEL: (u32, u32) = (560, 920);
 
 /// One colour per agent; they differ in greyscale and for people who do not see red or green.
-const COLOURS: [RGBColor; AGENTS.len()] = [RGBColor(0, 90, 160), RGBColor(240, 150, 30), RGBColor(170, 170, 170)];
+const COLOURS: [RGBColor; AGENTS.len()] =
+    [RGBColor(0, 90, 160), RGBColor(110, 50, 110), RGBColor(240, 150, 30), RGBColor(170, 170, 170)];
 
 /// Space around the bars of a template, and height of a bar, px.
 const GAP: u32 = 4;
-const BAR: u32 = 8;
+const BAR: u32 = 6;
 
 /// Rows below the last template that the legend takes.
 const LEGEND: usize = 2;

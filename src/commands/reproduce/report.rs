@@ -14,15 +14,19 @@ use pathlight::puzzle::task::{TaskId, ids};
 use pathlight::puzzle::templates::TEMPLATES;
 
 use super::fold_result::FoldResult;
-use super::plot;
+use super::{dqn_report as dqn, plot};
 use crate::commands::agent_name::AgentName;
 use crate::commands::collect::{Collected, read_solutions};
 use crate::commands::label::BALLS;
 use crate::commands::training_run::Checkpoint;
 
 /// Our agents, the best first, and their names in the report.
-pub const AGENTS: [(AgentName, &str); 3] =
-    [(AgentName::Judge, "with the judge"), (AgentName::Paper, "the paper's four nets"), (AgentName::Random, "random")];
+pub const AGENTS: [(AgentName, &str); 4] = [
+    (AgentName::Judge, "with the judge"),
+    (AgentName::Dqn, "DQN, smaller"),
+    (AgentName::Paper, "the paper's four nets"),
+    (AgentName::Random, "random"),
+];
 
 /// Published auccess, mean over the ten folds, within and cross, on PHYRE's own engine: Harter et al. (2020), Table 1,
 /// for their nets and for DQN; the benchmark (PHYRE 0.2.2) for the random agent.
@@ -42,6 +46,7 @@ pub fn write(results: &[FoldResult], solutions: &Path, folder: &Path) -> anyhow:
     writeln!(text, "\n![Auccess of each template, mean over the folds that test it]({name})\n")?;
     folds(&mut text, results)?;
     training(&mut text, results)?;
+    dqn::training(&mut text, results)?;
     data(&mut text, results, solutions)?;
     text.push_str(REPRODUCING);
     let path = folder.join("README.md");
@@ -61,7 +66,7 @@ fn head(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
          learn only from rollouts on training tasks; but in the setup within, the search for solutions and the balls for \
          the judge also start from known solutions of test tasks of the same template. The four nets are those of Harter \
          et al. (2020), trained jointly, with balls from their placement map. The judge is a fifth net, not the \
-         paper's, which orders the balls.\n",
+         paper's, which orders the balls. DQN is the benchmark's baseline (Bakhtin et al. 2019), made smaller.\n",
         results.len(),
         2 * FOLDS,
         hyperparameters.seed,
@@ -78,25 +83,31 @@ fn table(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
     writeln!(text, "| agent | engine | within | cross |\n| --- | --- | ---: | ---: |")?;
     for (agent, name) in AGENTS {
         let cells = [Setup::Within, Setup::Cross].map(|setup| {
-            let scores: Vec<f64> = of(results, setup).map(|result| result.score(agent)[0]).collect();
-            mean_and_deviation(&scores)
+            let scores = of(results, setup).filter_map(|result| result.score(agent)).map(|[auccess, ..]| auccess);
+            mean_and_deviation(&scores.collect::<Vec<_>>())
         });
         writeln!(text, "| **{name}** | ours | {} | {} |", cells[0], cells[1])?;
     }
     for (name, [within, cross]) in REPORTED {
         writeln!(text, "| {name} | PHYRE's | {within} | {cross} |")?;
     }
-    let folds = [Setup::Within, Setup::Cross].map(|setup| {
-        let numbers: Vec<String> = of(results, setup).map(|result| result.report.fold.to_string()).collect();
-        format!("{setup} {}", if numbers.is_empty() { "none".to_string() } else { numbers.join(", ") })
-    });
+    let folds = [Setup::Within, Setup::Cross].map(|setup| numbers(setup, &mut of(results, setup)));
+    let of_dqn = [Setup::Within, Setup::Cross]
+        .map(|setup| numbers(setup, &mut of(results, setup).filter(|result| result.dqn.is_some())));
     writeln!(
         text,
-        "\nOur folds: {}. The published means are over all ten: the paper's nets and DQN by Harter et al. (2020), \
+        "\nOur folds: {}; of DQN: {}. The published means are over all ten: the paper's nets and DQN by Harter et al. (2020), \
          random by the benchmark.",
-        folds.join("; ")
+        folds.join("; "),
+        of_dqn.join("; ")
     )?;
     Ok(())
+}
+
+/// Names the folds of some results of a setup.
+fn numbers(setup: Setup, results: &mut dyn Iterator<Item = &FoldResult>) -> String {
+    let numbers: Vec<String> = results.map(|result| result.report.fold.to_string()).collect();
+    format!("{setup} {}", if numbers.is_empty() { "none".to_string() } else { numbers.join(", ") })
 }
 
 fn folds(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
@@ -105,11 +116,12 @@ fn folds(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
         "## Each fold\n\nAuccess, and the percentage solved at the first attempt / within 10 / within 100.\n"
     )?;
     let names = AGENTS.map(|(_, name)| name).join(" | ");
-    writeln!(text, "| setup | fold | test tasks | {names} |\n| --- | ---: | ---: | ---: | ---: | ---: |")?;
+    writeln!(text, "| setup | fold | test tasks | {names} |\n| --- |{}", " ---: |".repeat(2 + AGENTS.len()))?;
     for result in results {
         let cells = AGENTS.map(|(agent, _)| {
-            let [auccess, one, ten, hundred] = result.score(agent);
-            format!("**{auccess:.1}** {one:.0} / {ten:.0} / {hundred:.0} %")
+            result.score(agent).map_or("–".to_string(), |[auccess, one, ten, hundred]| {
+                format!("**{auccess:.1}** {one:.0} / {ten:.0} / {hundred:.0} %")
+            })
         });
         let tasks = result.first_solved(AgentName::Random, None).len();
         writeln!(text, "| {} | {} | {tasks} | {} |", result.report.setup, result.report.fold, cells.join(" | "))?;
@@ -207,8 +219,8 @@ Run `make build` first. Each command continues where it was interrupted; setting
 need other folders.
 
 ```
-pathlight reproduce                             # data, all twenty folds, report
-pathlight reproduce --setup within --fold 3     # data if missing, one fold, report
+pathlight reproduce                             # data, all twenty folds, DQN, report
+pathlight reproduce --setup within --fold 3     # data if missing, one fold, its DQN, report
 pathlight reproduce --only report               # this file and the plot
 ```
 
