@@ -81,6 +81,21 @@ fn random_scenes_come_back_from_json_and_never_break_the_simulator() {
     try_scenes(scenes(), Engine::Box2d, BESIDE);
 }
 
+/// One of 100,000 random scenes had such a wedge: without a limit the impulses on the ball grow by a tenth in each step.
+#[test]
+fn a_ball_that_is_wedged_between_static_bodies_stays_a_ball() {
+    let body = |dimensions, x, y, angle, dynamic| OwnBody { dimensions, x, y, angle, dynamic };
+    let bodies = vec![
+        body(Dimensions::Ball { radius: 9.0 }, 250.0, 197.0, 0.0, true),
+        body(Dimensions::Bar { length: 38.0, thickness: 21.0 }, 218.5, 199.0, 5.625, false),
+        body(Dimensions::Ball { radius: 4.25 }, 236.5, 206.0, 0.0, false),
+    ];
+    let scene = OwnScene { version: VERSION, name: None, body1: 0, body2: 1, bodies };
+    assert_eq!(problems(&scene), []);
+    let rollout = Engine::Box2d.simulate(&scene.to_scene(), None).expect("no ball to refuse");
+    assert!(rollout.poses.as_flattened().iter().all(|number| number.is_finite()));
+}
+
 #[test]
 fn nor_do_they_break_rapier() {
     // It may push bodies that are pressed into a wall through it.

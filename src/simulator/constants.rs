@@ -28,6 +28,10 @@ pub const VELOCITY_ITERATIONS: usize = 15;
 /// Most iterations of the position solver in each step (PHYRE). Fewer: overlaps last longer.
 pub const POSITION_ITERATIONS: usize = 20;
 
+/// Largest impulse that the next step starts from, kg m/s: far above any momentum of a scene. Box2D has no such limit: the impulses on a body
+/// that is wedged between static ones grow from step to step, until they overflow.
+pub const MAX_WARM_STARTING_IMPULSE: f32 = 1e7;
+
 /// Radius of the skin around polygons, m (b2_polygonRadius). Bodies rest at this distance from a polygon; circles have
 /// none.
 pub const POLYGON_RADIUS: f32 = 2.0 * LINEAR_SLOP;

@@ -6,7 +6,9 @@
 use rapier2d::math::Vector;
 
 use super::body::{RigidBody, SolverBody};
-use super::constants::{FRICTION, MAX_CONDITION_NUMBER, RESTITUTION, RESTITUTION_THRESHOLD, VELOCITY_ITERATIONS};
+use super::constants::{
+    FRICTION, MAX_CONDITION_NUMBER, MAX_WARM_STARTING_IMPULSE, RESTITUTION, RESTITUTION_THRESHOLD, VELOCITY_ITERATIONS,
+};
 use super::contact::{Contact, Impulse};
 use super::scalar::{max, min};
 
@@ -250,11 +252,13 @@ pub fn solve_velocity_constraints(constraints: &mut [VelocityConstraint], solver
     }
 }
 
-/// Stores the impulses for the warm starting of the next step.
+/// Stores the impulses for the warm starting of the next step, which starts from none where they grow without limit.
 pub fn store_impulses(constraints: &[VelocityConstraint], contacts: &mut [Contact]) {
     for constraint in constraints {
         for (i, point) in constraint.points[..constraint.point_count].iter().enumerate() {
-            contacts[constraint.contact].store_impulse(i, point.impulse);
+            // The tangent impulse is at most the normal one times the friction coefficient.
+            let limited = point.impulse.normal <= MAX_WARM_STARTING_IMPULSE;
+            contacts[constraint.contact].store_impulse(i, if limited { point.impulse } else { Impulse::default() });
         }
     }
 }
