@@ -273,6 +273,8 @@ mod tests {
             assert!(matches!(error, WeightsError::NotFinite(_)), "{error}");
         }
     }
+
+    #[cfg(not(target_arch = "wasm32"))]
     #[test]
     fn dqn_has_files_of_its_own() {
         let card = DqnCard {

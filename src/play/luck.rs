@@ -39,7 +39,7 @@ pub fn luck(scene: &Scene, ball: Ball) -> Luck {
     }
 }
 
-#[cfg(test)]
+#[cfg(all(test, not(target_arch = "wasm32")))]
 mod tests {
     use super::*;
     use crate::play::verification::AttemptLine;

@@ -114,7 +114,7 @@ impl AttemptLine {
     }
 }
 
-#[cfg(test)]
+#[cfg(all(test, not(target_arch = "wasm32")))]
 mod tests {
     use super::*;
     use crate::puzzle::own_scene::OwnScene;
