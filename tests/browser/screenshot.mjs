@@ -7,7 +7,7 @@ import { fileURLToPath } from 'node:url';
 import { start } from './harness.mjs';
 
 const picture = join(dirname(fileURLToPath(import.meta.url)), '..', '..', 'assets', 'screenshot.png');
-const task = process.argv[2] ?? '00012:002';
+const task = process.argv[2] ?? '00012:037';
 
 const session = await start();
 const page = await session.open(`/#task=${task}&layers=target,placement`, {
