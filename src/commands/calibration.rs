@@ -85,12 +85,7 @@ type Trial = (f64, bool);
 impl Args {
     pub fn run(self) -> anyhow::Result<()> {
         let (nets, _) = self.model.load(&self.fold)?;
-        let limit = self.limit.map_or(usize::MAX, usize::from);
-        let test = self.fold.tasks().test;
-        let tasks: Vec<TaskId> = test
-            .chunk_by(|a, b| a.template == b.template)
-            .flat_map(|tasks| tasks.iter().copied().take(limit))
-            .collect();
+        let tasks = self.fold.test_tasks(self.limit);
         let trials: Vec<[Vec<Trial>; 2]> =
             tasks.par_iter().map(|&id| self.trials(&nets, id)).collect::<anyhow::Result<_>>()?;
         let [random, candidates] = [0, 1].map(|kind| bins(trials.iter().flat_map(|of_task| &of_task[kind])));

@@ -24,7 +24,7 @@ use serde::{Deserialize, Serialize};
 use super::agent_name::{AgentName, Loaded};
 use super::dqn_args::DqnArgs;
 use super::engine_arg::EngineArg;
-use super::fold_args::FoldArgs;
+use super::fold_args::{FoldArgs, first_of_each_template};
 use super::model_args::ModelArgs;
 use super::progress::Progress;
 
@@ -122,10 +122,7 @@ impl Args {
         let EngineArg { engine } = self.engine;
         let fold = self.fold.tasks();
         let (tasks, tasks_of) = if self.dev { (fold.dev, "dev") } else { (fold.test, "test") };
-        let tasks: Vec<TaskId> = tasks
-            .chunk_by(|a, b| a.template == b.template)
-            .flat_map(|of_template| of_template.iter().copied().take(self.limit.map_or(usize::MAX, usize::from)))
-            .collect();
+        let tasks = first_of_each_template(&tasks, self.limit);
         let mut report = Report {
             setup: self.fold.setup,
             fold: self.fold.fold,

@@ -32,6 +32,11 @@ impl FoldArgs {
         if without_dev { fold.train } else { fold.all_train() }
     }
 
+    /// The test tasks, at most the first `limit` of each template.
+    pub fn test_tasks(&self, limit: Option<u16>) -> Vec<TaskId> {
+        first_of_each_template(&self.tasks().test, limit)
+    }
+
     /// Default folder of its training runs.
     pub fn folder(&self) -> PathBuf {
         format!("target/train/{self}").into()
@@ -42,6 +47,13 @@ impl fmt::Display for FoldArgs {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}-{}", self.setup, self.fold)
     }
+}
+
+/// Returns at most the first `limit` tasks of each template, of tasks in ascending order.
+pub fn first_of_each_template(tasks: &[TaskId], limit: Option<u16>) -> Vec<TaskId> {
+    let limit = limit.map_or(usize::MAX, usize::from);
+    let templates = tasks.chunk_by(|a, b| a.template == b.template);
+    templates.flat_map(|tasks| tasks.iter().copied().take(limit)).collect()
 }
 
 /// The names of the setups on the command line; the library does not know clap.

@@ -9,6 +9,7 @@ use pathlight::benchmark::folds::Setup;
 use pathlight::dataset::labels::{LabelledBalls, PATHS_LEN};
 use pathlight::dataset::scene_variants::scene_variant;
 use pathlight::nets::ball_head::Starts;
+use pathlight::nets::training::{Schedule, WARMUP_STEPS};
 use pathlight::puzzle::action::Ball;
 use pathlight::puzzle::scene::Scene;
 use pathlight::puzzle::task::{Task, TaskId};
@@ -19,6 +20,7 @@ use rand_pcg::Pcg64Mcg;
 use super::fold_args::FoldArgs;
 use super::label::{Labelled, read_labels};
 use super::training_args::TrainingArgs;
+use super::training_run::Plan;
 
 /// The scenes of a fold's training tasks with their labelled balls; at least one.
 pub struct LabelledScenes(Vec<LabelledScene>);
@@ -146,8 +148,14 @@ impl LabelledScenes {
     }
 
     /// The number of batches that take every scene once.
-    pub fn batches_per_epoch(&self, training: &TrainingArgs) -> usize {
+    fn batches_per_epoch(&self, training: &TrainingArgs) -> usize {
         self.0.len().div_ceil(training.batch.into())
+    }
+
+    /// The plan of a run on these scenes: the learning rate rises to its peak, and decays linearly to zero.
+    pub fn plan(&self, epochs: usize, training: &TrainingArgs) -> Plan {
+        let schedule = Schedule::WarmupLinear { peak: training.learning_rate, warmup_steps: WARMUP_STEPS };
+        Plan { epochs, batches_per_epoch: self.batches_per_epoch(training), schedule }
     }
 
     /// Draws a batch of the run; it depends only on the seed and its number.

@@ -5,7 +5,7 @@
 
 use std::path::PathBuf;
 
-use pathlight::nets::training::{DqnBatch, Schedule, Trainer, WARMUP_STEPS};
+use pathlight::nets::training::{DqnBatch, Trainer};
 use pathlight::nets::{Dqn, DqnCard, flex};
 use pathlight::raster::scene_coverage;
 
@@ -14,7 +14,7 @@ use super::fold_args::FoldArgs;
 use super::labelled_scenes::{Drawn, LabelledScenes, Sampling};
 use super::progress::say;
 use super::training_args::TrainingArgs;
-use super::training_run::{Plan, TrainingRun};
+use super::training_run::TrainingRun;
 
 /// Train DQN, the benchmark's baseline: a net that says how likely an action solves a scene
 #[derive(clap::Args)]
@@ -61,8 +61,7 @@ impl Args {
         let digests = self.labels.iter().map(|path| digest(path)).collect::<anyhow::Result<Vec<_>>>()?;
         let trainer = Trainer::<Dqn>::new(flex(), self.training.seed);
         let mut run = TrainingRun::open(folder, card, digests.join(" "), &["dqn"], trainer)?;
-        let schedule = Schedule::WarmupLinear { peak: self.training.learning_rate, warmup_steps: WARMUP_STEPS };
-        let plan = Plan { epochs: self.epochs, batches_per_epoch: scenes.batches_per_epoch(&self.training), schedule };
+        let plan = scenes.plan(self.epochs, &self.training);
         let complete = run.train(
             &plan,
             &self.training,

@@ -7,7 +7,7 @@
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, ensure};
-use pathlight::nets::training::{DynamicsBatch, Schedule, Trainer, WARMUP_STEPS};
+use pathlight::nets::training::{DynamicsBatch, Trainer};
 use pathlight::nets::{DynamicsCard, DynamicsNet, flex};
 use pathlight::raster::scene_coverage;
 
@@ -17,7 +17,7 @@ use super::labelled_scenes::{Drawn, LabelledScenes, Sampling};
 use super::model_args::ModelArgs;
 use super::progress::say;
 use super::training_args::TrainingArgs;
-use super::training_run::{Plan, TrainingRun};
+use super::training_run::TrainingRun;
 
 /// Train the net that imagines what balls lead to, and add it to the weights of the four nets
 #[derive(clap::Args)]
@@ -84,9 +84,7 @@ impl Args {
         let losses = ["cell", "ball", "from paths", "paths", "errors"];
         let digests = self.labels.iter().map(|path| digest(path)).collect::<anyhow::Result<Vec<_>>>()?;
         let mut run = TrainingRun::open(folder, card, digests.join(" "), &losses, trainer)?;
-        let schedule = Schedule::WarmupLinear { peak: self.training.learning_rate, warmup_steps: WARMUP_STEPS };
-        let batches_per_epoch = scenes.batches_per_epoch(&self.training);
-        let plan = Plan { epochs: self.epochs, batches_per_epoch, schedule };
+        let plan = scenes.plan(self.epochs, &self.training);
         let complete = run.train(
             &plan,
             &self.training,

@@ -6,7 +6,7 @@
 use std::path::PathBuf;
 use std::slice;
 
-use pathlight::nets::training::{JudgeBatch, Schedule, Trainer, WARMUP_STEPS};
+use pathlight::nets::training::{JudgeBatch, Trainer};
 use pathlight::nets::{Judge, JudgeCard, flex};
 use pathlight::raster::scene_channels;
 
@@ -16,7 +16,7 @@ use super::labelled_scenes::{Drawn, LabelledScenes, Sampling};
 use super::model_args::ModelArgs;
 use super::progress::say;
 use super::training_args::TrainingArgs;
-use super::training_run::{Plan, TrainingRun};
+use super::training_run::TrainingRun;
 
 /// Train the net that judges balls, and add it to the weights of the four nets, in place of a dynamics net
 #[derive(clap::Args)]
@@ -59,9 +59,7 @@ impl Args {
         let folder = self.training.out.clone().unwrap_or_else(|| self.fold.folder().join("judge"));
         let trainer = Trainer::<Judge>::new(flex(), self.training.seed);
         let mut run = TrainingRun::open(folder, card, digest(&self.labels)?, &["judge"], trainer)?;
-        let schedule = Schedule::WarmupLinear { peak: self.training.learning_rate, warmup_steps: WARMUP_STEPS };
-        let batches_per_epoch = scenes.batches_per_epoch(&self.training);
-        let plan = Plan { epochs: self.epochs, batches_per_epoch, schedule };
+        let plan = scenes.plan(self.epochs, &self.training);
         let complete = run.train(
             &plan,
             &self.training,

@@ -97,12 +97,7 @@ impl Args {
         for solution in read_solutions(&self.solutions)?.solutions {
             solutions.entry(solution.task).or_default().push(solution.ball);
         }
-        let limit = self.limit.map_or(usize::MAX, usize::from);
-        let test = self.fold.tasks().test;
-        let tasks: Vec<TaskId> = test
-            .chunk_by(|a, b| a.template == b.template)
-            .flat_map(|tasks| tasks.iter().copied().take(limit))
-            .collect();
+        let tasks = self.fold.test_tasks(self.limit);
         let known = |id: &TaskId| solutions.get(id).map_or(&[][..], Vec::as_slice);
         let of_tasks: Vec<(MapOverlap, Vec<Forecast>)> =
             tasks.par_iter().map(|id| self.forecasts(&nets, *id, known(id))).collect::<anyhow::Result<_>>()?;

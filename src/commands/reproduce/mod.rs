@@ -138,6 +138,7 @@ impl Args {
         let result = fold_run::run(fold, &self.hyperparameters, data, &folder);
         result.with_context(|| format!("cannot make {name}"))?.save(&path)
     }
+
     /// Makes DQN's result of a fold, unless its file exists.
     fn make_dqn(&self, fold: FoldArgs) -> anyhow::Result<()> {
         let &Hyperparameters { seed, limit, .. } = &self.hyperparameters;
