@@ -85,11 +85,11 @@ test('weights over a slow line: how far they are is seen, and the puzzle plays m
   await assertConsistent(page);
 });
 
-for (const kind of /** @type {const} */ (['gone', 'cut'])) {
+for (const kind of /** @type {const} */ (['gone', 'cut', 'bit'])) {
   test(`wasm with the fault “${kind}”`, async () => {
     const page = await openWith({ path: WASM, kind }, '&ball=100,200,10');
     const notice = page.locator('#notice:visible');
-    await notice.filter({ hasText: 'wasm could not be loaded' }).waitFor();
+    await notice.filter({ hasText: kind === 'bit' ? 'the file is damaged' : 'wasm could not be loaded' }).waitFor();
     assert.ok(await page.locator('#puzzle').isHidden());
     proxy.fault = null;
     await notice.getByRole('button', { name: 'Try again' }).click();
@@ -99,3 +99,15 @@ for (const kind of /** @type {const} */ (['gone', 'cut'])) {
     assertOnlyNetwork();
   });
 }
+
+test('wasm and weights damaged once are asked for again, past the caches, without a word', async () => {
+  const page = await openWith({ path: WASM, kind: 'bit once' });
+  await page.locator('#scene').waitFor();
+  assert.equal(proxy.fault, null);
+  proxy.fault = { path: WEIGHTS, kind: 'bit once' };
+  await page.locator('#tab-imagine').click();
+  await imagined(page);
+  assert.equal(proxy.fault, null);
+  assert.ok(await page.locator('#notice').isHidden());
+  await assertConsistent(page);
+});

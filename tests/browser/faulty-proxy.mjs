@@ -11,8 +11,9 @@ import { createServer, request } from 'node:http';
 import { setTimeout as wait } from 'node:timers/promises';
 
 /**
- * `gone`: no answer, the connection is closed; `cut`: half of it; `bit`: one bit in the middle is another; `slow`: a line of 3G.
- * @typedef {{ path: RegExp, kind: 'gone' | 'cut' | 'bit' | 'slow' }} Fault
+ * `gone`: no answer, the connection is closed; `cut`: half of it; `bit`: one bit in the middle is another; `bit once`: the first
+ * time only; `slow`: a line of 3G.
+ * @typedef {{ path: RegExp, kind: 'gone' | 'cut' | 'bit' | 'bit once' | 'slow' }} Fault
  */
 
 /** What a slow line carries, bytes each `SLICE` ms: 50 kB a second. */
@@ -63,7 +64,8 @@ class FaultyProxy {
       answer.destroy();
       return;
     }
-    if (kind === 'bit') body[body.length >> 1] ^= 1;
+    if (kind === 'bit once') this.fault = null;
+    if (kind === 'bit' || kind === 'bit once') body[body.length >> 1] ^= 1;
     answer.writeHead(response.statusCode, { ...response.headers, 'content-length': body.length });
     if (kind === 'cut') {
       answer.write(body.subarray(0, body.length >> 1), () => answer.destroy());

@@ -1,7 +1,9 @@
 // Reads the files beside the modules, and compiles the wasm: by fetch, or in Node, whose fetch knows no `file:` addresses,
 // from the disk.
 
+import { WASM_SHA256 } from "../pkg/integrity.js";
 import { failure } from "./failure.js";
+import { intact, sha256 } from "./sha256.js";
 
 /** The wasm of this version. */
 const WASM = new URL("../pkg/pathlight_bg.wasm", import.meta.url);
@@ -22,12 +24,13 @@ const WASM = new URL("../pkg/pathlight_bg.wasm", import.meta.url);
  * @param {Refuse} refuse
  * @param {OnProgress} [onProgress]
  * @param {number | null} [size] of the file in bytes, if it is known: a compressed answer does not say it
+ * @param {RequestCache} [cache]
  * @returns {Promise<Uint8Array<ArrayBuffer>>}
  */
-export async function readFile(address, refuse, onProgress = () => {}, size = null) {
+export async function readFile(address, refuse, onProgress = () => {}, size = null, cache = "default") {
   const disk = diskOf(address);
   if (disk) return new Uint8Array(await orRefuse(disk(address), refuse));
-  const response = await answerOf(address, refuse);
+  const response = await answerOf(address, refuse, cache);
   if (!response.body) throw refuse("the answer is empty");
   const whole = size ?? (Number(response.headers.get("content-length")) || null);
   const chunks = [];
@@ -66,7 +69,7 @@ export async function compileWasm(source) {
     throw failure("no_wasm", "There is no WebAssembly here, or it is switched off. Pathlight needs it: try a current browser.");
   }
   if (source === undefined) {
-    compiled ??= compileFile(WASM);
+    compiled ??= compileFile(WASM, WASM_SHA256);
     return compiled.catch((error) => {
       compiled = null;
       throw error;
@@ -79,19 +82,38 @@ export async function compileWasm(source) {
   return compileFile(addressOf(source));
 }
 
-/** @param {URL} address */
-async function compileFile(address) {
+/**
+ * @param {URL} address
+ * @param {string | null} [hash] SHA-256 of the file, if it is known
+ */
+async function compileFile(address, hash = null) {
   /** @type {Refuse} */
   const refuse = (reason, status) => {
     const missing = status === 404 || diskOf(address);
     const remedy = missing ? "Build or install Pathlight again." : "Check the connection and try again.";
     return failure("no_wasm", `Pathlight’s wasm could not be loaded: ${reason} for ${address}. ${remedy}`);
   };
-  if (diskOf(address)) return orRefuse(WebAssembly.compile(await readFile(address, refuse)), refuse);
-  const response = await answerOf(address, refuse);
-  // Compiled while it arrives; not every static server knows wasm's media type, without which browsers refuse that.
+  const module = await intact((cache) => compileIntact(address, hash, refuse, cache));
+  return module ?? Promise.reject(refuse("the file is damaged or another version’s"));
+}
+
+/**
+ * Compiles a file while it arrives, and hashes it beside that. Returns null if its hash is another.
+ * @param {URL} address
+ * @param {string | null} hash
+ * @param {Refuse} refuse
+ * @param {RequestCache} cache
+ */
+async function compileIntact(address, hash, refuse, cache) {
+  const response = diskOf(address) ? new Response(await readFile(address, refuse)) : await answerOf(address, refuse, cache);
+  const copy = hash === null ? null : response.clone();
+  // Not every static server knows wasm's media type, without which browsers refuse to compile what arrives.
   const streams = response.headers.get("content-type") === "application/wasm";
-  return orRefuse(streams ? WebAssembly.compileStreaming(response) : response.arrayBuffer().then((bytes) => WebAssembly.compile(bytes)), refuse);
+  const compiling = orRefuse(streams ? WebAssembly.compileStreaming(response) : response.arrayBuffer().then((bytes) => WebAssembly.compile(bytes)), refuse);
+  // What is damaged may not compile either; the hash decides.
+  compiling.catch(() => {});
+  const found = copy && (await orRefuse(copy.arrayBuffer().then(sha256), refuse));
+  return found && found !== hash ? null : compiling;
 }
 
 /**
@@ -108,9 +130,10 @@ export function addressOf(address) {
 /**
  * @param {URL} address
  * @param {Refuse} refuse
+ * @param {RequestCache} cache
  */
-async function answerOf(address, refuse) {
-  const response = await orRefuse(fetch(address), refuse);
+async function answerOf(address, refuse, cache) {
+  const response = await orRefuse(fetch(address, { cache }), refuse);
   if (!response.ok) throw refuse(`the server answered ${response.status}`, response.status);
   return response;
 }

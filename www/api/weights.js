@@ -4,6 +4,7 @@
 
 import { failure } from "./failure.js";
 import { readFile } from "./files.js";
+import { intact, sha256 } from "./sha256.js";
 
 /** @typedef {import("./files.js").OnProgress} OnProgress */
 /** @typedef {{ name: string, file: string, size?: number, sha256?: string }} ModelEntry */
@@ -33,20 +34,17 @@ export async function readModelList() {
  * @param {ModelEntry} entry
  * @param {OnProgress} [onProgress]
  */
-export async function readWeights({ file, size, sha256 }, onProgress) {
+export async function readWeights({ file, size, sha256: hash }, onProgress) {
   // In this form bundlers find the files.
   const address = new URL(`../assets/${file}`, import.meta.url);
-  const bytes = await readFile(address, (reason, status) =>
-    failure("no_weights", `The model’s weights ${status === 404 ? "are missing here" : "could not be loaded"}: ${reason} for ${address}.`), onProgress, size);
-  // Browsers hash only on secure and local addresses.
-  if (sha256 && globalThis.crypto?.subtle && (await digest(bytes)) !== sha256) {
-    throw failure("bad_weights", `${address} is not the file that ${LIST} names: it is damaged or old.`);
-  }
+  /** @type {import("./files.js").Refuse} */
+  const refuse = (reason, status) =>
+    failure("no_weights", `The model’s weights ${status === 404 ? "are missing here" : "could not be loaded"}: ${reason} for ${address}.`);
+  const bytes = await intact(async (cache) => {
+    const read = await readFile(address, refuse, onProgress, size, cache);
+    const found = hash ? await sha256(read) : null;
+    return found && found !== hash ? null : read;
+  });
+  if (!bytes) throw failure("bad_weights", `${address} is not the file that ${LIST} names: it is damaged or old.`);
   return bytes;
-}
-
-/** @param {Uint8Array<ArrayBuffer>} bytes */
-async function digest(bytes) {
-  const hash = new Uint8Array(await crypto.subtle.digest("SHA-256", bytes));
-  return Array.from(hash, (byte) => byte.toString(16).padStart(2, "0")).join("");
 }
