@@ -1,11 +1,12 @@
 //! Random scenes within the limits round-trip through JSON and never break the simulator: no panic, no pose that is not a number,
 //! no more steps than there are, and no body that leaves the walls far behind.
 //!
-//! `PATHLIGHT_SCENES=1000000 cargo test --release --test own_scenes` tries more of them; the slower rapier gets a fiftieth.
+//! `PATHLIGHT_SCENES=1000000 cargo test --release --test own_scenes -- --nocapture` tries more of them, and says how far it is;
+//! `PATHLIGHT_FIRST_SCENE` goes on from there. The slower rapier gets a fiftieth.
 #![cfg(not(target_arch = "wasm32"))]
 
 use std::f64::consts::TAU;
-use std::ops::RangeInclusive;
+use std::ops::{Range, RangeInclusive};
 
 use pathlight::play::scene_check::problems;
 use pathlight::puzzle::action::Ball;
@@ -72,13 +73,16 @@ fn scene(seed: u64) -> OwnScene {
     scene
 }
 
-fn scenes() -> u64 {
-    std::env::var("PATHLIGHT_SCENES").map_or(SCENES, |count| count.parse().expect("a number of scenes"))
+/// Returns the seeds of the scenes to try.
+fn seeds() -> Range<u64> {
+    let number =
+        |name: &str, usual| std::env::var(name).map_or(usual, |text| text.parse().expect("a number of scenes"));
+    number("PATHLIGHT_FIRST_SCENE", 0)..number("PATHLIGHT_SCENES", SCENES)
 }
 
 #[test]
 fn random_scenes_come_back_from_json_and_never_break_the_simulator() {
-    try_scenes(scenes(), Engine::Box2d, BESIDE);
+    try_scenes(seeds(), Engine::Box2d, BESIDE);
 }
 
 /// One of 100,000 random scenes had such a wedge: without a limit the impulses on the ball grow by a tenth in each step.
@@ -99,12 +103,21 @@ fn a_ball_that_is_wedged_between_static_bodies_stays_a_ball() {
 #[test]
 fn nor_do_they_break_rapier() {
     // It may push bodies that are pressed into a wall through it.
-    try_scenes(scenes() / 50, Engine::Rapier, -1e6..=1e6);
+    let Range { start, end } = seeds();
+    try_scenes(start / 50..end / 50, Engine::Rapier, -1e6..=1e6);
 }
 
-/// Tries so many scenes, in which the bodies have to stay in these places.
-fn try_scenes(count: u64, engine: Engine, places: RangeInclusive<f32>) {
-    (0..count).into_par_iter().for_each(|seed| {
+/// Tries the scenes of these seeds, in which the bodies have to stay in these places.
+fn try_scenes(seeds: Range<u64>, engine: Engine, places: RangeInclusive<f32>) {
+    let end = seeds.end;
+    for first in seeds.step_by(SCENES as usize) {
+        println!("{engine:?}: scenes from {first}");
+        try_block(first..end.min(first + SCENES), engine, &places);
+    }
+}
+
+fn try_block(seeds: Range<u64>, engine: Engine, places: &RangeInclusive<f32>) {
+    seeds.into_par_iter().for_each(|seed| {
         let own = scene(seed);
         let read = OwnScene::read(serde_json::to_value(&own).expect("plain data"));
         assert_eq!(read.as_ref(), Ok(&own), "scene {seed}");

@@ -36,6 +36,14 @@ impl PlayedId {
         }
     }
 
+    /// Returns the digest of an own scene in hexadecimal; `None` for a task.
+    pub fn digest(self) -> Option<String> {
+        match self {
+            PlayedId::Task(_) => None,
+            PlayedId::Own(digest) => Some(digest.iter().map(|byte| format!("{byte:02x}")).collect()),
+        }
+    }
+
     /// Returns the seed of the random draws, given the seed of the whole command or page: see `TaskId::seed`.
     pub fn seed(self, global_seed: u64) -> u64 {
         match self {

@@ -45,7 +45,7 @@ mod verification;
 
 pub use metrics::{auccess, fold, soft_iou};
 pub use model::{Model, Turn};
-pub use own_scene::{own_scene, paint_draft, scene_limits, scene_problems};
+pub use own_scene::{own_scene, paint_draft, scene_digest, scene_limits, scene_problems};
 pub use panic::throw_panics;
 pub use puzzle::Puzzle;
 pub use scripting::{raster, scene, simulate, why_invalid};

@@ -9,6 +9,7 @@ use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 use super::error::{Code, error, from_js, to_js};
 use super::frame;
 use super::played::{load, plain_scene};
+use crate::play::played::Played;
 use crate::play::scene_check::problems;
 use crate::puzzle::dimensions::{BALL_RADIUS, BAR_LENGTH, BAR_THICKNESS, JAR_HEIGHT, STICK_LENGTH};
 use crate::puzzle::own_scene::{BODIES, MAX_OVERLAP, NAME_LENGTH, OwnScene, Problem};
@@ -30,6 +31,16 @@ pub fn own_scene(#[wasm_bindgen(unchecked_param_type = "Played")] played: JsValu
 pub fn scene_problems(#[wasm_bindgen(unchecked_param_type = "unknown")] value: JsValue) -> Result<JsValue, JsValue> {
     let found = OwnScene::read(plain_scene(&value)).map_or_else(|problems| problems, |own| problems(&own));
     to_js(&found)
+}
+
+/// Returns the SHA-256, in hexadecimal, of an own scene without its name: equal for scenes that play alike.
+///
+/// # Errors
+/// `bad_scene` if it is no own scene, or may not be played.
+#[wasm_bindgen(js_name = sceneDigest)]
+pub fn scene_digest(#[wasm_bindgen(unchecked_param_type = "OwnScene")] scene: &JsValue) -> Result<String, JsValue> {
+    let played = Played::read(plain_scene(scene)).map_err(|problems| error(Code::BadScene, &problems[0]))?;
+    Ok(played.id.digest().expect("an own scene"))
 }
 
 /// Returns the limits of own scenes.

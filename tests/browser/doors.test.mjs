@@ -81,8 +81,8 @@ const file = (text) => new File([text], 'a file.json');
 
 const SCENE = { version: 1, name: 'Over', body1: 0, body2: 1, bodies: [{ shape: 'ball', radius: 12.5, x: 60, y: 200, angle: 0, dynamic: true }, { shape: 'bar', length: 80, thickness: 5.12, x: 200, y: 2.56, angle: 0, dynamic: false }] };
 const ATTEMPT = { task: '00007:008', by: 'player', ball: [128, 200, 12], status: 'solved', steps: 312, longest_touch: 180, final_touch: 180, simulator: 3 };
-const PROGRESS = { tasks: { '00007:008': { attempts: 4, solved: 3 } }, models: { 'within-0': { '00000:001': { attempts: 1, solved: null } } }, attempts: [ATTEMPT, { ...ATTEMPT, by: 'within-0', ball: [1, 2, 3] }] };
-const LINES = `${JSON.stringify(ATTEMPT)}\n${JSON.stringify({ ...ATTEMPT, task: '00000:001' })}\n`;
+const PROGRESS = { tasks: { '00007:008': { attempts: 4, solved: 3 } }, models: { 'within-0': { '00000:001': { attempts: 1, solved: null } } }, attempts: [ATTEMPT, { ...ATTEMPT, by: 'within-0', ball: [1, 2, 3] }, { ...ATTEMPT, task: undefined, scene: 'a'.repeat(64) }] };
+const LINES = `${JSON.stringify(ATTEMPT)}\n${JSON.stringify({ ...ATTEMPT, task: '00000:001' })}\n${JSON.stringify({ ...ATTEMPT, task: undefined, scene: SCENE })}\n`;
 
 test('any link is a state of the page that its own link leads back to', async () => {
   const links = ['task=00007:008&model=within-0&panel=imagine&stage=target&view=stage&layers=base,target&opacity=0.5', 'scene=q1YqSy0qzszPU7Iy0lFKyk_JTC0GsgxqAQ&ball=100,200,10&challenge=7&hide=puzzles,imagine&forecast=on&proposal=3', 'view=results'];
@@ -147,7 +147,7 @@ test('any file of progress is taken over or refused, and what is kept is read ba
     }
     const saved = page.progressJson(progress);
     const { tasks, models, attempts } = JSON.parse(saved);
-    const kept = new Set([...[tasks, ...Object.values(models)].flatMap(Object.keys), ...attempts.map(({ task }) => task)]);
+    const kept = new Set([...[tasks, ...Object.values(models)].flatMap(Object.keys), ...attempts.map(({ task, scene }) => task ?? scene)]);
     assert.equal(puzzles, kept.size, 'as many puzzles as it says');
     const other = fresh(new MemoryStorage());
     page.takeProgress(other, saved);
@@ -169,6 +169,7 @@ test('whatever is stored, and whether or not it may be, the page has progress, a
     'pathlight.progress': damaged([JSON.stringify({ tasks: PROGRESS.tasks })]),
     'pathlight.model.within-0': damaged([JSON.stringify({ tasks: PROGRESS.models['within-0'] })]),
     'pathlight.attempts.00007:008': damaged([LINES]),
+    'pathlight.attempts.own': damaged([LINES]),
     'pathlight.own-puzzles': damaged([JSON.stringify([SCENE])]),
     '__proto__': fc.string(),
   }, { requiredKeys: [] });
@@ -184,7 +185,7 @@ test('whatever is stored, and whether or not it may be, the page has progress, a
     const { ending, ball } = { ball: [1, 2, 3], ending: { solved: true, steps: 1, longest_touch: 0, final_touch: 0 } };
     progress.attempts.add('00007:008', 'player', [{ ball, ending }], 3);
     if (globalThis.localStorage.constructor === MemoryStorage) assert.ok(progress.attempts.of('00007:008').some((one) => String(one.ball) === '1,2,3'));
-    for (const one of progress.attempts.all) assert.match(one.task, /^\d{5}:\d{3}$/);
+    for (const one of progress.attempts.all) assert.match(one.puzzle, /^(\d{5}:\d{3}|[0-9a-f]{64})$/);
     assert.doesNotThrow(() => JSON.parse(page.progressJson(progress)));
     const own = new OwnPuzzles();
     const why = own.add([SCENE]);

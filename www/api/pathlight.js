@@ -204,6 +204,15 @@ export class Pathlight {
   }
 
   /**
+   * Returns the SHA-256 of an own scene without its name, in hexadecimal: equal for scenes that play alike.
+   * @param {OwnScene} scene
+   * @returns {string}
+   */
+  sceneDigest(scene) {
+    return wasm.sceneDigest(scene);
+  }
+
+  /**
    * Returns the limits of own scenes.
    * @returns {SceneLimits}
    */

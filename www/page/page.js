@@ -32,7 +32,7 @@ export class Page {
   #puzzle = byId(document, "puzzle", PathlightPuzzle);
   #gallery = new Gallery(byId(document, "templates"), this.#templates);
   #picks = new Picks(this.#templates, sharedProgress("kept").player, (task) => this.#navigate({ task }), () => this.#startGuide());
-  #ownGallery = new OwnGallery((scene) => this.#navigate({ scene }));
+  #ownGallery = new OwnGallery(sharedProgress("kept").attempts, (scene) => this.#navigate({ scene }));
   #progressView = new ProgressView(sharedProgress("kept"), this.#templates, this.#gallery);
   /** @type {import("./share-dialog.js").ShareDialog | null} */
   #shareDialog = null;

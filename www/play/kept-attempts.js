@@ -1,6 +1,7 @@
 // Keeps the attempts of player and model at each puzzle in the browser, and brings them back when the puzzle is opened again: the
 // player's are simulated once more; the model's come with its turn, if it was made by the model that is loaded.
 
+import { puzzleKey } from "../shell/attempt-store.js";
 import { Component } from "../shell/component.js";
 import { SIMULATOR_VERSION } from "../shell/constants.js";
 
@@ -9,6 +10,8 @@ import { SIMULATOR_VERSION } from "../shell/constants.js";
 export class KeptAttempts extends Component {
   #client;
   #store;
+  /** What the attempts at the open puzzle are kept under. */
+  #puzzle = "";
   /**
    * The balls of the attempts, as text, when they were last kept or brought back.
    * @type {Record<import("../pkg/pathlight.js").Contender, string[]>}
@@ -25,30 +28,25 @@ export class KeptAttempts extends Component {
     this.#client = client;
     this.#store = store;
     client.addEventListener("change", () => this.#bringBackModel());
-    this.byId("clear-attempts").addEventListener("click", () => this.#task && store.forget(this.#task));
+    this.byId("clear-attempts").addEventListener("click", () => this.session && store.forget(this.#puzzle));
   }
 
   /** @param {Session} session */
   open(session) {
     super.open(session);
-    if (!this.#task) return;
-    session.restore(this.#store.of(this.#task).filter(({ by }) => by === "player").map(({ ball }) => ball));
+    this.#puzzle = puzzleKey(session.played);
+    session.restore(this.#store.of(this.#puzzle).filter(({ by }) => by === "player").map(({ ball }) => ball));
     this.#kept = { player: ballsOf(session.attempts.of("player")), model: [] };
     this.#bringBackModel();
     for (const event of /** @type {const} */ (["attempted", "change"])) this.listen(event, () => this.#keep(session));
-  }
-
-  /** The open task; null if there is none, also for an own scene, whose attempts last as long as it is open. */
-  get #task() {
-    return this.session?.about.id ?? null;
   }
 
   /** A turn that the loaded model has made before. */
   #bringBackModel() {
     const { session } = this;
     const name = this.#client.loaded?.name;
-    if (!session || !this.#task || name === undefined || session.attempts.modelName !== null) return;
-    const attempts = this.#store.of(this.#task).filter(({ by, simulator }) => by === name && simulator === SIMULATOR_VERSION);
+    if (!session || name === undefined || session.attempts.modelName !== null) return;
+    const attempts = this.#store.of(this.#puzzle).filter(({ by, simulator }) => by === name && simulator === SIMULATOR_VERSION);
     session.restoreModel(attempts, name);
     this.#kept.model = ballsOf(session.attempts.of("model"));
   }
@@ -56,7 +54,7 @@ export class KeptAttempts extends Component {
   /** @param {Session} session */
   #keep(session) {
     // An attempt that runs for the first time is kept when it has ended.
-    if (session.resultHidden || !this.#task) return;
+    if (session.resultHidden) return;
     for (const contender of /** @type {const} */ (["player", "model"])) {
       const kept = this.#kept[contender];
       if (session.attempts.standing(contender).used === kept.length) continue;
@@ -65,8 +63,8 @@ export class KeptAttempts extends Component {
       const by = contender === "player" ? contender : session.attempts.modelName;
       // The attempts of a model that goes are not deleted.
       if (by === null) continue;
-      this.#store.remove(this.#task, by, kept.filter((ball) => !balls.includes(ball)));
-      this.#store.add(this.#task, by, attempts.filter(({ ball }) => !kept.includes(String(ball))), SIMULATOR_VERSION);
+      this.#store.remove(this.#puzzle, by, kept.filter((ball) => !balls.includes(ball)));
+      this.#store.add(this.#puzzle, by, attempts.filter(({ ball }) => !kept.includes(String(ball))), SIMULATOR_VERSION);
     }
   }
 }

@@ -1,75 +1,103 @@
 // The attempts themselves, as this device keeps them: for each puzzle the balls of the player and of each model, with what became
-// of them. Kept in localStorage, a key for each puzzle, as JSON lines: an attempt a line. A store that is forbidden, full or
-// damaged loses attempts but never breaks the page. Knows nothing of the document.
+// of them. Kept in localStorage as JSON lines, an attempt a line: a key for each task, and one for all own scenes, of which only
+// the latest attempts stay. A store that is forbidden, full or damaged loses attempts but never breaks the page. Knows nothing of
+// the document.
 //
 // {"task":"00007:008","by":"player","ball":[128,200,12],"status":"solved","steps":312,"longest_touch":180,"final_touch":180,"simulator":3}
-// "by" is "player" or the name of a model; lengths are in px, times in steps; "simulator" is the version of the simulator.
+// An own scene has its digest as "scene" instead of the "task"; in files it may be the scene itself. "by" is "player" or the name of
+// a model; lengths are in px, times in steps; "simulator" is the version of the simulator.
+
+import { pathlight } from "./pathlight.js";
 
 /** @typedef {import("../pkg/pathlight.js").Attempt} Attempt */
 
-/** @typedef {Attempt & { task: string, by: string, simulator: number }} KeptAttempt */
+/**
+ * An attempt at a puzzle: the id of a task, or the digest of an own scene.
+ * @typedef {Attempt & { puzzle: string, by: string, simulator: number }} KeptAttempt
+ */
 
 const PREFIX = "pathlight.attempts.";
-const TASK = /^\d{5}:\d{3}$/;
+/** What follows the prefix in the key of all own scenes; that of a task is its id. */
+const OWN = "own";
+export const TASK = /^\d{5}:\d{3}$/;
+const DIGEST = /^[0-9a-f]{64}$/;
 /** The name of a model, or "player". */
 export const NAME = /^[\w.-]{1,60}$/;
 /** More attempts of one contender at one puzzle than this are damage. */
 const MOST = 100;
+/** So many attempts at own scenes are kept, some 200 kB: every change to a scene makes another. */
+const MOST_OWN = 1000;
 /** More steps than this are damage. */
 const MOST_STEPS = 1e5;
 
-export class AttemptStore {
+/**
+ * What attempts at a puzzle are kept under.
+ * @param {import("../pkg/pathlight.js").Played} played
+ */
+export function puzzleKey(played) {
+  return typeof played === "string" ? played : pathlight.sceneDigest(played);
+}
+
+/** Fires "change" whenever it holds something else, also when another tab has written it. */
+export class AttemptStore extends EventTarget {
   #persistent;
-  /** @type {Map<string, KeptAttempt[]>} what the browser's store did not take, by puzzle: it lasts as long as the page */
+  /** @type {Map<string, KeptAttempt[]>} what the browser's store did not take, by slot: it lasts as long as the page */
   #unwritten = new Map();
 
   /** @param {boolean} persistent does it outlast the page? */
   constructor(persistent) {
+    super();
     this.#persistent = persistent;
+    if (!persistent) return;
+    addEventListener("storage", ({ key }) => {
+      if (key === null || key.startsWith(PREFIX)) this.#changed();
+    });
   }
 
   /**
    * The attempts at a puzzle, in the order in which they were made.
-   * @param {string} task
+   * @param {string} puzzle
    * @returns {KeptAttempt[]}
    */
-  of(task) {
-    const unwritten = this.#unwritten.get(task);
-    if (unwritten) return unwritten;
-    const text = this.#ask((storage) => storage.getItem(PREFIX + task)) ?? "";
-    return parseAttempts(text).attempts.filter((one) => one.task === task);
+  of(puzzle) {
+    return this.#read(slotOf(puzzle)).filter((one) => one.puzzle === puzzle);
+  }
+
+  /** All attempts at own scenes, in the order in which they were made. */
+  get ofOwnScenes() {
+    return this.#read(OWN);
   }
 
   /**
    * Adds attempts of one contender at a puzzle, beside those that another tab has kept. An attempt with the same ball is replaced,
    * and so are those of a model that another simulator made, for they are not brought back.
-   * @param {string} task
+   * @param {string} puzzle
    * @param {string} by
    * @param {Attempt[]} attempts
    * @param {number} simulator
    */
-  add(task, by, attempts, simulator) {
+  add(puzzle, by, attempts, simulator) {
     if (attempts.length === 0) return;
     const balls = new Set(attempts.map(({ ball }) => String(ball)));
-    const stays = (/** @type {KeptAttempt} */ one) => one.by !== by || (!balls.has(String(one.ball)) && (by === "player" || one.simulator === simulator));
-    this.#write(task, [...this.of(task).filter(stays), ...attempts.map(({ ball, ending }) => ({ task, by, ball, ending, simulator }))]);
+    const stays = (/** @type {KeptAttempt} */ one) => !isOf(one, puzzle, by) || (!balls.has(String(one.ball)) && (by === "player" || one.simulator === simulator));
+    this.#change(slotOf(puzzle), (kept) => [...kept.filter(stays), ...attempts.map(({ ball, ending }) => ({ puzzle, by, ball, ending, simulator }))]);
   }
 
   /**
    * Deletes the attempts of one contender at a puzzle with these balls.
-   * @param {string} task
+   * @param {string} puzzle
    * @param {string} by
    * @param {string[]} balls as text
    */
-  remove(task, by, balls) {
-    if (balls.length) this.#write(task, this.of(task).filter((one) => one.by !== by || !balls.includes(String(one.ball))));
+  remove(puzzle, by, balls) {
+    if (balls.length) this.#change(slotOf(puzzle), (kept) => kept.filter((one) => !isOf(one, puzzle, by) || !balls.includes(String(one.ball))));
   }
 
-  /** All attempts, by puzzle. */
+  /** All attempts, by puzzle; those at own scenes come last. */
   get all() {
     const keys = this.#ask((storage) => Object.keys(storage).filter((key) => key.startsWith(PREFIX))) ?? [];
-    const tasks = new Set([...keys.map((key) => key.slice(PREFIX.length)), ...this.#unwritten.keys()]);
-    return [...tasks].sort().flatMap((task) => this.of(task));
+    const slots = new Set([...keys.map((key) => key.slice(PREFIX.length)), ...this.#unwritten.keys()]);
+    return [...slots].sort().flatMap((slot) => this.#read(slot));
   }
 
   /**
@@ -77,21 +105,24 @@ export class AttemptStore {
    * @param {KeptAttempt[]} attempts
    */
   take(attempts) {
-    for (const [task, ofTask] of Map.groupBy(attempts, (one) => one.task)) {
-      for (const [by, saved] of Map.groupBy(ofTask, (one) => one.by)) {
-        const here = this.of(task);
-        const others = here.filter((one) => one.by !== by);
-        if (saved.length > here.length - others.length) this.#write(task, [...others, ...saved]);
-      }
+    for (const [slot, saved] of Map.groupBy(attempts, ({ puzzle }) => slotOf(puzzle))) {
+      this.#change(slot, (kept) => {
+        let taken = kept;
+        for (const ofOne of Map.groupBy(saved, ({ puzzle, by }) => `${puzzle} ${by}`).values()) {
+          const others = taken.filter((one) => !isOf(one, ofOne[0].puzzle, ofOne[0].by));
+          if (ofOne.length > taken.length - others.length) taken = [...others, ...ofOne];
+        }
+        return taken;
+      });
     }
   }
 
   /**
    * Forgets the attempts of all at a puzzle.
-   * @param {string} task
+   * @param {string} puzzle
    */
-  forget(task) {
-    this.#write(task, []);
+  forget(puzzle) {
+    this.#change(slotOf(puzzle), (kept) => kept.filter((one) => one.puzzle !== puzzle));
   }
 
   /** Forgets all attempts. */
@@ -100,20 +131,39 @@ export class AttemptStore {
     this.#ask((storage) => {
       for (const key of Object.keys(storage)) if (key.startsWith(PREFIX)) storage.removeItem(key);
     });
+    this.#changed();
   }
 
   /**
-   * @param {string} task
-   * @param {KeptAttempt[]} attempts
+   * @param {string} slot
+   * @returns {KeptAttempt[]}
    */
-  #write(task, attempts) {
+  #read(slot) {
+    const unwritten = this.#unwritten.get(slot);
+    if (unwritten) return unwritten;
+    const text = this.#ask((storage) => storage.getItem(PREFIX + slot)) ?? "";
+    return parseAttempts(text).attempts.filter(({ puzzle }) => slotOf(puzzle) === slot);
+  }
+
+  /**
+   * @param {string} slot
+   * @param {(kept: KeptAttempt[]) => KeptAttempt[]} change
+   */
+  #change(slot, change) {
+    const changed = change(this.#read(slot));
+    const attempts = slot === OWN ? changed.slice(-MOST_OWN) : changed;
     const isWritten = this.#ask((storage) => {
-      if (attempts.length) storage.setItem(PREFIX + task, formatAttempts(attempts));
-      else storage.removeItem(PREFIX + task);
+      if (attempts.length) storage.setItem(PREFIX + slot, formatAttempts(attempts));
+      else storage.removeItem(PREFIX + slot);
       return true;
     });
-    if (isWritten) this.#unwritten.delete(task);
-    else this.#unwritten.set(task, attempts);
+    if (isWritten) this.#unwritten.delete(slot);
+    else this.#unwritten.set(slot, attempts);
+    this.#changed();
+  }
+
+  #changed() {
+    this.dispatchEvent(new Event("change"));
   }
 
   /**
@@ -132,15 +182,37 @@ export class AttemptStore {
 }
 
 /**
+ * What follows the prefix in the key of a puzzle's attempts.
+ * @param {string} puzzle
+ */
+function slotOf(puzzle) {
+  return TASK.test(puzzle) ? puzzle : OWN;
+}
+
+/**
+ * @param {KeptAttempt} attempt
+ * @param {string} puzzle
+ * @param {string} by
+ */
+function isOf(attempt, puzzle, by) {
+  return attempt.puzzle === puzzle && attempt.by === by;
+}
+
+/**
  * Attempts as JSON lines.
  * @param {KeptAttempt[]} attempts
  */
 export function formatAttempts(attempts) {
-  return attempts.map(({ task, by, ball, ending: { solved, ...times }, simulator }) => `${JSON.stringify({ task, by, ball, status: solved ? "solved" : "not_solved", ...times, simulator })}\n`).join("");
+  return attempts.map((attempt) => `${JSON.stringify(lineOf(attempt))}\n`).join("");
+}
+
+/** @param {KeptAttempt} attempt */
+function lineOf({ puzzle, by, ball, ending: { solved, ...times }, simulator }) {
+  return { ...(TASK.test(puzzle) ? { task: puzzle } : { scene: puzzle }), by, ball, status: solved ? "solved" : "not_solved", ...times, simulator };
 }
 
 /**
- * The attempts of JSON lines, and how many lines are none; lines may hold more than is read.
+ * The attempts of JSON lines, and how many lines are none, or too many; lines may hold more than is read.
  * @param {string} text
  * @returns {{ attempts: KeptAttempt[], unread: number }}
  */
@@ -148,35 +220,63 @@ export function parseAttempts(text) {
   const lines = text.split("\n").filter((line) => line.trim());
   /** @type {Map<string, number>} */
   const counts = new Map();
+  const isOver = (/** @type {string} */ what, /** @type {number} */ most) => {
+    const count = (counts.get(what) ?? 0) + 1;
+    counts.set(what, count);
+    return count > most;
+  };
   const attempts = lines.flatMap((line) => {
-    const attempt = attemptOf(line);
-    if (!attempt) return [];
-    const contender = `${attempt.task} ${attempt.by}`;
-    const count = (counts.get(contender) ?? 0) + 1;
-    counts.set(contender, count);
-    return count <= MOST ? [attempt] : [];
+    const parsed = parsedLine(line);
+    if (parsed?.scene !== undefined && isOver(OWN, MOST_OWN)) return [];
+    const attempt = attemptOf(parsed);
+    return attempt && !isOver(`${attempt.puzzle} ${attempt.by}`, MOST) ? [attempt] : [];
   });
   return { attempts, unread: lines.length - attempts.length };
 }
 
 /**
  * @param {string} line
- * @returns {KeptAttempt | null}
+ * @returns {any}
  */
-function attemptOf(line) {
-  /** @type {any} */
-  let parsed;
+function parsedLine(line) {
   try {
-    parsed = JSON.parse(line);
+    return JSON.parse(line);
   } catch {
     return null;
   }
+}
+
+/**
+ * @param {any} parsed
+ * @returns {KeptAttempt | null}
+ */
+function attemptOf(parsed) {
   // A line with a digest names who made it: it may be the model's.
-  const { task, digest, by = digest === undefined ? "player" : null, ball, status, steps, longest_touch = 0, final_touch = 0, simulator = 0 } = parsed ?? {};
+  const { task, scene, digest, by = digest === undefined ? "player" : null, ball, status, steps, longest_touch = 0, final_touch = 0, simulator = 0 } = parsed ?? {};
   /** @type {(value: unknown) => boolean} */
   const isSteps = (value) => Number.isSafeInteger(value) && Number(value) >= 0 && Number(value) <= MOST_STEPS;
   const isBall = Array.isArray(ball) && ball.length === 3 && ball.every((value) => Number.isFinite(value));
-  const fits = typeof task === "string" && TASK.test(task) && typeof by === "string" && NAME.test(by) && isBall && ["solved", "not_solved"].includes(status);
+  const fits = typeof by === "string" && NAME.test(by) && isBall && ["solved", "not_solved"].includes(status);
   if (!fits || ![steps, longest_touch, final_touch, simulator].every(isSteps)) return null;
-  return { task, by, ball: /** @type {import("../pkg/pathlight.js").Ball} */ (ball), ending: { solved: status === "solved", steps, longest_touch, final_touch }, simulator };
+  const puzzle = scene === undefined ? taskOf(task) : digestOf(scene);
+  if (puzzle === null) return null;
+  return { puzzle, by, ball: /** @type {import("../pkg/pathlight.js").Ball} */ (ball), ending: { solved: status === "solved", steps, longest_touch, final_touch }, simulator };
+}
+
+/** @param {unknown} task */
+function taskOf(task) {
+  return typeof task === "string" && TASK.test(task) ? task : null;
+}
+
+/**
+ * The digest of an own scene, which is there itself or by its digest; null if it is neither.
+ * @param {any} scene
+ */
+function digestOf(scene) {
+  if (typeof scene === "string") return DIGEST.test(scene) ? scene : null;
+  try {
+    return pathlight.sceneDigest(scene);
+  } catch {
+    return null;
+  }
 }

@@ -4,7 +4,7 @@
 //
 // { "tasks": {…}, "models": { "within-0": {…} }, "attempts": [{…}] }   as progress-store.js and attempt-store.js have them
 
-import { NAME, formatAttempts, parseAttempts } from "./attempt-store.js";
+import { NAME, TASK, formatAttempts, parseAttempts } from "./attempt-store.js";
 import { validTasks } from "./progress-store.js";
 
 /** @typedef {import("./progress-store.js").SharedProgress} SharedProgress */
@@ -28,7 +28,7 @@ export function takeProgress(progress, text) {
   const ofPlayer = validTasks({ tasks });
   const ofModels = Object.entries(Object(models)).map(([name, ofModel]) => ({ name, of: validTasks({ tasks: ofModel }) }));
   const named = ofModels.filter(({ name, of }) => NAME.test(name) && Object.keys(of).length > 0);
-  const known = new Set([...[ofPlayer, ...named.map(({ of }) => of)].flatMap(Object.keys), ...attempts.map(({ task }) => task)]);
+  const known = new Set([...[ofPlayer, ...named.map(({ of }) => of)].flatMap(Object.keys), ...attempts.map(({ puzzle }) => puzzle)]);
   if (known.size === 0) throw new Error("This file holds no progress of Pathlight and no attempts. Choose one that was saved here.");
   progress.attempts.take(attempts);
   progress.player.take(ofPlayer);
@@ -39,13 +39,14 @@ export function takeProgress(progress, text) {
 }
 
 /**
- * What attempts tell of the progress of each contender.
+ * What attempts at tasks tell of the progress of each contender.
  * @param {import("./attempt-store.js").KeptAttempt[]} attempts
  */
 function counted(attempts) {
   /** @type {Map<string, Record<string, import("./progress-store.js").TaskProgress>>} */
   const contenders = new Map();
-  for (const { task, by, ending } of attempts) {
+  for (const { puzzle: task, by, ending } of attempts) {
+    if (!TASK.test(task)) continue;
     const tasks = contenders.get(by) ?? {};
     const { attempts: before, solved } = tasks[task] ?? { attempts: 0, solved: null };
     tasks[task] = { attempts: before + 1, solved: solved ?? (ending.solved ? before + 1 : null) };

@@ -4,12 +4,11 @@
 //
 // { "tasks": { "00007:013": { "attempts": 4, "solved": 3 } } }   "solved" is null as long as no attempt solved it
 
-import { AttemptStore } from "./attempt-store.js";
+import { AttemptStore, TASK } from "./attempt-store.js";
 
 /** @typedef {{ attempts: number, solved: number | null }} TaskProgress */
 
 const PLAYER_KEY = "pathlight.progress";
-const TASK = /^\d{5}:\d{3}$/;
 /** More attempts than a person can make: a stored number above it is damage. */
 const MAX_STORED_ATTEMPTS = 1e6;
 

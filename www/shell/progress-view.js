@@ -43,6 +43,7 @@ export class ProgressView {
     byId(document, "progress-read").addEventListener("click", () => file.click());
     file.addEventListener("change", () => this.#take(file));
     store.addEventListener("change", () => this.#update());
+    progress.attempts.addEventListener("change", () => this.#update());
     this.#update();
   }
 
@@ -61,8 +62,9 @@ export class ProgressView {
 
   #update() {
     const all = this.#store.sum(this.#templates.flatMap(({ tasks }) => tasks));
-    byId(document, "progress").hidden = all.tried === 0;
-    byId(document, "progress-words").textContent = `${totalWords(all)}${this.#store.persistent ? "" : " This browser keeps nothing for the page: it is forgotten when you close it."}`;
+    const own = sumOf(this.#progress.attempts.ofOwnScenes);
+    byId(document, "progress").hidden = all.tried + own.tried === 0;
+    byId(document, "progress-words").textContent = `${totalWords(all, own)}${this.#store.persistent ? "" : " This browser keeps nothing for the page: it is forgotten when you close it."}`;
     for (const { id, tasks } of this.#templates) this.#gallery.mark(id, templateWords(this.#store.sum(tasks), tasks.length));
     for (const option of byId(document, "task", HTMLSelectElement).options) option.textContent = this.#label(option.value);
   }
@@ -106,9 +108,26 @@ export class ProgressView {
 /** @type {(count: number, noun: string) => string} */
 const counted = (count, noun) => `${count} ${noun}${count === 1 ? "" : "s"}`;
 
-/** @param {Sum} sum */
-function totalWords({ tried, solved, attempts }) {
-  return `So far you have tried ${counted(tried, "puzzle")} and solved ${solved}, in ${counted(attempts, "attempt")}.`;
+/**
+ * Of the player's attempts at own scenes: how many scenes were tried, how many are solved, and how many attempts there are.
+ * @param {import("./attempt-store.js").KeptAttempt[]} kept
+ * @returns {Sum}
+ */
+function sumOf(kept) {
+  const attempts = kept.filter(({ by }) => by === "player");
+  const scenes = [...Map.groupBy(attempts, ({ puzzle }) => puzzle).values()];
+  return { tried: scenes.length, solved: scenes.filter((ofScene) => ofScene.some(({ ending }) => ending.solved)).length, attempts: attempts.length };
+}
+
+/**
+ * @param {Sum} all of the templates' puzzles
+ * @param {Sum} own of own puzzles
+ */
+function totalWords(all, own) {
+  const sentences = [];
+  if (all.tried) sentences.push(`So far you have tried ${counted(all.tried, "puzzle")} and solved ${all.solved}, in ${counted(all.attempts, "attempt")}.`);
+  if (own.tried) sentences.push(`Of your own puzzles you have tried ${own.tried} and solved ${own.solved}, in ${counted(own.attempts, "attempt")}.`);
+  return sentences.join(" ");
 }
 
 /**

@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value};
 
-use super::{OwnScene, Problem, VERSION};
+use super::{OwnBody, OwnScene, Problem, VERSION};
 
 impl OwnScene {
     /// Reads a scene from JSON. Keys that it does not know are ignored.
@@ -34,7 +34,7 @@ impl OwnScene {
             Some(Value::Array(values)) => {
                 for (index, value) in values.into_iter().enumerate() {
                     match serde_json::from_value(value) {
-                        Ok(body) => bodies.push(body),
+                        Ok(body) => bodies.push(without_negative_zero(body)),
                         Err(reason) => problems.push(Problem {
                             body: Some(index),
                             other: None,
@@ -62,6 +62,11 @@ impl OwnScene {
         let scene = OwnScene { version: VERSION, name, body1, body2, bodies };
         if problems.is_empty() { Ok(scene) } else { Err(problems) }
     }
+}
+
+/// Returns a body with 0 for each -0, which JavaScript writes as 0: its digest and its poses stay the same.
+fn without_negative_zero(body: OwnBody) -> OwnBody {
+    OwnBody { x: body.x + 0.0, y: body.y + 0.0, angle: body.angle + 0.0, ..body }
 }
 
 /// Returns a number without a fraction, also one that JavaScript has written.
@@ -99,6 +104,13 @@ mod tests {
         *scene.pointer_mut(pointer).expect("a value of the scene") = value;
         let problems = OwnScene::read(scene).map_or_else(|problems| problems, |scene| scene.limit_problems());
         problems.into_iter().next().unwrap_or_else(|| panic!("{pointer} is not refused"))
+    }
+
+    #[test]
+    fn negative_zero_is_read_as_zero() {
+        let mut turned = scene();
+        turned["bodies"][0]["angle"] = json!(-0.0);
+        assert!(OwnScene::read(turned).expect("a scene").bodies[0].angle.is_sign_positive());
     }
 
     #[test]
