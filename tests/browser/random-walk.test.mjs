@@ -30,7 +30,9 @@ test(`${STEPS} steps from seed ${SEED}`, { timeout: 60_000 + STEPS * 3000 }, asy
       if (step % RELOAD_EVERY === 0) await assertSameAfterReload(page);
       assert.deepEqual(session.problems, []);
     } catch (error) {
-      throw new Error(`After step ${step} from seed ${SEED}, the last being\n${walk.log.slice(-TOLD).join('\n')}`, { cause: error });
+      // The TAP reporter leaves out the cause.
+      const why = /** @type {Error} */ (error).message;
+      throw new Error(`After step ${step} from seed ${SEED}: ${why}\nThe last steps were\n${walk.log.slice(-TOLD).join('\n')}`, { cause: error });
     }
   }
 });

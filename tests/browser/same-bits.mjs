@@ -79,11 +79,15 @@ export async function computeInNode({ attempts, tasks }) {
 
 /**
  * @param {Sample} sample
+ * @param {{ threads?: number, emulator?: string[] }} [machine] by default this one with all its threads; an emulator is a command
+ * before the program's
  * @returns {Computed}
  */
-export function computeNatively({ attempts, tasks }) {
+export function computeNatively({ attempts, tasks }, { threads, emulator = [] } = {}) {
+  const env = { ...process.env, ...(threads && { RAYON_NUM_THREADS: String(threads) }) };
   const lines = (args, input = '') => {
-    const { stdout, stderr, status } = spawnSync(binary, args, { input, encoding: 'utf8', maxBuffer: 1e9, cwd: new URL('../..', import.meta.url) });
+    const [command, ...words] = [...emulator, binary, ...args];
+    const { stdout, stderr, status } = spawnSync(command, words, { input, env, encoding: 'utf8', maxBuffer: 1e9, cwd: new URL('../..', import.meta.url) });
     if (status !== 0) throw new Error(stderr);
     return stdout.trim().split('\n').map((line) => JSON.parse(line));
   };

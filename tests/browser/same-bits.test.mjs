@@ -1,7 +1,10 @@
-// Natively, in Node, in Chromium and in Firefox the same rollouts to the bit, and the same proposals.
-// PATHLIGHT_BITS=40 compares 1,000 rollouts, 40 of each template, and the proposals of 100 tasks.
+// Natively, with one thread and with two, with AVX and without, in Node, in Chromium and in Firefox the same rollouts to the bit, and
+// the same proposals.
+// PATHLIGHT_BITS=40 compares 1,000 rollouts, 40 of each template, and the proposals of 100 tasks. Processors that lack AVX are
+// emulated by QEMU, where it is (apt-get install qemu-user).
 
 import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
 import { test } from 'node:test';
 import { startFirefox } from './firefox.mjs';
 import { start } from './harness.mjs';
@@ -9,6 +12,8 @@ import { computeInNode, computeInPage, computeNatively, digestOf, joined, pieces
 
 const PER_TEMPLATE = Number(process.env.PATHLIGHT_BITS ?? 2);
 const PROPOSED = process.env.PATHLIGHT_BITS ? 100 : 3;
+/** By what they have of AVX, the processors that QEMU emulates; the kernels of the nets differ. */
+const PROCESSORS = { 'with AVX2': 'max', 'without AVX': 'Nehalem', 'with SSE2 alone': 'qemu64,-sse3' };
 
 test(`${PER_TEMPLATE * 25} rollouts and the proposals of ${PROPOSED} tasks`, { timeout: 1_800_000 }, async (context) => {
   const sample = await sampleOf(PER_TEMPLATE, PROPOSED);
@@ -33,5 +38,18 @@ test(`${PER_TEMPLATE * 25} rollouts and the proposals of ${PROPOSED} tasks`, { t
   } finally {
     await firefox.close();
     await session.stop();
+  }
+});
+
+test('one thread or two, AVX or none', { timeout: 3_600_000 }, async (context) => {
+  const sample = await sampleOf(PER_TEMPLATE, PROPOSED);
+  const native = computeNatively(sample);
+  for (const threads of [1, 2]) assert.deepEqual(computeNatively(sample, { threads }), native, `${threads} threads`);
+  const lacks = process.arch === 'x64' ? spawnSync('qemu-x86_64', ['--version']).error : new Error('another processor');
+  if (lacks) return context.diagnostic(`AVX is not compared: QEMU cannot be started here (${lacks.message})`);
+  for (const [name, processor] of Object.entries(PROCESSORS)) {
+    const computed = computeNatively(sample, { emulator: ['qemu-x86_64', '-cpu', processor] });
+    context.diagnostic(`${name}: ${digestOf(computed)}`);
+    assert.deepEqual(computed, native, name);
   }
 });
