@@ -48,6 +48,12 @@ impl Args {
             let bytes = fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
             let (nets, card) =
                 PathNet::load(&bytes, &flex()).with_context(|| format!("cannot use {}", path.display()))?;
+            ensure!(
+                !card.dynamics.as_ref().is_some_and(|dynamics| dynamics.without_paths),
+                "{} was trained with --without-paths, so the page would show paths that mean nothing: train it without that \
+                 option",
+                path.display()
+            );
             let copy = self.assets.join(format!("{}-{}.safetensors", card.setup, card.fold));
             let rounded = nets.rounded().save(&card).with_context(|| format!("cannot use {}", path.display()))?;
             replace_file(&copy, &rounded)?;

@@ -48,6 +48,10 @@ pub struct Args {
     #[arg(long)]
     pub without_dev: bool,
 
+    /// Learn chances alone, not the paths, to measure what these bring; such weights cannot be published
+    #[arg(long)]
+    pub without_paths: bool,
+
     /// Start from the dynamics net of these weights
     #[arg(long, value_name = "FILE")]
     pub from: Option<PathBuf>,
@@ -74,6 +78,7 @@ impl Args {
             coverage: true,
             variants: scenes.variants(),
             without_dev,
+            without_paths: self.without_paths,
             from: self.from.as_deref().map(digest).transpose()?,
         });
         let folder = self.training.out.clone().unwrap_or_else(|| self.fold.folder().join("dynamics"));
@@ -89,7 +94,7 @@ impl Args {
             &plan,
             &self.training,
             |number| self.batch(&scenes, number),
-            |trainer, batch, learning_rate| trainer.step(batch, learning_rate),
+            |trainer, batch, learning_rate| trainer.step(batch, !self.without_paths, learning_rate),
         )?;
         if complete {
             // Its own logits of the cells take the place of the judge's.

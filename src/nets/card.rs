@@ -86,6 +86,9 @@ pub struct DynamicsCard {
     /// The fold's dev tasks were left out, whatever the four nets have seen.
     #[serde(default)]
     pub without_dev: bool,
+    /// The net learned chances alone: what it imagines are no paths.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub without_paths: bool,
     /// SHA-256 of the weights whose dynamics net it started from, if it did not start fresh.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub from: Option<String>,

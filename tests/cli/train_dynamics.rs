@@ -36,6 +36,20 @@ fn a_dynamics_net_joins_the_weights_and_can_be_trained_further() {
     let [left, right] = read.imagine(&balls).try_into().expect("two balls");
     assert!(left.paths.ball[0][0] < right.paths.ball[0][0], "a path begins where its ball starts");
 
+    let without_paths = train("without-paths", &["--without-paths"]);
+    let losses = |run: &str| {
+        let text = fs::read_to_string(folder.path().join(run).join("losses.csv")).expect("losses");
+        let last = text.lines().last().expect("a line").to_string();
+        last.split(',').skip(2).map(|loss| loss.parse().expect("a number")).collect::<Vec<f32>>()
+    };
+    assert!(losses("whole").iter().all(|&loss| loss > 0.0));
+    assert_eq!(losses("without-paths")[3..], [0.0, 0.0], "it learns no paths");
+    let published = file("published");
+    assert_refused(
+        &["publish", &without_paths.display().to_string(), "--assets", &published],
+        "paths that mean nothing",
+    );
+
     let cut = train("cut", &["--stop-after", "3"]);
     assert!(!cut.exists(), "it should have stopped before the end");
     assert_eq!(fs::read(train("cut", &[])).expect("weights"), bytes, "cut off or not, the same net");

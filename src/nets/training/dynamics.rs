@@ -1,7 +1,8 @@
 //! One optimiser step of the dynamics net.
 //!
 //! The loss is the sum of: the binary cross-entropies of the three chances (of the ball's cell, of the ball, and from its
-//! paths alone), and the mean distances of the coordinates and of the expected errors, weighted.
+//! paths alone), and the mean distances of the coordinates and of the expected errors, weighted. Without the last two, what the net
+//! calls paths is whatever helps the chances: an ablation.
 
 use burn::tensor::{Device, Int, Tensor, TensorData};
 
@@ -81,8 +82,9 @@ impl Trainer<DynamicsNet> {
     }
 
     /// One optimiser step on a batch; returns the losses: of the logits of the cells, of the balls, of the paths alone,
-    /// the mean distance of a coordinate and of an expected error, both in `UNIT`.
-    pub fn step(&mut self, batch: DynamicsBatch, learning_rate: f64) -> Vec<f32> {
+    /// the mean distance of a coordinate and of an expected error, both in `UNIT`, weighted. These two are zero unless it learns the
+    /// `paths`.
+    pub fn step(&mut self, batch: DynamicsBatch, paths: bool, learning_rate: f64) -> Vec<f32> {
         let device = self.device.clone();
         let shape = [batch.count, CHANNELS, SIDE, SIDE];
         let scenes = Tensor::from_data(TensorData::new(batch.scenes, shape), &device);
@@ -99,12 +101,13 @@ impl Trainer<DynamicsNet> {
         let apart = predictions.coordinates - real; // [balls, COORDINATES]
         let squared = apart.clone().detach().powi_scalar(2).reshape([count, POSITIONS, 2]);
         let distance = squared.sum_dim(2).squeeze_dim::<2>(2).sqrt(); // [balls, POSITIONS]
+        let [path_weight, error_weight] = if paths { [PATH_WEIGHT, ERROR_WEIGHT] } else { [0.0; 2] };
         let losses = vec![
             binary_cross_entropy_with_logits(of_cells, vector(batch.logit_labels)),
             binary_cross_entropy_with_logits(predictions.logits, labels.clone()),
             binary_cross_entropy_with_logits(predictions.path_logits, labels),
-            apart.abs().mean() * PATH_WEIGHT,
-            (predictions.errors - distance).abs().mean() * ERROR_WEIGHT,
+            apart.abs().mean() * path_weight,
+            (predictions.errors - distance).abs().mean() * error_weight,
         ];
         self.backward_step(Tensor::cat(losses, 0), learning_rate)
     }
