@@ -85,6 +85,16 @@ impl Body {
         })
     }
 
+    /// Returns how far the body reaches into a direction, a unit vector, from the origin of the scene, px.
+    pub fn reach(&self, [x, y]: [f64; 2]) -> f64 {
+        let along = |[a, b]: [f64; 2]| a * x + b * y;
+        let reaches = self.shapes.iter().flat_map(|shape| match shape {
+            Shape::Circle(r) => vec![along([self.x, self.y]) + r],
+            Shape::Polygon(corners) => corners.iter().map(|&corner| along(self.to_scene(corner))).collect(),
+        });
+        reaches.fold(f64::NEG_INFINITY, f64::max)
+    }
+
     /// Returns colour and shape in words: "green ball".
     pub fn name(&self) -> String {
         let colour = match self.role {

@@ -4,13 +4,15 @@
 //   first puzzle   from asking for the page, with an empty cache, until the scene (or the grid's first picture) is
 //                  drawn; the page is the one asked for, a puzzle by its link or the grid
 //   drag           the time between two frames while the ball is dragged, and the work in each
+//   bending        the same while the green object of a scene is dragged in Bend, and from a move until its maps are drawn
 //   maps           from opening another puzzle until its maps are drawn, once the weights are there
 //   in wasm        the model's own part of it: the maps of a puzzle, a hundred balls proposed for it, one ball imagined
 //
 // Each is measured several times; the median is printed with the worst, beside what it should be.
 
 import { start } from './harness.mjs';
-import { openPuzzle, spot } from './page-actions.mjs';
+import { bendTimings, drag } from './drag-timings.mjs';
+import { openPuzzle } from './page-actions.mjs';
 
 const TIMES = 7;
 /** The templates whose first task is opened. */
@@ -63,35 +65,14 @@ row('first puzzle, on the grid', await repeat(() => drawn('/', '#templates canva
 const page = await openPuzzle(session, { fragment: '&panel=imagine&layers=base,placement&ball=128,200,12' });
 await page.locator('#imagined-in').filter({ hasText: 'Imagined' }).waitFor();
 
-/** Drags the ball about for two seconds: the times between frames. */
-async function drag() {
-  await page.mouse.move(...(await spot(page, 128, 200)));
-  await page.mouse.down();
-  const frames = await page.evaluateHandle(() => {
-    /** @type {{ times: number[], on: boolean }} */
-    const recorded = { times: [], on: true };
-    const onFrame = (now) => {
-      recorded.times.push(now);
-      if (recorded.on) requestAnimationFrame(onFrame);
-    };
-    requestAnimationFrame(onFrame);
-    return recorded;
-  });
-  const end = Date.now() + 2000;
-  for (let turn = 0; Date.now() < end; turn += 0.12) {
-    await page.mouse.move(...(await spot(page, 128 + 60 * Math.cos(turn), 190 + 40 * Math.sin(turn))));
-  }
-  await page.mouse.up();
-  return frames.evaluate((recorded) => {
-    recorded.on = false;
-    return recorded.times.slice(1).map((now, index) => now - recorded.times[index]);
-  });
+/** Lists the times between the frames of a drag. */
+function rowsOfDrag(what, gaps) {
+  row(`${what}, between two frames`, gaps, 'ms', '16.7 ms');
+  const seconds = gaps.reduce((sum, gap) => sum + gap, 0) / 1000;
+  rows.push({ what: `${what}, frames a second`, median: (gaps.length / seconds).toFixed(1), worst: '', wanted: '60' });
 }
 
-const gaps = await drag();
-row('drag, between two frames', gaps, 'ms', '16.7 ms');
-const seconds = gaps.reduce((sum, gap) => sum + gap, 0) / 1000;
-rows.push({ what: 'drag, frames a second', median: (gaps.length / seconds).toFixed(1), worst: '', wanted: '60' });
+rowsOfDrag('drag', await drag(page, [128, 200], [60, 40]));
 
 /** Opens a task by its link and waits for all maps. They come together; a timer would look for them every 4 ms only. */
 const maps = (task) =>
@@ -135,6 +116,12 @@ row('five maps, in wasm', spent.maps, 'ms', '');
 row('a hundred balls proposed, in wasm', spent.balls, 'ms', '< 1000 ms');
 row('the first ball imagined, in wasm', spent.imagined.map(([first]) => first), 'ms', '');
 row('the next ball imagined, in wasm', spent.imagined.map(([, next]) => next), 'ms', '< 16 ms');
+
+const sceneOf = (task) => plain.evaluate(async (task) => (await import('/pkg/pathlight.js')).ownScene(task), task);
+for (const { bodies, gaps, latencies } of await bendTimings(session, sceneOf)) {
+  rowsOfDrag(`bending ${bodies} bodies`, gaps);
+  row(`bending ${bodies} bodies, from a move to its maps`, latencies, 'ms', '< 100 ms');
+}
 
 console.table(rows);
 await session.stop();

@@ -5,7 +5,7 @@
 //! anywhere and `limit_problems` names what the limits refuse; `play::scene_check` adds what only the simulator knows, and is the way to
 //! a scene that may be played.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{FRAC_1_SQRT_2, TAU};
 use std::ops::RangeInclusive;
 
 use serde::{Deserialize, Serialize};
@@ -27,6 +27,10 @@ pub const NAME_LENGTH: usize = 60;
 /// How deep a dynamic body may overlap another body or a wall at the start, px. The position solver separates them without
 /// giving them speed. The deepest overlap of two bodies in the benchmark is 2.73 px (00006:164).
 pub const MAX_OVERLAP: f64 = 3.0;
+
+/// How far a dynamic body may reach over a corner of the scene, along the diagonal, px. The walls only meet there: of bodies
+/// that reached over by 1.6 px or more, some slipped out between them.
+const OVER_CORNER: f64 = 1.0;
 
 /// How far outside of the scene a static body may be, px. Some of the benchmark's are up to 90 px away and never touched.
 const OUTSIDE: f64 = 128.0;
@@ -64,7 +68,8 @@ pub struct OwnBody {
     /// Radians, counter-clockwise.
     #[cfg_attr(not(target_arch = "wasm32"), schemars(range(min = -TAU, max = TAU)))]
     pub angle: f64,
-    /// Whether it moves. A dynamic body lies inside the scene but for 3 px, a static one no farther outside of it than 128 px.
+    /// Whether it moves. A dynamic body lies inside the scene but for 3 px, and at a corner for 1 px; a static one is no farther
+    /// outside of it than 128 px.
     pub dynamic: bool,
 }
 
@@ -181,15 +186,31 @@ impl OwnScene {
         let [left, bottom, right, top] = self.body(index).bounds();
         if dynamic {
             let out = [-left, -bottom, right - SIZE, top - SIZE].into_iter().fold(0.0, f64::max);
-            (out > MAX_OVERLAP).then(|| {
-                format!("The {name} sticks out of the scene by {} px: move it inside or make it smaller.", px(out))
-            })
+            let over = over_a_corner(&self.body(index));
+            let remedy = "move it inside or make it smaller";
+            if out > MAX_OVERLAP {
+                Some(format!("The {name} sticks out of the scene by {} px: {remedy}.", px(out)))
+            } else if over > OVER_CORNER {
+                Some(format!("The {name} sticks out of a corner of the scene by {} px: {remedy}.", px(over)))
+            } else {
+                None
+            }
         } else {
             let away = [-right, -top, left - SIZE, bottom - SIZE].into_iter().fold(0.0, f64::max);
             (away > OUTSIDE)
                 .then(|| format!("The {name} is {} px outside of the scene: move it nearer, or remove it.", px(away)))
         }
     }
+}
+
+/// Returns how far a body reaches over the corners of the scene, along the diagonals, px; not positive if it does not.
+fn over_a_corner(body: &Body) -> f64 {
+    let diagonals = [[-1.0, -1.0], [1.0, -1.0], [-1.0, 1.0], [1.0, 1.0]];
+    let over = diagonals.map(|[x, y]: [f64; 2]| {
+        let corner = SIZE * (x.max(0.0) + y.max(0.0));
+        body.reach([x, y].map(|part| part * FRAC_1_SQRT_2)) - corner * FRAC_1_SQRT_2
+    });
+    over.into_iter().fold(f64::NEG_INFINITY, f64::max)
 }
 
 /// Returns a length for a sentence; one that is far too large as a power of ten.
@@ -253,6 +274,16 @@ mod tests {
         assert_eq!(
             outside.sentence,
             "The green ball (body 0) sticks out of the scene by 14.5 px: move it inside or make it smaller."
+        );
+        let mut cornered = scene();
+        (cornered["bodies"][0]["x"], cornered["bodies"][0]["y"]) = (json!(246.0), json!(246.0));
+        assert_eq!(OwnScene::read(cornered.clone()).expect("a scene").limit_problems(), []);
+        cornered["bodies"][0] =
+            json!({"shape": "bar", "length": 40, "thickness": 2, "x": 243, "y": 243, "angle": 0.785, "dynamic": true});
+        let problems = OwnScene::read(cornered).expect("a scene").limit_problems();
+        assert_eq!(
+            problems[0].sentence,
+            "The green bar (body 0) sticks out of a corner of the scene by 1.6 px: move it inside or make it smaller."
         );
         assert_eq!(problem("/bodies/0/dynamic", json!(false)).body, Some(0));
         assert_eq!(problem("/bodies/1/y", json!(-200)).body, Some(1));
