@@ -98,26 +98,26 @@ impl Dimensions {
 
     /// Returns the dimensions that have exactly the shapes of a body; `None` if none do, as those of a body from elsewhere.
     pub fn of(body: &Body) -> Option<Dimensions> {
+        let has_its_shapes = |dimensions: &Dimensions| dimensions.shapes() == body.shapes;
         match (body.shape_type, body.shapes.as_slice()) {
-            (ShapeType::Ball, [Shape::Circle(radius)]) => Some(Dimensions::Ball { radius: *radius }),
+            (ShapeType::Ball, [Shape::Circle(radius)]) => {
+                Some(Dimensions::Ball { radius: *radius }).filter(has_its_shapes)
+            }
             (ShapeType::Bar, [Shape::Polygon(corners)]) => {
                 let [w, h] = *corners.first()?;
-                Some(Dimensions::Bar { length: 2.0 * w, thickness: 2.0 * h })
+                Some(Dimensions::Bar { length: 2.0 * w, thickness: 2.0 * h }).filter(has_its_shapes)
             }
             (ShapeType::Jar, [_, Shape::Polygon(wall), _]) => {
                 let width = -2.0 * wall.first()?[0];
-                near(1.2 * width).map(|height| Dimensions::Jar { height }).find(|jar| jar.shapes() == body.shapes)
+                near(1.2 * width).map(|height| Dimensions::Jar { height }).find(has_its_shapes)
             }
             (ShapeType::StandingSticks, [_, Shape::Polygon(stick)]) => {
                 let [[x, y], [u, v]] = [stick.first()?, stick.get(1)?];
                 let length = libm::hypot(x - u, y - v);
-                near(length)
-                    .map(|length| Dimensions::StandingSticks { length })
-                    .find(|sticks| sticks.shapes() == body.shapes)
+                near(length).map(|length| Dimensions::StandingSticks { length }).find(has_its_shapes)
             }
             _ => None,
         }
-        .filter(|dimensions| dimensions.shapes() == body.shapes)
     }
 }
 

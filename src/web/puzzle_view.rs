@@ -111,7 +111,7 @@ impl Puzzle {
 
     /// Returns the last step of the current recordings at which anything changes; 0 if there are none.
     pub fn steps(&self) -> usize {
-        self.recordings.iter().map(Recording::last_step).max().unwrap_or(0)
+        self.recordings.iter().map(|recording| recording.rollout.still_from()).max().unwrap_or(0)
     }
 
     /// Returns when and where the green object came nearest to its goal in the first of the current recordings; undefined if

@@ -20,11 +20,6 @@ pub struct Recording {
 }
 
 impl Recording {
-    /// Returns the last step that is worth showing: afterwards nothing changes.
-    pub fn last_step(&self) -> usize {
-        self.rollout.still_from()
-    }
-
     /// Returns the pose of a dynamic body at a step; a fraction is interpolated, and the last step holds afterwards.
     pub fn pose(&self, step: f64, body: usize) -> Option<Pose> {
         let step = step.clamp(0.0, self.rollout.steps as f64);

@@ -89,22 +89,8 @@ mod tests {
     use serde_json::json;
 
     use super::super::NAME_LENGTH;
+    use super::super::tests::{problem, scene};
     use super::*;
-
-    fn scene() -> Value {
-        json!({"version": 1, "name": "Over the wall", "body1": 0, "body2": 1, "bodies": [
-            {"shape": "ball", "radius": 12.5, "x": 60, "y": 200, "angle": 0, "dynamic": true},
-            {"shape": "bar", "length": 80, "thickness": 5.12, "x": 200, "y": 2.56, "angle": 0, "dynamic": false},
-        ]})
-    }
-
-    /// The first problem of this scene with one value replaced.
-    fn problem(pointer: &str, value: Value) -> Problem {
-        let mut scene = scene();
-        *scene.pointer_mut(pointer).expect("a value of the scene") = value;
-        let problems = OwnScene::read(scene).map_or_else(|problems| problems, |scene| scene.limit_problems());
-        problems.into_iter().next().unwrap_or_else(|| panic!("{pointer} is not refused"))
-    }
 
     #[test]
     fn negative_zero_is_read_as_zero() {
