@@ -1,6 +1,6 @@
 # make play      builds what is missing and serves the page on PORT; PAGE=www serves its sources as they are, so that a change
 #                shows when the page is loaded again
-# make test      runs every check and test, natively, in Node, in Chromium and in Firefox
+# make test      runs every check and test, natively, in Node, in Chromium, in Firefox and in WebKit
 # make test-cluster   makes small results through a Slurm on this machine, and compares (needs root, and Debian for its packages)
 # make build     builds the wasm package and the binary with all commands
 # make package   packs the npm package for scripts and other pages: target/pathlight-VERSION.tgz

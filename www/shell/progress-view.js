@@ -29,13 +29,10 @@ export class ProgressView {
     this.#gallery = gallery;
     byId(document, "progress-save").addEventListener("click", () => this.#save());
     const dialog = byId(document, "forget-dialog", HTMLDialogElement);
-    byId(document, "progress-forget").addEventListener("click", () => {
-      // Escape leaves the value of the time before.
-      dialog.returnValue = "";
-      dialog.showModal();
-    });
-    dialog.addEventListener("close", () => {
-      if (dialog.returnValue !== "forget") return;
+    byId(document, "progress-forget").addEventListener("click", () => dialog.showModal());
+    // Its "close" waits for the next frame, which may come after another puzzle has been opened, or not at all.
+    dialog.addEventListener("submit", ({ submitter }) => {
+      if (submitter?.getAttribute("value") !== "forget") return;
       progress.attempts.clear();
       store.clear();
     });
