@@ -5,7 +5,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { axeFindsNothing } from './axe.mjs';
 import { start } from './harness.mjs';
-import { EASY, click, dragTo, openPuzzle, picture, says, spot, watchFrames, waitForValue } from './page-actions.mjs';
+import { EASY, ball, click, dragTo, openPuzzle, picture, says, spot, watchFrames, waitForValue } from './page-actions.mjs';
 
 let session;
 before(async () => (session = await start()));
@@ -96,6 +96,22 @@ test('a finger drags the knobs: a bar is turned and resized', async () => {
   await waitForValue(page, '#bend-size', (size) => Math.abs(Number(size) - 100) <= 2);
   await drag([x, y + 16.5], [x + 40, y]);
   await waitForValue(page, '#bend-angle', (angle) => Math.abs(Number(angle) - 270) <= 3);
+});
+
+test('what is added or duplicated lies where there is room', async () => {
+  const page = await openBend();
+  const { bodies } = await original(page);
+  for (const shape of ['jar', 'jar', 'standing_sticks', 'ball']) await page.locator(`[data-adds=${shape}]`).click();
+  await page.locator('#scene').press('d');
+  await waitForScene(page, (scene) => scene.bodies.length === bodies.length + 5);
+  assert.equal(await page.locator('#bend-problems').isVisible(), false);
+});
+
+test('with nothing selected, the keys that move and resize a body leave the ball alone', async () => {
+  const page = await openBend();
+  for (const key of ['ArrowUp', 'Shift+ArrowRight', '+', '-']) await page.locator('#scene').press(key);
+  await page.locator('#tab-play').click();
+  assert.deepEqual(await ball(page), [0, 0, 0]);
 });
 
 test('all of it with keys: select, move, turn, resize, duplicate, delete, undo, redo', async () => {

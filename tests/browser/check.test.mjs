@@ -39,6 +39,20 @@ test('a puzzle that can be solved: how many balls do, and the easiest only when 
   await says(page, /^Solved/);
 });
 
+test('what is bent so that it may not be played is not searched, nor is what it was before', async () => {
+  const page = await openScene(scene({ x: 60, y: 200 }, { x: 200, y: 10 }));
+  await page.locator('#check-search').click();
+  await page.locator('#check-words').filter({ hasText: 'so far' }).waitFor();
+  await page.locator('#scene').press('n');
+  for (let step = 0; step < 8; step += 1) await page.locator('#scene').press('Shift+ArrowUp');
+  await page.locator('#bend-problems:visible').waitFor();
+  await page.locator('#check-search:disabled').filter({ hasText: 'Search' }).waitFor();
+  await page.locator('#check-words').filter({ hasText: /^First mend what stands above/ }).waitFor();
+  for (let step = 0; step < 4; step += 1) await page.locator('#scene').press('Shift+ArrowDown');
+  await page.locator('#check-search:enabled').click();
+  await page.locator('#check-words').filter({ hasText: 'so far' }).waitFor();
+});
+
 test('the search can be stopped, and says what it has found so far', async () => {
   const page = await openPuzzle(session, { fragment: '&panel=bend' });
   await page.locator('#check-search').click();

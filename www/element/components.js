@@ -80,7 +80,7 @@ export function createComponents(root, module, client, progress, hrefOf) {
     new ModelBadge(root, client, imagine),
     new ModelPair(root, module, client, scenePicture),
     bend, new ShareOwn(root, bend, progress.player.persistent), new Pictures(root), new StripPicture(root, imagine, scenePicture),
-    new Check(root, client), new Luck(root, client), new Replays(root, client),
+    new Check(root, client, bend), new Luck(root, client), new Replays(root, client),
     new Scoreboard(root, client, progress, (task) => hrefOf(task, "compare")),
     new Overlays(root, canvas, { bend, choice, forecast, imagine, predict, proposals, solveMap }),
   ];

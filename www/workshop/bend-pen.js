@@ -110,7 +110,8 @@ export class BendPen {
     if (/^[np]$/i.test(key)) {
       draft.selectNext(key.toLowerCase() === "n" ? 1 : -1);
     } else if (!body) {
-      return false;
+      // The ball, which these keys move and resize in the other panels, stays.
+      return key in ARROW_KEYS || key in SIZE_KEYS;
     } else if (ARROW_KEYS[key]) {
       const [dx, dy] = ARROW_KEYS[key].map((direction) => direction * KEY_DISTANCE[large]);
       draft.moveTo(body.x + dx, body.y + dy, gesture, true);

@@ -1,5 +1,6 @@
 // "Can it be solved?": the worker tries the balls of a grid on the open puzzle, and says how many solve it and how that compares
-// with the benchmark. The easiest ball stays hidden until it is asked for. It can be stopped, and ends when the puzzle is left.
+// with the benchmark. The easiest ball stays hidden until it is asked for. It can be stopped, and ends when the puzzle is left. What is
+// bent so that it may not be played is not searched.
 
 import { Component } from "../shell/component.js";
 import { find, setText } from "../shell/dom.js";
@@ -9,7 +10,8 @@ import { Search } from "../model/search.js";
 
 export class Check extends Component {
   #client;
-  #button = this.byId("check-search");
+  #bend;
+  #button = this.byId("check-search", HTMLButtonElement);
   #search = new Search(() => this.#onEnd());
   /** @type {FoundSolutions | null} */
   #found = null;
@@ -18,10 +20,13 @@ export class Check extends Component {
   /**
    * @param {import("../shell/dom.js").Root} root
    * @param {import("../model/shared-client.js").SharedClient} client
+   * @param {import("./bend.js").Bend} bend
    */
-  constructor(root, client) {
+  constructor(root, client, bend) {
     super(root);
     this.#client = client;
+    this.#bend = bend;
+    bend.addEventListener("bend", () => this.#onBend());
     this.#button.addEventListener("click", () => (this.#search.running ? this.#search.stop() : this.#start()));
     this.byId("check-reveal").addEventListener("click", () => this.#reveal());
   }
@@ -34,9 +39,24 @@ export class Check extends Component {
 
   close() {
     super.close();
+    this.#forget();
+  }
+
+  #forget() {
     this.#search.forget();
     this.#found = null;
     this.#revealed = false;
+  }
+
+  /** Whether the scene shows what may not be played, and not the open puzzle. */
+  get #blocked() {
+    return this.#bend.scene !== null && this.#bend.playable === null;
+  }
+
+  #onBend() {
+    if (this.#blocked === this.#button.disabled) return;
+    if (this.#blocked) this.#forget();
+    this.#update();
   }
 
   #start() {
@@ -71,7 +91,9 @@ export class Check extends Component {
     setText(this.#button, this.#search.running ? "Stop" : "Search for solutions");
     this.byId("check-progress").hidden = !this.#search.running;
     find(this.byId("check-progress"), "progress", HTMLProgressElement).value = found?.progress ?? 0;
-    setText(this.byId("check-words"), this.#search.failure ?? (found ? words(found) : ""));
+    this.#button.disabled = this.#blocked;
+    const blocked = this.#blocked ? "First mend what stands above: then it can be searched." : null;
+    setText(this.byId("check-words"), blocked ?? this.#search.failure ?? (found ? words(found) : ""));
     const ball = found?.easiest ?? null;
     this.byId("check-reveal").hidden = ball === null || this.#revealed;
     setText(this.byId("check-ball"), ball && this.#revealed ? `The easiest ball is at x ${ball[0]}, y ${ball[1]} with radius ${ball[2]}: it lies in the scene now. Press Run.` : "");

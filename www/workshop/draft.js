@@ -3,6 +3,7 @@
 // Knows nothing of the document.
 
 import { SCENE_SIZE } from "../shell/constants.js";
+import { pathlight } from "../shell/pathlight.js";
 import { UndoStack } from "../play/undo-stack.js";
 import { SIZES } from "./body-geometry.js";
 import { rounded, wrapped } from "./body-words.js";
@@ -16,8 +17,10 @@ import { rounded, wrapped } from "./body-words.js";
 const GRID = { on: 4, off: 0.5 };
 /** The same for angles, degrees. */
 const ANGLE_GRID = { on: 5, off: 1 };
-/** How far a copy lies from its original, px. */
+/** How far a copy lies from its original at least, px. */
 const COPY_OFFSET = 16;
+/** Where a new body is tried, from where it is wanted, px: nearest first, and above before below. */
+const PLACES = [0, 24, -24, 48, -48, 72, -72, 96, -96].flatMap((y, _, all) => all.map((x) => [x, y])).sort((one, other) => Math.hypot(...one) - Math.hypot(...other));
 
 /** @type {Record<OwnBody["shape"], (x: number, y: number) => OwnBody>} */
 const NEW_BODIES = {
@@ -177,7 +180,7 @@ export class Draft extends EventTarget {
   /**
    * Adds a body and selects it.
    * @param {OwnBody["shape"]} shape
-   * @param {[x: number, y: number]} place of its origin
+   * @param {[x: number, y: number]} place of its origin, if there is room
    */
   add(shape, [x, y]) {
     this.#append(NEW_BODIES[shape](nearest(x, GRID.on), nearest(y, GRID.on)));
@@ -227,11 +230,18 @@ export class Draft extends EventTarget {
     return exact ? rounded(value) : nearest(value, this.snap ? grid.on : grid.off);
   }
 
-  /** @param {OwnBody} body */
+  /**
+   * Adds a body where it may be, as near as it can to where it is wanted.
+   * @param {OwnBody} body
+   */
   #append(body) {
     if (!this.canAdd) return;
-    this.#selected = this.#scene.bodies.length;
-    this.#set({ ...this.#scene, bodies: [...this.#scene.bodies, body] });
+    const { bodies } = this.#scene;
+    const index = bodies.length;
+    const moved = (/** @type {number[]} */ [dx, dy]) => ({ ...this.#scene, bodies: [...bodies, { ...body, x: rounded(body.x + dx), y: rounded(body.y + dy) }] });
+    const fits = (/** @type {OwnScene} */ scene) => pathlight.sceneProblems(scene).every((problem) => problem.body !== index && problem.other !== index);
+    this.#selected = index;
+    this.#set(PLACES.map(moved).find(fits) ?? moved(PLACES[0]));
   }
 
   /**
