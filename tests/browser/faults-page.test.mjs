@@ -136,19 +136,15 @@ test('an hour asleep, and the clock moved by years: an attempt has run to its en
   await type(page, balls.missing);
   await page.locator('#run').click();
   await says(page, /is running/);
+  await page.clock.setSystemTime(new Date('2099-12-31'));
   await page.clock.fastForward('01:00:00');
   await page.clock.runFor(100);
   await says(page, /^Not solved/);
   assert.equal(await attempts(page), 1);
-  for (const date of ['2001-01-01', '2099-12-31']) {
-    await page.clock.setSystemTime(new Date(date));
-    await page.locator('#reset').click();
-    await type(page, balls.solving);
-    await page.locator('#run').click();
-    await page.clock.fastForward('00:02:00');
-    await page.clock.runFor(100);
-    await says(page, /^Solved!/);
-  }
+  await page.clock.setSystemTime(new Date('2001-01-01'));
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  await run(page, balls.solving, /^Solved!/);
+  assert.equal(await attempts(page), 2);
   await assertConsistent(page);
 });
 

@@ -22,6 +22,13 @@ const WEIGHTS: &str = "assets/within-0.safetensors";
 /// Runs a command to its end in one folder, and in another after it was killed again and again; `%` in its words stands for the
 /// folder. Asserts that these files are equal.
 fn assert_survives(words: &[&str], results: &[&str]) {
+    assert_same_when_killed(words, |folder| {
+        results.iter().map(|file| fs::read(folder.join(file)).expect("a result")).collect()
+    });
+}
+
+/// As `assert_survives`, with what is read of a folder.
+fn assert_same_when_killed(words: &[&str], read: impl Fn(&Path) -> Vec<Vec<u8>>) {
     let kills: usize = env::var("PATHLIGHT_KILLS").map_or(3, |text| text.parse().expect("a number"));
     let (whole, killed) = (tempdir().expect("a folder"), tempdir().expect("a folder"));
     let words_in = |folder: &Path| -> Vec<String> {
@@ -30,7 +37,7 @@ fn assert_survives(words: &[&str], results: &[&str]) {
     let complete = |folder: &Path| {
         let words = words_in(folder);
         output_of(&words.iter().map(String::as_str).collect::<Vec<_>>());
-        results.iter().map(|file| fs::read(folder.join(file)).expect("a result")).collect::<Vec<_>>()
+        read(folder)
     };
     let start = Instant::now();
     let expected = complete(whole.path());
@@ -84,6 +91,29 @@ fn trainings_continue_after_any_kill() {
     assert_survives(&[&["train-judge"], &of_labels[..], &small].concat(), &results);
     let imagined = ["--imagined-per-scene", "8"];
     assert_survives(&[&["train-dynamics"], &of_labels[..], &imagined, &small].concat(), &results);
+}
+
+#[test]
+fn reproduce_continues_after_any_kill() {
+    let data = tempdir().expect("a folder");
+    let solutions = data.path().join("solutions.jsonl").display().to_string();
+    output_of(&["collect", "--template", "2", "--limit", "8", "--rounds", "2", "--per-task", "2", "--out", &solutions]);
+    let labels = label(data.path(), "1");
+    let fold = ["reproduce", "--setup", "cross", "--fold", "0", "--results", "%/results", "--train-dir", "%/runs"];
+    let of_data = ["--solutions", &solutions, "--labels", &labels];
+    let short =
+        ["--label-rounds", "1", "--epochs", "1", "--judge-epochs-cross", "1", "--dqn-epochs", "1", "--limit", "1"];
+    let words = [&fold[..], &of_data, &short].concat();
+    // Results also hold how long it took; the report does not.
+    let report_and = |folder: &Path, weights: &[&str]| {
+        let results = folder.join("results").display().to_string();
+        output_of(&["reproduce", "--only", "report", "--results", &results, "--solutions", &solutions]);
+        let files = weights.iter().map(|file| folder.join("runs/cross-0").join(file));
+        files.chain([folder.join("results/README.md")]).map(|file| fs::read(file).expect("a result")).collect()
+    };
+    assert_same_when_killed(&[&words[..], &["--only", "folds"]].concat(), |folder| {
+        report_and(folder, &["weights.safetensors", "losses.csv", "judge/weights.safetensors", "judge/losses.csv"])
+    });
 }
 
 #[cfg(target_os = "linux")]
