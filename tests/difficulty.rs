@@ -16,3 +16,10 @@ fn every_task_has_a_count_of_this_simulator() {
         assert!(rates.iter().any(|&rate| rate > 0.0), "{}: no ball solved any task", template.name);
     }
 }
+
+#[test]
+fn the_list_of_solve_rates_is_in_the_order_of_the_tasks() {
+    let shipped = Difficulty::shipped();
+    let one_by_one = TEMPLATES.iter().flat_map(task::ids).filter_map(|id| shipped.solve_rate(id));
+    assert!(shipped.solve_rates().eq(one_by_one));
+}

@@ -35,10 +35,15 @@ impl Difficulty {
         Some(f64::from(*solved) / f64::from(self.balls))
     }
 
+    /// Returns the shares of valid balls that solve the tasks, 0..=1: those of the first template, ascending, then the next.
+    pub fn solve_rates(&self) -> impl Iterator<Item = f64> + '_ {
+        self.solved.iter().flatten().map(|&solved| f64::from(solved) / f64::from(self.balls))
+    }
+
     /// Returns the share of the benchmark's tasks that are harder than a solve rate of 0..=1, tasks of the same rate counted
     /// half: 0 (the hardest) to 1 (the easiest).
     pub fn rank(&self, solve_rate: f64) -> f64 {
-        let rates = || self.solved.iter().flatten().map(|&solved| f64::from(solved) / f64::from(self.balls));
+        let rates = || self.solve_rates();
         let (lower, higher) = (rates().filter(|&rate| rate < solve_rate), rates().filter(|&rate| rate > solve_rate));
         let (all, lower, higher) = (rates().count() as f64, lower.count() as f64, higher.count() as f64);
         (all + lower - higher) / (2.0 * all)

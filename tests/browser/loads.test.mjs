@@ -48,6 +48,26 @@ test('wasm and weights are small to download', async (context) => {
   }
 });
 
+test('the first picture of a puzzle waits for no panel', async () => {
+  const page = await session.open('');
+  await page.addInitScript(() => {
+    const look = () => {
+      const canvas = document.querySelector('#puzzle')?.shadowRoot?.querySelector('canvas');
+      const drawn = canvas && canvas.width > 1 && canvas.getContext('2d')?.getImageData(canvas.width >> 1, canvas.width >> 1, 1, 1).data[3];
+      if (drawn) Object.assign(window, { loaded: performance.getEntriesByType('resource').map(({ name }) => new URL(name).pathname) });
+      else requestAnimationFrame(look);
+    };
+    requestAnimationFrame(look);
+  });
+  await page.goto(`${session.origin}/#task=${EASY}`);
+  const loaded = await (await page.waitForFunction(() => /** @type {any} */ (window).loaded)).jsonValue();
+  assert.ok(loaded.includes('/play/canvas.js'), String(loaded));
+  const early = loaded.filter((path) => path.startsWith('/panels/') || ['/workshop/bend.js', '/model/worker.js', '/page/results-view.js'].includes(path));
+  assert.deepEqual(early, []);
+  await page.locator('#tab-bend').click();
+  await page.locator('#bend-bodies button').first().waitFor();
+});
+
 test('what make play serves loads one script, and one more for the model', async () => {
   const folder = await mkdtemp(join(tmpdir(), 'pathlight-'));
   await writeBundledPage(folder);
@@ -55,6 +75,8 @@ test('what make play serves loads one script, and one more for the model', async
   const page = await openImagined(bundled, { reducedMotion: true });
   const scripts = () => performance.getEntriesByType('resource').map(({ name }) => new URL(name).pathname).filter((path) => path.endsWith('.js'));
   assert.deepEqual(await page.evaluate(scripts), ['/page/main.js', '/model/worker.js']);
+  const bytes = await page.evaluate(() => /** @type {PerformanceResourceTiming[]} */ (performance.getEntriesByType('resource')).find(({ name }) => name.endsWith('/page/main.js'))?.decodedBodySize);
+  assert.ok(bytes > 100_000 && bytes < 250_000, `${bytes} bytes: what comes with every page should come when it is asked for`);
   assert.deepEqual(await page.workers()[0].evaluate(scripts), []);
   await page.locator('#tab-play').click();
   await type(page, (await known()).solving);

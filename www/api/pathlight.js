@@ -162,6 +162,15 @@ export class Pathlight {
   }
 
   /**
+   * Returns the share of uniform valid balls that solve each task, 0..1: of the first template's tasks in turn, then of the
+   * next template's.
+   * @returns {Float64Array}
+   */
+  solveRates() {
+    return wasm.solveRates();
+  }
+
+  /**
    * Returns a task in words: its name, its goal and a description of its scene.
    * @param {Played} task
    * @returns {About}

@@ -1,88 +1,108 @@
-// The components of one puzzle, made in the order in which they are opened: the maps are asked for first, and what others read comes
-// before them.
+// The components of a puzzle, which all get the same calls of shell/component.js's lifecycle, in the order in which they are made.
+// The scene, the transport and the panel Play are there from the first picture on; panel-components.js has the rest, which
+// may come later: what the others have been told before is told then.
 
-import { Choice } from "../panels/choice.js";
-import { Compare } from "../panels/compare.js";
-import { Forecast } from "../panels/forecast.js";
-import { Imagine } from "../panels/imagine.js";
-import { ImaginedVsReal } from "../panels/imagined-vs-real.js";
-import { ModelPair } from "../panels/model-pair.js";
-import { ModelBadge } from "../panels/model-badge.js";
-import { Overlays } from "../panels/overlays.js";
-import { Predict } from "../panels/predict.js";
-import { Probe } from "../panels/probe.js";
-import { Proposals } from "../panels/proposals.js";
-import { ScenePicture } from "../panels/scene-picture.js";
-import { Scoreboard } from "../panels/scoreboard.js";
-import { SolveMapPanel } from "../panels/solve-map.js";
-import { StageView } from "../panels/stage-view.js";
-import { StripPicture } from "../panels/strip-picture.js";
-import { Walkthrough } from "../panels/walkthrough.js";
 import { AfterSolving } from "../play/after-solving.js";
 import { AttemptList } from "../play/attempt-list.js";
 import { SceneCanvas } from "../play/canvas.js";
 import { Controls } from "../play/controls.js";
 import { Guide } from "../play/guide.js";
 import { KeptAttempts } from "../play/kept-attempts.js";
-import { About } from "../shell/about.js";
 import { byId } from "../shell/dom.js";
 import { Tabs } from "../shell/tabs.js";
-import { Bend } from "../workshop/bend.js";
-import { Check } from "../workshop/check.js";
-import { Luck } from "../workshop/luck.js";
-import { Pictures } from "../workshop/pictures.js";
-import { Replays } from "../workshop/replays.js";
-import { ShareOwn } from "../workshop/share-own.js";
 
 /** @typedef {import("../shell/component.js").Component} Component */
+/** @typedef {import("../play/session.js").Session} Session */
+/** @typedef {import("../shell/url-state.js").View} View */
 
 /**
- * Returns all components, and by name those that the controller itself asks for something.
- * @param {ShadowRoot} root
- * @param {WebAssembly.Module} module
- * @param {import("../model/shared-client.js").SharedClient} client
- * @param {import("../shell/progress-store.js").SharedProgress} progress
- * @param {(task: string, panel: import("../shell/url-state.js").Panel) => string | null} hrefOf the address of another puzzle, or null
+ * What components are made of.
+ * @typedef {object} Parts
+ * @property {ShadowRoot} root
+ * @property {WebAssembly.Module} module
+ * @property {import("../model/shared-client.js").SharedClient} client
+ * @property {import("../shell/progress-store.js").SharedProgress} progress
+ * @property {(task: string, panel: import("../shell/url-state.js").Panel) => string | null} hrefOf the address of another
+ *   puzzle, or null
  */
-export function createComponents(root, module, client, progress, hrefOf) {
-  const canvas = new SceneCanvas(root);
-  const guide = new Guide(root);
-  const bend = new Bend(root, client);
-  const scenePicture = new ScenePicture(root);
-  const imagine = new Imagine(root, client, scenePicture);
-  const predict = new Predict(root, imagine, scenePicture);
-  const proposals = new Proposals(root, client, imagine);
-  const [choice, forecast, solveMap] = [new Choice(root, client), new Forecast(root, client), new SolveMapPanel(root, client, imagine)];
-  const walkthrough = new Walkthrough(root, imagine, choice);
-  const stageView = new StageView(root, walkthrough);
-  const afterSolving = new AfterSolving(root, progress, (task) => hrefOf(task, "play"));
+
+export class Components {
+  canvas;
+  guide;
+  afterSolving;
+  /**
+   * Those of the other panels that the controller itself asks for something; null until they are made.
+   * @type {Omit<ReturnType<typeof import("./panel-components.js").createPanelComponents>, "all"> | null}
+   */
+  panels = null;
+  #parts;
+  #listen;
   /** @type {Component[]} */
-  const all = [
-    new Tabs(root),
-    new About(root, client),
-    scenePicture,
-    imagine,
-    canvas,
-    new Controls(root),
-    new KeptAttempts(root, client, progress.attempts),
-    guide,
-    afterSolving,
-    new AttemptList(root, byId(root, "play-attempts"), byId(root, "play-count"), "player"),
-    new AttemptList(root, byId(root, "player-attempts"), byId(root, "player-count"), "player"),
-    new AttemptList(root, byId(root, "model-attempts"), byId(root, "model-count"), "model"),
-    choice,
-    walkthrough, stageView,
-    new Probe(root, imagine),
-    new ImaginedVsReal(root, imagine, scenePicture),
-    predict, forecast,
-    new Compare(root, client),
-    proposals, solveMap,
-    new ModelBadge(root, client, imagine),
-    new ModelPair(root, module, client, scenePicture),
-    bend, new ShareOwn(root, bend, progress.player.persistent), new Pictures(root), new StripPicture(root, imagine, scenePicture),
-    new Check(root, client, bend), new Luck(root, client), new Replays(root, client),
-    new Scoreboard(root, client, progress, (task) => hrefOf(task, "compare")),
-    new Overlays(root, canvas, { bend, choice, forecast, imagine, predict, proposals, solveMap }),
-  ];
-  return { all, canvas, guide, bend, proposals, stageView, afterSolving };
+  #all = [];
+  /** @type {Session | null} */
+  #session = null;
+  /** @type {boolean | null} */
+  #dark = null;
+
+  /**
+   * @param {Parts} parts
+   * @param {(component: Component) => void} listen is called once for each component
+   */
+  constructor(parts, listen) {
+    const { root, client, progress, hrefOf } = (this.#parts = parts);
+    this.#listen = listen;
+    this.canvas = new SceneCanvas(root);
+    this.guide = new Guide(root);
+    this.afterSolving = new AfterSolving(root, progress, (task) => hrefOf(task, "play"));
+    this.#add([
+      new Tabs(root),
+      this.canvas,
+      new Controls(root),
+      new KeptAttempts(root, client, progress.attempts),
+      this.guide,
+      this.afterSolving,
+      new AttemptList(root, byId(root, "play-attempts"), byId(root, "play-count"), "player"),
+    ]);
+  }
+
+  /** Makes the others; `setState` has to follow. Rejects if their modules cannot be loaded. */
+  async addPanels() {
+    const { createPanelComponents } = await import("./panel-components.js");
+    const { all, ...panels } = createPanelComponents(this.#parts, this.canvas);
+    this.#add(all);
+    this.panels = panels;
+  }
+
+  /** @param {Component[]} components */
+  #add(components) {
+    for (const component of components) {
+      this.#listen(component);
+      if (this.#dark !== null) component.setTheme(this.#dark);
+      if (this.#session) component.open(this.#session);
+    }
+    this.#all.push(...components);
+  }
+
+  /** @param {boolean} dark */
+  setTheme(dark) {
+    this.#dark = dark;
+    for (const component of this.#all) component.setTheme(dark);
+  }
+
+  /** @param {Session} session */
+  open(session) {
+    this.#session = session;
+    for (const component of this.#all) component.open(session);
+  }
+
+  /** @param {View} view */
+  setState(view) {
+    for (const component of this.#all) component.setState(view);
+  }
+
+  /** In reverse: what others read goes last. */
+  close() {
+    this.#session = null;
+    for (const component of this.#all.toReversed()) component.close();
+  }
 }

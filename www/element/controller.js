@@ -1,17 +1,19 @@
 // Joins the components of one puzzle in its shadow tree: opens and closes its session, starts its model, and passes the state
-// to all of them. Each component knows the session and the wasm; only components.js and this file know all of them.
+// to all of them. Each component knows the session and the wasm; only components.js, panel-components.js and
+// this file know all of them.
 // shell/component.js describes their lifecycle. Knows nothing of the page around the shadow tree, nor of its address.
 
 import { palette } from "../pkg/pathlight.js";
+import { afterFrame } from "../shell/after-frame.js";
 import { SharedClient } from "../model/shared-client.js";
 import { Session } from "../play/session.js";
 import { byId, find, setText } from "../shell/dom.js";
 import { hideParts } from "../shell/hidden-parts.js";
-import { pathlight } from "../shell/pathlight.js";
 import { onShortcut } from "../shell/shortcuts.js";
+import { TASKS } from "../shell/templates.js";
 import { INITIAL_STATE, formatFragment, formatState, parseState, showsPuzzle, viewOf, visiblePanels } from "../shell/url-state.js";
 import { knownScene, sceneOfText } from "../workshop/scene-link.js";
-import { createComponents } from "./components.js";
+import { Components } from "./components.js";
 
 /** @typedef {import("../shell/url-state.js").State} State */
 
@@ -20,7 +22,7 @@ import { createComponents } from "./components.js";
  * @typedef {{ task: string | null, number: number, ball: import("../pkg/pathlight.js").Ball, solved: boolean }} PlayedAttempt
  */
 
-const TASKS = new Set(pathlight.templates().flatMap(({ tasks }) => tasks));
+const KNOWN_TASKS = new Set(TASKS);
 const reducedMotion = matchMedia("(prefers-reduced-motion: reduce)");
 
 export class PuzzleController extends EventTarget {
@@ -31,6 +33,8 @@ export class PuzzleController extends EventTarget {
   #hrefOf;
   #client;
   #components;
+  /** Are the components of the panels on their way, or there? */
+  #panelsAwaited = false;
   /** @type {Session | null} */
   #session = null;
   /**
@@ -58,12 +62,9 @@ export class PuzzleController extends EventTarget {
     this.#hrefOf = hrefOf;
     this.#client = new SharedClient(module);
     this.#lastModel = this.model;
-    this.#components = createComponents(root, module, this.#client, progress, (task, panel) => hrefOf()?.(task, panel) ?? null);
+    const parts = { root, module, client: this.#client, progress, hrefOf: (/** @type {string} */ task, /** @type {import("../shell/url-state.js").Panel} */ panel) => hrefOf()?.(task, panel) ?? null };
+    this.#components = new Components(parts, (component) => this.#listenTo(component));
     this.#components.afterSolving.addEventListener("share", (event) => this.dispatchEvent(new CustomEvent("share", { detail: /** @type {CustomEvent} */ (event).detail })));
-    for (const component of this.#components.all) {
-      component.addEventListener("staterequest", (event) => this.#changeState(/** @type {CustomEvent<Partial<State>>} */ (event).detail));
-      component.addEventListener("modelrequest", () => this.#requestModel());
-    }
     this.#client.addEventListener("change", () => this.#onClientChange());
     for (const button of root.querySelectorAll("button[data-opens]")) {
       button.addEventListener("click", () => this.showDialog(button.getAttribute("data-opens") ?? ""));
@@ -71,7 +72,30 @@ export class PuzzleController extends EventTarget {
     root.addEventListener("keydown", (event) => this.onKeydown(/** @type {KeyboardEvent} */ (event)));
   }
 
-  /** Returns a copy of the state. */
+  /** @param {import("../shell/component.js").Component} component */
+  #listenTo(component) {
+    component.addEventListener("staterequest", (event) => this.#changeState(/** @type {CustomEvent<Partial<State>>} */ (event).detail));
+    component.addEventListener("modelrequest", () => this.#requestModel());
+  }
+
+  /** Makes the components of the panels: once the scene is drawn, or at once if another panel than Play is asked for. */
+  async #makePanels() {
+    if (this.#panelsAwaited) return;
+    this.#panelsAwaited = true;
+    const { panel, view } = this.#state;
+    if (panel === "play" && view === null) await afterFrame();
+    try {
+      await this.#components.addPanels();
+    } catch (error) {
+      this.#panelsAwaited = false;
+      this.#showProblem("The panels of this puzzle could not be loaded. Check the connection, and load the page again.");
+      throw error;
+    }
+    if (this.#session) this.#startModel();
+    this.#applyView();
+  }
+
+
   get state() {
     return { ...this.#state };
   }
@@ -120,6 +144,7 @@ export class PuzzleController extends EventTarget {
       if (modelChanged || this.#client.status === "off") this.#startModel();
     }
     this.#applyView();
+    this.#makePanels();
   }
 
   /**
@@ -150,7 +175,7 @@ export class PuzzleController extends EventTarget {
    */
   #problemOf({ task, scene }) {
     if (scene !== null) return this.#unreadable?.text === scene ? this.#unreadable.sentence : null;
-    return task === null || TASKS.has(task) ? null : `There is no puzzle ${task}.`;
+    return task === null || KNOWN_TASKS.has(task) ? null : `There is no puzzle ${task}.`;
   }
 
   /**
@@ -162,7 +187,7 @@ export class PuzzleController extends EventTarget {
     this.#dark = dark;
     const { style } = find(this.#root, ".puzzle");
     for (const [name, colour] of Object.entries(palette(dark))) style.setProperty(`--${name}`, colour);
-    for (const component of this.#components.all) component.setTheme(dark);
+    this.#components.setTheme(dark);
   }
 
   /** The page is being left, perhaps for good: an attempt that runs is kept, as it is when its puzzle is left. */
@@ -182,10 +207,10 @@ export class PuzzleController extends EventTarget {
    * @param {KeyboardEvent} event
    */
   onKeydown(event) {
-    this.#components.stageView.onKeydown(event);
+    this.#components.panels?.stageView.onKeydown(event);
     onShortcut(event, {
       session: this.#session,
-      undoing: this.#state.panel === "bend" ? this.#components.bend : (this.#session?.placement ?? null),
+      undoing: this.#state.panel === "bend" ? (this.#components.panels?.bend ?? null) : (this.#session?.placement ?? null),
       scene: this.#components.canvas,
       showPanel: (index) => {
         const panel = visiblePanels(this.#state)[index];
@@ -193,7 +218,7 @@ export class PuzzleController extends EventTarget {
       },
       // What a link for a lesson hides has no key either.
       showKeys: () => !this.#locked && this.showDialog("keys-dialog"),
-      goToOtherOutcome: (by) => this.#components.proposals.goToOtherOutcome(by),
+      goToOtherOutcome: (by) => this.#components.panels?.proposals.goToOtherOutcome(by),
       toggleStageView: () => !this.#locked && this.toggleStageView(),
     });
   }
@@ -220,7 +245,7 @@ export class PuzzleController extends EventTarget {
     find(this.#root, ".puzzle").setAttribute("aria-label", `Puzzle ${session.about.name} ${session.about.id ?? ""}`.trim());
     session.addEventListener("change", () => this.#onSessionChange(session));
     session.addEventListener("attempted", () => this.#onAttempted(session));
-    for (const component of this.#components.all) component.open(session);
+    this.#components.open(session);
     return session;
   }
 
@@ -230,8 +255,7 @@ export class PuzzleController extends EventTarget {
     this.#session = null;
     // While the components still listen.
     session.revealResult();
-    // In reverse: what others read goes last.
-    for (const component of this.#components.all.toReversed()) component.close();
+    this.#components.close();
     session.close();
   }
 
@@ -257,9 +281,12 @@ export class PuzzleController extends EventTarget {
     this.dispatchEvent(new Event("statechange"));
   }
 
-  /** Starts the model, unless no panel that needs it is shown; Play and Bend ask for it where they need it. */
+  /**
+   * Starts the model, unless no panel that needs it is shown; Play and Bend ask for it where they need it. The panels, which
+   * show what comes of it, have to be there.
+   */
   #startModel() {
-    if (visiblePanels(this.#state).some((one) => one !== "play" && one !== "bend")) this.#client.start(this.#state.model);
+    if (this.#components.panels && visiblePanels(this.#state).some((one) => one !== "play" && one !== "bend")) this.#client.start(this.#state.model);
   }
 
   /** Does a link leave out the buttons that lead away from what it shows? */
@@ -305,7 +332,7 @@ export class PuzzleController extends EventTarget {
   #applyView() {
     const view = viewOf(this.#state);
     hideParts(this.#root, this.#hrefOf() ? view.hide : [...view.hide, "puzzles"]);
-    for (const component of this.#components.all) component.setState(view);
+    this.#components.setState(view);
   }
 
   /** @param {string | null} sentence */

@@ -11,6 +11,7 @@
 //              they are forgotten with the page. Read once, when the puzzle is loaded
 // This file knows only the element; everything else is loaded once the wasm is there.
 
+import { afterFrame } from "../shell/after-frame.js";
 import { loadWasm } from "../shell/load-wasm.js";
 import { puzzleMarkup } from "./markup.js";
 import { Placeholder, placeholderSheet } from "./placeholder.js";
@@ -24,6 +25,9 @@ import { loadStyleSheets } from "./style-sheets.js";
 
 /** The attributes that make up the state; shell/url-state.js knows their values. */
 const STATE_ATTRIBUTES = ["task", "scene", "model", "panel", "stage", "view", "proposal", "layers", "opacity", "forecast", "ball", "challenge", "hide"];
+
+/** So many frames a page has for itself before a puzzle with nothing to show is made: its first pictures are in the second. */
+const FRAMES_FOR_THE_PAGE = 3;
 
 const darkScheme = matchMedia("(prefers-color-scheme: dark)");
 
@@ -48,10 +52,14 @@ export class PathlightPuzzle extends HTMLElement {
    * @type {State | null}
    */
   #awaited = null;
-  /** Was the introduction asked for before the controller was there? */
-  #guideAwaited = false;
-  /** The puzzle is on its way, or there. */
-  #loading = false;
+  /**
+   * What was asked of the controller before it was there.
+   * @type {((controller: import("./controller.js").PuzzleController) => void)[]}
+   */
+  #awaitedCalls = [];
+  /** Is the puzzle on its way, there, or failed since the element was connected? */
+  #begun = false;
+  #failed = false;
   #updating = false;
   /** Ends what the element listens to while it is connected. */
   #disconnected = new AbortController();
@@ -69,8 +77,18 @@ export class PathlightPuzzle extends HTMLElement {
     const { signal } = this.#disconnected;
     darkScheme.addEventListener("change", () => this.#scheduleUpdate(), { signal });
     addEventListener("pagehide", () => this.#controller?.onPageHide(), { signal });
-    if (!this.#loading) this.#load();
+    if (!this.#controller) this.#prepare();
     this.#scheduleUpdate();
+  }
+
+  /** Starts what the puzzle waits for longest. One with nothing to show leaves the page some frames for its own first picture. */
+  async #prepare() {
+    const sheets = loadStyleSheets();
+    // `#load` handles what becomes of them.
+    sheets.catch(() => {});
+    await Promise.allSettled([loadWasm(), sheets]);
+    for (let frame = 0; frame < FRAMES_FOR_THE_PAGE; frame += 1) await afterFrame();
+    if (this.isConnected) this.#loadOnce();
   }
 
   disconnectedCallback() {
@@ -79,6 +97,8 @@ export class PathlightPuzzle extends HTMLElement {
       if (this.isConnected) return;
       this.#disconnected.abort();
       this.#controller?.release();
+      // One that has failed is tried again where it is connected next.
+      if (this.#failed) this.#begun = this.#failed = false;
     });
   }
 
@@ -161,6 +181,7 @@ export class PathlightPuzzle extends HTMLElement {
     if (state === null) return;
     this.#awaited = { ...state };
     if (this.#controller && this.isConnected) this.#applyAwaited(this.#controller);
+    else this.#scheduleUpdate();
   }
 
   /**
@@ -173,13 +194,12 @@ export class PathlightPuzzle extends HTMLElement {
 
   /** Leads through the open puzzle, step by step. */
   startGuide() {
-    this.#guideAwaited = !this.#controller;
-    this.#controller?.startGuide();
+    this.#call((controller) => controller.startGuide());
   }
 
   /** Shows the sheet about the keys. */
   showKeys() {
-    this.#controller?.showDialog("keys-dialog");
+    this.#call((controller) => controller.showDialog("keys-dialog"));
   }
 
   /** Shows the scene and one sentence in large type, or all panels again. */
@@ -189,7 +209,7 @@ export class PathlightPuzzle extends HTMLElement {
 
   /** Shows the sheet about Pathlight and its model. */
   showAbout() {
-    this.#controller?.showDialog("about-dialog");
+    this.#call((controller) => controller.showDialog("about-dialog"));
   }
 
   /**
@@ -201,8 +221,21 @@ export class PathlightPuzzle extends HTMLElement {
     this.#controller?.onKeydown(event);
   }
 
+  /**
+   * Asks the controller for something, once it is there.
+   * @param {(controller: import("./controller.js").PuzzleController) => void} act
+   */
+  #call(act) {
+    if (this.#controller) act(this.#controller);
+    else this.#awaitedCalls.push(act);
+  }
+
+  #loadOnce() {
+    if (!this.#begun) this.#load();
+  }
+
   async #load() {
-    this.#loading = true;
+    this.#begun = true;
     try {
       const [module, sheets] = await Promise.all([loadWasm(), loadStyleSheets()]);
       const [{ PuzzleController }, { sharedProgress }] = await Promise.all([import("./controller.js"), import("../shell/progress-store.js")]);
@@ -211,8 +244,8 @@ export class PathlightPuzzle extends HTMLElement {
       const progress = sharedProgress(this.hasAttribute("remember") ? "kept" : "forgotten");
       this.#controller = this.#listened(new PuzzleController(this.#root, module, progress, () => this.#hrefOf));
     } catch (error) {
-      this.#loading = false;
       const { code, message } = /** @type {Error & { code?: string }} */ (error);
+      this.#failed = true;
       this.#placeholder.showFailure(message, () => this.#loadAgain());
       this.#root.replaceChildren(this.#placeholder.element);
       // An error without a code is a bug of ours.
@@ -221,7 +254,7 @@ export class PathlightPuzzle extends HTMLElement {
     }
     this.#placeholder.element.remove();
     this.#update();
-    if (this.#guideAwaited) this.startGuide();
+    for (const act of this.#awaitedCalls.splice(0)) this.#call(act);
   }
 
   async #loadAgain() {
@@ -264,7 +297,12 @@ export class PathlightPuzzle extends HTMLElement {
 
   #update() {
     const controller = this.#controller;
-    if (!controller || !this.isConnected) return;
+    if (!this.isConnected) return;
+    if (!controller) {
+      const { task, scene } = this.#awaited ?? this;
+      if (task !== null || scene !== null) this.#loadOnce();
+      return;
+    }
     const { theme } = this;
     controller.setTheme(theme === "dark" || (theme !== "light" && darkScheme.matches));
     if (this.#awaited) this.#applyAwaited(controller);

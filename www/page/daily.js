@@ -6,6 +6,7 @@ import { solveRateOf } from "../shell/difficulty.js";
 const LEAST_SOLVE_RATE = 0.01;
 /** A prime: each day’s puzzle is so many places after the last one’s, so that kinds alternate and none comes twice before all have come. */
 const STRIDE = 7919;
+const MONTHS = ["January", "February", "March", "April", "May", "June", "July", "August", "September", "October", "November", "December"];
 /** ms */
 const DAY = 86_400_000;
 
@@ -22,5 +23,6 @@ export function taskOfDay(date, tasks) {
 
 /** @param {Date} date */
 export function dayWords(date) {
-  return date.toLocaleDateString("en-GB", { day: "numeric", month: "long", year: "numeric" });
+  // Not by toLocaleDateString, whose first call loads the data of a language, some 20 ms.
+  return `${date.getDate()} ${MONTHS[date.getMonth()]} ${date.getFullYear()}`;
 }

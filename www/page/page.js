@@ -7,13 +7,12 @@ import { byId, find } from "../shell/dom.js";
 import { Gallery } from "../shell/gallery.js";
 import { hideParts } from "../shell/hidden-parts.js";
 import { dismissNotice, showDone, showNotice } from "../shell/notice.js";
-import { pathlight } from "../shell/pathlight.js";
 import { sharedProgress } from "../shell/progress-store.js";
 import { sceneName } from "../shell/puzzle-name.js";
 import { ProgressView } from "../shell/progress-view.js";
 import { LessonDialog } from "./lesson-dialog.js";
-import { ResultsView } from "./results-view.js";
 import { leavesPlainKeys } from "../shell/shortcuts.js";
+import { TEMPLATES, templateOf } from "../shell/templates.js";
 import { INITIAL_STATE, hrefOf, resultsHref, showsPuzzle } from "../shell/url-state.js";
 import { knownScene, sceneOfText } from "../workshop/scene-link.js";
 import { Address } from "./address.js";
@@ -28,16 +27,16 @@ const galleryOrder = byId(document, "gallery-order", HTMLSelectElement);
 const taskPicker = byId(document, "task", HTMLSelectElement);
 
 export class Page {
-  #templates = pathlight.templates();
   #puzzle = byId(document, "puzzle", PathlightPuzzle);
-  #gallery = new Gallery(byId(document, "templates"), this.#templates);
-  #picks = new Picks(this.#templates, sharedProgress("kept").player, (task) => this.#navigate({ task }), () => this.#startGuide());
+  #gallery = new Gallery(byId(document, "templates"), TEMPLATES);
+  #picks = new Picks(TEMPLATES, sharedProgress("kept").player, (task) => this.#navigate({ task }), () => this.#startGuide());
   #ownGallery = new OwnGallery(sharedProgress("kept").attempts, (scene) => this.#navigate({ scene }));
-  #progressView = new ProgressView(sharedProgress("kept"), this.#templates, this.#gallery);
+  #progressView = new ProgressView(sharedProgress("kept"), TEMPLATES, this.#gallery);
   /** @type {import("./share-dialog.js").ShareDialog | null} */
   #shareDialog = null;
   #address = new Address((own) => this.#onRoute(own));
-  #results = new ResultsView(this.#templates, (task, model) => hrefOf({ ...this.#state, model }, task, "compare"));
+  /** @type {import("./results-view.js").ResultsView | null} */
+  #results = null;
   /** @type {LessonDialog | null} */
   #lessonDialog = null;
 
@@ -103,8 +102,8 @@ export class Page {
     if (ballStays) state.ball = this.#state.ball;
     const gallery = hrefOf(state, null);
     if (problem) showNotice(problem, gallery ? [["All puzzles", gallery]] : []);
-    if (state.task !== null && !this.#templateOf(state.task)?.tasks.includes(state.task)) {
-      const template = this.#templateOf(state.task);
+    if (state.task !== null && !templateOf(state.task)?.tasks.includes(state.task)) {
+      const template = templateOf(state.task);
       const first = template && hrefOf(state, template.tasks[0]);
       /** @type {[string, string][]} */
       const links = [];
@@ -131,8 +130,8 @@ export class Page {
     const shown = showsPuzzle(state);
     const showsResults = !shown && state.view === "results" && resultsHref(state) !== null;
     gallerySection.hidden = shown || showsResults || state.hide.includes("puzzles");
-    if (showsResults) this.#results.show(state.model);
-    else this.#results.hide();
+    byId(document, "results").hidden = !showsResults;
+    if (showsResults) this.#showResults(state.model);
     for (const id of ["title", "copy", "stage-button", "skip"]) byId(document, id).hidden = !shown;
     // First, so that the worker imagines while the page goes on.
     this.#puzzle.state = state;
@@ -148,7 +147,7 @@ export class Page {
   #applyTitle({ task, scene, view }) {
     // Its name is known once it has been read; the puzzle itself says if it cannot be.
     if (scene !== null && !knownScene(scene)) sceneOfText(scene).then(() => this.#applyTitle(this.#state), () => {});
-    const name = scene === null ? (task !== null && this.#templateOf(task)?.name) || "" : sceneName(knownScene(scene));
+    const name = scene === null ? (task !== null && templateOf(task)?.name) || "" : sceneName(knownScene(scene));
     byId(document, "puzzle-name").textContent = name;
     const title = name ? `${name}${task ? ` ${task}` : ""}` : view === "results" ? "Results" : "";
     document.title = title ? `${title} – Pathlight` : "Pathlight";
@@ -185,17 +184,12 @@ export class Page {
   }
 
   #orderGallery() {
-    this.#gallery.order(galleryOrder.value === "difficulty" ? "difficulty" : "number");
+    this.#gallery.show(galleryOrder.value === "difficulty" ? "difficulty" : "number");
   }
 
   #startGuide() {
     this.#navigate({ task: FIRST_TASK });
     this.#puzzle.startGuide();
-  }
-
-  /** @param {string} task */
-  #templateOf(task) {
-    return this.#templates.find(({ id }) => task.startsWith(id));
   }
 
   /**
@@ -222,7 +216,7 @@ export class Page {
   /** @param {number} offset */
   #stepPuzzle(offset) {
     const { task, hide } = this.#state;
-    const template = task === null ? undefined : this.#templateOf(task);
+    const template = task === null ? undefined : templateOf(task);
     if (task === null || !template || hide.includes("puzzles")) return;
     const { tasks } = template;
     this.#navigate({ task: tasks[(tasks.indexOf(task) + offset + tasks.length) % tasks.length] });
@@ -231,14 +225,25 @@ export class Page {
   #openRandomPuzzle() {
     /** @type {<Item>(list: Item[]) => Item} */
     const any = (list) => list[Math.floor(Math.random() * list.length)];
-    this.#navigate({ task: any(any(this.#templates).tasks) });
+    this.#navigate({ task: any(any(TEMPLATES).tasks) });
+  }
+
+  /** @param {string | null} model */
+  async #showResults(model) {
+    try {
+      const { ResultsView } = await import("./results-view.js");
+      this.#results ??= new ResultsView(TEMPLATES, (task, model) => hrefOf({ ...this.#state, model }, task, "compare"));
+    } catch {
+      return showNotice("The page of the results could not be loaded. Check the connection; if Pathlight has been updated meanwhile, load the page again.");
+    }
+    this.#results.show(model);
   }
 
   /** @param {import("../play/after-solving.js").Result} result */
   async #share(result) {
     try {
       const { ShareDialog } = await import("./share-dialog.js");
-      this.#shareDialog ??= new ShareDialog(this.#templates);
+      this.#shareDialog ??= new ShareDialog(TEMPLATES);
     } catch {
       return showNotice("The sheet to share a result could not be loaded. Check the connection; if Pathlight has been updated meanwhile, load the page again.");
     }

@@ -19,7 +19,6 @@ import { download } from "../shell/download.js";
 const FILTERS = { all: () => true, failures: (first) => first === null, late: (first) => first === null || first > 10, first: (first) => first === 1 };
 
 export class ResultsView {
-  #section = byId(document, "results");
   #model = byId(document, "results-model", HTMLSelectElement);
   #agent = byId(document, "results-agent", HTMLSelectElement);
   #filter = byId(document, "results-filter", HTMLSelectElement);
@@ -51,7 +50,6 @@ export class ResultsView {
    * @param {string | null} name
    */
   async show(name) {
-    this.#section.hidden = false;
     this.#asked = name;
     const failure = byId(document, "results-failure");
     try {
@@ -67,10 +65,6 @@ export class ResultsView {
     byId(document, "results-body").hidden = false;
     this.#model.replaceChildren(...this.#models.map((one) => new Option(one.name, one.name, false, one.name === name)));
     this.#onModel();
-  }
-
-  hide() {
-    this.#section.hidden = true;
   }
 
   get #chosen() {

@@ -38,6 +38,10 @@ export class Imagine extends Component {
   #call = null;
   /** @type {string | null} */
   #callFailure = null;
+  /** Is the panel seen? */
+  #shown = false;
+  /** Do the pictures under the maps show the open puzzle? They are drawn when the panel is seen. */
+  #scenesDrawn = false;
 
   /**
    * @param {import("../shell/dom.js").Root} root
@@ -61,7 +65,7 @@ export class Imagine extends Component {
     super.open(session);
     // Asked for first: the worker imagines while the page draws.
     this.#request();
-    this.#paintScenes();
+    this.#scenesDrawn = false;
   }
 
   close() {
@@ -72,6 +76,8 @@ export class Imagine extends Component {
 
   /** @param {import("../shell/url-state.js").View} view */
   setState(view) {
+    this.#shown = view.panel === "imagine";
+    this.#paintScenes();
     this.#opacity.value = String(view.opacity);
     for (const stage of STAGES) this.#rows[stage].box.checked = view.checkedLayers.includes(stage);
     this.byId("outlines-note").hidden = view.checkedLayers.length <= MAX_SHADED;
@@ -81,6 +87,7 @@ export class Imagine extends Component {
   setTheme(dark) {
     super.setTheme(dark);
     for (const stage of STAGES) paintLegend(this.#rows[stage].legend, stage, dark);
+    this.#scenesDrawn = false;
     this.#paintScenes();
     this.#paint();
   }
@@ -231,6 +238,8 @@ export class Imagine extends Component {
 
   /** Draws the scene that lies under each map. */
   #paintScenes() {
+    if (!this.#shown || this.#scenesDrawn || !this.session) return;
+    this.#scenesDrawn = true;
     for (const stage of STAGES) this.#scenePicture.drawOn(this.#rows[stage].scene);
   }
 

@@ -4,7 +4,7 @@
 import { Component } from "../shell/component.js";
 import { setText } from "../shell/dom.js";
 import { kindOf, nextByDifficulty } from "../shell/difficulty.js";
-import { pathlight } from "../shell/pathlight.js";
+import { TASKS } from "../shell/templates.js";
 
 /** @typedef {import("./session.js").Session} Session */
 
@@ -103,8 +103,7 @@ export class AfterSolving extends Component {
    * @param {string} task
    */
   #nextTask(task) {
-    const all = pathlight.templates().flatMap(({ tasks }) => tasks);
-    const unsolved = all.filter((other) => other !== task && this.#progress.player.of(other).solved === null);
+    const unsolved = TASKS.filter((other) => other !== task && this.#progress.player.of(other).solved === null);
     const { value } = this.#by;
     if (value === "harder" || value === "easier") return nextByDifficulty(task, unsolved, value);
     const kind = unsolved.filter((other) => kindOf(other) === kindOf(task));

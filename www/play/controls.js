@@ -2,6 +2,7 @@
 
 import { Component } from "../shell/component.js";
 import { FIRST_RADIUS, GOAL_SECONDS, MAX_RADIUS, MIN_RADIUS, SCENE_SIZE, STEPS_PER_SECOND } from "../shell/constants.js";
+import { afterFrame } from "../shell/after-frame.js";
 import { difficultyWords } from "../shell/difficulty.js";
 import { find, setText } from "../shell/dom.js";
 import { sentence } from "../shell/sentence.js";
@@ -55,8 +56,7 @@ export class Controls extends Component {
     this.byId("goal").textContent = session.about.goal.replace(/\.$/, ` for ${GOAL_SECONDS} seconds.`);
     this.byId("story").textContent = session.about.story;
     this.byId("difficulty").textContent = "";
-    // After the first picture, which need not wait for it.
-    requestAnimationFrame(() => setTimeout(() => session === this.session && this.#showDifficulty(session)));
+    afterFrame().then(() => session === this.session && this.#showDifficulty(session));
     this.byId("description").textContent = session.about.description;
     this.listen("change", () => this.#update(session));
     this.listen("draw", () => this.#updateTime(session));

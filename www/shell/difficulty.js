@@ -1,6 +1,7 @@
 // How hard the puzzles are, in words, and which one is next by that.
 
 import { pathlight } from "./pathlight.js";
+import { TASKS } from "./templates.js";
 
 /** The least solve rates of puzzles that are called easy, and medium. */
 const EASY = 0.02;
@@ -8,17 +9,19 @@ const MEDIUM = 0.004;
 /** A puzzle is a little harder than another if its solve rate is so many times the other’s; a little easier, if the other way round. */
 const LITTLE = { most: 0.75, least: 0.35 };
 
-/** @type {Map<string, number>} */
-const known = new Map();
+/**
+ * The solve rates of all tasks, once one has been asked for.
+ * @type {Map<string, number> | null}
+ */
+let rates = null;
 
 /**
  * The share of valid balls that solve a puzzle, 0..1.
  * @param {string} task
  */
 export function solveRateOf(task) {
-  const rate = known.get(task) ?? pathlight.difficulty(task).solve_rate;
-  known.set(task, rate);
-  return rate;
+  rates ??= new Map(Array.from(pathlight.solveRates(), (rate, index) => [TASKS[index], rate]));
+  return rates.get(task) ?? 0;
 }
 
 /** @param {number} rate of solving balls */

@@ -7,23 +7,31 @@ import { hrefOf } from "./url-state.js";
 
 /** @typedef {import("../pkg/pathlight.js").Template} Template */
 
+/**
+ * A template in the grid; `rate` is the median of its tasks' solve rates.
+ * @typedef {{ element: HTMLElement, link: HTMLAnchorElement, mark: HTMLElement, rate: number }} Item
+ */
+
 /** Width of a picture, CSS px; the style sheet may show it smaller. */
 const SIDE = 176;
 
 export class Gallery {
   #dark = false;
   #thumbnails = new LazyThumbnails((context, { dataset }) => pathlight.paintScene(context, dataset.task ?? "", { dark: this.#dark }));
-  /** @type {Map<string, HTMLElement>} */
-  #marks = new Map();
-  /** @type {{ link: HTMLAnchorElement, task: string }[]} */
-  #links = [];
   #list;
   #templates;
   /**
-   * The templates from the easiest to the hardest; null until the grid is seen.
-   * @type {Template[] | null}
+   * The templates with their items, made when the grid is first seen.
+   * @type {Map<Template, Item>}
    */
-  #easiestFirst = null;
+  #items = new Map();
+  /**
+   * What has been solved of each template, in words.
+   * @type {Map<string, string>}
+   */
+  #marks = new Map();
+  /** @type {(task: string) => string | null} */
+  #hrefOf = () => null;
   #order = "";
 
   /**
@@ -33,29 +41,18 @@ export class Gallery {
   constructor(list, templates) {
     this.#list = list;
     this.#templates = templates;
-    list.replaceChildren(...templates.map((template) => this.#item(template)));
   }
 
   /**
-   * Orders the templates. Also says how hard their puzzles are, for which it asks once: the first puzzle of a page that begins
-   * with one need not wait for that.
+   * Shows the templates in an order.
    * @param {"number" | "difficulty"} order
    */
-  order(order) {
+  show(order) {
     if (order === this.#order) return;
     this.#order = order;
-    if (!this.#easiestFirst) {
-      const medians = new Map(this.#templates.map(({ id, tasks }) => [id, median(tasks.map(solveRateOf))]));
-      const rate = (/** @type {Template} */ { id }) => medians.get(id) ?? 0;
-      this.#easiestFirst = this.#templates.toSorted((one, other) => rate(other) - rate(one));
-      for (const template of this.#templates) this.#itemOf(template).querySelector("i")?.replaceChildren(`mostly ${difficultyName(rate(template))}`);
-    }
-    this.#list.append(...(order === "number" ? this.#templates : this.#easiestFirst).map((template) => this.#itemOf(template)));
-  }
-
-  /** @param {Template} template */
-  #itemOf({ id }) {
-    return /** @type {HTMLElement} */ (this.#marks.get(id)?.closest("li"));
+    if (this.#items.size === 0) this.#items = new Map(this.#templates.map((template) => [template, this.#item(template)]));
+    const items = Array.from(this.#items.values());
+    this.#list.append(...(order === "number" ? items : items.toSorted((one, other) => other.rate - one.rate)).map(({ element }) => element));
   }
 
   /** @param {boolean} dark */
@@ -66,21 +63,28 @@ export class Gallery {
 
   /** @param {import("./url-state.js").State} state */
   setState(state) {
-    for (const { link, task } of this.#links) link.href = hrefOf(state, task) ?? "#";
+    this.#hrefOf = (task) => hrefOf(state, task);
+    for (const [{ tasks: [first] }, { link }] of this.#items) link.href = this.#hrefOf(first) ?? "#";
   }
 
   /**
    * Shows under a template what has been solved of it.
-   * @param {string} id
+   * @param {Template} template
    * @param {string} text
    */
-  mark(id, text) {
-    const mark = this.#marks.get(id);
-    if (mark) mark.textContent = text;
+  mark(template, text) {
+    this.#marks.set(template.id, text);
+    const item = this.#items.get(template);
+    if (item) item.mark.textContent = text;
   }
 
-  /** @param {Template} template */
-  #item({ id, name, story, tasks: [first] }) {
+  /**
+   * @param {Template} template
+   * @returns {Item}
+   */
+  #item({ id, name, story, tasks }) {
+    const [first] = tasks;
+    const rate = median(tasks.map(solveRateOf));
     const canvas = this.#thumbnails.add(SIDE);
     canvas.dataset.task = first;
     const title = document.createElement("strong");
@@ -88,14 +92,15 @@ export class Gallery {
     const text = document.createElement("span");
     text.textContent = story;
     const mark = document.createElement("em");
-    this.#marks.set(id, mark);
+    mark.textContent = this.#marks.get(id) ?? "";
     const difficulty = document.createElement("i");
+    difficulty.textContent = `mostly ${difficultyName(rate)}`;
     const link = document.createElement("a");
+    link.href = this.#hrefOf(first) ?? "#";
     link.append(canvas, title, text, difficulty, mark);
-    this.#links.push({ link, task: first });
-    const item = document.createElement("li");
-    item.append(link);
-    return item;
+    const element = document.createElement("li");
+    element.append(link);
+    return { element, link, mark, rate };
   }
 }
 

@@ -62,7 +62,7 @@ export class ProgressView {
     const own = sumOf(this.#progress.attempts.ofOwnScenes);
     byId(document, "progress").hidden = all.tried + own.tried === 0;
     byId(document, "progress-words").textContent = `${totalWords(all, own)}${this.#store.persistent ? "" : " This browser keeps nothing for the page: it is forgotten when you close it."}`;
-    for (const { id, tasks } of this.#templates) this.#gallery.mark(id, templateWords(this.#store.sum(tasks), tasks.length));
+    for (const template of this.#templates) this.#gallery.mark(template, templateWords(this.#store.sum(template.tasks), template.tasks.length));
     for (const option of byId(document, "task", HTMLSelectElement).options) option.textContent = this.#label(option.value);
   }
 

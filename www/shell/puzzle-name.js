@@ -1,6 +1,6 @@
 // The names that people read: "Funnel, 8 of 100" for a task, and those that people give their own puzzles.
 
-import { pathlight } from "./pathlight.js";
+import { TEMPLATES } from "./templates.js";
 
 /** @type {Map<string, string>} */
 const names = new Map();
@@ -11,7 +11,7 @@ const names = new Map();
  */
 export function puzzleName(task) {
   if (names.size === 0) {
-    for (const { name, tasks } of pathlight.templates()) tasks.forEach((one, index) => names.set(one, `${name}, ${index + 1} of ${tasks.length}`));
+    for (const { name, tasks } of TEMPLATES) tasks.forEach((one, index) => names.set(one, `${name}, ${index + 1} of ${tasks.length}`));
   }
   return names.get(task) ?? task;
 }

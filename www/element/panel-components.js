@@ -1,0 +1,69 @@
+// The components of all that the first picture of a puzzle does not need, made in the order in which they are opened: the maps
+// are asked for first, and what others read comes before them.
+
+import { Choice } from "../panels/choice.js";
+import { Compare } from "../panels/compare.js";
+import { Forecast } from "../panels/forecast.js";
+import { Imagine } from "../panels/imagine.js";
+import { ImaginedVsReal } from "../panels/imagined-vs-real.js";
+import { ModelPair } from "../panels/model-pair.js";
+import { ModelBadge } from "../panels/model-badge.js";
+import { Overlays } from "../panels/overlays.js";
+import { Predict } from "../panels/predict.js";
+import { Probe } from "../panels/probe.js";
+import { Proposals } from "../panels/proposals.js";
+import { ScenePicture } from "../panels/scene-picture.js";
+import { Scoreboard } from "../panels/scoreboard.js";
+import { SolveMapPanel } from "../panels/solve-map.js";
+import { StageView } from "../panels/stage-view.js";
+import { StripPicture } from "../panels/strip-picture.js";
+import { Walkthrough } from "../panels/walkthrough.js";
+import { AttemptList } from "../play/attempt-list.js";
+import { About } from "../shell/about.js";
+import { byId } from "../shell/dom.js";
+import { Bend } from "../workshop/bend.js";
+import { Check } from "../workshop/check.js";
+import { Luck } from "../workshop/luck.js";
+import { Pictures } from "../workshop/pictures.js";
+import { Replays } from "../workshop/replays.js";
+import { ShareOwn } from "../workshop/share-own.js";
+
+/** @typedef {import("../shell/component.js").Component} Component */
+
+/**
+ * Returns these components, and by name those that the controller itself asks for something.
+ * @param {import("./components.js").Parts} parts
+ * @param {import("../play/canvas.js").SceneCanvas} canvas
+ */
+export function createPanelComponents({ root, module, client, progress, hrefOf }, canvas) {
+  const bend = new Bend(root, client);
+  const scenePicture = new ScenePicture(root);
+  const imagine = new Imagine(root, client, scenePicture);
+  const predict = new Predict(root, imagine, scenePicture);
+  const proposals = new Proposals(root, client, imagine);
+  const [choice, forecast, solveMap] = [new Choice(root, client), new Forecast(root, client), new SolveMapPanel(root, client, imagine)];
+  const walkthrough = new Walkthrough(root, imagine, choice);
+  const stageView = new StageView(root, walkthrough);
+  /** @type {Component[]} */
+  const all = [
+    new About(root, client),
+    scenePicture,
+    imagine,
+    new AttemptList(root, byId(root, "player-attempts"), byId(root, "player-count"), "player"),
+    new AttemptList(root, byId(root, "model-attempts"), byId(root, "model-count"), "model"),
+    choice,
+    walkthrough, stageView,
+    new Probe(root, imagine),
+    new ImaginedVsReal(root, imagine, scenePicture),
+    predict, forecast,
+    new Compare(root, client),
+    proposals, solveMap,
+    new ModelBadge(root, client, imagine),
+    new ModelPair(root, module, client, scenePicture),
+    bend, new ShareOwn(root, bend, progress.player.persistent), new Pictures(root), new StripPicture(root, imagine, scenePicture),
+    new Check(root, client, bend), new Luck(root, client), new Replays(root, client),
+    new Scoreboard(root, client, progress, (task) => hrefOf(task, "compare")),
+    new Overlays(root, canvas, { bend, choice, forecast, imagine, predict, proposals, solveMap }),
+  ];
+  return { all, bend, proposals, stageView };
+}

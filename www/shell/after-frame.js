@@ -1,0 +1,9 @@
+// What the first picture need not wait for, waits for it.
+
+/** Resolves once the next frame is on the screen; in a page that is not seen, which has no frames, at once. */
+export function afterFrame() {
+  return new Promise((/** @type {(value: void) => void} */ resolve) => {
+    if (document.hidden) setTimeout(resolve);
+    else requestAnimationFrame(() => setTimeout(resolve));
+  });
+}
