@@ -125,6 +125,47 @@ for (const [screen, options] of Object.entries({ 'a desktop': {}, 'a phone': PHO
   });
 }
 
+test('the result is a short film too, with the run in the card, which is saved and shared like the picture', async () => {
+  const { page } = await solved();
+  await page.evaluate(() => Object.assign(navigator, { canShare: () => true, share: async (data) => Object.assign(window, { shared: data }) }));
+  await page.locator('#solved-share').click();
+  const film = page.locator('#share-film');
+  const done = (words) => page.locator('#share-done').filter({ hasText: words }).waitFor();
+  await film.click();
+  // The run moves in the card while it is recorded; its words stay.
+  const card = page.locator('#share-dialog canvas');
+  const pixels = (x, width) =>
+    card.evaluate((canvas, [x, width]) => {
+      const context = /** @type {HTMLCanvasElement} */ (canvas).getContext('2d');
+      return context ? context.getImageData(x, 0, width, 420).data.join() : '';
+    }, [x, width]);
+  const [scene, words] = [await pixels(0, 400), await pixels(410, 390)];
+  await page.locator('#share-done').filter({ hasText: /Recording: [2-9]\d %/ }).waitFor();
+  assert.notEqual(await pixels(0, 400), scene);
+  assert.equal(await pixels(410, 390), words);
+  await done('The film is there');
+  assert.equal(await card.count(), 0);
+  const [file] = await Promise.all([page.waitForEvent('download'), page.locator('#share-save').filter({ hasText: 'Save the film' }).click()]);
+  assert.equal(file.suggestedFilename(), 'pathlight-00000-000.webm');
+  const bytes = await readFile(await file.path());
+  assert.equal(bytes.readUInt32BE(0), 0x1a45dfa3, 'it begins as Matroska does');
+  assert.ok(bytes.length > 20_000, `${bytes.length} bytes`);
+  await page.locator('#share-system').click();
+  assert.equal(await page.evaluate(() => /** @type {any} */ (window).shared.files[0].type), 'video/webm');
+
+  // With another picture, that is what is shared again; a film that is given up changes nothing.
+  await page.locator('#share-ball').check();
+  await page.locator('#share-save').filter({ hasText: 'Save the picture' }).waitFor();
+  await film.click();
+  await done('Recording');
+  await film.filter({ hasText: 'Stop' }).click();
+  await done('given up');
+  await page.evaluate(() => (MediaRecorder.prototype.start = () => { throw new DOMException('no encoder', 'NotSupportedError'); }));
+  await film.click();
+  await done('could not record');
+  assert.ok(await page.locator('#share-save').filter({ hasText: 'Save the picture' }).isVisible());
+});
+
 test('where there is a share sheet, picture, text and link go to it', async () => {
   const page = await session.open('');
   await page.addInitScript(() => {

@@ -1,28 +1,32 @@
-// Paints a result as a picture of 1200 x 630 pixels, the size that messengers and networks show whole.
+// Paints a result as a picture, or as a frame of a film: 1200 x 630 pixels, the size that messengers and networks show whole, or in
+// that ratio.
 
 import { contextOf } from "../shell/dom.js";
 
-const WIDTH = 1200;
-const HEIGHT = 630;
+export const WIDTH = 1200;
+export const HEIGHT = 630;
 const MARGIN = 36;
 const SIDE = HEIGHT - 2 * MARGIN;
 const FONT = 'system-ui, "Segoe UI", Roboto, "Helvetica Neue", "Liberation Sans", sans-serif';
 
+/** @typedef {{ name: string, solved: string, model: string, difficulty: string }} Lines */
+
 /**
- * @param {HTMLCanvasElement} canvas
+ * @param {HTMLCanvasElement} canvas in the ratio of WIDTH to HEIGHT
  * @param {import("../pkg/pathlight.js").Palette} palette
- * @param {{ name: string, solved: string, model: string, difficulty: string }} lines
+ * @param {Lines} lines
  * @param {(context: CanvasRenderingContext2D) => void} paintScene draws the scene so that it fills a square canvas
  */
 export function paintResultCard(canvas, palette, lines, paintScene) {
-  Object.assign(canvas, { width: WIDTH, height: HEIGHT });
   const context = contextOf(canvas);
+  const scale = canvas.width / WIDTH;
+  context.setTransform(scale, 0, 0, scale, 0, 0);
   context.fillStyle = palette.paper;
   context.fillRect(0, 0, WIDTH, HEIGHT);
   const scene = document.createElement("canvas");
-  scene.width = scene.height = SIDE;
+  scene.width = scene.height = Math.round(SIDE * scale);
   paintScene(contextOf(scene));
-  context.drawImage(scene, MARGIN, MARGIN);
+  context.drawImage(scene, MARGIN, MARGIN, SIDE, SIDE);
   context.strokeStyle = palette.gray;
   context.lineWidth = 2;
   context.strokeRect(MARGIN, MARGIN, SIDE, SIDE);

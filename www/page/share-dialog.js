@@ -1,5 +1,5 @@
-// The sheet on which a person shares a result: a picture, a text, and a link that challenges others. Loaded when it is first
-// needed. What is shared goes to the system’s share sheet where there is one, else to the clipboard or a file.
+// The sheet on which a person shares a result: a picture or a short film, a text, and a link that challenges others. Loaded when
+// it is first needed. What is shared goes to the system’s share sheet where there is one, else to the clipboard or a file.
 
 import { palette } from "../pkg/pathlight.js";
 import { byId } from "../shell/dom.js";
@@ -8,7 +8,9 @@ import { download } from "../shell/download.js";
 import { puzzleName } from "../shell/puzzle-name.js";
 import { INITIAL_STATE, formatFragment } from "../shell/url-state.js";
 import { dayWords, taskOfDay } from "./daily.js";
-import { paintResultCard } from "./result-card.js";
+import { filmFormat } from "../workshop/film.js";
+import { HEIGHT, WIDTH, paintResultCard } from "./result-card.js";
+import { filmCanvas, recordResult } from "./result-film.js";
 
 /** @typedef {import("../play/after-solving.js").Result} Result */
 /** @typedef {import("../shell/gallery.js").Template} Template */
@@ -24,13 +26,27 @@ export class ShareDialog {
   /** @type {Result | null} */
   #result = null;
   #dark = false;
-  /** @type {File | null} */
+  /**
+   * What is shared: the picture, or the film once there is one.
+   * @type {File | null}
+   */
   #file = null;
+  #filmButton = byId(document, "share-film", HTMLButtonElement);
+  /**
+   * The film that is being recorded.
+   * @type {AbortController | null}
+   */
+  #recording = null;
 
   /** @param {Template[]} templates */
   constructor(templates) {
     this.#templates = templates;
-    this.#withBall.addEventListener("change", () => this.#draw());
+    this.#withBall.addEventListener("change", () => {
+      this.#recording?.abort();
+      this.#draw();
+    });
+    this.#filmButton.addEventListener("click", () => (this.#recording ? this.#recording.abort() : this.#film()));
+    this.#dialog.addEventListener("close", () => this.#recording?.abort());
     byId(document, "share-copy").addEventListener("click", () => this.#copy());
     byId(document, "share-save").addEventListener("click", () => this.#save());
     byId(document, "share-system").addEventListener("click", () => this.#share());
@@ -49,28 +65,67 @@ export class ShareDialog {
     this.#say("");
     byId(document, "share-text").textContent = this.#words(result);
     await this.#draw();
-    byId(document, "share-system").hidden = !this.#file || !navigator.canShare?.({ files: [this.#file] });
+    this.#filmButton.hidden = !filmFormat();
     this.#dialog.showModal();
   }
 
   async #draw() {
     const result = this.#result;
     if (!result) return;
-    const canvas = document.createElement("canvas");
-    const lines = {
-      name: puzzleName(result.task),
-      solved: result.solvedAt === 1 ? "Solved at the first attempt" : `Solved in ${result.solvedAt} attempts`,
-      model: modelWords(result),
-      difficulty: difficultyWords(result.task),
-    };
+    const canvas = Object.assign(document.createElement("canvas"), { width: WIDTH, height: HEIGHT });
+    const lines = linesOf(result);
     paintResultCard(canvas, palette(this.#dark), lines, (context) => result.paint(context, this.#dark, this.#withBall.checked));
     this.#picture.alt = `${lines.name}. ${lines.solved}. ${lines.model}`;
     /** @type {Blob | null} */
     const blob = await new Promise((resolve) => canvas.toBlob(resolve, "image/png"));
     if (!blob) return;
-    this.#file = new File([blob], `pathlight-${result.task.replace(":", "-")}.png`, { type: blob.type });
+    this.#offer(blob, "png");
     URL.revokeObjectURL(this.#picture.src);
     this.#picture.src = URL.createObjectURL(blob);
+  }
+
+  /** Records the film in the place of the picture; it is what is shared then. */
+  async #film() {
+    const result = this.#result;
+    const format = filmFormat();
+    if (!result || !format) return;
+    const recording = (this.#recording = new AbortController());
+    const canvas = filmCanvas();
+    canvas.setAttribute("aria-hidden", "true");
+    this.#picture.before(canvas);
+    this.#picture.hidden = true;
+    this.#filmButton.textContent = "Stop recording";
+    let words = "The film was given up.";
+    try {
+      const [dark, colours] = [this.#dark, palette(this.#dark)];
+      const film = await recordResult(
+        { canvas, type: format.type, run: result.openRun(), lines: linesOf(result), palette: colours, dark, onProgress: (fraction) => this.#say(`Recording: ${Math.round(100 * fraction)} %.`) },
+        recording,
+      );
+      if (film) {
+        this.#offer(film, format.extension);
+        words = "The film is there: save or share it. It shows your ball.";
+      }
+    } catch {
+      words = "This browser could not record the film. The picture can be saved.";
+    }
+    canvas.remove();
+    this.#picture.hidden = false;
+    this.#recording = null;
+    this.#filmButton.textContent = "Make a film";
+    this.#say(words);
+  }
+
+  /**
+   * Takes a file as the one that is saved and shared.
+   * @param {Blob} blob
+   * @param {string} extension
+   */
+  #offer(blob, extension) {
+    // Browsers refuse to share a media type with parameters.
+    this.#file = new File([blob], `pathlight-${this.#result?.task.replace(":", "-")}.${extension}`, { type: blob.type.split(";")[0] });
+    byId(document, "share-save").textContent = extension === "png" ? "Save the picture" : "Save the film";
+    byId(document, "share-system").hidden = !navigator.canShare?.({ files: [this.#file] });
   }
 
   /** @param {Result} result */
@@ -114,13 +169,26 @@ export class ShareDialog {
   #save() {
     if (!this.#file) return;
     download(this.#file.name, this.#file);
-    this.#say("The picture is saved.");
+    this.#say(this.#file.type.startsWith("image") ? "The picture is saved." : "The film is saved.");
   }
 
   /** @param {string} sentence */
   #say(sentence) {
     byId(document, "share-done").textContent = sentence;
   }
+}
+
+/**
+ * The words of a card.
+ * @param {Result} result
+ */
+function linesOf(result) {
+  return {
+    name: puzzleName(result.task),
+    solved: result.solvedAt === 1 ? "Solved at the first attempt" : `Solved in ${result.solvedAt} attempts`,
+    model: modelWords(result),
+    difficulty: difficultyWords(result.task),
+  };
 }
 
 /** @param {Result} result */

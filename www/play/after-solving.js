@@ -5,6 +5,7 @@ import { Component } from "../shell/component.js";
 import { setText } from "../shell/dom.js";
 import { kindOf, nextByDifficulty } from "../shell/difficulty.js";
 import { TASKS } from "../shell/templates.js";
+import { paintStill } from "./still.js";
 
 /** @typedef {import("./session.js").Session} Session */
 
@@ -16,6 +17,15 @@ import { TASKS } from "../shell/templates.js";
  * @property {{ used: number, solvedAt: number | null } | null} model how the model did; null if it has not played
  * @property {(context: CanvasRenderingContext2D, dark: boolean, ball: boolean) => void} paint draws the scene into a square
  *   canvas, with the ball and the paths of that attempt if `ball`; only until the puzzle is left
+ * @property {() => Run} openRun shows that attempt again
+ */
+
+/**
+ * A run, frame by frame.
+ * @typedef {object} Run
+ * @property {number} steps
+ * @property {(context: CanvasRenderingContext2D, step: number, dark: boolean) => boolean} paint draws a step into a square
+ *   canvas; false if something else is shown meanwhile
  */
 
 /** How long the celebration stays, ms. */
@@ -131,8 +141,28 @@ export class AfterSolving extends Component {
       solvedAt,
       model: used > 0 ? { used, solvedAt: modelSolvedAt } : null,
       paint: (context, dark, ball) => (ball ? puzzle.paintAttempt(context, "player", solvedAt, dark) : puzzle.paintThumbnail(context, dark)),
+      openRun: () => this.#openRun(session, solvedAt),
     };
     this.dispatchEvent(new CustomEvent("share", { detail }));
+  }
+
+  /**
+   * @param {Session} session
+   * @param {number} number
+   * @returns {Run}
+   */
+  #openRun(session, number) {
+    session.replay("player", number);
+    session.seek(session.playback.last);
+    const { shown } = session;
+    const isShown = () => session === this.session && session.shown === shown;
+    return {
+      steps: session.playback.last,
+      paint: (context, step, dark) => {
+        if (isShown()) paintStill(session, context, step, dark);
+        return isShown();
+      },
+    };
   }
 
   #celebrate() {
