@@ -26,6 +26,8 @@ export const EASY = '00000:000';
 export async function openPuzzle(session, { task = EASY, fragment = '', reducedMotion = false, ...options } = {}) {
   const page = await session.open(`/#task=${task}${fragment}`, { reducedMotion: reducedMotion ? 'reduce' : 'no-preference', ...options });
   await page.locator('#scene').waitFor();
+  // Its panels come after its first picture.
+  await page.locator('#puzzle [inert]').first().waitFor({ state: 'detached' });
   return page;
 }
 

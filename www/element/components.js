@@ -71,6 +71,7 @@ export class Components {
     const { all, ...panels } = createPanelComponents(this.#parts, this.canvas);
     this.#add(all);
     this.panels = panels;
+    for (const element of this.#parts.root.querySelectorAll("[inert]")) element.removeAttribute("inert");
   }
 
   /** @param {Component[]} components */

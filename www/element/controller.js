@@ -95,7 +95,7 @@ export class PuzzleController extends EventTarget {
     this.#applyView();
   }
 
-
+  /** Returns a copy of the state. */
   get state() {
     return { ...this.#state };
   }

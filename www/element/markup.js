@@ -54,7 +54,7 @@ template.innerHTML = `
   </div>
 
   <div class="side">
-    <section id="stage-view" aria-labelledby="caption-title" hidden>
+    <section id="stage-view" aria-labelledby="caption-title" inert hidden>
       <p id="caption-step"></p>
       <h2 id="caption-title"></h2>
       <p id="caption"></p>

@@ -1,4 +1,5 @@
-// The markup of the panels, as constant text; the tabs that show them are in markup.js.
+// The markup of the panels, as constant text; the tabs that show them are in markup.js. What panel-components.js brings to life
+// is inert until then.
 
 import { LUCK_MARKUP, REPLAYS_MARKUP, SAVE_MARKUP } from "../workshop/play-markup.js";
 
@@ -14,7 +15,7 @@ export const PANELS_MARKUP = `
     </p>
   </section>
   <p id="story" data-hideable="story"></p>
-  <div id="forecast" data-hideable="imagine"><div data-hideable="forecast">
+  <div id="forecast" inert data-hideable="imagine"><div data-hideable="forecast">
     <label class="check"><input type="checkbox" id="forecast-on"> What would this ball do?</label>
     <div id="forecast-said" hidden><p id="forecast-words"></p><p class="model-badge"></p></div>
     <details id="forecast-how" hidden><summary>What do I see?</summary><p>Dotted lines, and outlines of the bodies along them: where the model imagines this very ball and the green object, before anything moves. The wider the ribbon around a line, the less sure it is of it. Nothing is simulated for that, so it can be wrong: run the ball, and see how far off it was.</p></details>
@@ -44,7 +45,7 @@ export const PANELS_MARKUP = `
   ${SAVE_MARKUP}
 </div>
 
-<div role="tabpanel" id="imagine" aria-labelledby="tab-imagine" tabindex="0" hidden>
+<div role="tabpanel" id="imagine" aria-labelledby="tab-imagine" tabindex="0" inert hidden>
   <div id="imagine-trouble" class="trouble" role="alert" hidden><p></p><button type="button">Try again</button></div>
   <p id="imagine-loading" class="loading" hidden><label>Loading the model <progress max="1"></progress></label></p>
   <div id="imagine-body">
@@ -78,7 +79,7 @@ export const PANELS_MARKUP = `
   </div>
 </div>
 
-<div role="tabpanel" id="compare" aria-labelledby="tab-compare" tabindex="0" hidden>
+<div role="tabpanel" id="compare" aria-labelledby="tab-compare" tabindex="0" inert hidden>
   <p id="verdict"></p>
   <p class="model-badge"></p>
   <div id="compare-trouble" class="trouble" role="alert" hidden><p></p><button type="button">Try again</button></div>
@@ -140,7 +141,7 @@ export const PANELS_MARKUP = `
   </section>
 </div>
 
-<div role="tabpanel" id="predict" aria-labelledby="tab-predict" tabindex="0" hidden>
+<div role="tabpanel" id="predict" aria-labelledby="tab-predict" tabindex="0" inert hidden>
   <p>Which way will the green object go? Draw its path in the scene. Then run, and see who was closer: you or the model.</p>
   <p class="actions">
     <button type="button" id="predict-watch" class="primary">Run without ball</button>
@@ -156,7 +157,7 @@ export const PANELS_MARKUP = `
   <p class="hint">Draw with the mouse or a finger. With keys, in the scene: arrows draw on from the green object, with <kbd>Shift</kbd> further; <kbd>Backspace</kbd> takes a piece back.</p>
 </div>
 
-<div role="tabpanel" id="map" aria-labelledby="tab-map" tabindex="0" hidden>
+<div role="tabpanel" id="map" aria-labelledby="tab-map" tabindex="0" inert hidden>
   <p>Where could the red ball start, so that the puzzle is solved? The computer tries every place: roughly at first, then finer.</p>
   <p class="actions"><button type="button" id="solve-map-search" class="primary"></button></p>
   <p class="loading" id="solve-map-progress" hidden><label>Trying <progress max="1" value="0"></progress></label></p>

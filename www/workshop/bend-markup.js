@@ -1,7 +1,7 @@
 // The markup of the panel Bend, as constant text.
 
 export const BEND_MARKUP = `
-<div role="tabpanel" id="bend" aria-labelledby="tab-bend" tabindex="0" hidden>
+<div role="tabpanel" id="bend" aria-labelledby="tab-bend" tabindex="0" inert hidden>
   <p>Make a puzzle of your own out of this one. <b data-hideable="imagine">The model has never seen such scenes.</b></p>
   <div class="bend-tools">
     <div class="undoing" role="group" aria-label="Changes">
