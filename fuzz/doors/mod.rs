@@ -13,6 +13,7 @@ use pathlight::nets::{PathNet, flex};
 use pathlight::play::played::Played;
 use pathlight::play::verification::{AttemptLine, Verdict};
 use pathlight::puzzle::own_scene::{OwnScene, sentences};
+use pathlight::puzzle::rollout::Rollout;
 use pathlight::puzzle::scene::Scene;
 use pathlight::puzzle::task::{Task, TaskId};
 use pathlight::raster;
@@ -165,14 +166,15 @@ pub fn attempts(bytes: &[u8]) {
 /// Any scene that a caller of the library can build, and any ball.
 pub fn simulator(bytes: &[u8]) {
     let Ok((scene, ball)) = any_scene::from_bytes(bytes) else { return };
-    if let Some(ball) = ball {
-        let _ = simulate(&scene, Some(ball)).inspect_err(says_why);
-    }
-    match scene.check_form() {
-        Ok(()) => run(&scene),
-        Err(why) => {
+    match (scene.check_form(), ball) {
+        (Ok(()), None) => run(&scene),
+        (Ok(()), Some(ball)) => match simulate(&scene, Some(ball)) {
+            Ok(rollout) => check(&scene, &rollout),
+            Err(why) => says_why(&why),
+        },
+        (Err(why), _) => {
             says_why(&why);
-            assert!(simulate(&scene, None).is_err());
+            assert!(simulate(&scene, ball).is_err());
         }
     }
 }
@@ -189,11 +191,15 @@ fn journal<E: Entry>(bytes: &[u8]) -> Vec<E> {
 
 /// Simulates a scene of the right form and draws it.
 fn run(scene: &Scene) {
-    let rollout = simulate(scene, None).expect("a scene of the right form");
+    check(scene, &simulate(scene, None).expect("a scene of the right form"));
+    look_at(scene);
+}
+
+/// Draws a rollout, whose poses are numbers.
+fn check(scene: &Scene, rollout: &Rollout) {
     assert!(rollout.poses.as_flattened().iter().all(|number| number.is_finite()), "a pose is no number");
     assert_eq!(rollout.poses.len(), (rollout.steps + 1) * rollout.bodies.len());
-    raster::path_image(&scene.bodies[scene.body1], &rollout, scene.body1);
-    look_at(scene);
+    raster::path_image(&scene.bodies[scene.body1], rollout, scene.body1);
 }
 
 /// Does what an agent without nets does.
