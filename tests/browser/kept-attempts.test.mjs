@@ -43,6 +43,7 @@ test('the attempts of both come back after a reload and after another puzzle, an
   assert.deepEqual(await titles(page, 'player-attempts'), player);
   assert.deepEqual(await titles(page, 'model-attempts'), model);
   assert.equal(await page.locator('#verdict').textContent(), verdict);
+  assert.match(await page.locator('#task option:checked').textContent(), /✓ in 2$/, 'the picker counts them alike');
   await page.locator('#player-attempts [data-act=replay]').first().click();
   await says(page, /^Not solved. Your attempt 1/);
   await page.locator('#next').click();

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { start } from './harness.mjs';
-import { known, openPuzzle, playModelTurn, says, type } from './page-actions.mjs';
+import { EASY, known, openPuzzle, playModelTurn, says, type } from './page-actions.mjs';
 
 let session;
 before(async () => (session = await start()));
@@ -73,6 +73,9 @@ test('what one has not solved counts nothing for it, and what only one has playe
   assert.equal(await page.locator('#score-player').textContent(), '50.0');
   assert.equal(await page.locator('#score-model').textContent(), '50.0');
   assert.deepEqual(await rows(page).first().locator('td').allTextContents(), ['✓ on attempt 1', '× in 100']);
+  // The model that the address names is kept on the way to another puzzle.
+  await page.goto(`${session.origin}/#task=${EASY}&panel=compare&model=${name}`);
+  await page.locator(`#score-rows a[href*="task=00001:001"][href*="model=${name}"]`).waitFor();
 });
 
 test('a damaged store costs the score, not the page', async () => {

@@ -57,7 +57,9 @@ test('it says of a ball what its simulation says', async () => {
 
 test('every place is tried in the end, for the ball’s own radius, and the placement map lies over it', async () => {
   // Few places are free for the largest ball, so that this takes little time.
-  const page = await openPuzzle(session, { fragment: '&panel=map&ball=128,200,32' });
+  const page = await openPuzzle(session, { fragment: '&panel=predict&ball=128,200,32' });
+  const bare = await picture(page);
+  await page.locator('#tab-map').click();
   assert.equal(await search(page).textContent(), 'Try every place with radius 32');
   await search(page).click();
   await words(page).filter({ hasText: /^Every place tried: .+ of the places solve it with radius 32, and at \d+ % no ball may be\./ }).waitFor({ timeout: 120_000 });
@@ -66,6 +68,15 @@ test('every place is tried in the end, for the ball’s own radius, and the plac
   await page.locator('#solve-map-placement').check();
   await page.waitForFunction(() => /layers=placement/.test(location.hash));
   assert.notEqual(await picture(page), alone);
+  const lying = await picture(page);
+  await page.locator('#tab-predict').click();
+  await page.locator('#solve-map-placement').waitFor({ state: 'hidden' });
+  await page.waitForTimeout(100);
+  assert.equal(await picture(page), bare, 'in Predict neither map tells the answer');
+  await page.locator('#tab-map').click();
+  await page.locator('#solve-map-placement').waitFor();
+  await page.waitForTimeout(100);
+  assert.equal(await picture(page), lying);
   await page.locator('#tab-play').click();
   await page.locator('#solve-map-placement').waitFor({ state: 'hidden' });
 });

@@ -28,7 +28,7 @@ const imagined = (page) => page.locator('#imagined-in').filter({ hasText: 'Imagi
 test('a clicker leads through the story, which ends with the ball run and imagined laid against real', async () => {
   const page = await openStage({ reducedMotion: true });
   await imagined(page);
-  assert.match(await page.locator('#caption').textContent(), /^Make sure/i);
+  assert.match(await page.locator('#caption').textContent(), /^Make sure .* for 3 seconds\.$/);
   assert.ok(await page.locator('#scene-label').isHidden());
   const pictures = new Set([await picture(page)]);
   for (const [index, name] of STEPS.entries()) {

@@ -73,7 +73,7 @@ export class StageView extends Component {
   #update() {
     if (!this.#on || !this.session) return;
     const { shown, playing } = this.#walkthrough;
-    const { name, goal } = this.session.about;
+    const { goal, about: { name } } = this.session;
     setText(this.byId("caption-step"), shown ? `${shown.number} of ${shown.count}` : "");
     setText(this.byId("caption-title"), shown?.name ?? name);
     setText(this.byId("caption"), shown?.meaning ?? goal);

@@ -53,7 +53,7 @@ export class Controls extends Component {
   open(session) {
     super.open(session);
     this.#applySpeed();
-    this.byId("goal").textContent = session.about.goal.replace(/\.$/, ` for ${GOAL_SECONDS} seconds.`);
+    this.byId("goal").textContent = session.goal;
     this.byId("story").textContent = session.about.story;
     this.byId("difficulty").textContent = "";
     afterFrame().then(() => session === this.session && this.#showDifficulty(session));

@@ -7,6 +7,7 @@
 // the Puzzle.
 
 import { Puzzle } from "../pkg/pathlight.js";
+import { GOAL_SECONDS } from "../shell/constants.js";
 import { sentence } from "../shell/sentence.js";
 import { Attempts } from "./attempts.js";
 import { Placement } from "./placement.js";
@@ -91,6 +92,11 @@ export class Session extends EventTarget {
     this.#prefersReducedMotion = prefersReducedMotion;
     this.placement.addEventListener("change", () => this.#onPlaced());
     this.playback.addEventListener("tick", () => this.#onTick());
+  }
+
+  /** What has to be reached, and for how long. */
+  get goal() {
+    return this.about.goal.replace(/\.$/, ` for ${GOAL_SECONDS} seconds.`);
   }
 
   get reducedMotion() {
