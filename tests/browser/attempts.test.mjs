@@ -71,6 +71,18 @@ test('an attempt is deleted, by key too, and the list closes up', async () => {
   assert.equal(await page.locator('#play-empty').isVisible(), true);
 });
 
+test('while a new attempt runs, another is deleted, and the new one joins the list', async () => {
+  const page = await tried();
+  await page.emulateMedia({ reducedMotion: 'no-preference' });
+  const { missing: [x, y, r] } = await known();
+  await type(page, [x + 16, y, r]);
+  await page.locator('#run').click();
+  await says(page, /running/);
+  await row(page, 1).getByRole('button', { name: 'Delete attempt 1' }).click();
+  assert.match(await row(page, 1).locator('.words').textContent(), /^solved after/);
+  assert.equal(await row(page, 2).locator('[data-act=replay]').getAttribute('title'), `Replay: ball at x ${x + 16}, y ${y}, radius ${r}`);
+});
+
 test('the buttons of an attempt are as large as a finger needs', async () => {
   const page = await tried({ viewport: { width: 360, height: 640 }, hasTouch: true, isMobile: true });
   for (const button of await row(page, 1).locator('button').all()) {

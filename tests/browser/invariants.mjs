@@ -80,9 +80,8 @@ function viewInPage() {
     title: document.title,
     attributes,
     seen: [document.getElementById('gallery'), document.getElementById('results'), ...inside.querySelectorAll('[role=tabpanel], #stage-view')].filter(isSeen).map(({ id }) => id),
-    // Those at an own scene last as long as it is open.
-    attempts: puzzle.state.scene === null ? { player: rows('player-attempts'), model: rows('model-attempts') } : { player: [], model: [] },
-    isRunning: puzzle.state.task !== null && inside.getElementById('verdict').textContent === 'Your attempt is running.',
+    attempts: { player: rows('player-attempts'), model: rows('model-attempts') },
+    isRunning: (puzzle.state.task ?? puzzle.state.scene) !== null && inside.getElementById('verdict').textContent === 'Your attempt is running.',
     progress: localStorage.getItem('pathlight.progress'),
   };
 }

@@ -41,7 +41,8 @@ export class AttemptList extends Component {
   open(session) {
     super.open(session);
     this.#clear();
-    this.listen("change", () => this.#update(session));
+    // What has run is listed before another is deleted.
+    for (const event of /** @type {const} */ (["attempted", "change"])) this.listen(event, () => this.#update(session));
     this.#update(session);
   }
 
