@@ -101,13 +101,11 @@ for (const kind of /** @type {const} */ (['gone', 'cut', 'bit'])) {
 }
 
 test('wasm and weights damaged once are asked for again, past the caches, without a word', async () => {
-  const page = await openWith({ path: WASM, kind: 'bit once' });
-  await page.locator('#scene').waitFor();
-  assert.equal(proxy.fault, null);
-  proxy.fault = { path: WEIGHTS, kind: 'bit once' };
-  await page.locator('#tab-imagine').click();
-  await imagined(page);
-  assert.equal(proxy.fault, null);
-  assert.ok(await page.locator('#notice').isHidden());
-  await assertConsistent(page);
+  for (const path of [WASM, WEIGHTS]) {
+    const page = await openWith({ path, kind: 'bit once' }, '&panel=imagine');
+    await imagined(page);
+    assert.equal(proxy.fault, null);
+    assert.ok(await page.locator('#notice').isHidden());
+    await assertConsistent(page);
+  }
 });

@@ -18,10 +18,11 @@ export function contradictions(page) {
 }
 
 /**
- * Fails if the page contradicts itself.
+ * Fails if the page contradicts itself, once all its parts are there.
  * @param {Page} page
  */
 export async function assertConsistent(page) {
+  await page.locator('#puzzle [inert]').first().waitFor({ state: 'detached' });
   assert.deepEqual(await contradictions(page), []);
 }
 
@@ -65,7 +66,8 @@ async function settled(page) {
 
 function isLoaded() {
   const puzzle = /** @type {any} */ (document.getElementById('puzzle'));
-  return puzzle.shadowRoot.getElementById('scene') !== null && puzzle.state !== null;
+  const inside = puzzle.shadowRoot;
+  return inside.getElementById('scene') !== null && inside.querySelector('[inert]') === null && puzzle.state !== null;
 }
 
 /** What a reload has to show again. */
