@@ -78,41 +78,42 @@ fn label_continues_after_any_kill() {
     assert_survives(&[&["label", "--out", "%/labels.jsonl"], &few[..]].concat(), &["labels.jsonl"]);
 }
 
+/// A few solutions and labelled balls in a folder: their files.
+fn data(folder: &Path) -> [String; 2] {
+    let solutions = folder.join("solutions.jsonl").display().to_string();
+    output_of(&["collect", "--template", "2", "--limit", "8", "--rounds", "2", "--per-task", "2", "--out", &solutions]);
+    [solutions, label(folder, "1")]
+}
+
 #[test]
 fn trainings_continue_after_any_kill() {
-    let data = tempdir().expect("a folder");
-    let solutions = data.path().join("solutions.jsonl").display().to_string();
-    output_of(&["collect", "--template", "2", "--limit", "8", "--rounds", "2", "--per-task", "2", "--out", &solutions]);
-    let labels = label(data.path(), "1");
+    let folder = tempdir().expect("a folder");
+    let [solutions, labels] = data(folder.path());
     let results = ["run/weights.safetensors", "run/losses.csv"];
-    let small = ["--batch", "4", "--checkpoint", "1", "--out", "%/run"];
-    assert_survives(&[&["train", "--solutions", &solutions, "--epochs", "2"], &small[..]].concat(), &results);
-    let of_labels = ["--weights", WEIGHTS, "--labels", &labels, "--epochs", "2", "--balls-per-scene", "32"];
-    assert_survives(&[&["train-judge"], &of_labels[..], &small].concat(), &results);
+    let small = ["--epochs", "2", "--batch", "4", "--checkpoint", "1", "--out", "%/run"];
+    assert_survives(&[&["train", "--solutions", &solutions], &small[..]].concat(), &results);
+    let of_labels = ["--labels", &labels, "--balls-per-scene", "32"];
+    assert_survives(&[&["train-dqn"], &of_labels[..], &small].concat(), &results);
+    let of_weights = [&["--weights", WEIGHTS], &of_labels[..]].concat();
+    assert_survives(&[&["train-judge"], &of_weights[..], &small].concat(), &results);
     let imagined = ["--imagined-per-scene", "8"];
-    assert_survives(&[&["train-dynamics"], &of_labels[..], &imagined, &small].concat(), &results);
+    assert_survives(&[&["train-dynamics"], &of_weights[..], &imagined, &small].concat(), &results);
 }
 
 #[test]
 fn reproduce_continues_after_any_kill() {
-    let data = tempdir().expect("a folder");
-    let solutions = data.path().join("solutions.jsonl").display().to_string();
-    output_of(&["collect", "--template", "2", "--limit", "8", "--rounds", "2", "--per-task", "2", "--out", &solutions]);
-    let labels = label(data.path(), "1");
-    let fold = ["reproduce", "--setup", "cross", "--fold", "0", "--results", "%/results", "--train-dir", "%/runs"];
-    let of_data = ["--solutions", &solutions, "--labels", &labels];
-    let short =
-        ["--label-rounds", "1", "--epochs", "1", "--judge-epochs-cross", "1", "--dqn-epochs", "1", "--limit", "1"];
-    let words = [&fold[..], &of_data, &short].concat();
-    // Results also hold how long it took; the report does not.
-    let report_and = |folder: &Path, weights: &[&str]| {
+    let folder = tempdir().expect("a folder");
+    let [solutions, labels] = data(folder.path());
+    let fold = ["reproduce", "--only", "folds", "--setup", "cross", "--fold", "0", "--limit", "1"];
+    let files = ["--results", "%/results", "--train-dir", "%/runs", "--solutions", &solutions, "--labels", &labels];
+    let short = ["--label-rounds", "1", "--epochs", "1", "--judge-epochs-cross", "1"];
+    assert_same_when_killed(&[&fold[..], &files, &short].concat(), |folder| {
+        // Results also hold how long it took; the report does not.
         let results = folder.join("results").display().to_string();
         output_of(&["reproduce", "--only", "report", "--results", &results, "--solutions", &solutions]);
-        let files = weights.iter().map(|file| folder.join("runs/cross-0").join(file));
-        files.chain([folder.join("results/README.md")]).map(|file| fs::read(file).expect("a result")).collect()
-    };
-    assert_same_when_killed(&[&words[..], &["--only", "folds"]].concat(), |folder| {
-        report_and(folder, &["weights.safetensors", "losses.csv", "judge/weights.safetensors", "judge/losses.csv"])
+        let run = ["weights.safetensors", "losses.csv", "judge/weights.safetensors", "judge/losses.csv"];
+        let made = run.iter().map(|file| folder.join("runs/cross-0").join(file));
+        made.chain([folder.join("results/README.md")]).map(|file| fs::read(file).expect("a result")).collect()
     });
 }
 
