@@ -12,8 +12,10 @@ import { build } from "esbuild";
 
 const ROOT = join(dirname(fileURLToPath(import.meta.url)), "..");
 export const SOURCES = join(ROOT, "www");
-/** What the page starts with, and what its worker does. */
-const ENTRIES = ["page/main.js", "model/worker.js"];
+/** What compiles the wasm while the rest is read. */
+const FIRST = "shell/compile-wasm.js";
+/** With it, what the page starts with, and what its worker does. */
+const ENTRIES = [FIRST, "page/main.js", "model/worker.js"];
 /** What a page of dist/ has besides. */
 const OFFLINE = /^offline\//;
 const MODULE = /\.(js|d\.ts)$/;
@@ -62,7 +64,7 @@ async function bundles(page) {
     outdir: page,
     outbase: page,
     bundle: true,
-    external: [`*/${LAZY}`],
+    external: [`*/${FIRST}`, `*/${LAZY}`],
     format: "esm",
     target: "esnext",
     minify: true,

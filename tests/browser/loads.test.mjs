@@ -68,13 +68,13 @@ test('the first picture of a puzzle waits for no panel', async () => {
   await page.locator('#bend-bodies button').first().waitFor();
 });
 
-test('what make play serves loads one script, and one more for the model', async () => {
+test('what make play serves loads two scripts, and one more for the model', async () => {
   const folder = await mkdtemp(join(tmpdir(), 'pathlight-'));
   await writeBundledPage(folder);
   const bundled = await start({ serve: ['--dir', folder] });
   const page = await openImagined(bundled, { reducedMotion: true });
   const scripts = () => performance.getEntriesByType('resource').map(({ name }) => new URL(name).pathname).filter((path) => path.endsWith('.js'));
-  assert.deepEqual(await page.evaluate(scripts), ['/page/main.js', '/model/worker.js']);
+  assert.deepEqual(await page.evaluate(scripts), ['/shell/compile-wasm.js', '/page/main.js', '/model/worker.js']);
   const bytes = await page.evaluate(() => /** @type {PerformanceResourceTiming[]} */ (performance.getEntriesByType('resource')).find(({ name }) => name.endsWith('/page/main.js'))?.decodedBodySize);
   assert.ok(bytes > 100_000 && bytes < 250_000, `${bytes} bytes: what comes with every page should come when it is asked for`);
   assert.deepEqual(await page.workers()[0].evaluate(scripts), []);

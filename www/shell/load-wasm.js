@@ -1,7 +1,8 @@
-// Fetches the wasm and compiles it once, for all puzzles of a page and their workers. It starts with this
-// module, because the first picture waits for nothing longer.
+// Loads the wasm once, for all puzzles of a page and their workers. It starts with this module, because the first picture waits
+// for nothing longer.
 
-import { compileWasm } from "../api/files.js";
+// By the path from another folder: in a bundle this import stays, in a file that lies in one.
+import { compileWasm } from "../shell/compile-wasm.js";
 
 /** @type {Promise<WebAssembly.Module> | null} */
 let loaded = null;
