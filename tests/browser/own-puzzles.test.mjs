@@ -116,6 +116,7 @@ test('a foreign or invalid file is a sentence that names it, and changes nothing
     [file('noise.json', '\u0000\u0001 nothing'), /noise\.json is not a file of puzzles/],
     [file('two.json', [SCENE, { ...SCENE, bodies: [] }]), /puzzle 2 of two\.json cannot be played/i],
     [file('none.json', []), /none\.json holds no puzzle/],
+    [file('tries.jsonl', '{}'), /tries\.jsonl is a file of attempts.*“Open attempts”/],
   ];
   for (const [one, sentence] of wrong) {
     await openFiles(page, one);

@@ -37,6 +37,9 @@ function jsonBlob(value) {
  * @returns {Promise<OwnScene[]>}
  */
 export async function readPuzzles(file) {
+  if (/\.jsonl$/i.test(file.name)) {
+    throw new Error(`${file.name} is a file of attempts, not of puzzles: open a puzzle, and then the file by “Open attempts”. Nothing was changed.`);
+  }
   const foreign = `${file.name} is not a file of puzzles from Pathlight. Nothing was changed.`;
   if (file.size > MAX_SIZE) throw new Error(foreign);
   /** @type {unknown} */
