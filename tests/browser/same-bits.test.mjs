@@ -1,5 +1,5 @@
-// Natively, with one thread and with two, with AVX and without, in Node, in Chromium and in Firefox the same rollouts to the bit, and
-// the same proposals.
+// Natively, with one thread and with two, with AVX and without, in Node, in Chromium, in Firefox and, where it is installed, in WebKit
+// the same rollouts to the bit, and the same proposals.
 // PATHLIGHT_BITS=40 compares 1,000 rollouts, 40 of each template, and the proposals of 100 tasks. Processors that lack AVX are
 // emulated by QEMU, where it is (apt-get install qemu-user).
 
@@ -9,6 +9,7 @@ import { test } from 'node:test';
 import { startFirefox } from './firefox.mjs';
 import { start } from './harness.mjs';
 import { computeInNode, computeInPage, computeNatively, digestOf, joined, pieces, sampleOf } from './same-bits.mjs';
+import { startWebKit, whyNoWebKit } from './webkit.mjs';
 
 const PER_TEMPLATE = Number(process.env.PATHLIGHT_BITS ?? 2);
 const PROPOSED = process.env.PATHLIGHT_BITS ? 100 : 3;
@@ -25,18 +26,27 @@ test(`${PER_TEMPLATE * 25} rollouts and the proposals of ${PROPOSED} tasks`, { t
   context.diagnostic(`Node: ${digestOf(node)}`);
   assert.deepEqual(node, native, 'Node');
   const session = await start();
-  const firefox = await startFirefox();
+  /** @type {{ newPage: () => Promise<any>, close: () => Promise<void> }[]} */
+  const browsers = [];
+  const pageIn = async (browser) => {
+    browsers.push(browser);
+    const page = await browser.newPage();
+    await page.goto(`${session.origin}/`);
+    return page;
+  };
   try {
-    const pages = { Chromium: await session.open('/'), Firefox: await firefox.newPage() };
-    await pages.Firefox.goto(`${session.origin}/`);
-    for (const [name, page] of Object.entries(pages)) {
+    const pages = new Map([['Chromium', await session.open('/')], ['Firefox', await pageIn(await startFirefox())]]);
+    const lacks = whyNoWebKit();
+    if (lacks) context.diagnostic(`WebKit is not compared: ${lacks}`);
+    else pages.set('WebKit', await pageIn(await startWebKit()));
+    for (const [name, page] of pages) {
       const computed = [];
       for (const piece of pieces(sample)) computed.push(await page.evaluate(computeInPage, piece));
       context.diagnostic(`${name}: ${digestOf(joined(computed))}`);
       assert.deepEqual(joined(computed), native, name);
     }
   } finally {
-    await firefox.close();
+    for (const browser of browsers) await browser.close();
     await session.stop();
   }
 });
