@@ -162,8 +162,20 @@ test('an hour asleep in the middle of the model’s turn', async () => {
 test('canvases without memory: a sentence says so, and what to do', async () => {
   const context = await session.browser.newContext();
   await context.addInitScript(() => void (HTMLCanvasElement.prototype.getContext = () => null));
+  const sentence = (page) => page.getByText(/no canvas to draw on.*load the page again/i).first().waitFor();
   const page = await session.openIn(context, `/#task=${EASY}`);
-  await page.getByText(/no canvas to draw on.*load the page again/i).first().waitFor();
+  await sentence(page);
+  // It stays when the rest of the page comes later.
+  let late = false;
+  await context.route('**/page/page.js', async (route) => {
+    await sentence(page);
+    late = true;
+    await route.continue();
+  });
+  await page.reload({ waitUntil: 'commit' });
+  await page.waitForFunction(() => !document.querySelector('#title').hidden);
+  assert.ok(late);
+  await sentence(page);
   session.takeProblems();
 });
 

@@ -34,7 +34,7 @@ export class Page {
   #progressView = new ProgressView(sharedProgress("kept"), TEMPLATES, this.#gallery);
   /** @type {import("./share-dialog.js").ShareDialog | null} */
   #shareDialog = null;
-  #address = new Address((own) => this.#onRoute(own));
+  #address = new Address((own) => this.#onNavigation(own));
   /** @type {import("./results-view.js").ResultsView | null} */
   #results = null;
   /** @type {LessonDialog | null} */
@@ -91,11 +91,19 @@ export class Page {
   }
 
   /**
-   * Shows what the address asks for.
+   * Shows what another address asks for.
+   * @param {boolean} own is it an entry that the page has written?
+   */
+  #onNavigation(own) {
+    dismissNotice();
+    this.#onRoute(own);
+  }
+
+  /**
+   * Shows what the address asks for. A notice stays: the first time it may say what broke before the page was there.
    * @param {boolean} [own] is it an entry that the page has written?
    */
   #onRoute(own = false) {
-    dismissNotice();
     const { state, problem } = this.#address.read();
     // The ball stays where it is, unless a link to the same puzzle places it elsewhere.
     const ballStays = (own || state.ball === null) && state.task === this.#state.task && state.scene === this.#state.scene;
