@@ -173,7 +173,7 @@ test('canvases without memory: a sentence says so, and what to do', async () => 
     await route.continue();
   });
   await page.reload({ waitUntil: 'commit' });
-  await page.waitForFunction(() => !document.querySelector('#title').hidden);
+  await page.locator('#title').waitFor();
   assert.ok(late);
   await sentence(page);
   session.takeProblems();
