@@ -180,22 +180,30 @@ export class Bend extends Component {
     if (!this.pen.dragging) this.#timer = setTimeout(() => this.#commit(), REST);
   }
 
-  /** Makes the draft the puzzle of all panels, if it may be played and is another. */
   async #commit() {
+    const draft = this.#draft;
+    // Last: a puzzle that is opened announces its state.
+    if (draft && (await this.settle())) this.announce([wordsOf(draft.scene, draft.selected), ...this.#problems.map(({ sentence }) => sentence)].join(" "));
+  }
+
+  /**
+   * Makes the draft the puzzle of all panels, if it may be played and is another. Returns false if it has been bent further or was
+   * left meanwhile.
+   */
+  async settle() {
     clearTimeout(this.#timer);
     const draft = this.#draft;
-    if (!draft || !this.session) return;
+    if (!draft || !this.session) return false;
     const { scene } = draft;
     if (this.#problems.length === 0 && JSON.stringify(scene) !== JSON.stringify(sceneOf(this.session))) {
       const text = await textOfScene(scene);
       // It may have been bent further meanwhile; another commit follows then.
-      if (draft !== this.#draft || draft.scene !== scene || !this.session) return;
+      if (draft !== this.#draft || draft.scene !== scene || !this.session) return false;
       this.#committing = true;
       this.requestState({ task: null, scene: text, proposal: null });
       this.#committing = false;
     }
-    // Last: a puzzle that is opened announces its state.
-    this.announce([wordsOf(draft.scene, draft.selected), ...this.#problems.map(({ sentence }) => sentence)].join(" "));
+    return true;
   }
 
   /** Updates the panel before the next frame, once however often the draft changes. */

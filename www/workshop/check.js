@@ -27,7 +27,7 @@ export class Check extends Component {
     this.#client = client;
     this.#bend = bend;
     bend.addEventListener("bend", () => this.#onBend());
-    this.#button.addEventListener("click", () => (this.#search.running ? this.#search.stop() : this.#start()));
+    this.#button.addEventListener("click", () => (this.#search.running ? this.#search.stop() : void this.#start()));
     this.byId("check-reveal").addEventListener("click", () => this.#reveal());
   }
 
@@ -59,7 +59,9 @@ export class Check extends Component {
     this.#update();
   }
 
-  #start() {
+  async #start() {
+    // What was bent a moment ago is searched, not the puzzle before.
+    await this.#bend.settle();
     const { session } = this;
     if (!session) return;
     if (!this.#client.alive) this.requestModel();
