@@ -86,6 +86,8 @@ test('a finger drags the knobs: a bar is turned and resized', async () => {
   const touch = await page.context().newCDPSession(page);
   const drag = async (from, to) => {
     const at = async ([x, y]) => (([px, py]) => [{ x: px, y: py }])(await spot(page, x, y));
+    // The browser takes a touch for its own that a busy page does not answer in time.
+    await page.evaluate(() => new Promise((idle) => requestIdleCallback(idle)));
     await touch.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: await at(from) });
     await touch.send('Input.dispatchTouchEvent', { type: 'touchMove', touchPoints: await at(to) });
     await touch.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
