@@ -2,7 +2,8 @@
 //! where it takes the place of a judge.
 //!
 //! It learns from labelled balls of the tasks that the four nets were trained on, so that the weights as a whole have
-//! seen no other tasks. `training_run` keeps the run in a folder.
+//! seen no other tasks. It starts from the judge of these weights, if they have one: the U-Net of both is the same.
+//! `training_run` keeps the run in a folder.
 
 use std::path::{Path, PathBuf};
 
@@ -19,7 +20,8 @@ use super::progress::say;
 use super::training_args::TrainingArgs;
 use super::training_run::TrainingRun;
 
-/// Train the net that imagines what balls lead to, and add it to the weights of the four nets
+/// Train the net that imagines what balls lead to, and add it to the weights of the four nets; it starts from their judge, if
+/// they have one
 #[derive(clap::Args)]
 pub struct Args {
     #[command(flatten)]
@@ -52,7 +54,7 @@ pub struct Args {
     #[arg(long)]
     pub without_paths: bool,
 
-    /// Start from the dynamics net of these weights
+    /// Start from the dynamics net of these weights instead
     #[arg(long, value_name = "FILE")]
     pub from: Option<PathBuf>,
 
@@ -66,6 +68,7 @@ impl Args {
         let without_dev = self.without_dev || card.without_dev;
         let scenes = LabelledScenes::read(&self.labels, &self.fold, without_dev)?;
         ensure!(scenes.have_paths(), "the labels hold balls without their paths: label them again");
+        let judge = if self.from.is_none() { nets.judge.take().zip(card.judge.take()) } else { None };
         card.judge = None;
         card.dynamics = Some(DynamicsCard {
             seed: self.training.seed,
@@ -80,11 +83,13 @@ impl Args {
             without_dev,
             without_paths: self.without_paths,
             from: self.from.as_deref().map(digest).transpose()?,
+            judge: judge.as_ref().map(|(_, card)| card.clone()),
         });
         let folder = self.training.out.clone().unwrap_or_else(|| self.fold.folder().join("dynamics"));
-        let trainer = match &self.from {
-            Some(path) => Trainer::from_nets(self.dynamics_of(path)?, flex()),
-            None => Trainer::<DynamicsNet>::new(flex(), self.training.seed),
+        let trainer = match (&self.from, judge) {
+            (Some(path), _) => Trainer::from_nets(self.dynamics_of(path)?, flex()),
+            (None, Some((judge, _))) => Trainer::from_judge(judge, flex(), self.training.seed),
+            (None, None) => Trainer::<DynamicsNet>::new(flex(), self.training.seed),
         };
         let losses = ["cell", "ball", "from paths", "paths", "errors"];
         let digests = self.labels.iter().map(|path| digest(path)).collect::<anyhow::Result<Vec<_>>>()?;

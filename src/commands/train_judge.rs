@@ -8,7 +8,7 @@ use std::slice;
 
 use pathlight::nets::training::{JudgeBatch, Trainer};
 use pathlight::nets::{Judge, JudgeCard, flex};
-use pathlight::raster::scene_channels;
+use pathlight::raster::scene_coverage;
 
 use super::digest;
 use super::fold_args::FoldArgs;
@@ -83,10 +83,9 @@ impl Args {
         for Drawn { scene, balls, mirrored } in
             scenes.draw(&self.training, Sampling::Uniform(self.balls_per_scene), number)
         {
-            let balls: Vec<_> = balls.into_iter().map(|ball| scene.balls[ball]).collect();
-            batch
-                .add(&scene_channels(&scene.scene), &balls, mirrored)
-                .expect("the balls were checked when they were read");
+            let balls = balls.into_iter().map(|ball| scene.balls[ball]);
+            let added = batch.add(&scene_coverage(&scene.scene), balls, mirrored);
+            added.expect("the balls were checked when they were read");
         }
         batch
     }

@@ -89,9 +89,12 @@ pub struct DynamicsCard {
     /// The net learned chances alone: what it imagines are no paths.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub without_paths: bool,
-    /// SHA-256 of the weights whose dynamics net it started from, if it did not start fresh.
+    /// SHA-256 of the weights whose dynamics net it started from, if it did.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub from: Option<String>,
+    /// The settings of the judge that it started from, if it did.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub judge: Option<JudgeCard>,
 }
 
 /// The settings that DQN was trained with: the card of its own weights.

@@ -12,13 +12,9 @@ use burn::tensor::activation::relu;
 use burn::tensor::{Device, Tensor};
 
 use super::ball_head::{BallHead, BallTensors, Predictions};
-use super::conv::fit_tiles;
-use super::judge::RADII;
-use super::u_net::{self, Activations};
+use super::judge::{Judge, RADII};
+use super::u_net::{self, Activations, WIDTHS};
 use crate::raster::SIDE;
-
-/// Channels after each of the five convolutions.
-pub const WIDTHS: [usize; 5] = [16, 32, 64, 96, 128];
 
 /// Features of the finest level, 64 x 64.
 pub const FINEST: usize = 16;
@@ -35,8 +31,6 @@ pub const LEVELS: [(usize, usize); 5] = [
 
 /// Values of the code, the innermost output of the encoder: 2 x 2 cells.
 pub const CODE: usize = 4 * WIDTHS[4];
-
-const _: () = assert!(fit_tiles(&WIDTHS), "a width is not a multiple of conv::matmul::TILE_ROWS");
 
 /// A net from the covered shares of a scene's cells and balls in it to their paths and chances.
 #[derive(Module, Debug)]
@@ -59,8 +53,22 @@ pub struct SceneFeatures {
 impl DynamicsNet {
     /// Returns a fresh net.
     pub fn new(device: &Device) -> DynamicsNet {
-        let (down, up) = u_net::new_layers(&WIDTHS, RADII + FINEST, device);
+        let (down, up) = u_net::new_layers(RADII + FINEST, device);
         DynamicsNet { down, up, head: BallHead::new(device) }
+    }
+
+    /// Returns a net whose U-Net is that of a judge, with fresh features of the finest level and a fresh head.
+    pub fn from_judge(judge: Judge, device: &Device) -> DynamicsNet {
+        let DynamicsNet { up: mut fresh, head, .. } = DynamicsNet::new(device);
+        let Judge { down, mut up } = judge;
+        let last = fresh.pop().expect("five layers");
+        let of_judge = up.last_mut().expect("five layers");
+        // A transposed convolution has its outputs in the second dimension of its weight.
+        let features = last.weight.val().narrow(1, RADII, FINEST);
+        of_judge.weight = of_judge.weight.clone().map(|logits| Tensor::cat(vec![logits, features], 1));
+        let features = last.bias.expect("new layers have a bias").val().narrow(0, RADII, FINEST);
+        of_judge.bias = of_judge.bias.take().map(|bias| bias.map(|logits| Tensor::cat(vec![logits, features], 0)));
+        DynamicsNet { down, up, head }
     }
 
     /// The logits of the cells alone, `[batch, RADII, 64, 64]`: the last layer leaves out the features of balls.
@@ -86,5 +94,30 @@ impl DynamicsNet {
         let features = self.encode(scenes);
         let predictions = self.head.forward(&features, balls);
         (features.logits, predictions)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use burn::tensor::Distribution;
+
+    use super::*;
+    use crate::nets::flex;
+    use crate::raster::CHANNELS;
+
+    #[test]
+    fn a_net_from_a_judge_scores_cells_as_the_judge_does() {
+        let device = flex();
+        let judge = Judge::new(&device);
+        let scenes = Tensor::random([2, CHANNELS, SIDE, SIDE], Distribution::Uniform(0.0, 1.0), &device);
+        let expected: Vec<f32> = judge.forward(scenes.clone()).into_data().iter().collect();
+        let net = DynamicsNet::from_judge(judge, &device);
+        let features = net.encode(scenes.clone());
+        for logits in [net.cell_logits(scenes), features.logits] {
+            let logits: Vec<f32> = logits.into_data().iter().collect();
+            assert!(logits.iter().zip(&expected).all(|(one, other)| (one - other).abs() < 1e-5));
+        }
+        let finest: Vec<f32> = features.levels[0].clone().into_data().iter().collect();
+        assert!(finest.iter().any(|&value| value > 0.0), "the features of balls are fresh, not empty");
     }
 }

@@ -8,7 +8,6 @@ use burn::module::Module;
 use burn::nn::conv::{Conv2d, ConvTranspose2d};
 use burn::tensor::{Device, Tensor};
 
-use super::conv::fit_tiles;
 use super::u_net;
 use crate::puzzle::action::{Ball, Invalid, RADIUS};
 use crate::puzzle::scene::SIZE;
@@ -17,22 +16,17 @@ use crate::raster::{self, CELLS, SIDE};
 /// Radii that the judge has a map for, evenly spaced from the smallest to the largest.
 pub const RADII: usize = 8;
 
-/// Channels after each of the five convolutions.
-const WIDTHS: [usize; 5] = [16, 32, 64, 64, 96];
-
-const _: () = assert!(fit_tiles(&WIDTHS), "a width is not a multiple of conv::matmul::TILE_ROWS");
-
-/// A net from the channels of a scene to `RADII` maps of logits.
+/// A net from the covered shares of a scene's cells to `RADII` maps of logits.
 #[derive(Module, Debug)]
 pub struct Judge {
-    down: Vec<Conv2d>,
-    up: Vec<ConvTranspose2d>,
+    pub(super) down: Vec<Conv2d>,
+    pub(super) up: Vec<ConvTranspose2d>,
 }
 
 impl Judge {
     /// Returns a fresh judge.
     pub fn new(device: &Device) -> Judge {
-        let (down, up) = u_net::new_layers(&WIDTHS, RADII, device);
+        let (down, up) = u_net::new_layers(RADII, device);
         Judge { down, up }
     }
 

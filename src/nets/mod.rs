@@ -90,7 +90,7 @@ impl PathNet {
     pub fn cell_logits(&self, scene: &Scene) -> Option<Vec<f32>> {
         let both = |image: Tensor<4>| Tensor::cat(vec![image.clone(), image.flip([3])], 0); // [2, 5, 64, 64]
         let logits = match (&self.judge, &self.dynamics) {
-            (Some(judge), _) => judge.forward(both(self.encode(scene))),
+            (Some(judge), _) => judge.forward(both(self.encode_coverage(scene))),
             (None, Some(dynamics)) => dynamics.cell_logits(both(self.encode_coverage(scene))),
             (None, None) => return None,
         }; // [2, RADII, 64, 64]
@@ -105,12 +105,12 @@ impl PathNet {
         Some(dynamics.read(scene, Tensor::cat(vec![images.clone(), images.flip([3])], 0)))
     }
 
-    /// The input of the four nets and of the judge for a scene, `[1, 5, 64, 64]`.
+    /// The input of the four nets for a scene, `[1, 5, 64, 64]`.
     fn encode(&self, scene: &Scene) -> Tensor<4> {
         self.image(scene_channels(scene).iter().flat_map(Bitmap::to_f32).collect())
     }
 
-    /// The input of the dynamics net for a scene, `[1, 5, 64, 64]`.
+    /// The input of the judge and of the dynamics net for a scene, `[1, 5, 64, 64]`.
     fn encode_coverage(&self, scene: &Scene) -> Tensor<4> {
         self.image(scene_coverage(scene).iter().flat_map(Coverage::to_f32).collect())
     }

@@ -1,24 +1,28 @@
 //! A U-Net (Ronneberger et al. 2015): an encoder-decoder in which the decoder layer of each size also sees the encoder's
-//! output of that size, so that its maps are as sharp as the scene. The judge and the dynamics net are U-Nets; their layers
-//! stay fields of theirs, because the names of the parameters are those in weights files.
+//! output of that size, so that its maps are as sharp as the scene. The judge and the dynamics net are the same U-Net but for
+//! their outputs; its layers stay fields of theirs, because the names of the parameters are those in weights files.
 
 use burn::nn::conv::{Conv2d, ConvTranspose2d};
 use burn::tensor::{Device, Tensor};
 
-use super::conv::{conv_down, conv_up, new_conv_down, new_conv_up};
+use super::conv::{conv_down, conv_up, fit_tiles, new_conv_down, new_conv_up};
 use crate::raster::CHANNELS;
 
-/// Returns fresh layers: convolutions with these numbers of output channels, and the transposed ones that mirror them, the
-/// last of which has `outputs` channels.
-pub fn new_layers(widths: &[usize], outputs: usize, device: &Device) -> (Vec<Conv2d>, Vec<ConvTranspose2d>) {
-    let down = (0..widths.len()).map(|layer| {
-        let input = if layer == 0 { CHANNELS } else { widths[layer - 1] };
-        new_conv_down(input, widths[layer], 4, device)
+/// Channels after each of the five convolutions.
+pub const WIDTHS: [usize; 5] = [16, 32, 64, 96, 128];
+
+const _: () = assert!(fit_tiles(&WIDTHS), "a width is not a multiple of conv::matmul::TILE_ROWS");
+
+/// Returns fresh layers: the convolutions, and the transposed ones that mirror them, the last of which has `outputs` channels.
+pub fn new_layers(outputs: usize, device: &Device) -> (Vec<Conv2d>, Vec<ConvTranspose2d>) {
+    let down = (0..WIDTHS.len()).map(|layer| {
+        let input = if layer == 0 { CHANNELS } else { WIDTHS[layer - 1] };
+        new_conv_down(input, WIDTHS[layer], 4, device)
     });
-    let up = (0..widths.len()).rev().map(|layer| {
+    let up = (0..WIDTHS.len()).rev().map(|layer| {
         // All but the innermost see the layer before and, over the skip connection, the encoder's output.
-        let input = if layer == widths.len() - 1 { widths[layer] } else { 2 * widths[layer] };
-        new_conv_up(input, if layer == 0 { outputs } else { widths[layer - 1] }, 4, device)
+        let input = if layer == WIDTHS.len() - 1 { WIDTHS[layer] } else { 2 * WIDTHS[layer] };
+        new_conv_up(input, if layer == 0 { outputs } else { WIDTHS[layer - 1] }, 4, device)
     });
     (down.collect(), up.collect())
 }

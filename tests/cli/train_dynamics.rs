@@ -20,9 +20,10 @@ fn a_dynamics_net_joins_the_weights_and_can_be_trained_further() {
     let file = |name: &str| folder.path().join(name).display().to_string();
     let labels = label(folder.path(), "1");
     let train = |run: &str, more: &[&str]| {
-        let words = ["train-dynamics", "--weights", WEIGHTS, "--labels", &labels, "--epochs", "4", "--batch", "3"];
-        let sizes = ["--balls-per-scene", "32", "--imagined-per-scene", "8", "--checkpoint", "2"];
-        output_of(&[&words[..], &sizes, &["--out", &file(run)], more].concat());
+        let words = ["train-dynamics", "--labels", &labels, "--epochs", "4", "--batch", "3", "--checkpoint", "2"];
+        let sizes = ["--balls-per-scene", "32", "--imagined-per-scene", "8", "--out", &file(run)];
+        let weights = if more.contains(&"--weights") { &[][..] } else { &["--weights", WEIGHTS] };
+        output_of(&[&words[..], &sizes, weights, more].concat());
         folder.path().join(run).join("weights.safetensors")
     };
     let whole = train("whole", &[]);
@@ -35,6 +36,13 @@ fn a_dynamics_net_joins_the_weights_and_can_be_trained_further() {
     let balls = [Ball { x: 60.0, y: 200.0, r: 5.0 }, Ball { x: 200.0, y: 200.0, r: 25.0 }];
     let [left, right] = read.imagine(&balls).try_into().expect("two balls");
     assert!(left.paths.ball[0][0] < right.paths.ball[0][0], "a path begins where its ball starts");
+
+    let judge = file("judge");
+    output_of(&["train-judge", "--weights", WEIGHTS, "--labels", &labels, "--epochs", "1", "--out", &judge]);
+    let from_judge = train("from-judge", &["--weights", &format!("{judge}/weights.safetensors")]);
+    let (nets, card) = PathNet::load(&fs::read(from_judge).expect("weights"), &flex()).expect("weights that fit");
+    assert!(nets.judge.is_none() && card.judge.is_none(), "it takes the place of the judge that it started from");
+    assert_eq!(card.dynamics.expect("a card").judge.expect("its judge").epochs, 1);
 
     let without_paths = train("without-paths", &["--without-paths"]);
     let losses = |run: &str| {

@@ -18,12 +18,12 @@ pub fn imagine(file: &SafeTensors, scene: &Scene) -> [Vec<f32>; 4] {
     [base, target, action, placement]
 }
 
-/// The logits of the cells, of the judge or of the dynamics net: the mean over the scene and its mirror image. The judge sees
-/// which cells are set, the dynamics net how much of each is covered.
+/// The logits of the cells, of the judge or of the dynamics net: the mean over the scene and its mirror image. Both see how
+/// much of each cell is covered.
 pub fn cell_logits(file: &SafeTensors, net: &str, scene: &Scene) -> Vec<f32> {
     let mirror = |image: &[f32]| -> Vec<f32> { image.chunks(SIDE).flat_map(|row| row.iter().rev()).copied().collect() };
-    let coverage = || scene_coverage(scene).iter().flat_map(|channel| channel.to_f32().collect::<Vec<_>>()).collect();
-    let scene = if net == "dynamics" { coverage() } else { channels(scene) };
+    let scene: Vec<f32> =
+        scene_coverage(scene).iter().flat_map(|channel| channel.to_f32().collect::<Vec<_>>()).collect();
     let mirrored = mirror(&u_net(file, net, &mirror(&scene)));
     u_net(file, net, &scene).iter().zip(mirrored).map(|(a, b)| (a + b) / 2.0).collect()
 }

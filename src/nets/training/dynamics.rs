@@ -4,15 +4,14 @@
 //! paths alone), and the mean distances of the coordinates and of the expected errors, weighted. Without the last two, what the net
 //! calls paths is whatever helps the chances: an ablation.
 
-use burn::tensor::{Device, Int, Tensor, TensorData};
+use burn::tensor::{Device, Tensor, TensorData};
 
-use super::trainer::{Trainer, binary_cross_entropy_with_logits};
-use crate::nets::DynamicsNet;
+use super::trainer::{JudgeBatch, Trainer, binary_cross_entropy_with_logits};
 use crate::nets::ball_head::{BallBatch, COORDINATES, POSITIONS, Starts, UNIT};
-use crate::nets::judge::{RADII, logit_index};
+use crate::nets::{DynamicsNet, Judge};
 use crate::puzzle::action::{Ball, Invalid};
 use crate::puzzle::scene::SIZE;
-use crate::raster::{CELLS, CHANNELS, Coverage, SIDE};
+use crate::raster::{CHANNELS, Coverage};
 
 /// Weight of the mean distance between imagined and real coordinates, in `UNIT`.
 const PATH_WEIGHT: f64 = 0.5;
@@ -23,10 +22,10 @@ const ERROR_WEIGHT: f64 = 0.1;
 /// Scenes and balls with what they led to.
 #[derive(Default)]
 pub struct DynamicsBatch {
-    scenes: Vec<f32>,
-    count: usize,
-    logit_indices: Vec<i64>,
-    logit_labels: Vec<f32>,
+    /// The scenes, and all balls in them.
+    cells: JudgeBatch,
+    scenes: usize,
+    /// The balls whose paths are learned.
     balls: BallBatch,
     labels: Vec<f32>,
     /// `[balls, COORDINATES]`, in `UNIT`.
@@ -46,31 +45,23 @@ impl DynamicsBatch {
         &mut self,
         scene: &[Coverage; CHANNELS],
         starts: Starts,
-        balls: impl Iterator<Item = LabelledBall<'a>>,
+        balls: impl Iterator<Item = LabelledBall<'a>> + Clone,
         imagined: usize,
         mirrored: bool,
     ) -> Result<(), Invalid> {
-        for channel in scene {
-            let flipped = mirrored.then(|| channel.mirrored());
-            self.scenes.extend(flipped.as_ref().unwrap_or(channel).to_f32());
-        }
+        self.cells.add(scene, balls.clone().map(|(ball, solved, _)| (ball, solved)), mirrored)?;
         let starts = if mirrored { starts.mirrored() } else { starts };
-        for (number, (ball, solved, paths)) in balls.enumerate() {
+        for (ball, solved, paths) in balls.take(imagined) {
             let ball = Ball { x: if mirrored { SIZE - ball.x } else { ball.x }, ..ball };
-            let label = if solved { 1.0 } else { 0.0 };
-            self.logit_indices.push((self.count * RADII * CELLS + logit_index(ball)?) as i64);
-            self.logit_labels.push(label);
-            if number < imagined {
-                self.balls.add(self.count, ball, starts);
-                self.labels.push(label);
-                let coordinates = paths.iter().enumerate().map(|(index, &at)| {
-                    let mirrored = mirrored && index % 2 == 0;
-                    (if mirrored { SIZE as f32 - f32::from(at) } else { f32::from(at) }) / UNIT
-                });
-                self.coordinates.extend(coordinates);
-            }
+            self.balls.add(self.scenes, ball, starts);
+            self.labels.push(if solved { 1.0 } else { 0.0 });
+            let coordinates = paths.iter().enumerate().map(|(index, &at)| {
+                let mirrored = mirrored && index % 2 == 0;
+                (if mirrored { SIZE as f32 - f32::from(at) } else { f32::from(at) }) / UNIT
+            });
+            self.coordinates.extend(coordinates);
         }
-        self.count += 1;
+        self.scenes += 1;
         Ok(())
     }
 }
@@ -81,21 +72,24 @@ impl Trainer<DynamicsNet> {
         Trainer::fresh(device, seed, DynamicsNet::new)
     }
 
+    /// Returns a trainer of a net that starts from a judge; what that lacks depends only on the seed.
+    pub fn from_judge(judge: Judge, device: Device, seed: u64) -> Trainer<DynamicsNet> {
+        device.seed(seed);
+        let nets = DynamicsNet::from_judge(judge, &device);
+        Trainer::from_nets(nets, device)
+    }
+
     /// One optimiser step on a batch; returns the losses: of the logits of the cells, of the balls, of the paths alone,
     /// the mean distance of a coordinate and of an expected error, both in `UNIT`, weighted. These two are zero unless it learns the
     /// `paths`.
-    pub fn step(&mut self, batch: DynamicsBatch, paths: bool, learning_rate: f64) -> Vec<f32> {
+    pub fn step(&mut self, mut batch: DynamicsBatch, paths: bool, learning_rate: f64) -> Vec<f32> {
         let device = self.device.clone();
-        let shape = [batch.count, CHANNELS, SIDE, SIDE];
-        let scenes = Tensor::from_data(TensorData::new(batch.scenes, shape), &device);
-        let (logits, predictions) = self.nets.forward(scenes, batch.balls.tensors(&device));
+        let (logits, predictions) = self.nets.forward(batch.cells.scenes(&device), batch.balls.tensors(&device));
         let vector = |values: Vec<f32>| {
             let len = values.len();
             Tensor::<1>::from_data(TensorData::new(values, [len]), &device)
         };
-        let (cells, count) = (batch.logit_indices.len(), batch.labels.len());
-        let indices = Tensor::<1, Int>::from_data(TensorData::new(batch.logit_indices, [cells]), &device);
-        let of_cells = logits.reshape([-1]).select(0, indices); // [cells]
+        let count = batch.labels.len();
         let labels = vector(batch.labels);
         let real = vector(batch.coordinates).reshape([count, COORDINATES]);
         let apart = predictions.coordinates - real; // [balls, COORDINATES]
@@ -103,7 +97,7 @@ impl Trainer<DynamicsNet> {
         let distance = squared.sum_dim(2).squeeze_dim::<2>(2).sqrt(); // [balls, POSITIONS]
         let [path_weight, error_weight] = if paths { [PATH_WEIGHT, ERROR_WEIGHT] } else { [0.0; 2] };
         let losses = vec![
-            binary_cross_entropy_with_logits(of_cells, vector(batch.logit_labels)),
+            batch.cells.loss(logits, &device),
             binary_cross_entropy_with_logits(predictions.logits, labels.clone()),
             binary_cross_entropy_with_logits(predictions.path_logits, labels),
             apart.abs().mean() * path_weight,

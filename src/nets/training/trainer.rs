@@ -5,6 +5,7 @@
 //! saved between two batches and resumed with the same result. Used by the commands that train and by the benches;
 //! native only. The learning rate of each step is the caller's.
 
+use std::mem::take;
 use std::path::Path;
 
 /// What a trainer trains: `PathNet`, `Judge`.
@@ -20,7 +21,7 @@ use crate::nets::judge::{RADII, logit_index};
 use crate::nets::{Judge, PathNet};
 use crate::puzzle::action::{Ball, Invalid};
 use crate::puzzle::scene::SIZE;
-use crate::raster::{Bitmap, CELLS, CHANNELS, SIDE};
+use crate::raster::{Bitmap, CELLS, CHANNELS, Coverage, SIDE};
 
 /// Nets, all four or the judge, and their optimiser.
 pub struct Trainer<M> {
@@ -64,9 +65,17 @@ impl JudgeBatch {
     ///
     /// # Errors
     /// If the judge does not score a ball (`judge::logit_index`); the batch is then of no use.
-    pub fn add(&mut self, scene: &[Bitmap; CHANNELS], balls: &[(Ball, bool)], mirrored: bool) -> Result<(), Invalid> {
-        extend(&mut self.scenes, scene, mirrored);
-        for &(ball, solved) in balls {
+    pub fn add(
+        &mut self,
+        scene: &[Coverage; CHANNELS],
+        balls: impl Iterator<Item = (Ball, bool)>,
+        mirrored: bool,
+    ) -> Result<(), Invalid> {
+        for channel in scene {
+            let flipped = mirrored.then(|| channel.mirrored());
+            self.scenes.extend(flipped.as_ref().unwrap_or(channel).to_f32());
+        }
+        for (ball, solved) in balls {
             let x = if mirrored { SIZE - ball.x } else { ball.x };
             let index = logit_index(Ball { x, ..ball })?;
             self.logit_indices.push((self.count * RADII * CELLS + index) as i64);
@@ -74,6 +83,20 @@ impl JudgeBatch {
         }
         self.count += 1;
         Ok(())
+    }
+
+    /// The scenes.
+    pub(super) fn scenes(&mut self, device: &Device) -> Tensor<4> {
+        let shape = [self.count, CHANNELS, SIDE, SIDE];
+        Tensor::from_data(TensorData::new(take(&mut self.scenes), shape), device)
+    }
+
+    /// The loss of the balls' logits, among the logits `[scenes, RADII, 64, 64]`.
+    pub(super) fn loss(self, logits: Tensor<4>, device: &Device) -> Tensor<1> {
+        let balls = self.logit_indices.len();
+        let indices = Tensor::<1, Int>::from_data(TensorData::new(self.logit_indices, [balls]), device);
+        let labels = Tensor::<1>::from_data(TensorData::new(self.labels, [balls]), device);
+        binary_cross_entropy_with_logits(logits.reshape([-1]).select(0, indices), labels)
     }
 }
 
@@ -112,14 +135,9 @@ impl Trainer<Judge> {
     }
 
     /// One optimiser step on a batch; returns the mean loss of a ball.
-    pub fn step(&mut self, batch: JudgeBatch, learning_rate: f64) -> f32 {
-        let shape = [batch.count, CHANNELS, SIDE, SIDE];
-        let logits = self.nets.forward(Tensor::from_data(TensorData::new(batch.scenes, shape), &self.device));
-        let balls = batch.logit_indices.len();
-        let indices = Tensor::<1, Int>::from_data(TensorData::new(batch.logit_indices, [balls]), &self.device);
-        let logits = logits.reshape([-1]).select(0, indices); // [balls]
-        let labels = Tensor::<1>::from_data(TensorData::new(batch.labels, [balls]), &self.device);
-        self.backward_step(binary_cross_entropy_with_logits(logits, labels), learning_rate)[0]
+    pub fn step(&mut self, mut batch: JudgeBatch, learning_rate: f64) -> f32 {
+        let logits = self.nets.forward(batch.scenes(&self.device));
+        self.backward_step(batch.loss(logits, &self.device), learning_rate)[0]
     }
 }
 
@@ -177,7 +195,8 @@ pub(super) fn binary_cross_entropy_with_logits<const D: usize>(logits: Tensor<D>
 mod tests {
     use super::*;
     use crate::nets::judge::ball_at;
-    use crate::raster::ball_image;
+    use crate::puzzle::task::Task;
+    use crate::raster::{ball_image, scene_coverage};
 
     const ROW: usize = 17;
     const COLUMN: usize = 5;
@@ -196,8 +215,9 @@ mod tests {
         let index = 3 * CELLS + ROW * SIDE + COLUMN;
         let balls = [(ball_at(index), true), (ball_at(index + 1), false)];
         let mut batch = JudgeBatch::default();
-        batch.add(&scene(), &balls, false).expect("balls of the scene");
-        batch.add(&scene(), &balls, true).expect("balls of the scene");
+        let covered = scene_coverage(&Task::load("00002:007".parse().expect("an id")).expect("a task").scene);
+        batch.add(&covered, balls.into_iter(), false).expect("balls of the scene");
+        batch.add(&covered, balls.into_iter(), true).expect("balls of the scene");
         let mirrored = RADII * CELLS + 3 * CELLS + ROW * SIDE + SIDE - 1 - COLUMN;
         assert_eq!(batch.logit_indices, [index, index + 1, mirrored, mirrored - 1].map(|index| index as i64));
         assert_eq!(batch.labels, [1.0, 0.0, 1.0, 0.0]);
@@ -220,7 +240,9 @@ mod tests {
     #[test]
     fn a_ball_that_the_judge_does_not_score_is_refused() {
         let ball = Ball { x: 100.0, y: 100.0, r: 64.0 };
-        assert_eq!(JudgeBatch::default().add(&scene(), &[(ball, true)], false), Err(Invalid::Radius));
+        let scene = Task::load("00002:007".parse().expect("an id")).expect("a task").scene;
+        let added = JudgeBatch::default().add(&scene_coverage(&scene), [(ball, true)].into_iter(), false);
+        assert_eq!(added, Err(Invalid::Radius));
     }
 
     #[test]
