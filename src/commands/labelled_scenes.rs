@@ -87,8 +87,8 @@ impl LabelledScenes {
         let mut scenes: BTreeMap<(TaskId, Option<u32>), LabelledScene> = BTreeMap::new();
         for path in files {
             let Labelled { lines, training_tasks_of, proposed, .. } = read_labels(path)?;
-            // Balls are sampled around solutions of their own template alone; so across templates, those of any fold tell
-            // nothing of the test tasks. A net that proposes balls knows all that it was trained on.
+            // Across templates, the balls of any fold tell nothing of its test tasks: they are sampled around solutions of
+            // their own template. A net that proposes balls knows all that it was trained on.
             ensure!(
                 !proposed || training_tasks_of.is_some(),
                 "{} does not say which fold the net that proposed its balls belongs to: label again with --setup and --fold",
@@ -104,7 +104,13 @@ impl LabelledScenes {
                     fold.fold
                 );
             }
-            for LabelledBalls { task, variant, solved, failed, paths } in lines {
+            let tells_siblings = lines.iter().all(|line| line.siblings.len() == line.solved.len() + line.failed.len());
+            ensure!(
+                tells_siblings || of_template_alone || training_tasks_of.is_some(),
+                "{} does not say which balls were sampled around solutions of test tasks: label the balls again",
+                path.display()
+            );
+            for LabelledBalls { task, variant, solved, failed, siblings, paths } in lines {
                 if tasks.binary_search(&task).is_err() {
                     continue;
                 }
@@ -123,9 +129,15 @@ impl LabelledScenes {
                         entry.insert(LabelledScene { variant, scene, starts, balls: Vec::new(), paths: Vec::new() })
                     }
                 };
-                entry.paths.extend(paths.0);
-                entry.balls.extend(solved.into_iter().map(|ball| (ball, true)));
-                entry.balls.extend(failed.into_iter().map(|ball| (ball, false)));
+                let balls =
+                    solved.into_iter().map(|ball| (ball, true)).chain(failed.into_iter().map(|ball| (ball, false)));
+                for (index, ball) in balls.enumerate() {
+                    let sibling = siblings.get(index).copied().flatten();
+                    if sibling.is_none_or(|task| tasks.binary_search(&task).is_ok()) {
+                        entry.balls.push(ball);
+                        entry.paths.extend(paths.0.chunks_exact(PATHS_LEN).nth(index).into_iter().flatten());
+                    }
+                }
             }
         }
         ensure!(!scenes.is_empty(), "the labels hold no balls of the training tasks of {fold}: label all templates");

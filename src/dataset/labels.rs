@@ -11,6 +11,7 @@ use rand_pcg::Pcg64Mcg;
 use serde::{Deserialize, Serialize};
 
 use super::sampling::{perturbed, random_ball};
+use super::solutions::Solution;
 use crate::puzzle::action::Ball;
 use crate::puzzle::sampled_paths::{SAMPLES, SampledPaths};
 use crate::puzzle::task::{Task, TaskId};
@@ -31,6 +32,10 @@ pub struct LabelledBalls {
     pub solved: Vec<Ball>,
     /// Balls that do not, px.
     pub failed: Vec<Ball>,
+    /// For each ball, the solved ones first, the other task of the template around whose solution it was sampled, if it was:
+    /// a ball near a solution of a test task tells of it.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub siblings: Vec<Option<TaskId>>,
     /// The sampled paths of the green object and of the ball for each ball, the solved ones first. Absent from older files.
     #[serde(default, skip_serializing_if = "LabelledPaths::is_empty")]
     pub paths: LabelledPaths,
@@ -76,7 +81,7 @@ impl LabelledBalls {
     pub fn sample(
         task: &Task,
         own_solutions: &[Ball],
-        sibling_solutions: &[Ball],
+        sibling_solutions: &[Solution],
         count: usize,
         seed: u64,
         round: usize,
@@ -84,30 +89,40 @@ impl LabelledBalls {
         let mut balls = Vec::with_capacity(count);
         let mut rng = Pcg64Mcg::seed_from_u64(task.id.seed(seed).wrapping_add(round as u64));
         for index in 0..count {
+            let own = |rng: &mut _| own_solutions.choose(rng).map(|&ball| Solution { task: task.id, ball });
+            let sibling = |rng: &mut _| sibling_solutions.choose(rng).copied();
             let known = match index % 4 {
                 0 | 1 => None,
-                2 => own_solutions.choose(&mut rng).or_else(|| sibling_solutions.choose(&mut rng)),
-                _ => sibling_solutions.choose(&mut rng),
+                2 => own(&mut rng).or_else(|| sibling(&mut rng)),
+                _ => sibling(&mut rng),
             };
-            let perturbed_ball = known.and_then(|ball| {
+            let near_known = known.and_then(|known| {
                 let deviation = NOISE_LEVELS[rng.random_range(0..NOISE_LEVELS.len())];
-                perturbed(ball.action(), deviation, &mut rng).place(&task.scene).ok()
+                let ball = perturbed(known.ball.action(), deviation, &mut rng).place(&task.scene).ok()?;
+                Some((ball, Some(known.task).filter(|&other| other != task.id)))
             });
-            let Some(ball) = perturbed_ball.or_else(|| random_ball(&task.scene, &mut rng)) else { break };
+            let Some(ball) = near_known.or_else(|| Some((random_ball(&task.scene, &mut rng)?, None))) else { break };
             balls.push(ball);
         }
-        LabelledBalls::simulate(task, balls)
+        LabelledBalls::label(task, balls)
     }
 
     /// Simulates valid balls; invalid ones are left out.
     pub fn simulate(task: &Task, balls: Vec<Ball>) -> LabelledBalls {
-        let simulated = balls.into_iter().filter_map(|ball| Some((ball, sampled_paths(&task.scene, ball).ok()?)));
+        LabelledBalls::label(task, balls.into_iter().map(|ball| (ball, None)).collect())
+    }
+
+    /// Simulates balls with the sibling that each was sampled around.
+    fn label(task: &Task, balls: Vec<(Ball, Option<TaskId>)>) -> LabelledBalls {
+        let simulated = balls.into_iter().filter_map(|one| Some((one, sampled_paths(&task.scene, one.0).ok()?)));
         let (solved, failed): (Vec<_>, Vec<_>) = simulated.partition(|(_, (outcome, _))| outcome.solved);
         let mut paths = LabelledPaths::default();
-        for (_, (_, of_ball)) in solved.iter().chain(&failed) {
+        let mut siblings = Vec::new();
+        for ((_, sibling), (_, of_ball)) in solved.iter().chain(&failed) {
             paths.push(of_ball);
+            siblings.push(*sibling);
         }
-        let balls = |labelled: Vec<(Ball, _)>| labelled.into_iter().map(|(ball, _)| ball).collect();
-        LabelledBalls { task: task.id, variant: None, solved: balls(solved), failed: balls(failed), paths }
+        let balls = |labelled: Vec<((Ball, _), _)>| labelled.into_iter().map(|((ball, _), _)| ball).collect();
+        LabelledBalls { task: task.id, variant: None, solved: balls(solved), failed: balls(failed), siblings, paths }
     }
 }

@@ -8,7 +8,7 @@ use pathlight::dataset::labels::{LabelledBalls, PATHS_LEN};
 use pathlight::dataset::scene_variants::scene_variant;
 use pathlight::dataset::solutions::Solution;
 use pathlight::puzzle::sampled_paths::SampledPaths;
-use pathlight::puzzle::task::Task;
+use pathlight::puzzle::task::{Task, TaskId};
 use pathlight::simulator::{self, outcome, simulate};
 use tempfile::tempdir;
 
@@ -19,6 +19,15 @@ pub fn label(folder: &Path, rounds: &str) -> String {
     let out = folder.join("labels.jsonl").display().to_string();
     output_of(&["label", "--template", "2", "--limit", "6", "--rounds", rounds, "--out", &out]);
     out
+}
+
+/// The number of balls in a file of labels that nets may learn from who know only these tasks: those in the tasks that were not
+/// sampled around solutions of others.
+pub fn usable_balls(labels: &str, tasks: &[TaskId]) -> usize {
+    let text = fs::read_to_string(labels).expect("labels");
+    let lines = text.lines().skip(1).map(|line| serde_json::from_str::<LabelledBalls>(line).expect("a line of labels"));
+    let of_tasks = lines.filter(|line| tasks.contains(&line.task)).flat_map(|line| line.siblings);
+    of_tasks.filter(|sibling| sibling.is_none_or(|task| tasks.contains(&task))).count()
 }
 
 #[test]

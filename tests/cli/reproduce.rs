@@ -21,13 +21,19 @@ fn small(folder: &Path) -> Vec<String> {
         &within("solutions.jsonl"),
         "--labels",
         &within("labels.jsonl"),
+        "--variants",
+        &within("variants.jsonl"),
         "--label-rounds",
+        "1",
+        "--variant-rounds",
         "1",
         "--epochs",
         "1",
         "--judge-epochs",
         "2",
         "--judge-epochs-cross",
+        "1",
+        "--dynamics-epochs",
         "1",
         "--dqn-epochs",
         "1",
@@ -41,7 +47,7 @@ fn small(folder: &Path) -> Vec<String> {
 fn job(index: &str, folder: &Path, words: &[String]) -> Output {
     let mut script = Command::new("scripts/cluster/job");
     script.env("PATHLIGHT", env!("CARGO_BIN_EXE_pathlight")).env("SLURM_ARRAY_TASK_ID", index);
-    script.env("FOLDER", folder).env("LABEL_ROUNDS", "1").arg("fold").args(&words[10..]);
+    script.env("FOLDER", folder).env("LABEL_ROUNDS", "1").env("VARIANT_ROUNDS", "1").arg("fold").args(&words[14..]);
     script.output().expect("the script runs")
 }
 
@@ -49,10 +55,11 @@ fn job(index: &str, folder: &Path, words: &[String]) -> Output {
 fn jobs_make_results_and_the_report_reads_them() {
     let folder = tempdir().expect("a folder");
     let words = small(folder.path());
-    let (solutions, labels) = (words[5].as_str(), words[7].as_str());
+    let (solutions, labels, variants) = (words[5].as_str(), words[7].as_str(), words[9].as_str());
     output_of(&["collect", "--template", "2", "--limit", "10", "--rounds", "2", "--per-task", "3", "--out", solutions]);
     let few = ["--template", "2", "--limit", "6", "--rounds", "1", "--solutions", solutions];
     output_of(&[&["label", "--out", labels], &few[..]].concat());
+    output_of(&[&["label", "--variants", "--out", variants], &few[..]].concat());
 
     for index in ["3", "10"] {
         let made = job(index, folder.path(), &words);
@@ -60,7 +67,7 @@ fn jobs_make_results_and_the_report_reads_them() {
         assert!(made.status.success(), "{said}");
         // The commands that it names are those that it ran: run again, they find their own runs complete.
         let commands: Vec<&str> = said.lines().filter_map(|line| line.strip_prefix("$ pathlight ")).collect();
-        assert_eq!(commands.len(), 3, "{said}");
+        assert_eq!(commands.len(), 6, "{said}");
         for command in commands {
             output_of(&command.split(' ').collect::<Vec<_>>());
         }
@@ -68,8 +75,9 @@ fn jobs_make_results_and_the_report_reads_them() {
     let results = folder.path().join("results");
     let file = |name: &str| fs::read(results.join(name)).expect("a result");
     let result: Value = serde_json::from_slice(&file("within-3.json")).expect("JSON");
-    assert_eq!(result["report"]["card"]["judge"]["epochs"], 2);
-    for (run, losses) in [("nets", 4), ("judge", 1)] {
+    assert_eq!(result["judge"]["card"]["judge"]["epochs"], 2);
+    assert_eq!(result["dynamics"]["card"]["dynamics"]["judge"]["epochs"], 2, "it starts from the judge");
+    for (run, losses) in [("nets", 4), ("judge", 1), ("dynamics", 5), ("dqn", 1)] {
         assert_eq!(result[run]["losses"].as_array().map(Vec::len), Some(losses), "{run}");
         let (epoch, done, last) =
             serde_json::from_value::<(usize, usize, Vec<f32>)>(result[run]["log"][0].clone()).expect("a line");
@@ -79,7 +87,8 @@ fn jobs_make_results_and_the_report_reads_them() {
         );
     }
     let agents: Vec<&Value> = result["report"]["agents"].as_array().expect("agents").iter().collect();
-    assert_eq!(agents.iter().map(|one| &one["agent"]).collect::<Vec<_>>(), ["judge", "paper", "random"]);
+    let names: Vec<_> = agents.iter().map(|one| &one["agent"]).collect();
+    assert_eq!(names, ["online", "online-by-balls", "dynamics", "judge", "paper", "dqn", "random"]);
     assert!(agents.iter().all(|one| one["first_solved"].as_array().is_some_and(|tasks| tasks.len() == 25)));
 
     let before = file("cross-0.json");
@@ -102,6 +111,8 @@ fn jobs_make_results_and_the_report_reads_them() {
         ("/report/agents_version", Value::from(99), "`agents_version` is 99 instead of"),
         ("/nets/card/decay_epochs", Value::from(5), "`decay_epochs` is 5 instead of 1"),
         ("/nets/card/without_dev", Value::from(true), "`without_dev` is true instead of false"),
+        ("/dynamics/card/dynamics/batch", Value::from(9), "`dynamics_batch` is 9 instead of 32"),
+        ("/dqn/card/batch", Value::from(9), "`dqn_batch` is 9 instead of 16"),
     ] {
         let mut stray = result_of_within_4.clone();
         *stray.pointer_mut(key).unwrap_or_else(|| panic!("{key}")) = value;
@@ -115,30 +126,23 @@ fn jobs_make_results_and_the_report_reads_them() {
     }
     fs::remove_file(results.join("within-4.json")).expect("removed");
 
-    let with = |part: &[&'static str]| {
-        let part = ["reproduce", "--only"].iter().chain(part).copied();
-        part.chain(words.iter().map(String::as_str)).collect::<Vec<_>>()
-    };
-    let of_dqn = |printed: &str| {
-        let row = printed.lines().find(|line| line.starts_with("| **DQN, smaller** |")).expect("a row");
-        row.to_string()
-    };
-    assert!(of_dqn(&output_of(&with(&["report"]))).ends_with("| – | – |"), "no result has DQN yet");
-    output_of(&with(&["dqn", "--setup", "within", "--fold", "3"]));
-    let dqn: Value = serde_json::from_slice(&file("dqn/within-3.json")).expect("JSON");
-    assert_eq!(dqn["report"]["agents"][0]["agent"], "dqn");
-    let other = [&with(&["dqn", "--setup", "within", "--fold", "3"])[..], &["--seed", "1"]].concat();
-    assert_refused(&other, "`seed` is 0 instead of 1");
-
-    let printed = output_of(&with(&["report"]));
-    let measured = dqn["report"]["agents"][0]["auccess"].as_f64().expect("a number");
-    assert!(of_dqn(&printed).ends_with(&format!("| {measured:.1} | – |")), "{}", of_dqn(&printed));
-    assert!(printed.contains("\n### DQN\n"));
+    let printed = output_of(&[&report[..], &["--solutions", solutions]].concat());
+    for (index, name) in [(0, "online"), (5, "DQN, smaller"), (6, "random")] {
+        let measured = agents[index]["auccess"].as_f64().expect("a number");
+        let row = printed.lines().find(|line| line.starts_with(&format!("| **{name}** |"))).expect("a row");
+        assert!(row.contains(&format!("| {measured:.1} |")), "{row}");
+    }
+    for title in ["The four nets", "The judge", "The dynamics net", "DQN"] {
+        let rows = printed.split(&format!("\n### {title}\n")).nth(1).expect("a table");
+        assert!(
+            rows.lines()
+                .skip(3)
+                .take(2)
+                .all(|row| row.starts_with("| within | 3 |") || row.starts_with("| cross | 0 |"))
+        );
+        assert!(!rows.contains("NaN"), "{rows}");
+    }
     assert_eq!(printed, fs::read_to_string(results.join("README.md")).expect("a report"));
-    let random = result["report"]["agents"][2]["auccess"].as_f64().expect("a number");
-    assert!(printed.lines().any(|line| line.starts_with("| **random** |") && line.contains(&format!(" {random:.1} "))));
-    let picture = fs::read_to_string(results.join("templates.svg")).expect("a picture");
-    assert!(picture.contains("within, mean over the folds") && picture.contains("00024"));
     let costs = fs::read_to_string(results.join("costs.md")).expect("costs");
     assert!(costs.contains("\n| within | 3 | 1 | ") && costs.contains("\n| 200 | "), "{costs}");
 }
@@ -148,20 +152,26 @@ fn data_that_are_complete_stay_as_they_are() {
     let folder = tempdir().expect("a folder");
     let file = |name: &str| folder.path().join(name);
     fs::copy("assets/solutions.jsonl", file("solutions.jsonl")).expect("a copy");
-    let [solutions, labels] = ["solutions.jsonl", "labels.jsonl"].map(|name| file(name).display().to_string());
-    let data = ["reproduce", "--only", "data", "--solutions", &solutions, "--labels", &labels, "--label-rounds", "0"];
+    let [solutions, labels, variants] =
+        ["solutions.jsonl", "labels.jsonl", "variants.jsonl"].map(|name| file(name).display().to_string());
+    let files = ["--solutions", &solutions, "--labels", &labels, "--variants", &variants];
+    let data = [&["reproduce", "--only", "data", "--label-rounds", "0", "--variant-rounds", "0"], &files[..]].concat();
     for _ in 0..2 {
         output_of(&data);
         assert_eq!(
             fs::read(file("solutions.jsonl")).expect("solutions"),
             fs::read("assets/solutions.jsonl").expect("ours")
         );
-        let labels = fs::read_to_string(&labels).expect("labels");
-        assert!(labels.lines().count() == 1 && labels.contains("\"tasks\":2500"), "{labels}");
+        for path in [&labels, &variants] {
+            let labels = fs::read_to_string(path).expect("labels");
+            assert!(labels.lines().count() == 1 && labels.contains("\"tasks\":2500"), "{labels}");
+        }
     }
     let results = file("results").display().to_string();
-    let folds = [&["reproduce", "--only", "folds", "--results", &results, "--label-rounds", "3"], &data[3..7]].concat();
+    let folds = [&["reproduce", "--only", "folds", "--results", &results, "--label-rounds", "3"], &files[..]].concat();
     assert_refused(&folds, "does not hold the balls of 3 rounds: run `pathlight reproduce --only data`");
+    let folds = [&["reproduce", "--only", "folds", "--results", &results, "--label-rounds", "0"], &files[..]].concat();
+    assert_refused(&folds, "or change --variant-rounds");
 }
 
 #[test]

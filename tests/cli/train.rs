@@ -5,7 +5,6 @@ use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
 use pathlight::benchmark::folds::{Fold, Setup};
-use pathlight::dataset::labels::LabelledBalls;
 use pathlight::dataset::solutions::Solution;
 use pathlight::nets::read_card;
 use pathlight::puzzle::action::Ball;
@@ -14,6 +13,7 @@ use pathlight::simulator;
 use serde_json::Value;
 use tempfile::{TempDir, tempdir};
 
+use super::label::usable_balls;
 use super::{assert_refused, output_of};
 
 /// A few solutions, collected once for all tests of this file.
@@ -118,13 +118,10 @@ fn the_dev_tasks_are_for_weights_that_have_not_seen_them() {
         fs::remove_dir_all(out).expect("removed");
         card.judge.expect("a judge").balls
     };
-    let of_label: Vec<LabelledBalls> = fs::read_to_string(&labels)
-        .expect("labels")
-        .lines()
-        .filter_map(|line| serde_json::from_str(line).ok())
-        .collect();
-    let of_dev = of_label.iter().filter(|labelled| dev.contains(&labelled.task)).count();
-    assert_eq!(balls(&all) - balls(&without), 64 * of_dev);
+    let fold = Fold::new(Setup::Within, 0);
+    assert_eq!(balls(&all), usable_balls(&labels, &fold.all_train()));
+    assert_eq!(balls(&without), usable_balls(&labels, &fold.train));
+    assert!(balls(&without) < balls(&all));
 
     let evaluate = |weights: &Path| {
         ["evaluate", "--dev", "--limit", "1", "--agent", "paper", "--weights", &text(weights)].map(String::from)

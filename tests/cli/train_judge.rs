@@ -3,10 +3,13 @@
 use std::fs;
 use std::path::Path;
 
+use pathlight::benchmark::folds::{Fold, Setup};
 use pathlight::nets::{PathNet, flex};
+use pathlight::puzzle::task::{Task, TaskId};
+use pathlight::puzzle::templates::TEMPLATES;
 use tempfile::tempdir;
 
-use super::label::label;
+use super::label::{label, usable_balls};
 use super::{assert_refused, output_of};
 
 const WEIGHTS: &str = "assets/within-0.safetensors";
@@ -26,7 +29,22 @@ fn a_judge_joins_the_weights_and_orders_the_attempts() {
     let bytes = fs::read(&out).expect("weights");
     let (nets, card) = PathNet::load(&bytes, &flex()).expect("weights that fit");
     assert!(nets.judge.is_some());
-    assert!(card.judge.expect("a card").balls > 64);
+    let training = Fold::new(Setup::Within, 0).all_train();
+    let usable = usable_balls(&labels, &training);
+    let all: Vec<TaskId> = Task::of(TEMPLATES[2]).map(|task| task.id).collect();
+    assert!(64 < usable && usable < usable_balls(&labels, &all), "some balls tell of test tasks");
+    assert_eq!(card.judge.expect("a card").balls, usable, "it learns from all others");
+    let telling = fs::read_to_string(&labels).expect("labels");
+    let silent = folder.path().join("silent.jsonl");
+    let without_siblings = telling.lines().map(|line| match line.find(",\"siblings\"").zip(line.find(",\"paths\"")) {
+        Some((start, end)) => format!("{}{}\n", &line[..start], &line[end..]),
+        None => format!("{line}\n"),
+    });
+    fs::write(&silent, without_siblings.collect::<String>()).expect("a file");
+    assert_refused(
+        &["train-judge", "--weights", WEIGHTS, "--labels", &silent.display().to_string()],
+        "does not say which balls were sampled around solutions of test tasks",
+    );
 
     let cut = judge("cut", &["--stop-after", "3"]);
     assert!(!cut.join("weights.safetensors").exists(), "it should have stopped before the end");

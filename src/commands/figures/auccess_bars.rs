@@ -7,12 +7,13 @@ use super::agent_style::style;
 use super::bar_table::{self, Column, Columns, Scale};
 use super::measured::Group;
 use super::picture::Figure;
+use crate::commands::agent_name::AgentName;
 
 /// Draws the figure.
 pub fn draw(groups: &[Group]) -> Figure {
     let columns = |group: &Group| -> Vec<Column> {
         let column = |agent: &super::measured::Measured| Column {
-            headings: [String::new(), agent.agent.to_string()],
+            headings: headings(agent.agent),
             colour: style(agent.agent).0,
             values: (0..TEMPLATES.len()).map(Some).chain([None]).map(|template| agent.auccess(template)).collect(),
             marks: Vec::new(),
@@ -37,4 +38,11 @@ pub fn draw(groups: &[Group]) -> Figure {
         definitions: Definitions::new(),
         content,
     }
+}
+
+/// The name of an agent on two lines, because a column is narrow.
+fn headings(agent: AgentName) -> [String; 2] {
+    let name = agent.to_string();
+    let (above, below) = name.split_once('-').unwrap_or(("", &name));
+    [above.to_string(), below.replace('-', " ")]
 }

@@ -17,7 +17,7 @@ use crate::commands::reproduce::report::REPORTED;
 const PLOT: [f64; 4] = [58.0, 38.0, 330.0, 230.0];
 
 /// Width and height of a panel with its axes and labels, px.
-const PANEL: [f64; 2] = [500.0, 322.0];
+const PANEL: [f64; 2] = [520.0, 322.0];
 
 /// Height of the words below the panels, px.
 const FOOT: f64 = 26.0;

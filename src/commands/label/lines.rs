@@ -49,6 +49,10 @@ impl journal::Entry for LabelledBalls {
         if paths != 0 && paths != balls * PATHS_LEN {
             return Err(format!("{} has {balls} balls, but {paths} bytes of paths", self.task));
         }
+        if !self.siblings.is_empty() && self.siblings.len() != balls {
+            return Err(format!("{} has {balls} balls, but {} siblings", self.task, self.siblings.len()));
+        }
+        self.siblings.iter().flatten().try_for_each(|&sibling| check_task(sibling))?;
         self.solved.iter().chain(&self.failed).try_for_each(|ball| check_ball(self.task, ball))
     }
 }

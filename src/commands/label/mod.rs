@@ -12,6 +12,7 @@ use pathlight::agents::ranking::ranked;
 use pathlight::benchmark::folds::{FOLDS, Fold, Setup};
 use pathlight::dataset::labels::LabelledBalls;
 use pathlight::dataset::scene_variants::scene_variant;
+use pathlight::dataset::solutions::Solution;
 use pathlight::nets::PathNet;
 use pathlight::puzzle::action::Ball;
 use pathlight::puzzle::task::{Task, TaskId};
@@ -98,10 +99,10 @@ impl Args {
             training_tasks_of,
         };
         let mut own_solutions: BTreeMap<TaskId, Vec<Ball>> = BTreeMap::new();
-        let mut sibling_solutions: Vec<Vec<Ball>> = vec![Vec::new(); TEMPLATES.len()];
+        let mut sibling_solutions: Vec<Vec<Solution>> = vec![Vec::new(); TEMPLATES.len()];
         for solution in read_solutions(&self.solutions)?.solutions.into_iter().filter(|one| allows(one.task)) {
             own_solutions.entry(solution.task).or_default().push(solution.ball);
-            sibling_solutions[solution.task.template].push(solution.ball);
+            sibling_solutions[solution.task.template].push(solution);
         }
         let nets = match (&self.weights, training_tasks_of) {
             (Some(path), Some((setup, fold))) => Some(self.proposing_nets(path, FoldArgs { setup, fold })?),
@@ -161,6 +162,7 @@ fn in_variant(task: &Task, own_solutions: &[Ball], seed: u64, round: usize) -> L
     let variant = scene_variant(task, number);
     let changed = variant.is_some();
     let task = variant.map_or_else(|| task.clone(), |scene| Task { scene, ..task.clone() });
-    let labelled = LabelledBalls::sample(&task, own_solutions, own_solutions, BALLS, seed, round);
+    let own: Vec<Solution> = own_solutions.iter().map(|&ball| Solution { task: task.id, ball }).collect();
+    let labelled = LabelledBalls::sample(&task, own_solutions, &own, BALLS, seed, round);
     LabelledBalls { variant: changed.then_some(number), ..labelled }
 }

@@ -14,8 +14,7 @@ use pathlight::puzzle::action::Ball;
 use pathlight::puzzle::task::Task;
 use pathlight::puzzle::templates::TEMPLATES;
 
-use super::dqn_report;
-use super::fold_result::FoldResult;
+use super::fold_result::{FoldResult, Hyperparameters};
 use super::report::of;
 use crate::commands::collect::read_solutions;
 use crate::commands::label::BALLS;
@@ -30,7 +29,16 @@ const CORES: [usize; 3] = [1, 20, 200];
 struct RowCost {
     nets: f64,
     judge: f64,
+    dynamics: f64,
+    dqn: f64,
     evaluation: f64,
+}
+
+impl RowCost {
+    /// The whole row, if the nets that learn from labels are trained so many times as long, core-minutes.
+    fn all(&self, times: f64) -> f64 {
+        self.nets + times * (self.judge + self.dynamics + self.dqn) + self.evaluation
+    }
 }
 
 /// Writes the costs to a folder.
@@ -41,48 +49,53 @@ pub fn write(results: &[FoldResult], solutions: &Path, folder: &Path) -> anyhow:
     let per_ball = seconds_per_ball(&read_solutions(solutions)?.solutions)?;
     let mut text = String::from(
         "# Costs\n\n`pathlight reproduce` printed this beside the report. Times are wall-clock times multiplied by the number \
-         of threads; where a result does not name its threads, they count as one.\n\n",
+         of threads.\n\n",
     );
     rows(&mut text, results)?;
-    dqn_report::costs(&mut text, results)?;
     estimate(&mut text, results, per_ball)?;
     let path = folder.join("costs.md");
     fs::write(&path, &text).with_context(|| format!("cannot write {}", path.display()))
 }
 
 fn cost(result: &FoldResult) -> RowCost {
-    let minutes = |seconds: f64| seconds * result.threads.unwrap_or(1) as f64 / 60.0;
+    let minutes = |seconds: f64| seconds * result.threads as f64 / 60.0;
     RowCost {
         nets: minutes(result.nets.seconds),
         judge: minutes(result.judge.seconds),
+        dynamics: minutes(result.dynamics.seconds),
+        dqn: minutes(result.dqn.seconds),
         evaluation: minutes(result.evaluation_seconds),
     }
 }
 
 fn rows(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
     writeln!(text, "## Each row, core-minutes\n")?;
-    writeln!(text, "| setup | fold | threads | four nets | judge | evaluation | all |\n|{}", " ---: |".repeat(7))?;
+    writeln!(
+        text,
+        "| setup | fold | threads | four nets | judge | dynamics net | DQN | evaluation | all |\n|{}",
+        " ---: |".repeat(9)
+    )?;
     for result in results {
-        let RowCost { nets, judge, evaluation } = cost(result);
-        let threads = result.threads.map_or("–".to_string(), |threads| threads.to_string());
-        let (setup, fold, all) = (result.report.setup, result.report.fold, nets + judge + evaluation);
-        writeln!(text, "| {setup} | {fold} | {threads} | {nets:.1} | {judge:.1} | {evaluation:.1} | {all:.1} |")?;
+        let cost @ RowCost { nets, judge, dynamics, dqn, evaluation } = cost(result);
+        let (setup, fold, threads, all) = (result.report.setup, result.report.fold, result.threads, cost.all(1.0));
+        writeln!(
+            text,
+            "| {setup} | {fold} | {threads} | {nets:.1} | {judge:.1} | {dynamics:.1} | {dqn:.1} | {evaluation:.1} | {all:.1} |"
+        )?;
     }
     Ok(())
 }
 
-/// All rows with more labels, of which every ball is seen as often, so that the judge trains longer by the same factor.
+/// All rows with more labels, of which every ball is seen as often, so that the nets that learn from them train longer by the same factor.
 fn estimate(text: &mut String, results: &[FoldResult], seconds_per_ball: f64) -> anyhow::Result<()> {
     let Some(first) = results.first() else { return Ok(()) };
     let tasks: usize = TEMPLATES.iter().map(|&template| Task::of(template).count()).sum();
-    let balls = MORE_LABELS * (tasks * BALLS) as f64 * f64::from(first.hyperparameters.label_rounds);
+    let Hyperparameters { label_rounds, variant_rounds, .. } = first.hyperparameters;
+    let balls = MORE_LABELS * (tasks * BALLS) as f64 * f64::from(label_rounds + variant_rounds);
     let label_hours = balls * seconds_per_ball / 3600.0;
     // The mean of a setup stands for its folds that were not made.
     let hours = |setup: Setup| {
-        let costs: Vec<f64> = of(results, setup)
-            .map(cost)
-            .map(|RowCost { nets, judge, evaluation }| (nets + MORE_LABELS * judge + evaluation) / 60.0)
-            .collect();
+        let costs: Vec<f64> = of(results, setup).map(|result| cost(result).all(MORE_LABELS) / 60.0).collect();
         (!costs.is_empty()).then(|| costs.iter().sum::<f64>() / costs.len() as f64)
     };
     let rows: Vec<f64> = [Setup::Within, Setup::Cross].into_iter().filter_map(hours).collect();
@@ -92,8 +105,8 @@ fn estimate(text: &mut String, results: &[FoldResult], seconds_per_ball: f64) ->
     writeln!(
         text,
         "\n## {count} rows at {MORE_LABELS} times the labels, estimated\n\n\
-         {balls:.2e} balls to label, at {:.2} ms each on one core (measured on {} balls when this was written). The judge is \
-         trained {MORE_LABELS} times as long; four nets and evaluation stay. A row is one job on one core; the labels are made by \
+         {balls:.2e} balls to label, at {:.2} ms each on one core (measured on {} balls when this was written). Judge, \
+         dynamics net and DQN are trained {MORE_LABELS} times as long; four nets and evaluation stay. A row is one job on one core; the labels are made by \
          at most {} jobs, one for each template.\n",
         1e3 * seconds_per_ball,
         TEMPLATES.len() * BALLS,
@@ -119,8 +132,9 @@ fn seconds_per_ball(solutions: &[Solution]) -> anyhow::Result<f64> {
     let started = Instant::now();
     for template in TEMPLATES {
         let Some(task) = Task::of(template).next() else { continue };
-        let own: Vec<Ball> = solutions.iter().filter(|one| one.task == task.id).map(|one| one.ball).collect();
-        LabelledBalls::sample(&task, &own, &own, BALLS, 0, 0);
+        let own: Vec<Solution> = solutions.iter().filter(|one| one.task == task.id).copied().collect();
+        let balls: Vec<Ball> = own.iter().map(|one| one.ball).collect();
+        LabelledBalls::sample(&task, &balls, &own, BALLS, 0, 0);
     }
     Ok(started.elapsed().as_secs_f64() / (TEMPLATES.len() * BALLS) as f64)
 }

@@ -9,10 +9,10 @@ use anyhow::{Context, ensure};
 use pathlight::agents;
 use pathlight::benchmark::auccess::{MAX_ATTEMPTS, auccess, solved_within};
 use pathlight::benchmark::folds::{FOLDS, Setup};
+use pathlight::nets::DqnCard;
 use pathlight::simulator;
 use serde::{Deserialize, Serialize};
 
-use super::dqn_result::DqnResult;
 use crate::commands::agent_name::AgentName;
 use crate::commands::differences::differences;
 use crate::commands::evaluate::Report;
@@ -20,7 +20,10 @@ use crate::commands::fold_args::FoldArgs;
 use crate::commands::progress::say;
 use crate::commands::replace_file::replace_file;
 use crate::commands::training_run::Checkpoint;
-use crate::commands::{defaults, digest, train, train_judge};
+use crate::commands::{defaults, digest, train, train_dqn, train_dynamics, train_judge};
+
+/// Scenes in a batch of DQN: fewer than the other nets take, so that a short training has more steps.
+pub const DQN_BATCH: u16 = 16;
 
 /// Settings that can be chosen for a table. The defaults are those of the results in the repository.
 #[derive(Clone, Debug, PartialEq, clap::Args, Serialize, Deserialize)]
@@ -32,6 +35,10 @@ pub struct Hyperparameters {
     /// Rounds of labelling; every task tries 64 balls per round
     #[arg(long, value_name = "ROUNDS", default_value_t = 15)]
     pub label_rounds: u16,
+
+    /// Rounds of labelling variants of the scenes, another variant of each task and 64 balls per round
+    #[arg(long, value_name = "ROUNDS", default_value_t = 4)]
+    pub variant_rounds: u16,
 
     /// Epochs of the four nets
     #[arg(long, default_value_t = 10, value_parser = clap::value_parser!(u16).range(1..))]
@@ -45,6 +52,14 @@ pub struct Hyperparameters {
     #[arg(long, value_name = "EPOCHS", default_value_t = 60, value_parser = clap::value_parser!(u16).range(1..))]
     pub judge_epochs_cross: u16,
 
+    /// Epochs of the dynamics net, over scenes and variants
+    #[arg(long, value_name = "EPOCHS", default_value_t = 12, value_parser = clap::value_parser!(u16).range(1..))]
+    pub dynamics_epochs: u16,
+
+    /// Epochs of DQN
+    #[arg(long, value_name = "EPOCHS", default_value_t = 15, value_parser = clap::value_parser!(u16).range(1..))]
+    pub dqn_epochs: u16,
+
     /// Use at most the first N test tasks of each template
     #[arg(long, value_name = "N", default_value_t = 100, value_parser = clap::value_parser!(u16).range(1..))]
     pub limit: u16,
@@ -54,28 +69,30 @@ pub struct Hyperparameters {
 pub struct DataFiles {
     pub solutions: PathBuf,
     pub labels: PathBuf,
+    pub variants: PathBuf,
 }
 
 /// The result of a setup and fold.
 #[derive(Serialize, Deserialize)]
 pub struct FoldResult {
-    #[serde(alias = "recipe")]
     pub hyperparameters: Hyperparameters,
     /// The training of the four nets.
     pub nets: Checkpoint,
     /// The training of the judge.
     pub judge: Checkpoint,
-    /// Size of the weights of all five nets, bytes.
+    /// The training of the dynamics net, which starts from the judge.
+    pub dynamics: Checkpoint,
+    /// The training of DQN.
+    pub dqn: Checkpoint<DqnCard>,
+    /// Size of the weights of the four nets and the dynamics net, bytes.
     pub weights: u64,
+    /// Size of DQN's weights, bytes.
+    pub dqn_weights: u64,
     /// Wall-clock time of the evaluation of all agents, s.
     pub evaluation_seconds: f64,
-    /// Threads that it was made with; absent from older results.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub threads: Option<usize>,
+    /// Threads that it was made with.
+    pub threads: usize,
     pub report: Report,
-    /// From a file of its own.
-    #[serde(skip)]
-    pub dqn: Option<DqnResult>,
 }
 
 /// What determines a result, apart from its setup and fold. Results belong in one table if these agree.
@@ -89,6 +106,8 @@ pub struct ResultSettings {
     solutions: String,
     /// SHA-256 of the file of labelled balls.
     labels: String,
+    /// SHA-256 of the files that the dynamics net learns from: that, and the balls in variants.
+    labels_and_variants: String,
     batch: u16,
     learning_rate: f64,
     decay_epochs: usize,
@@ -97,6 +116,13 @@ pub struct ResultSettings {
     judge_batch: Option<u16>,
     judge_learning_rate: Option<f64>,
     balls_per_scene: Option<u16>,
+    dynamics_batch: Option<u16>,
+    dynamics_learning_rate: Option<f64>,
+    dynamics_balls_per_scene: Option<u16>,
+    imagined_per_scene: Option<u16>,
+    dqn_batch: u16,
+    dqn_learning_rate: f64,
+    dqn_balls_per_scene: u16,
 }
 
 impl ResultSettings {
@@ -106,12 +132,15 @@ impl ResultSettings {
     /// If the data cannot be read.
     pub fn expected(hyperparameters: &Hyperparameters, data: &DataFiles) -> anyhow::Result<ResultSettings> {
         let (nets, judge) = (defaults::<train::Args>(), defaults::<train_judge::Args>());
+        let (dynamics, dqn) = (defaults::<train_dynamics::Args>(), defaults::<train_dqn::Args>());
+        let labels = digest(&data.labels)?;
         Ok(ResultSettings {
             hyperparameters: hyperparameters.clone(),
             simulator: simulator::VERSION,
             agents_version: agents::VERSION,
             solutions: digest(&data.solutions)?,
-            labels: digest(&data.labels)?,
+            labels_and_variants: format!("{labels} {}", digest(&data.variants)?),
+            labels,
             batch: nets.training.batch,
             learning_rate: nets.training.learning_rate,
             decay_epochs: nets.decay_epochs,
@@ -120,6 +149,13 @@ impl ResultSettings {
             judge_batch: Some(judge.training.batch),
             judge_learning_rate: Some(judge.training.learning_rate),
             balls_per_scene: Some(judge.balls_per_scene),
+            dynamics_batch: Some(dynamics.training.batch),
+            dynamics_learning_rate: Some(dynamics.training.learning_rate),
+            dynamics_balls_per_scene: Some(dynamics.balls_per_scene),
+            imagined_per_scene: Some(dynamics.imagined_per_scene),
+            dqn_batch: DQN_BATCH,
+            dqn_learning_rate: dqn.training.learning_rate,
+            dqn_balls_per_scene: dqn.balls_per_scene,
         })
     }
 
@@ -163,12 +199,14 @@ impl FoldResult {
     /// The settings it was made with.
     pub fn settings(&self) -> ResultSettings {
         let (card, judge) = (&self.nets.card, self.judge.card.judge.as_ref());
+        let (dynamics, dqn) = (self.dynamics.card.dynamics.as_ref(), &self.dqn.card);
         ResultSettings {
             hyperparameters: self.hyperparameters.clone(),
             simulator: self.report.simulator,
             agents_version: self.report.agents_version,
             solutions: self.nets.data.clone(),
             labels: self.judge.data.clone(),
+            labels_and_variants: self.dynamics.data.clone(),
             batch: card.batch,
             learning_rate: card.learning_rate,
             decay_epochs: card.decay_epochs,
@@ -177,14 +215,19 @@ impl FoldResult {
             judge_batch: judge.map(|judge| judge.batch),
             judge_learning_rate: judge.map(|judge| judge.learning_rate),
             balls_per_scene: judge.map(|judge| judge.balls_per_scene),
+            dynamics_batch: dynamics.map(|dynamics| dynamics.batch),
+            dynamics_learning_rate: dynamics.map(|dynamics| dynamics.learning_rate),
+            dynamics_balls_per_scene: dynamics.map(|dynamics| dynamics.balls_per_scene),
+            imagined_per_scene: dynamics.map(|dynamics| dynamics.imagined_per_scene),
+            dqn_batch: dqn.batch,
+            dqn_learning_rate: dqn.learning_rate,
+            dqn_balls_per_scene: dqn.balls_per_scene,
         }
     }
 
     /// The first solving attempts of an agent, on all tasks or those of a template; empty if it was not measured.
     pub fn first_solved(&self, agent: AgentName, template: Option<usize>) -> Vec<Option<usize>> {
-        let report =
-            if agent == AgentName::Dqn { self.dqn.as_ref().map(|dqn| &dqn.report) } else { Some(&self.report) };
-        let score = report.and_then(|report| report.agents.iter().find(|score| score.agent == agent));
+        let score = self.report.agents.iter().find(|score| score.agent == agent);
         let all = score.into_iter().flat_map(|score| &score.first_solved);
         all.filter(|(task, _)| template.is_none_or(|one| task.template == one)).map(|&(_, first)| first).collect()
     }
@@ -208,8 +251,7 @@ pub fn read(folder: &Path) -> anyhow::Result<Vec<FoldResult>> {
         for fold in 0..FOLDS {
             let fold = FoldArgs { setup, fold };
             let path = folder.join(format!("{fold}.json"));
-            let Some(mut result) = FoldResult::load(&path, fold)? else { continue };
-            result.dqn = DqnResult::load(folder, fold)?;
+            let Some(result) = FoldResult::load(&path, fold)? else { continue };
             if let Some(first) = results.first() {
                 let other = result.settings().differences(&first.settings());
                 ensure!(
@@ -220,18 +262,6 @@ pub fn read(folder: &Path) -> anyhow::Result<Vec<FoldResult>> {
                 );
             }
             results.push(result);
-        }
-    }
-    let mut of_dqn = results.iter().filter_map(|result| result.dqn.as_ref());
-    if let Some(first) = of_dqn.next() {
-        for result in of_dqn {
-            let other = differences(&result.settings(), &first.settings());
-            let Report { setup, fold, .. } = result.report;
-            ensure!(
-                other.is_empty(),
-                "DQN's result of {setup} {fold} was made with other settings than the results before it ({other}): keep \
-                 such results in different folders (--results)"
-            );
         }
     }
     ensure!(!results.is_empty(), "{} holds no results: run `pathlight reproduce` first", folder.display());

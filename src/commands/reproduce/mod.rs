@@ -1,9 +1,9 @@
 //! `pathlight reproduce`: reproduces the paper's table over setups and folds, with the other commands, and reports on it.
 //!
-//! Four parts, by default one after the other: the data that all folds share (`collect`, `label`); a result per setup
-//! and fold, as a JSON file each (`train`, `train-judge`, `evaluate`); one for DQN beside it (`train-dqn`, `evaluate`); a
-//! report on the existing results (Markdown and a plot). Each part continues where it was interrupted. Results do not depend
-//! on each other, so they can be made in parallel, on several machines.
+//! Three parts, by default one after the other: the data that all folds share (`collect`, `label`); a result per setup
+//! and fold, as a JSON file each (`train`, `train-judge`, `train-dynamics`, `train-dqn`, `evaluate`); a report on the existing
+//! results. Each part continues where it was interrupted. Results do not depend on each other, so they can be made in
+//! parallel, on several machines.
 
 use std::path::PathBuf;
 
@@ -14,18 +14,15 @@ use pathlight::benchmark::folds::{FOLDS, Setup};
 use super::fold_args::{FoldArgs, setup};
 use super::progress::say;
 use super::{collect, defaults, label};
-use dqn_result::DqnPlan;
 use fold_result::{DataFiles, FoldResult, Hyperparameters, ResultSettings};
 
 mod costs;
-mod dqn_report;
-mod dqn_result;
 pub mod fold_result;
 mod fold_run;
-mod plot;
 pub mod report;
+mod training_report;
 
-/// Reproduce the paper's table, or continue with it: data, folds, DQN, report
+/// Reproduce the paper's table, or continue with it: data, folds, report
 #[derive(clap::Args)]
 pub struct Args {
     /// Do only this part
@@ -48,9 +45,13 @@ pub struct Args {
     #[arg(long, default_value = "assets/solutions.jsonl")]
     solutions: PathBuf,
 
-    /// Balls with their outcome: labelled until complete, and trained on by the judge and DQN
+    /// Balls with their outcome: labelled until complete, and trained on by the judge, the dynamics net and DQN
     #[arg(long, default_value = "target/labels.jsonl")]
     labels: PathBuf,
+
+    /// Balls in variants of the scenes: labelled until complete, and trained on by the dynamics net
+    #[arg(long, default_value = "target/variants.jsonl")]
+    variants: PathBuf,
 
     /// Folder of the training runs, each in its own subfolder SETUP-FOLD
     #[arg(long, value_name = "DIR", default_value = "target/train")]
@@ -58,10 +59,6 @@ pub struct Args {
 
     #[command(flatten)]
     hyperparameters: Hyperparameters,
-
-    /// Epochs of DQN
-    #[arg(long, value_name = "EPOCHS", default_value_t = 15, value_parser = clap::value_parser!(u16).range(1..))]
-    dqn_epochs: u16,
 }
 
 #[derive(Clone, Copy, PartialEq, ValueEnum)]
@@ -70,27 +67,24 @@ enum Part {
     Data,
     /// Training and evaluation: a JSON file per setup and fold
     Folds,
-    /// Training and evaluation of DQN, the benchmark's baseline: a JSON file per setup and fold in dqn
-    Dqn,
-    /// README.md, a plot and costs.md of the existing results
+    /// README.md and costs.md of the existing results
     Report,
 }
 
 impl Args {
     pub fn run(self) -> anyhow::Result<()> {
         let asked = |part| self.only.is_none_or(|only| only == part);
-        let data = DataFiles { solutions: self.solutions.clone(), labels: self.labels.clone() };
+        let data = DataFiles {
+            solutions: self.solutions.clone(),
+            labels: self.labels.clone(),
+            variants: self.variants.clone(),
+        };
         if asked(Part::Data) {
             self.make_data()?;
         }
         if asked(Part::Folds) {
             for fold in self.chosen_folds() {
                 self.make_result(fold, &data)?;
-            }
-        }
-        if asked(Part::Dqn) {
-            for fold in self.chosen_folds() {
-                self.make_dqn(fold)?;
             }
         }
         if asked(Part::Report) {
@@ -111,13 +105,20 @@ impl Args {
 
     /// Collects solutions and labels balls.
     fn make_data(&self) -> anyhow::Result<()> {
-        let (solutions, labels) = (self.solutions.display(), self.labels.display());
+        let solutions = self.solutions.display();
         say(&format!("$ pathlight collect --out {solutions}"));
         collect::Args { out: self.solutions.clone(), ..defaults() }.run()?;
-        let rounds = self.hyperparameters.label_rounds;
-        say(&format!("$ pathlight label --solutions {solutions} --out {labels} --rounds {rounds}"));
-        label::Args { out: self.labels.clone(), solutions: self.solutions.clone(), rounds: rounds.into(), ..defaults() }
-            .run()
+        let &Hyperparameters { label_rounds, variant_rounds, .. } = &self.hyperparameters;
+        for (out, rounds, variants) in [(&self.labels, label_rounds, false), (&self.variants, variant_rounds, true)] {
+            let option = if variants { " --variants" } else { "" };
+            say(&format!(
+                "$ pathlight label --solutions {solutions} --out {} --rounds {rounds}{option}",
+                out.display()
+            ));
+            let (out, solutions) = (out.clone(), self.solutions.clone());
+            label::Args { out, solutions, rounds: rounds.into(), variants, ..defaults() }.run()?;
+        }
+        Ok(())
     }
 
     /// Makes the result of a fold, unless its file exists.
@@ -137,12 +138,5 @@ impl Args {
         let folder = self.train_dir.join(fold.to_string());
         let result = fold_run::run(fold, &self.hyperparameters, data, &folder);
         result.with_context(|| format!("cannot make {name}"))?.save(&path)
-    }
-
-    /// Makes DQN's result of a fold, unless its file exists.
-    fn make_dqn(&self, fold: FoldArgs) -> anyhow::Result<()> {
-        let &Hyperparameters { seed, limit, .. } = &self.hyperparameters;
-        let plan = DqnPlan { seed, epochs: self.dqn_epochs, limit, labels: &self.labels };
-        plan.make(fold, &self.results, &self.train_dir.join(fold.to_string()).join("dqn"))
     }
 }

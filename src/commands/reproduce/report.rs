@@ -14,15 +14,17 @@ use pathlight::puzzle::task::{TaskId, ids};
 use pathlight::puzzle::templates::TEMPLATES;
 
 use super::fold_result::FoldResult;
-use super::{dqn_report as dqn, plot};
+use super::training_report;
 use crate::commands::agent_name::AgentName;
 use crate::commands::collect::{Collected, read_solutions};
 use crate::commands::label::BALLS;
-use crate::commands::training_run::Checkpoint;
 
 /// Our agents, the best first, and their names in the report.
-pub const AGENTS: [(AgentName, &str); 4] = [
-    (AgentName::Judge, "with the judge"),
+pub const AGENTS: [(AgentName, &str); 7] = [
+    (AgentName::Online, "online"),
+    (AgentName::OnlineByBalls, "online, by balls"),
+    (AgentName::Dynamics, "dynamics"),
+    (AgentName::Judge, "judge"),
     (AgentName::Dqn, "DQN, smaller"),
     (AgentName::Paper, "the paper's four nets"),
     (AgentName::Random, "random"),
@@ -33,20 +35,16 @@ pub const AGENTS: [(AgentName, &str); 4] = [
 pub const REPORTED: [(&str, [&str; 2]); 3] =
     [("DQN", ["77", "37"]), ("the paper's nets", ["62", "31"]), ("random", ["13.7", "13.0"])];
 
-/// Writes the report and its plot to a folder, and prints the report.
+/// Writes the report to a folder, and prints it.
 ///
 /// # Errors
 /// If the solutions cannot be read, or the folder cannot be written.
 pub fn write(results: &[FoldResult], solutions: &Path, folder: &Path) -> anyhow::Result<()> {
-    let name = "templates.svg";
-    plot::draw(results, &folder.join(name))?;
     let mut text = String::new();
     head(&mut text, results)?;
     table(&mut text, results)?;
-    writeln!(text, "\n![Auccess of each template, mean over the folds that test it]({name})\n")?;
     folds(&mut text, results)?;
-    training(&mut text, results)?;
-    dqn::training(&mut text, results)?;
+    training_report::write(&mut text, results)?;
     data(&mut text, results, solutions)?;
     text.push_str(REPRODUCING);
     let path = folder.join("README.md");
@@ -63,10 +61,15 @@ fn head(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
          `pathlight reproduce` printed this from the files beside it, one per setup and fold; {} of {} exist. Seed {}, \
          simulator {}, agents {}, at most {} test tasks per template.\n\n\
          Auccess is measured with at most {MAX_ATTEMPTS} attempts per task, and only these attempts are simulated. Nets \
-         learn only from rollouts on training tasks; but in the setup within, the search for solutions and the balls for \
-         the judge also start from known solutions of test tasks of the same template. The four nets are those of Harter \
-         et al. (2020), trained jointly, with balls from their placement map. The judge is a fifth net, not the \
-         paper's, which orders the balls. DQN is the benchmark's baseline (Bakhtin et al. 2019), made smaller.\n",
+         learn only from rollouts on training tasks, and from none whose ball was sampled around a solution of a test task; \
+         but in the setup within, the search that found the training tasks' solutions also started from known solutions of \
+         test tasks of the same template.\n\n\
+         - **online**: the dynamics net imagines candidates, and a Gaussian process learns from each attempt, by the \
+         likeness of imagined paths and of balls; **by balls**: by that of balls alone.\n\
+         - **dynamics**: the same candidates in the order that the net gives them, as if each attempt ended as imagined.\n\
+         - **judge**: a net that sees the scene alone orders the balls. The dynamics net is trained from it.\n\
+         - **DQN, smaller**: the benchmark's baseline (Bakhtin et al. 2019), made smaller.\n\
+         - **the paper's four nets**: those of Harter et al. (2020), trained jointly, with balls from their placement map.\n",
         results.len(),
         2 * FOLDS,
         hyperparameters.seed,
@@ -92,14 +95,11 @@ fn table(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
         writeln!(text, "| {name} | PHYRE's | {within} | {cross} |")?;
     }
     let folds = [Setup::Within, Setup::Cross].map(|setup| numbers(setup, &mut of(results, setup)));
-    let of_dqn = [Setup::Within, Setup::Cross]
-        .map(|setup| numbers(setup, &mut of(results, setup).filter(|result| result.dqn.is_some())));
     writeln!(
         text,
-        "\nOur folds: {}; of DQN: {}. The published means are over all ten: the paper's nets and DQN by Harter et al. (2020), \
+        "\nOur folds: {}. The published means are over all ten: the paper's nets and DQN by Harter et al. (2020), \
          random by the benchmark.",
-        folds.join("; "),
-        of_dqn.join("; ")
+        folds.join("; ")
     )?;
     Ok(())
 }
@@ -113,7 +113,7 @@ fn numbers(setup: Setup, results: &mut dyn Iterator<Item = &FoldResult>) -> Stri
 fn folds(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
     writeln!(
         text,
-        "## Each fold\n\nAuccess, and the percentage solved at the first attempt / within 10 / within 100.\n"
+        "\n## Each fold\n\nAuccess, and the percentage solved at the first attempt / within 10 / within 100.\n"
     )?;
     let names = AGENTS.map(|(_, name)| name).join(" | ");
     writeln!(text, "| setup | fold | test tasks | {names} |\n| --- |{}", " ---: |".repeat(2 + AGENTS.len()))?;
@@ -125,48 +125,6 @@ fn folds(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
         });
         let tasks = result.first_solved(AgentName::Random, None).len();
         writeln!(text, "| {} | {} | {tasks} | {} |", result.report.setup, result.report.fold, cells.join(" | "))?;
-    }
-    Ok(())
-}
-
-fn training(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
-    writeln!(
-        text,
-        "\n## Training\n\nLearning rates are peak values. The nets' rate is constant, then decays linearly to zero over \
-         the decay epochs; the judge's warms up, then decays linearly to zero. A loss is the mean over the last \
-         batches. `costs.md` has the times.\n"
-    )?;
-    writeln!(
-        text,
-        "| setup | fold | solutions (tasks) | epochs x batch | learning rate | decay epochs | placement loss | balls | \
-         judge: epochs x batch x balls | learning rate | loss | weights, MB |\n|{}",
-        " ---: |".repeat(12)
-    )?;
-    for FoldResult { report, nets, judge, weights, .. } in results {
-        let Some(judge_card) = &judge.card.judge else { continue };
-        let card = &nets.card;
-        let last =
-            |run: &Checkpoint| run.log.last().and_then(|(_, _, losses)| losses.last().copied()).unwrap_or(f32::NAN);
-        writeln!(
-            text,
-            "| {} | {} | {} ({}) | {} x {} | {} | {} | {:.4} | {} | {} x {} x {} | {} | {:.4} | {:.2} |",
-            report.setup,
-            report.fold,
-            card.samples,
-            card.tasks,
-            card.epochs,
-            card.batch,
-            card.learning_rate,
-            card.decay_epochs,
-            last(nets),
-            judge_card.balls,
-            judge_card.epochs,
-            judge_card.batch,
-            judge_card.balls_per_scene,
-            judge_card.learning_rate,
-            last(judge),
-            *weights as f64 / 1e6,
-        )?;
     }
     Ok(())
 }
@@ -202,12 +160,15 @@ fn data(text: &mut String, results: &[FoldResult], path: &Path) -> anyhow::Resul
             writeln!(text, "| {:05} {} | {fewer} | {total} | {} |", template.number, template.name, none.join(", "))?;
         }
     }
-    let Some(FoldResult { hyperparameters, nets, judge, .. }) = results.first() else { return Ok(()) };
+    let Some(FoldResult { hyperparameters, nets, dynamics, .. }) = results.first() else { return Ok(()) };
     writeln!(
         text,
-        "\nBalls were labelled in {} rounds, {BALLS} per task and round. SHA-256 of the file of solutions: `{}`, of \
-         the file of balls: `{}`.",
-        hyperparameters.label_rounds, nets.data, judge.data
+        "\nBalls were labelled in {} rounds, {BALLS} per task and round, and in variants of the scenes in {} rounds. SHA-256 \
+         of the file of solutions: `{}`, of the files of balls: `{}`.",
+        hyperparameters.label_rounds,
+        hyperparameters.variant_rounds,
+        nets.data,
+        dynamics.data.replace(' ', "`, `"),
     )?;
     Ok(())
 }
@@ -219,12 +180,12 @@ Run `make build` first. Each command continues where it was interrupted; setting
 need other folders.
 
 ```
-pathlight reproduce                             # data, all twenty folds, DQN, report
-pathlight reproduce --setup within --fold 3     # data if missing, one fold, its DQN, report
-pathlight reproduce --only report               # this file and the plot
+pathlight reproduce                             # data, all twenty folds, report
+pathlight reproduce --setup within --fold 3     # data if missing, one fold, report
+pathlight reproduce --only report               # this file and costs.md
 ```
 
-Folds only read the two shared data files, so up to twenty processes can run in parallel, on all machines that share
+Folds only read the shared data files, so up to twenty processes can run in parallel, on all machines that share
 the folder. `scripts/cluster/submit FOLDER` submits the whole chain to Slurm, from the search for solutions to the report, as
 arrays of jobs that each wait for the one before. `costs.md` says what that takes.
 ";
