@@ -86,7 +86,8 @@ fn rows(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// All rows with more labels, of which every ball is seen as often, so that the nets that learn from them train longer by the same factor.
+/// All rows with more labels, of which every ball is seen as often, so that the nets that learn from them train longer by the
+/// same factor.
 fn estimate(text: &mut String, results: &[FoldResult], seconds_per_ball: f64) -> anyhow::Result<()> {
     let Some(first) = results.first() else { return Ok(()) };
     let tasks: usize = TEMPLATES.iter().map(|&template| Task::of(template).count()).sum();
