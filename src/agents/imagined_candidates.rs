@@ -1,31 +1,70 @@
 //! The candidates of the agents that reason in paths: the most promising balls of a scene, each imagined by the dynamics net.
+//!
+//! The places and radii that the net ranks are some px apart, and often a single px decides. So the likeliest candidates take
+//! one step of hill climbing: each is replaced by its likeliest neighbour. Further steps gain nothing on dev tasks, because
+//! they find balls about which the net is wrong; nor do more candidates.
 
 use super::online::Candidate;
 use super::ranking;
-use crate::nets::PathNet;
-use crate::puzzle::action::Ball;
+use crate::nets::{ImaginedBall, PathNet, ReadScene};
+use crate::puzzle::action::{Ball, Obstacles};
 use crate::puzzle::scene::Scene;
 
-/// Balls that are imagined for a scene, unless more are asked for: four times as many as there are attempts.
+/// Candidates of a scene, unless more are asked for: four times as many as there are attempts.
 const CANDIDATES: usize = 400;
 
-/// Returns the candidates of a scene, at least `count` if as many balls fit, some of which may be much alike; `None` if the
-/// weights have no dynamics net, or damaged weights know no chance.
+/// Candidates whose neighbours are imagined too: the others are hardly ever tried.
+const CLIMBERS: usize = 100;
+
+/// How far a neighbour is moved, and how much larger or smaller it is, px.
+const STEP: f64 = 1.0;
+
+/// Returns the candidates of a scene, at least `count` if as many balls fit, all different, though some may be much alike;
+/// `None` if the weights have no dynamics net, or damaged weights know no chance.
 pub fn imagined_candidates(nets: &PathNet, scene: &Scene, count: usize) -> Option<Vec<Candidate>> {
     let read = nets.read(scene)?;
     let ranked = ranking::ranked(&read.logits, scene, count.max(CANDIDATES));
     let balls: Vec<Ball> = ranked.into_iter().map(|proposal| proposal.ball).collect();
-    let candidates = balls.iter().zip(read.imagine(&balls)).map(|(&ball, imagined)| Candidate {
-        ball,
-        logit: imagined.logit.into(),
-        paths: imagined.paths,
-    });
-    let finite = |candidate: &Candidate| {
-        let paths = candidate.paths.object.iter().chain(&candidate.paths.ball).flatten();
-        candidate.logit.is_finite() && paths.into_iter().all(|coordinate| coordinate.is_finite())
-    };
-    let candidates: Vec<Candidate> = candidates.filter(finite).collect();
+    let mut candidates: Vec<Candidate> = imagine(&read, &balls).filter(is_finite).collect();
+    climb(&mut candidates, &read, &Obstacles::new(scene));
     (!candidates.is_empty()).then_some(candidates)
+}
+
+/// Replaces each of the likeliest candidates by its likeliest neighbour, if that is likelier and no candidate yet.
+fn climb(candidates: &mut [Candidate], read: &ReadScene, obstacles: &Obstacles) {
+    let mut order: Vec<usize> = (0..candidates.len()).collect();
+    order.sort_by(|&one, &other| candidates[other].logit.total_cmp(&candidates[one].logit));
+    order.truncate(CLIMBERS);
+    let (climbers, neighbours): (Vec<usize>, Vec<Ball>) = order
+        .into_iter()
+        .flat_map(|index| neighbours(candidates[index].ball, obstacles).map(move |ball| (index, ball)))
+        .unzip();
+    for (index, neighbour) in climbers.into_iter().zip(imagine(read, &neighbours)) {
+        let likelier = is_finite(&neighbour) && neighbour.logit > candidates[index].logit;
+        if likelier && candidates.iter().all(|other| other.ball != neighbour.ball) {
+            candidates[index] = neighbour;
+        }
+    }
+}
+
+/// The valid balls beside a ball.
+fn neighbours(ball: Ball, obstacles: &Obstacles) -> impl Iterator<Item = Ball> {
+    let Ball { x, y, r } = ball;
+    let moved = [-STEP, STEP].into_iter().flat_map(move |step| {
+        [Ball { x: x + step, ..ball }, Ball { y: y + step, ..ball }, Ball { r: r + step, ..ball }]
+    });
+    moved.filter(|one| obstacles.check(one).is_ok())
+}
+
+fn imagine(read: &ReadScene, balls: &[Ball]) -> impl Iterator<Item = Candidate> {
+    let imagined = read.imagine(balls).into_iter().zip(balls);
+    imagined.map(|(ImaginedBall { logit, paths, .. }, &ball)| Candidate { ball, logit: logit.into(), paths })
+}
+
+/// Whether all that is known of a candidate is a number; damaged weights imagine none.
+fn is_finite(candidate: &Candidate) -> bool {
+    let paths = candidate.paths.object.iter().chain(&candidate.paths.ball).flatten();
+    candidate.logit.is_finite() && paths.into_iter().all(|coordinate| coordinate.is_finite())
 }
 
 #[cfg(test)]
@@ -51,5 +90,31 @@ mod tests {
             assert!(candidates[..index].iter().all(|before| before.ball != *ball), "{ball} twice");
         }
         assert_eq!(propose(&nets, &scene, 0, 100).len(), 100);
+    }
+
+    #[test]
+    fn the_likeliest_candidates_climb_one_step_at_most() {
+        let scene = Task::load("00002:007".parse().expect("an id")).expect("a task").scene;
+        let mut nets = PathNet::new(&flex());
+        nets.dynamics = Some(DynamicsNet::new(&flex()));
+        let read = nets.read(&scene).expect("a dynamics net");
+        let ranked: Vec<Ball> = ranking::ranked(&read.logits, &scene, CANDIDATES).iter().map(|one| one.ball).collect();
+        let before: Vec<Candidate> = imagine(&read, &ranked).collect();
+        let after = imagined_candidates(&nets, &scene, 100).expect("a dynamics net");
+        let mut moved = 0;
+        for (before, after) in before.iter().zip(&after) {
+            let [dx, dy, dr] = [0, 1, 2].map(|axis| {
+                let [from, to]: [[f64; 3]; 2] = [before.ball.into(), after.ball.into()];
+                (to[axis] - from[axis]).abs()
+            });
+            if before.ball == after.ball {
+                assert_eq!(before, after);
+            } else {
+                assert_eq!(dx + dy + dr, STEP, "{} to {}", before.ball, after.ball);
+                assert!(after.logit > before.logit);
+                moved += 1;
+            }
+        }
+        assert!((1..=CLIMBERS).contains(&moved), "{moved} moved");
     }
 }

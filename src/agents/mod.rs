@@ -88,7 +88,7 @@ pub enum Origin {
 /// Version of the proposals, as `simulator::VERSION` is of the rollouts. Raise it whenever the same weights or the same
 /// seed make an agent propose other balls or another order: results record it, and those of other versions are not
 /// comparable. `tests/proposals_golden.rs` fails when proposals change.
-pub const VERSION: u32 = 2;
+pub const VERSION: u32 = 3;
 
 /// Returns the model at work on a scene: the online agent, or, from weights without a dynamics net, the list of up to
 /// `count` proposals.
