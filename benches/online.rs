@@ -19,8 +19,8 @@ use pathlight::simulator::sampled_paths;
 use rayon::prelude::*;
 
 /// Variances and length scales, px, of balls and of paths; a variance of zero leaves them out.
-const BALLS: [(f64, f64); 5] = [(0.0, 1.0), (8.0, 4.5), (16.0, 4.5), (16.0, 7.0), (32.0, 4.5)];
-const PATHS: [(f64, f64); 6] = [(0.0, 1.0), (2.0, 8.0), (4.0, 10.0), (4.0, 18.0), (16.0, 10.0), (16.0, 18.0)];
+const BALLS: [(f64, f64); 6] = [(0.0, 1.0), (8.0, 4.5), (16.0, 4.5), (16.0, 7.0), (32.0, 4.5), (32.0, 7.0)];
+const PATHS: [(f64, f64); 6] = [(0.0, 1.0), (0.5, 8.0), (1.0, 10.0), (2.0, 8.0), (4.0, 10.0), (4.0, 18.0)];
 
 /// The candidates of a task, and what becomes of each.
 type Puzzle = (Vec<Candidate>, Vec<Observation>);
@@ -36,7 +36,7 @@ fn main() -> io::Result<()> {
     if !card.dynamics.is_some_and(|dynamics| dynamics.without_dev) {
         writeln!(out, "{weights} was trained on the dev tasks too: the figures are too good")?;
     }
-    let tasks: Vec<_> = Fold::new(card.setup, card.fold).dev.into_iter().step_by(2).collect();
+    let tasks = Fold::new(card.setup, card.fold).dev;
     let puzzles: Vec<Puzzle> = tasks
         .par_iter()
         .map(|&id| {

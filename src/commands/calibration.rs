@@ -10,7 +10,7 @@ use std::path::PathBuf;
 
 use anyhow::Context;
 use pathlight::agents::imagined_candidates::imagined_candidates;
-use pathlight::agents::sigmoid;
+use pathlight::agents::{self, sigmoid};
 use pathlight::benchmark::folds::Setup;
 use pathlight::dataset::sampling::random_ball;
 use pathlight::nets::PathNet;
@@ -62,6 +62,8 @@ pub struct Calibration {
     pub seed: u64,
     /// `simulator::VERSION`
     pub simulator: u32,
+    /// `agents::VERSION`, on which the candidates depend.
+    pub agents_version: u32,
     /// Test tasks that the balls were tried on.
     pub tasks: usize,
     /// Chances from 0 to 1, in bins of equal width.
@@ -95,6 +97,7 @@ impl Args {
             fold,
             seed: self.seed,
             simulator: simulator::VERSION,
+            agents_version: agents::VERSION,
             tasks: tasks.len(),
             random,
             candidates,

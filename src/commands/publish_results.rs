@@ -75,7 +75,7 @@ impl Args {
         let path = self.results.join(format!("{name}-calibration.json"));
         let calibration: Calibration = json_file::read(&path, "pathlight calibration --json")?;
         ensure!(
-            calibration.simulator == report.simulator
+            (calibration.simulator, calibration.agents_version) == (report.simulator, report.agents_version)
                 && (calibration.setup, calibration.fold) == (report.setup, report.fold),
             "{} does not belong to the evaluation beside it: measure it again with `pathlight calibration --json`",
             path.display()
