@@ -48,7 +48,7 @@ export const CHOICE_TEXT = {
   imagined: {
     name: "Imagined",
     meaning: "What each of these balls would do.",
-    how: "The same net imagines for each ball where the green object and the ball would go, and reads from that how likely the ball solves the puzzle. What it said of the place before counts as much. Nothing is simulated.",
+    how: "The same net imagines for each ball where the green object and the ball would go, and reads from that how likely the ball solves the puzzle. What it said of the place before counts as much. Around the likeliest it also imagines balls one px away, and keeps the likelier. Nothing is simulated.",
   },
   chosen: {
     name: "Chosen",
