@@ -1,8 +1,8 @@
 //! The candidates of the agents that reason in paths: the most promising balls of a scene, each imagined by the dynamics net.
 //!
 //! The places and radii that the net ranks are some px apart, and often a single px decides. So the likeliest candidates take
-//! one step of hill climbing: each is replaced by its likeliest neighbour. Further steps gain nothing on dev tasks, because
-//! they find balls about which the net is wrong; nor do more candidates.
+//! one step of steepest-ascent hill climbing: each is replaced by its likeliest neighbour. Further steps, longer ones and more
+//! candidates gain nothing on dev tasks.
 
 use super::online::Candidate;
 use super::ranking;

@@ -61,6 +61,7 @@ fn what_cannot_be_measured_or_found_is_refused() {
         "within-0.json: write it with `pathlight evaluate --json`",
     );
     assert_refused(&["publish-results", "--assets", &path], "write it with `pathlight publish`");
+    fs::copy("assets/model.json", folder.path().join("model.json")).expect("a copy");
     for model in ["within-0", "cross-0"] {
         for file in [format!("{model}.json"), format!("{model}-calibration.json")] {
             fs::copy(format!("results/shipped/{file}"), folder.path().join(file)).expect("a copy");
@@ -70,5 +71,8 @@ fn what_cannot_be_measured_or_found_is_refused() {
     let mut calibration = json(&older);
     calibration["agents_version"] = 2.into();
     fs::write(&older, calibration.to_string()).expect("a file");
-    assert_refused(&["publish-results", "--results", &path], "does not belong to the evaluation beside it");
+    assert_refused(
+        &["publish-results", "--results", &path, "--assets", &path],
+        "does not belong to the evaluation beside it",
+    );
 }
