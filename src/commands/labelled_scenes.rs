@@ -86,12 +86,18 @@ impl LabelledScenes {
         let tasks = fold.training_tasks(without_dev);
         let mut scenes: BTreeMap<(TaskId, Option<u32>), LabelledScene> = BTreeMap::new();
         for path in files {
-            let Labelled { lines, training_tasks_of, proposed, .. } = read_labels(path)?;
+            let Labelled { lines, training_tasks_of, proposed, net_without_dev, .. } = read_labels(path)?;
             // Across templates, the balls of any fold tell nothing of its test tasks: they are sampled around solutions of
             // their own template. A net that proposes balls knows all that it was trained on.
             ensure!(
                 !proposed || training_tasks_of.is_some(),
                 "{} does not say which fold the net that proposed its balls belongs to: label again with --setup and --fold",
+                path.display()
+            );
+            ensure!(
+                !(proposed && without_dev) || net_without_dev,
+                "{} holds balls that a net proposed which has learned from the fold's dev tasks: leave it out, or train that \
+                 net with --without-dev",
                 path.display()
             );
             let of_template_alone = fold.setup == Setup::Cross && !proposed;

@@ -114,7 +114,9 @@ fn merged_solutions(files: &[PathBuf]) -> anyhow::Result<Vec<u8>> {
     let most = rounds.iter().map(Vec::len).max().unwrap_or_default();
     for (shard, rounds) in shards.iter().zip(&rounds) {
         let of_shard = tasks.iter().filter(|task| task.template == shard.template);
-        let complete = rounds.len() == most || of_shard.clone().all(|&task| is_complete(task, rounds, settings));
+        // After all rounds, the extra ones of `--persist` may have been in vain; how many were asked for is not recorded.
+        let in_vain = rounds.len() == most && most >= settings.rounds;
+        let complete = in_vain || of_shard.clone().all(|&task| is_complete(task, rounds, settings));
         let name = shard.path.display();
         let template = shard.template;
         ensure!(

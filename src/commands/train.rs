@@ -20,7 +20,7 @@ use super::collect::{Collected, read_solutions};
 use super::digest;
 use super::fold_args::FoldArgs;
 use super::progress::say;
-use super::training_args::TrainingArgs;
+use super::training_args::{TrainingArgs, epochs};
 use super::training_run::{Plan, TrainingRun};
 
 /// Train the four nets on the training tasks of a fold
@@ -34,7 +34,7 @@ pub struct Args {
     pub solutions: PathBuf,
 
     /// Passes over the samples
-    #[arg(long, default_value_t = 10)]
+    #[arg(long, default_value_t = 10, value_parser = epochs())]
     pub epochs: usize,
 
     /// Number of final epochs over which the learning rate decays linearly to zero

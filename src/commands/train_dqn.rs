@@ -13,7 +13,7 @@ use super::digest;
 use super::fold_args::FoldArgs;
 use super::labelled_scenes::{Drawn, LabelledScenes, Sampling};
 use super::progress::say;
-use super::training_args::TrainingArgs;
+use super::training_args::{TrainingArgs, epochs};
 use super::training_run::TrainingRun;
 
 /// Train DQN, the benchmark's baseline: a net that says how likely an action solves a scene
@@ -27,7 +27,7 @@ pub struct Args {
     pub labels: Vec<PathBuf>,
 
     /// Passes over the scenes
-    #[arg(long, default_value_t = 15)]
+    #[arg(long, default_value_t = 15, value_parser = epochs())]
     pub epochs: usize,
 
     /// Balls of each scene in a batch, half of them solutions, sampled anew each time

@@ -17,7 +17,7 @@ use super::fold_args::FoldArgs;
 use super::labelled_scenes::{Drawn, LabelledScenes, Sampling};
 use super::model_args::ModelArgs;
 use super::progress::say;
-use super::training_args::TrainingArgs;
+use super::training_args::{TrainingArgs, epochs};
 use super::training_run::TrainingRun;
 
 /// Train the net that imagines what balls lead to, and add it to the weights of the four nets; it starts from their judge, if
@@ -35,7 +35,7 @@ pub struct Args {
     pub labels: Vec<PathBuf>,
 
     /// Passes over the scenes
-    #[arg(long, default_value_t = 100)]
+    #[arg(long, default_value_t = 100, value_parser = epochs())]
     pub epochs: usize,
 
     /// Balls of each scene in a batch, sampled anew each time
@@ -66,6 +66,11 @@ impl Args {
     pub fn run(self) -> anyhow::Result<()> {
         let (mut nets, mut card) = self.model.load(&self.fold)?;
         let without_dev = self.without_dev || card.without_dev;
+        ensure!(
+            card.without_dev || !self.without_dev || self.from.is_some() || nets.judge.is_none(),
+            "the judge that the dynamics net would start from was trained on dev tasks: name the weights of `pathlight train`, \
+             or train these with --without-dev too"
+        );
         let scenes = LabelledScenes::read(&self.labels, &self.fold, without_dev)?;
         ensure!(scenes.have_paths(), "the labels hold balls without their paths: label them again");
         let judge = if self.from.is_none() { nets.judge.take().zip(card.judge.take()) } else { None };
@@ -87,7 +92,7 @@ impl Args {
         });
         let folder = self.training.out.clone().unwrap_or_else(|| self.fold.folder().join("dynamics"));
         let trainer = match (&self.from, judge) {
-            (Some(path), _) => Trainer::from_nets(self.dynamics_of(path)?, flex()),
+            (Some(path), _) => Trainer::from_nets(self.dynamics_of(path, without_dev)?, flex()),
             (None, Some((judge, _))) => Trainer::from_judge(judge, flex(), self.training.seed),
             (None, None) => Trainer::<DynamicsNet>::new(flex(), self.training.seed),
         };
@@ -109,16 +114,16 @@ impl Args {
         Ok(())
     }
 
-    /// The dynamics net of a weights file of this fold.
-    fn dynamics_of(&self, path: &Path) -> anyhow::Result<DynamicsNet> {
+    /// The dynamics net of a weights file of this fold; `without_dev`: it must not have learned from the dev tasks.
+    fn dynamics_of(&self, path: &Path, without_dev: bool) -> anyhow::Result<DynamicsNet> {
         let name = path.display();
         let (nets, card) = ModelArgs { weights: Some(path.to_path_buf()) }.load(&self.fold)?;
         let trained = nets.dynamics.zip(card.dynamics);
         let (net, trained) = trained
             .with_context(|| format!("{name} has no dynamics net: name weights of `pathlight train-dynamics`"))?;
         ensure!(
-            trained.without_dev || !self.without_dev,
-            "{name} was trained on dev tasks: leave --without-dev out, or name weights that were trained with it"
+            trained.without_dev || !without_dev,
+            "{name} was trained on dev tasks: name weights that were trained with --without-dev, or train all nets on dev tasks"
         );
         Ok(net)
     }

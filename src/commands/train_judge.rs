@@ -15,7 +15,7 @@ use super::fold_args::FoldArgs;
 use super::labelled_scenes::{Drawn, LabelledScenes, Sampling};
 use super::model_args::ModelArgs;
 use super::progress::say;
-use super::training_args::TrainingArgs;
+use super::training_args::{TrainingArgs, epochs};
 use super::training_run::TrainingRun;
 
 /// Train the net that judges balls, and add it to the weights of the four nets, in place of a dynamics net
@@ -32,7 +32,7 @@ pub struct Args {
     pub labels: PathBuf,
 
     /// Passes over the scenes
-    #[arg(long, default_value_t = 100)]
+    #[arg(long, default_value_t = 100, value_parser = epochs())]
     pub epochs: usize,
 
     /// Balls of each scene in a batch, sampled anew each time

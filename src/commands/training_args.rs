@@ -2,6 +2,8 @@
 
 use std::path::PathBuf;
 
+use clap::builder::{RangedU64ValueParser, TypedValueParser};
+
 /// How to train, and where the run is kept; part of the arguments of other commands.
 #[derive(clap::Args)]
 pub struct TrainingArgs {
@@ -29,4 +31,9 @@ pub struct TrainingArgs {
     /// Seed of the initial weights, and of the order of the samples or scenes
     #[arg(long, default_value_t = 0)]
     pub seed: u64,
+}
+
+/// Numbers of epochs on the command line: without an epoch nothing would be trained.
+pub fn epochs() -> impl TypedValueParser<Value = usize> {
+    RangedU64ValueParser::new().range(1..)
 }

@@ -8,7 +8,7 @@ use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
-use pathlight::nets::{PathNet, flex};
+use pathlight::nets::{Card, PathNet, flex};
 
 mod agent;
 mod calibration;
@@ -68,11 +68,17 @@ fn assert_refused(args: &[&str], words: &str) {
 
 /// Writes the shipped weights without their dynamics net; returns the file.
 fn without_dynamics(folder: &Path) -> String {
+    changed_weights(&folder.join("without-dynamics.safetensors"), |nets, card| {
+        (nets.dynamics, card.dynamics) = (None, None);
+    })
+}
+
+/// Writes the shipped weights with a change; returns the file.
+fn changed_weights(out: &Path, change: impl FnOnce(&mut PathNet, &mut Card)) -> String {
     let bytes = fs::read("assets/within-0.safetensors").expect("weights");
     let (mut nets, mut card) = PathNet::load(&bytes, &flex()).expect("our own weights");
-    (nets.dynamics, card.dynamics) = (None, None);
-    let out = folder.join("without-dynamics.safetensors");
-    fs::write(&out, nets.save(&card).expect("weights")).expect("a file");
+    change(&mut nets, &mut card);
+    fs::write(out, nets.save(&card).expect("weights")).expect("a file");
     out.display().to_string()
 }
 

@@ -90,10 +90,23 @@ fn a_search_that_was_interrupted_is_not_merged() {
     let longest = (0..25).max_by_key(|&template| rounds(&texts[template])).expect("files");
     let other = (0..25).filter(|&one| one != longest).max_by_key(|&template| rounds(&texts[template])).expect("files");
     assert!(rounds(&texts[other]) >= 2, "no search takes two rounds");
-    let begun: String = texts[other].split_inclusive('\n').take_while(|line| !line.contains("\"round\"")).collect();
-    fs::write(&files[other], begun).expect("written");
     let out = folder.path().join("merged.jsonl").display().to_string();
     let named: Vec<&str> = files.iter().map(String::as_str).collect();
-    let refused = [&["merge"], &named[..], &["--out", &out]].concat();
-    assert_refused(&refused, &format!("continue it with `pathlight collect --template {other}"));
+    let merge = [&["merge"], &named[..], &["--out", &out]].concat();
+    // The longest search is cut off late, so that it may still be the longest; the other in its first round.
+    for (template, kept) in [(longest, 49.min(rounds(&texts[longest]) - 1)), (other, 0)] {
+        let ends = texts[template].split_inclusive('\n').scan(0, |closed, line| {
+            let before = *closed;
+            *closed += usize::from(line.contains("\"round\""));
+            Some((before, line))
+        });
+        // The settings come first, and solutions of the round that was not closed last.
+        let begun: String = ends.take_while(|&(before, _)| before <= kept).map(|(_, line)| line).collect();
+        let begun = begun.trim_end_matches(|end| end != '\n');
+        let cut = &begun[..begun.trim_end().rfind('\n').expect("lines") + 1];
+        fs::write(&files[template], cut).expect("written");
+        assert_refused(&merge, &format!("continue it with `pathlight collect --template {template}"));
+        fs::write(&files[template], &texts[template]).expect("written");
+    }
+    output_of(&merge);
 }

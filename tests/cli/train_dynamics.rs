@@ -10,7 +10,7 @@ use pathlight::puzzle::templates::TEMPLATES;
 use tempfile::tempdir;
 
 use super::label::label;
-use super::{assert_refused, output_of, without_dynamics};
+use super::{assert_refused, changed_weights, output_of, without_dynamics};
 
 const WEIGHTS: &str = "assets/within-0.safetensors";
 
@@ -82,6 +82,9 @@ fn a_dynamics_net_joins_the_weights_and_can_be_trained_further() {
         &["train-dynamics", "--weights", WEIGHTS, "--labels", "Cargo.toml"],
         "not a file of `pathlight label`",
     );
+    for command in ["train", "train-judge", "train-dynamics", "train-dqn"] {
+        assert_refused(&[command, "--epochs", "0"], "--epochs");
+    }
     let without = without_dynamics(folder.path());
     assert_refused(&["train-dynamics", "--from", &without, "--labels", &labels], "has no dynamics net");
     let label = ["label", "--out", &file("refused.jsonl"), "--fold", "0", "--weights"];
@@ -89,4 +92,41 @@ fn a_dynamics_net_joins_the_weights_and_can_be_trained_further() {
     assert_refused(&[&label[..], &[&from, "--setup", "cross"]].concat(), "was trained on within 0");
     let cross = ["train-dynamics", "--setup", "cross", "--labels", &proposed];
     assert_refused(&cross, "holds balls of the training tasks of within 0 only");
+}
+
+#[test]
+fn weights_without_dev_tasks_learn_from_nothing_that_knows_them() {
+    let folder = tempdir().expect("a folder");
+    let file = |name: &str| folder.path().join(name).display().to_string();
+    let labels = label(folder.path(), "1");
+    let train = |words: &[&str]| {
+        let (command, out) = (["train-dynamics", "--epochs", "1", "--labels", &labels, "--out"], file("run"));
+        [&command[..], &[&out], words].concat().into_iter().map(str::to_string).collect::<Vec<_>>()
+    };
+    let refused = |words: &[&str], why: &str| {
+        assert_refused(&train(words).iter().map(String::as_str).collect::<Vec<_>>(), why);
+    };
+    let four = changed_weights(&folder.path().join("four"), |nets, card| {
+        (nets.dynamics, card.dynamics, card.without_dev) = (None, None, true);
+    });
+    // Without the option too, because the four nets have not seen dev tasks.
+    refused(&["--weights", &four, "--from", WEIGHTS], "was trained on dev tasks");
+
+    let judge = file("judge");
+    output_of(&["train-judge", "--weights", WEIGHTS, "--labels", &labels, "--epochs", "1", "--out", &judge]);
+    let judge = format!("{judge}/weights.safetensors");
+    refused(&["--weights", &judge, "--without-dev"], "the judge that the dynamics net would start from");
+
+    let proposed = |weights: &str, out: &str| {
+        let words = ["label", "--template", "2", "--limit", "6", "--rounds", "1", "--setup", "within", "--fold", "0"];
+        output_of(&[&words[..], &["--weights", weights, "--out", out]].concat());
+    };
+    proposed(WEIGHTS, &file("of-dev"));
+    refused(&["--weights", &four, "--labels", &file("of-dev")], "a net proposed which has learned from");
+    let honest = changed_weights(&folder.path().join("honest"), |_, card| {
+        card.dynamics.as_mut().expect("a dynamics net").without_dev = true;
+    });
+    proposed(&honest, &file("without-dev"));
+    let allowed = train(&["--weights", &four, "--from", &honest, "--labels", &file("without-dev")]);
+    output_of(&allowed.iter().map(String::as_str).collect::<Vec<_>>());
 }

@@ -27,6 +27,9 @@ pub struct LabelSettings {
     /// SHA-256 of the weights whose most probable balls are labelled; absent if balls were sampled.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub weights: Option<String>,
+    /// Whether the net of these weights has not learned from the fold's dev tasks.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub net_without_dev: bool,
     /// Whether balls were tried in variants of the scenes.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub variants: bool,
@@ -65,6 +68,10 @@ pub struct Labelled {
     pub training_tasks_of: Option<(Setup, u8)>,
     /// The balls are those that a net proposed.
     pub proposed: bool,
+    /// And that net has not learned from the fold's dev tasks.
+    pub net_without_dev: bool,
+    /// The balls are in variants of the scenes.
+    pub variants: bool,
     tasks: NonZeroUsize,
 }
 
@@ -82,12 +89,13 @@ impl Labelled {
 /// If the file is missing or damaged, or was made with another version of the simulator.
 pub fn read_labels(path: &Path) -> anyhow::Result<Labelled> {
     let (settings, lines) = journal::read::<LabelledBalls>(path)?;
-    let LabelSettings { simulator: version, tasks, training_tasks_of, weights, .. } = settings;
+    let LabelSettings { simulator: version, tasks, training_tasks_of, weights, net_without_dev, variants, .. } =
+        settings;
     ensure!(
         version == simulator::VERSION,
         "{} was labelled by simulator {version}, this is simulator {}: label the balls again",
         path.display(),
         simulator::VERSION
     );
-    Ok(Labelled { lines, training_tasks_of, proposed: weights.is_some(), tasks })
+    Ok(Labelled { lines, training_tasks_of, proposed: weights.is_some(), net_without_dev, variants, tasks })
 }

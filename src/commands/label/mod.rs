@@ -13,7 +13,7 @@ use pathlight::benchmark::folds::{FOLDS, Fold, Setup};
 use pathlight::dataset::labels::LabelledBalls;
 use pathlight::dataset::scene_variants::scene_variant;
 use pathlight::dataset::solutions::Solution;
-use pathlight::nets::PathNet;
+use pathlight::nets::{DynamicsCard, PathNet};
 use pathlight::puzzle::action::Ball;
 use pathlight::puzzle::task::{Task, TaskId};
 use pathlight::puzzle::templates::TEMPLATES;
@@ -86,6 +86,11 @@ impl Args {
         let allowed = training_tasks_of.map(|(setup, fold)| Fold::new(setup, fold).all_train());
         let allows = |id: TaskId| allowed.as_ref().is_none_or(|allowed| allowed.binary_search(&id).is_ok());
         let tasks: Vec<Task> = self.selection.tasks().into_iter().filter(|task| allows(task.id)).collect();
+        let proposing = match (&self.weights, training_tasks_of) {
+            (Some(path), Some((setup, fold))) => Some(self.proposing_nets(path, FoldArgs { setup, fold })?),
+            _ => None,
+        };
+        let (nets, card) = proposing.unzip();
         let settings = LabelSettings {
             seed: self.seed,
             tasks: NonZeroUsize::new(tasks.len())
@@ -95,6 +100,7 @@ impl Args {
             simulator: simulator::VERSION,
             solutions: digest(&self.solutions)?,
             weights: self.weights.as_deref().map(digest).transpose()?,
+            net_without_dev: card.is_some_and(|card| card.without_dev),
             variants: self.variants,
             training_tasks_of,
         };
@@ -104,10 +110,6 @@ impl Args {
             own_solutions.entry(solution.task).or_default().push(solution.ball);
             sibling_solutions[solution.task.template].push(solution);
         }
-        let nets = match (&self.weights, training_tasks_of) {
-            (Some(path), Some((setup, fold))) => Some(self.proposing_nets(path, FoldArgs { setup, fold })?),
-            _ => None,
-        };
         let total = self.rounds * tasks.len();
         let (mut journal, lines) = Journal::open::<LabelledBalls>(&self.out, &settings)?;
         for (line, task) in lines.iter().zip(tasks.iter().cycle()) {
@@ -147,12 +149,13 @@ impl Args {
         Ok(())
     }
 
-    /// The nets of a fold's weights, with their dynamics net.
-    fn proposing_nets(&self, path: &Path, fold: FoldArgs) -> anyhow::Result<PathNet> {
-        let (nets, _) = ModelArgs { weights: Some(path.to_path_buf()) }.load(&fold)?;
-        let has = nets.dynamics.is_some();
-        ensure!(has, "{} has no dynamics net: name weights of `pathlight train-dynamics`", path.display());
-        Ok(nets)
+    /// The nets of a fold's weights, with their dynamics net, and the card of this.
+    fn proposing_nets(&self, path: &Path, fold: FoldArgs) -> anyhow::Result<(PathNet, DynamicsCard)> {
+        let (nets, card) = ModelArgs { weights: Some(path.to_path_buf()) }.load(&fold)?;
+        let card = card.dynamics.with_context(|| {
+            format!("{} has no dynamics net: name weights of `pathlight train-dynamics`", path.display())
+        })?;
+        Ok((nets, card))
     }
 }
 

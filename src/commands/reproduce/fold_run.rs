@@ -73,10 +73,17 @@ struct FoldRun<'a> {
 impl FoldRun<'_> {
     fn check_data(&self) -> anyhow::Result<()> {
         let (data, &Hyperparameters { label_rounds, variant_rounds, .. }) = (self.data, self.hyperparameters);
-        let files = [(&data.labels, label_rounds, "label"), (&data.variants, variant_rounds, "variant")];
-        for (path, rounds, option) in files {
+        let files = [(&data.labels, label_rounds, "label", false), (&data.variants, variant_rounds, "variant", true)];
+        for (path, rounds, option, variants) in files {
+            let labelled = read_labels(path)?;
             ensure!(
-                read_labels(path)?.rounds() == Some(rounds.into()),
+                labelled.variants == variants && !labelled.proposed,
+                "{} holds other balls than --{option}s takes: it takes those that `pathlight label{}` sampled",
+                path.display(),
+                if variants { " --variants" } else { "" },
+            );
+            ensure!(
+                labelled.rounds() == Some(rounds.into()),
                 "{} does not hold the balls of {rounds} rounds: run `pathlight reproduce --only data`, or change \
                  --{option}-rounds",
                 path.display(),
