@@ -4,7 +4,6 @@
 //! model itself considers, from the likeliest on.
 
 use std::fmt::Write as _;
-use std::fs;
 use std::io::{self, Write};
 use std::path::PathBuf;
 
@@ -13,7 +12,7 @@ use pathlight::agents::imagined_candidates::imagined_candidates;
 use pathlight::agents::{self, sigmoid};
 use pathlight::benchmark::folds::Setup;
 use pathlight::dataset::sampling::random_ball;
-use pathlight::nets::PathNet;
+use pathlight::nets::{Card, PathNet};
 use pathlight::puzzle::action::Ball;
 use pathlight::puzzle::task::{Task, TaskId};
 use pathlight::simulator::{self, simulate};
@@ -23,6 +22,7 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use super::fold_args::FoldArgs;
+use super::json_file;
 use super::model_args::ModelArgs;
 
 /// Bins of equal width in which chances are counted.
@@ -64,6 +64,8 @@ pub struct Calibration {
     pub simulator: u32,
     /// `agents::VERSION`, on which the candidates depend.
     pub agents_version: u32,
+    /// How the model was trained.
+    pub card: Card,
     /// Test tasks that the balls were tried on.
     pub tasks: usize,
     /// Chances from 0 to 1, in bins of equal width.
@@ -86,7 +88,7 @@ type Trial = (f64, bool);
 
 impl Args {
     pub fn run(self) -> anyhow::Result<()> {
-        let (nets, _) = self.model.load(&self.fold)?;
+        let (nets, card) = self.model.load(&self.fold)?;
         let tasks = self.fold.test_tasks(self.limit);
         let trials: Vec<[Vec<Trial>; 2]> =
             tasks.par_iter().map(|&id| self.trials(&nets, id)).collect::<anyhow::Result<_>>()?;
@@ -98,13 +100,13 @@ impl Args {
             seed: self.seed,
             simulator: simulator::VERSION,
             agents_version: agents::VERSION,
+            card,
             tasks: tasks.len(),
             random,
             candidates,
         };
         if let Some(path) = &self.json {
-            let json = serde_json::to_vec(&calibration)?;
-            fs::write(path, json).with_context(|| format!("cannot write {}", path.display()))?;
+            json_file::write(path, &calibration)?;
         }
         let mut text = format!("{}, {} test tasks, seed {}\n", self.fold, tasks.len(), self.seed);
         writeln!(text, "{:>14}  {:^25}  {:^25}", "chance", "random balls", "the model's candidates")?;

@@ -6,9 +6,9 @@
 use std::fmt::Write as _;
 use std::io::Write as _;
 use std::path::PathBuf;
-use std::{fmt, fs, io};
+use std::{fmt, io};
 
-use anyhow::{Context, ensure};
+use anyhow::ensure;
 use pathlight::agents::{self, Agent};
 use pathlight::benchmark::auccess::{MAX_ATTEMPTS, auccess, solved_within};
 use pathlight::benchmark::folds::Setup;
@@ -25,6 +25,7 @@ use super::agent_name::{AgentName, Loaded};
 use super::dqn_args::DqnArgs;
 use super::engine_arg::EngineArg;
 use super::fold_args::{FoldArgs, first_of_each_template};
+use super::json_file;
 use super::model_args::ModelArgs;
 use super::progress::Progress;
 
@@ -107,8 +108,7 @@ impl Args {
         let report = self.measure()?;
         // The file comes first, so that a closed pipe does not lose it.
         if let Some(path) = &self.json {
-            let json = serde_json::to_vec(&report)?;
-            fs::write(path, json).with_context(|| format!("cannot write {}", path.display()))?;
+            json_file::write(path, &report)?;
         }
         io::stdout().write_all(report.table()?.as_bytes())?;
         Ok(())

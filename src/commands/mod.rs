@@ -42,6 +42,7 @@ mod publish;
 mod publish_results;
 mod replace_file;
 mod reproduce;
+mod shipped;
 mod simulate;
 mod solve_rates;
 mod task_selection;

@@ -1,11 +1,9 @@
 //! `pathlight propose`: the model's proposals for a fold's test tasks, as JSON lines, without any simulation, so that
 //! they can be evaluated elsewhere, for example on PHYRE's own engine.
 
-use std::fs::File;
-use std::io::{self, BufWriter, Write};
+use std::io::{self, Write};
 use std::path::PathBuf;
 
-use anyhow::Context;
 use pathlight::agents;
 use pathlight::play::played::Played;
 use pathlight::puzzle::action::Ball;
@@ -17,6 +15,7 @@ use super::fold_args::FoldArgs;
 use super::model_args::ModelArgs;
 use super::own_scene_file;
 use super::progress::Progress;
+use super::replace_file::replace_file;
 
 /// Write the model's proposals as JSON lines, best first, without simulating
 #[derive(clap::Args)]
@@ -68,12 +67,10 @@ impl Args {
         } else {
             self.tasks
         };
-        let mut out: Box<dyn Write> = if self.out.as_os_str() == "-" {
-            Box::new(io::stdout().lock())
-        } else {
-            let file = File::create(&self.out).with_context(|| format!("cannot write {}", self.out.display()))?;
-            Box::new(BufWriter::new(file))
-        };
+        // A file is written when all lines are there; standard output line by line.
+        let (mut stdout, mut file) = (io::stdout().lock(), Vec::new());
+        let to_stdout = self.out.as_os_str() == "-";
+        let out: &mut dyn Write = if to_stdout { &mut stdout } else { &mut file };
         let proposals = |Played { id, scene, .. }: Played| {
             let proposals = agents::propose(&nets, &scene, id.seed(self.seed), self.attempts.into());
             TaskProposals { task: id.task(), balls: proposals.into_iter().map(|proposal| proposal.ball).collect() }
@@ -86,12 +83,13 @@ impl Args {
             let lines: Vec<TaskProposals> =
                 tasks.par_iter().map(|&task| Ok(proposals(Task::load(task)?.into()))).collect::<anyhow::Result<_>>()?;
             for line in lines {
-                serde_json::to_writer(&mut out, &line)?;
-                out.write_all(b"\n")?;
+                writeln!(out, "{}", serde_json::to_string(&line)?)?;
             }
             progress.advance(tasks.len() as u64, "tasks".to_string());
         }
-        out.flush()?;
+        if !to_stdout {
+            replace_file(&self.out, &file)?;
+        }
         progress.finish(&format!("{} tasks", tasks.len()));
         Ok(())
     }

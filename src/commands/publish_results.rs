@@ -3,22 +3,19 @@
 //! For each model the first solving attempt of every agent on every test task of its fold, and the calibration of its chances.
 
 use std::collections::BTreeMap;
-use std::fs;
 use std::io::{self, Write};
 use std::path::PathBuf;
 
-use anyhow::{Context, ensure};
-use pathlight::agents;
-use pathlight::benchmark::folds::Fold;
 use pathlight::puzzle::task::TaskId;
-use pathlight::simulator;
 use serde::Serialize;
 
 use super::agent_name::AgentName;
-use super::calibration::{Bin, Calibration};
-use super::evaluate::{Report, Score};
+use super::calibration::Bin;
+use super::fold_args::FoldArgs;
 use super::json_file;
 use super::publish::{ModelEntry, ModelList};
+use super::replace_file::replace_file;
+use super::shipped::Shipped;
 
 /// Collect the measurements of the shipped models into the file from which the page shows them
 #[derive(clap::Args)]
@@ -65,41 +62,20 @@ impl Args {
         let path = self.assets.join("results.json");
         let mut json = serde_json::to_vec(&Results { models })?;
         json.push(b'\n');
-        fs::write(&path, json).with_context(|| format!("cannot write {}", path.display()))?;
+        replace_file(&path, &json)?;
         writeln!(io::stdout(), "{}", path.display())?;
         Ok(())
     }
 
     fn results_of(&self, name: String) -> anyhow::Result<ModelResults> {
-        let report: Report = json_file::read(&self.results.join(format!("{name}.json")), "pathlight evaluate --json")?;
-        let path = self.results.join(format!("{name}-calibration.json"));
-        let calibration: Calibration = json_file::read(&path, "pathlight calibration --json")?;
-        ensure!(
-            (calibration.simulator, calibration.agents_version) == (report.simulator, report.agents_version)
-                && (calibration.setup, calibration.fold) == (report.setup, report.fold),
-            "{} does not belong to the evaluation beside it: measure it again with `pathlight calibration --json`",
-            path.display()
-        );
-        let tasks = Fold::new(report.setup, report.fold).test;
-        let all = |score: &Score| score.first_solved.iter().map(|(task, _)| task).eq(&tasks);
-        ensure!(
-            format!("{}-{}", report.setup, report.fold) == name
-                && report.engine.is_first()
-                && (report.simulator, report.agents_version) == (simulator::VERSION, agents::VERSION)
-                && !report.agents.is_empty()
-                && report.agents.iter().all(all),
-            "the evaluation of {name} is not of all test tasks of its fold, or of another version: measure it again with `pathlight evaluate --json`"
-        );
-        ensure!(
-            calibration.tasks == tasks.len(),
-            "{} is not of all test tasks: measure it again with `pathlight calibration --json`",
-            path.display()
-        );
+        let shipped = Shipped { measurements: &self.results, assets: &self.assets };
+        let report = shipped.evaluation(&name)?;
+        let calibration = shipped.calibration(&name)?;
         let label = |agent: AgentName| agent.to_string();
         Ok(ModelResults {
             simulator: report.simulator,
             agents_version: report.agents_version,
-            tasks,
+            tasks: FoldArgs { setup: report.setup, fold: report.fold }.tasks().test,
             auccess: report.agents.iter().map(|score| (label(score.agent), score.auccess)).collect(),
             first_solved: report
                 .agents

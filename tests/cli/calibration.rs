@@ -1,13 +1,14 @@
 //! `pathlight calibration` and `publish-results`: what the page shows of the shipped models.
 
 use std::fs;
+use std::path::Path;
 
 use serde_json::Value;
 use tempfile::tempdir;
 
-use super::{assert_refused, output_of, without_dynamics};
+use super::{assert_refused, changed_weights, output_of, without_dynamics};
 
-fn json(path: &std::path::Path) -> Value {
+fn json(path: &Path) -> Value {
     serde_json::from_slice(&fs::read(path).expect("a file")).expect("JSON")
 }
 
@@ -32,10 +33,17 @@ fn likely_balls_solve_more_often_and_the_file_holds_what_the_table_says() {
     }
 }
 
+/// Copies the list of models and their weights.
+fn copy_assets(folder: &Path) {
+    for file in ["model.json", "within-0.safetensors", "cross-0.safetensors"] {
+        fs::copy(Path::new("assets").join(file), folder.join(file)).expect("a copy");
+    }
+}
+
 #[test]
 fn the_file_of_the_page_is_that_of_the_measurements() {
     let folder = tempdir().expect("a folder");
-    fs::copy("assets/model.json", folder.path().join("model.json")).expect("a copy");
+    copy_assets(folder.path());
     output_of(&["publish-results", "--assets", &folder.path().display().to_string()]);
     let made = fs::read(folder.path().join("results.json")).expect("a file");
     assert!(made == fs::read("assets/results.json").expect("shipped"), "run `pathlight publish-results` again");
@@ -58,21 +66,33 @@ fn what_cannot_be_measured_or_found_is_refused() {
     assert_refused(&["calibration", "--weights", &without_dynamics(folder.path())], "have no dynamics net");
     assert_refused(
         &["publish-results", "--results", &path],
-        "within-0.json: write it with `pathlight evaluate --json`",
+        "within-0.json: write it with `pathlight evaluate --setup within --fold 0 --json`",
     );
     assert_refused(&["publish-results", "--assets", &path], "write it with `pathlight publish`");
-    fs::copy("assets/model.json", folder.path().join("model.json")).expect("a copy");
+    copy_assets(folder.path());
     for model in ["within-0", "cross-0"] {
         for file in [format!("{model}.json"), format!("{model}-calibration.json")] {
             fs::copy(format!("results/shipped/{file}"), folder.path().join(file)).expect("a copy");
         }
     }
-    let older = folder.path().join("within-0-calibration.json");
-    let mut calibration = json(&older);
-    calibration["agents_version"] = 2.into();
-    fs::write(&older, calibration.to_string()).expect("a file");
-    assert_refused(
-        &["publish-results", "--results", &path, "--assets", &path],
-        "does not belong to the evaluation beside it",
-    );
+    let publish = ["publish-results", "--results", &path, "--assets", &path];
+    let refused = |file: &str, change: fn(&mut Value), words: &str| {
+        let file = folder.path().join(file);
+        let kept = fs::read(&file).expect("a file");
+        let mut measured = json(&file);
+        change(&mut measured);
+        fs::write(&file, measured.to_string()).expect("a file");
+        assert_refused(&publish, words);
+        fs::write(&file, kept).expect("a file");
+    };
+    let calibration = "the calibration of within-0 is not of all test tasks of its fold, or of another version";
+    refused("within-0-calibration.json", |one| one["agents_version"] = 2.into(), calibration);
+    refused("within-0-calibration.json", |one| one["tasks"] = 25.into(), calibration);
+    refused("within-0-calibration.json", |one| one["card"]["seed"] = 9.into(), "does not belong to the weights");
+    let evaluation = "the evaluation of cross-0 is not of all test tasks of its fold, or of another version";
+    refused("cross-0.json", |one| one["engine"] = "rapier".into(), evaluation);
+    refused("cross-0.json", |one| one["agents"][0]["first_solved"] = Vec::<Value>::new().into(), evaluation);
+    output_of(&publish);
+    changed_weights(&folder.path().join("within-0.safetensors"), |_, card| card.epochs += 1);
+    assert_refused(&publish, "within-0.json does not belong to the weights");
 }

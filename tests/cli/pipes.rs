@@ -29,8 +29,8 @@ fn commands_end_quietly_when_nobody_reads() {
     std::fs::write(file("solve_rates.json"), "{}").expect("written");
     std::fs::write(file("request"), json!({"task": "00000:000", "ball": null}).to_string()).expect("written");
     let (reference, assets, weights) = (file("."), file("assets"), "assets/within-0.safetensors");
-    let solutions = file("solutions");
-    let commands: [&[&str]; 9] = [
+    let (solutions, figures) = (file("solutions"), file("figures"));
+    let commands: [&[&str]; 10] = [
         &["tasks"],
         &["simulate", "--task", "00000:000"],
         &["simulate", "--batch", &file("request")],
@@ -38,6 +38,7 @@ fn commands_end_quietly_when_nobody_reads() {
         &["evaluate", "--agent", "random", "--limit", "1"],
         &["collect", "--template", "2", "--limit", "1", "--rounds", "1", "--persist", "0", "--out", &solutions],
         &["publish", weights, "--assets", &assets],
+        &["figures", "--out", &figures],
         &["fidelity", "--reference", &reference],
         &["solve-rates", "--limit", "0", "--reference", &reference],
     ];
@@ -50,4 +51,5 @@ fn commands_end_quietly_when_nobody_reads() {
         }
     }
     assert!(Path::new(&assets).join("model.json").exists(), "what publish writes does not depend on who reads");
+    assert!(Path::new(&figures).join("README.md").exists(), "nor does what figures draws, of which this is the last");
 }

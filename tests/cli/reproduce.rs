@@ -126,6 +126,7 @@ fn jobs_make_results_and_the_report_reads_them() {
     }
     fs::remove_file(results.join("within-4.json")).expect("removed");
 
+    assert_refused(&report, "the results were made from other solutions than those in assets/solutions.jsonl");
     let printed = output_of(&[&report[..], &["--solutions", solutions]].concat());
     for (index, name) in [(0, "online"), (5, "DQN, smaller"), (6, "random")] {
         let measured = agents[index]["auccess"].as_f64().expect("a number");
@@ -172,6 +173,10 @@ fn data_that_are_complete_stay_as_they_are() {
     assert_refused(&folds, "does not hold the balls of 3 rounds: run `pathlight reproduce --only data`");
     let folds = [&["reproduce", "--only", "folds", "--results", &results, "--label-rounds", "0"], &files[..]].concat();
     assert_refused(&folds, "or change --variant-rounds");
+    let swapped = ["--solutions", &solutions, "--labels", &variants, "--variants", &labels];
+    let folds =
+        [&["reproduce", "--only", "folds", "--results", &results, "--label-rounds", "0"], &swapped[..]].concat();
+    assert_refused(&folds, "variants.jsonl holds other balls than --labels takes");
 }
 
 #[test]

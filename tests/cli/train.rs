@@ -167,6 +167,11 @@ fn weights_are_published_and_refused_on_folds_they_may_have_seen() {
         assert!(balls.iter().all(|ball| ball.check(&scene).is_ok()));
     }
     assert_eq!(lines.lines().count(), 2);
+    let out = text(&folder.path().join("new/proposals.jsonl"));
+    output_of(&[&propose[..], &["--out", &out]].concat());
+    let lacking = [&propose[..], &["--out", &out, "--task", "00000:999"]].concat();
+    assert_refused(&lacking, "task 00000:999 is not in the benchmark");
+    assert_eq!(fs::read_to_string(&out).expect("a file"), lines, "it stays until the new one is complete");
 
     assert_refused(&["propose", "--weights", &weights, "--fold", "1"], "trained on within 0");
     assert_refused(&["evaluate", "--weights", &weights, "--setup", "cross"], "trained on within 0");
@@ -177,7 +182,7 @@ fn weights_are_published_and_refused_on_folds_they_may_have_seen() {
 #[test]
 fn chance_is_measured_with_its_settings_beside_it() {
     let folder = tempdir().expect("a folder");
-    let json = folder.path().join("random.json");
+    let json = folder.path().join("new/random.json");
     let table = output_of(&["evaluate", "--agent", "random", "--limit", "1", "--json", &text(&json)]);
     assert!(table.starts_with("within, fold 0, 25 test tasks, seed 0, simulator "), "{table}");
     let report: Value = serde_json::from_slice(&fs::read(json).expect("a report")).expect("JSON");

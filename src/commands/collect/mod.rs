@@ -4,7 +4,8 @@
 //! continues after the last closed round. The file depends only on the settings, not on the number of cores, unless
 //! it begins with another file's solutions (`--from`). `dataset::samples` makes training images from these lines.
 
-use std::io::{self, Write};
+use std::fmt::{self, Write as _};
+use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, ensure};
@@ -56,6 +57,16 @@ pub struct Args {
 
 impl Args {
     pub fn run(self) -> anyhow::Result<()> {
+        io::stdout().write_all(self.search()?.as_bytes())?;
+        Ok(())
+    }
+
+    /// Searches, or continues with it. Returns how many tasks have fewer solutions than asked for, and the unsolved tasks by
+    /// template.
+    ///
+    /// # Errors
+    /// If the file cannot be continued or written.
+    pub fn search(self) -> anyhow::Result<String> {
         let settings = CollectSettings {
             seed: self.seed,
             per_task: self.per_task,
@@ -113,7 +124,7 @@ impl Args {
             progress.advance((found(&searches) - before) as u64, so_far);
         }
         progress.finish(&format!("{} solutions of {} tasks, {rollouts} rollouts", found(&searches), searches.len()));
-        Ok(report(&searches, self.per_task, &mut io::stdout().lock())?)
+        Ok(report(&searches, self.per_task)?)
     }
 
     /// Tries the solutions of another file, as a round of its own.
@@ -147,17 +158,18 @@ fn restore(lines: &[CollectEntry], searches: &mut [Search]) -> anyhow::Result<(u
     Ok((closed, next, rollouts))
 }
 
-/// Prints how many tasks have fewer solutions than asked for, and the unsolved tasks by template.
-fn report(searches: &[Search], per_task: usize, out: &mut impl Write) -> io::Result<()> {
+/// Returns how many tasks have fewer solutions than asked for, and the unsolved tasks by template.
+fn report(searches: &[Search], per_task: usize) -> Result<String, fmt::Error> {
+    let mut text = String::new();
     let fewer = searches.iter().filter(|search| search.found.len() < per_task).count();
     let unsolved = searches.iter().filter(|search| search.found.is_empty()).count();
-    writeln!(out, "{fewer} of {} tasks have fewer than {per_task} solutions, {unsolved} have none", searches.len())?;
+    writeln!(text, "{fewer} of {} tasks have fewer than {per_task} solutions, {unsolved} have none", searches.len())?;
     for of_template in searches.chunk_by(|a, b| a.task.template == b.task.template) {
         let mut unsolved = of_template.iter().filter(|search| search.found.is_empty());
         if let Some(first) = unsolved.next() {
             let count = 1 + unsolved.count();
-            writeln!(out, "{:05}: {count} without a solution, the first is {}", first.task.template, first.task)?;
+            writeln!(text, "{:05}: {count} without a solution, the first is {}", first.task.template, first.task)?;
         }
     }
-    Ok(())
+    Ok(text)
 }

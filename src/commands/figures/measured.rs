@@ -2,7 +2,6 @@
 
 use std::path::Path;
 
-use anyhow::ensure;
 use pathlight::benchmark::auccess::{auccess, solved_within};
 use pathlight::benchmark::folds::Setup;
 use pathlight::puzzle::task::TaskId;
@@ -10,8 +9,8 @@ use pathlight::puzzle::task::TaskId;
 use crate::commands::agent_name::AgentName;
 use crate::commands::evaluate::Report;
 use crate::commands::fold_args::FoldArgs;
-use crate::commands::json_file;
 use crate::commands::reproduce::fold_result;
+use crate::commands::shipped::Shipped;
 
 /// The fold of the models that the page has.
 const SHIPPED_FOLD: u8 = 0;
@@ -58,30 +57,15 @@ pub fn shipped_folds() -> [FoldArgs; 2] {
     [Setup::Within, Setup::Cross].map(|setup| FoldArgs { setup, fold: SHIPPED_FOLD })
 }
 
-/// Reads the evaluation of a shipped model.
-///
-/// # Errors
-/// If it is missing or damaged, or that of another fold.
-pub fn shipped(results: &Path, fold: FoldArgs) -> anyhow::Result<Report> {
-    let path = results.join(format!("shipped/{fold}.json"));
-    let report: Report = json_file::read(&path, &format!("pathlight evaluate --setup {} --json", fold.setup))?;
-    ensure!(
-        (report.setup, report.fold, report.tasks_of.as_str()) == (fold.setup, fold.fold, "test"),
-        "{} is not the evaluation of {fold} on its test tasks: write it again with `pathlight evaluate --json`",
-        path.display()
-    );
-    Ok(report)
-}
-
 /// Reads all groups: the shipped models, then what `pathlight reproduce` measured; of each within before cross.
 ///
 /// # Errors
 /// If results are missing or damaged.
-pub fn groups(results: &Path) -> anyhow::Result<Vec<Group>> {
+pub fn groups(results: &Path, shipped: &Shipped) -> anyhow::Result<Vec<Group>> {
     let mut groups = Vec::new();
     for fold in shipped_folds() {
         let of = format!("fold {}, the models on the page", fold.fold);
-        groups.push(group(fold.setup, of, vec![shipped(results, fold)?]));
+        groups.push(group(fold.setup, of, vec![shipped.evaluation(&fold.to_string())?]));
     }
     let (within, cross): (Vec<Report>, Vec<Report>) = fold_result::read(results)?
         .into_iter()

@@ -4,12 +4,11 @@
 //! the same bytes.
 
 use std::fmt::Write as _;
-use std::fs;
 use std::io::{self, Write as _};
 use std::path::PathBuf;
 
-use anyhow::Context;
-
+use super::replace_file::replace_file;
+use super::shipped::Shipped;
 use picture::Figure;
 
 mod agent_style;
@@ -45,24 +44,27 @@ pub struct Args {
 
 impl Args {
     pub fn run(self) -> anyhow::Result<()> {
-        let groups = measured::groups(&self.results)?;
+        let shipped = Shipped { measurements: &self.results.join("shipped"), assets: &self.assets };
+        let groups = measured::groups(&self.results, &shipped)?;
         let figures = [
             templates::draw(&self.solutions)?,
-            strips::draw(&self.results, &self.assets)?,
+            strips::draw(&shipped)?,
             curves::draw(&groups),
             auccess_bars::draw(&groups),
-            overlap::draw(&self.results)?,
+            overlap::draw(&shipped)?,
         ];
         let folder = self.out.unwrap_or_else(|| self.results.join("figures"));
-        fs::create_dir_all(&folder).with_context(|| format!("cannot make the folder {}", folder.display()))?;
         let mut files: Vec<(String, String)> =
             figures.iter().map(|figure| (format!("{}.svg", figure.name), figure.to_svg())).collect();
         files.push(("README.md".to_string(), page(&figures)?));
+        let mut written = String::new();
         for (name, content) in files {
             let path = folder.join(name);
-            fs::write(&path, content).with_context(|| format!("cannot write {}", path.display()))?;
-            writeln!(io::stdout(), "{}", path.display())?;
+            replace_file(&path, content.as_bytes())?;
+            writeln!(written, "{}", path.display())?;
         }
+        // All is written before anything is printed, so that a closed pipe does not stop halfway.
+        io::stdout().write_all(written.as_bytes())?;
         Ok(())
     }
 }

@@ -1,16 +1,13 @@
 //! How well imagined paths overlap those that happen, by template.
 
-use std::path::Path;
-
-use anyhow::ensure;
 use pathlight::puzzle::templates::TEMPLATES;
 use svg::node::element::Definitions;
 
 use super::bar_table::{self, Column, Columns, Scale};
 use super::measured::shipped_folds;
 use super::picture::Figure;
-use crate::commands::forecasts::{Forecasts, Overlap};
-use crate::commands::json_file;
+use crate::commands::forecasts::Overlap;
+use crate::commands::shipped::Shipped;
 
 /// What is drawn of an overlap: two lines of a heading, a colour, the value, and one to compare with.
 type Part = ([&'static str; 2], &'static str, fn(&Overlap) -> Option<f64>, fn(&Overlap) -> Option<f64>);
@@ -31,18 +28,11 @@ const PARTS: [Part; 7] = [
 ///
 /// # Errors
 /// If the measurements of `pathlight forecasts` are missing or damaged.
-pub fn draw(results: &Path) -> anyhow::Result<Figure> {
+pub fn draw(shipped: &Shipped) -> anyhow::Result<Figure> {
     let mut groups = Vec::new();
     let mut random = Vec::new();
     for fold in shipped_folds() {
-        let path = results.join(format!("shipped/{fold}-forecasts.json"));
-        let command = format!("pathlight forecasts --setup {} --json", fold.setup);
-        let forecasts: Forecasts = json_file::read(&path, &command)?;
-        ensure!(
-            (forecasts.setup, forecasts.fold) == (fold.setup, fold.fold),
-            "{} is not that of {fold}: write it again with `{command}`",
-            path.display()
-        );
+        let forecasts = shipped.forecasts(&fold.to_string())?;
         random.push(format!("{} {}", forecasts.balls, fold.setup));
         let columns = PARTS.map(|(headings, colour, value, mark)| {
             let values = |part: fn(&Overlap) -> Option<f64>| -> Vec<Option<f64>> {

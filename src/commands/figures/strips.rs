@@ -3,8 +3,6 @@
 //! The tasks are chosen by a rule, so that solved and failed ones stand beside each other. The agent plays them
 //! again, and has to do what its evaluation says.
 
-use std::path::{Path, PathBuf};
-
 use anyhow::{Context, ensure};
 use pathlight::agents::{Origin, Proposal};
 use pathlight::benchmark::auccess::MAX_ATTEMPTS;
@@ -21,12 +19,13 @@ use pathlight::raster::path_image;
 use pathlight::simulator::simulate;
 use svg::node::element::{Definitions, Group, Use};
 
-use super::measured::{shipped, shipped_folds};
+use super::measured::shipped_folds;
 use super::picture::{Anchor, Figure, MUTED, words};
 use super::scene_drawing::{self, LineStyle, ball_outline, hatch, map, path, positions, window};
 use crate::commands::agent_name::Loaded;
 use crate::commands::evaluate::Report;
 use crate::commands::model_args::ModelArgs;
+use crate::commands::shipped::Shipped;
 
 /// Headings of the pictures of a strip.
 const COLUMNS: [&str; 7] =
@@ -65,7 +64,7 @@ struct Strip {
 ///
 /// # Errors
 /// If the evaluations or the weights are missing, or do not belong together.
-pub fn draw(results: &Path, assets: &Path) -> anyhow::Result<Figure> {
+pub fn draw(shipped: &Shipped) -> anyhow::Result<Figure> {
     let mut definitions = Definitions::new().add(hatch());
     let mut content = Group::new();
     for (column, heading) in COLUMNS.into_iter().enumerate() {
@@ -74,8 +73,8 @@ pub fn draw(results: &Path, assets: &Path) -> anyhow::Result<Figure> {
     }
     let (mut numbers, mut count) = (Vec::new(), 0);
     for fold in shipped_folds() {
-        let report = shipped(results, fold)?;
-        let weights: PathBuf = assets.join(format!("{fold}.safetensors"));
+        let report = shipped.evaluation(&fold.to_string())?;
+        let weights = shipped.assets.join(format!("{fold}.safetensors"));
         let (nets, _) = ModelArgs { weights: Some(weights) }.load(&fold)?;
         for (task, first, outcome) in chosen(&report)? {
             let strip = Strip::play(&nets, &report, task, first, outcome)?;

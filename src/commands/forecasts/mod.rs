@@ -8,14 +8,13 @@
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
-use std::fs;
 use std::io::{self, Write};
 use std::path::PathBuf;
 
 use anyhow::Context;
 use pathlight::agents::sigmoid;
 use pathlight::dataset::sampling::random_ball;
-use pathlight::nets::PathNet;
+use pathlight::nets::{Card, PathNet};
 use pathlight::play::soft_iou::soft_iou;
 use pathlight::puzzle::action::{Ball, Invalid};
 use pathlight::puzzle::rollout::Rollout;
@@ -30,6 +29,7 @@ use rayon::prelude::*;
 
 use super::collect::read_solutions;
 use super::fold_args::FoldArgs;
+use super::json_file;
 use super::model_args::ModelArgs;
 
 mod overlap;
@@ -89,7 +89,7 @@ pub struct Forecast {
 
 impl Args {
     pub fn run(self) -> anyhow::Result<()> {
-        let (nets, _) = self.model.load(&self.fold)?;
+        let (nets, card) = self.model.load(&self.fold)?;
         nets.dynamics
             .as_ref()
             .context("the weights have no dynamics net: train one with `pathlight train-dynamics`")?;
@@ -102,8 +102,7 @@ impl Args {
         let of_tasks: Vec<(MapOverlap, Vec<Forecast>)> =
             tasks.par_iter().map(|id| self.forecasts(&nets, *id, known(id))).collect::<anyhow::Result<_>>()?;
         if let Some(path) = &self.json {
-            let json = serde_json::to_vec(&self.by_template(&tasks, &of_tasks))?;
-            fs::write(path, json).with_context(|| format!("cannot write {}", path.display()))?;
+            json_file::write(path, &self.by_template(card, &tasks, &of_tasks))?;
         }
         let forecasts: Vec<&Forecast> = of_tasks.iter().flat_map(|(_, forecasts)| forecasts).collect();
         let mut text = format!(
@@ -156,7 +155,7 @@ impl Args {
         Ok(())
     }
 
-    fn by_template(&self, tasks: &[TaskId], of_tasks: &[(MapOverlap, Vec<Forecast>)]) -> Forecasts {
+    fn by_template(&self, card: Card, tasks: &[TaskId], of_tasks: &[(MapOverlap, Vec<Forecast>)]) -> Forecasts {
         let pairs: Vec<(TaskId, &(MapOverlap, Vec<Forecast>))> = tasks.iter().copied().zip(of_tasks).collect();
         let of_template = |chunk: &[(TaskId, &(MapOverlap, Vec<Forecast>))]| {
             let (template, overlap) = (chunk[0].0.template, Overlap::mean(chunk.iter().map(|(_, of_task)| *of_task)));
@@ -167,6 +166,7 @@ impl Args {
             fold: self.fold.fold,
             seed: self.seed,
             simulator: simulator::VERSION,
+            card,
             tasks: tasks.len(),
             balls: self.balls,
             all: Overlap::mean(of_tasks.iter()),

@@ -1,6 +1,7 @@
 //! The `--json` file of `forecasts`: by template, how well imagined paths overlap those that happen.
 
 use pathlight::benchmark::folds::Setup;
+use pathlight::nets::Card;
 use serde::{Deserialize, Serialize};
 
 use super::Forecast;
@@ -13,6 +14,8 @@ pub struct Forecasts {
     pub seed: u64,
     /// `simulator::VERSION`
     pub simulator: u32,
+    /// How the model was trained.
+    pub card: Card,
     /// Test tasks.
     pub tasks: usize,
     /// Random balls for each task; its known solutions come on top.

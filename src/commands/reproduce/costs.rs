@@ -2,11 +2,9 @@
 //! run, and the report does not.
 
 use std::fmt::Write as _;
-use std::fs;
 use std::path::Path;
 use std::time::Instant;
 
-use anyhow::Context;
 use pathlight::benchmark::folds::{FOLDS, Setup};
 use pathlight::dataset::labels::LabelledBalls;
 use pathlight::dataset::solutions::Solution;
@@ -18,6 +16,7 @@ use super::fold_result::{FoldResult, Hyperparameters};
 use super::report::of;
 use crate::commands::collect::read_solutions;
 use crate::commands::label::BALLS;
+use crate::commands::replace_file::replace_file;
 
 /// How many times the labels the estimate is for.
 const MORE_LABELS: f64 = 10.0;
@@ -54,7 +53,7 @@ pub fn write(results: &[FoldResult], solutions: &Path, folder: &Path) -> anyhow:
     rows(&mut text, results)?;
     estimate(&mut text, results, per_ball)?;
     let path = folder.join("costs.md");
-    fs::write(&path, &text).with_context(|| format!("cannot write {}", path.display()))
+    replace_file(&path, text.as_bytes())
 }
 
 fn cost(result: &FoldResult) -> RowCost {

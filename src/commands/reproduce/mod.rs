@@ -5,6 +5,7 @@
 //! results. Each part continues where it was interrupted. Results do not depend on each other, so they can be made in
 //! parallel, on several machines.
 
+use std::io::{self, Write as _};
 use std::path::PathBuf;
 
 use anyhow::{Context, ensure};
@@ -89,8 +90,10 @@ impl Args {
         }
         if asked(Part::Report) {
             let results = fold_result::read(&self.results)?;
-            report::write(&results, &self.solutions, &self.results)?;
+            let text = report::write(&results, &self.solutions, &self.results)?;
             costs::write(&results, &self.solutions, &self.results)?;
+            // All is written before anything is printed, so that a closed pipe does not stop halfway.
+            io::stdout().write_all(text.as_bytes())?;
         }
         Ok(())
     }
@@ -107,7 +110,7 @@ impl Args {
     fn make_data(&self) -> anyhow::Result<()> {
         let solutions = self.solutions.display();
         say(&format!("$ pathlight collect --out {solutions}"));
-        collect::Args { out: self.solutions.clone(), ..defaults() }.run()?;
+        say(collect::Args { out: self.solutions.clone(), ..defaults() }.search()?.trim_end());
         let &Hyperparameters { label_rounds, variant_rounds, .. } = &self.hyperparameters;
         for (out, rounds, variants) in [(&self.labels, label_rounds, false), (&self.variants, variant_rounds, true)] {
             let option = if variants { " --variants" } else { "" };

@@ -2,11 +2,9 @@
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
-use std::io::Write as _;
 use std::path::Path;
-use std::{fs, io};
 
-use anyhow::Context;
+use anyhow::ensure;
 use pathlight::benchmark::auccess::MAX_ATTEMPTS;
 use pathlight::benchmark::folds::{FOLDS, Setup};
 use pathlight::dataset::solutions::MIN_DISTANCE;
@@ -17,7 +15,9 @@ use super::fold_result::FoldResult;
 use super::training_report;
 use crate::commands::agent_name::AgentName;
 use crate::commands::collect::{Collected, read_solutions};
+use crate::commands::digest;
 use crate::commands::label::BALLS;
+use crate::commands::replace_file::replace_file;
 
 /// Our agents, the best first, and their names in the report.
 pub const AGENTS: [(AgentName, &str); 7] = [
@@ -35,11 +35,11 @@ pub const AGENTS: [(AgentName, &str); 7] = [
 pub const REPORTED: [(&str, [&str; 2]); 3] =
     [("DQN", ["77", "37"]), ("the paper's nets", ["62", "31"]), ("random", ["13.7", "13.0"])];
 
-/// Writes the report to a folder, and prints it.
+/// Writes the report to a folder, and returns it.
 ///
 /// # Errors
-/// If the solutions cannot be read, or the folder cannot be written.
-pub fn write(results: &[FoldResult], solutions: &Path, folder: &Path) -> anyhow::Result<()> {
+/// If the solutions cannot be read, or are not those of the results, or the folder cannot be written.
+pub fn write(results: &[FoldResult], solutions: &Path, folder: &Path) -> anyhow::Result<String> {
     let mut text = String::new();
     head(&mut text, results)?;
     table(&mut text, results)?;
@@ -48,9 +48,8 @@ pub fn write(results: &[FoldResult], solutions: &Path, folder: &Path) -> anyhow:
     data(&mut text, results, solutions)?;
     text.push_str(REPRODUCING);
     let path = folder.join("README.md");
-    fs::write(&path, &text).with_context(|| format!("cannot write {}", path.display()))?;
-    io::stdout().write_all(text.as_bytes())?;
-    Ok(())
+    replace_file(&path, text.as_bytes())?;
+    Ok(text)
 }
 
 fn head(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
@@ -131,6 +130,13 @@ fn folds(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
 
 /// How many solutions of the tasks are known, and the files that the results were made from.
 fn data(text: &mut String, results: &[FoldResult], path: &Path) -> anyhow::Result<()> {
+    if let Some(FoldResult { nets, .. }) = results.first() {
+        ensure!(
+            digest(path)? == nets.data,
+            "the results were made from other solutions than those in {}: name their file with --solutions",
+            path.display()
+        );
+    }
     let mut known: BTreeMap<TaskId, usize> = TEMPLATES.iter().flat_map(|&one| ids(one)).map(|id| (id, 0)).collect();
     let Collected { solutions, rollouts, .. } = read_solutions(path)?;
     for solution in &solutions {
