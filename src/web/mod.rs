@@ -10,6 +10,7 @@ use serde::Serialize;
 use wasm_bindgen::prelude::*;
 use web_sys::CanvasRenderingContext2d;
 
+use crate::agents;
 use crate::benchmark::difficulty::Difficulty;
 use crate::colour::palette::palette as colours;
 use crate::colour::stage::{SOLID, Stage};
@@ -71,6 +72,7 @@ pub fn constants() -> Result<JsValue, JsValue> {
         goal_steps: usize,
         stages: [&'static str; Stage::ALL.len()],
         simulator_version: u32,
+        agents_version: u32,
     }
     to_js(&Constants {
         scene_size: SIZE,
@@ -83,6 +85,7 @@ pub fn constants() -> Result<JsValue, JsValue> {
         goal_steps: GOAL_STEPS,
         stages: Stage::ALL.map(Stage::name),
         simulator_version: simulator::VERSION,
+        agents_version: agents::VERSION,
     })
 }
 

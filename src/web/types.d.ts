@@ -166,6 +166,8 @@ export interface Constants {
     stages: Stage[];
     /** The version of the simulator: rollouts of another may end otherwise. */
     simulator_version: number;
+    /** The version of the agents: the same model proposes other balls with another. */
+    agents_version: number;
 }
 
 /** A puzzle template and the ids of its tasks ("00007:000"). */

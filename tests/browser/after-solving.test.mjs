@@ -140,7 +140,7 @@ test('the result is a short film too, with the run in the card, which is saved a
       return context ? context.getImageData(x, 0, width, 420).data.join() : '';
     }, [x, width]);
   const [scene, words] = [await pixels(0, 400), await pixels(410, 390)];
-  await page.locator('#share-done').filter({ hasText: /Recording: [2-9]\d %/ }).waitFor();
+  await page.waitForFunction(() => /** @type {HTMLProgressElement} */ (document.getElementById('share-progress')).value > 0.2);
   assert.notEqual(await pixels(0, 400), scene);
   assert.equal(await pixels(410, 390), words);
   await done('The film is there');
@@ -157,7 +157,7 @@ test('the result is a short film too, with the run in the card, which is saved a
   await page.locator('#share-ball').check();
   await page.locator('#share-save').filter({ hasText: 'Save the picture' }).waitFor();
   await film.click();
-  await done('Recording');
+  await page.locator('#share-progress:visible').waitFor();
   await film.filter({ hasText: 'Stop' }).click();
   await done('given up');
   await page.evaluate(() => (MediaRecorder.prototype.start = () => { throw new DOMException('no encoder', 'NotSupportedError'); }));
@@ -228,4 +228,36 @@ test('the puzzle of the day depends on the date alone, and its result is a text 
   await page.locator('#solved-share').click();
   await page.locator('#share-dialog[open]').waitFor();
   assert.match(await page.locator('#share-text').textContent(), /^Pathlight, 22 November 2026: .+, \d+ of 100\n🟢$/);
+});
+
+test('a sheet that comes when the next puzzle is open stays away', async () => {
+  const { page } = await solved();
+  let open = () => {};
+  const gate = new Promise((resolve) => (open = () => resolve(null)));
+  await page.route('**/share-dialog.js', (route) => gate.then(() => route.continue()));
+  await page.locator('#solved-share').click();
+  await page.locator('#next').click();
+  await says(page, /place the red ball/);
+  open();
+  await page.waitForTimeout(500);
+  assert.equal(await page.locator('#share-dialog[open]').count(), 0);
+});
+
+test('a puzzle that stumps the model does not take the place of one that was opened meanwhile', async () => {
+  const page = await session.open('/', { reducedMotion: 'reduce' });
+  let open = () => {};
+  const gate = new Promise((resolve) => (open = () => resolve(null)));
+  await page.route('**/results.json', (route) => gate.then(() => route.continue()));
+  await page.locator('#picks button').click();
+  await page.evaluate((task) => (location.hash = `#task=${task}`), EASY);
+  await says(page, /place the red ball/);
+  open();
+  await page.waitForTimeout(500);
+  assert.equal(task(page), EASY);
+});
+
+test('a link that hides what is told of the model has no puzzle that stumps it', async () => {
+  const page = await session.open('/#hide=imagine,compare');
+  await page.locator('#picks a:visible').waitFor();
+  assert.ok(await page.locator('#picks button').isHidden());
 });

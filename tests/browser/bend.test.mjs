@@ -246,3 +246,57 @@ for (const colorScheme of /** @type {const} */ (['light', 'dark'])) {
     await axeFindsNothing(page);
   });
 }
+
+test('what was typed counts for a run and for the link at once', async () => {
+  const page = await openBend({ permissions: ['clipboard-read', 'clipboard-write'] });
+  const { bodies, body1 } = await original(page);
+  await page.locator('#bend-bodies button').nth(body1).click();
+  await page.locator('#bend-x').fill(String(bodies[body1].x + 3));
+  await page.locator('#bend-watch').click();
+  await says(page, /^The scene without a ball/);
+  await page.waitForTimeout(600);
+  await says(page, /^(The scene without a ball|That was the scene)/);
+  assert.equal((await linked(page)).bodies[body1].x, bodies[body1].x + 3);
+
+  await page.locator('#bend-x').fill(String(bodies[body1].x + 5));
+  await page.locator('#copy').click();
+  await page.locator('#notice-text').filter({ hasText: 'copied' }).waitFor();
+  const other = await session.open('');
+  await other.goto(await page.evaluate(() => navigator.clipboard.readText()));
+  await other.locator('#scene').waitFor();
+  assert.equal((await linked(other)).bodies[body1].x, bodies[body1].x + 5);
+});
+
+test('a drag that another panel interrupts is over, and what follows is kept', async () => {
+  const page = await openBend();
+  const { bodies, body1 } = await original(page);
+  const { x, y } = bodies[body1];
+  await dragTo(page, [[x, y], [x + 10, y + 20]]);
+  await page.keyboard.press('1');
+  await page.mouse.up();
+  await page.locator('#tab-bend').click();
+  await page.locator('#bend-x').fill(String(x + 7));
+  await page.locator('#bend-x').press('Tab');
+  await waitForScene(page, (scene) => scene.bodies[body1].x === x + 7);
+});
+
+test('a number that is far from any scene is not taken', async () => {
+  const page = await openBend();
+  await page.locator('#bend-bodies button').first().click();
+  for (const name of ['x', 'y', 'angle']) {
+    const before = await value(page, name);
+    await page.locator(`#bend-${name}`).fill('1e308');
+    await page.locator(`#bend-${name}`).press('Tab');
+    await waitForValue(page, `#bend-${name}`, (now) => Number(now) === before);
+  }
+});
+
+test('the puzzle that is made of a challenge is none', async () => {
+  const page = await openBend({ fragment: '&panel=bend&challenge=3' });
+  const { bodies, body1 } = await original(page);
+  await page.locator('#bend-bodies button').nth(body1).click();
+  await page.locator('#bend-x').fill(String(bodies[body1].x + 3));
+  await page.locator('#bend-x').press('Tab');
+  await linked(page);
+  assert.doesNotMatch(page.url(), /challenge/);
+});

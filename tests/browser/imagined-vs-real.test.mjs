@@ -65,3 +65,22 @@ async function tab(page, name) {
   await page.locator(`#tab-${name}`).click();
   return page;
 }
+
+test('a run keeps the number of its attempt when others are deleted, and goes with it', async () => {
+  const page = await openPuzzle(session, { reducedMotion: true });
+  const { solving, missing } = await known();
+  for (const ball of [missing, solving]) {
+    await type(await tab(page, 'play'), ball);
+    await page.locator('#run').click();
+    await says(page, /olved/);
+  }
+  await tab(page, 'imagine');
+  await run(page, 'player').locator('h3', { hasText: 'Your attempt 2' }).waitFor();
+  const remove = async () => (await tab(page, 'compare')).locator('#player-attempts [data-act=remove]').first().click();
+  await remove();
+  await tab(page, 'imagine');
+  await run(page, 'player').locator('h3', { hasText: 'Your attempt 1' }).waitFor();
+  await remove();
+  await tab(page, 'imagine');
+  await page.locator('#overlap-empty:visible').waitFor();
+});

@@ -182,3 +182,18 @@ for (const [what, content] of Object.entries({ 'no JSON': 'soup', 'another form'
     assert.equal(await attempts(page), 2);
   });
 }
+
+test('a turn that other agents made is not brought back, and the new one takes its place', async () => {
+  const page = await played();
+  await page.evaluate((task) => {
+    const key = `pathlight.attempts.${task}`;
+    const lines = (localStorage.getItem(key) ?? '').trim().split('\n').map((line) => JSON.parse(line));
+    localStorage.setItem(key, lines.map((line) => `${JSON.stringify(line.agents ? { ...line, agents: 1 } : line)}\n`).join(''));
+  }, EASY);
+  await page.reload();
+  await modelLoaded(page);
+  assert.deepEqual(await titles(page, 'model-attempts'), []);
+  await playModelTurn(page);
+  const kept = await page.evaluate((task) => (localStorage.getItem(`pathlight.attempts.${task}`) ?? '').trim().split('\n').map((line) => JSON.parse(line)), EASY);
+  assert.ok(kept.some(({ agents }) => agents > 1) && !kept.some(({ agents }) => agents === 1), JSON.stringify(kept));
+});

@@ -113,3 +113,13 @@ test('where nothing has the focus, the arrows move the ball', async () => {
   await page.keyboard.press('+');
   assert.deepEqual(await ball(page), [x - 10, y, r + 1]);
 });
+
+test('letters and digits that are typed into a name are no shortcuts', async () => {
+  const page = await openPuzzle(session, { fragment: '&panel=bend' });
+  const name = page.locator('#bend-name');
+  await name.fill('');
+  await name.pressSequentially('Ramp 2 [over] no. 1, v?');
+  assert.equal(await name.inputValue(), 'Ramp 2 [over] no. 1, v?');
+  assert.match(page.url(), /panel=bend/);
+  assert.equal(await page.locator('#keys-dialog[open]').count(), 0);
+});

@@ -5,16 +5,21 @@ import { readFile } from 'node:fs/promises';
 import { after, before, test } from 'node:test';
 import { axeFindsNothing } from './axe.mjs';
 import { start } from './harness.mjs';
-import { openPuzzle, says } from './page-actions.mjs';
+import { modelLoaded, openPuzzle, says } from './page-actions.mjs';
 
 let session;
 before(async () => (session = await start()));
 after(() => session.stop());
 
+/** When a model solves its test tasks: each with the attempt. */
+async function solvedAt(model) {
+  const { agents } = JSON.parse(await readFile(new URL(`../../results/shipped/${model}.json`, import.meta.url), 'utf8'));
+  return agents.find(({ agent }) => agent === 'online').first_solved;
+}
+
 /** A puzzle of the second model's test tasks, and when that solves it. */
 async function measured() {
-  const { agents } = JSON.parse(await readFile(new URL('../../results/shipped/cross-0.json', import.meta.url), 'utf8'));
-  return agents.find(({ agent }) => agent === 'online').first_solved.find(([, first]) => first > 1 && first < 20);
+  return (await solvedAt('cross-0')).find(([, first]) => first > 1 && first < 20);
 }
 
 const column = (page, index) => page.locator('#pair-columns > div').nth(index);
@@ -71,3 +76,41 @@ for (const [screen, options] of Object.entries({ 'a desktop, dark': { viewport: 
     await axeFindsNothing(page);
   });
 }
+
+test('a model that is chosen while the other one is loaded ends what was asked', async () => {
+  const [task] = await measured();
+  const page = await openPuzzle(session, { task, fragment: '&panel=compare' });
+  await page.locator('#model-pair:visible').waitFor();
+  let open = () => {};
+  const gate = new Promise((resolve) => (open = () => resolve(null)));
+  await page.context().route('**/cross-0.safetensors', (route) => gate.then(() => route.continue()));
+  await page.locator('#pair-run').click();
+  await page.locator('#pair-words').filter({ hasText: 'Both models are playing' }).waitFor();
+  await page.locator('#tab-imagine').click();
+  await page.locator('#model-select').selectOption('cross-0');
+  open();
+  await modelLoaded(page, 'cross-0');
+  await page.locator('#tab-compare').click();
+  await page.waitForTimeout(1500);
+  assert.equal(await page.locator('#pair-columns > div').count(), 0);
+  await page.locator('#pair-model option', { hasText: 'within-0' }).waitFor({ state: 'attached' });
+});
+
+test('a ball of the other model is not taken for the one that is looked at', async () => {
+  for (const [task, first] of (await solvedAt('within-0')).filter(([, first]) => first === 2).slice(0, 10)) {
+    const page = await openPuzzle(session, { task, fragment: '&panel=compare&model=cross-0', reducedMotion: true });
+    await page.locator('#proposals:visible').waitFor();
+    // The first model needs a longer list.
+    if (Number(await page.locator('#proposal-slider').getAttribute('max')) > first) {
+      await page.locator('#pair-run').click();
+      await column(page, 1).waitFor();
+      for (let number = 1; number <= first; number += 1) await page.locator('#proposal-next').click();
+      await page.locator('#proposal-number', { hasText: `${first} of` }).waitFor();
+      await column(page, 1).locator('button').click();
+      await page.waitForFunction(() => !location.hash.includes('proposal='));
+      return;
+    }
+    await page.close();
+  }
+  assert.fail('the first model solves all of these puzzles as fast as the other one');
+});

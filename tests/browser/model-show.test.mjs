@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { after, before, test } from 'node:test';
 import { start } from './harness.mjs';
-import { openPuzzle, says, unsolvedTask } from './page-actions.mjs';
+import { click, known, openPuzzle, says, unsolvedTask } from './page-actions.mjs';
 
 let session;
 before(async () => (session = await start()));
@@ -85,4 +85,16 @@ test('with reduced motion only the result is shown', async () => {
   const page = await openPuzzle(session, { task, fragment: '&panel=compare', reducedMotion: true });
   await turn(page).click();
   await says(page, new RegExp(`^Solved! The model’s attempt ${attempts}: solved after`), 60_000);
+});
+
+test('what the person does meanwhile is not overridden by the result', async () => {
+  const [task] = await solvedTask((attempt) => attempt >= 4 && attempt <= 8);
+  const { missing: [x, y] } = await known(task);
+  const page = await openPuzzle(session, { task, fragment: '&panel=compare' });
+  await turn(page).click();
+  await says(page, /The model tries: attempt 2/);
+  await click(page, x, y);
+  await turn(page).filter({ hasText: 'The model has played' }).waitFor({ timeout: 60_000 });
+  await page.waitForTimeout(500);
+  await says(page, /^(The ball may start here|Not here)/);
 });

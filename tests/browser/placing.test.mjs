@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { start } from './harness.mjs';
-import { attempts, ball, click, known, openPuzzle, palette, pixels, says, spot, type, waitForValue } from './page-actions.mjs';
+import { attempts, ball, click, dragTo, known, openPuzzle, palette, pixels, says, spot, type, waitForValue } from './page-actions.mjs';
 
 let session;
 before(async () => (session = await start()));
@@ -105,4 +105,15 @@ test('however many moves a drag makes, a frame is drawn once, and in time for th
   assert.ok(painted.length >= 20 && painted.length <= 31, `${painted.length} drawings in 30 frames of 20 moves`);
   const median = painted.toSorted((a, b) => a - b)[painted.length >> 1];
   assert.ok(median < 16, `a drawing takes ${median} ms`);
+});
+
+test('a second finger does not end the drag of the first', async () => {
+  const page = await openPuzzle(session);
+  await type(page, [128, 200, 12]);
+  await dragTo(page, [[128, 200], [110, 210]]);
+  await page.locator('#scene').dispatchEvent('pointerup', { isPrimary: false, pointerId: 77 });
+  await page.mouse.move(...(await spot(page, 90, 220)), { steps: 5 });
+  await page.mouse.up();
+  const [x, y] = await ball(page);
+  assert.ok(Math.abs(x - 90) <= 1 && Math.abs(y - 220) <= 1, `dragged to ${x}, ${y}`);
 });

@@ -160,3 +160,10 @@ test('wherever a result stands the model is named, and whether it has seen the p
   await badge('#imagine').filter({ hasText: /cross-0\s+seen in training/ }).waitFor();
   await page.locator('#model-words').filter({ hasText: 'cross-0 has learned from 20 of the 25 kinds' }).waitFor();
 });
+
+test('a number past the last ball of this puzzle leaves the address', async () => {
+  const page = await compare('&proposal=90', EASY);
+  await page.waitForFunction(() => !location.hash.includes('proposal='));
+  await page.locator('#proposal-next').click();
+  await page.locator('#proposal-number', { hasText: '1 of' }).waitFor();
+});

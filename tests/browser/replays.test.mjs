@@ -6,7 +6,7 @@ import { spawnSync } from 'node:child_process';
 import { readFile } from 'node:fs/promises';
 import { after, before, test } from 'node:test';
 import { binary, start } from './harness.mjs';
-import { attempts, known, openPuzzle, playModelTurn, says, type, unsolvedTask } from './page-actions.mjs';
+import { EASY, attempts, known, openPuzzle, playModelTurn, says, type, unsolvedTask } from './page-actions.mjs';
 
 let session;
 before(async () => (session = await start()));
@@ -99,4 +99,14 @@ test('the badge of a run names its digest and has it computed again', async () =
   assert.equal(await page.locator('#digest').textContent(), `#${digest.slice(0, 8)}`);
   await page.locator('#digest').click();
   await words(page, /the same, to the bit\. Of 50 runs whose digests the native program has shipped, this browser computes 50 to the bit/);
+});
+
+test('an attempt that was not valid is told as one, and cannot be replayed', async () => {
+  const page = await openPuzzle(session, { reducedMotion: true });
+  const requests = [{ task: EASY, ball: [-9, 0, 5] }, { task: EASY, ball: [128, 240, 8] }].map((one) => JSON.stringify(one)).join('\n');
+  const { stdout } = spawnSync(binary, ['simulate', '--batch', '-', '--verifiable'], { input: requests, encoding: 'utf8' });
+  await openAttempts(page, 'two.jsonl', stdout);
+  await words(page, 'two.jsonl: 2 of 2 attempts come out the same to the bit');
+  assert.match(await page.locator('#attempts-read li').first().textContent(), /: not valid, the same$/);
+  assert.equal(await page.locator('#attempts-read button').count(), 1);
 });

@@ -229,6 +229,11 @@ export class PuzzleController extends EventTarget {
     this.#changeState(view === "stage" ? { view: null } : { view: "stage", stage: panel === "imagine" ? stage : null });
   }
 
+  /** Resolves when the state is that of what is seen. */
+  async settle() {
+    await this.#session?.settle?.();
+  }
+
   /** Leads through the open puzzle, step by step. */
   startGuide() {
     this.#components.guide.start();

@@ -207,6 +207,11 @@ export class PathlightPuzzle extends HTMLElement {
     this.#controller?.toggleStageView();
   }
 
+  /** Resolves when the state is that of what is seen: a scene that is being bent becomes the puzzle only when it rests. */
+  async settle() {
+    await this.#controller?.settle();
+  }
+
   /** Shows the sheet about Pathlight and its model. */
   showAbout() {
     this.#call((controller) => controller.showDialog("about-dialog"));

@@ -166,7 +166,6 @@ export class Page {
   /** Takes into the page's own links what the state says of them. */
   #applyLinks() {
     const state = this.#state;
-    hideParts(document, state.hide);
     // Who came by a link for a lesson is not told what it leaves out.
     byId(document, "lesson-button").hidden = state.task === null || state.hide.length > 0;
     this.#gallery.setState(state);
@@ -183,6 +182,8 @@ export class Page {
     const gallery = hrefOf(state, null);
     if (gallery) home.href = gallery;
     else home.removeAttribute("href");
+    // Last, because some parts have just been made.
+    hideParts(document, state.hide);
   }
 
   #onStateChange() {
@@ -255,10 +256,12 @@ export class Page {
     } catch {
       return showNotice("The sheet to share a result could not be loaded. Check the connection; if Pathlight has been updated meanwhile, load the page again.");
     }
-    this.#shareDialog.show(result, darkScheme.matches);
+    // The result can be drawn only while its puzzle is open.
+    if (result.isOpen()) this.#shareDialog.show(result, darkScheme.matches);
   }
 
   async #copyLink() {
+    await this.#puzzle.settle();
     this.#address.write(this.#state);
     this.#address.flush();
     try {

@@ -54,6 +54,7 @@ export class Picks {
     this.#model = model;
     const today = new Date();
     const stump = document.createElement("li");
+    stump.dataset.hideable = "imagine compare";
     stump.append(this.#stump);
     byId(document, "picks").replaceChildren(this.#item("Puzzle of the day", dayWords(today), taskOfDay(today, this.#tasks), hrefOf), stump);
   }
@@ -62,6 +63,8 @@ export class Picks {
   async #openUnsolved() {
     try {
       const models = await readResults();
+      // The person has gone on meanwhile.
+      if (byId(document, "gallery").hidden) return;
       const { tasks, first_solved: { online } } = models.find(({ name }) => name === this.#model) ?? models[0];
       const unsolved = tasks.filter((_, index) => online[index] === null).toSorted((one, other) => solveRateOf(other) - solveRateOf(one));
       this.#open(unsolved.find((task) => this.#progress.of(task).solved === null) ?? unsolved[0]);

@@ -32,6 +32,7 @@ export class ShareDialog {
    */
   #file = null;
   #filmButton = byId(document, "share-film", HTMLButtonElement);
+  #progress = byId(document, "share-progress", HTMLProgressElement);
   /**
    * The film that is being recorded.
    * @type {AbortController | null}
@@ -66,7 +67,7 @@ export class ShareDialog {
     byId(document, "share-text").textContent = this.#words(result);
     await this.#draw();
     this.#filmButton.hidden = !filmFormat();
-    this.#dialog.showModal();
+    if (result.isOpen()) this.#dialog.showModal();
   }
 
   async #draw() {
@@ -95,11 +96,14 @@ export class ShareDialog {
     this.#picture.before(canvas);
     this.#picture.hidden = true;
     this.#filmButton.textContent = "Stop recording";
+    this.#say("");
+    this.#progress.value = 0;
+    this.#progress.hidden = false;
     let words = "The film was given up.";
     try {
       const [dark, colours] = [this.#dark, palette(this.#dark)];
       const film = await recordResult(
-        { canvas, type: format.type, run: result.openRun(), lines: linesOf(result), palette: colours, dark, onProgress: (fraction) => this.#say(`Recording: ${Math.round(100 * fraction)} %.`) },
+        { canvas, type: format.type, run: result.openRun(), lines: linesOf(result), palette: colours, dark, onProgress: (fraction) => (this.#progress.value = fraction) },
         recording,
       );
       if (film) {
@@ -110,6 +114,7 @@ export class ShareDialog {
       words = "This browser could not record the film. The picture can be saved.";
     }
     canvas.remove();
+    this.#progress.hidden = true;
     this.#picture.hidden = false;
     this.#recording = null;
     this.#filmButton.textContent = "Make a film";

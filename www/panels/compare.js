@@ -95,8 +95,8 @@ export class Compare extends Component {
       const shown = show.run();
       await this.#client.turn(session.played, turn.signal, (attempt) => show.add(attempt)).finally(() => show.end());
       await shown;
-      // Do not interrupt a replay that is being watched.
-      if (!turn.signal.aborted && !session.playback.playing && !session.shown?.preview) this.#showResult(session);
+      // Neither a replay that is being watched nor what the person does meanwhile is interrupted.
+      if (!turn.signal.aborted && !show.left && !session.playback.playing && !session.shown?.preview) this.#showResult(session);
     } catch (error) {
       if (!turn.signal.aborted) this.#callFailure = /** @type {Error} */ (error).message;
     } finally {

@@ -9,7 +9,7 @@ import { OverlapCard, percent } from "./overlap-card.js";
 /** @typedef {import("../pkg/pathlight.js").Stage} Stage */
 /** @typedef {import("../play/session.js").Session} Session */
 /** @typedef {"player" | "model" | "alone"} Runner */
-/** @typedef {import("../pkg/pathlight.js").PathMasks & { title: string, number?: number }} Run `number`: of the attempt, if it is one */
+/** @typedef {import("../pkg/pathlight.js").PathMasks & { title: string, number?: number, placed?: string }} Run `number` and `placed`: of the attempt and of its ball, if it is one */
 
 /**
  * Who runs, in the order shown, with the stage that imagined the green object's path.
@@ -69,9 +69,14 @@ export class ImaginedVsReal extends Component {
     if (placing) this.#lastRead = null;
     let changed = false;
     for (const contender of /** @type {const} */ (["player", "model"])) {
-      // The attempt may have been deleted meanwhile.
-      const number = this.#runs.get(contender)?.number;
-      if (number !== undefined && number > session.attempts.standing(contender).used) changed = this.#runs.delete(contender);
+      // The attempt may have been deleted meanwhile, or have another number now.
+      const run = this.#runs.get(contender);
+      if (run?.number === undefined) continue;
+      const number = 1 + session.attempts.of(contender).findIndex(({ ball }) => String(ball) === run.placed);
+      if (number === run.number) continue;
+      changed = true;
+      if (number === 0) this.#runs.delete(contender);
+      else this.#runs.set(contender, { ...run, number, title: titleOf(contender, number) });
     }
     const current = phase === "compare" ? pair : (shown ?? phase);
     if (finished && !placing && current !== this.#lastRead) {
@@ -127,12 +132,20 @@ const watchedRun = { runner: "alone", title: "Without a ball" };
 
 /**
  * @param {import("../play/session.js").ShownAttempt | null} attempt
- * @returns {{ runner: Runner, title: string, number?: number }}
+ * @returns {{ runner: Runner, title: string, number?: number, placed?: string }}
  */
 function runOf(attempt) {
   if (!attempt) return watchedRun;
-  const { contender, number, preview, opened } = attempt;
-  if (contender === "player") return { runner: contender, title: `Your attempt ${number}`, number };
+  const { contender, number, ball, preview, opened } = attempt;
   if (opened) return { runner: contender, title: "The opened attempt" };
-  return preview ? { runner: contender, title: `The model’s ball ${number}` } : { runner: contender, title: `The model’s attempt ${number}`, number };
+  if (preview) return { runner: contender, title: `The model’s ball ${number}` };
+  return { runner: contender, title: titleOf(contender, number), number, placed: String(ball) };
+}
+
+/**
+ * @param {import("../pkg/pathlight.js").Contender} contender
+ * @param {number} number
+ */
+function titleOf(contender, number) {
+  return `${contender === "player" ? "Your" : "The model’s"} attempt ${number}`;
 }

@@ -31,6 +31,11 @@ export class ModelPair extends Component {
    * @type {AbortController | null}
    */
   #call = null;
+  /**
+   * The name of the model beside which the other one is asked.
+   * @type {string | null}
+   */
+  #asked = null;
 
   /**
    * @param {import("../shell/dom.js").Root} root
@@ -63,8 +68,8 @@ export class ModelPair extends Component {
 
   #onClientChange() {
     const { loaded } = this.#client;
-    // What stands there belongs to the model that goes.
-    if (this.#sides.length > 0 && loaded?.name !== this.#sides[0].name) this.#clear();
+    // What stands there, or is on its way, belongs to the model that goes.
+    if (this.#asked !== null && loaded?.name !== this.#asked) this.#clear();
     const others = (loaded?.names ?? []).filter((name) => name !== loaded?.name);
     this.byId("model-pair").hidden = others.length === 0;
     if (String(others) !== String(Array.from(this.#name.options, ({ value }) => value))) this.#name.replaceChildren(...others.map((name) => new Option(name)));
@@ -73,6 +78,7 @@ export class ModelPair extends Component {
   #clear() {
     this.#call?.abort();
     this.#call = null;
+    this.#asked = null;
     this.#sides = [];
     this.#other.stop();
     this.#say("");
@@ -89,14 +95,16 @@ export class ModelPair extends Component {
     if (!this.session || !loaded || this.#call) return;
     const { played } = this.session;
     const call = (this.#call = new AbortController());
+    const names = [loaded.name, this.#name.value];
+    this.#asked = loaded.name;
     this.#say("Both models are playing.");
     try {
-      await started(this.#other, this.#name.value, call.signal);
+      await started(this.#other, names[1], call.signal);
       const ask = async (/** @type {SharedClient} */ client, /** @type {string} */ name) => {
         const [imagined, tried] = await Promise.all([client.imagine(played, call.signal), client.propose(played, call.signal)]);
         return { name, imagined, tried };
       };
-      const sides = await Promise.all([ask(this.#client, loaded.name), ask(this.#other, this.#name.value)]);
+      const sides = await Promise.all([ask(this.#client, names[0]), ask(this.#other, names[1])]);
       if (call.signal.aborted) return;
       this.#sides = sides;
       this.#say(verdictOf(sides));

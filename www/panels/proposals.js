@@ -203,6 +203,8 @@ export class Proposals extends Component {
     setText(this.byId("proposal-outcomes"), outcomesWords(proposals));
     this.#slider.max = String(proposals.length);
     const number = this.#visible ? this.#requested : null;
+    // The address may ask for more balls than there are.
+    if (number !== null && number > proposals.length) return this.requestState({ proposal: null });
     const proposal = number === null ? null : proposals[number - 1];
     if (number !== null && proposal && this.#shown !== number) {
       this.#shown = number;
@@ -218,7 +220,9 @@ export class Proposals extends Component {
    * @param {Session} session
    */
   #onSessionChange({ shown }) {
-    if (this.#shown === null || (shown?.preview && shown.number === this.#shown)) return;
+    const ball = this.#shown === null ? null : this.#proposals?.[this.#shown - 1]?.ball;
+    // A ball of another model may have the same number.
+    if (this.#shown === null || (shown?.preview && shown.number === this.#shown && String(shown.ball) === String(ball))) return;
     this.#shown = null;
     if (this.#proposals) this.#updateFacts(this.#proposals);
     this.requestState({ proposal: null });

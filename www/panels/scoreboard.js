@@ -50,8 +50,9 @@ export class Scoreboard extends Component {
     if (id === null) return;
     const { used, solved_at: solved } = session.attempts.standing("model");
     const stored = store.of(id);
-    // The turn is the same each time, so the longer one holds the shorter.
-    if (used > stored.attempts) store.set(id, { attempts: used, solved });
+    // The turn is the same each time, so the longer one holds the shorter; but one that has ended may be that of newer agents.
+    const over = solved !== null || used === ATTEMPT_LIMIT;
+    if (used > stored.attempts || (over && (used !== stored.attempts || solved !== stored.solved))) store.set(id, { attempts: used, solved });
   }
 
   #update() {

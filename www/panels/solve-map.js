@@ -18,6 +18,8 @@ export class SolveMapPanel extends Component {
   #placementBox = this.byId("solve-map-placement", HTMLInputElement);
   #context;
   #visible = false;
+  /** Does a link leave out what the model imagines? */
+  #hidesModel = false;
   /** @type {import("../pkg/pathlight.js").Stage[]} */
   #checkedLayers = [];
   /**
@@ -66,7 +68,8 @@ export class SolveMapPanel extends Component {
   }
 
   /** @param {import("../shell/url-state.js").View} view */
-  setState({ panel, checkedLayers }) {
+  setState({ panel, checkedLayers, hide }) {
+    this.#hidesModel = hide.includes("imagine");
     this.#visible = panel === "map";
     this.#checkedLayers = checkedLayers;
     this.#placementBox.checked = checkedLayers.includes("placement");
@@ -145,7 +148,7 @@ export class SolveMapPanel extends Component {
    */
   #agreement(solved) {
     const map = this.#imagine.maps?.placement;
-    if (!map) return "";
+    if (!map || this.#hidesModel) return "";
     const total = map.reduce((sum, value) => sum + value, 0);
     const right = map.reduce((sum, value, cell) => sum + value * solved[cell], 0);
     return total ? ` The model lays ${percent(right / total)} of its placement map on such places.` : "";

@@ -17,6 +17,7 @@ import { paintStill } from "./still.js";
  * @property {{ used: number, solvedAt: number | null } | null} model how the model did; null if it has not played
  * @property {(context: CanvasRenderingContext2D, dark: boolean, ball: boolean) => void} paint draws the scene into a square
  *   canvas, with the ball and the paths of that attempt if `ball`; only until the puzzle is left
+ * @property {() => boolean} isOpen whether the puzzle has not been left
  * @property {() => Run} openRun shows that attempt again
  */
 
@@ -141,6 +142,7 @@ export class AfterSolving extends Component {
       solvedAt,
       model: used > 0 ? { used, solvedAt: modelSolvedAt } : null,
       paint: (context, dark, ball) => (ball ? puzzle.paintAttempt(context, "player", solvedAt, dark) : puzzle.paintThumbnail(context, dark)),
+      isOpen: () => session === this.session,
       openRun: () => this.#openRun(session, solvedAt),
     };
     this.dispatchEvent(new CustomEvent("share", { detail }));

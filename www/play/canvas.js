@@ -80,7 +80,7 @@ export class SceneCanvas extends Component {
     new ResizeObserver(([entry]) => this.#onResize(entry)).observe(canvas);
     canvas.addEventListener("pointerdown", (event) => this.#onPointerDown(event));
     canvas.addEventListener("pointermove", (event) => this.#onPointerMove(event));
-    for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, () => this.#onPointerEnd());
+    for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, (event) => this.#onPointerEnd(/** @type {PointerEvent} */ (event)));
     canvas.addEventListener("wheel", (event) => this.#onWheel(event), { passive: false });
     canvas.addEventListener("keydown", (event) => this.onKeydown(event));
     // Browsers take the memory of a canvas away from a tab that is not seen.
@@ -114,7 +114,10 @@ export class SceneCanvas extends Component {
    */
   setOverlay(overlay, pen) {
     this.#overlay = overlay;
+    const before = this.#pen;
     this.#pen = pen;
+    // What a pen has begun ends with it.
+    if (pen !== before && this.#drag?.kind === "pen") this.#endDrag(before);
     this.draw();
   }
 
@@ -192,9 +195,17 @@ export class SceneCanvas extends Component {
     return (pointerType === "touch" ? GRAB_DISTANCE.touch : pointerType === "pen" ? GRAB_DISTANCE.pen : GRAB_DISTANCE.mouse) / this.#scale;
   }
 
-  #onPointerEnd() {
-    if (this.#drag?.kind === "pen") this.#pen?.end?.();
+  /** @param {PointerEvent} event */
+  #onPointerEnd({ isPrimary }) {
+    // A second finger does not end the drag of the first.
+    if (isPrimary) this.#endDrag(this.#pen);
+  }
+
+  /** @param {Pen | null} pen */
+  #endDrag(pen) {
+    const drag = this.#drag;
     this.#drag = null;
+    if (drag?.kind === "pen") pen?.end?.();
   }
 
   /**

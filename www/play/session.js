@@ -74,6 +74,12 @@ export class Session extends EventTarget {
   ghosts = [];
   /** Is a miss of the model's turn shown? */
   ghosting = false;
+  /**
+   * Makes the scene that is being bent the puzzle, and answers with its session, or with null if nothing may run; null if this
+   * is the scene that is seen.
+   * @type {(() => Promise<Session | null>) | null}
+   */
+  settle = null;
   #drawing = false;
   #bending = false;
   #prefersReducedMotion;
@@ -125,7 +131,9 @@ export class Session extends EventTarget {
 
   /** What the run button does: runs the ball, pauses, or plays on. */
   run() {
-    if (!this.placing) {
+    if (this.settle) {
+      this.settle().then((session) => session?.run());
+    } else if (!this.placing) {
       if (this.playback.playing) this.playback.pause();
       else this.playback.play();
       this.#emit("change");
@@ -151,8 +159,12 @@ export class Session extends EventTarget {
 
   /** Shows the scene without a ball. */
   watch() {
-    this.puzzle.watch();
-    this.#show("watch");
+    if (this.settle) {
+      this.settle().then((session) => session?.watch());
+    } else {
+      this.puzzle.watch();
+      this.#show("watch");
+    }
   }
 
   /**

@@ -5,15 +5,18 @@
 //
 // {"task":"00007:008","by":"player","ball":[128,200,12],"status":"solved","steps":312,"longest_touch":180,"final_touch":180,"simulator":3}
 // An own scene has its digest as "scene" instead of the "task"; in files it may be the scene itself. "by" is "player" or the name of
-// a model; lengths are in px, times in steps; "simulator" is the version of the simulator.
+// a model, and then "agents" is the version of the agents; lengths are in px, times in steps; "simulator" is the version of the
+// simulator.
 
 import { pathlight } from "./pathlight.js";
 
 /** @typedef {import("../pkg/pathlight.js").Attempt} Attempt */
 
+/** @typedef {{ simulator: number, agents?: number }} Versions what an attempt depends on; a person's has no agents */
+
 /**
  * An attempt at a puzzle: the id of a task, or the digest of an own scene.
- * @typedef {Attempt & { puzzle: string, by: string, simulator: number }} KeptAttempt
+ * @typedef {Attempt & Versions & { puzzle: string, by: string }} KeptAttempt
  */
 
 const PREFIX = "pathlight.attempts.";
@@ -70,17 +73,17 @@ export class AttemptStore extends EventTarget {
 
   /**
    * Adds attempts of one contender at a puzzle, beside those that another tab has kept. An attempt with the same ball is replaced,
-   * and so are those of a model that another simulator made, for they are not brought back.
+   * and so are those of a model that other versions made, for they are not brought back.
    * @param {string} puzzle
    * @param {string} by
    * @param {Attempt[]} attempts
-   * @param {number} simulator
+   * @param {Versions} versions
    */
-  add(puzzle, by, attempts, simulator) {
+  add(puzzle, by, attempts, { simulator, agents }) {
     if (attempts.length === 0) return;
     const balls = new Set(attempts.map(({ ball }) => String(ball)));
-    const stays = (/** @type {KeptAttempt} */ one) => !isOf(one, puzzle, by) || (!balls.has(String(one.ball)) && (by === "player" || one.simulator === simulator));
-    this.#change(slotOf(puzzle), (kept) => [...kept.filter(stays), ...attempts.map(({ ball, ending }) => ({ puzzle, by, ball, ending, simulator }))]);
+    const stays = (/** @type {KeptAttempt} */ one) => !isOf(one, puzzle, by) || (!balls.has(String(one.ball)) && (by === "player" || (one.simulator === simulator && one.agents === agents)));
+    this.#change(slotOf(puzzle), (kept) => [...kept.filter(stays), ...attempts.map(({ ball, ending }) => ({ puzzle, by, ball, ending, simulator, agents }))]);
   }
 
   /**
@@ -207,8 +210,8 @@ export function formatAttempts(attempts) {
 }
 
 /** @param {KeptAttempt} attempt */
-function lineOf({ puzzle, by, ball, ending: { solved, ...times }, simulator }) {
-  return { ...(TASK.test(puzzle) ? { task: puzzle } : { scene: puzzle }), by, ball, status: solved ? "solved" : "not_solved", ...times, simulator };
+function lineOf({ puzzle, by, ball, ending: { solved, ...times }, simulator, agents }) {
+  return { ...(TASK.test(puzzle) ? { task: puzzle } : { scene: puzzle }), by, ball, status: solved ? "solved" : "not_solved", ...times, simulator, agents };
 }
 
 /**
@@ -252,15 +255,15 @@ function parsedLine(line) {
  */
 function attemptOf(parsed) {
   // A line with a digest names who made it: it may be the model's.
-  const { task, scene, digest, by = digest === undefined ? "player" : null, ball, status, steps, longest_touch = 0, final_touch = 0, simulator = 0 } = parsed ?? {};
+  const { task, scene, digest, by = digest === undefined ? "player" : null, ball, status, steps, longest_touch = 0, final_touch = 0, simulator = 0, agents } = parsed ?? {};
   /** @type {(value: unknown) => boolean} */
   const isSteps = (value) => Number.isSafeInteger(value) && Number(value) >= 0 && Number(value) <= MOST_STEPS;
   const isBall = Array.isArray(ball) && ball.length === 3 && ball.every((value) => Number.isFinite(value));
   const fits = typeof by === "string" && NAME.test(by) && isBall && ["solved", "not_solved"].includes(status);
-  if (!fits || ![steps, longest_touch, final_touch, simulator].every(isSteps)) return null;
+  if (!fits || ![steps, longest_touch, final_touch, simulator, agents ?? 0].every(isSteps)) return null;
   const puzzle = scene === undefined ? taskOf(task) : digestOf(scene);
   if (puzzle === null) return null;
-  return { puzzle, by, ball: /** @type {import("../pkg/pathlight.js").Ball} */ (ball), ending: { solved: status === "solved", steps, longest_touch, final_touch }, simulator };
+  return { puzzle, by, ball: /** @type {import("../pkg/pathlight.js").Ball} */ (ball), ending: { solved: status === "solved", steps, longest_touch, final_touch }, simulator, agents };
 }
 
 /** @param {unknown} task */

@@ -25,6 +25,8 @@ export const STAGES = shared.stages;
 
 /** The version of the simulator; those of other versions may end otherwise. */
 export const SIMULATOR_VERSION = shared.simulator_version;
+/** The version of the agents; the same model proposes other balls with another. */
+export const AGENTS_VERSION = shared.agents_version;
 
 /** Initial radius of a ball, px. */
 export const FIRST_RADIUS = 12;

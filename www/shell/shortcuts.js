@@ -1,5 +1,5 @@
-// The keyboard shortcuts of a puzzle; those of its scene are in play/canvas.js. A number field, a list and a dialog keep their
-// own keys.
+// The keyboard shortcuts of a puzzle; those of its scene are in play/canvas.js. A field that is typed in, a list and a
+// dialog keep their own keys.
 
 /** @typedef {import("../play/session.js").Session} Session */
 
@@ -15,7 +15,7 @@
  * @property {(by: 1 | -1) => void} goToOtherOutcome
  */
 
-const OWN_KEYS = "input[type=number], select, dialog";
+const OWN_KEYS = "input:not([type=range], [type=checkbox], [type=radio]), select, dialog";
 
 /**
  * Acts on a key that was pressed in the puzzle, or in the page with the focus nowhere.

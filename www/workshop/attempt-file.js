@@ -11,7 +11,7 @@ const MAX_SIZE = 2e7;
 /**
  * Saves attempts, so that they can be verified and also be read back as progress (shell/attempt-store.js).
  * @param {string} name of the puzzle
- * @param {(AttemptLine & { by: string, longest_touch: number, final_touch: number })[]} lines
+ * @param {(AttemptLine & { by: string, longest_touch: number, final_touch: number, agents?: number })[]} lines
  */
 export function saveAttempts(name, lines) {
   const text = lines.map((line) => `${JSON.stringify(line)}\n`).join("");

@@ -178,6 +178,7 @@ export class Bend extends Component {
     this.dispatchEvent(new Event("bend"));
     clearTimeout(this.#timer);
     if (!this.pen.dragging) this.#timer = setTimeout(() => this.#commit(), REST);
+    if (this.session) this.session.settle = this.#isPuzzle ? null : () => this.#settled();
   }
 
   async #commit() {
@@ -195,15 +196,28 @@ export class Bend extends Component {
     const draft = this.#draft;
     if (!draft || !this.session) return false;
     const { scene } = draft;
-    if (this.#problems.length === 0 && JSON.stringify(scene) !== JSON.stringify(sceneOf(this.session))) {
+    if (!this.#isPuzzle) {
       const text = await textOfScene(scene);
       // It may have been bent further meanwhile; another commit follows then.
       if (draft !== this.#draft || draft.scene !== scene || !this.session) return false;
+      // Or it has been made the puzzle by another call.
+      if (this.#isPuzzle) return true;
       this.#committing = true;
-      this.requestState({ task: null, scene: text, proposal: null });
+      this.requestState({ task: null, scene: text, proposal: null, challenge: null });
       this.#committing = false;
     }
     return true;
+  }
+
+  /** Is the draft the puzzle already, or may it not be? */
+  get #isPuzzle() {
+    const { session, scene } = this;
+    return !session || !scene || this.#problems.length > 0 || JSON.stringify(scene) === JSON.stringify(sceneOf(session));
+  }
+
+  /** The session of the scene as it has been bent; null if it was bent further or left meanwhile. */
+  async #settled() {
+    return (await this.settle()) ? this.session : null;
   }
 
   /** Updates the panel before the next frame, once however often the draft changes. */

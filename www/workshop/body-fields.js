@@ -7,6 +7,9 @@ import { degreesOf, nameOf, rounded } from "./body-words.js";
 
 /** @typedef {import("./draft.js").Draft} Draft */
 
+/** A number that is typed may be so large, px or degrees. */
+const FARTHEST = 1e5;
+
 export class BodyFields extends Component {
   /** @type {Draft | null} */
   #draft = null;
@@ -91,8 +94,8 @@ export class BodyFields extends Component {
     const draft = this.#draft;
     if (!draft?.body) return;
     const { body } = draft;
-    // A field that is emptied gets its number back.
-    if (!Number.isFinite(value)) this.update();
+    // A field that is emptied gets its number back, and one whose number is far from any scene.
+    if (!(Math.abs(value) <= FARTHEST)) this.update();
     else if (name === "x") draft.moveTo(value, body.y, null, true);
     else if (name === "y") draft.moveTo(body.x, value, null, true);
     else if (name === "angle") draft.turnTo(value, null, true);

@@ -2,6 +2,7 @@
 // the same comes out to the bit, and replays it. Also the badge on a run that has ended: the first characters of its digest.
 
 import { Component } from "../shell/component.js";
+import { AGENTS_VERSION } from "../shell/constants.js";
 import { createButton, setText } from "../shell/dom.js";
 import { pathlight } from "../shell/pathlight.js";
 import { sceneName } from "../shell/puzzle-name.js";
@@ -116,16 +117,21 @@ export class Replays extends Component {
     // What was simulated again has the form of an attempt.
     const attempt = /** @type {AttemptLine} */ (line);
     const { task, scene, ball, status, steps } = attempt;
+    const puzzle = task ?? sceneName(scene);
     const place = ball ? `x ${ball[0]}, y ${ball[1]}, radius ${ball[2]}` : "no ball";
+    if (verification.verdict === "same" && status === "invalid") {
+      item.textContent = `${puzzle}, ${place}: not valid, the same`;
+      return item;
+    }
     const words = verification.verdict === "same" ? `${status === "solved" ? "solved" : "not solved"} in ${steps} steps, the same to the bit` : verification.reason;
-    item.append(createButton(`${task ?? sceneName(scene)}, ${place}: ${words}`, () => this.#replay(attempt)));
+    item.append(createButton(`${puzzle}, ${place}: ${words}`, () => this.#replay(attempt)));
     return item;
   }
 
   /** @param {AttemptLine} attempt */
   async #replay({ task, scene, ball }) {
     const text = scene ? await textOfScene(pathlight.ownScene(scene)) : null;
-    this.requestState({ task: text === null ? (task ?? null) : null, scene: text, ball: null, proposal: null, panel: "play" });
+    this.requestState({ task: text === null ? (task ?? null) : null, scene: text, ball: null, proposal: null, challenge: null, panel: "play" });
     if (ball) this.session?.playOpened(ball);
     else this.session?.watch();
   }
@@ -176,5 +182,6 @@ export class Replays extends Component {
  * @param {import("../pkg/pathlight.js").Attempt[]} attempts
  */
 function attemptsBy(by, attempts) {
-  return attempts.map(({ ball, ending: { longest_touch, final_touch } }) => ({ ball, by, longest_touch, final_touch }));
+  const agents = by === "player" ? undefined : AGENTS_VERSION;
+  return attempts.map(({ ball, ending: { longest_touch, final_touch } }) => ({ ball, by, longest_touch, final_touch, agents }));
 }
