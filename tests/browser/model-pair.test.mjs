@@ -105,7 +105,7 @@ test('a ball of the other model is not taken for the one that is looked at', asy
       await page.locator('#pair-run').click();
       await column(page, 1).waitFor();
       for (let number = 1; number <= first; number += 1) await page.locator('#proposal-next').click();
-      await page.locator('#proposal-number', { hasText: `${first} of` }).waitFor();
+      await page.waitForFunction((first) => location.hash.includes(`proposal=${first}`), first);
       await column(page, 1).locator('button').click();
       await page.waitForFunction(() => !location.hash.includes('proposal='));
       return;
