@@ -26,8 +26,8 @@
 //! | `simulator` | computes the rollout of a scene and a ball: a port of Box2D 2.3's step on rapier2d's geometry |
 //! | `benchmark` | PHYRE's folds and its metric, auccess |
 //! | `dataset` | what nets learn from: solutions, labelled balls, samples |
-//! | `nets` | the four nets that imagine paths, the judge, their weights and their training |
-//! | `agents` | who proposes balls: from imagined paths, from the judge, from the placement map, at random |
+//! | `nets` | the four nets that imagine paths, the judge, the dynamics net, DQN, their weights and their training |
+//! | `agents` | who proposes balls: from imagined paths, learning from its attempts; from the judge, from DQN, from the placement map, at random |
 //! | `play` | one session on one puzzle, an agent's turn, the map of all solutions, soft IoU |
 //! | `web` | the wasm exports; wasm32 only |
 

@@ -35,7 +35,7 @@ pub struct Similarity {
 }
 
 impl Similarity {
-    /// Chosen on dev tasks: `cargo bench --bench online`.
+    /// Chosen on dev tasks: `cargo bench --features ndarray --bench online -- FILE`, the weights.
     pub const DEFAULT: Similarity = Similarity {
         balls: SquaredExponential { variance: 16.0, length_scale: 4.5 },
         paths: SquaredExponential { variance: 4.0, length_scale: 10.0 },

@@ -1,5 +1,5 @@
 // The service worker of dist/, which keeps all files of one version, so that the page works without a network. It belongs
-// to dist/ alone: `pathlight serve` shows the sources as they are, and has nothing at this worker's address.
+// to dist/ alone: the sources and the bundle of `make play` have nothing at this worker's address.
 //
 // Each version has a cache of its own, and takes the place of the one before only when the person says so, or when no page
 // is open. A page that is still open then asks for files in the folder of its own version, and gets them from the cache of

@@ -1,4 +1,4 @@
-//! `pathlight label`: balls with their outcome for all tasks, as JSON lines, to train a judge or a dynamics net on.
+//! `pathlight label`: balls with their outcome for all tasks, as JSON lines, to train a judge, a dynamics net or DQN on.
 //!
 //! The file is a journal: the settings, then one line per task and round, in that order, so the number of lines
 //! says where an interrupted run continues. The balls depend only on the settings and the solutions.
@@ -37,7 +37,7 @@ pub const BALLS: usize = 64;
 /// Lines that are written together.
 const BLOCK: usize = 100;
 
-/// Try balls on all tasks and keep their outcomes, to train a judge or a dynamics net on
+/// Try balls on all tasks and keep their outcomes, to train a judge, a dynamics net or DQN on
 #[derive(clap::Args)]
 pub struct Args {
     /// File to write, or to continue

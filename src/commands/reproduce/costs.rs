@@ -47,7 +47,7 @@ impl RowCost {
 pub fn write(results: &[FoldResult], solutions: &Path, folder: &Path) -> anyhow::Result<()> {
     let per_ball = seconds_per_ball(&read_solutions(solutions)?.solutions)?;
     let mut text = String::from(
-        "# Costs\n\n`pathlight reproduce` printed this beside the report. Times are wall-clock times multiplied by the number \
+        "# Costs\n\n`pathlight reproduce` wrote this beside the report. Times are wall-clock times multiplied by the number \
          of threads.\n\n",
     );
     rows(&mut text, results)?;

@@ -1,4 +1,4 @@
-//! One optimiser step per batch: the four nets jointly, or the judge.
+//! One optimiser step per batch: the four nets jointly, the judge, the dynamics net or DQN.
 //!
 //! The loss of the four nets is the sum of the per-pixel binary cross-entropies of their maps, with gradients through
 //! the whole chain (Harter et al. 2020). The judge's is the mean binary cross-entropy of the balls. A trainer can be
@@ -8,7 +8,7 @@
 use std::mem::take;
 use std::path::Path;
 
-/// What a trainer trains: `PathNet`, `Judge`.
+/// What a trainer trains: `PathNet`, `Judge`, `DynamicsNet`, `Dqn`.
 pub use burn::module::Module;
 use burn::optim::{GradientsParams, ModuleOptimizer};
 use burn::store::RecordError;
@@ -23,7 +23,7 @@ use crate::puzzle::action::{Ball, Invalid};
 use crate::puzzle::scene::SIZE;
 use crate::raster::{Bitmap, CELLS, CHANNELS, Coverage, SIDE};
 
-/// Nets, all four or the judge, and their optimiser.
+/// What is trained, and its optimiser.
 pub struct Trainer<M> {
     pub(super) nets: M,
     optimiser: ModuleOptimizer,
