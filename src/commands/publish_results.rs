@@ -10,8 +10,8 @@ use pathlight::puzzle::task::TaskId;
 use serde::Serialize;
 
 use super::agent_name::AgentName;
-use super::calibration::Bin;
-use super::fold_args::FoldArgs;
+use super::calibration::{Bin, Calibration};
+use super::evaluate::Report;
 use super::json_file;
 use super::publish::{ModelEntry, ModelList};
 use super::replace_file::replace_file;
@@ -69,13 +69,13 @@ impl Args {
 
     fn results_of(&self, name: String) -> anyhow::Result<ModelResults> {
         let shipped = Shipped { measurements: &self.results, assets: &self.assets };
-        let report = shipped.evaluation(&name)?;
-        let calibration = shipped.calibration(&name)?;
+        let (report, fold) = shipped.read::<Report>(&name)?;
+        let (calibration, _) = shipped.read::<Calibration>(&name)?;
         let label = |agent: AgentName| agent.to_string();
         Ok(ModelResults {
             simulator: report.simulator,
             agents_version: report.agents_version,
-            tasks: FoldArgs { setup: report.setup, fold: report.fold }.tasks().test,
+            tasks: fold.tasks().test,
             auccess: report.agents.iter().map(|score| (label(score.agent), score.auccess)).collect(),
             first_solved: report
                 .agents

@@ -25,3 +25,21 @@ pub fn replace_file(path: &Path, bytes: &[u8]) -> anyhow::Result<()> {
     }
     written.with_context(failed)
 }
+
+#[cfg(all(test, unix))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_device_is_written_to_and_a_file_replaced() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let [device, file] = ["device", "new/file"].map(|name| folder.path().join(name));
+        std::os::unix::fs::symlink("/dev/null", &device).expect("a link");
+        replace_file(&device, b"lost").expect("written");
+        assert!(device.is_symlink() && !device.is_file());
+        for bytes in [b"one".as_slice(), b"other"] {
+            replace_file(&file, bytes).expect("written");
+            assert_eq!(fs::read(&file).expect("a file"), bytes);
+        }
+    }
+}

@@ -6,14 +6,69 @@ use std::path::Path;
 use anyhow::{Context, ensure};
 use pathlight::agents;
 use pathlight::nets::{Card, read_card};
+use pathlight::puzzle::task::TaskId;
 use pathlight::simulator;
-use serde::Deserialize;
+use serde::de::DeserializeOwned;
 
 use super::calibration::Calibration;
 use super::evaluate::Report;
 use super::fold_args::FoldArgs;
 use super::forecasts::Forecasts;
 use super::json_file;
+
+/// What a command measures of a model, as its `--json` file has it.
+pub trait Measurement: DeserializeOwned {
+    const COMMAND: &'static str;
+    /// What follows the name of the model in that of the file.
+    const SUFFIX: &'static str;
+
+    /// How the model was trained, if one was measured.
+    fn card(&self) -> Option<&Card>;
+
+    /// Whether it is of all these test tasks, and of today's agents and simulator.
+    fn is_whole(&self, test: &[TaskId]) -> bool;
+}
+
+impl Measurement for Report {
+    const COMMAND: &'static str = "evaluate";
+    const SUFFIX: &'static str = "";
+
+    fn card(&self) -> Option<&Card> {
+        self.card.as_ref()
+    }
+
+    fn is_whole(&self, test: &[TaskId]) -> bool {
+        self.engine.is_first()
+            && (self.simulator, self.agents_version) == (simulator::VERSION, agents::VERSION)
+            && self.agents.iter().all(|score| score.first_solved.iter().map(|(task, _)| task).eq(test))
+    }
+}
+
+impl Measurement for Calibration {
+    const COMMAND: &'static str = "calibration";
+    const SUFFIX: &'static str = "-calibration";
+
+    fn card(&self) -> Option<&Card> {
+        Some(&self.card)
+    }
+
+    fn is_whole(&self, test: &[TaskId]) -> bool {
+        (self.simulator, self.agents_version, self.tasks) == (simulator::VERSION, agents::VERSION, test.len())
+    }
+}
+
+impl Measurement for Forecasts {
+    const COMMAND: &'static str = "forecasts";
+    const SUFFIX: &'static str = "-forecasts";
+
+    fn card(&self) -> Option<&Card> {
+        Some(&self.card)
+    }
+
+    fn is_whole(&self, test: &[TaskId]) -> bool {
+        (self.simulator, self.tasks) == (simulator::VERSION, test.len())
+    }
+}
 
 /// The folders of the measurements, and of the weights that they are of.
 pub struct Shipped<'a> {
@@ -22,84 +77,31 @@ pub struct Shipped<'a> {
 }
 
 impl Shipped<'_> {
-    /// Reads NAME.json, from `pathlight evaluate --json`.
+    /// Reads a measurement of a model, and the fold that the model belongs to.
     ///
     /// # Errors
-    /// If it is missing or damaged, or is not that of these weights on all test tasks of their fold, with these agents and
-    /// this simulator.
-    pub fn evaluation(&self, name: &str) -> anyhow::Result<Report> {
-        let report: Report =
-            self.read(&format!("{name}.json"), name, "evaluate", |report: &Report| report.card.as_ref())?;
-        let test = FoldArgs { setup: report.setup, fold: report.fold }.tasks().test;
-        ensure!(
-            report.engine.is_first()
-                && (report.simulator, report.agents_version) == (simulator::VERSION, agents::VERSION)
-                && report.agents.iter().all(|score| score.first_solved.iter().map(|(task, _)| task).eq(&test)),
-            "the evaluation of {name} is not of all test tasks of its fold, or of another version: measure it again with \
-             `pathlight evaluate --json`"
-        );
-        Ok(report)
-    }
-
-    /// Reads NAME-calibration.json, from `pathlight calibration --json`.
-    ///
-    /// # Errors
-    /// As of `evaluation`.
-    pub fn calibration(&self, name: &str) -> anyhow::Result<Calibration> {
-        let file = format!("{name}-calibration.json");
-        let calibration: Calibration = self.read(&file, name, "calibration", |one: &Calibration| Some(&one.card))?;
-        ensure!(
-            (calibration.simulator, calibration.agents_version) == (simulator::VERSION, agents::VERSION)
-                && calibration.tasks == test_tasks(&calibration.card),
-            "the calibration of {name} is not of all test tasks of its fold, or of another version: measure it again with \
-             `pathlight calibration --json`"
-        );
-        Ok(calibration)
-    }
-
-    /// Reads NAME-forecasts.json, from `pathlight forecasts --json`.
-    ///
-    /// # Errors
-    /// As of `evaluation`.
-    pub fn forecasts(&self, name: &str) -> anyhow::Result<Forecasts> {
-        let file = format!("{name}-forecasts.json");
-        let forecasts: Forecasts = self.read(&file, name, "forecasts", |one: &Forecasts| Some(&one.card))?;
-        ensure!(
-            forecasts.simulator == simulator::VERSION && forecasts.tasks == test_tasks(&forecasts.card),
-            "the forecasts of {name} are not of all test tasks of its fold, or of another version: measure them again with \
-             `pathlight forecasts --json`"
-        );
-        Ok(forecasts)
-    }
-
-    /// Reads a measurement and checks which weights it is of.
-    fn read<T: for<'a> Deserialize<'a>>(
-        &self,
-        file: &str,
-        name: &str,
-        command: &str,
-        card: fn(&T) -> Option<&Card>,
-    ) -> anyhow::Result<T> {
-        let path = self.measurements.join(file);
+    /// If it or the weights are missing or damaged, or it is not that of these weights on all test tasks of their fold, with
+    /// these agents and this simulator.
+    pub fn read<M: Measurement>(&self, name: &str) -> anyhow::Result<(M, FoldArgs)> {
         let weights = self.assets.join(format!("{name}.safetensors"));
-        let (file, weights_name) = (path.display(), weights.display());
-        let (setup, fold) =
-            name.rsplit_once('-').with_context(|| format!("{name} is no model: the name is SETUP-FOLD"))?;
-        let command = format!("pathlight {command} --setup {setup} --fold {fold} --json");
-        let measured: T = json_file::read(&path, &command)?;
+        let weights_name = weights.display();
         let bytes = fs::read(&weights).with_context(|| {
             format!("cannot read the weights in {weights_name}: write them with `pathlight publish`")
         })?;
-        let trained = read_card(&bytes).with_context(|| format!("cannot use {weights_name}"))?;
+        let card = read_card(&bytes).with_context(|| format!("cannot use {weights_name}"))?;
+        let fold = FoldArgs { setup: card.setup, fold: card.fold };
+        let path = self.measurements.join(format!("{name}{}.json", M::SUFFIX));
+        let file = path.display();
+        let command = format!("pathlight {} --setup {} --fold {} --json", M::COMMAND, fold.setup, fold.fold);
+        let measured: M = json_file::read(&path, &command)?;
         ensure!(
-            card(&measured) == Some(&trained),
+            measured.card() == Some(&card),
             "{file} does not belong to the weights in {weights_name}: measure them again with `{command}`"
         );
-        Ok(measured)
+        ensure!(
+            measured.is_whole(&fold.tasks().test),
+            "{file} is not of all test tasks of its fold, or of another version: measure the model again with `{command}`"
+        );
+        Ok((measured, fold))
     }
-}
-
-/// The number of test tasks of the fold that weights belong to.
-fn test_tasks(card: &Card) -> usize {
-    FoldArgs { setup: card.setup, fold: card.fold }.tasks().test.len()
 }

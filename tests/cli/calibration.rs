@@ -85,11 +85,11 @@ fn what_cannot_be_measured_or_found_is_refused() {
         assert_refused(&publish, words);
         fs::write(&file, kept).expect("a file");
     };
-    let calibration = "the calibration of within-0 is not of all test tasks of its fold, or of another version";
+    let calibration = "within-0-calibration.json is not of all test tasks of its fold, or of another version";
     refused("within-0-calibration.json", |one| one["agents_version"] = 2.into(), calibration);
     refused("within-0-calibration.json", |one| one["tasks"] = 25.into(), calibration);
     refused("within-0-calibration.json", |one| one["card"]["seed"] = 9.into(), "does not belong to the weights");
-    let evaluation = "the evaluation of cross-0 is not of all test tasks of its fold, or of another version";
+    let evaluation = "cross-0.json is not of all test tasks of its fold, or of another version";
     refused("cross-0.json", |one| one["engine"] = "rapier".into(), evaluation);
     refused("cross-0.json", |one| one["agents"][0]["first_solved"] = Vec::<Value>::new().into(), evaluation);
     output_of(&publish);

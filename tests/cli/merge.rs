@@ -95,16 +95,10 @@ fn a_search_that_was_interrupted_is_not_merged() {
     let merge = [&["merge"], &named[..], &["--out", &out]].concat();
     // The longest search is cut off late, so that it may still be the longest; the other in its first round.
     for (template, kept) in [(longest, 49.min(rounds(&texts[longest]) - 1)), (other, 0)] {
-        let ends = texts[template].split_inclusive('\n').scan(0, |closed, line| {
-            let before = *closed;
-            *closed += usize::from(line.contains("\"round\""));
-            Some((before, line))
-        });
-        // The settings come first, and solutions of the round that was not closed last.
-        let begun: String = ends.take_while(|&(before, _)| before <= kept).map(|(_, line)| line).collect();
-        let begun = begun.trim_end_matches(|end| end != '\n');
-        let cut = &begun[..begun.trim_end().rfind('\n').expect("lines") + 1];
-        fs::write(&files[template], cut).expect("written");
+        let lines: Vec<&str> = texts[template].split_inclusive('\n').collect();
+        let mut closing = (0..lines.len()).filter(|&line| lines[line].contains("\"round\""));
+        let end = closing.nth(kept).expect("a round that is cut off");
+        fs::write(&files[template], lines[..end].concat()).expect("written");
         assert_refused(&merge, &format!("continue it with `pathlight collect --template {template}"));
         fs::write(&files[template], &texts[template]).expect("written");
     }

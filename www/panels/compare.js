@@ -96,7 +96,7 @@ export class Compare extends Component {
       await this.#client.turn(session.played, turn.signal, (attempt) => show.add(attempt)).finally(() => show.end());
       await shown;
       // Neither a replay that is being watched nor what the person does meanwhile is interrupted.
-      if (!turn.signal.aborted && !show.left && !session.playback.playing && !session.shown?.preview) this.#showResult(session);
+      if (!turn.signal.aborted && !show.interrupted && !session.playback.playing && !session.shown?.preview) this.#showResult(session);
     } catch (error) {
       if (!turn.signal.aborted) this.#callFailure = /** @type {Error} */ (error).message;
     } finally {

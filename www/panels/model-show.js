@@ -21,7 +21,7 @@ export class ModelShow {
   #skipping;
   #stopped = false;
   /** Has the person turned to something else before the misses were shown? */
-  left = false;
+  interrupted = false;
   /**
    * Wakes the show when something has come.
    * @type {() => void}
@@ -83,7 +83,7 @@ export class ModelShow {
       const watched = await this.#session.flash(number, duration, ghosts.slice());
       if (this.#stopped) return;
       // The person looks at something else meanwhile.
-      if (!watched && !this.#skipping) this.#skipping = this.left = true;
+      if (!watched && !this.#skipping) this.#skipping = this.interrupted = true;
       const { ghost } = this.#session;
       if (watched && ghost) ghosts.push(ghost);
       if (this.#skipping) this.#recordAll();

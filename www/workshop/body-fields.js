@@ -7,7 +7,7 @@ import { degreesOf, nameOf, rounded } from "./body-words.js";
 
 /** @typedef {import("./draft.js").Draft} Draft */
 
-/** A number that is typed may be so large, px or degrees. */
+/** The largest number that is taken from a field, px or degrees. */
 const FARTHEST = 1e5;
 
 export class BodyFields extends Component {

@@ -65,7 +65,7 @@ pub fn groups(results: &Path, shipped: &Shipped) -> anyhow::Result<Vec<Group>> {
     let mut groups = Vec::new();
     for fold in shipped_folds() {
         let of = format!("fold {}, the models on the page", fold.fold);
-        groups.push(group(fold.setup, of, vec![shipped.evaluation(&fold.to_string())?]));
+        groups.push(group(fold.setup, of, vec![shipped.read(&fold.to_string())?.0]));
     }
     let (within, cross): (Vec<Report>, Vec<Report>) = fold_result::read(results)?
         .into_iter()

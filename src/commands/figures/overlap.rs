@@ -6,7 +6,7 @@ use svg::node::element::Definitions;
 use super::bar_table::{self, Column, Columns, Scale};
 use super::measured::shipped_folds;
 use super::picture::Figure;
-use crate::commands::forecasts::Overlap;
+use crate::commands::forecasts::{Forecasts, Overlap};
 use crate::commands::shipped::Shipped;
 
 /// What is drawn of an overlap: two lines of a heading, a colour, the value, and one to compare with.
@@ -32,7 +32,7 @@ pub fn draw(shipped: &Shipped) -> anyhow::Result<Figure> {
     let mut groups = Vec::new();
     let mut random = Vec::new();
     for fold in shipped_folds() {
-        let forecasts = shipped.forecasts(&fold.to_string())?;
+        let (forecasts, _) = shipped.read::<Forecasts>(&fold.to_string())?;
         random.push(format!("{} {}", forecasts.balls, fold.setup));
         let columns = PARTS.map(|(headings, colour, value, mark)| {
             let values = |part: fn(&Overlap) -> Option<f64>| -> Vec<Option<f64>> {

@@ -73,7 +73,7 @@ pub fn draw(shipped: &Shipped) -> anyhow::Result<Figure> {
     }
     let (mut numbers, mut count) = (Vec::new(), 0);
     for fold in shipped_folds() {
-        let report = shipped.evaluation(&fold.to_string())?;
+        let (report, _) = shipped.read::<Report>(&fold.to_string())?;
         let weights = shipped.assets.join(format!("{fold}.safetensors"));
         let (nets, _) = ModelArgs { weights: Some(weights) }.load(&fold)?;
         for (task, first, outcome) in chosen(&report)? {
