@@ -100,3 +100,17 @@ async function modelName() {
   const answer = await fetch(`${session.origin}/assets/model.json`);
   return (await answer.json()).models[0].name;
 }
+
+test('a turn that has ended takes the place of a longer one of older agents', async () => {
+  const name = await modelName();
+  const page = await remembering({
+    'pathlight.progress': record({ [EASY]: { attempts: 1, solved: 1 } }),
+    [`pathlight.model.${name}`]: record({ [EASY]: { attempts: 90, solved: 90 } }),
+  });
+  assert.equal(await rows(page).locator('td').last().textContent(), '✓ on attempt 90');
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  await playModelTurn(page);
+  const made = await page.locator('#model-attempts li').count();
+  await rows(page).locator('td').last().filter({ hasText: `✓ on attempt ${made}` }).waitFor();
+  assert.ok(made < 90);
+});
