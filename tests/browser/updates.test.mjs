@@ -93,9 +93,11 @@ test('“Later” puts the new version off until no page is open', async () => {
   assert.equal(await versionOf(page), old);
   const context = page.context();
   await page.close();
+  let pause = 500;
   const visit = async () => {
-    // The browser replaces the service worker some time after the last page was closed.
-    await new Promise((resume) => setTimeout(resume, 500));
+    // The browser replaces the service worker some time after the last page was closed: the later, the busier the machine.
+    await new Promise((resume) => setTimeout(resume, pause));
+    pause *= 2;
     const next = await session.openIn(context);
     await next.locator('#templates canvas.drawn').first().waitFor();
     const version = await versionOf(next);
