@@ -67,14 +67,13 @@ impl AgentName {
     /// goes without nets.
     pub fn start(self, loaded: Loaded, scene: &Scene, seed: u64, count: usize) -> Box<dyn Agent> {
         let nets = || loaded.nets.expect("the weights of a model are loaded first");
+        // Damaged weights know no candidates; another agent must not be measured in the place of this one.
+        let online =
+            |similarity| OnlineAgent::new(imagined_candidates(nets(), scene, count).unwrap_or_default(), similarity);
         let proposals = match self {
-            AgentName::Online => return agents::start(nets(), scene, seed, count),
-            AgentName::OnlineByBalls => {
-                // Damaged weights know no candidates.
-                let candidates = imagined_candidates(nets(), scene, count).unwrap_or_default();
-                return Box::new(OnlineAgent::new(candidates, Similarity::OF_BALLS));
-            }
-            AgentName::Dynamics => agents::propose(nets(), scene, seed, count),
+            AgentName::Online => return Box::new(online(Similarity::DEFAULT)),
+            AgentName::OnlineByBalls => return Box::new(online(Similarity::OF_BALLS)),
+            AgentName::Dynamics => online(Similarity::DEFAULT).list(count),
             AgentName::Judge => agents::from_judge(nets(), scene, count).unwrap_or_default(),
             AgentName::Dqn => agents::from_dqn(loaded.dqn.expect("its weights are loaded first"), scene, count),
             AgentName::Paper => agents::from_map(nets(), scene, seed, count),
