@@ -96,8 +96,8 @@ impl LabelledScenes {
             );
             ensure!(
                 !(proposed && without_dev) || net_without_dev,
-                "{} holds balls that a net proposed which has learned from the fold's dev tasks: leave it out, or train that \
-                 net with --without-dev",
+                "{} does not say that the net that proposed its balls has not learned from the fold's dev tasks: leave it out, \
+                 or label again with weights of `pathlight train-dynamics --without-dev`",
                 path.display()
             );
             let of_template_alone = fold.setup == Setup::Cross && !proposed;

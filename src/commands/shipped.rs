@@ -1,4 +1,5 @@
-//! The measurements of the models on the page, which belong to the weights that the page has.
+//! The measurements of the models on the page, which belong to weights trained as those that the page has: a measurement
+//! knows its model by its card, so it must be made again whenever weights are published.
 
 use std::fs;
 use std::path::Path;
@@ -80,8 +81,8 @@ impl Shipped<'_> {
     /// Reads a measurement of a model, and the fold that the model belongs to.
     ///
     /// # Errors
-    /// If it or the weights are missing or damaged, or it is not that of these weights on all test tasks of their fold, with
-    /// these agents and this simulator.
+    /// If it or the weights are missing or damaged, or it is not that of a model with their card on all test tasks of their
+    /// fold, with these agents and this simulator.
     pub fn read<M: Measurement>(&self, name: &str) -> anyhow::Result<(M, FoldArgs)> {
         let weights = self.assets.join(format!("{name}.safetensors"));
         let weights_name = weights.display();
@@ -92,7 +93,12 @@ impl Shipped<'_> {
         let fold = FoldArgs { setup: card.setup, fold: card.fold };
         let path = self.measurements.join(format!("{name}{}.json", M::SUFFIX));
         let file = path.display();
-        let command = format!("pathlight {} --setup {} --fold {} --json", M::COMMAND, fold.setup, fold.fold);
+        let command = format!(
+            "pathlight {} --setup {} --fold {} --weights {weights_name} --json {file}",
+            M::COMMAND,
+            fold.setup,
+            fold.fold
+        );
         let measured: M = json_file::read(&path, &command)?;
         ensure!(
             measured.card() == Some(&card),

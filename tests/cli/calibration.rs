@@ -66,7 +66,7 @@ fn what_cannot_be_measured_or_found_is_refused() {
     assert_refused(&["calibration", "--weights", &without_dynamics(folder.path())], "have no dynamics net");
     assert_refused(
         &["publish-results", "--results", &path],
-        "within-0.json: write it with `pathlight evaluate --setup within --fold 0 --json`",
+        "within-0.json: write it with `pathlight evaluate --setup within --fold 0 --weights assets/within-0.safetensors --json ",
     );
     assert_refused(&["publish-results", "--assets", &path], "write it with `pathlight publish`");
     copy_assets(folder.path());

@@ -215,7 +215,9 @@ fn what_is_missing_is_named_with_what_makes_it() {
     let path = |name: &str| folder.path().join(name).display().to_string();
     let figures = |results: &str| ["figures".to_string(), "--results".to_string(), path(results)];
     let refused = |words: &str| assert_refused(&figures("").each_ref().map(String::as_str), words);
-    refused("within-0.json: write it with `pathlight evaluate --setup within --fold 0 --json`");
+    refused(
+        "within-0.json: write it with `pathlight evaluate --setup within --fold 0 --weights assets/within-0.safetensors --json ",
+    );
     fs::create_dir(folder.path().join("shipped")).expect("a folder");
     for name in ["shipped/within-0.json", "shipped/cross-0.json", "within-0.json"] {
         fs::copy(format!("results/{name}"), folder.path().join(name)).expect("a copy");
@@ -223,10 +225,14 @@ fn what_is_missing_is_named_with_what_makes_it() {
             refused("holds no results: run `pathlight reproduce` first");
         }
     }
-    refused("within-0-forecasts.json: write it with `pathlight forecasts --setup within --fold 0 --json`");
+    refused(
+        "within-0-forecasts.json: write it with `pathlight forecasts --setup within --fold 0 --weights assets/within-0.safetensors --json ",
+    );
     let without = path("no-solutions.jsonl");
     assert_refused(&["figures", "--out", &path("out"), "--solutions", &without], "no-solutions.jsonl");
     assert_refused(&["figures", "--out", &path("out"), "--assets", &path("")], "within-0.safetensors");
     fs::write(folder.path().join("shipped/within-0.json"), "{").expect("a file");
-    refused("within-0.json is damaged: write it again with `pathlight evaluate --setup within --fold 0 --json`");
+    refused(
+        "within-0.json is damaged: write it again with `pathlight evaluate --setup within --fold 0 --weights assets/within-0.safetensors --json ",
+    );
 }
