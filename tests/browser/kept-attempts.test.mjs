@@ -172,6 +172,19 @@ test('an older file takes nothing away, and a longer one replaces', async () => 
   }
 });
 
+test('a file with a longer turn of other agents takes nothing away', async () => {
+  const page = await played();
+  const model = await titles(page, 'model-attempts');
+  await page.locator('#home').click();
+  const line = (x) => ({ task: EASY, by: 'within-0', ball: [x, 240, 8], status: 'not_solved', steps: 900, longest_touch: 0, final_touch: 0, simulator: 3, agents: 1 });
+  const buffer = Buffer.from(JSON.stringify({ tasks: {}, attempts: Array.from({ length: 90 }, (_, index) => line(20 + 2 * index)) }));
+  await page.locator('#progress-file').setInputFiles({ name: 'file.json', mimeType: 'application/json', buffer });
+  await page.locator('#notice-text').filter({ hasText: 'Read back' }).waitFor();
+  await page.goto(`${session.origin}/#task=${EASY}&panel=compare`);
+  await page.locator('#model-attempts li').first().waitFor();
+  assert.deepEqual(await titles(page, 'model-attempts'), model);
+});
+
 for (const [what, content] of Object.entries({ 'no JSON': 'soup', 'another form': '[1, 2]', 'impossible attempts': JSON.stringify({ tasks: {}, attempts: [{ task: 'soup', ball: [1], status: 'solved', steps: 1 }] }) })) {
   test(`a file with ${what} is a sentence, and nothing is lost`, async () => {
     const page = await played();

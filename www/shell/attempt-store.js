@@ -8,6 +8,7 @@
 // a model, and then "agents" is the version of the agents; lengths are in px, times in steps; "simulator" is the version of the
 // simulator.
 
+import { AGENTS_VERSION, SIMULATOR_VERSION } from "./constants.js";
 import { pathlight } from "./pathlight.js";
 
 /** @typedef {import("../pkg/pathlight.js").Attempt} Attempt */
@@ -104,7 +105,8 @@ export class AttemptStore extends EventTarget {
   }
 
   /**
-   * Takes attempts that were saved: of each contender at a puzzle they replace those that are here if they are more.
+   * Takes attempts that were saved: of each contender at a puzzle they replace those that are here if they are more. First
+   * count those that are brought back.
    * @param {KeptAttempt[]} attempts
    */
   take(attempts) {
@@ -113,7 +115,9 @@ export class AttemptStore extends EventTarget {
         let taken = kept;
         for (const ofOne of Map.groupBy(saved, ({ puzzle, by }) => `${puzzle} ${by}`).values()) {
           const others = taken.filter((one) => !isOf(one, ofOne[0].puzzle, ofOne[0].by));
-          if (ofOne.length > taken.length - others.length) taken = [...others, ...ofOne];
+          const here = taken.filter((one) => !others.includes(one));
+          const [more, current] = [ofOne.length - here.length, ofOne.filter(isCurrent).length - here.filter(isCurrent).length];
+          if (current > 0 || (current === 0 && more > 0)) taken = [...others, ...ofOne];
         }
         return taken;
       });
@@ -199,6 +203,14 @@ function slotOf(puzzle) {
  */
 function isOf(attempt, puzzle, by) {
   return attempt.puzzle === puzzle && attempt.by === by;
+}
+
+/**
+ * May it be brought back? A person's attempts are made again; a model's are of no use once it plays otherwise.
+ * @param {KeptAttempt} attempt
+ */
+function isCurrent({ by, simulator, agents }) {
+  return by === "player" || (simulator === SIMULATOR_VERSION && agents === AGENTS_VERSION);
 }
 
 /**
