@@ -27,6 +27,8 @@ export class ImaginedVsReal extends Component {
    * @type {unknown}
    */
   #lastRead = null;
+  /** @type {Map<import("../pkg/pathlight.js").Contender, number>} how many attempts there were when the runs were last looked up */
+  #used = new Map();
 
   /**
    * @param {import("../shell/dom.js").Root} root
@@ -53,6 +55,7 @@ export class ImaginedVsReal extends Component {
   close() {
     super.close();
     this.#runs.clear();
+    this.#used.clear();
     this.#lastRead = null;
     this.#paint();
   }
@@ -71,7 +74,9 @@ export class ImaginedVsReal extends Component {
     for (const contender of /** @type {const} */ (["player", "model"])) {
       // The attempt may have been deleted meanwhile, or have another number now.
       const run = this.#runs.get(contender);
-      if (run?.number === undefined) continue;
+      const { used } = session.attempts.standing(contender);
+      if (run?.number === undefined || used === this.#used.get(contender)) continue;
+      this.#used.set(contender, used);
       const number = 1 + session.attempts.of(contender).findIndex(({ ball }) => String(ball) === run.placed);
       if (number === run.number) continue;
       changed = true;
