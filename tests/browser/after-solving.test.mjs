@@ -235,10 +235,12 @@ test('a sheet that comes when the next puzzle is open stays away', async () => {
   let open = () => {};
   const gate = new Promise((resolve) => (open = () => resolve(null)));
   await page.route('**/share-dialog.js', (route) => gate.then(() => route.continue()));
+  const loaded = page.waitForResponse('**/share-dialog.js').then((response) => response.finished());
   await page.locator('#solved-share').click();
   await page.locator('#next').click();
   await says(page, /place the red ball/);
   open();
+  await loaded;
   await page.waitForTimeout(500);
   assert.equal(await page.locator('#share-dialog[open]').count(), 0);
 });
@@ -248,10 +250,12 @@ test('a puzzle that stumps the model does not take the place of one that was ope
   let open = () => {};
   const gate = new Promise((resolve) => (open = () => resolve(null)));
   await page.route('**/results.json', (route) => gate.then(() => route.continue()));
+  const loaded = page.waitForResponse('**/results.json').then((response) => response.finished());
   await page.locator('#picks button').click();
   await page.evaluate((task) => (location.hash = `#task=${task}`), EASY);
   await says(page, /place the red ball/);
   open();
+  await loaded;
   await page.waitForTimeout(500);
   assert.equal(task(page), EASY);
 });

@@ -5,7 +5,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { axeFindsNothing } from './axe.mjs';
 import { start } from './harness.mjs';
-import { EASY, ball, click, dragTo, openPuzzle, picture, says, spot, watchFrames, waitForValue } from './page-actions.mjs';
+import { EASY, ball, click, dragTo, known, openPuzzle, picture, says, spot, watchFrames, waitForValue } from './page-actions.mjs';
 
 let session;
 before(async () => (session = await start()));
@@ -254,6 +254,7 @@ test('what was typed counts for a run and for the link at once', async () => {
   await page.locator('#bend-x').fill(String(bodies[body1].x + 3));
   await page.locator('#bend-watch').click();
   await says(page, /^The scene without a ball/);
+  await page.waitForFunction(() => location.hash.includes('scene='));
   await page.waitForTimeout(600);
   await says(page, /^(The scene without a ball|That was the scene)/);
   assert.equal((await linked(page)).bodies[body1].x, bodies[body1].x + 3);
@@ -280,9 +281,44 @@ test('a drag that another panel interrupts is over, and what follows is kept', a
   await waitForScene(page, (scene) => scene.bodies[body1].x === x + 7);
 });
 
+test('a drag in whose middle the scene is run is over, and what follows is kept', async () => {
+  const page = await openBend();
+  const { bodies, body1 } = await original(page);
+  const { x, y } = bodies[body1];
+  await dragTo(page, [[x, y], [x + 10, y + 20]]);
+  await page.keyboard.press('Space');
+  await page.waitForFunction(() => location.hash.includes('scene='));
+  await page.mouse.up();
+  await page.locator('#bend-x').fill(String(x + 7));
+  await page.locator('#bend-x').press('Tab');
+  await waitForScene(page, (scene) => scene.bodies[body1].x === x + 7);
+});
+
+test('what may not be played does not run, and says why; a step begins the scene that is seen', async () => {
+  const { missing } = await known();
+  const page = await openBend({ fragment: `&panel=bend&ball=${missing}` });
+  const { bodies, body1 } = await original(page);
+  await page.locator('#bend-bodies button').nth(body1).click();
+  await page.locator('#bend-fields').waitFor();
+  await page.locator('#bend-x').fill('-50');
+  await page.locator('#bend-x').press('Enter');
+  await page.locator('#bend-problems:visible').waitFor();
+  const problem = await page.locator('#bend-problems li').first().textContent();
+  await page.locator('#bend-watch').click();
+  await says(page, problem);
+  await page.locator('#bend-x').fill(String(bodies[body1].x + 2));
+  await page.locator('#bend-x').press('Enter');
+  await page.locator('#step').click();
+  await says(page, /^Your attempt/);
+  assert.equal((await linked(page)).bodies[body1].x, bodies[body1].x + 2);
+  assert.equal(await page.locator('#time').inputValue(), '1', 'at its first step');
+});
+
 test('a number that is far from any scene is not taken', async () => {
   const page = await openBend();
   await page.locator('#bend-bodies button').first().click();
+  // The fields are filled a frame later.
+  await page.locator('#bend-fields').waitFor();
   for (const name of ['x', 'y', 'angle']) {
     const before = await value(page, name);
     await page.locator(`#bend-${name}`).fill('1e308');

@@ -91,7 +91,7 @@ test('a model that is chosen while the other one is loaded ends what was asked',
   open();
   await modelLoaded(page, 'cross-0');
   await page.locator('#tab-compare').click();
-  await page.waitForTimeout(1500);
+  assert.equal(await page.locator('#pair-words').textContent(), '', 'nobody plays any longer');
   assert.equal(await page.locator('#pair-columns > div').count(), 0);
   await page.locator('#pair-model option', { hasText: 'within-0' }).waitFor({ state: 'attached' });
 });

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { after, before, test } from 'node:test';
 import { start } from './harness.mjs';
-import { click, known, openPuzzle, says, unsolvedTask } from './page-actions.mjs';
+import { click, known, openPuzzle, says, type, unsolvedTask } from './page-actions.mjs';
 
 let session;
 before(async () => (session = await start()));
@@ -88,13 +88,28 @@ test('with reduced motion only the result is shown', async () => {
 });
 
 test('what the person does meanwhile is not overridden by the result', async () => {
-  const [task] = await solvedTask((attempt) => attempt >= 4 && attempt <= 8);
-  const { missing: [x, y] } = await known(task);
-  const page = await openPuzzle(session, { task, fragment: '&panel=compare' });
+  const page = await openPuzzle(session, { task: await unsolvedTask(), fragment: '&panel=compare' });
   await turn(page).click();
   await says(page, /The model tries: attempt 2/);
-  await click(page, x, y);
+  await click(page, 128, 240);
   await turn(page).filter({ hasText: 'The model has played' }).waitFor({ timeout: 60_000 });
   await page.waitForTimeout(500);
   await says(page, /^(The ball may start here|Not here)/);
+});
+
+test('a run that begins before the model’s first attempt is there plays on', async () => {
+  const [task] = await solvedTask((attempt) => attempt >= 4 && attempt <= 8);
+  const { missing } = await known(task);
+  const page = await openPuzzle(session, { task });
+  await type(page, missing);
+  await page.locator('#tab-compare').click();
+  await page.locator('#model-turn:enabled').waitFor();
+  const words = await said(page);
+  await page.locator('#model-turn').evaluate((button) => {
+    button.click();
+    button.getRootNode().querySelector('#run').click();
+  });
+  await turn(page).filter({ hasText: 'The model has played' }).waitFor({ timeout: 60_000 });
+  await says(page, /^Your attempt/);
+  assert.ok(!(await words.jsonValue()).some((one) => one.startsWith('The model tries')), 'no miss of the model is shown');
 });

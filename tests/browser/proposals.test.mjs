@@ -166,4 +166,11 @@ test('a number past the last ball of this puzzle leaves the address', async () =
   await page.waitForFunction(() => !location.hash.includes('proposal='));
   await page.locator('#proposal-next').click();
   await page.locator('#proposal-number', { hasText: '1 of' }).waitFor();
+  // Also from the address of the open puzzle, when the list is there.
+  await page.waitForFunction(() => location.hash.includes('proposal=1'));
+  await page.evaluate(() => (location.hash = location.hash.replace(/proposal=\d+/, 'proposal=90')));
+  await page.waitForFunction(() => !location.hash.includes('proposal=90'));
+  // The address is written a moment after what it tells.
+  await page.waitForTimeout(600);
+  assert.doesNotMatch(page.url(), /proposal=/);
 });

@@ -125,8 +125,9 @@ export class Page {
     // There is nothing on the stage, and the way out of it is the puzzle's.
     if (!showsPuzzle(state) && state.view === "stage") state.view = null;
     this.#applyState(state);
-    this.#address.take(state);
-    if (ballStays) this.#address.write(state);
+    // A panel may have changed the state meanwhile.
+    this.#address.take(this.#state);
+    if (ballStays) this.#address.write(this.#state);
   }
 
   /**

@@ -65,7 +65,8 @@ export class Compare extends Component {
   setState({ panel, proposal }) {
     const arrived = panel === "compare" && this.#panel !== null && this.#panel !== "compare";
     this.#panel = panel;
-    if (!arrived || proposal || !this.session) return;
+    // The model's turn goes on.
+    if (!arrived || proposal || !this.session || this.#show) return;
     const { placing, playback } = this.session;
     if (placing || !playback.playing) this.session.compare(false);
   }

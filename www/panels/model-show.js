@@ -20,8 +20,8 @@ export class ModelShow {
   /** Are attempts recorded without being shown? */
   #skipping;
   #stopped = false;
-  /** Has the person turned to something else before the misses were shown? */
-  interrupted = false;
+  /** The session's revision after what this has shown last. */
+  #revision;
   /**
    * Wakes the show when something has come.
    * @type {() => void}
@@ -35,8 +35,14 @@ export class ModelShow {
   constructor(session, record) {
     this.#session = session;
     this.#record = record;
+    this.#revision = session.revision;
     // What is being watched is not interrupted; with reduced motion only the result is shown.
     this.#skipping = session.reducedMotion || session.playback.playing || session.shown?.preview === true;
+  }
+
+  /** Has the person placed or shown something since? Nothing is shown in its place. */
+  get interrupted() {
+    return this.#session.revision !== this.#revision;
   }
 
   /** @param {Attempt} attempt */
@@ -56,7 +62,7 @@ export class ModelShow {
   skip() {
     this.#skipping = true;
     this.#recordAll();
-    if (this.#session.ghosting) this.#session.reset();
+    this.#clear();
     this.#wake();
   }
 
@@ -64,7 +70,7 @@ export class ModelShow {
   stop() {
     this.#stopped = true;
     this.#waiting = [];
-    if (this.#session.ghosting) this.#session.reset();
+    this.#clear();
     this.#wake();
   }
 
@@ -79,16 +85,22 @@ export class ModelShow {
       const { used } = this.#session.attempts.standing("model");
       const number = this.#record(attempt);
       // A turn that was stopped goes on after what has been shown of it.
-      if (this.#skipping || attempt.ending.solved || number <= used) continue;
-      const watched = await this.#session.flash(number, duration, ghosts.slice());
+      if (this.#skipping || this.interrupted || attempt.ending.solved || number <= used) continue;
+      const flash = this.#session.flash(number, duration, ghosts.slice());
+      this.#revision = this.#session.revision;
+      const watched = await flash;
       if (this.#stopped) return;
-      // The person looks at something else meanwhile.
-      if (!watched && !this.#skipping) this.#skipping = this.interrupted = true;
       const { ghost } = this.#session;
       if (watched && ghost) ghosts.push(ghost);
-      if (this.#skipping) this.#recordAll();
     }
-    if (this.#session.ghosting) this.#session.reset();
+    this.#clear();
+  }
+
+  /** Takes the miss that is shown away. */
+  #clear() {
+    if (!this.#session.ghosting) return;
+    this.#session.reset();
+    this.#revision = this.#session.revision;
   }
 
   #recordAll() {

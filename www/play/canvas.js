@@ -90,7 +90,6 @@ export class SceneCanvas extends Component {
   /** @param {import("./session.js").Session} session */
   open(session) {
     super.open(session);
-    this.#drag = null;
     this.listen("change", () => this.draw());
     this.listen("draw", () => this.draw());
     this.draw();
@@ -98,7 +97,7 @@ export class SceneCanvas extends Component {
 
   close() {
     super.close();
-    this.#drag = null;
+    this.#endDrag(this.#pen);
   }
 
   /** @param {boolean} dark */

@@ -74,9 +74,11 @@ export class Session extends EventTarget {
   ghosts = [];
   /** Is a miss of the model's turn shown? */
   ghosting = false;
+  /** Changes whenever something else is shown or the ball is placed elsewhere. */
+  revision = 0;
   /**
-   * Makes the scene that is being bent the puzzle, and answers with its session, or with null if nothing may run; null if this
-   * is the scene that is seen.
+   * Makes the scene that is being bent the puzzle, and answers with its session, or with null if nothing may run; null if the
+   * scene that is seen is this one.
    * @type {(() => Promise<Session | null>) | null}
    */
   settle = null;
@@ -125,6 +127,7 @@ export class Session extends EventTarget {
 
   #onPlaced() {
     this.refusal = null;
+    this.revision += 1;
     if (this.placing) this.#emit("change");
     else this.reset();
   }
@@ -140,7 +143,7 @@ export class Session extends EventTarget {
     } else if (this.ball) {
       this.#attempt(this.ball);
     } else {
-      this.#refuse("Place the ball first: click or tap in the scene, or press an arrow key there.");
+      this.refuse("Place the ball first: click or tap in the scene, or press an arrow key there.");
     }
   }
 
@@ -153,7 +156,7 @@ export class Session extends EventTarget {
     } catch (caught) {
       const error = /** @type {import("../pkg/pathlight.js").CodedError} */ (caught);
       if (!REFUSALS.includes(error.code)) throw error;
-      this.#refuse(`${sentence(error.message)} That does not count as an attempt.`);
+      this.refuse(`${sentence(error.message)} That does not count as an attempt.`);
     }
   }
 
@@ -316,6 +319,7 @@ export class Session extends EventTarget {
   reset() {
     this.revealResult();
     this.puzzle.reset();
+    this.revision += 1;
     this.phase = "placing";
     this.shown = null;
     this.pair = [];
@@ -331,6 +335,10 @@ export class Session extends EventTarget {
    * @param {number} by
    */
   step(by) {
+    if (this.settle) {
+      this.settle().then((session) => session?.step(by));
+      return;
+    }
     if (this.placing) {
       this.run();
       if (this.placing) return;
@@ -413,6 +421,7 @@ export class Session extends EventTarget {
    */
   #show(phase, { shown = null, pair = [], play = true, resultHidden = false, ghosts = [], ghosting = false, duration } = {}) {
     this.revealResult();
+    this.revision += 1;
     Object.assign(this, { phase, shown, pair, resultHidden, ghosts, ghosting, approach: null, refusal: null, finished: false });
     const last = this.puzzle.steps();
     const atEnd = !play || this.#prefersReducedMotion();
@@ -433,8 +442,11 @@ export class Session extends EventTarget {
     this.#emit("draw");
   }
 
-  /** @param {string} words */
-  #refuse(words) {
+  /**
+   * Says why what was asked for does not happen; null takes that back.
+   * @param {string | null} words
+   */
+  refuse(words) {
     this.refusal = words;
     this.#emit("change");
   }

@@ -79,6 +79,7 @@ export class Bend extends Component {
     this.#live.imagines = !hide.includes("imagine");
     if (!this.session) return;
     this.session.bending = this.#visible;
+    this.#applySettle();
     if (left) this.#commit();
     if (this.#visible && !this.#draft) this.#begin(this.session);
   }
@@ -178,7 +179,16 @@ export class Bend extends Component {
     this.dispatchEvent(new Event("bend"));
     clearTimeout(this.#timer);
     if (!this.pen.dragging) this.#timer = setTimeout(() => this.#commit(), REST);
-    if (this.session) this.session.settle = this.#isPuzzle ? null : () => this.#settled();
+    if (this.session?.refusal) this.session.refuse(null);
+    this.#applySettle();
+  }
+
+  /** Tells the session what is seen in its place. What may not be played is seen on this panel alone. */
+  #applySettle() {
+    const { session } = this;
+    if (!session) return;
+    const isSeen = this.#problems.length > 0 ? this.#visible : !this.#isPuzzle;
+    session.settle = isSeen ? () => this.#settled() : null;
   }
 
   async #commit() {
@@ -215,8 +225,13 @@ export class Bend extends Component {
     return !session || !scene || this.#problems.length > 0 || JSON.stringify(scene) === JSON.stringify(sceneOf(session));
   }
 
-  /** The session of the scene as it has been bent; null if it was bent further or left meanwhile. */
+  /** The session of the scene as it has been bent; null if it may not be played, or was bent further or left meanwhile. */
   async #settled() {
+    const [problem] = this.#problems;
+    if (problem) {
+      this.session?.refuse(problem.sentence);
+      return null;
+    }
     return (await this.settle()) ? this.session : null;
   }
 
