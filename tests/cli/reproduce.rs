@@ -133,6 +133,12 @@ fn jobs_make_results_and_the_report_reads_them() {
         let row = printed.lines().find(|line| line.starts_with(&format!("| **{name}** |"))).expect("a row");
         assert!(row.contains(&format!("| {measured:.1} |")), "{row}");
     }
+    let score = |index: usize| agents[index]["auccess"].as_f64().expect("a number");
+    for (row, [one, other]) in [("dynamics – judge", [2, 3]), ("online – online, by balls", [0, 1])] {
+        let difference = score(one) - score(other);
+        let row = printed.lines().find(|line| line.starts_with(&format!("| {row} |"))).expect("a row");
+        assert!(row.contains(&format!("| {difference:.1}, {} of 1 |", usize::from(difference > 0.0))), "{row}");
+    }
     for title in ["The four nets", "The judge", "The dynamics net", "DQN"] {
         let rows = printed.split(&format!("\n### {title}\n")).nth(1).expect("a table");
         assert!(

@@ -122,7 +122,10 @@ fn weights_without_dev_tasks_learn_from_nothing_that_knows_them() {
         output_of(&[&words[..], &["--weights", weights, "--out", out]].concat());
     };
     proposed(WEIGHTS, &file("of-dev"));
-    refused(&["--weights", &four, "--labels", &file("of-dev")], "does not say that the net that proposed its balls has not learned from the fold's dev tasks");
+    refused(
+        &["--weights", &four, "--labels", &file("of-dev")],
+        "does not say that the net that proposed its balls has not learned from the fold's dev tasks",
+    );
     let honest = changed_weights(&folder.path().join("honest"), |_, card| {
         card.dynamics.as_mut().expect("a dynamics net").without_dev = true;
     });

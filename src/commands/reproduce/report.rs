@@ -35,6 +35,13 @@ pub const AGENTS: [(AgentName, &str); 7] = [
 pub const REPORTED: [(&str, [&str; 2]); 3] =
     [("DQN", ["77", "37"]), ("the paper's nets", ["62", "31"]), ("random", ["13.7", "13.0"])];
 
+/// Agents that differ in one part, which the difference of their scores measures.
+const PARTS: [(AgentName, AgentName, &str); 3] = [
+    (AgentName::Dynamics, AgentName::Judge, "it imagines what a ball leads to, and is trained further"),
+    (AgentName::Online, AgentName::Dynamics, "it is told how each attempt ended"),
+    (AgentName::Online, AgentName::OnlineByBalls, "balls are compared by imagined paths too"),
+];
+
 /// Writes the report to a folder, and returns it.
 ///
 /// # Errors
@@ -43,6 +50,7 @@ pub fn write(results: &[FoldResult], solutions: &Path, folder: &Path) -> anyhow:
     let mut text = String::new();
     head(&mut text, results)?;
     table(&mut text, results)?;
+    differences(&mut text, results)?;
     folds(&mut text, results)?;
     training_report::write(&mut text, results)?;
     data(&mut text, results, solutions)?;
@@ -100,6 +108,32 @@ fn table(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
          random by the benchmark.",
         folds.join("; ")
     )?;
+    Ok(())
+}
+
+/// What each part of the agent brings. The same fold is as hard for both agents, so that their differences vary less than
+/// their scores.
+fn differences(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
+    writeln!(
+        text,
+        "\n## What the parts bring\n\nThe difference of two agents' auccess on the same fold, mean ± standard deviation, and \
+         the folds on which it is positive.\n"
+    )?;
+    writeln!(
+        text,
+        "| difference | what the first has and the second lacks | within | cross |\n| --- | --- | ---: | ---: |"
+    )?;
+    let name = |agent| AGENTS.iter().find(|(one, _)| *one == agent).expect("it is in the table").1;
+    for (agent, without, part) in PARTS {
+        let cells = [Setup::Within, Setup::Cross].map(|setup| {
+            let score = |result: &FoldResult, agent| result.score(agent).map(|[auccess, ..]| auccess);
+            let of_fold = |result| Some(score(result, agent)? - score(result, without)?);
+            let differences: Vec<f64> = of(results, setup).filter_map(of_fold).collect();
+            let positive = differences.iter().filter(|&&difference| difference > 0.0).count();
+            format!("{}, {positive} of {}", mean_and_deviation(&differences), differences.len())
+        });
+        writeln!(text, "| {} – {} | {part} | {} | {} |", name(agent), name(without), cells[0], cells[1])?;
+    }
     Ok(())
 }
 
