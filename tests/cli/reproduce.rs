@@ -203,6 +203,31 @@ fn a_file_that_another_process_uses_is_left_alone() {
 }
 
 #[test]
+fn the_report_and_the_readme_are_those_of_the_rows() {
+    let folder = tempdir().expect("a folder");
+    for file in fs::read_dir("results").expect("results") {
+        let path = file.expect("a file").path();
+        if path.extension().is_some_and(|extension| extension == "json") {
+            fs::copy(&path, folder.path().join(path.file_name().expect("a name"))).expect("a copy");
+        }
+    }
+    let results = folder.path().display().to_string();
+    let report = output_of(&["reproduce", "--only", "report", "--results", &results]);
+    let remedy = "run `pathlight reproduce --only report`";
+    assert_eq!(fs::read_to_string("results/README.md").expect("a report"), report, "{remedy}");
+
+    let readme = fs::read_to_string("README.md").expect("the README");
+    for head in ["| agent | engine | within | cross |", "| difference | "] {
+        let table = |text: &str| {
+            let rows = text.lines().skip_while(|line| !line.starts_with(head)).take_while(|line| line.starts_with('|'));
+            rows.map(str::to_string).collect::<Vec<_>>()
+        };
+        assert_ne!(table(&report), [""; 0]);
+        assert_eq!(table(&readme), table(&report), "{remedy}, and copy its table");
+    }
+}
+
+#[test]
 fn what_is_missing_is_named() {
     let folder = tempdir().expect("a folder");
     let words = small(folder.path());
