@@ -35,8 +35,8 @@ pub const AGENTS: [(AgentName, &str); 7] = [
 pub const REPORTED: [(&str, [&str; 2]); 3] =
     [("DQN", ["77", "37"]), ("the paper's nets", ["62", "31"]), ("random", ["13.7", "13.0"])];
 
-/// Agents that differ in one part, which the difference of their scores measures.
-const PARTS: [(AgentName, AgentName, &str); 3] = [
+/// An agent, one that lacks a part of it, and the part.
+const ABLATIONS: [(AgentName, AgentName, &str); 3] = [
     (AgentName::Dynamics, AgentName::Judge, "it imagines what a ball leads to, and is trained further"),
     (AgentName::Online, AgentName::Dynamics, "it is told how each attempt ended"),
     (AgentName::Online, AgentName::OnlineByBalls, "balls are compared by imagined paths too"),
@@ -50,7 +50,7 @@ pub fn write(results: &[FoldResult], solutions: &Path, folder: &Path) -> anyhow:
     let mut text = String::new();
     head(&mut text, results)?;
     table(&mut text, results)?;
-    differences(&mut text, results)?;
+    ablations(&mut text, results)?;
     folds(&mut text, results)?;
     training_report::write(&mut text, results)?;
     data(&mut text, results, solutions)?;
@@ -111,20 +111,20 @@ fn table(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// What each part of the agent brings. The same fold is as hard for both agents, so that their differences vary less than
-/// their scores.
-fn differences(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
+/// What each part of the agent brings, by paired differences: two agents meet the same tasks in a fold, so that their
+/// difference varies less over the folds than their scores.
+fn ablations(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
     writeln!(
         text,
-        "\n## What the parts bring\n\nThe difference of two agents' auccess on the same fold, mean ± standard deviation, and \
+        "\n## Ablations\n\nThe paired difference of two agents' auccess, which is that on the same fold: mean ± standard deviation, and \
          the folds on which it is positive.\n"
     )?;
     writeln!(
         text,
-        "| difference | what the first has and the second lacks | within | cross |\n| --- | --- | ---: | ---: |"
+        "| paired difference | what the first has and the second lacks | within | cross |\n| --- | --- | ---: | ---: |"
     )?;
     let name = |agent| AGENTS.iter().find(|(one, _)| *one == agent).expect("it is in the table").1;
-    for (agent, without, part) in PARTS {
+    for (agent, without, part) in ABLATIONS {
         let cells = [Setup::Within, Setup::Cross].map(|setup| {
             let score = |result: &FoldResult, agent| result.score(agent).map(|[auccess, ..]| auccess);
             let of_fold = |result| Some(score(result, agent)? - score(result, without)?);
