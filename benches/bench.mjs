@@ -4,9 +4,9 @@
 // all of them; before, their results are compared with ours. A peer that is missing or fails is left out, and the table
 // says so; the exit code is 1 if ours fails or a peer computes something else. ROUNDS is how many turns each has.
 
-import { execFileSync } from 'node:child_process';
-import { availableParallelism, cpus, loadavg } from 'node:os';
-import { parts } from './races.mjs';
+import { execFileSync } from "node:child_process";
+import { availableParallelism, cpus, loadavg } from "node:os";
+import { parts } from "./races.mjs";
 
 const ROUNDS = Number(process.env.ROUNDS || 9);
 /** ms */
@@ -15,7 +15,7 @@ const WARM_UP = 1000;
 const wanted = process.argv.slice(2).length > 0 ? process.argv.slice(2) : Object.keys(parts);
 const unknown = wanted.filter((part) => !parts[part]);
 if (unknown.length > 0) {
-  console.error(`error: there is no part ${unknown.join(', ')}: the parts are ${Object.keys(parts).join(', ')}`);
+  console.error(`error: there is no part ${unknown.join(", ")}: the parts are ${Object.keys(parts).join(", ")}`);
   process.exit(2);
 }
 const [load] = loadavg();
@@ -25,11 +25,17 @@ for (const race of wanted.flatMap((part) => parts[part])) {
   console.error(`measuring: ${race.title}`);
   rows.push(await run(race));
 }
-const git = (...args) => execFileSync('git', args, { encoding: 'utf8' }).trim();
-const changed = git('status', '--porcelain', '--untracked-files=no') ? ', changed' : '';
-console.log(['| work | ours | peers: their time, and how many times as fast ours is |', '| --- | ---: | --- |', ...rows].join('\n'));
-console.log(`\nMedians of ${ROUNDS} rounds at commit ${git('rev-parse', '--short', 'HEAD')}${changed}, ${cpus()[0].model}, ` +
-  `${availableParallelism()} cores, load ${load.toFixed(1)} before. Parts: ${wanted.join(', ')}.`);
+const git = (...args) => execFileSync("git", args, { encoding: "utf8" }).trim();
+const changed = git("status", "--porcelain", "--untracked-files=no") ? ", changed" : "";
+console.log(
+  ["| work | ours | peers: their time, and how many times as fast ours is |", "| --- | ---: | --- |", ...rows].join(
+    "\n",
+  ),
+);
+console.log(
+  `\nMedians of ${ROUNDS} rounds at commit ${git("rev-parse", "--short", "HEAD")}${changed}, ${cpus()[0].model}, ` +
+    `${availableParallelism()} cores, load ${load.toFixed(1)} before. Parts: ${wanted.join(", ")}.`,
+);
 
 /** The row of a race. */
 async function run({ title, agree, repetitions, steps, open, contenders }) {
@@ -75,7 +81,7 @@ async function run({ title, agree, repetitions, steps, open, contenders }) {
   const [ours, ...peers] = there;
   const speed = (one) => shown(one, steps);
   const beside = peers.map((one) => `${one.name} ${speed(one)} (${ratio(one, ours, steps).toFixed(2)}x)`);
-  return `| ${title} | ${speed(ours)} | ${[...beside, ...out].join('; ')} |`;
+  return `| ${title} | ${speed(ours)} | ${[...beside, ...out].join("; ")} |`;
 }
 
 /** Wasm is recompiled while it runs, and threads have to be started. */
@@ -98,7 +104,7 @@ function ratio(one, ours, steps) {
 }
 
 function reason(error) {
-  return error.message.split('\n')[0].replaceAll('|', '/');
+  return error.message.split("\n")[0].replaceAll("|", "/");
 }
 
 function median(numbers) {

@@ -1,13 +1,16 @@
-// A contender in a process of its own: it writes its result, and then for each number of repetitions that it reads, their times.
+// A contender in a process of its own: it writes its result, and then for each number of repetitions that it reads,
+// their times.
 
-import { spawn } from 'node:child_process';
-import { once } from 'node:events';
-import { createInterface } from 'node:readline';
+import { spawn } from "node:child_process";
+import { once } from "node:events";
+import { createInterface } from "node:readline";
 
 export async function startChild(root, [program, ...args], environment = {}) {
   const env = { ...process.env, ...environment };
-  const child = spawn(program, args, { cwd: root, env, stdio: ['pipe', 'pipe', 'inherit'] });
-  const failed = once(child, 'error').then(([error]) => { throw error; });
+  const child = spawn(program, args, { cwd: root, env, stdio: ["pipe", "pipe", "inherit"] });
+  const failed = once(child, "error").then(([error]) => {
+    throw error;
+  });
   const lines = createInterface({ input: child.stdout })[Symbol.asyncIterator]();
   const answer = async () => {
     const { value, done } = await Promise.race([lines.next(), failed]);
@@ -23,7 +26,7 @@ export async function startChild(root, [program, ...args], environment = {}) {
     },
     async stop() {
       child.stdin.end();
-      if (child.exitCode === null) await once(child, 'exit');
+      if (child.exitCode === null) await once(child, "exit");
     },
   };
 }

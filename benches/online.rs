@@ -2,8 +2,8 @@
 //! similarities.
 //!
 //! Every candidate of these tasks is simulated once beforehand, so that a turn takes little time. That is for choosing
-//! constants only: an agent is told nothing but its counted attempts. Only weights that were trained without the dev tasks
-//! tell how it does on new ones: `cargo bench --features ndarray --bench online -- WEIGHTS`.
+//! constants only: an agent is told nothing but its counted attempts. Only weights that were trained without the dev
+//! tasks tell how it does on new ones: `cargo bench --features ndarray --bench online -- WEIGHTS`.
 
 use std::io::{self, Write};
 

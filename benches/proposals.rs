@@ -1,5 +1,5 @@
-//! The speed of what the page asks of the model, natively on one thread: the maps of a scene and a hundred proposed balls,
-//! and each part of them.
+//! The speed of what the page asks of the model, natively on one thread: the maps of a scene and a hundred proposed
+//! balls, and each part of them.
 //!
 //! Every time is for 50 scenes, two of each template: `cargo bench --features ndarray --bench proposals`.
 

@@ -1,28 +1,42 @@
 // What `make bench` times: the parts, their races, and the contenders of each; ours comes first.
 //
-// A contender returns `{ result, times(repetitions), stop? }`. `agree` throws if a result is not ours; a contender is timed in
-// blocks of `repetitions`. With `steps` the row shows simulated steps per second.
+// A contender returns `{ result, times(repetitions), stop? }`. `agree` throws if a result is not ours; a contender is
+// timed in blocks of `repetitions`. With `steps` the row shows simulated steps per second.
 
-import { readFileSync } from 'node:fs';
-import { dirname, join } from 'node:path';
-import { fileURLToPath } from 'node:url';
-import { startChild } from './child.mjs';
-import { TASK } from './nets/web/task.mjs';
-import { contender } from './web/contender.mjs';
+import { readFileSync } from "node:fs";
+import { dirname, join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { startChild } from "./child.mjs";
+import { TASK } from "./nets/web/task.mjs";
+import { contender } from "./web/contender.mjs";
 
-const root = join(dirname(fileURLToPath(import.meta.url)), '..');
-const WEIGHTS = 'assets/within-0.safetensors';
-const onnx = (what) => [`target/bench/${what}.onnx`, 'target/bench/scene.f32'];
-const ROLLOUTS = 'target/bench/rollouts.txt';
+const root = join(dirname(fileURLToPath(import.meta.url)), "..");
+const WEIGHTS = "assets/within-0.safetensors";
+const onnx = (what) => [`target/bench/${what}.onnx`, "target/bench/scene.f32"];
+const ROLLOUTS = "target/bench/rollouts.txt";
 
 // Built with the features of the tests, so that nothing is built twice.
-const ours = (bench, ...args) => ['cargo', 'bench', '--quiet', '--features', 'ndarray', '--bench', bench, '--', ...args];
-const python = (script, ...args) => ['target/bench/venv/bin/python', `benches/nets/${script}`, ...args];
-const torch = (...args) => python('torch_step.py', WEIGHTS, 'target/bench/batch.f32', '2', ...args);
-const child = (command, threads = 1) => () => startChild(root, command, { RAYON_NUM_THREADS: threads });
-const inNode = (module, what) => () => contender([module, what], (path) => new Uint8Array(readFileSync(join(root, path))));
+const ours = (bench, ...args) => [
+  "cargo",
+  "bench",
+  "--quiet",
+  "--features",
+  "ndarray",
+  "--bench",
+  bench,
+  "--",
+  ...args,
+];
+const python = (script, ...args) => ["target/bench/venv/bin/python", `benches/nets/${script}`, ...args];
+const torch = (...args) => python("torch_step.py", WEIGHTS, "target/bench/batch.f32", "2", ...args);
+const child =
+  (command, threads = 1) =>
+  () =>
+    startChild(root, command, { RAYON_NUM_THREADS: threads });
+const inNode = (module, what) => () =>
+  contender([module, what], (path) => new Uint8Array(readFileSync(join(root, path))));
 const inPage = (module, what) => (page) => page.contender([module, what]);
-const openPage = async () => (await import('./web/page.mjs')).openPage(root);
+const openPage = async () => (await import("./web/page.mjs")).openPage(root);
 
 /** Numbers that differ by at most `tolerance`. */
 const within = (tolerance) => (these, those) => {
@@ -32,16 +46,20 @@ const within = (tolerance) => (these, those) => {
 };
 
 /**
- * Rollouts `[solved, steps, x, y, x, y…]` of which every one ends as ours does. A collision multiplies a difference in the
- * last bit, so not every body has to come to rest at the same place.
+ * Rollouts `[solved, steps, x, y, x, y…]` of which every one ends as ours does. A collision multiplies a difference in
+ * the last bit, so not every body has to come to rest at the same place.
  */
 const sameRollouts = (these, those) => {
   if (these.length !== those.length) throw new Error(`it has ${these.length} rollouts, and ours ${those.length}`);
   const different = these.filter(([solved], index) => solved !== those[index][0]).length;
-  const near = these.flatMap((end, index) => end.slice(2).map((at, coordinate) => Math.abs(at - those[index][coordinate + 2]) < 1));
+  const near = these.flatMap((end, index) =>
+    end.slice(2).map((at, coordinate) => Math.abs(at - those[index][coordinate + 2]) < 1),
+  );
   const share = near.filter(Boolean).length / near.length;
   if (different > 0 || !(share >= 0.95)) {
-    throw new Error(`${different} rollouts end otherwise, and ${(100 * share).toFixed(1)} % of the positions are within 1 px of ours`);
+    throw new Error(
+      `${different} rollouts end otherwise, and ${(100 * share).toFixed(1)} % of the positions are within 1 px of ours`,
+    );
   }
 };
 const steps = (result) => result.reduce((sum, [, number]) => sum + number, 0);
@@ -53,64 +71,82 @@ const fourMaps = (these, those) => nets.agree(...[these, those].map((maps) => ma
 /** Logits are larger than the values of maps. */
 const allNets = { agree: within(1e-3), repetitions: 10 };
 const web = (where, what) => [
-  ['ours', where('nets/web/ours.mjs', what)],
-  ['onnxruntime-web', where('nets/web/onnxruntime-web.mjs', what)],
-  ['tract', where('nets/web/tract.mjs', what)],
+  ["ours", where("nets/web/ours.mjs", what)],
+  ["onnxruntime-web", where("nets/web/onnxruntime-web.mjs", what)],
+  ["tract", where("nets/web/tract.mjs", what)],
 ];
 const native = (what, bench) => [
-  ['ours', child(ours('nets', bench, TASK))],
-  ['onnxruntime', child(python('onnxruntime_forward.py', ...onnx(what)))],
-  ['tract', child(['target/bench/tract/release/tract-nets', ...onnx(what)])],
+  ["ours", child(ours("nets", bench, TASK))],
+  ["onnxruntime", child(python("onnxruntime_forward.py", ...onnx(what)))],
+  ["tract", child(["target/bench/tract/release/tract-nets", ...onnx(what)])],
 ];
 
 // Ours also finds out which balls fit; the peers run the nets alone.
-const FIVE_MAPS = 'five maps of a scene';
+const FIVE_MAPS = "five maps of a scene";
 
 export const parts = {
   simulator: [
     {
-      title: 'steps of 500 rollouts, native, one core', ...simulator, steps,
+      title: "steps of 500 rollouts, native, one core",
+      ...simulator,
+      steps,
       contenders: [
-        ['ours', child(ours('simulator', 'rollouts'))],
-        ['Box2D 2.3 (-O2)', child(['target/bench/box2d', 'rollouts', ROLLOUTS])],
-        ['Box2D 2.3 (-O3 -flto, without its timers)', child(['target/bench/box2d-fastest', 'rollouts', ROLLOUTS])],
+        ["ours", child(ours("simulator", "rollouts"))],
+        ["Box2D 2.3 (-O2)", child(["target/bench/box2d", "rollouts", ROLLOUTS])],
+        ["Box2D 2.3 (-O3 -flto, without its timers)", child(["target/bench/box2d-fastest", "rollouts", ROLLOUTS])],
       ],
     },
     {
-      title: 'worlds of these rollouts, native', ...simulator,
+      title: "worlds of these rollouts, native",
+      ...simulator,
       contenders: [
-        ['ours', child(ours('simulator', 'worlds'))],
-        ['Box2D 2.3 (-O2)', child(['target/bench/box2d', 'worlds', ROLLOUTS])],
+        ["ours", child(ours("simulator", "worlds"))],
+        ["Box2D 2.3 (-O2)", child(["target/bench/box2d", "worlds", ROLLOUTS])],
       ],
     },
     {
-      title: 'steps of these rollouts, wasm in Node', ...simulator, steps,
+      title: "steps of these rollouts, wasm in Node",
+      ...simulator,
+      steps,
       contenders: [
-        ['ours', inNode('simulator/web/ours.mjs')],
-        ['Box2D 2.4 by box2d-wasm', inNode('simulator/web/box2d.mjs')],
-        ['ours natively', child(ours('simulator', 'rollouts'))],
+        ["ours", inNode("simulator/web/ours.mjs")],
+        ["Box2D 2.4 by box2d-wasm", inNode("simulator/web/box2d.mjs")],
+        ["ours natively", child(ours("simulator", "rollouts"))],
       ],
     },
   ],
   nets: [
-    { title: 'four nets of a scene, wasm in Node', ...nets, contenders: web(inNode, 'nets') },
-    { title: 'four nets of a scene, wasm in Chromium', ...nets, open: openPage, contenders: web(inPage, 'nets') },
-    { title: 'four nets of a scene, native, one thread', ...nets, contenders: native('nets', 'forward') },
-    { title: `${FIVE_MAPS}, wasm in Node`, ...allNets, agree: fourMaps, contenders: web(inNode, 'all-nets') },
-    { title: `${FIVE_MAPS}, wasm in Chromium`, ...allNets, agree: fourMaps, open: openPage, contenders: web(inPage, 'all-nets') },
-    { title: `${FIVE_MAPS}, native, one thread`, ...allNets, contenders: native('all-nets', 'maps') },
+    { title: "four nets of a scene, wasm in Node", ...nets, contenders: web(inNode, "nets") },
+    { title: "four nets of a scene, wasm in Chromium", ...nets, open: openPage, contenders: web(inPage, "nets") },
+    { title: "four nets of a scene, native, one thread", ...nets, contenders: native("nets", "forward") },
+    { title: `${FIVE_MAPS}, wasm in Node`, ...allNets, agree: fourMaps, contenders: web(inNode, "all-nets") },
     {
-      title: 'a hundred proposed balls, wasm in Node', agree: within(1e-9), repetitions: 5,
-      contenders: [['ours', inNode('nets/web/ours.mjs', 'propose')], ['ours natively', child(ours('nets', 'propose', TASK))]],
+      title: `${FIVE_MAPS}, wasm in Chromium`,
+      ...allNets,
+      agree: fourMaps,
+      open: openPage,
+      contenders: web(inPage, "all-nets"),
+    },
+    { title: `${FIVE_MAPS}, native, one thread`, ...allNets, contenders: native("all-nets", "maps") },
+    {
+      title: "a hundred proposed balls, wasm in Node",
+      agree: within(1e-9),
+      repetitions: 5,
+      contenders: [
+        ["ours", inNode("nets/web/ours.mjs", "propose")],
+        ["ours natively", child(ours("nets", "propose", TASK))],
+      ],
     },
   ],
   training: [
     {
-      title: 'training step on 32 samples, native, two threads', agree: within(1e-3), repetitions: 2,
+      title: "training step on 32 samples, native, two threads",
+      agree: within(1e-3),
+      repetitions: 2,
       contenders: [
-        ['ours', child(ours('nets', 'train'), 2)],
-        ['PyTorch', child(torch(), 2)],
-        ['PyTorch with fused Adam', child(torch('fused'), 2)],
+        ["ours", child(ours("nets", "train"), 2)],
+        ["PyTorch", child(torch(), 2)],
+        ["PyTorch with fused Adam", child(torch("fused"), 2)],
       ],
     },
   ],

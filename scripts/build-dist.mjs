@@ -1,12 +1,13 @@
-// Builds dist/, a folder for any static host: node scripts/build-dist.mjs (needs www/pkg; `make dist` builds that first).
+// Builds dist/, a folder for any static host: node scripts/build-dist.mjs (needs www/pkg; `make dist` builds that
+// first).
 //
-//   index.html  manifest.webmanifest  icon.svg  icons/  service-worker.js    their addresses stay, their contents change
-//   VERSION/    the bundled code, the wasm and the list of models; VERSION is a hash of the whole page, so that a page that
-//               is open while another version is uploaded never gets a file of that one
-//   assets/     weights, named by their own hash: most versions share them
+//   index.html  manifest.webmanifest  icon.svg  icons/  service-worker.js    their addresses stay, their contents
+// change VERSION/    the bundled code, the wasm and the list of models; VERSION is a hash of the whole page, so that a
+// page that is open while another version is uploaded never gets a file of that one assets/     weights, named by their
+// own hash: most versions share them
 //
-// All addresses are relative. Beside every file that compresses well are FILE.br and FILE.gz, for hosts that send those.
-// The same sources give the same bytes.
+// All addresses are relative. Beside every file that compresses well are FILE.br and FILE.gz, for hosts that send
+// those. The same sources give the same bytes.
 
 import { createHash } from "node:crypto";
 import { existsSync } from "node:fs";
@@ -25,7 +26,18 @@ const UNVERSIONED = /^(manifest\.webmanifest|icon\.svg|icons\/.*\.png)$/;
 const LAZY_ASSETS = ["results.json", "attempts.jsonl"];
 const VERSIONED = /\.(js|css|wasm|txt)$/;
 /** Pictures do not become smaller. */
-const COMPRESSIBLE = new Set([".html", ".css", ".js", ".json", ".jsonl", ".svg", ".txt", ".wasm", ".webmanifest", ".safetensors"]);
+const COMPRESSIBLE = new Set([
+  ".html",
+  ".css",
+  ".js",
+  ".json",
+  ".jsonl",
+  ".svg",
+  ".txt",
+  ".wasm",
+  ".webmanifest",
+  ".safetensors",
+]);
 /** Stands for the version until it is known. */
 const PLACEHOLDER = "VERSION";
 
@@ -36,7 +48,12 @@ const PLACEHOLDER = "VERSION";
  * @param {{ page?: string, assets?: string, out?: string, quality?: number }} [options] folders of the page, of the
  *     weights and of the result, whose contents are replaced; brotli's quality, 0 to compress nothing
  */
-export async function buildDist({ page = SOURCES, assets = join(ROOT, "assets"), out = join(ROOT, "dist"), quality = constants.BROTLI_MAX_QUALITY } = {}) {
+export async function buildDist({
+  page = SOURCES,
+  assets = join(ROOT, "assets"),
+  out = join(ROOT, "dist"),
+  quality = constants.BROTLI_MAX_QUALITY,
+} = {}) {
   if (existsSync(out) && !existsSync(join(out, "service-worker.js")) && (await readdir(out)).length > 0) {
     throw new Error(`${out} holds files that are not a built page: empty it, or name another folder`);
   }
@@ -64,15 +81,22 @@ async function distFiles(page, assets) {
   const sources = await bundledPage(page);
   const { list, weights } = await modelFiles(assets);
   const unversioned = pick(sources, (path) => UNVERSIONED.test(path));
-  const versioned = pick(sources, (path) => VERSIONED.test(path) && path !== SERVICE_WORKER).set("assets/model.json", list);
-  for (const path of LAZY_ASSETS.filter((one) => existsSync(join(assets, one)))) versioned.set(`assets/${path}`, await readFile(join(assets, path)));
+  const versioned = pick(sources, (path) => VERSIONED.test(path) && path !== SERVICE_WORKER).set(
+    "assets/model.json",
+    list,
+  );
+  for (const path of LAZY_ASSETS.filter((one) => existsSync(join(assets, one))))
+    versioned.set(`assets/${path}`, await readFile(join(assets, path)));
   const index = indexOf(contentOf(sources, "index.html").toString(), versioned);
   const worker = contentOf(sources, SERVICE_WORKER).toString();
 
   const everything = [...versioned, ...unversioned, ...weights, ["index.html", index], [SERVICE_WORKER, worker]];
   const version = hash(everything.map(([path, content]) => `${path} ${hash(content)}\n`).join(""));
   /** @type {Files} */
-  const files = new Map([...unversioned, ["index.html", Buffer.from(index.replaceAll(`${PLACEHOLDER}/`, `${version}/`))]]);
+  const files = new Map([
+    ...unversioned,
+    ["index.html", Buffer.from(index.replaceAll(`${PLACEHOLDER}/`, `${version}/`))],
+  ]);
   for (const [path, content] of versioned) files.set(`${version}/${path}`, content);
   for (const [path, content] of weights) files.set(path, content);
   files.set("service-worker.js", Buffer.from(workerOf(worker, version, files)));
@@ -90,7 +114,10 @@ async function modelFiles(assets) {
   for (const model of models) {
     const content = await readFile(join(assets, model.file));
     const sha256 = createHash("sha256").update(content).digest("hex");
-    if (sha256 !== model.sha256) throw new Error(`${join(assets, model.file)} is not the file that model.json names: write both again by \`pathlight publish\``);
+    if (sha256 !== model.sha256)
+      throw new Error(
+        `${join(assets, model.file)} is not the file that model.json names: write both again by \`pathlight publish\``,
+      );
     const path = `assets/${model.name}-${hash(content)}${extname(model.file)}`;
     weights.set(path, content);
     // The list stands in VERSION/assets.
@@ -105,8 +132,13 @@ async function modelFiles(assets) {
  * @param {Files} versioned
  */
 function indexOf(html, versioned) {
-  const addressed = html.replace(/\b(href|src)="([^"#]+)/g, (all, name, path) => (versioned.has(path) ? `${name}="${PLACEHOLDER}/${path}` : all));
-  return addressed.replace("</head>", `<script type="module" src="${PLACEHOLDER}/offline/updates.js" fetchpriority="low"></script>\n</head>`);
+  const addressed = html.replace(/\b(href|src)="([^"#]+)/g, (all, name, path) =>
+    versioned.has(path) ? `${name}="${PLACEHOLDER}/${path}` : all,
+  );
+  return addressed.replace(
+    "</head>",
+    `<script type="module" src="${PLACEHOLDER}/offline/updates.js" fetchpriority="low"></script>\n</head>`,
+  );
 }
 
 /**
@@ -116,9 +148,13 @@ function indexOf(html, versioned) {
  * @param {Files} files
  */
 function workerOf(source, version, files) {
-  const kept = [...files].map(([path, content]) => [path === "index.html" ? "./" : path, `sha256-${createHash("sha256").update(content).digest("base64")}`]);
+  const kept = [...files].map(([path, content]) => [
+    path === "index.html" ? "./" : path,
+    `sha256-${createHash("sha256").update(content).digest("base64")}`,
+  ]);
   const line = /^const PRECACHE = .*$/m;
-  if (!line.test(source)) throw new Error(`${SERVICE_WORKER} has no line for the list of files, \`const PRECACHE = …\``);
+  if (!line.test(source))
+    throw new Error(`${SERVICE_WORKER} has no line for the list of files, \`const PRECACHE = …\``);
   return source.replace(line, () => `const PRECACHE = ${JSON.stringify({ version, files: kept.sort() })};`);
 }
 
@@ -152,7 +188,10 @@ function hash(content) {
  */
 async function compressed(content, quality) {
   const params = { [constants.BROTLI_PARAM_QUALITY]: quality, [constants.BROTLI_PARAM_SIZE_HINT]: content.length };
-  const [br, gz] = await Promise.all([promisify(brotliCompress)(content, { params }), promisify(gzip)(content, { level: constants.Z_BEST_COMPRESSION })]);
+  const [br, gz] = await Promise.all([
+    promisify(brotliCompress)(content, { params }),
+    promisify(gzip)(content, { level: constants.Z_BEST_COMPRESSION }),
+  ]);
   return { br, gz };
 }
 
@@ -163,11 +202,13 @@ async function compressed(content, quality) {
  */
 async function printSizes(out, files) {
   /** @type {(path: string) => string} */
-  const partOf = (path) => (path.endsWith(".wasm") ? "wasm" : path.endsWith(".safetensors") ? `weights ${posix.basename(path)}` : "page");
+  const partOf = (path) =>
+    path.endsWith(".wasm") ? "wasm" : path.endsWith(".safetensors") ? `weights ${posix.basename(path)}` : "page";
   /** @type {Map<string, { files: number, raw: number, gz: number, br: number }>} */
   const parts = new Map();
   for (const [path, content] of files) {
-    const sizeOf = async (/** @type {string} */ suffix) => (COMPRESSIBLE.has(extname(path)) ? (await readFile(join(out, path + suffix))).length : content.length);
+    const sizeOf = async (/** @type {string} */ suffix) =>
+      COMPRESSIBLE.has(extname(path)) ? (await readFile(join(out, path + suffix))).length : content.length;
     const [gz, br] = [await sizeOf(".gz"), await sizeOf(".br")];
     for (const part of [partOf(path), "all"]) {
       const sum = parts.get(part) ?? { files: 0, raw: 0, gz: 0, br: 0 };

@@ -1,8 +1,8 @@
 // Bundles the page: node scripts/bundle-page.mjs writes target/page, which `make play` serves (needs www/pkg).
 //
-// A browser spends some 8 ms on every file that it asks for, so that fifty modules would hold up the first puzzle for longer
-// than all the rest. The bundle of an entry takes the entry's own place, and the addresses in it, which are relative to a
-// folder beside that of the module ("../pkg/…"), lead where they led before. The sources work without it.
+// A browser spends some 8 ms on every file that it asks for, so that fifty modules would hold up the first puzzle for
+// longer than all the rest. The bundle of an entry takes the entry's own place, and the addresses in it, which are
+// relative to a folder beside that of the module ("../pkg/…"), lead where they led before. The sources work without it.
 
 import { existsSync } from "node:fs";
 import { mkdir, readFile, readdir, rm, writeFile } from "node:fs/promises";
@@ -33,10 +33,14 @@ export async function bundledPage(page) {
   const missing = ["pkg/pathlight.js", "pkg/pathlight_bg.wasm"].find((path) => !existsSync(join(page, path)));
   if (missing) throw new Error(`${join(page, missing)} is missing: scripts/build-wasm builds it`);
   const entries = await readdir(page, { recursive: true, withFileTypes: true });
-  const paths = entries.filter((entry) => entry.isFile()).map((entry) => pathIn(page, join(entry.parentPath, entry.name)));
+  const paths = entries
+    .filter((entry) => entry.isFile())
+    .map((entry) => pathIn(page, join(entry.parentPath, entry.name)));
   const kept = paths.filter((path) => OFFLINE.test(path) || path === LAZY || !MODULE.test(path));
   const read = kept.map(async (path) => /** @type {const} */ ([path, await readFile(join(page, path))]));
-  return new Map([...(await Promise.all(read)), ...(await bundles(page))].sort(([one], [other]) => (one < other ? -1 : 1)));
+  return new Map(
+    [...(await Promise.all(read)), ...(await bundles(page))].sort(([one], [other]) => (one < other ? -1 : 1)),
+  );
 }
 
 /**

@@ -1,5 +1,5 @@
-// What ESLint holds the page, its tests and the benches' pages to: its recommended rules, and what else has found defects.
-// It stands beside the packages that it imports; `scripts/lint-js` names it.
+// What ESLint holds the page, its tests and the benches' pages to: its recommended rules, and what else has found
+// defects. It stands beside the packages that it imports; `scripts/lint-js` names it.
 
 import js from "@eslint/js";
 import globals from "globals";

@@ -1,5 +1,5 @@
-// Prints the licences of all that the page and the npm package are made of: node scripts/licences.mjs. scripts/build-wasm keeps
-// them in www/pkg/licences.txt, to which the sheet “About Pathlight” leads.
+// Prints the licences of all that the page and the npm package are made of: node scripts/licences.mjs.
+// scripts/build-wasm keeps them in www/pkg/licences.txt, to which the sheet “About Pathlight” leads.
 //
 // The crates are those that cargo links into the wasm. Texts that several have in common are printed once.
 
@@ -19,20 +19,42 @@ const cargo = (words) => execFileSync("cargo", words, { cwd: ROOT, encoding: "ut
 
 /** @returns {Part[]} */
 function crates() {
-  const tree = cargo(["tree", "--locked", "--package", "pathlight", "--target", "wasm32-unknown-unknown", "--edges", "normal,no-proc-macro", "--prefix", "none", "--format", "{p}"]);
+  const tree = cargo([
+    "tree",
+    "--locked",
+    "--package",
+    "pathlight",
+    "--target",
+    "wasm32-unknown-unknown",
+    "--edges",
+    "normal,no-proc-macro",
+    "--prefix",
+    "none",
+    "--format",
+    "{p}",
+  ]);
   // “name vVERSION”, with a mark where it is named again
   const linked = new Set(tree.split("\n").map((line) => line.split(" ").slice(0, 2).join(" ")));
-  const { packages } = JSON.parse(cargo(["metadata", "--locked", "--format-version", "1", "--filter-platform", "wasm32-unknown-unknown"]));
+  const { packages } = JSON.parse(
+    cargo(["metadata", "--locked", "--format-version", "1", "--filter-platform", "wasm32-unknown-unknown"]),
+  );
   const used = packages.filter(({ name, version, source }) => source && linked.has(`${name} v${version}`));
-  return used.map(({ name, version, license, manifest_path }) => ({ name, version, licence: license, texts: textsIn(dirname(manifest_path), license) }));
+  return used.map(({ name, version, license, manifest_path }) => ({
+    name,
+    version,
+    licence: license,
+    texts: textsIn(dirname(manifest_path), license),
+  }));
 }
 
 /** @returns {Part[]} */
 function npmPackages() {
-  return NPM.map((name) => join(ROOT, "scripts/node_modules", name)).filter((folder) => existsSync(folder)).map((folder) => {
-    const { name, version, license } = JSON.parse(readFileSync(join(folder, "package.json"), "utf8"));
-    return { name, version, licence: license, texts: textsIn(folder, license) };
-  });
+  return NPM.map((name) => join(ROOT, "scripts/node_modules", name))
+    .filter((folder) => existsSync(folder))
+    .map((folder) => {
+      const { name, version, license } = JSON.parse(readFileSync(join(folder, "package.json"), "utf8"));
+      return { name, version, licence: license, texts: textsIn(folder, license) };
+    });
 }
 
 /**
@@ -41,9 +63,14 @@ function npmPackages() {
  * @param {string} licence
  */
 function textsIn(folder, licence) {
-  const files = readdirSync(folder, { withFileTypes: true }).filter((entry) => entry.isFile() && /^(licen[cs]e|copying|notice|copyright)/i.test(entry.name)).map(({ name }) => name).sort();
+  const files = readdirSync(folder, { withFileTypes: true })
+    .filter((entry) => entry.isFile() && /^(licen[cs]e|copying|notice|copyright)/i.test(entry.name))
+    .map(({ name }) => name)
+    .sort();
   const chosen = / OR |\//.test(licence) ? files.filter((name) => /mit/i.test(name)) : [];
-  return (chosen.length > 0 ? chosen : files).map((name) => readFileSync(join(folder, name), "utf8").replaceAll("\r\n", "\n").trim());
+  return (chosen.length > 0 ? chosen : files).map((name) =>
+    readFileSync(join(folder, name), "utf8").replaceAll("\r\n", "\n").trim(),
+  );
 }
 
 const parts = [...crates(), ...npmPackages()].sort((one, other) => (one.name < other.name ? -1 : 1));

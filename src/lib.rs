@@ -20,14 +20,14 @@
 //!
 //! | module | holds |
 //! | --- | --- |
-//! | `puzzle` | plain data: scenes, the action ball and when it is valid, rollouts, the 25 templates and their 2,500 tasks |
+//! | `puzzle` | plain data: scenes, the action ball and when it is valid, rollouts, the 25 templates and their tasks |
 //! | `colour` | the colours of roles and maps |
 //! | `raster` | scenes and rollouts as 64 x 64 images |
 //! | `simulator` | computes the rollout of a scene and a ball: a port of Box2D 2.3's step on rapier2d's geometry |
 //! | `benchmark` | PHYRE's folds and its metric, auccess |
 //! | `dataset` | what nets learn from: solutions, labelled balls, samples |
 //! | `nets` | the four nets that imagine paths, the judge, the dynamics net, DQN, their weights and their training |
-//! | `agents` | who proposes balls: from imagined paths, learning from its attempts; from the judge, from DQN, from the placement map, at random |
+//! | `agents` | who proposes balls: from imagined paths, from maps, at random |
 //! | `play` | one session on one puzzle, an agent's turn, the map of all solutions, soft IoU |
 //! | `web` | the wasm exports; wasm32 only |
 

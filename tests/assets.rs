@@ -1,5 +1,5 @@
-//! The shipped models are complete: assets/model.json lists every weights file with its size and hash, the nets load it, and it
-//! is rounded.
+//! The shipped models are complete: assets/model.json lists every weights file with its size and hash, the nets load
+//! it, and it is rounded.
 #![cfg(not(target_arch = "wasm32"))]
 
 use std::fs;

@@ -1,5 +1,5 @@
-//! The crates that are compiled, as `deny.toml` allows them: licences, sources, none that is banned, and in the page one version
-//! of each. cargo-deny reads the same file; it takes longer to compile than all else that only tests need.
+//! The crates that are compiled, as `deny.toml` allows them: licences, sources, none that is banned, and in the page
+//! one version of each. cargo-deny reads the same file; it takes longer to compile than all else that only tests need.
 #![cfg(not(target_arch = "wasm32"))]
 
 use std::collections::{BTreeMap, BTreeSet};

@@ -1,7 +1,7 @@
 //! What comes from outside, whatever it is: no panic, no hang, no more memory than stated, and a refusal says why.
 //!
-//! Each door of `fuzz/` gets its corpus and mutations of it, for some seconds; PATHLIGHT_FUZZ_SECONDS sets how many a door.
-//! `fuzz/run` looks further, led by coverage.
+//! Each door of `fuzz/` gets its corpus and mutations of it, for some seconds; PATHLIGHT_FUZZ_SECONDS sets how many a
+//! door. `fuzz/run` looks further, led by coverage.
 #![cfg(not(target_arch = "wasm32"))]
 
 use std::path::Path;

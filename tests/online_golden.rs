@@ -1,4 +1,5 @@
-//! The online agent tries the same balls in the same order, with the same probabilities bit for bit, natively and in wasm.
+//! The online agent tries the same balls in the same order, with the same probabilities bit for bit, natively and in
+//! wasm.
 //!
 //! Made-up candidates, and attempts that all fail in made-up ways. When its order is meant to change, raise
 //! `agents::VERSION` and put the digest that the test prints into it.

@@ -1,9 +1,9 @@
-//! Random scenes within the limits round-trip through JSON and never break the simulator: no panic, no pose that is not a number,
-//! and no more steps than there are. The walls, 5 px thick as in PHYRE, do not hold a light body that is squeezed under a heavy
-//! or between static ones; such scenes are rare, and counted.
+//! Random scenes within the limits round-trip through JSON and never break the simulator: no panic, no pose that is not
+//! a number, and no more steps than there are. The walls, 5 px thick as in PHYRE, do not hold a light body that is
+//! squeezed under a heavy or between static ones; such scenes are rare, and counted.
 //!
-//! `PATHLIGHT_SCENES=1000000 cargo test --release --test own_scenes -- --nocapture` tries more of them, and says how far it is;
-//! `PATHLIGHT_FIRST_SCENE` goes on from there. The slower rapier gets a fiftieth.
+//! `PATHLIGHT_SCENES=1000000 cargo test --release --test own_scenes -- --nocapture` tries more of them, and says how
+//! far it is; `PATHLIGHT_FIRST_SCENE` goes on from there. The slower rapier gets a fiftieth.
 #![cfg(not(target_arch = "wasm32"))]
 
 use std::f64::consts::TAU;
@@ -19,7 +19,8 @@ use rand::{Rng, RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use rayon::prelude::*;
 
-/// Where a dynamic body may be, px: the walls are at 0 and 256, and a body that is pressed into one is pushed out again.
+/// Where a dynamic body may be, px: the walls are at 0 and 256, and a body that is pressed into one is pushed out
+/// again.
 const INSIDE: RangeInclusive<f32> = -32.0..=288.0;
 
 /// Of so many scenes at most one lets a body out; of a million, seven did.
@@ -94,7 +95,8 @@ fn random_scenes_come_back_from_json_and_never_break_the_simulator() {
     );
 }
 
-/// One of 100,000 random scenes had such a wedge: without a limit the impulses on the ball grow by a tenth in each step.
+/// One of 100,000 random scenes had such a wedge: without a limit the impulses on the ball grow by a tenth in each
+/// step.
 #[test]
 fn a_ball_that_is_wedged_between_static_bodies_stays_a_ball() {
     let body = |dimensions, x, y, angle, dynamic| OwnBody { dimensions, x, y, angle, dynamic };

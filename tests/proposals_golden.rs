@@ -1,10 +1,10 @@
 //! The shipped models propose the same balls as before, natively and in wasm, on a hundred tasks.
 //!
 //! One digest for each template, over the proposals for four of its tasks: two by each shipped model, ordered by what
-//! its dynamics net imagines and from its placement map. The same file runs under `cargo test` and `wasm-pack test --node`, against the same
-//! digests: the layers of the nets round alike on both.
-//! When proposals are meant to change, raise `agents::VERSION` and run `UPDATE_GOLDEN=1 cargo test --release --test proposals_golden`;
-//! when other weights are published, run this alone.
+//! its dynamics net imagines and from its placement map. The same file runs under `cargo test` and `wasm-pack test
+//! --node`, against the same digests: the layers of the nets round alike on both. When proposals are meant to change,
+//! raise `agents::VERSION` and run `UPDATE_GOLDEN=1 cargo test --release --test proposals_golden`; when other weights
+//! are published, run this alone.
 
 use md5::{Digest, Md5};
 use pathlight::agents::{self, Origin};

@@ -1,4 +1,5 @@
-//! rapier's own pipeline as the second engine: the same scene, gravity, friction and success rule, computed the same on every thread.
+//! rapier's own pipeline as the second engine: the same scene, gravity, friction and success rule, computed the same on
+//! every thread.
 #![cfg(not(target_arch = "wasm32"))]
 
 use std::f64::consts::TAU;

@@ -1,8 +1,9 @@
 //! Rollouts are bit-identical to those of the present version of each engine, natively and in wasm.
 //!
-//! One digest for each template, over three of its tasks, each without a ball and with two: 225 rollouts; one of its tasks for rapier's
-//! own pipeline, natively only. The same file runs under `cargo test` and `wasm-pack test --node`, against the same digests. To
-//! change the simulation on purpose, raise the version and run `UPDATE_GOLDEN=1 cargo test --release --test simulator_golden`.
+//! One digest for each template, over three of its tasks, each without a ball and with two: 225 rollouts; one of its
+//! tasks for rapier's own pipeline, natively only. The same file runs under `cargo test` and `wasm-pack test --node`,
+//! against the same digests. To change the simulation on purpose, raise the version and run `UPDATE_GOLDEN=1 cargo test
+//! --release --test simulator_golden`.
 
 use md5::{Digest, Md5};
 use pathlight::dataset::sampling::random_ball;

@@ -1,4 +1,5 @@
-//! The rollouts that all contenders of the simulator's bench run: 20 tasks of each template, all with a random valid ball.
+//! The rollouts that all contenders of the simulator's bench run: 20 tasks of each template, all with a random valid
+//! ball.
 
 use pathlight::dataset::sampling::random_ball;
 use pathlight::puzzle::action::Ball;

@@ -1,8 +1,8 @@
-//! The doors: one function for each kind of input from outside, from its bytes to what becomes of them. None may panic, hang, or
-//! refuse without a word, whatever the bytes are.
+//! The doors: one function for each kind of input from outside, from its bytes to what becomes of them. None may panic,
+//! hang, or refuse without a word, whatever the bytes are.
 //!
-//! `targets/` feeds them with libFuzzer, `tests/doors.rs` with the corpus and mutations of it. The parsers of the command
-//! line are modules of the binary, so they are included here by their paths.
+//! `targets/` feeds them with libFuzzer, `tests/doors.rs` with the corpus and mutations of it. The parsers of the
+//! command line are modules of the binary, so they are included here by their paths.
 
 use std::path::Path;
 use std::str;

@@ -1,7 +1,7 @@
 //! The connections: many at once, and none for long that nothing moves on.
 //!
-//! `axum::serve` waits for a request without an end; then a client that opens connections and sends nothing takes all that
-//! the system allows, and nobody else is answered.
+//! `axum::serve` waits for a request without an end; then a client that opens connections and sends nothing takes all
+//! that the system allows, and nobody else is answered.
 
 use std::io;
 use std::time::Duration;
@@ -22,8 +22,8 @@ const MAX_OPEN: u64 = 8192;
 /// Time until accepting is tried again after the system has refused it.
 const PAUSE: Duration = Duration::from_millis(100);
 
-/// Answers requests until the process ends. A connection is closed once a request's head has not come within `patience`, or its
-/// client has taken nothing of an answer for so long.
+/// Answers requests until the process ends. A connection is closed once a request's head has not come within
+/// `patience`, or its client has taken nothing of an answer for so long.
 pub async fn serve(listener: TcpListener, router: Router, patience: Duration) {
     // With fewer it serves fewer at once.
     let _ = rlimit::increase_nofile_limit(MAX_OPEN);

@@ -1,8 +1,8 @@
 //! Which names of this server requests may use.
 //!
-//! A page of another site can give its own name the address 127.0.0.1 once it is loaded (DNS rebinding), and its browser then
-//! takes this server for a part of that site. All files here are public; still nobody but this machine is meant to read them
-//! while only this machine can connect.
+//! A page of another site can give its own name the address 127.0.0.1 once it is loaded (DNS rebinding), and its
+//! browser then takes this server for a part of that site. All files here are public; still nobody but this machine is
+//! meant to read them while only this machine can connect.
 
 use std::net::{IpAddr, Ipv6Addr};
 

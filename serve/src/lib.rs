@@ -52,8 +52,8 @@ pub struct Args {
     #[arg(long, value_name = "ORIGIN", num_args = 1.., value_parser = origin)]
     frame_ancestors: Vec<String>,
 
-    /// Also answer requests to these names, as those that come through a proxy; while only this machine can connect, others than
-    /// its own are refused
+    /// Also answer requests to these names, as those that come through a proxy; while only this machine can connect,
+    /// others than its own are refused
     #[arg(long, value_name = "NAME", num_args = 1..)]
     allow_host: Vec<String>,
 
@@ -149,7 +149,8 @@ async fn listen(host: &str, port: u16) -> anyhow::Result<TcpListener> {
     }
 }
 
-/// Parses an origin that may frame the page: scheme, host and port. The characters of a host cannot end the policy's rule.
+/// Parses an origin that may frame the page: scheme, host and port. The characters of a host cannot end the policy's
+/// rule.
 fn origin(text: &str) -> Result<String, String> {
     let host = text.strip_prefix("https://").or_else(|| text.strip_prefix("http://")).unwrap_or_default();
     if !host.is_empty() && host.bytes().all(|byte| byte.is_ascii_alphanumeric() || b".-:[]*".contains(&byte)) {

@@ -1,7 +1,7 @@
 //! Which of the balls that the judge scores fit into a scene, of any of its radii on any of its cells.
 //!
-//! Where a ball fits, every smaller one fits too; so one number for each cell, of the radii that fit there, answers for all
-//! of them, and one clearance for each cell yields it. Used by `ranking`.
+//! Where a ball fits, every smaller one fits too; so one number for each cell, of the radii that fit there, answers for
+//! all of them, and one clearance for each cell yields it. Used by `ranking`.
 
 use crate::nets::judge::{RADII, ball_at};
 use crate::puzzle::action::{Ball, Obstacles, overlaps};

@@ -17,8 +17,8 @@ fn actions() -> impl Iterator<Item = Action> {
     std::iter::repeat_with(move || Action { x: rng.random(), y: rng.random(), r: rng.random() }).take(ACTIONS)
 }
 
-/// Returns up to `attempts` valid balls of the list, the most probable first. Actions whose logit is not finite are left
-/// out.
+/// Returns up to `attempts` valid balls of the list, the most probable first. Actions whose logit is not finite are
+/// left out.
 pub fn ranked(dqn: &Dqn, scene: &Scene, attempts: usize) -> Vec<Proposal> {
     let obstacles = Obstacles::new(scene);
     let placed = actions().filter_map(|action| Some((action, obstacles.place(action).ok()?)));

@@ -1,11 +1,11 @@
 //! Gaussian process classification, one outcome at a time (Csató and Opper 2002, "Sparse On-Line Gaussian Processes";
 //! Rasmussen and Williams 2006, chapter 3).
 //!
-//! The logit of the chance that a ball solves is a latent function of an input, here the ball and the path that is imagined
-//! for it: Gaussian, with the net's logit as its prior mean and a covariance that falls with the distance between two inputs. So
-//! an outcome changes the logits of all balls whose inputs resemble the one that was observed. Each is taken in by one
-//! Laplace step: the mode and the curvature of the posterior along the observed logit make a rank-one update.
-//! Deterministic: libm, and sums in a fixed order. Used by `online`.
+//! The logit of the chance that a ball solves is a latent function of an input, here the ball and the path that is
+//! imagined for it: Gaussian, with the net's logit as its prior mean and a covariance that falls with the distance
+//! between two inputs. So an outcome changes the logits of all balls whose inputs resemble the one that was observed.
+//! Each is taken in by one Laplace step: the mode and the curvature of the posterior along the observed logit make a
+//! rank-one update. Deterministic: libm, and sums in a fixed order. Used by `online`.
 
 use super::sigmoid;
 
@@ -60,8 +60,8 @@ impl<K: Kernel> GaussianProcessClassifier<K> {
         &self.means
     }
 
-    /// Takes in the outcome of a candidate, whose input turned out to be `input`. Returns by how much the mean logit of each
-    /// candidate has risen; negative if it has fallen.
+    /// Takes in the outcome of a candidate, whose input turned out to be `input`. Returns by how much the mean logit of
+    /// each candidate has risen; negative if it has fallen.
     pub fn observe(&mut self, candidate: usize, input: K::Input, solved: bool) -> Vec<f64> {
         let (mut mean, mut variance) = (self.prior[candidate], self.kernel.covariance(&input, &input));
         let mut with_earlier: Vec<f64> = Vec::with_capacity(self.observations.len());
@@ -87,8 +87,8 @@ impl<K: Kernel> GaussianProcessClassifier<K> {
         rises
     }
 
-    /// How much of the covariance of two inputs the first observations explain. `a` and `b` hold the covariances of each
-    /// with these observations.
+    /// How much of the covariance of two inputs the first observations explain. `a` and `b` hold the covariances of
+    /// each with these observations.
     fn explained(&self, a: &[f64], b: &[f64]) -> f64 {
         self.observations.iter().zip(a.iter().zip(b)).map(|(one, (a, b))| one.weight * a * b).sum()
     }
@@ -103,12 +103,12 @@ impl SquaredExponential {
     }
 }
 
-/// Returns the derivative of the log likelihood at the mode of the posterior of one logit, and the weight of the rank-one
-/// update of the covariance: w / (1 + w variance), where w is the curvature there.
+/// Returns the derivative of the log likelihood at the mode of the posterior of one logit, and the weight of the
+/// rank-one update of the covariance: w / (1 + w variance), where w is the curvature there.
 fn laplace_step(mean: f64, variance: f64, solved: bool) -> (f64, f64) {
     let target = if solved { 1.0 } else { 0.0 };
-    // The mode is where logit = mean + variance (target − sigmoid(logit)), of which the right side falls. Newton's method
-    // would have to be guarded: from a large logit it jumps back and forth.
+    // The mode is where logit = mean + variance (target − sigmoid(logit)), of which the right side falls. Newton's
+    // method would have to be guarded: from a large logit it jumps back and forth.
     let (mut low, mut high) = (mean - variance * (1.0 - target), mean + variance * target);
     for _ in 0..HALVINGS {
         let middle = (low + high) / 2.0;

@@ -1,8 +1,9 @@
-//! The candidates of the agents that reason in paths: the most promising balls of a scene, each imagined by the dynamics net.
+//! The candidates of the agents that reason in paths: the most promising balls of a scene, each imagined by the
+//! dynamics net.
 //!
-//! The places and radii that the net ranks are some px apart, and often a single px decides. So the likeliest candidates take
-//! one step of steepest-ascent hill climbing: each is replaced by its likeliest neighbour. Further steps, longer ones and more
-//! candidates gain nothing on dev tasks.
+//! The places and radii that the net ranks are some px apart, and often a single px decides. So the likeliest
+//! candidates take one step of steepest-ascent hill climbing: each is replaced by its likeliest neighbour. Further
+//! steps, longer ones and more candidates gain nothing on dev tasks.
 
 use super::online::Candidate;
 use super::ranking;
@@ -19,8 +20,8 @@ const CLIMBERS: usize = 100;
 /// How far a neighbour is moved, and how much larger or smaller it is, px.
 const STEP: f64 = 1.0;
 
-/// Returns the candidates of a scene, at least `count` if as many balls fit, all different, though some may be much alike;
-/// `None` if the weights have no dynamics net, or damaged weights know no chance.
+/// Returns the candidates of a scene, at least `count` if as many balls fit, all different, though some may be much
+/// alike; `None` if the weights have no dynamics net, or damaged weights know no chance.
 pub fn imagined_candidates(nets: &PathNet, scene: &Scene, count: usize) -> Option<Vec<Candidate>> {
     let read = nets.read(scene)?;
     let ranked = ranking::ranked(&read.logits, scene, count.max(CANDIDATES));

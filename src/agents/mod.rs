@@ -1,8 +1,8 @@
 //! The agents that propose balls: the model, which may learn from its attempts, and the random agent.
 //!
-//! The page, `propose` and `evaluate` all call these functions, so the same seed yields the same attempts.
-//! The judge's logits and probabilities are the same natively and in wasm, bit for bit; the maps of the four nets differ in
-//! the last bits where the exponential functions of the two do, so that the placement map may start from another ball. No
+//! The page, `propose` and `evaluate` all call these functions, so the same seed yields the same attempts. The judge's
+//! logits and probabilities are the same natively and in wasm, bit for bit; the maps of the four nets differ in the
+//! last bits where the exponential functions of the two do, so that the placement map may start from another ball. No
 //! agent calls the simulator. All balls are valid and in the order of the attempts. `seed` is that of one puzzle:
 //! `TaskId::seed`.
 
@@ -73,12 +73,13 @@ pub enum Origin {
     Map { x: f64, y: f64 },
     /// An earlier proposal, by its number from 1, with Gaussian noise.
     Perturbed { number: usize },
-    /// Uniform over the action space: by the random agent, or because the placement map has no place where a ball may be.
+    /// Uniform over the action space: by the random agent, or because the placement map has no place where a ball may
+    /// be.
     Uniform,
     /// The judge's maps: the probability, 0..=1, that the ball solves, lowered by the proposals before it.
     Judge { probability: f64 },
-    /// The dynamics net: the probability, 0..=1, that the ball solves, as imagined before any attempt, and after the attempts
-    /// so far; and the attempt, by its number from 1, that lowered it most, if one did noticeably.
+    /// The dynamics net: the probability, 0..=1, that the ball solves, as imagined before any attempt, and after the
+    /// attempts so far; and the attempt, by its number from 1, that lowered it most, if one did noticeably.
     Imagined { prior: f64, probability: f64, lowered_by: Option<usize> },
     /// DQN's fixed list: the probability, 0..=1, that the ball solves.
     #[cfg(not(target_arch = "wasm32"))]
@@ -99,8 +100,8 @@ pub fn start(nets: &PathNet, scene: &Scene, seed: u64, count: usize) -> Box<dyn 
     }
 }
 
-/// Returns up to `count` proposals of the model, without learning from attempts: the balls that its dynamics net finds most
-/// probable; from weights without one those of its judge; without a judge those that its placement map suggests.
+/// Returns up to `count` proposals of the model, without learning from attempts: the balls that its dynamics net finds
+/// most probable; from weights without one those of its judge; without a judge those that its placement map suggests.
 pub fn propose(nets: &PathNet, scene: &Scene, seed: u64, count: usize) -> Vec<Proposal> {
     if let Some(candidates) = imagined_candidates(nets, scene, count) {
         return OnlineAgent::new(candidates, Similarity::DEFAULT).list(count);
@@ -112,8 +113,8 @@ pub fn propose(nets: &PathNet, scene: &Scene, seed: u64, count: usize) -> Vec<Pr
     }
 }
 
-/// Returns up to `count` proposals of the judge alone, or of the dynamics net's logits of the cells; `None` if the weights have
-/// neither.
+/// Returns up to `count` proposals of the judge alone, or of the dynamics net's logits of the cells; `None` if the
+/// weights have neither.
 pub fn from_judge(nets: &PathNet, scene: &Scene, count: usize) -> Option<Vec<Proposal>> {
     Some(ranking::ranked(&nets.cell_logits(scene)?, scene, count))
 }

@@ -1,5 +1,6 @@
-//! The online agent: tries the most promising of some candidates, and learns from each attempt that fails. Candidates that
-//! resemble it, and those whose imagined paths resemble what has just failed, become less probable; the others stay.
+//! The online agent: tries the most promising of some candidates, and learns from each attempt that fails. Candidates
+//! that resemble it, and those whose imagined paths resemble what has just failed, become less probable; the others
+//! stay.
 //!
 //! PHYRE's paper (Bakhtin et al. 2019) calls an agent online that learns at the counted attempts. Here the learning is
 //! Gaussian process classification, updated by each outcome. Draws nothing at random.
@@ -90,8 +91,8 @@ impl OnlineAgent {
         }
     }
 
-    /// Returns the `count` balls that it tries if every attempt fails and it is never told the paths: a fixed list, which
-    /// learns nothing from the attempts.
+    /// Returns the `count` balls that it tries if every attempt fails and it is never told the paths: a fixed list,
+    /// which learns nothing from the attempts.
     pub fn list(mut self, count: usize) -> Vec<Proposal> {
         let next = || {
             let proposal = self.propose()?;

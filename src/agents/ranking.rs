@@ -59,8 +59,8 @@ pub fn ranked(logits: &[f32], scene: &Scene, attempts: usize) -> Vec<Proposal> {
     found
 }
 
-/// A ball that has not been selected, with the logit that it had when it was queued. Of equal logits, as the two halves of
-/// a symmetric scene have them, the one with the higher index is greater.
+/// A ball that has not been selected, with the logit that it had when it was queued. Of equal logits, as the two halves
+/// of a symmetric scene have them, the one with the higher index is greater.
 struct Candidate {
     logit: f64,
     index: usize,
@@ -86,8 +86,8 @@ impl PartialEq for Candidate {
 
 impl Eq for Candidate {}
 
-/// How much a logit falls, by the squared distance of its ball from the selected one, px²: a whole number, because balls
-/// have whole coordinates and radii.
+/// How much a logit falls, by the squared distance of its ball from the selected one, px²: a whole number, because
+/// balls have whole coordinates and radii.
 fn suppression_by_squared_distance() -> [f64; SUPPRESSION_REACH * SUPPRESSION_REACH] {
     std::array::from_fn(|squared_distance| {
         SUPPRESSION * libm::exp(-(squared_distance as f64) / (2.0 * SUPPRESSION_SIGMA * SUPPRESSION_SIGMA))

@@ -1,7 +1,7 @@
 //! How hard the benchmark's tasks are: of uniform valid balls, how many solve each.
 //!
-//! The counts are measured by `pathlight difficulty` and shipped in assets/difficulty.json. Used by the page, which tells
-//! players how hard a puzzle is, and wherever a scene is ranked among the benchmark's tasks.
+//! The counts are measured by `pathlight difficulty` and shipped in assets/difficulty.json. Used by the page, which
+//! tells players how hard a puzzle is, and wherever a scene is ranked among the benchmark's tasks.
 
 use serde::{Deserialize, Serialize};
 
@@ -35,13 +35,14 @@ impl Difficulty {
         Some(f64::from(*solved) / f64::from(self.balls))
     }
 
-    /// Returns the shares of valid balls that solve the tasks, 0..=1: those of the first template, ascending, then the next.
+    /// Returns the shares of valid balls that solve the tasks, 0..=1: those of the first template, ascending, then the
+    /// next.
     pub fn solve_rates(&self) -> impl Iterator<Item = f64> + '_ {
         self.solved.iter().flatten().map(|&solved| f64::from(solved) / f64::from(self.balls))
     }
 
-    /// Returns the share of the benchmark's tasks that are harder than a solve rate of 0..=1, tasks of the same rate counted
-    /// half: 0 (the hardest) to 1 (the easiest).
+    /// Returns the share of the benchmark's tasks that are harder than a solve rate of 0..=1, tasks of the same rate
+    /// counted half: 0 (the hardest) to 1 (the easiest).
     pub fn rank(&self, solve_rate: f64) -> f64 {
         let rates = || self.solve_rates();
         let (lower, higher) = (rates().filter(|&rate| rate < solve_rate), rates().filter(|&rate| rate > solve_rate));

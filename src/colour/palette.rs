@@ -1,7 +1,7 @@
 //! The colours of the roles and of the paper, light and dark. The style sheet reads them from `palette`.
 //!
-//! The hues are distinguishable for colour-blind people: those of Okabe and Ito, and a purple. The dark palette has lighter
-//! tones of the same hues.
+//! The hues are distinguishable for colour-blind people: those of Okabe and Ito, and a purple. The dark palette has
+//! lighter tones of the same hues.
 
 use serde::Serialize;
 

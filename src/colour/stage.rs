@@ -1,5 +1,5 @@
-//! The stages of the model: what each is called, its colours and its dashes. The one list of them; JavaScript reads it from
-//! `constants`.
+//! The stages of the model: what each is called, its colours and its dashes. The one list of them; JavaScript reads it
+//! from `constants`.
 
 use std::str::FromStr;
 

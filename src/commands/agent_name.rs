@@ -17,7 +17,8 @@ use serde::{Deserialize, Serialize};
 pub enum AgentName {
     /// The dynamics net, which imagines what balls lead to, and learns from its attempts
     Online,
-    /// The same with balls compared by place and radius, not by the paths that they lead to; measured only if it is named
+    /// The same with balls compared by place and radius, not by the paths that they lead to; measured only if it is
+    /// named
     OnlineByBalls,
     /// The dynamics net without learning from attempts
     Dynamics,
@@ -63,8 +64,8 @@ impl AgentName {
         Ok(())
     }
 
-    /// Returns this agent at work on a scene, with up to `count` balls. `seed` is that of the puzzle; only the random agent
-    /// goes without nets.
+    /// Returns this agent at work on a scene, with up to `count` balls. `seed` is that of the puzzle; only the random
+    /// agent goes without nets.
     pub fn start(self, loaded: Loaded, scene: &Scene, seed: u64, count: usize) -> Box<dyn Agent> {
         let nets = || loaded.nets.expect("the weights of a model are loaded first");
         // Damaged weights know no candidates; another agent must not be measured in the place of this one.

@@ -1,7 +1,7 @@
 //! `pathlight calibration`: how often balls solve to which the model gives a chance, on test tasks of a fold.
 //!
-//! Uniformly random balls, as a person may place them, few of which the model finds likely; and some of the candidates that the
-//! model itself considers, from the likeliest on.
+//! Uniformly random balls, as a person may place them, few of which the model finds likely; and some of the candidates
+//! that the model itself considers, from the likeliest on.
 
 use std::fmt::Write as _;
 use std::io::{self, Write};

@@ -11,7 +11,8 @@ use super::fold_args::FoldArgs;
 /// A file of DQN's weights; part of the arguments of other commands.
 #[derive(clap::Args)]
 pub struct DqnArgs {
-    /// Weights of DQN, the benchmark's baseline [default for --agent dqn: target/train/SETUP-FOLD/dqn/weights.safetensors]
+    /// Weights of DQN, the benchmark's baseline [default for --agent dqn:
+    /// target/train/SETUP-FOLD/dqn/weights.safetensors]
     #[arg(long, value_name = "FILE")]
     pub dqn: Option<PathBuf>,
 }

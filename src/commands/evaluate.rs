@@ -32,8 +32,8 @@ use super::progress::Progress;
 /// Measure agents on the test tasks of a fold
 #[derive(clap::Args)]
 pub struct Args {
-    /// Agent to measure; can be repeated. The random agent is always measured too [default: all that the weights allow but
-    /// online-by-balls; DQN with --dqn]
+    /// Agent to measure; can be repeated. The random agent is always measured too [default: all that the weights allow
+    /// but online-by-balls; DQN with --dqn]
     #[arg(long = "agent", value_enum)]
     pub agents: Vec<AgentName>,
 

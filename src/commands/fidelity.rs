@@ -1,8 +1,8 @@
 //! `pathlight fidelity`: how well the simulator agrees with PHYRE's own.
 //!
 //! The reference folder has outcomes.jsonl (task, ball, kind, solved) and trajectories.jsonl (poses of rollouts); it is
-//! not part of the project. With `--engine rapier` it prints the tables of the first engine and then those of rapier2d's own pipeline. The
-//! tables have columns for even and for odd task numbers: tune the simulator on the even
+//! not part of the project. With `--engine rapier` it prints the tables of the first engine and then those of
+//! rapier2d's own pipeline. The tables have columns for even and for odd task numbers: tune the simulator on the even
 //! ones, the odd ones are held out.
 
 use std::fs;
@@ -165,8 +165,8 @@ fn write_distances(out: &mut impl Write, engine: Engine, lines: &[Trajectory]) -
     Ok(())
 }
 
-/// Returns the distances of the bodies from their reference positions at each of the times, px; empty where either rollout has
-/// ended.
+/// Returns the distances of the bodies from their reference positions at each of the times, px; empty where either
+/// rollout has ended.
 fn errors(line: &Trajectory, engine: Engine) -> anyhow::Result<[Vec<f64>; TIMES.len()]> {
     let Trajectory { task, every, first_step, .. } = *line;
     let rollout = engine.simulate(&Task::load(task)?.scene, line.ball).with_context(|| task.to_string())?;

@@ -87,8 +87,8 @@ impl LabelledScenes {
         let mut scenes: BTreeMap<(TaskId, Option<u32>), LabelledScene> = BTreeMap::new();
         for path in files {
             let Labelled { lines, training_tasks_of, proposed, net_without_dev, .. } = read_labels(path)?;
-            // Across templates, the balls of any fold tell nothing of its test tasks: they are sampled around solutions of
-            // their own template. A net that proposes balls knows all that it was trained on.
+            // Across templates, the balls of any fold tell nothing of its test tasks: they are sampled around solutions
+            // of their own template. A net that proposes balls knows all that it was trained on.
             ensure!(
                 !proposed || training_tasks_of.is_some(),
                 "{} does not say which fold the net that proposed its balls belongs to: label again with --setup and --fold",

@@ -1,8 +1,8 @@
-//! `pathlight merge`: the files of `collect` or `label` for single templates (`--template`) as the one file that a run over
-//! all templates writes, byte for byte. So the data are made in as many jobs as there are templates, or in fewer.
+//! `pathlight merge`: the files of `collect` or `label` for single templates (`--template`) as the one file that a run
+//! over all templates writes, byte for byte. So the data are made in as many jobs as there are templates, or in fewer.
 //!
-//! That works because tasks of different templates share nothing: a search also starts from solutions of its siblings, which
-//! are tasks of the same template.
+//! That works because tasks of different templates share nothing: a search also starts from solutions of its siblings,
+//! which are tasks of the same template.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -114,7 +114,8 @@ fn merged_solutions(files: &[PathBuf]) -> anyhow::Result<Vec<u8>> {
     let most = rounds.iter().map(Vec::len).max().unwrap_or_default();
     for (shard, rounds) in shards.iter().zip(&rounds) {
         let of_shard = tasks.iter().filter(|task| task.template == shard.template);
-        // After all rounds, the extra ones of `--persist` may have been in vain; how many were asked for is not recorded.
+        // After all rounds, the extra ones of `--persist` may have been in vain; how many were asked for is not
+        // recorded.
         let in_vain = rounds.len() == most && most >= settings.rounds;
         let complete = in_vain || of_shard.clone().all(|&task| is_complete(task, rounds, settings));
         let name = shard.path.display();

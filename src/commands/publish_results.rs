@@ -1,6 +1,8 @@
-//! `pathlight publish-results`: collects the measurements of the shipped models into the small file from which the page shows them.
+//! `pathlight publish-results`: collects the measurements of the shipped models into the small file from which the page
+//! shows them.
 //!
-//! For each model the first solving attempt of every agent on every test task of its fold, and the calibration of its chances.
+//! For each model the first solving attempt of every agent on every test task of its fold, and the calibration of its
+//! chances.
 
 use std::collections::BTreeMap;
 use std::io::{self, Write};
@@ -20,7 +22,8 @@ use super::shipped::Shipped;
 /// Collect the measurements of the shipped models into the file from which the page shows them
 #[derive(clap::Args)]
 pub struct Args {
-    /// The folder of NAME.json, from `pathlight evaluate --json`, and NAME-calibration.json, from `pathlight calibration --json`
+    /// The folder of NAME.json, from `pathlight evaluate --json`, and NAME-calibration.json, from `pathlight
+    /// calibration --json`
     #[arg(long, default_value = "results/shipped")]
     results: PathBuf,
 

@@ -5,8 +5,8 @@ use std::path::Path;
 
 use anyhow::Context;
 
-/// Writes a file, and its folder if that is missing. A file that is there already stays as it is until the new one is complete.
-/// A device, a pipe or a link, which are not to be replaced, is written to.
+/// Writes a file, and its folder if that is missing. A file that is there already stays as it is until the new one is
+/// complete. A device, a pipe or a link, which are not to be replaced, is written to.
 ///
 /// # Errors
 /// If it cannot be written; then nothing has changed.

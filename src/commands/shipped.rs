@@ -1,5 +1,5 @@
-//! The measurements of the models on the page, which belong to weights trained as those that the page has: a measurement
-//! knows its model by its card, so it must be made again whenever weights are published.
+//! The measurements of the models on the page, which belong to weights trained as those that the page has: a
+//! measurement knows its model by its card, so it must be made again whenever weights are published.
 
 use std::fs;
 use std::path::Path;
@@ -80,9 +80,8 @@ pub struct Shipped<'a> {
 impl Shipped<'_> {
     /// Reads a measurement of a model, and the fold that the model belongs to.
     ///
-    /// # Errors
-    /// If it or the weights are missing or damaged, or it is not that of a model with their card on all test tasks of their
-    /// fold, with these agents and this simulator.
+    /// # Errors If it or the weights are missing or damaged, or it is not that of a model with their card on all test
+    /// tasks of their fold, with these agents and this simulator.
     pub fn read<M: Measurement>(&self, name: &str) -> anyhow::Result<(M, FoldArgs)> {
         let weights = self.assets.join(format!("{name}.safetensors"));
         let weights_name = weights.display();

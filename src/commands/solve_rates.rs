@@ -1,10 +1,10 @@
 //! `pathlight solve-rates`: how often uniformly random actions solve a task, here and in PHYRE.
 //!
-//! The reference folder has solve_rates.json: for each task how many of at least 10,000 uniform actions were valid,
-//! and how many of those solved it. It is not part of the project. Actions whose ball sticks out of the scene, before or
-//! after it is rounded, were not counted as invalid there, so other actions are drawn for them here too.
-//! With 4,000 actions per task, PHYRE's 73.27 % valid compare to 73.25 % by this rule; counting balls that leave
-//! the scene by rounding as invalid yields 73.17 %.
+//! The reference folder has solve_rates.json: for each task how many of at least 10,000 uniform actions were valid, and
+//! how many of those solved it. It is not part of the project. Actions whose ball sticks out of the scene, before or
+//! after it is rounded, were not counted as invalid there, so other actions are drawn for them here too. With 4,000
+//! actions per task, PHYRE's 73.27 % valid compare to 73.25 % by this rule; counting balls that leave the scene by
+//! rounding as invalid yields 73.17 %.
 
 use std::collections::BTreeMap;
 use std::fs;

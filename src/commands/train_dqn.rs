@@ -1,7 +1,8 @@
 //! `pathlight train-dqn`: trains DQN, the benchmark's baseline, on labelled balls, into a weights file of its own.
 //!
-//! As published (Bakhtin et al. 2019): binary cross-entropy on batches of which half are solutions. Here they are balanced
-//! in each scene, many balls share one reading of it, and scenes are mirrored. `training_run` keeps the run in a folder.
+//! As published (Bakhtin et al. 2019): binary cross-entropy on batches of which half are solutions. Here they are
+//! balanced in each scene, many balls share one reading of it, and scenes are mirrored. `training_run` keeps the run in
+//! a folder.
 
 use std::path::PathBuf;
 

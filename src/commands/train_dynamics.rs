@@ -1,5 +1,5 @@
-//! `pathlight train-dynamics`: trains the net that imagines what balls lead to, and adds it to the weights of the four nets,
-//! where it takes the place of a judge.
+//! `pathlight train-dynamics`: trains the net that imagines what balls lead to, and adds it to the weights of the four
+//! nets, where it takes the place of a judge.
 //!
 //! It learns from labelled balls of the tasks that the four nets were trained on, so that the weights as a whole have
 //! seen no other tasks. It starts from the judge of these weights, if they have one: the U-Net of both is the same.
@@ -20,8 +20,8 @@ use super::progress::say;
 use super::training_args::{TrainingArgs, epochs};
 use super::training_run::TrainingRun;
 
-/// Train the net that imagines what balls lead to, and add it to the weights of the four nets; it starts from their judge, if
-/// they have one
+/// Train the net that imagines what balls lead to, and add it to the weights of the four nets; it starts from their
+/// judge, if they have one
 #[derive(clap::Args)]
 pub struct Args {
     #[command(flatten)]

@@ -172,8 +172,8 @@ impl<M: Module, C: PartialEq + Serialize + DeserializeOwned> TrainingRun<M, C> {
         self.write_checkpoint(&[&nets, &optimiser]).with_context(|| format!("cannot write to {name}"))
     }
 
-    /// Writes the losses as CSV, then replaces `checkpoint.json`, and removes the run's older checkpoints. A run interrupted in
-    /// between writes the losses again.
+    /// Writes the losses as CSV, then replaces `checkpoint.json`, and removes the run's older checkpoints. A run
+    /// interrupted in between writes the losses again.
     fn write_checkpoint(&self, newest: &[&PathBuf]) -> anyhow::Result<()> {
         let mut losses = format!("epoch,batch,{}\n", self.checkpoint.losses.join(","));
         for (epoch, done, means) in &self.checkpoint.log {

@@ -13,10 +13,11 @@ use super::progress::say;
 
 /// Simulate the attempts of a file again, and say for each: same, other outcome, or not valid
 ///
-/// Each line is an attempt as the page exports it and `simulate --verifiable` writes it: {"task" or "scene", "ball", "simulator",
-/// "status", "steps", "digest"}. The digest is SHA-256, in hexadecimal, of x, y (px) and angle (radians) of every moving body
-/// at the start and after each step, as f32, little-endian. Prints {"line", "verdict", "reason"} for each; the exit code is 0 if
-/// all are the same to the bit, 1 if some have another outcome, 2 if some are not valid.
+/// Each line is an attempt as the page exports it and `simulate --verifiable` writes it: {"task" or "scene", "ball",
+/// "simulator", "status", "steps", "digest"}. The digest is SHA-256, in hexadecimal, of x, y (px) and angle (radians)
+/// of every moving body at the start and after each step, as f32, little-endian. Prints {"line", "verdict", "reason"}
+/// for each; the exit code is 0 if all are the same to the bit, 1 if some have another outcome, 2 if some are not
+/// valid.
 #[derive(clap::Args)]
 pub struct Args {
     /// Attempts as JSON lines; - is standard input

@@ -1,5 +1,5 @@
-//! Balls labelled with their outcome, solved or not, and the paths they led to: the training data of the judge, the dynamics net and
-//! DQN.
+//! Balls labelled with their outcome, solved or not, and the paths they led to: the training data of the judge, the
+//! dynamics net and DQN.
 //!
 //! Half of the balls are sampled uniformly; the rest are sampled around known solutions of this task or of others of
 //! its template (its siblings), so that near misses are among them. Used by `pathlight label`.
@@ -33,11 +33,12 @@ pub struct LabelledBalls {
     pub solved: Vec<Ball>,
     /// Balls that do not, px.
     pub failed: Vec<Ball>,
-    /// For each ball, the solved ones first, the other task of the template around whose solution it was sampled, if it was:
-    /// a ball near a solution of a test task tells of it.
+    /// For each ball, the solved ones first, the other task of the template around whose solution it was sampled, if it
+    /// was: a ball near a solution of a test task tells of it.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub siblings: Vec<Option<TaskId>>,
-    /// The sampled paths of the green object and of the ball for each ball, the solved ones first. Absent from older files.
+    /// The sampled paths of the green object and of the ball for each ball, the solved ones first. Absent from older
+    /// files.
     #[serde(default, skip_serializing_if = "LabelledPaths::is_empty")]
     pub paths: LabelledPaths,
 }
@@ -45,8 +46,8 @@ pub struct LabelledBalls {
 /// Bytes of the paths of one ball.
 pub const PATHS_LEN: usize = 4 * SAMPLES;
 
-/// The paths of several balls, `PATHS_LEN` bytes each: x and y at each sample, first of the object, then of the ball, in
-/// whole px, 0..=255. In JSON one string in base64.
+/// The paths of several balls, `PATHS_LEN` bytes each: x and y at each sample, first of the object, then of the ball,
+/// in whole px, 0..=255. In JSON one string in base64.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(try_from = "String", into = "String")]
 pub struct LabelledPaths(pub Vec<u8>);

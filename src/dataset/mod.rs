@@ -1,4 +1,5 @@
-//! What nets learn from: the search for solutions, balls labelled with their outcome, variants of scenes, and training images.
+//! What nets learn from: the search for solutions, balls labelled with their outcome, variants of scenes, and training
+//! images.
 //!
 //! Uses the simulator, but neither nets nor files.
 

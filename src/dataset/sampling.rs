@@ -7,8 +7,8 @@ use rand::{Rng, RngExt};
 use crate::puzzle::action::{Action, Ball, Obstacles};
 use crate::puzzle::scene::Scene;
 
-/// Most draws for one ball. In the benchmark's tasks more than four actions in ten are valid; the limit ends the search in a
-/// scene that has no room.
+/// Most draws for one ball. In the benchmark's tasks more than four actions in ten are valid; the limit ends the search
+/// in a scene that has no room.
 const MAX_DRAWS: usize = 100_000;
 
 /// Returns a valid ball drawn uniformly from the action space; `None` if the scene has no room for one.
@@ -18,7 +18,8 @@ pub fn random_ball(scene: &Scene, rng: &mut impl Rng) -> Option<Ball> {
     (0..MAX_DRAWS).find_map(|_| obstacles.place(action()).ok())
 }
 
-/// Returns the action with Gaussian noise of this standard deviation on x, y and radius; the radius is clamped to 0..=1.
+/// Returns the action with Gaussian noise of this standard deviation on x, y and radius; the radius is clamped to
+/// 0..=1.
 pub fn perturbed(start: Action, deviation: f64, rng: &mut impl Rng) -> Action {
     let mut noisy = |value: f64| value + deviation * gaussian(rng);
     Action { x: noisy(start.x), y: noisy(start.y), r: noisy(start.r).clamp(0.0, 1.0) }

@@ -35,8 +35,8 @@ const DRAWS: i32 = 40;
 /// What the changes of a draw are multiplied by after each that does not fit.
 const SHRINKING: f64 = 0.93;
 
-/// Returns a variant of a task's scene, the same for the same number; `None` if every draw made bodies overlap, stick out
-/// of the scene, or solve the task by themselves.
+/// Returns a variant of a task's scene, the same for the same number; `None` if every draw made bodies overlap, stick
+/// out of the scene, or solve the task by themselves.
 pub fn scene_variant(task: &Task, number: u32) -> Option<Scene> {
     let mut rng = Pcg64Mcg::seed_from_u64(task.id.seed(u64::from(number)));
     let scene = &task.scene;
@@ -93,7 +93,8 @@ impl Groups {
         Groups { support, on_floor, at_side, of_body }
     }
 
-    /// The scene with its groups moved by normal draws of this deviation, px, and its free bodies changed, both times `scale`.
+    /// The scene with its groups moved by normal draws of this deviation, px, and its free bodies changed, both times
+    /// `scale`.
     fn moved(&self, scene: &Scene, scale: f64, deviation: f64, rng: &mut impl Rng) -> Scene {
         let mut variant = scene.clone();
         let count = scene.bodies.len();
@@ -136,8 +137,8 @@ impl Groups {
     }
 }
 
-/// Resizes a ball to a radius of a whole number and a half, as PHYRE's are, or a bar along its length. A ball that is held
-/// stays on what holds it.
+/// Resizes a ball to a radius of a whole number and a half, as PHYRE's are, or a bar along its length. A ball that is
+/// held stays on what holds it.
 fn resize(body: &mut Body, factor: f64, held: bool) {
     match body.shapes.as_mut_slice() {
         [Shape::Circle(radius)] => {

@@ -77,7 +77,8 @@ pub struct DynamicsCard {
     pub learning_rate: f64,
     /// Labelled balls that these are drawn from.
     pub balls: usize,
-    /// Whether the net sees the covered share of each cell. Older ones saw which cells are set; `PathNet::load` refuses them.
+    /// Whether the net sees the covered share of each cell. Older ones saw which cells are set; `PathNet::load` refuses
+    /// them.
     #[serde(default)]
     pub coverage: bool,
     /// How many of the scenes are variants of the tasks' scenes.

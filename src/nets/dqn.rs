@@ -1,16 +1,17 @@
 //! DQN, the baseline of PHYRE (Bakhtin et al. 2019, "PHYRE: A New Benchmark for Physical Reasoning"): a classifier that
 //! says how likely an action solves a scene.
 //!
-//! A residual net (He et al. 2016) reads the scene. Before its last stage a perceptron of the action multiplies and shifts
-//! each channel of the features (FiLM, Perez et al. 2018); the last stage, a maximum over the cells and a linear layer turn
-//! them into the logit. The first layer after the modulation is linear in it, so it is convolved once per scene, channel by
-//! channel, and an action only adds up the results: ten thousand actions are ranked in less than a second.
+//! A residual net (He et al. 2016) reads the scene. Before its last stage a perceptron of the action multiplies and
+//! shifts each channel of the features (FiLM, Perez et al. 2018); the last stage, a maximum over the cells and a linear
+//! layer turn them into the logit. The first layer after the modulation is linear in it, so it is convolved once per
+//! scene, channel by channel, and an action only adds up the results: ten thousand actions are ranked in less than a
+//! second.
 //!
-//! What is smaller than the published net, so that a CPU trains it in less than an hour: 64 x 64 cells instead of 256 x 256
-//! pixels, one residual block in a stage instead of two, none in the first, at most `FEATURES` channels instead of 512, no
-//! batch normalisation; its place is taken by residual branches that start at zero (Zhang et al. 2019, "Fixup"). The
-//! action's perceptron has one hidden layer more, and mirrored scenes and several balls of a scene make up a batch. Native
-//! only: the page has no use for it.
+//! What is smaller than the published net, so that a CPU trains it in less than an hour: 64 x 64 cells instead of 256 x
+//! 256 pixels, one residual block in a stage instead of two, none in the first, at most `FEATURES` channels instead of
+//! 512, no batch normalisation; its place is taken by residual branches that start at zero (Zhang et al. 2019,
+//! "Fixup"). The action's perceptron has one hidden layer more, and mirrored scenes and several balls of a scene make
+//! up a batch. Native only: the page has no use for it.
 
 use burn::module::Module;
 use burn::nn::conv::{Conv2d, Conv2dConfig};
@@ -72,7 +73,8 @@ struct ResidualBlock {
 
 /// What the net makes of scenes, for any actions in them.
 pub struct SceneFeatures {
-    /// The outputs of the layer after the modulation for each channel of features alone, `[scenes, FEATURES, 2 LAST cells]`.
+    /// The outputs of the layer after the modulation for each channel of features alone, `[scenes, FEATURES, 2 LAST
+    /// cells]`.
     of_features: Tensor<3>,
     /// The same for channels that are 1 everywhere, `[FEATURES, 2 LAST cells]`.
     of_ones: Tensor<2>,

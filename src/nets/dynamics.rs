@@ -1,10 +1,11 @@
 //! The dynamics net: imagines for any ball where the green object and the ball go, and how likely it solves the scene.
 //!
-//! A forward model of the scene's dynamics that is conditioned on an action (Ahmed et al. 2021, "Physical Reasoning Using
-//! Dynamics-Aware Models", show that such knowledge helps to choose actions). A U-Net reads the covered share of each cell once; a small
-//! perceptron then answers for each ball from the hypercolumn at its place (Hariharan et al. 2015: the features of all
-//! sizes), its exact position and its radius. So a ball costs little, and hundreds are imagined at once. It also returns
-//! one map of logits for each of a few radii, as the judge does: they say which balls are worth imagining.
+//! A forward model of the scene's dynamics that is conditioned on an action (Ahmed et al. 2021, "Physical Reasoning
+//! Using Dynamics-Aware Models", show that such knowledge helps to choose actions). A U-Net reads the covered share of
+//! each cell once; a small perceptron then answers for each ball from the hypercolumn at its place (Hariharan et al.
+//! 2015: the features of all sizes), its exact position and its radius. So a ball costs little, and hundreds are
+//! imagined at once. It also returns one map of logits for each of a few radii, as the judge does: they say which balls
+//! are worth imagining.
 
 use burn::module::Module;
 use burn::nn::conv::{Conv2d, ConvTranspose2d};

@@ -1,8 +1,8 @@
 //! The dynamics net's answers for the balls of one scene, on plain slices.
 //!
 //! The same computation as `BallHead::forward`, in an order that does not depend on the processor: natively and in wasm
-//! the answers are the same, bit for bit. PHYRE's world is symmetric, so the scene and its mirror image both answer, and
-//! the answer is their mean.
+//! the answers are the same, bit for bit. PHYRE's world is symmetric, so the scene and its mirror image both answer,
+//! and the answer is their mean.
 
 use burn::nn::Linear;
 use burn::tensor::Tensor;
@@ -19,8 +19,8 @@ use crate::puzzle::scene::{SIZE, Scene};
 /// Balls whose answers are computed together: the columns of the matrix products.
 const BLOCK: usize = 16;
 
-/// What the mean of the three logits is multiplied by. Trained nets are too sure of new scenes, and the likeliest of many balls
-/// are those that the net is most wrong about. Set by hand, not tuned.
+/// What the mean of the three logits is multiplied by. Trained nets are too sure of new scenes, and the likeliest of
+/// many balls are those that the net is most wrong about. Set by hand, not tuned.
 const CONFIDENCE: f32 = 0.7;
 
 /// What the net imagines for a ball.
@@ -29,8 +29,8 @@ pub struct ImaginedBall {
     pub paths: SampledPaths,
     /// Expected distance between imagined and real positions at each sample: of the object, then of the ball, px.
     pub errors: [f32; POSITIONS],
-    /// The logit of the chance that the ball solves: the mean of the one that is read from the paths and the features that
-    /// draw them, of the one from the paths alone, and of the one of the ball's cell, times `CONFIDENCE`.
+    /// The logit of the chance that the ball solves: the mean of the one that is read from the paths and the features
+    /// that draw them, of the one from the paths alone, and of the one of the ball's cell, times `CONFIDENCE`.
     pub logit: f32,
     /// The logit from the paths alone.
     pub path_logit: f32,

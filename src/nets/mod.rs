@@ -1,8 +1,9 @@
 //! The four nets of Harter et al. (2020): each predicts one map from the scene, the last two also from earlier maps.
 //!
-//! Base path and target path come from the scene alone; the action path from the scene and both; the placement of
-//! the ball from scene, target path and action path. A fifth net scores balls: the judge from the scene alone, or the
-//! dynamics net, which imagines what a ball leads to. This folder is the only user of burn; it uses neither files nor agents nor the simulator.
+//! Base path and target path come from the scene alone; the action path from the scene and both; the placement of the
+//! ball from scene, target path and action path. A fifth net scores balls: the judge from the scene alone, or the
+//! dynamics net, which imagines what a ball leads to. This folder is the only user of burn; it uses neither files nor
+//! agents nor the simulator.
 
 use burn::module::Module;
 use burn::tensor::activation::sigmoid;
@@ -84,9 +85,9 @@ impl PathNet {
         Imagined { base, target, action, placement }
     }
 
-    /// Returns the logits of the cells of a scene, `[RADII, 64, 64]`: the judge's, or else the dynamics net's; `None` if the
-    /// weights have neither. PHYRE's world is symmetric, so the logits of the scene and of its mirror image are averaged,
-    /// which is more accurate than one.
+    /// Returns the logits of the cells of a scene, `[RADII, 64, 64]`: the judge's, or else the dynamics net's; `None`
+    /// if the weights have neither. PHYRE's world is symmetric, so the logits of the scene and of its mirror image are
+    /// averaged, which is more accurate than one.
     pub fn cell_logits(&self, scene: &Scene) -> Option<Vec<f32>> {
         let both = |image: Tensor<4>| Tensor::cat(vec![image.clone(), image.flip([3])], 0); // [2, 5, 64, 64]
         let logits = match (&self.judge, &self.dynamics) {

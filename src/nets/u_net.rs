@@ -1,6 +1,7 @@
-//! A U-Net (Ronneberger et al. 2015): an encoder-decoder in which the decoder layer of each size also sees the encoder's
-//! output of that size, so that its maps are as sharp as the scene. The judge and the dynamics net are the same U-Net but for
-//! their outputs; its layers stay fields of theirs, because the names of the parameters are those in weights files.
+//! A U-Net (Ronneberger et al. 2015): an encoder-decoder in which the decoder layer of each size also sees the
+//! encoder's output of that size, so that its maps are as sharp as the scene. The judge and the dynamics net are the
+//! same U-Net but for their outputs; its layers stay fields of theirs, because the names of the parameters are those in
+//! weights files.
 
 use burn::nn::conv::{Conv2d, ConvTranspose2d};
 use burn::tensor::{Device, Tensor};
@@ -13,7 +14,8 @@ pub const WIDTHS: [usize; 5] = [16, 32, 64, 96, 128];
 
 const _: () = assert!(fit_tiles(&WIDTHS), "a width is not a multiple of conv::matmul::TILE_ROWS");
 
-/// Returns fresh layers: the convolutions, and the transposed ones that mirror them, the last of which has `outputs` channels.
+/// Returns fresh layers: the convolutions, and the transposed ones that mirror them, the last of which has `outputs`
+/// channels.
 pub fn new_layers(outputs: usize, device: &Device) -> (Vec<Conv2d>, Vec<ConvTranspose2d>) {
     let down = (0..WIDTHS.len()).map(|layer| {
         let input = if layer == 0 { CHANNELS } else { WIDTHS[layer - 1] };

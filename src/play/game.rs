@@ -94,7 +94,8 @@ impl Game {
         }
     }
 
-    /// Removes one attempt of a contender; later ones move up by one. Returns whether there was an attempt of this number.
+    /// Removes one attempt of a contender; later ones move up by one. Returns whether there was an attempt of this
+    /// number.
     pub fn remove(&mut self, who: Contender, number: usize) -> bool {
         let attempts = self.list(who);
         let there = (1..=attempts.len()).contains(&number);

@@ -1,5 +1,6 @@
-//! One session on one puzzle: what is played, the game, an agent's turn, attempts that can be verified, whether a solution was
-//! luck, the map of all solutions and the search for them, and the agreement of predicted with simulated paths.
+//! One session on one puzzle: what is played, the game, an agent's turn, attempts that can be verified, whether a
+//! solution was luck, the map of all solutions and the search for them, and the agreement of predicted with simulated
+//! paths.
 
 pub mod ending;
 pub mod game;

@@ -1,5 +1,5 @@
-//! Whether an own scene may be played: the limits of its form, and that nothing overlaps at the start deeper than the engine
-//! separates. The page asks this for every frame of a drag.
+//! Whether an own scene may be played: the limits of its form, and that nothing overlaps at the start deeper than the
+//! engine separates. The page asks this for every frame of a drag.
 
 use crate::puzzle::own_scene::{MAX_OVERLAP, OwnScene, Problem};
 use crate::puzzle::scene::Scene;

@@ -1,5 +1,5 @@
-//! Whether a scene can be solved: a grid of balls over the whole action space, tried in an order that makes every part of the
-//! search an even sample of it.
+//! Whether a scene can be solved: a grid of balls over the whole action space, tried in an order that makes every part
+//! of the search an even sample of it.
 //!
 //! Used by the page's worker, which asks for one ball after another and may stop between any two.
 
@@ -19,8 +19,8 @@ const RADII: [f64; 4] = [6.0, 13.0, 21.0, 28.0];
 /// All balls of the grid, also those that are invalid.
 const BALLS: usize = PLACES * PLACES * RADII.len();
 
-/// Step from one ball to the next, modulo `BALLS`: near the golden section of them, so that each new ball lies in a gap of
-/// those before (Kronecker sequence). Odd, so that every ball has its turn.
+/// Step from one ball to the next, modulo `BALLS`: near the golden section of them, so that each new ball lies in a gap
+/// of those before (Kronecker sequence). Odd, so that every ball has its turn.
 const STRIDE: usize = 2531;
 
 /// What the search has found so far.
@@ -32,7 +32,8 @@ pub struct Found {
     pub valid: usize,
     /// Those that solve.
     pub solved: usize,
-    /// The share of the benchmark's tasks that are harder, by the share of valid balls that solve, 0..=1; `None` without a valid ball.
+    /// The share of the benchmark's tasks that are harder, by the share of valid balls that solve, 0..=1; `None`
+    /// without a valid ball.
     pub rank: Option<f64>,
     /// The ball that solves with the most neighbours in the grid that solve too; `None` if no ball solves.
     pub easiest: Option<Ball>,

@@ -1,8 +1,8 @@
 //! The solve map: where a ball of one radius solves a scene, by one rollout for each of 64 x 64 cells, coarse to fine.
 //!
-//! First every eighth cell across and up is tried, then every fourth, every second and every one, so that a coarse map is
-//! there at once and becomes finer (progressive refinement). A cell that has not been tried yet has the outcome of the
-//! smallest block around it that was. Used by the page's worker, which asks for one cell after another and may stop
+//! First every eighth cell across and up is tried, then every fourth, every second and every one, so that a coarse map
+//! is there at once and becomes finer (progressive refinement). A cell that has not been tried yet has the outcome of
+//! the smallest block around it that was. Used by the page's worker, which asks for one cell after another and may stop
 //! between any two.
 
 use crate::puzzle::action::{Ball, Invalid, RADIUS};

@@ -31,8 +31,8 @@ impl Turn {
         Turn { scene, agent, engine, used: 0, solved: false }
     }
 
-    /// Simulates the agent's next ball; `None` once the puzzle is solved, all attempts are used or the agent has no more
-    /// balls.
+    /// Simulates the agent's next ball; `None` once the puzzle is solved, all attempts are used or the agent has no
+    /// more balls.
     ///
     /// # Errors
     /// If the agent proposes an invalid ball.

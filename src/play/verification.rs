@@ -1,4 +1,5 @@
-//! Attempts that anyone can verify: what was played, the ball, and the digest of the whole rollout, one JSON line for each.
+//! Attempts that anyone can verify: what was played, the ball, and the digest of the whole rollout, one JSON line for
+//! each.
 //!
 //! The page exports such lines and reads them back; `pathlight verify` simulates each again.
 

@@ -1,8 +1,8 @@
-//! The four shapes of bodies with what a person changes of them: the radius of a ball, the length of a bar, the height of a
-//! jar.
+//! The four shapes of bodies with what a person changes of them: the radius of a ball, the length of a bar, the height
+//! of a jar.
 //!
-//! `layout` lays templates out with them, `own_scene` the scenes that people make. Depends on `scene` only. The formulas are
-//! PHYRE's (v0.2.2, `creator`).
+//! `layout` lays templates out with them, `own_scene` the scenes that people make. Depends on `scene` only. The
+//! formulas are PHYRE's (v0.2.2, `creator`).
 
 use std::ops::RangeInclusive;
 
@@ -50,7 +50,8 @@ pub enum Dimensions {
         #[cfg_attr(not(target_arch = "wasm32"), schemars(range(min = *BAR_THICKNESS.start(), max = *BAR_THICKNESS.end())))]
         thickness: f64,
     },
-    /// A base and two walls that lean outwards; 5/6 of the height wide at the rim. The origin is the middle of the base.
+    /// A base and two walls that lean outwards; 5/6 of the height wide at the rim. The origin is the middle of the
+    /// base.
     Jar {
         /// px
         #[cfg_attr(not(target_arch = "wasm32"), schemars(range(min = *JAR_HEIGHT.start(), max = *JAR_HEIGHT.end())))]
@@ -96,7 +97,8 @@ impl Dimensions {
         }
     }
 
-    /// Returns the dimensions that have exactly the shapes of a body; `None` if none do, as those of a body from elsewhere.
+    /// Returns the dimensions that have exactly the shapes of a body; `None` if none do, as those of a body from
+    /// elsewhere.
     pub fn of(body: &Body) -> Option<Dimensions> {
         let has_its_shapes = |dimensions: &Dimensions| dimensions.shapes() == body.shapes;
         match (body.shape_type, body.shapes.as_slice()) {

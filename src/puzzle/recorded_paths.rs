@@ -1,7 +1,8 @@
-//! The paths of the green object and of the action ball as one program tells them to another: their poses at every tenth
-//! step, from the start.
+//! The paths of the green object and of the action ball as one program tells them to another: their poses at every
+//! tenth step, from the start.
 //!
-//! `simulate` writes them, and agents observe them. Agents compare `SampledPaths`; `sampled` returns those of a recording.
+//! `simulate` writes them, and agents observe them. Agents compare `SampledPaths`; `sampled` returns those of a
+//! recording.
 
 use serde::{Deserialize, Serialize};
 
@@ -31,8 +32,8 @@ impl RecordedPaths {
         Some(RecordedPaths { object: path(scene.body1)?, ball: path(scene.bodies.len())? })
     }
 
-    /// Returns the positions at `SAMPLED_STEPS`, interpolated between two poses; `None` if there are no poses, or numbers
-    /// that are no positions.
+    /// Returns the positions at `SAMPLED_STEPS`, interpolated between two poses; `None` if there are no poses, or
+    /// numbers that are no positions.
     pub fn sampled(&self) -> Option<SampledPaths> {
         Some(SampledPaths { object: sampled(&self.object)?, ball: sampled(&self.ball)? })
     }

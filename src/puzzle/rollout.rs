@@ -1,4 +1,5 @@
-//! The result of a simulation as plain data: whether it solved the task, and the pose of every dynamic body at every step.
+//! The result of a simulation as plain data: whether it solved the task, and the pose of every dynamic body at every
+//! step.
 //!
 //! Made by `simulator`; played back by the page, drawn by `raster`, summarised by `play::game`.
 
@@ -73,8 +74,8 @@ impl Rollout {
         Some(self.row(step)[column])
     }
 
-    /// Returns the step from which nothing changes until the end: no pose, and not for how long the object has touched. It is
-    /// the last step of a rollout that ends with a touch.
+    /// Returns the step from which nothing changes until the end: no pose, and not for how long the object has touched.
+    /// It is the last step of a rollout that ends with a touch.
     pub fn still_from(&self) -> usize {
         if self.touching[self.steps] {
             return self.steps;

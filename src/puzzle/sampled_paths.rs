@@ -1,5 +1,5 @@
-//! The paths of the green object and of the action ball through a rollout, sampled at a few steps: what the dynamics net
-//! learns to imagine, and what agents compare.
+//! The paths of the green object and of the action ball through a rollout, sampled at a few steps: what the dynamics
+//! net learns to imagine, and what agents compare.
 //!
 //! Positions only, of the bodies' origins. The steps lie closer together at the start, where most of the motion is.
 

@@ -1,7 +1,7 @@
 //! Whether a scene has the form that simulation and images rely on: numbers that are numbers, and convex shapes.
 //!
-//! The templates' scenes and own scenes within their limits have it. A scene that a caller builds, or that a program sends,
-//! is checked before it is used.
+//! The templates' scenes and own scenes within their limits have it. A scene that a caller builds, or that a program
+//! sends, is checked before it is used.
 
 use super::scene::{Body, Scene, Shape};
 
@@ -11,8 +11,8 @@ pub const FARTHEST: f64 = 1e4;
 /// Smallest radius of a circle and length of an edge, px. Smaller ones have hardly a mass in single precision.
 pub const SMALLEST: f64 = 0.1;
 
-/// Smallest sine of the angle by which the outline of a polygon turns at a corner. rapier leaves out corners at which it turns by
-/// less than 1.5 degrees, a sine of 0.026, in single precision; the rest allows for its rounding.
+/// Smallest sine of the angle by which the outline of a polygon turns at a corner. rapier leaves out corners at which
+/// it turns by less than 1.5 degrees, a sine of 0.026, in single precision; the rest allows for its rounding.
 const LEAST_TURN: f64 = 0.05;
 
 /// Why a scene cannot be simulated. Bodies are named by their indices.

@@ -1,8 +1,9 @@
 //! 64 x 64 images for the nets: the five channels of a scene, and the path of a body through a rollout.
 //!
-//! Everything is drawn at 256 x 256 pixels, one per px. For the four nets it is max-pooled to 64 x 64 cells, as in the data of Harter
-//! et al. (2020); for the judge, the dynamics net and DQN it is average-pooled. Row 0 is the bottom of the scene. Also defines how
-//! cells map to scene coordinates. Used by `dataset`, `nets`, `agents`, `play` and the page. Must not depend on the simulator or on nets.
+//! Everything is drawn at 256 x 256 pixels, one per px. For the four nets it is max-pooled to 64 x 64 cells, as in the
+//! data of Harter et al. (2020); for the judge, the dynamics net and DQN it is average-pooled. Row 0 is the bottom of
+//! the scene. Also defines how cells map to scene coordinates. Used by `dataset`, `nets`, `agents`, `play` and the
+//! page. Must not depend on the simulator or on nets.
 
 use scan_conversion::{Span, body_spans, disc_spans};
 
@@ -93,8 +94,8 @@ impl std::ops::BitOrAssign for Bitmap {
     }
 }
 
-/// How much of each cell is covered, row by row: how many of its pixels, `0..=PX_PER_CELL * PX_PER_CELL`. Unlike a `Bitmap` it
-/// tells where within a cell an edge lies.
+/// How much of each cell is covered, row by row: how many of its pixels, `0..=PX_PER_CELL * PX_PER_CELL`. Unlike a
+/// `Bitmap` it tells where within a cell an edge lies.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Coverage(Vec<u8>);
 

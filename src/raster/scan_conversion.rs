@@ -1,4 +1,5 @@
-//! Scan conversion: the pixels of shapes, line by line. One pixel per px; a pixel belongs to a shape if its centre lies in it.
+//! Scan conversion: the pixels of shapes, line by line. One pixel per px; a pixel belongs to a shape if its centre lies
+//! in it.
 
 use crate::puzzle::rollout::Pose;
 use crate::puzzle::scene::{Body, SIZE, Shape};

@@ -75,8 +75,8 @@ pub struct RigidBody {
 }
 
 impl RigidBody {
-    /// Returns a body of a scene at rest, with its velocity and mass and its fixtures. `index` is the body's index in the
-    /// world, `first` that of its first fixture.
+    /// Returns a body of a scene at rest, with its velocity and mass and its fixtures. `index` is the body's index in
+    /// the world, `first` that of its first fixture.
     pub fn new(body: &Body, index: usize, first: usize) -> (RigidBody, SolverBody, Vec<Fixture>) {
         let mut fixtures: Vec<Fixture> = body.shapes.iter().map(|shape| Fixture::new(shape, index)).collect();
         let mass = |fixture: &Fixture| {
@@ -180,8 +180,8 @@ impl SolverBody {
         self.velocity + self.angular_velocity * arm.perp()
     }
 
-    /// Returns by how much a unit impulse along `direction` at `arm` changes the velocity of this point in this direction,
-    /// 1/kg: this body's part of K in Box2D.
+    /// Returns by how much a unit impulse along `direction` at `arm` changes the velocity of this point in this
+    /// direction, 1/kg: this body's part of K in Box2D.
     pub fn inv_effective_mass(&self, arm: Vector, direction: Vector) -> f32 {
         let lever = arm.perp_dot(direction);
         self.inv_mass + self.inv_inertia * lever * lever

@@ -1,7 +1,7 @@
 //! The constants of PHYRE and Box2D, each with its unit, its source and its effect.
 //!
-//! "PHYRE" is its v0.2.2 simulator, "Box2D" the 2.3 that it runs on (b2Settings.h unless another place is named). They are
-//! measured or published facts of those engines; none is tuned to outcomes.
+//! "PHYRE" is its v0.2.2 simulator, "Box2D" the 2.3 that it runs on (b2Settings.h unless another place is named). They
+//! are measured or published facts of those engines; none is tuned to outcomes.
 
 use crate::puzzle::rollout::STEPS_PER_SECOND;
 
@@ -18,7 +18,8 @@ pub const DENSITY: f32 = 0.25;
 pub const FRICTION: f32 = 0.5;
 /// Restitution of any two bodies (PHYRE: 0.2 each; Box2D takes the larger). Higher: bodies bounce further.
 pub const RESTITUTION: f32 = 0.2;
-/// Contacts with a slower approach are inelastic, m/s (b2_velocityThreshold). Lower: bodies take longer to come to rest.
+/// Contacts with a slower approach are inelastic, m/s (b2_velocityThreshold). Lower: bodies take longer to come to
+/// rest.
 pub const RESTITUTION_THRESHOLD: f32 = 1.0;
 /// 1/s (PHYRE; linear damping is 0). Higher: balls roll less far.
 pub const ANGULAR_DAMPING: f32 = 0.01;
@@ -28,8 +29,8 @@ pub const VELOCITY_ITERATIONS: usize = 15;
 /// Most iterations of the position solver in each step (PHYRE). Fewer: overlaps last longer.
 pub const POSITION_ITERATIONS: usize = 20;
 
-/// Largest impulse that the next step starts from, kg m/s: far above any momentum of a scene. Box2D has no such limit: the impulses on a body
-/// that is wedged between static ones grow from step to step, until they overflow.
+/// Largest impulse that the next step starts from, kg m/s: far above any momentum of a scene. Box2D has no such limit:
+/// the impulses on a body that is wedged between static ones grow from step to step, until they overflow.
 pub const MAX_WARM_STARTING_IMPULSE: f32 = 1e7;
 
 /// Radius of the skin around polygons, m (b2_polygonRadius). Bodies rest at this distance from a polygon; circles have
@@ -65,6 +66,6 @@ pub const AABB_EXTENSION: f32 = 0.1;
 /// Prediction of the fat AABBs, in displacements of a step (b2_aabbMultiplier).
 pub const AABB_MULTIPLIER: f32 = 2.0;
 
-/// Two balls touch when the distance of their surfaces is below this, px (PHYRE). Other bodies touch when the engine has
-/// a touching contact.
+/// Two balls touch when the distance of their surfaces is below this, px (PHYRE). Other bodies touch when the engine
+/// has a touching contact.
 pub const BALL_TOUCH_DISTANCE: f64 = 0.1;

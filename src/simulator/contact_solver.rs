@@ -47,8 +47,8 @@ struct Block {
 }
 
 impl VelocityConstraint {
-    /// Prepares a contact for the present positions and velocities. With `warm_starting`, it starts from the impulses of
-    /// the last step.
+    /// Prepares a contact for the present positions and velocities. With `warm_starting`, it starts from the impulses
+    /// of the last step.
     pub fn new(
         index: usize,
         contact: &Contact,
@@ -165,8 +165,8 @@ impl VelocityConstraint {
         changed
     }
 
-    /// The block solver: solves the linear complementarity problem of two normal impulses by total enumeration of its four
-    /// cases. Both impulses are at least zero, and an impulse is zero unless its point would otherwise approach.
+    /// The block solver: solves the linear complementarity problem of two normal impulses by total enumeration of its
+    /// four cases. Both impulses are at least zero, and an impulse is zero unless its point would otherwise approach.
     fn solve_block<const A: bool, const B: bool>(
         &mut self,
         block: Block,

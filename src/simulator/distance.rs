@@ -19,8 +19,8 @@ impl Outline {
         Outline(body.shapes.iter().map(|shape| Fixture::new(shape, 0)).collect())
     }
 
-    /// Returns the nearest points of this body and another at these poses, m, if they are nearer than `limit`, m; the same
-    /// point twice if they overlap.
+    /// Returns the nearest points of this body and another at these poses, m, if they are nearer than `limit`, m; the
+    /// same point twice if they overlap.
     pub(super) fn nearest_points(
         &self,
         pose: Pose,

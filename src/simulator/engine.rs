@@ -1,7 +1,7 @@
 //! The engines by name: a scene and perhaps a ball in, a rollout out, whichever computes it.
 //!
-//! The first is the port of Box2D's step, on which everything else stands; rapier2d's own pipeline is a second opinion. The wasm goes
-//! without it: compressed it would be some 360 kB larger, by two thirds.
+//! The first is the port of Box2D's step, on which everything else stands; rapier2d's own pipeline is a second opinion.
+//! The wasm goes without it: compressed it would be some 360 kB larger, by two thirds.
 
 use std::fmt;
 use std::str::FromStr;

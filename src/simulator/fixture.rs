@@ -93,8 +93,8 @@ impl Fixture {
         self.shape.compute_aabb(&(*body * self.local)).loosened(self.skin())
     }
 
-    /// Updates the AABBs after the body has moved from `start` to `end` (b2Fixture::Synchronize). `displacement` is that
-    /// of the body's origin, m.
+    /// Updates the AABBs after the body has moved from `start` to `end` (b2Fixture::Synchronize). `displacement` is
+    /// that of the body's origin, m.
     pub fn synchronize(&mut self, start: &Pose, end: &Pose, displacement: Vector) {
         self.swept_aabb = self.aabb_at(end).merged(&self.aabb_at(start));
         if self.fat_aabb.contains(&self.swept_aabb) {

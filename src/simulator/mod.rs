@@ -1,9 +1,9 @@
 //! The simulator: a port of Box2D 2.3's step, the engine of PHYRE, on rapier2d's geometry.
 //!
 //! A scene and perhaps a ball in, the complete rollout out. The only user of rapier2d, which supplies shapes, mass
-//! properties, contact manifolds and distances; each file names the class or function of Box2D that it ports. Results are
-//! bit-identical natively and in wasm: f32 throughout, libm for the trigonometry, and no order that depends on a hash.
-//! Used by `dataset`, `play`, `web` and `commands`. Must not depend on tasks, images or nets.
+//! properties, contact manifolds and distances; each file names the class or function of Box2D that it ports. Results
+//! are bit-identical natively and in wasm: f32 throughout, libm for the trigonometry, and no order that depends on a
+//! hash. Used by `dataset`, `play`, `web` and `commands`. Must not depend on tasks, images or nets.
 //!
 //! | file | ports |
 //! | --- | --- |
@@ -17,7 +17,8 @@
 //! | `island` | b2World::Solve, b2Island::Solve |
 //! | `toi_solver` | b2World::SolveTOI, b2Island::SolveTOI |
 //!
-//! `rapier_world` is a second engine, rapier2d's own pipeline, behind the same interface (`simulation`, `engine`); natively only.
+//! `rapier_world` is a second engine, rapier2d's own pipeline, behind the same interface (`simulation`, `engine`);
+//! natively only.
 
 use crate::puzzle::action::{Ball, Invalid};
 use crate::puzzle::rollout::Rollout;
@@ -51,7 +52,8 @@ mod world;
 /// Raised whenever any rollout of the first engine changes. Stored in weights and collected data.
 pub const VERSION: u32 = 3;
 
-/// Simulates a scene, with or without a ball. Returns the complete rollout: the pose of every dynamic body at every step.
+/// Simulates a scene, with or without a ball. Returns the complete rollout: the pose of every dynamic body at every
+/// step.
 ///
 /// # Errors
 /// The reason why the ball is invalid in this scene, or why the scene cannot be simulated.

@@ -1,5 +1,5 @@
-//! How deep bodies overlap before the first step, by the contacts that the first step would have. Used to check scenes that
-//! people make.
+//! How deep bodies overlap before the first step, by the contacts that the first step would have. Used to check scenes
+//! that people make.
 
 use super::constants::PX_PER_METRE;
 use super::contact::Contact;

@@ -1,8 +1,8 @@
 //! Time of impact by conservative advancement (b2TimeOfImpact of Box2D 2.3, with another root finder).
 //!
-//! Conservative advancement (Mirtich 1996) moves time forward by the distance over an upper bound of the approach speed,
-//! so that it can never step past the impact. Box2D 2.3 finds the same time by root finding along separating axes.
-//! Distances are rapier's. Without it fast bodies would sink into static ones, or tunnel through thin bars.
+//! Conservative advancement (Mirtich 1996) moves time forward by the distance over an upper bound of the approach
+//! speed, so that it can never step past the impact. Box2D 2.3 finds the same time by root finding along separating
+//! axes. Distances are rapier's. Without it fast bodies would sink into static ones, or tunnel through thin bars.
 
 use rapier2d::math::{Pose, Vector};
 use rapier2d::parry::query::{ClosestPoints, closest_points};
@@ -15,13 +15,13 @@ use super::scalar::{length, max, min};
 /// Enough for a long bar that rotates fast; a ball needs two or three.
 const MAX_ITERATIONS: usize = 40;
 
-/// Fixtures that stay this much farther apart than where they meet are not examined further, m: far more than the rounding
-/// errors of all distances within a scene.
+/// Fixtures that stay this much farther apart than where they meet are not examined further, m: far more than the
+/// rounding errors of all distances within a scene.
 const MARGIN: f32 = 1e-3;
 
 /// Returns the fraction of the rest of the sweeps after which two fixtures meet; `None` if they do not meet, or overlap
-/// from the start. `normal` is a guess of the direction from the first to the second, that of their contact: a unit vector,
-/// or zero for a contact that was never updated, which disables the shortcut.
+/// from the start. `normal` is a guess of the direction from the first to the second, that of their contact: a unit
+/// vector, or zero for a contact that was never updated, which disables the shortcut.
 pub fn time_of_impact(fixtures: [&Fixture; 2], bodies: [&RigidBody; 2], normal: Vector) -> Option<f32> {
     // Box2D's target: the radii overlap by three slops, to within a quarter of a slop.
     let radii: f32 = fixtures.iter().map(|fixture| fixture.radius()).sum();
@@ -72,12 +72,14 @@ pub fn time_of_impact(fixtures: [&Fixture; 2], bodies: [&RigidBody; 2], normal: 
     None
 }
 
-/// Returns the separation of two fixtures along a direction at the end of their sweeps, m: a lower bound of their distance.
+/// Returns the separation of two fixtures along a direction at the end of their sweeps, m: a lower bound of their
+/// distance.
 fn separation_at_end([a, b]: [&Fixture; 2], [body_a, body_b]: [&RigidBody; 2], normal: Vector) -> f32 {
     b.lowest(&body_b.pose(), normal) + a.lowest(&body_a.pose(), -normal)
 }
 
-/// Returns the distance between two shapes and the direction from the first to the second; `None` beyond `max_distance`.
+/// Returns the distance between two shapes and the direction from the first to the second; `None` beyond
+/// `max_distance`.
 fn distance([a, b]: [&Fixture; 2], [pose_a, pose_b]: [Pose; 2], max_distance: f32) -> Option<(f32, Vector)> {
     // Circles are measured from their centres, because they may overlap by the target.
     if let Some(radius) = b.circle_radius {

@@ -1,5 +1,5 @@
-//! Continuous collision: handles, one after the other, the times within a step at which a dynamic body meets a static one
-//! (b2World::SolveTOI and b2Island::SolveTOI of Box2D 2.3).
+//! Continuous collision: handles, one after the other, the times within a step at which a dynamic body meets a static
+//! one (b2World::SolveTOI and b2Island::SolveTOI of Box2D 2.3).
 
 use rapier2d::parry::bounding_volume::BoundingVolume;
 

@@ -1,9 +1,9 @@
 //! The world and its step: b2World::Step and b2ContactManager of Box2D 2.3.
 //!
 //! A step finds new contacts, updates all, solves the islands (`island`) and then the times of impact (`toi_solver`).
-//! rapier's own pipeline (`rapier_world`) solves softer contacts in another order, which no parameter changes; therefore only its geometry
-//! is used here. The orders of bodies and contacts are those of Box2D's lists (newest first), because the result of a
-//! Gauss-Seidel solver depends on the order.
+//! rapier's own pipeline (`rapier_world`) solves softer contacts in another order, which no parameter changes;
+//! therefore only its geometry is used here. The orders of bodies and contacts are those of Box2D's lists (newest
+//! first), because the result of a Gauss-Seidel solver depends on the order.
 
 use rapier2d::math::Vector;
 use rapier2d::parry::bounding_volume::BoundingVolume;

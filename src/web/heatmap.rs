@@ -45,7 +45,8 @@ pub fn outline(
     for row in 0..=SIDE {
         for column in (0..=SIDE).filter(|column| dashes[(column + row) % dashes.len()]) {
             let (x, y) = (column as f64 * cell, side as f64 - row as f64 * cell);
-            // The edges to the left neighbour and to the one below. Index -1 wraps to a large one, which counts as unset.
+            // The edges to the left neighbour and to the one below. Index -1 wraps to a large one, which counts as
+            // unset.
             if set(column, row) != set(column.wrapping_sub(1), row) {
                 context.move_to(x, y);
                 context.line_to(x, y - cell);
@@ -88,8 +89,8 @@ fn outcome_colour(outcome: u8, x: usize, y: usize, dark: bool) -> [u8; 4] {
     }
 }
 
-/// Draws the colour scale of a stage, 0 at the left and the maximum at the right; the lowest row of pixels, if there are
-/// several, has the dashes of its outline.
+/// Draws the colour scale of a stage, 0 at the left and the maximum at the right; the lowest row of pixels, if there
+/// are several, has the dashes of its outline.
 pub fn legend(context: &CanvasRenderingContext2d, stage: Stage, dark: bool) -> Result<(), JsValue> {
     let (width, height) = canvas_size(context)?;
     let last = width.max(2) - 1;

@@ -1,5 +1,5 @@
-//! What the dynamics net imagines for one ball: asked for in the worker by `Model.imagineBall`, and drawn on the page in a
-//! frame. Between the two it is a plain JavaScript object of typed arrays.
+//! What the dynamics net imagines for one ball: asked for in the worker by `Model.imagineBall`, and drawn on the page
+//! in a frame. Between the two it is a plain JavaScript object of typed arrays.
 
 use js_sys::{Array, Float32Array, Object, Reflect, Uint32Array};
 use serde::Deserialize;
@@ -72,12 +72,12 @@ impl TryFrom<PlainPaths> for ImaginedPaths {
 
 #[wasm_bindgen]
 impl Model {
-    /// Imagines what a ball of a task leads to: the paths of the green object and of the ball, and the probability that it
-    /// solves. Undefined if the weights have no dynamics net. The task of the last call is kept as the net has read it, so
-    /// that the next of its balls costs little.
+    /// Imagines what a ball of a task leads to: the paths of the green object and of the ball, and the probability that
+    /// it solves. Undefined if the weights have no dynamics net. The task of the last call is kept as the net has read
+    /// it, so that the next of its balls costs little.
     ///
-    /// # Errors
-    /// `bad_task` if there is no such task, `bad_scene` if the scene may not be played, `bad_data` if it is not a ball, `invalid_ball`.
+    /// # Errors `bad_task` if there is no such task, `bad_scene` if the scene may not be played, `bad_data` if it is
+    /// not a ball, `invalid_ball`.
     #[wasm_bindgen(js_name = imagineBall, unchecked_return_type = "ImaginedBall | undefined")]
     pub fn imagine_ball(
         &self,
@@ -96,8 +96,8 @@ impl Model {
         imagined.first().map_or(Ok(JsValue::UNDEFINED), to_object)
     }
 
-    /// Returns the balls that the model considers in a task before it chooses, some hundred. Undefined if the weights have no
-    /// dynamics net.
+    /// Returns the balls that the model considers in a task before it chooses, some hundred. Undefined if the weights
+    /// have no dynamics net.
     ///
     /// # Errors
     /// `bad_task` if there is no such task, `bad_scene` if the scene may not be played.

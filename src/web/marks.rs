@@ -9,8 +9,8 @@ use crate::puzzle::action::Ball;
 use crate::puzzle::scene::Role;
 
 impl Painter<'_> {
-    /// Marks the ball of another attempt with a small ring; the selected one also with its rim and a line from the place
-    /// that it comes from.
+    /// Marks the ball of another attempt with a small ring; the selected one also with its rim and a line from the
+    /// place that it comes from.
     pub fn mark(&self, ball: Ball, from: Option<[f64; 2]>, chosen: bool) -> Result<(), JsValue> {
         let context = self.context;
         let circle = |radius: f64, colour: &str, width: f64, style| {

@@ -2,9 +2,9 @@
 //!
 //! `puzzle` is one puzzle on the page, `puzzle_view` what is drawn of it; `model` is the nets in the worker and
 //! `solve_map` its search for all solutions; `scripting` is what a script asks of a task, and `metrics` how agents are
-//! compared. This file holds the exports that need no state: the constants, the templates, thumbnails, maps and legends.
-//! Data go to JavaScript as plain objects with the field names of the Rust types (`types.d.ts` declares them), or as typed
-//! arrays; an error is an `Error` with a `code`.
+//! compared. This file holds the exports that need no state: the constants, the templates, thumbnails, maps and
+//! legends. Data go to JavaScript as plain objects with the field names of the Rust types (`types.d.ts` declares them),
+//! or as typed arrays; an error is an `Error` with a `code`.
 
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
@@ -143,8 +143,8 @@ pub fn palette(dark: bool) -> Result<JsValue, JsValue> {
     to_js(colours(dark))
 }
 
-/// Draws the scene of a task, or an own scene, so that it fills a square canvas. For an open puzzle, `Puzzle.paintThumbnail`
-/// does not load it again.
+/// Draws the scene of a task, or an own scene, so that it fills a square canvas. For an open puzzle,
+/// `Puzzle.paintThumbnail` does not load it again.
 ///
 /// # Errors
 /// `bad_task` if there is no such task, `bad_scene` if the scene may not be played.
@@ -157,8 +157,8 @@ pub fn paint_thumbnail(
     paint_scene(context, &load(played)?.scene, dark)
 }
 
-/// Draws one map, 64 x 64 values with row 0 at the bottom, into a canvas of 64 x 64 pixels. The colour scale runs from 0,
-/// which is transparent, to `max`.
+/// Draws one map, 64 x 64 values with row 0 at the bottom, into a canvas of 64 x 64 pixels. The colour scale runs from
+/// 0, which is transparent, to `max`.
 ///
 /// # Errors
 /// `bad_map` if the stage has no such name or the values are not 64 x 64.

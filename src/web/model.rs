@@ -1,7 +1,8 @@
 //! The model in the worker: loads weights, then imagines maps, proposes balls and tries them.
 //!
-//! The page never calls it, because it is slow: the nets take some ten milliseconds per scene, a rollout about one, and a
-//! turn simulates up to a hundred rollouts. `Turn` makes one attempt per call, so that the worker can stop in between.
+//! The page never calls it, because it is slow: the nets take some ten milliseconds per scene, a rollout about one, and
+//! a turn simulates up to a hundred rollouts. `Turn` makes one attempt per call, so that the worker can stop in
+//! between.
 
 use std::cell::RefCell;
 
@@ -75,8 +76,8 @@ impl Model {
         Ok(load(played)?.id.task().is_some_and(|task| self.seen.binary_search(&task).is_ok()))
     }
 
-    /// Returns the maps of a task: for each stage a Float32Array of 64 x 64 values in 0..=1, row 0 at the bottom. Weights
-    /// with neither a judge nor a dynamics net have no map `judge`.
+    /// Returns the maps of a task: for each stage a Float32Array of 64 x 64 values in 0..=1, row 0 at the bottom.
+    /// Weights with neither a judge nor a dynamics net have no map `judge`.
     ///
     /// # Errors
     /// `bad_task` if there is no such task, `bad_scene` if the scene may not be played.
@@ -104,11 +105,11 @@ impl Model {
         Ok(maps.into())
     }
 
-    /// Returns the balls that the model would try, in order, each with its origin: `count` of them, 1 to 1,000; without a
-    /// count as many as there are attempts.
+    /// Returns the balls that the model would try, in order, each with its origin: `count` of them, 1 to 1,000; without
+    /// a count as many as there are attempts.
     ///
-    /// # Errors
-    /// `bad_task` if there is no such task, `bad_scene` if the scene may not be played, `bad_data` if the count is out of range or not a whole number.
+    /// # Errors `bad_task` if there is no such task, `bad_scene` if the scene may not be played, `bad_data` if the
+    /// count is out of range or not a whole number.
     #[wasm_bindgen(unchecked_return_type = "Proposal[]")]
     pub fn propose(
         &self,

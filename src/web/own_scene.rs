@@ -70,8 +70,8 @@ pub fn scene_limits() -> Result<JsValue, JsValue> {
     })
 }
 
-/// Draws an own scene as it is being made into a square canvas, also one that may not be played: the scene, the maps over it, and
-/// the ball of the view.
+/// Draws an own scene as it is being made into a square canvas, also one that may not be played: the scene, the maps
+/// over it, and the ball of the view.
 ///
 /// # Errors
 /// `bad_scene` if it cannot be read, `bad_data` if the view does not have the agreed form.

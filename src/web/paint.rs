@@ -1,7 +1,7 @@
 //! Draws scenes, balls, paths, rings and overlaid maps on a canvas.
 //!
-//! A `Painter` transforms the canvas so that one unit is one px of the scene, origin bottom left, y up, at any resolution of
-//! the canvas; then each call draws one thing. It must not depend on attempts or on time.
+//! A `Painter` transforms the canvas so that one unit is one px of the scene, origin bottom left, y up, at any
+//! resolution of the canvas; then each call draws one thing. It must not depend on attempts or on time.
 
 use std::f64::consts::TAU;
 
@@ -65,7 +65,8 @@ impl<'a> Painter<'a> {
         self.context.set_global_alpha(alpha);
     }
 
-    /// Draws a body in the colour of its role, at a pose or where the scene has it. A goal is hatched, the green object dotted.
+    /// Draws a body in the colour of its role, at a pose or where the scene has it. A goal is hatched, the green object
+    /// dotted.
     pub fn body(&self, body: &Body, pose: Option<Pose>, goal: bool) -> Result<(), JsValue> {
         let [x, y, angle] = pose.map_or([body.x, body.y, body.angle], |pose| pose.map(f64::from));
         let context = self.context;

@@ -1,7 +1,7 @@
 //! Turns a Rust panic into a JavaScript `Error` with the message of the panic and the code `panic`.
 //!
-//! Without it a panic is a `RuntimeError: unreachable`. The error is thrown from the panic hook, before the wasm traps, so
-//! nothing is unwound: the instance must not be used again.
+//! Without it a panic is a `RuntimeError: unreachable`. The error is thrown from the panic hook, before the wasm traps,
+//! so nothing is unwound: the instance must not be used again.
 
 use std::panic;
 

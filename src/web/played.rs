@@ -12,7 +12,8 @@ use crate::puzzle::own_scene::{BODIES, Problem};
 use crate::puzzle::task::{Task, TaskError, TaskId};
 
 thread_local! {
-    /// The task that was loaded last: a script tries many balls on one task, and loading it may take longer than a rollout.
+    /// The task that was loaded last: a script tries many balls on one task, and loading it may take longer than a
+    /// rollout.
     static LAST_TASK: RefCell<Option<Played>> = const { RefCell::new(None) };
 }
 
@@ -41,8 +42,8 @@ const SCENE_KEYS: [&str; 4] = ["version", "name", "body1", "body2"];
 /// The keys of a body.
 const BODY_KEYS: [&str; 9] = ["shape", "radius", "length", "thickness", "height", "x", "y", "angle", "dynamic"];
 
-/// Returns what may be an own scene as JSON: the keys that one has and nothing else, because a foreign file may be nested so
-/// deep that converting all of it overflows the stack.
+/// Returns what may be an own scene as JSON: the keys that one has and nothing else, because a foreign file may be
+/// nested so deep that converting all of it overflows the stack.
 pub fn plain_scene(value: &JsValue) -> Value {
     if !value.is_object() {
         return Value::Null;
@@ -59,7 +60,8 @@ pub fn plain_scene(value: &JsValue) -> Value {
     scene.into()
 }
 
-/// Returns these keys of an object as far as their values are numbers, texts or truth values; null for others that it has.
+/// Returns these keys of an object as far as their values are numbers, texts or truth values; null for others that it
+/// has.
 fn plain_object(value: &JsValue, keys: &[&str]) -> Map<String, Value> {
     let get = |key: &str| Reflect::get(value, &key.into()).ok().filter(|value| !value.is_undefined());
     let entries = keys.iter().filter_map(|&key| Some((key.to_string(), plain(&get(key)?))));

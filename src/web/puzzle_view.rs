@@ -82,8 +82,8 @@ impl Puzzle {
         self.recordings.iter().map(|recording| recording.path_masks(&self.played.scene)).collect()
     }
 
-    /// Returns where the green object and the ball really were in the first of the current recordings, after the steps of an
-    /// `ImaginedBall`; undefined without a ball.
+    /// Returns where the green object and the ball really were in the first of the current recordings, after the steps
+    /// of an `ImaginedBall`; undefined without a ball.
     #[wasm_bindgen(js_name = sampledPaths, unchecked_return_type = "Pick<ImaginedBall, \"object\" | \"ball\"> | undefined")]
     pub fn sampled_paths(&self) -> Result<JsValue, JsValue> {
         let scene = &self.played.scene;
@@ -94,7 +94,8 @@ impl Puzzle {
             .map_or(Ok(JsValue::UNDEFINED), |paths| paths_to_js(&paths).map(Into::into))
     }
 
-    /// Shows the best attempts of player and model over each other and returns both; null for a contender without attempts.
+    /// Shows the best attempts of player and model over each other and returns both; null for a contender without
+    /// attempts.
     #[wasm_bindgen(unchecked_return_type = "[player: ListedAttempt | null, model: ListedAttempt | null]")]
     pub fn compare(&mut self) -> Result<JsValue, JsValue> {
         let best = [Contender::Player, Contender::Model].map(|who| (who, self.game.best(who)));
@@ -114,8 +115,8 @@ impl Puzzle {
         self.recordings.iter().map(|recording| recording.rollout.still_from()).max().unwrap_or(0)
     }
 
-    /// Returns when and where the green object came nearest to its goal in the first of the current recordings; undefined if
-    /// there are none.
+    /// Returns when and where the green object came nearest to its goal in the first of the current recordings;
+    /// undefined if there are none.
     #[wasm_bindgen(js_name = closestApproach, unchecked_return_type = "ClosestApproach | undefined")]
     pub fn closest_approach(&self) -> Result<JsValue, JsValue> {
         let approach = |recording: &Recording| closest_approach(&self.played.scene, &recording.rollout);

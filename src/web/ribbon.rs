@@ -1,5 +1,5 @@
-//! Draws what the model imagines for a ball: each path as a dotted line in a ribbon as wide as it is expected to be wrong,
-//! and ghosts of the bodies on it. Real paths are solid or dashed and have no ribbon.
+//! Draws what the model imagines for a ball: each path as a dotted line in a ribbon as wide as it is expected to be
+//! wrong, and ghosts of the bodies on it. Real paths are solid or dashed and have no ribbon.
 
 use std::f64::consts::TAU;
 
@@ -10,7 +10,8 @@ use super::paint::{LineStyle, Painter, bounding_radius};
 use crate::puzzle::sampled_paths::{SAMPLED_STEPS, SAMPLES, SampledPath};
 use crate::puzzle::scene::{Body, Scene};
 
-/// The parts of a ribbon: width, in expected errors, and opacity, 0..=1. They lie over each other, so that it fades outwards.
+/// The parts of a ribbon: width, in expected errors, and opacity, 0..=1. They lie over each other, so that it fades
+/// outwards.
 const RIBBON_PARTS: [(f64, f64); 2] = [(1.0, 0.1), (0.5, 0.12)];
 
 /// Opacity of a ghost, 0..=1.
@@ -104,8 +105,8 @@ impl Painter<'_> {
         Ok(())
     }
 
-    /// Draws ghosts of the green object and of the ball: where they are imagined after so many steps, or all along their
-    /// paths.
+    /// Draws ghosts of the green object and of the ball: where they are imagined after so many steps, or all along
+    /// their paths.
     pub fn ghosts(&self, scene: &Scene, imagined: &ImaginedPaths, step: Option<f64>) -> Result<(), JsValue> {
         self.set_alpha(GHOST_OPACITY);
         for track in tracks(scene, imagined) {

@@ -1,6 +1,6 @@
-//! The exports for scripts, which experiment with tasks without playing them: the scene of a task, its raster, why a ball
-//! is invalid in it, and the rollout of a ball. Between calls only the task that was loaded last is kept, so there is
-//! nothing to free.
+//! The exports for scripts, which experiment with tasks without playing them: the scene of a task, its raster, why a
+//! ball is invalid in it, and the rollout of a ball. Between calls only the task that was loaded last is kept, so there
+//! is nothing to free.
 
 use js_sys::{Float32Array, Object, Reflect, Uint8Array, Uint32Array};
 use serde::Serialize;
@@ -25,8 +25,8 @@ pub fn scene(#[wasm_bindgen(unchecked_param_type = "Played")] played: JsValue) -
     to_js(&load(played)?.scene)
 }
 
-/// Returns the five channels of a scene, which the four nets and the judge see: green object, blue goal, purple goal, gray, black. A
-/// Float32Array `[5, 64, 64]` of zeros and ones, row 0 at the bottom.
+/// Returns the five channels of a scene, which the four nets and the judge see: green object, blue goal, purple goal,
+/// gray, black. A Float32Array `[5, 64, 64]` of zeros and ones, row 0 at the bottom.
 ///
 /// # Errors
 /// `bad_task` if there is no such task, `bad_scene` if the scene may not be played.

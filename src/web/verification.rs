@@ -1,5 +1,5 @@
-//! The exports about what attempts prove: whether a scene can be solved, whether a ball that solves is lucky, and lines of
-//! attempts that anyone can simulate again.
+//! The exports about what attempts prove: whether a scene can be solved, whether a ball that solves is lucky, and lines
+//! of attempts that anyone can simulate again.
 
 use serde_json::Value;
 use wasm_bindgen::prelude::*;
@@ -65,8 +65,8 @@ pub fn attempt_line(
     to_js(&AttemptLine::of(&load(played)?, ball_from(ball)?, Engine::default()))
 }
 
-/// Simulates the attempt of a line again, and returns whether it is the same to the bit. Fails for no value: what is not a line is
-/// `not_valid`.
+/// Simulates the attempt of a line again, and returns whether it is the same to the bit. Fails for no value: what is
+/// not a line is `not_valid`.
 #[wasm_bindgen(js_name = verifyAttempt, unchecked_return_type = "Verification")]
 pub fn verify_attempt(#[wasm_bindgen(unchecked_param_type = "unknown")] line: JsValue) -> Result<JsValue, JsValue> {
     let verdict = match read_names(&line) {

@@ -46,8 +46,8 @@ pub fn holds(code: &str, word: &str) -> bool {
     code.match_indices(word).any(|(at, _)| !(word.starts_with(joins) && code[..at].ends_with(joins)))
 }
 
-/// Comments of Rust and JavaScript. A `//` in a string ends the line too early, which a rule can only miss something by;
-/// `://` of an address does not.
+/// Comments of Rust and JavaScript. A `//` in a string ends the line too early, which a rule can only miss something
+/// by; `://` of an address does not.
 fn without_comments(text: &str) -> String {
     let mut code = String::new();
     let mut in_block = false;

@@ -19,6 +19,9 @@ const MAX_LINES: usize = 300;
 /// How the reason for a longer file begins, in a comment of its head.
 const LONG: &str = "Long because ";
 
+/// Widest line of a comment, columns: as rustfmt and Prettier hold the code to, which leave comments alone.
+const MAX_COMMENT_WIDTH: usize = 120;
+
 /// Names that say nothing of what a file holds.
 const DUMPING_GROUNDS: [&str; 6] = ["utils", "util", "helpers", "helper", "common", "misc"];
 
@@ -52,6 +55,33 @@ fn a_file_is_too_long_from_301_lines_without_a_reason() {
 fn is_too_long(text: &str) -> bool {
     let mut head = text.lines().take_while(|line| line.starts_with("//"));
     text.lines().count() > MAX_LINES && !head.any(|line| line.contains(LONG))
+}
+
+#[test]
+fn no_comment_is_too_wide() {
+    let mut broken = Vec::new();
+    for folder in ["src", "serve", "www", "tests", "benches", "scripts"] {
+        for source in files(folder, &["rs", "js", "mjs"]) {
+            let too_wide = wide_comments(&source.text);
+            broken.extend(too_wide.into_iter().map(|line| format!("{folder}/{}:{line}", source.path)));
+        }
+    }
+    assert!(broken.is_empty(), "\nwrap these comments at {MAX_COMMENT_WIDTH} columns:\n{}", broken.join("\n"));
+}
+
+#[test]
+fn a_wide_comment_is_found() {
+    let words = "word ".repeat(25);
+    assert_eq!(wide_comments(&format!("// {words}\n    /// {words}\n  * {words}\nlet a = \"{words}\";\n")), [1, 2, 3]);
+    assert!(wide_comments(&format!("// short\n// https://a.example/{}\n", "a".repeat(120))).is_empty());
+}
+
+/// The numbers of the lines that are comments and too wide. An address cannot be wrapped.
+fn wide_comments(text: &str) -> Vec<usize> {
+    let is_comment = |line: &str| ["//", "/*", "* "].iter().any(|start| line.trim_start().starts_with(start));
+    let is_wide = |line: &str| line.chars().count() > MAX_COMMENT_WIDTH && !line.contains("://");
+    let lines = text.lines().enumerate();
+    lines.filter(|(_, line)| is_comment(line) && is_wide(line)).map(|(index, _)| index + 1).collect()
 }
 
 /// Cargo refuses a package below a workspace that is neither its member nor a workspace of its own.

@@ -3,8 +3,9 @@
 use crate::files::{Source, files};
 use crate::rule::{Never, Only, Rule, unknown_files};
 
-/// The folders and files of `www/` in the order in which they import each other: each only those before it. `pkg` is the
-/// wasm package, of which all may import what the API does not have. Imports in JSDoc are types only and are not looked at.
+/// The folders and files of `www/` in the order in which they import each other: each only those before it. `pkg` is
+/// the wasm package, of which all may import what the API does not have. Imports in JSDoc are types only and are not
+/// looked at.
 const LAYERS: [&str; 10] = ["pkg", "api", "shell", "model", "play", "panels", "workshop", "element", "page", "offline"];
 
 /// What modules outside of `api/` may import of `pkg`: what the API does not have, because only the player needs it.

@@ -1,110 +1,127 @@
 // axe finds nothing serious or critical on any view, on a desktop and on a phone, light and dark; and the roles stand
 // out from the paper.
 
-import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
-import { axeFindsNothing } from './axe.mjs';
-import { start } from './harness.mjs';
-import { EASY, known, openPuzzle, playModelTurn, says, type } from './page-actions.mjs';
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { axeFindsNothing } from "./axe.mjs";
+import { start } from "./harness.mjs";
+import { EASY, known, openPuzzle, playModelTurn, says, type } from "./page-actions.mjs";
 
 let session;
 before(async () => (session = await start()));
 after(() => session.stop());
 
 const SCREENS = {
-  'a desktop': { viewport: { width: 1280, height: 800 } },
-  'a phone': { viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true },
+  "a desktop": { viewport: { width: 1280, height: 800 } },
+  "a phone": { viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true },
 };
 
 for (const [screen, size] of Object.entries(SCREENS)) {
-  for (const colorScheme of /** @type {const} */ (['light', 'dark'])) {
+  for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
     test(`the grid, a bad link and all sheets on ${screen}, ${colorScheme}`, async () => {
-      const page = await session.open('/#task=00007:999', { ...size, colorScheme });
-      await page.locator('#templates canvas.drawn').first().waitFor();
-      await page.evaluate((task) => localStorage.setItem('pathlight.progress', JSON.stringify({ tasks: { [task]: { attempts: 3, solved: 2 } } })), EASY);
-      await axeFindsNothing(page, 'bad link');
+      const page = await session.open("/#task=00007:999", { ...size, colorScheme });
+      await page.locator("#templates canvas.drawn").first().waitFor();
+      await page.evaluate(
+        (task) =>
+          localStorage.setItem("pathlight.progress", JSON.stringify({ tasks: { [task]: { attempts: 3, solved: 2 } } })),
+        EASY,
+      );
+      await axeFindsNothing(page, "bad link");
       await page.reload();
-      await page.locator('#progress:visible').waitFor();
-      await axeFindsNothing(page, 'grid');
-      for (const sheet of ['keys-dialog', 'about-dialog', 'forget-dialog']) {
+      await page.locator("#progress:visible").waitFor();
+      await axeFindsNothing(page, "grid");
+      for (const sheet of ["keys-dialog", "about-dialog", "forget-dialog"]) {
         await page.locator(`#${sheet}`).evaluate((dialog) => dialog.showModal());
         await axeFindsNothing(page, sheet);
-        await page.keyboard.press('Escape');
+        await page.keyboard.press("Escape");
       }
     });
 
     test(`placing, running, solved, missed and overlaid on ${screen}, ${colorScheme}`, async () => {
       const page = await openPuzzle(session, { ...size, colorScheme });
       const { solving, missing, invalid } = await known();
-      await axeFindsNothing(page, 'placing');
+      await axeFindsNothing(page, "placing");
       await type(page, missing);
-      await page.locator('#forecast-on').check();
-      await page.locator('#forecast-words').filter({ hasText: 'thinks' }).waitFor();
-      await page.locator('#forecast-how summary').click();
-      await axeFindsNothing(page, 'what would this ball do?');
-      await page.locator('#speed').selectOption('0.25');
-      await page.locator('#run').click();
+      await page.locator("#forecast-on").check();
+      await page.locator("#forecast-words").filter({ hasText: "thinks" }).waitFor();
+      await page.locator("#forecast-how summary").click();
+      await axeFindsNothing(page, "what would this ball do?");
+      await page.locator("#speed").selectOption("0.25");
+      await page.locator("#run").click();
       await says(page, /is running/);
-      await axeFindsNothing(page, 'running');
-      await page.locator('#reset').click();
-      await page.emulateMedia({ reducedMotion: 'reduce' });
-      for (const { one, words } of [{ one: missing, words: /^Not solved/ }, { one: solving, words: /^Solved/ }, { one: invalid, words: /does not count/ }]) {
+      await axeFindsNothing(page, "running");
+      await page.locator("#reset").click();
+      await page.emulateMedia({ reducedMotion: "reduce" });
+      for (const { one, words } of [
+        { one: missing, words: /^Not solved/ },
+        { one: solving, words: /^Solved/ },
+        { one: invalid, words: /does not count/ },
+      ]) {
         await type(page, one);
-        await page.locator('#run').click();
+        await page.locator("#run").click();
         await says(page, words);
         await axeFindsNothing(page, String(words));
       }
-      await page.locator('#play-attempts [data-act=overlay]').first().click();
+      await page.locator("#play-attempts [data-act=overlay]").first().click();
       await says(page, /\(dashed\)/);
-      await axeFindsNothing(page, 'overlaid');
+      await axeFindsNothing(page, "overlaid");
     });
 
     test(`imagine and compare on ${screen}, ${colorScheme}`, async () => {
-      const page = await openPuzzle(session, { ...size, colorScheme, fragment: '&panel=imagine&layers=base,placement', reducedMotion: true });
-      await page.locator('#imagined-in').filter({ hasText: 'Imagined' }).waitFor();
-      await axeFindsNothing(page, 'imagine');
-      await page.locator('#tab-compare').click();
-      await axeFindsNothing(page, 'compare, before');
+      const page = await openPuzzle(session, {
+        ...size,
+        colorScheme,
+        fragment: "&panel=imagine&layers=base,placement",
+        reducedMotion: true,
+      });
+      await page.locator("#imagined-in").filter({ hasText: "Imagined" }).waitFor();
+      await axeFindsNothing(page, "imagine");
+      await page.locator("#tab-compare").click();
+      await axeFindsNothing(page, "compare, before");
       await playModelTurn(page);
-      await axeFindsNothing(page, 'compare, after');
+      await axeFindsNothing(page, "compare, after");
     });
 
     test(`how the model thinks on ${screen}, ${colorScheme}`, async () => {
-      const page = await openPuzzle(session, { ...size, colorScheme, fragment: '&panel=imagine', reducedMotion: true });
-      await page.locator('#imagined-in').filter({ hasText: 'Imagined' }).waitFor();
+      const page = await openPuzzle(session, { ...size, colorScheme, fragment: "&panel=imagine", reducedMotion: true });
+      await page.locator("#imagined-in").filter({ hasText: "Imagined" }).waitFor();
       const tab = (name) => page.locator(`#tab-${name}`).click();
-      await page.locator('#walkthrough-next').click();
-      await page.locator('[data-stage=base] .map').press('ArrowUp');
-      for (const sum of await page.locator('#imagine summary:visible').all()) await sum.click();
-      await axeFindsNothing(page, 'a step of the story, read');
-      await page.locator('#walkthrough-dots button:visible').last().click();
+      await page.locator("#walkthrough-next").click();
+      await page.locator("[data-stage=base] .map").press("ArrowUp");
+      for (const sum of await page.locator("#imagine summary:visible").all()) await sum.click();
+      await axeFindsNothing(page, "a step of the story, read");
+      await page.locator("#walkthrough-dots button:visible").last().click();
       await page.waitForTimeout(300);
-      await axeFindsNothing(page, 'the last step of the story');
-      await tab('predict');
-      await axeFindsNothing(page, 'predict');
-      await page.locator('#scene').press('Shift+ArrowDown');
-      await page.locator('#predict-watch').click();
-      await page.locator('#predict-result:visible').waitFor();
-      await axeFindsNothing(page, 'predict, measured');
-      await tab('imagine');
-      await page.locator('#walkthrough-all').click();
-      await page.locator('#runs li').first().waitFor();
-      await axeFindsNothing(page, 'imagined and real');
-      await tab('compare');
+      await axeFindsNothing(page, "the last step of the story");
+      await tab("predict");
+      await axeFindsNothing(page, "predict");
+      await page.locator("#scene").press("Shift+ArrowDown");
+      await page.locator("#predict-watch").click();
+      await page.locator("#predict-result:visible").waitFor();
+      await axeFindsNothing(page, "predict, measured");
+      await tab("imagine");
+      await page.locator("#walkthrough-all").click();
+      await page.locator("#runs li").first().waitFor();
+      await axeFindsNothing(page, "imagined and real");
+      await tab("compare");
       await page.waitForFunction(() => /panel=compare/.test(location.hash));
-      await page.evaluate((task) => localStorage.setItem('pathlight.progress', JSON.stringify({ tasks: { [task]: { attempts: 3, solved: 2 } } })), EASY);
+      await page.evaluate(
+        (task) =>
+          localStorage.setItem("pathlight.progress", JSON.stringify({ tasks: { [task]: { attempts: 3, solved: 2 } } })),
+        EASY,
+      );
       await page.reload();
-      await page.locator('#model-turn:enabled').click();
-      await page.locator('#score-table:visible').waitFor({ timeout: 120_000 });
-      await page.locator('#proposal-next').click();
-      await page.locator('#proposal-facts:visible').waitFor();
-      for (const sum of await page.locator('#compare summary:visible').all()) await sum.click();
-      await axeFindsNothing(page, 'a ball of the model’s, and the score');
-      await tab('map');
-      await page.locator('#solve-map-search').click();
-      await page.locator('#solve-map-words').filter({ hasText: 'tried so far' }).waitFor();
-      await page.locator('#solve-map-placement').check();
-      await axeFindsNothing(page, 'map');
+      await page.locator("#model-turn:enabled").click();
+      await page.locator("#score-table:visible").waitFor({ timeout: 120_000 });
+      await page.locator("#proposal-next").click();
+      await page.locator("#proposal-facts:visible").waitFor();
+      for (const sum of await page.locator("#compare summary:visible").all()) await sum.click();
+      await axeFindsNothing(page, "a ball of the model’s, and the score");
+      await tab("map");
+      await page.locator("#solve-map-search").click();
+      await page.locator("#solve-map-words").filter({ hasText: "tried so far" }).waitFor();
+      await page.locator("#solve-map-placement").check();
+      await axeFindsNothing(page, "map");
     });
   }
 }
@@ -117,16 +134,16 @@ function luminance(colour) {
   return 0.2126 * red + 0.7152 * green + 0.0722 * blue;
 }
 
-test('every role stands out from the paper, three to one, light and dark', async () => {
-  const page = await session.open('/');
-  await page.locator('#templates canvas.drawn').first().waitFor();
+test("every role stands out from the paper, three to one, light and dark", async () => {
+  const page = await session.open("/");
+  await page.locator("#templates canvas.drawn").first().waitFor();
   for (const dark of [false, true]) {
-    const colours = await page.evaluate(async (dark) => (await import('/pkg/pathlight.js')).palette(dark), dark);
+    const colours = await page.evaluate(async (dark) => (await import("/pkg/pathlight.js")).palette(dark), dark);
     // A black body is seen by its rim, and the ring has one of ink.
-    for (const role of ['green', 'blue', 'purple', 'gray', 'rim', 'red', 'ink']) {
+    for (const role of ["green", "blue", "purple", "gray", "rim", "red", "ink"]) {
       const [one, other] = [luminance(colours[role]), luminance(colours.paper)].toSorted((a, b) => b - a);
       const contrast = (one + 0.05) / (other + 0.05);
-      assert.ok(contrast >= 3, `${role} on ${dark ? 'dark' : 'light'} paper: ${contrast.toFixed(2)} to 1`);
+      assert.ok(contrast >= 3, `${role} on ${dark ? "dark" : "light"} paper: ${contrast.toFixed(2)} to 1`);
     }
   }
 });

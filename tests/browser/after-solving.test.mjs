@@ -1,13 +1,13 @@
-// After solving: a celebration, the next puzzle, the model's turn, and a result to share, which challenges others without
-// telling the ball.
+// After solving: a celebration, the next puzzle, the model's turn, and a result to share, which challenges others
+// without telling the ball.
 
-import assert from 'node:assert/strict';
-import { readFile } from 'node:fs/promises';
-import { after, before, test } from 'node:test';
-import { axeFindsNothing } from './axe.mjs';
-import { start } from './harness.mjs';
-import { EASY, known, modelLoaded, openPuzzle, says, type } from './page-actions.mjs';
-import { load } from '../../www/api/pathlight.js';
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { after, before, test } from "node:test";
+import { axeFindsNothing } from "./axe.mjs";
+import { start } from "./harness.mjs";
+import { EASY, known, modelLoaded, openPuzzle, says, type } from "./page-actions.mjs";
+import { load } from "../../www/api/pathlight.js";
 
 const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 
@@ -19,185 +19,234 @@ after(() => session.stop());
 async function solved(options = {}) {
   const page = await openPuzzle(session, { reducedMotion: true, ...options });
   const { solving, missing } = await known();
-  for (const [ball, words] of /** @type {const} */ ([[missing, /^Not solved/], [solving, /^Solved!/]])) {
+  for (const [ball, words] of /** @type {const} */ ([
+    [missing, /^Not solved/],
+    [solving, /^Solved!/],
+  ])) {
     await type(page, ball);
-    await page.locator('#run').click();
+    await page.locator("#run").click();
     await says(page, words);
   }
   return { page, solving };
 }
 
-const task = (page) => new URLSearchParams(new URL(page.url()).hash.slice(1)).get('task');
-const unsolved = (page) => page.locator('#solved').isHidden();
+const task = (page) => new URLSearchParams(new URL(page.url()).hash.slice(1)).get("task");
+const unsolved = (page) => page.locator("#solved").isHidden();
 
-test('a solved puzzle is celebrated, and motionless with reduced motion', async () => {
+test("a solved puzzle is celebrated, and motionless with reduced motion", async () => {
   const { page } = await solved();
-  const sparks = page.locator('#celebration span');
+  const sparks = page.locator("#celebration span");
   assert.ok((await sparks.count()) > 10 && (await sparks.first().isVisible()));
   assert.equal(await sparks.first().evaluate((spark) => spark.getAnimations().length), 0);
-  await page.locator('#celebration').waitFor({ state: 'hidden' });
-  assert.equal(await page.locator('#solved-title').textContent(), 'Solved in 2 attempts!');
+  await page.locator("#celebration").waitFor({ state: "hidden" });
+  assert.equal(await page.locator("#solved-title").textContent(), "Solved in 2 attempts!");
 
   const moving = await openPuzzle(session);
   assert.ok(await unsolved(moving));
   await type(moving, (await known()).solving);
-  await moving.locator('#speed').selectOption('4');
-  await moving.locator('#run').click();
+  await moving.locator("#speed").selectOption("4");
+  await moving.locator("#run").click();
   await says(moving, /is running/);
-  assert.ok(await unsolved(moving), 'nothing is told before it has run');
+  assert.ok(await unsolved(moving), "nothing is told before it has run");
   await says(moving, /^Solved!/);
-  assert.equal(await moving.locator('#celebration span').first().evaluate((spark) => spark.getAnimations().length), 1);
+  assert.equal(
+    await moving
+      .locator("#celebration span")
+      .first()
+      .evaluate((spark) => spark.getAnimations().length),
+    1,
+  );
 });
 
-test('the next puzzle is of the same kind, or a little harder or easier', async () => {
+test("the next puzzle is of the same kind, or a little harder or easier", async () => {
   const { page } = await solved();
   const pathlight = await load({ weights: null });
   const rate = (task) => pathlight.difficulty(task).solve_rate;
-  const next = page.locator('#solved-next');
-  assert.equal((await next.getAttribute('href')), '#task=00000:001');
-  for (const [by, fits] of /** @type {const} */ ([['harder', (other) => rate(other) < rate(EASY)], ['easier', (other) => rate(other) > rate(EASY)]])) {
-    await page.locator('#next-by').selectOption(by);
-    const other = (await next.getAttribute('href')).slice('#task='.length);
+  const next = page.locator("#solved-next");
+  assert.equal(await next.getAttribute("href"), "#task=00000:001");
+  for (const [by, fits] of /** @type {const} */ ([
+    ["harder", (other) => rate(other) < rate(EASY)],
+    ["easier", (other) => rate(other) > rate(EASY)],
+  ])) {
+    await page.locator("#next-by").selectOption(by);
+    const other = (await next.getAttribute("href")).slice("#task=".length);
     assert.ok(fits(other), `${by}: ${rate(other)} after ${rate(EASY)}`);
-    assert.notEqual(other.split(':')[0], EASY.split(':')[0], 'of another kind');
+    assert.notEqual(other.split(":")[0], EASY.split(":")[0], "of another kind");
   }
-  const other = (await next.getAttribute('href')).slice('#task='.length);
+  const other = (await next.getAttribute("href")).slice("#task=".length);
   await next.click();
   await says(page, /place the red ball/);
   assert.equal(task(page), other);
   assert.ok(await unsolved(page));
 });
 
-test('the model’s turn is one click away', async () => {
+test("the model’s turn is one click away", async () => {
   const { page } = await solved();
   await modelLoaded(page);
-  await page.locator('#solved-model').click();
-  await page.locator('#model-turn').filter({ hasText: 'The model has played' }).waitFor({ timeout: 60_000 });
-  assert.equal(await page.locator('#tab-compare').getAttribute('aria-selected'), 'true');
+  await page.locator("#solved-model").click();
+  await page.locator("#model-turn").filter({ hasText: "The model has played" }).waitFor({ timeout: 60_000 });
+  assert.equal(await page.locator("#tab-compare").getAttribute("aria-selected"), "true");
 });
 
-test('a link that hides the puzzles and the model leads to neither', async () => {
-  const { page } = await solved({ fragment: '&hide=puzzles,imagine,compare,predict,map' });
-  for (const id of ['solved-next', 'solved-model', 'solved-share', 'next-by']) assert.ok(await page.locator(`#${id}`).isHidden(), id);
+test("a link that hides the puzzles and the model leads to neither", async () => {
+  const { page } = await solved({ fragment: "&hide=puzzles,imagine,compare,predict,map" });
+  for (const id of ["solved-next", "solved-model", "solved-share", "next-by"])
+    assert.ok(await page.locator(`#${id}`).isHidden(), id);
 });
 
-test('a sheet that cannot be loaded is a sentence, and is asked for again', async () => {
+test("a sheet that cannot be loaded is a sentence, and is asked for again", async () => {
   const { page } = await solved();
-  await page.route('**/share-dialog.js', (route) => route.abort());
-  await page.locator('#solved-share').click();
-  await page.locator('#notice-text').filter({ hasText: 'The sheet to share a result could not be loaded.' }).waitFor();
+  await page.route("**/share-dialog.js", (route) => route.abort());
+  await page.locator("#solved-share").click();
+  await page.locator("#notice-text").filter({ hasText: "The sheet to share a result could not be loaded." }).waitFor();
   session.takeProblems();
 });
 
-for (const [screen, options] of Object.entries({ 'a desktop': {}, 'a phone': PHONE })) {
+for (const [screen, options] of Object.entries({ "a desktop": {}, "a phone": PHONE })) {
   test(`a result is shared as picture, text and challenge on ${screen}`, async () => {
-    const { page, solving } = await solved({ ...options, permissions: ['clipboard-read', 'clipboard-write'] });
-    await page.locator('#solved-share').focus();
-    await page.keyboard.press('Enter');
-    await page.locator('#share-dialog[open]').waitFor();
-    assert.equal(await page.locator('#share-text').textContent(), 'I solved Pathlight’s puzzle “Two Drops, 1 of 100” in 2 attempts. Can you do better?');
-    const picture = page.locator('#share-picture');
-    await page.waitForFunction(() => /** @type {HTMLImageElement} */ (document.getElementById('share-picture')).naturalWidth === 1200);
-    assert.match(await picture.getAttribute('alt'), /^Two Drops, 1 of 100\. Solved in 2 attempts/);
-    const without = await picture.getAttribute('src');
-    await page.locator('#share-ball').check();
-    await page.waitForFunction((src) => document.querySelector('#share-picture')?.getAttribute('src') !== src, without);
+    const { page, solving } = await solved({ ...options, permissions: ["clipboard-read", "clipboard-write"] });
+    await page.locator("#solved-share").focus();
+    await page.keyboard.press("Enter");
+    await page.locator("#share-dialog[open]").waitFor();
+    assert.equal(
+      await page.locator("#share-text").textContent(),
+      "I solved Pathlight’s puzzle “Two Drops, 1 of 100” in 2 attempts. Can you do better?",
+    );
+    const picture = page.locator("#share-picture");
+    await page.waitForFunction(
+      () => /** @type {HTMLImageElement} */ (document.getElementById("share-picture")).naturalWidth === 1200,
+    );
+    assert.match(await picture.getAttribute("alt"), /^Two Drops, 1 of 100\. Solved in 2 attempts/);
+    const without = await picture.getAttribute("src");
+    await page.locator("#share-ball").check();
+    await page.waitForFunction((src) => document.querySelector("#share-picture")?.getAttribute("src") !== src, without);
     await axeFindsNothing(page);
 
-    const [file] = await Promise.all([page.waitForEvent('download'), page.locator('#share-save').click()]);
-    assert.equal(file.suggestedFilename(), 'pathlight-00000-000.png');
+    const [file] = await Promise.all([page.waitForEvent("download"), page.locator("#share-save").click()]);
+    assert.equal(file.suggestedFilename(), "pathlight-00000-000.png");
     const bytes = await readFile(await file.path());
     assert.deepEqual([bytes.readUInt32BE(16), bytes.readUInt32BE(20)], [1200, 630]);
 
-    await page.locator('#share-copy').click();
-    await page.locator('#share-done').filter({ hasText: 'copied' }).waitFor();
+    await page.locator("#share-copy").click();
+    await page.locator("#share-done").filter({ hasText: "copied" }).waitFor();
     const text = await page.evaluate(() => navigator.clipboard.readText());
-    const link = text.split('\n').at(-1);
-    assert.equal(new URL(link).hash, `#task=${EASY}&challenge=2`, 'the ball is not told');
+    const link = text.split("\n").at(-1);
+    assert.equal(new URL(link).hash, `#task=${EASY}&challenge=2`, "the ball is not told");
 
-    const friend = await session.open(link.slice(session.origin.length), { reducedMotion: 'reduce' });
-    await friend.locator('#challenge').filter({ hasText: 'A challenge: somebody solved this puzzle in 2 attempts. Can you?' }).waitFor();
+    const friend = await session.open(link.slice(session.origin.length), { reducedMotion: "reduce" });
+    await friend
+      .locator("#challenge")
+      .filter({ hasText: "A challenge: somebody solved this puzzle in 2 attempts. Can you?" })
+      .waitFor();
     await type(friend, solving);
-    await friend.locator('#run').click();
-    await friend.locator('#challenge').filter({ hasText: 'You have beaten the challenge' }).waitFor();
-    await friend.locator('#next').click();
-    await friend.locator('#challenge').waitFor({ state: 'hidden' });
+    await friend.locator("#run").click();
+    await friend.locator("#challenge").filter({ hasText: "You have beaten the challenge" }).waitFor();
+    await friend.locator("#next").click();
+    await friend.locator("#challenge").waitFor({ state: "hidden" });
   });
 }
 
-test('the result is a short film too, with the run in the card, which is saved and shared like the picture', async () => {
+test("the result is a short film too, with the run in the card, which is saved and shared like the picture", async () => {
   const { page } = await solved();
-  await page.evaluate(() => Object.assign(navigator, { canShare: () => true, share: async (data) => Object.assign(window, { shared: data }) }));
-  await page.locator('#solved-share').click();
-  const film = page.locator('#share-film');
-  const done = (words) => page.locator('#share-done').filter({ hasText: words }).waitFor();
+  await page.evaluate(() =>
+    Object.assign(navigator, { canShare: () => true, share: async (data) => Object.assign(window, { shared: data }) }),
+  );
+  await page.locator("#solved-share").click();
+  const film = page.locator("#share-film");
+  const done = (words) => page.locator("#share-done").filter({ hasText: words }).waitFor();
   await film.click();
   // The run moves in the card while it is recorded; its words stay.
-  const card = page.locator('#share-dialog canvas');
+  const card = page.locator("#share-dialog canvas");
   const pixels = (x, width) =>
-    card.evaluate((canvas, [x, width]) => {
-      const context = /** @type {HTMLCanvasElement} */ (canvas).getContext('2d');
-      return context ? context.getImageData(x, 0, width, 420).data.join() : '';
-    }, [x, width]);
+    card.evaluate(
+      (canvas, [x, width]) => {
+        const context = /** @type {HTMLCanvasElement} */ (canvas).getContext("2d");
+        return context ? context.getImageData(x, 0, width, 420).data.join() : "";
+      },
+      [x, width],
+    );
   const [scene, words] = [await pixels(0, 400), await pixels(410, 390)];
-  await page.waitForFunction(() => /** @type {HTMLProgressElement} */ (document.getElementById('share-progress')).value > 0.2);
+  await page.waitForFunction(
+    () => /** @type {HTMLProgressElement} */ (document.getElementById("share-progress")).value > 0.2,
+  );
   assert.notEqual(await pixels(0, 400), scene);
   assert.equal(await pixels(410, 390), words);
-  await done('The film is there');
+  await done("The film is there");
   assert.equal(await card.count(), 0);
-  const [file] = await Promise.all([page.waitForEvent('download'), page.locator('#share-save').filter({ hasText: 'Save the film' }).click()]);
-  assert.equal(file.suggestedFilename(), 'pathlight-00000-000.webm');
+  const [file] = await Promise.all([
+    page.waitForEvent("download"),
+    page.locator("#share-save").filter({ hasText: "Save the film" }).click(),
+  ]);
+  assert.equal(file.suggestedFilename(), "pathlight-00000-000.webm");
   const bytes = await readFile(await file.path());
-  assert.equal(bytes.readUInt32BE(0), 0x1a45dfa3, 'it begins as Matroska does');
+  assert.equal(bytes.readUInt32BE(0), 0x1a45dfa3, "it begins as Matroska does");
   assert.ok(bytes.length > 20_000, `${bytes.length} bytes`);
-  await page.locator('#share-system').click();
-  assert.equal(await page.evaluate(() => /** @type {any} */ (window).shared.files[0].type), 'video/webm');
+  await page.locator("#share-system").click();
+  assert.equal(await page.evaluate(() => /** @type {any} */ (window).shared.files[0].type), "video/webm");
 
   // With another picture, that is what is shared again; a film that is given up changes nothing.
-  await page.locator('#share-ball').check();
-  await page.locator('#share-save').filter({ hasText: 'Save the picture' }).waitFor();
+  await page.locator("#share-ball").check();
+  await page.locator("#share-save").filter({ hasText: "Save the picture" }).waitFor();
   await film.click();
-  await page.locator('#share-progress:visible').waitFor();
-  await film.filter({ hasText: 'Stop' }).click();
-  await done('given up');
-  await page.evaluate(() => (MediaRecorder.prototype.start = () => { throw new DOMException('no encoder', 'NotSupportedError'); }));
+  await page.locator("#share-progress:visible").waitFor();
+  await film.filter({ hasText: "Stop" }).click();
+  await done("given up");
+  await page.evaluate(
+    () =>
+      (MediaRecorder.prototype.start = () => {
+        throw new DOMException("no encoder", "NotSupportedError");
+      }),
+  );
   await film.click();
-  await done('could not record');
-  assert.ok(await page.locator('#share-save').filter({ hasText: 'Save the picture' }).isVisible());
+  await done("could not record");
+  assert.ok(await page.locator("#share-save").filter({ hasText: "Save the picture" }).isVisible());
 });
 
-test('where there is a share sheet, picture, text and link go to it', async () => {
-  const page = await session.open('');
+test("where there is a share sheet, picture, text and link go to it", async () => {
+  const page = await session.open("");
   await page.addInitScript(() => {
     Object.assign(navigator, { canShare: () => true, share: async (data) => Object.assign(window, { shared: data }) });
   });
-  await page.emulateMedia({ reducedMotion: 'reduce' });
+  await page.emulateMedia({ reducedMotion: "reduce" });
   await page.goto(`${session.origin}/#task=${EASY}`);
   await type(page, (await known()).solving);
-  await page.locator('#run').click();
-  await page.locator('#solved-share').click();
-  await page.locator('#share-system').click();
+  await page.locator("#run").click();
+  await page.locator("#solved-share").click();
+  await page.locator("#share-system").click();
   const shared = await page.evaluate(() => {
-    const { files: [{ name, type, size }], text, url } = /** @type {any} */ (window).shared;
+    const {
+      files: [{ name, type, size }],
+      text,
+      url,
+    } = /** @type {any} */ (window).shared;
     return { name, type, size, text, url };
   });
-  assert.equal(shared.name, 'pathlight-00000-000.png');
-  assert.ok(shared.type === 'image/png' && shared.size > 5000);
+  assert.equal(shared.name, "pathlight-00000-000.png");
+  assert.ok(shared.type === "image/png" && shared.size > 5000);
   assert.match(shared.text, /at the first attempt/);
   assert.match(shared.url, /#task=00000:000&challenge=1$/);
 });
 
-test('“Stump the model” opens a puzzle that the model does not solve, and another once that is solved', async () => {
-  const { agents } = JSON.parse(await readFile(new URL('../../results/shipped/within-0.json', import.meta.url), 'utf8'));
-  const unsolvedTasks = agents.find(({ agent }) => agent === 'online').first_solved.filter(([, attempt]) => attempt === null).map(([task]) => task);
-  const page = await session.open('/', { reducedMotion: 'reduce' });
-  const stump = page.locator('#picks button');
+test("“Stump the model” opens a puzzle that the model does not solve, and another once that is solved", async () => {
+  const { agents } = JSON.parse(
+    await readFile(new URL("../../results/shipped/within-0.json", import.meta.url), "utf8"),
+  );
+  const unsolvedTasks = agents
+    .find(({ agent }) => agent === "online")
+    .first_solved.filter(([, attempt]) => attempt === null)
+    .map(([task]) => task);
+  const page = await session.open("/", { reducedMotion: "reduce" });
+  const stump = page.locator("#picks button");
   await stump.focus();
-  await page.keyboard.press('Enter');
+  await page.keyboard.press("Enter");
   await says(page, /place the red ball/);
   const first = task(page);
   assert.ok(unsolvedTasks.includes(first), String(first));
-  await page.evaluate((first) => localStorage.setItem('pathlight.progress', JSON.stringify({ tasks: { [first]: { attempts: 1, solved: 1 } } })), first);
+  await page.evaluate(
+    (first) =>
+      localStorage.setItem("pathlight.progress", JSON.stringify({ tasks: { [first]: { attempts: 1, solved: 1 } } })),
+    first,
+  );
   await page.goto(`${session.origin}/`);
   await page.reload();
   await stump.click();
@@ -205,53 +254,56 @@ test('“Stump the model” opens a puzzle that the model does not solve, and an
   assert.ok(unsolvedTasks.includes(task(page)) && task(page) !== first);
 });
 
-test('the puzzle of the day depends on the date alone, and its result is a text of marks', async () => {
+test("the puzzle of the day depends on the date alone, and its result is a text of marks", async () => {
   const picks = new Set();
-  for (const date of ['2026-11-22T00:10', '2026-11-22T23:50', '2026-11-23T12:00']) {
-    const context = await session.browser.newContext({ reducedMotion: 'reduce' });
+  for (const date of ["2026-11-22T00:10", "2026-11-22T23:50", "2026-11-23T12:00"]) {
+    const context = await session.browser.newContext({ reducedMotion: "reduce" });
     await context.clock.setFixedTime(new Date(date));
     const page = await session.openIn(context);
-    picks.add(await page.locator('#picks a').first().getAttribute('href'));
-    assert.match(await page.locator('#picks a').first().textContent(), /^Puzzle of the day2[23] November 2026: .+, \d+ of 100, (easy|medium)$/);
+    picks.add(await page.locator("#picks a").first().getAttribute("href"));
+    assert.match(
+      await page.locator("#picks a").first().textContent(),
+      /^Puzzle of the day2[23] November 2026: .+, \d+ of 100, (easy|medium)$/,
+    );
   }
-  assert.equal(picks.size, 2, 'one for each day');
+  assert.equal(picks.size, 2, "one for each day");
 
-  const context = await session.browser.newContext({ reducedMotion: 'reduce' });
-  await context.clock.setFixedTime(new Date('2026-11-22T12:00'));
+  const context = await session.browser.newContext({ reducedMotion: "reduce" });
+  await context.clock.setFixedTime(new Date("2026-11-22T12:00"));
   const page = await session.openIn(context);
-  await page.locator('#picks a').first().click();
+  await page.locator("#picks a").first().click();
   await says(page, /place the red ball/);
-  const solutions = (await readFile(new URL('../../assets/solutions.jsonl', import.meta.url), 'utf8')).split('\n');
-  const { ball } = JSON.parse(solutions.find((line) => line.includes(`"${task(page)}"`)) ?? 'null');
+  const solutions = (await readFile(new URL("../../assets/solutions.jsonl", import.meta.url), "utf8")).split("\n");
+  const { ball } = JSON.parse(solutions.find((line) => line.includes(`"${task(page)}"`)) ?? "null");
   await type(page, ball);
-  await page.locator('#run').click();
-  await page.locator('#solved-share').click();
-  await page.locator('#share-dialog[open]').waitFor();
-  assert.match(await page.locator('#share-text').textContent(), /^Pathlight, 22 November 2026: .+, \d+ of 100\n🟢$/);
+  await page.locator("#run").click();
+  await page.locator("#solved-share").click();
+  await page.locator("#share-dialog[open]").waitFor();
+  assert.match(await page.locator("#share-text").textContent(), /^Pathlight, 22 November 2026: .+, \d+ of 100\n🟢$/);
 });
 
-test('a sheet that comes when the next puzzle is open stays away', async () => {
+test("a sheet that comes when the next puzzle is open stays away", async () => {
   const { page } = await solved();
   let open = () => {};
   const gate = new Promise((resolve) => (open = () => resolve(null)));
-  await page.route('**/share-dialog.js', (route) => gate.then(() => route.continue()));
-  const loaded = page.waitForResponse('**/share-dialog.js').then((response) => response.finished());
-  await page.locator('#solved-share').click();
-  await page.locator('#next').click();
+  await page.route("**/share-dialog.js", (route) => gate.then(() => route.continue()));
+  const loaded = page.waitForResponse("**/share-dialog.js").then((response) => response.finished());
+  await page.locator("#solved-share").click();
+  await page.locator("#next").click();
   await says(page, /place the red ball/);
   open();
   await loaded;
   await page.waitForTimeout(500);
-  assert.equal(await page.locator('#share-dialog[open]').count(), 0);
+  assert.equal(await page.locator("#share-dialog[open]").count(), 0);
 });
 
-test('a puzzle that stumps the model does not take the place of one that was opened meanwhile', async () => {
-  const page = await session.open('/', { reducedMotion: 'reduce' });
+test("a puzzle that stumps the model does not take the place of one that was opened meanwhile", async () => {
+  const page = await session.open("/", { reducedMotion: "reduce" });
   let open = () => {};
   const gate = new Promise((resolve) => (open = () => resolve(null)));
-  await page.route('**/results.json', (route) => gate.then(() => route.continue()));
-  const loaded = page.waitForResponse('**/results.json').then((response) => response.finished());
-  await page.locator('#picks button').click();
+  await page.route("**/results.json", (route) => gate.then(() => route.continue()));
+  const loaded = page.waitForResponse("**/results.json").then((response) => response.finished());
+  await page.locator("#picks button").click();
   await page.evaluate((task) => (location.hash = `#task=${task}`), EASY);
   await says(page, /place the red ball/);
   open();
@@ -260,8 +312,8 @@ test('a puzzle that stumps the model does not take the place of one that was ope
   assert.equal(task(page), EASY);
 });
 
-test('a link that hides what is told of the model has no puzzle that stumps it', async () => {
-  const page = await session.open('/#hide=imagine,compare');
-  await page.locator('#picks a:visible').waitFor();
-  assert.ok(await page.locator('#picks button').isHidden());
+test("a link that hides what is told of the model has no puzzle that stumps it", async () => {
+  const page = await session.open("/#hide=imagine,compare");
+  await page.locator("#picks a:visible").waitFor();
+  assert.ok(await page.locator("#picks button").isHidden());
 });

@@ -1,12 +1,12 @@
-// How smoothly something follows the pointer in the scene, and how long the maps of a scene that is being bent take to follow:
-// for timings.mjs.
+// How smoothly something follows the pointer in the scene, and how long the maps of a scene that is being bent take to
+// follow: for timings.mjs.
 
-import { spot } from './page-actions.mjs';
+import { spot } from "./page-actions.mjs";
 
 /** @typedef {import('playwright-core').Page} Page */
 
 /** The benchmark's puzzles with the fewest, the median number and the most bodies, of those that may be bent. */
-const BENT = ['00000:000', '00004:611', '00013:121'];
+const BENT = ["00000:000", "00004:611", "00013:121"];
 
 /** Time of a drag, ms. */
 const DRAG = 2000;
@@ -42,8 +42,8 @@ export async function drag(page, [x, y], [across, up]) {
 }
 
 /**
- * Drags the green object of three puzzles in the panel Bend: for each the times between frames, and those from a move of the
- * pointer until the frame that shows the maps imagined of it, ms.
+ * Drags the green object of three puzzles in the panel Bend: for each the times between frames, and those from a move
+ * of the pointer until the frame that shows the maps imagined of it, ms.
  * @param {Awaited<ReturnType<typeof import('./harness.mjs').start>>} session
  * @param {(task: string) => Promise<import('../../www/pkg/pathlight.js').OwnScene>} sceneOf
  */
@@ -51,10 +51,10 @@ export async function bendTimings(session, sceneOf) {
   const timings = [];
   for (const task of BENT) {
     const { body1, bodies } = await sceneOf(task);
-    const page = await session.open('');
+    const page = await session.open("");
     await page.addInitScript(watchMaps);
     await page.goto(`${session.origin}/#task=${task}&panel=bend`);
-    await page.locator('#bend-maps canvas[aria-label*="not imagined yet"]').first().waitFor({ state: 'detached' });
+    await page.locator('#bend-maps canvas[aria-label*="not imagined yet"]').first().waitFor({ state: "detached" });
     const latencies = await page.evaluateHandle(() => globalThis.mapLatencies());
     const { x, y } = bodies[body1];
     const gaps = await drag(page, [x, y], [6, 3]);
@@ -67,17 +67,19 @@ export async function bendTimings(session, sceneOf) {
 /** Runs in the page before it: records when the worker is asked for maps, and for which move of the pointer. */
 function watchMaps() {
   let [moved, askedFor] = [0, 0];
-  addEventListener('pointermove', () => (moved = performance.now()), { capture: true });
+  addEventListener("pointermove", () => (moved = performance.now()), { capture: true });
   const { postMessage } = Worker.prototype;
   Worker.prototype.postMessage = function (message, ...rest) {
-    if (message.call === 'imagine') askedFor = moved;
+    if (message.call === "imagine") askedFor = moved;
     return postMessage.call(this, message, ...rest);
   };
   globalThis.mapLatencies = () => {
     /** @type {number[]} */
     const latencies = [];
-    const canvas = /** @type {HTMLCanvasElement} */ (document.querySelector('#puzzle')?.shadowRoot?.querySelector('#bend-maps canvas'));
-    const map = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
+    const canvas = /** @type {HTMLCanvasElement} */ (
+      document.querySelector("#puzzle")?.shadowRoot?.querySelector("#bend-maps canvas")
+    );
+    const map = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
     const { putImageData } = map;
     map.putImageData = (/** @type {any[]} */ ...image) => {
       const start = askedFor;

@@ -1,18 +1,18 @@
-// Stands between the browser and the server, and spoils the files that a fault names: they do not come, break off, come with one
-// bit changed, or slowly.
+// Stands between the browser and the server, and spoils the files that a fault names: they do not come, break off, come
+// with one bit changed, or slowly.
 //
 //     const proxy = await startFaultyProxy(session.origin);
 //     proxy.fault = { path: /\.safetensors$/, kind: 'cut' };
 //     await page.goto(`${proxy.origin}/`);
 //     await proxy.stop();
 
-import { once } from 'node:events';
-import { createServer, request } from 'node:http';
-import { setTimeout as wait } from 'node:timers/promises';
+import { once } from "node:events";
+import { createServer, request } from "node:http";
+import { setTimeout as wait } from "node:timers/promises";
 
 /**
- * `gone`: no answer, the connection is closed; `cut`: half of it; `bit`: one bit in the middle is another; `bit once`: the first
- * time only; `slow`: a line of 3G.
+ * `gone`: no answer, the connection is closed; `cut`: half of it; `bit`: one bit in the middle is another; `bit once`:
+ * the first time only; `slow`: a line of 3G.
  * @typedef {{ path: RegExp, kind: 'gone' | 'cut' | 'bit' | 'bit once' | 'slow' }} Fault
  */
 
@@ -28,7 +28,7 @@ export async function startFaultyProxy(target) {
 }
 
 class FaultyProxy {
-  origin = '';
+  origin = "";
   fault = /** @type {Fault | null} */ (null);
   #target;
   #server = createServer((asked, answer) => this.#answer(asked, answer));
@@ -39,8 +39,8 @@ class FaultyProxy {
   }
 
   async start() {
-    this.#server.listen(0, '127.0.0.1');
-    await once(this.#server, 'listening');
+    this.#server.listen(0, "127.0.0.1");
+    await once(this.#server, "listening");
     this.origin = `http://127.0.0.1:${/** @type {import('node:net').AddressInfo} */ (this.#server.address()).port}`;
   }
 
@@ -54,26 +54,30 @@ class FaultyProxy {
    * @param {import('node:http').ServerResponse} answer
    */
   async #answer(asked, answer) {
-    const url = new URL(asked.url ?? '/', this.#target);
+    const url = new URL(asked.url ?? "/", this.#target);
     // Uncompressed, so that one bit is one bit of the file.
-    const headers = { ...asked.headers, host: url.host, 'accept-encoding': 'identity' };
-    const [response] = await once(request(url, { headers }).end(), 'response');
+    const headers = { ...asked.headers, host: url.host, "accept-encoding": "identity" };
+    const [response] = await once(request(url, { headers }).end(), "response");
     const body = Buffer.concat(await response.toArray());
     const kind = this.fault?.path.test(url.pathname) ? this.fault.kind : null;
-    if (kind === 'gone') {
+    if (kind === "gone") {
       answer.destroy();
       return;
     }
-    if (kind === 'bit once') this.fault = null;
-    if (kind === 'bit' || kind === 'bit once') body[body.length >> 1] ^= 1;
-    answer.writeHead(response.statusCode, { ...response.headers, 'content-length': body.length });
-    if (kind === 'cut') {
+    if (kind === "bit once") this.fault = null;
+    if (kind === "bit" || kind === "bit once") body[body.length >> 1] ^= 1;
+    answer.writeHead(response.statusCode, { ...response.headers, "content-length": body.length });
+    if (kind === "cut") {
       answer.write(body.subarray(0, body.length >> 1), () => answer.destroy());
       return;
     }
     let sent = 0;
     // Until the line is fast again.
-    for (; this.fault?.kind === 'slow' && this.fault.path.test(url.pathname) && sent < body.length && !answer.destroyed; sent += SLICE_BYTES) {
+    for (
+      ;
+      this.fault?.kind === "slow" && this.fault.path.test(url.pathname) && sent < body.length && !answer.destroyed;
+      sent += SLICE_BYTES
+    ) {
       answer.write(body.subarray(sent, sent + SLICE_BYTES));
       await wait(SLICE);
     }

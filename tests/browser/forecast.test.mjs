@@ -1,10 +1,10 @@
-// "What would this ball do?": the paths and the chance that the model imagines for the ball that is being placed, by mouse,
-// touch, keys and fields; beside the real paths after a run; and nowhere where it would reveal an answer.
+// "What would this ball do?": the paths and the chance that the model imagines for the ball that is being placed, by
+// mouse, touch, keys and fields; beside the real paths after a run; and nowhere where it would reveal an answer.
 
-import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
-import { start } from './harness.mjs';
-import { EASY, ball, dragTo, known, modelLoaded, openPuzzle, picture, says, spot, type } from './page-actions.mjs';
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { start } from "./harness.mjs";
+import { EASY, ball, dragTo, known, modelLoaded, openPuzzle, picture, says, spot, type } from "./page-actions.mjs";
 
 const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 
@@ -12,25 +12,25 @@ let session;
 before(async () => (session = await start()));
 after(() => session.stop());
 
-const words = (page) => page.locator('#forecast-words').textContent();
+const words = (page) => page.locator("#forecast-words").textContent();
 
 /** Waits until the forecast says so, and returns it. */
 async function forecasts(page, pattern) {
-  await page.locator('#forecast-words:visible').filter({ hasText: pattern }).waitFor();
+  await page.locator("#forecast-words:visible").filter({ hasText: pattern }).waitFor();
   return words(page);
 }
 
 /** Opens a puzzle with the forecast on. */
-const open = (fragment = '', options = {}) => openPuzzle(session, { fragment: `&forecast=on${fragment}`, ...options });
+const open = (fragment = "", options = {}) => openPuzzle(session, { fragment: `&forecast=on${fragment}`, ...options });
 
 /** What the model imagines for a ball, through the page's own wasm. */
 async function imagined(page, ball, task = EASY) {
   return page.evaluate(async ([ball, task]) => {
-    const { Model } = await import('/pkg/pathlight.js');
-    const { models } = await (await fetch('/assets/model.json')).json();
+    const { Model } = await import("/pkg/pathlight.js");
+    const { models } = await (await fetch("/assets/model.json")).json();
     const model = new Model(new Uint8Array(await (await fetch(`/assets/${models[0].file}`)).arrayBuffer()));
     const answer = model.imagineBall(task, ball);
-    if (!answer) throw new Error('the weights have no dynamics net');
+    if (!answer) throw new Error("the weights have no dynamics net");
     return { probability: answer.probability, object: [...answer.object] };
   }, /** @type {const} */ ([ball, task]));
 }
@@ -39,30 +39,37 @@ async function imagined(page, ball, task = EASY) {
 async function followsTheBall(page) {
   const { probability } = await imagined(page, await ball(page));
   const percent = Math.round(100 * probability);
-  await forecasts(page, new RegExp(`thinks: [a-z ]+ \\((${percent}|under 1|over 99) %\\)\\. Its paths may be \\d+ px off\\.`));
+  await forecasts(
+    page,
+    new RegExp(`thinks: [a-z ]+ \\((${percent}|under 1|over 99) %\\)\\. Its paths may be \\d+ px off\\.`),
+  );
 }
 
-test('it is off until it is asked for, and the switch is in the link', async () => {
-  const page = await openPuzzle(session, { fragment: '&ball=128,230,8' });
+test("it is off until it is asked for, and the switch is in the link", async () => {
+  const page = await openPuzzle(session, { fragment: "&ball=128,230,8" });
   await modelLoaded(page);
   const bare = await picture(page);
-  assert.ok(await page.locator('#forecast-words').isHidden());
-  await page.locator('#forecast-on').check();
+  assert.ok(await page.locator("#forecast-words").isHidden());
+  await page.locator("#forecast-on").check();
   await followsTheBall(page);
-  assert.notEqual(await picture(page), bare, 'the paths lie over the scene');
+  assert.notEqual(await picture(page), bare, "the paths lie over the scene");
   await page.waitForFunction(() => /forecast=on/.test(location.hash));
   await page.reload();
   await followsTheBall(page);
-  await page.locator('#forecast-on').uncheck();
-  await page.locator('#forecast-words').waitFor({ state: 'hidden' });
+  await page.locator("#forecast-on").uncheck();
+  await page.locator("#forecast-words").waitFor({ state: "hidden" });
   assert.equal(await picture(page), bare);
   await page.waitForFunction(() => !/forecast/.test(location.hash));
 });
 
-test('it follows the mouse', async () => {
+test("it follows the mouse", async () => {
   const page = await open();
   await forecasts(page, /^Place the ball/);
-  await dragTo(page, [[60, 240], [128, 236], [180, 230]]);
+  await dragTo(page, [
+    [60, 240],
+    [128, 236],
+    [180, 230],
+  ]);
   await followsTheBall(page);
   const first = await picture(page);
   await page.mouse.move(...(await spot(page, 90, 236)));
@@ -71,29 +78,33 @@ test('it follows the mouse', async () => {
   await page.mouse.up();
 });
 
-test('it follows a finger', async () => {
-  const page = await open('', PHONE);
+test("it follows a finger", async () => {
+  const page = await open("", PHONE);
   await modelLoaded(page);
   await page.touchscreen.tap(...(await spot(page, 120, 236)));
   await followsTheBall(page);
-  const line = await page.locator('#forecast-words').boundingBox();
-  assert.ok(line && line.y + line.height <= 844, 'the words are in sight without scrolling');
+  const line = await page.locator("#forecast-words").boundingBox();
+  assert.ok(line && line.y + line.height <= 844, "the words are in sight without scrolling");
 });
 
-test('it follows keys and fields, and is announced once the ball rests', async () => {
-  const page = await open('&ball=128,230,8');
+test("it follows keys and fields, and is announced once the ball rests", async () => {
+  const page = await open("&ball=128,230,8");
   await followsTheBall(page);
-  await page.locator('#scene').focus();
+  await page.locator("#scene").focus();
   const heard = await page.evaluateHandle(() => {
-    const region = document.querySelector('#puzzle')?.shadowRoot?.getElementById('announcement');
+    const region = document.querySelector("#puzzle")?.shadowRoot?.getElementById("announcement");
     /** @type {string[]} */
     const heard = [];
-    new MutationObserver(() => heard.push(region?.textContent ?? '')).observe(/** @type {HTMLElement} */ (region), { childList: true, characterData: true, subtree: true });
+    new MutationObserver(() => heard.push(region?.textContent ?? "")).observe(/** @type {HTMLElement} */ (region), {
+      childList: true,
+      characterData: true,
+      subtree: true,
+    });
     return heard;
   });
   // At once: on a slow machine the ball would rest between two key presses.
-  await page.locator('#scene').evaluate((scene) => {
-    for (let time = 0; time < 8; time += 1) scene.dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowLeft' }));
+  await page.locator("#scene").evaluate((scene) => {
+    for (let time = 0; time < 8; time += 1) scene.dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowLeft" }));
   });
   await followsTheBall(page);
   const rested = await words(page);
@@ -104,68 +115,76 @@ test('it follows keys and fields, and is announced once the ball rests', async (
   await followsTheBall(page);
 });
 
-test('of many moves at once only the first and the last are asked for', async () => {
-  const page = await open('&ball=128,230,8');
+test("of many moves at once only the first and the last are asked for", async () => {
+  const page = await open("&ball=128,230,8");
   await followsTheBall(page);
   const asked = await page.evaluate(async () => {
     const { postMessage } = Worker.prototype;
     /** @type {number[][]} */
     const asked = [];
     Worker.prototype.postMessage = function (message) {
-      if (message.call === 'imagineBall') asked.push(message.args.ball);
+      if (message.call === "imagineBall") asked.push(message.args.ball);
       return Reflect.apply(postMessage, this, [message]);
     };
-    const scene = document.querySelector('#puzzle')?.shadowRoot?.getElementById('scene');
-    for (let time = 0; time < 50; time += 1) scene?.dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowRight' }));
+    const scene = document.querySelector("#puzzle")?.shadowRoot?.getElementById("scene");
+    for (let time = 0; time < 50; time += 1) scene?.dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowRight" }));
     while (asked.length < 2) await new Promise((resolve) => setTimeout(resolve, 10));
     await new Promise((resolve) => setTimeout(resolve, 200));
     Worker.prototype.postMessage = postMessage;
     return asked;
   });
-  assert.deepEqual(asked.map(([x]) => x), [129, 178]);
+  assert.deepEqual(
+    asked.map(([x]) => x),
+    [129, 178],
+  );
   await followsTheBall(page);
 });
 
-test('after a run it stays beside the real paths until the ball changes', async () => {
-  const page = await open('', { reducedMotion: true });
+test("after a run it stays beside the real paths until the ball changes", async () => {
+  const page = await open("", { reducedMotion: true });
   const { missing } = await known();
   await type(page, missing);
   await followsTheBall(page);
-  await page.locator('#run').click();
+  await page.locator("#run").click();
   await says(page, /^Not solved/);
-  const said = await forecasts(page, /^The model thought: .+ \(.+ %\)\. It imagined the green object \d+ px from where it really was, on average\.$/);
+  const said = await forecasts(
+    page,
+    /^The model thought: .+ \(.+ %\)\. It imagined the green object \d+ px from where it really was, on average\.$/,
+  );
   const { object } = await imagined(page, missing);
   const real = await page.evaluate(async ([[x, y, r], task]) => {
-    const { Puzzle } = await import('/pkg/pathlight.js');
+    const { Puzzle } = await import("/pkg/pathlight.js");
     const puzzle = new Puzzle(task);
     puzzle.preview(x, y, r);
     return Array.from(puzzle.sampledPaths()?.object ?? []);
   }, /** @type {const} */ ([missing, EASY]));
-  const errors = Array.from({ length: 16 }, (_, index) => Math.hypot(object[2 * index] - real[2 * index], object[2 * index + 1] - real[2 * index + 1]));
+  const errors = Array.from({ length: 16 }, (_, index) =>
+    Math.hypot(object[2 * index] - real[2 * index], object[2 * index + 1] - real[2 * index + 1]),
+  );
   const mean = errors.reduce((sum, error) => sum + error, 0) / 16;
   assert.equal(Number(said.match(/(\d+) px/)?.[1]), Math.max(1, Math.round(mean)));
   const both = await picture(page);
-  await page.locator('#forecast-on').uncheck();
-  assert.notEqual(await picture(page), both, 'it lay over the run');
-  await page.locator('#forecast-on').check();
-  await page.locator('#watch').click();
+  await page.locator("#forecast-on").uncheck();
+  assert.notEqual(await picture(page), both, "it lay over the run");
+  await page.locator("#forecast-on").check();
+  await page.locator("#watch").click();
   await forecasts(page, /^Place the ball/);
-  await page.locator('#play-attempts [data-act=replay]').first().click();
+  await page.locator("#play-attempts [data-act=replay]").first().click();
   await forecasts(page, /^The model thought/);
-  await page.locator('#scene').press('ArrowUp');
+  await page.locator("#scene").press("ArrowUp");
   await forecasts(page, /^The model thinks/);
 });
 
-test('a ball that may not be placed is not imagined', async () => {
-  const page = await open('&ball=128,230,8');
+test("a ball that may not be placed is not imagined", async () => {
+  const page = await open("&ball=128,230,8");
   await followsTheBall(page);
   const { invalid } = await known();
   await type(page, invalid);
   await forecasts(page, /only balls that may be placed/);
 });
 
-test('it reveals nothing in Predict', async () => {
-  const page = await open('&ball=128,230,8&panel=predict');
+test("it reveals nothing in Predict", async () => {
+  const page = await open("&ball=128,230,8&panel=predict");
   await modelLoaded(page);
   await page.waitForTimeout(300);
   const there = await picture(page);
@@ -174,24 +193,24 @@ test('it reveals nothing in Predict', async () => {
   assert.equal(await picture(page), there);
 });
 
-for (const hide of ['forecast', 'imagine', 'puzzles,imagine,compare,predict,map']) {
+for (const hide of ["forecast", "imagine", "puzzles,imagine,compare,predict,map"]) {
   test(`a link with hide=${hide} hides it, also if the link switches it on`, async () => {
     const page = await openPuzzle(session, { fragment: `&ball=128,230,8&hide=${hide}` });
     await page.waitForTimeout(500);
     const bare = await picture(page);
-    assert.ok(await page.locator('#forecast-on').isHidden());
+    assert.ok(await page.locator("#forecast-on").isHidden());
     await page.goto(`${session.origin}/#task=${EASY}&ball=128,230,8&hide=${hide}&forecast=on`);
     await page.waitForTimeout(500);
-    assert.ok(await page.locator('#forecast-on').isHidden());
+    assert.ok(await page.locator("#forecast-on").isHidden());
     assert.equal(await picture(page), bare);
   });
 }
 
-test('another puzzle is imagined anew', async () => {
-  const page = await open('&ball=128,230,8');
+test("another puzzle is imagined anew", async () => {
+  const page = await open("&ball=128,230,8");
   await followsTheBall(page);
-  await page.locator('#next').click();
+  await page.locator("#next").click();
   await forecasts(page, /^Place the ball/);
-  await page.locator('#scene').press('ArrowUp');
+  await page.locator("#scene").press("ArrowUp");
   await forecasts(page, /thinks|only balls/);
 });

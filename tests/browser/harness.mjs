@@ -6,25 +6,25 @@
 //
 // Knows nothing of what is on the page.
 
-import { spawn } from 'node:child_process';
-import { once } from 'node:events';
-import { existsSync } from 'node:fs';
-import { dirname, join } from 'node:path';
-import { createInterface } from 'node:readline';
-import { fileURLToPath } from 'node:url';
-import { chromium } from 'playwright-core';
+import { spawn } from "node:child_process";
+import { once } from "node:events";
+import { existsSync } from "node:fs";
+import { dirname, join } from "node:path";
+import { createInterface } from "node:readline";
+import { fileURLToPath } from "node:url";
+import { chromium } from "playwright-core";
 
-const root = join(dirname(fileURLToPath(import.meta.url)), '..', '..');
+const root = join(dirname(fileURLToPath(import.meta.url)), "..", "..");
 
-export const binary = join(root, 'target', 'release', 'pathlight');
+export const binary = join(root, "target", "release", "pathlight");
 
 const flags = [
-  '--no-sandbox',
-  '--disable-gpu',
-  '--disable-background-networking',
-  '--disable-component-update',
-  '--disable-sync',
-  '--no-first-run',
+  "--no-sandbox",
+  "--disable-gpu",
+  "--disable-background-networking",
+  "--disable-component-update",
+  "--disable-sync",
+  "--no-first-run",
 ];
 
 /**
@@ -37,7 +37,8 @@ export async function start({ serve = [] } = {}) {
 
 /**
  * Starts a browser for a server that runs already.
- * @param {{ origin: string, stop: () => Promise<unknown> }} server `origin` is where the page is, without the last slash
+ * @param {{ origin: string, stop: () => Promise<unknown> }} server `origin` is where the page is, without the last
+ *   slash
  * @param {string[]} [further] flags of the browser
  */
 export async function startOn(server, further = []) {
@@ -64,22 +65,25 @@ class Session {
     this.origin = server.origin;
   }
 
-  /** Opens a path (or nothing yet, if empty) in a new page with a fresh profile; `options` are Playwright's for a context (viewport, …). */
-  async open(path = '/', options = {}) {
+  /**
+   * Opens a path (or nothing yet, if empty) in a new page with a fresh profile; `options` are Playwright's for a
+   * context (viewport, …).
+   */
+  async open(path = "/", options = {}) {
     return this.openIn(await this.browser.newContext(options), path);
   }
 
   /** Opens a path in a new page of a context of Playwright's, whose pages share a profile. */
-  async openIn(context, path = '/') {
+  async openIn(context, path = "/") {
     const page = await context.newPage();
-    page.on('console', (message) => {
-      if (message.type() === 'error') this.problems.push(`console: ${message.text()}`);
+    page.on("console", (message) => {
+      if (message.type() === "error") this.problems.push(`console: ${message.text()}`);
     });
-    page.on('pageerror', (error) => this.problems.push(`uncaught: ${error.message}`));
-    page.on('requestfailed', (request) => {
+    page.on("pageerror", (error) => this.problems.push(`uncaught: ${error.message}`));
+    page.on("requestfailed", (request) => {
       const why = request.failure()?.errorText;
       // A page that is left aborts what it was still loading; that is not a failure.
-      if (why !== 'net::ERR_ABORTED') this.problems.push(`failed: ${request.url()} ${why}`);
+      if (why !== "net::ERR_ABORTED") this.problems.push(`failed: ${request.url()} ${why}`);
     });
     if (path) await page.goto(this.origin + path);
     return page;
@@ -94,16 +98,16 @@ class Session {
   async stop() {
     await this.browser.close();
     await this.#server.stop();
-    if (this.problems.length > 0) throw new Error(`The page complained:\n${this.problems.join('\n')}`);
+    if (this.problems.length > 0) throw new Error(`The page complained:\n${this.problems.join("\n")}`);
   }
 }
 
 async function startServer(serve) {
   if (!existsSync(binary)) throw new Error(`${binary} is missing: run make build`);
-  const child = spawn(binary, ['serve', '--port', '0', ...serve], { cwd: root, stdio: ['ignore', 'pipe', 'pipe'] });
-  let said = '';
-  child.stderr.on('data', (text) => (said += text));
-  process.once('exit', () => child.kill());
+  const child = spawn(binary, ["serve", "--port", "0", ...serve], { cwd: root, stdio: ["ignore", "pipe", "pipe"] });
+  let said = "";
+  child.stderr.on("data", (text) => (said += text));
+  process.once("exit", () => child.kill());
   for await (const line of createInterface({ input: child.stdout })) {
     const origin = line.match(/http:\/\/[^/]+/)?.[0];
     if (origin) return { origin, stop: () => stopped(child) };
@@ -113,15 +117,16 @@ async function startServer(serve) {
 
 /** @param {import('node:child_process').ChildProcess} child */
 async function stopped(child) {
-  child.kill('SIGINT');
-  if (child.exitCode === null) await once(child, 'exit');
+  child.kill("SIGINT");
+  if (child.exitCode === null) await once(child, "exit");
 }
 
 function findChromium() {
   const places = process.env.CHROMIUM
     ? [process.env.CHROMIUM]
-    : ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome', '/usr/bin/google-chrome-stable'];
+    : ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome", "/usr/bin/google-chrome-stable"];
   const found = places.find(existsSync);
-  if (!found) throw new Error(`Chromium is missing (looked at ${places.join(', ')}): install it, or set CHROMIUM to its path`);
+  if (!found)
+    throw new Error(`Chromium is missing (looked at ${places.join(", ")}): install it, or set CHROMIUM to its path`);
   return found;
 }

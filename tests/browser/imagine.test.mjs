@@ -1,11 +1,11 @@
 // The maps: imagined in the worker, each with its legend, laid over the scene when asked.
 
-import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
-import { start } from './harness.mjs';
-import { openImagined, picture, watchFrames } from './page-actions.mjs';
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { start } from "./harness.mjs";
+import { openImagined, picture, watchFrames } from "./page-actions.mjs";
 
-const STAGES = ['base', 'target', 'action', 'placement', 'judge'];
+const STAGES = ["base", "target", "action", "placement", "judge"];
 
 let session;
 before(async () => (session = await start()));
@@ -13,22 +13,22 @@ after(() => session.stop());
 
 const imagine = (options) => openImagined(session, options);
 
-test('five different maps, each with a sentence, a summary and a legend', async () => {
+test("five different maps, each with a sentence, a summary and a legend", async () => {
   const page = await imagine();
   const seen = new Set();
   for (const stage of STAGES) {
     const row = page.locator(`[data-stage=${stage}]`);
-    assert.match(await row.locator('.meaning').textContent(), /^Where .+\.$/);
-    assert.match(await row.locator('.map canvas[role=img]').getAttribute('aria-label'), /: most sure [a-z ]+/);
-    const peak = Number(await row.locator('.scale span').last().textContent());
+    assert.match(await row.locator(".meaning").textContent(), /^Where .+\.$/);
+    assert.match(await row.locator(".map canvas[role=img]").getAttribute("aria-label"), /: most sure [a-z ]+/);
+    const peak = Number(await row.locator(".scale span").last().textContent());
     assert.ok(peak > 0 && peak <= 1, `${stage}: ${peak}`);
     seen.add(await picture(page, `[data-stage=${stage}] .map canvas[role=img]`));
     seen.add(await picture(page, `[data-stage=${stage}] .legend`));
   }
-  assert.equal(seen.size, 10, 'no two maps and no two legends are alike');
+  assert.equal(seen.size, 10, "no two maps and no two legends are alike");
 });
 
-test('a layer lies over the scene while it is on, as strongly as its opacity', async () => {
+test("a layer lies over the scene while it is on, as strongly as its opacity", async () => {
   const page = await imagine();
   const bare = await picture(page);
   for (const stage of STAGES) {
@@ -38,47 +38,47 @@ test('a layer lies over the scene while it is on, as strongly as its opacity', a
     await box.uncheck();
     assert.equal(await picture(page), bare, `${stage} is gone`);
   }
-  await page.locator('[data-stage=target] input').check();
+  await page.locator("[data-stage=target] input").check();
   const strong = await picture(page);
-  await page.locator('#opacity').fill('0.3');
+  await page.locator("#opacity").fill("0.3");
   assert.notEqual(await picture(page), strong);
   await page.waitForFunction(() => /layers=target/.test(location.hash) && /opacity=0.3/.test(location.hash));
 });
 
-test('another puzzle is imagined afresh, and the page stays alive meanwhile', async () => {
+test("another puzzle is imagined afresh, and the page stays alive meanwhile", async () => {
   const page = await imagine();
-  const before = await picture(page, '[data-stage=base] .map canvas[role=img]');
+  const before = await picture(page, "[data-stage=base] .map canvas[role=img]");
   const longestGap = await watchFrames(page);
-  await page.locator('#next').click();
-  await page.locator('#imagined-in').filter({ hasText: 'Imagined' }).waitFor();
-  assert.notEqual(await picture(page, '[data-stage=base] .map canvas[role=img]'), before);
-  assert.ok((await longestGap()) < 1000, 'the page does not freeze');
+  await page.locator("#next").click();
+  await page.locator("#imagined-in").filter({ hasText: "Imagined" }).waitFor();
+  assert.notEqual(await picture(page, "[data-stage=base] .map canvas[role=img]"), before);
+  assert.ok((await longestGap()) < 1000, "the page does not freeze");
 });
 
-test('maps that are switched on stay over the scene while a ball is placed, but not while a path is predicted', async () => {
+test("maps that are switched on stay over the scene while a ball is placed, but not while a path is predicted", async () => {
   const page = await imagine();
   const bare = await picture(page);
-  await page.locator('[data-stage=target] input').check();
-  await page.locator('#tab-play').click();
+  await page.locator("[data-stage=target] input").check();
+  await page.locator("#tab-play").click();
   const laid = await picture(page);
   assert.notEqual(laid, bare);
-  await page.locator('#tab-predict').click();
-  assert.equal(await picture(page), bare, 'they would tell the answer');
-  await page.locator('#tab-compare').click();
+  await page.locator("#tab-predict").click();
+  assert.equal(await picture(page), bare, "they would tell the answer");
+  await page.locator("#tab-compare").click();
   assert.equal(await picture(page), laid);
-  await page.locator('#tab-imagine').click();
-  await page.locator('#walkthrough-next').click();
-  await page.locator('#tab-play').click();
-  assert.equal(await picture(page), bare, 'the map of a step of the walkthrough stays in its panel');
+  await page.locator("#tab-imagine").click();
+  await page.locator("#walkthrough-next").click();
+  await page.locator("#tab-play").click();
+  assert.equal(await picture(page), bare, "the map of a step of the walkthrough stays in its panel");
 });
 
-test('of more than two maps over the scene two are shaded, and the others outlined', async () => {
+test("of more than two maps over the scene two are shaded, and the others outlined", async () => {
   const page = await openImagined(session);
-  const note = page.locator('#outlines-note');
+  const note = page.locator("#outlines-note");
   const pictures = [];
-  for (const stage of ['base', 'target', 'action']) {
+  for (const stage of ["base", "target", "action"]) {
     await page.locator(`[data-stage=${stage}] input`).check();
-    assert.equal(await note.isVisible(), stage === 'action');
+    assert.equal(await note.isVisible(), stage === "action");
     pictures.push(await picture(page));
   }
   // A shade covers a good part of the scene, an outline little of it.
@@ -87,13 +87,14 @@ test('of more than two maps over the scene two are shaded, and the others outlin
       const image = new Image();
       image.src = address;
       await image.decode();
-      const context = new OffscreenCanvas(image.width, image.height).getContext('2d');
-      if (!context) throw new Error('no 2D canvas');
+      const context = new OffscreenCanvas(image.width, image.height).getContext("2d");
+      if (!context) throw new Error("no 2D canvas");
       context.drawImage(image, 0, 0);
       return new Uint32Array(context.getImageData(0, 0, image.width, image.height).data.buffer);
     };
     const [one, two, three] = await Promise.all(addresses.map(read));
-    const share = (before, after) => before.reduce((sum, value, index) => sum + Number(value !== after[index]), 0) / before.length;
+    const share = (before, after) =>
+      before.reduce((sum, value, index) => sum + Number(value !== after[index]), 0) / before.length;
     return [share(one, two), share(two, three)];
   }, pictures);
   assert.ok(changed[0] > 0.1 && changed[1] > 0 && changed[1] < 0.06, `${changed}`);

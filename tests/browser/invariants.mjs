@@ -1,7 +1,7 @@
-// What holds on the page at every moment, whatever has been done to it, and what a reload shows again. Used by the random walk and
-// by the tests of faults.
+// What holds on the page at every moment, whatever has been done to it, and what a reload shows again. Used by the
+// random walk and by the tests of faults.
 
-import assert from 'node:assert/strict';
+import assert from "node:assert/strict";
 
 /** @typedef {import('playwright-core').Page} Page */
 
@@ -22,7 +22,7 @@ export function contradictions(page) {
  * @param {Page} page
  */
 export async function assertConsistent(page) {
-  await page.locator('#puzzle [inert]').first().waitFor({ state: 'detached' });
+  await page.locator("#puzzle [inert]").first().waitFor({ state: "detached" });
   assert.deepEqual(await contradictions(page), []);
 }
 
@@ -35,7 +35,14 @@ export async function assertSameAfterReload(page) {
   await page.reload();
   await page.waitForFunction(isLoaded, null, { timeout: 60_000 });
   // The model's attempts come back with the model.
-  await page.waitForFunction((count) => /** @type {any} */ (document.getElementById('puzzle')).shadowRoot.querySelectorAll('#model-attempts li').length >= count, before.attempts.model.length, { timeout: 60_000 })
+  await page
+    .waitForFunction(
+      (count) =>
+        /** @type {any} */ (document.getElementById("puzzle")).shadowRoot.querySelectorAll("#model-attempts li")
+          .length >= count,
+      before.attempts.model.length,
+      { timeout: 60_000 },
+    )
     .catch(() => {});
   const view = await page.evaluate(viewInPage);
   if (before.isRunning) {
@@ -52,9 +59,9 @@ export async function assertSameAfterReload(page) {
  */
 async function settled(page) {
   await page.evaluate(() => {
-    const { shadowRoot } = /** @type {any} */ (document.getElementById('puzzle'));
-    const turn = /** @type {HTMLElement | null} */ (shadowRoot.getElementById('model-turn'));
-    if (turn?.textContent.startsWith('Stop')) turn.click();
+    const { shadowRoot } = /** @type {any} */ (document.getElementById("puzzle"));
+    const turn = /** @type {HTMLElement | null} */ (shadowRoot.getElementById("model-turn"));
+    if (turn?.textContent.startsWith("Stop")) turn.click();
   });
   for (let view = await page.evaluate(viewInPage); ;) {
     await page.waitForTimeout(URL_DELAY);
@@ -65,107 +72,184 @@ async function settled(page) {
 }
 
 function isLoaded() {
-  const puzzle = /** @type {any} */ (document.getElementById('puzzle'));
+  const puzzle = /** @type {any} */ (document.getElementById("puzzle"));
   const inside = puzzle.shadowRoot;
-  return inside.getElementById('scene') !== null && inside.querySelector('[inert]') === null && puzzle.state !== null;
+  return inside.getElementById("scene") !== null && inside.querySelector("[inert]") === null && puzzle.state !== null;
 }
 
 /** What a reload has to show again. */
 function viewInPage() {
-  const puzzle = /** @type {any} */ (document.getElementById('puzzle'));
+  const puzzle = /** @type {any} */ (document.getElementById("puzzle"));
   const inside = puzzle.shadowRoot;
-  const rows = (list) => [...inside.querySelectorAll(`#${list} li`)].map((row) => row.querySelector('[data-act=replay]').getAttribute('title') + row.querySelector('.mark').textContent);
-  const attributes = Object.fromEntries([...puzzle.attributes].filter(({ name }) => name !== 'hidden').map(({ name, value }) => [name, value]));
+  const rows = (list) =>
+    [...inside.querySelectorAll(`#${list} li`)].map(
+      (row) => row.querySelector("[data-act=replay]").getAttribute("title") + row.querySelector(".mark").textContent,
+    );
+  const attributes = Object.fromEntries(
+    [...puzzle.attributes].filter(({ name }) => name !== "hidden").map(({ name, value }) => [name, value]),
+  );
   const isSeen = (element) => element.checkVisibility();
   return {
     hash: location.hash.slice(1),
     title: document.title,
     attributes,
-    seen: [document.getElementById('gallery'), document.getElementById('results'), ...inside.querySelectorAll('[role=tabpanel], #stage-view')].filter(isSeen).map(({ id }) => id),
-    attempts: { player: rows('player-attempts'), model: rows('model-attempts') },
-    isRunning: (puzzle.state.task ?? puzzle.state.scene) !== null && inside.getElementById('verdict').textContent === 'Your attempt is running.',
-    progress: localStorage.getItem('pathlight.progress'),
+    seen: [
+      document.getElementById("gallery"),
+      document.getElementById("results"),
+      ...inside.querySelectorAll("[role=tabpanel], #stage-view"),
+    ]
+      .filter(isSeen)
+      .map(({ id }) => id),
+    attempts: { player: rows("player-attempts"), model: rows("model-attempts") },
+    isRunning:
+      (puzzle.state.task ?? puzzle.state.scene) !== null &&
+      inside.getElementById("verdict").textContent === "Your attempt is running.",
+    progress: localStorage.getItem("pathlight.progress"),
   };
 }
 
 function contradictionsInPage() {
-  const puzzle = /** @type {any} */ (document.getElementById('puzzle'));
+  const puzzle = /** @type {any} */ (document.getElementById("puzzle"));
   const inside = puzzle.shadowRoot;
   const found = [];
   const check = (holds, sentence) => holds || found.push(sentence);
   const text = (id) => inside.getElementById(id).textContent;
-  const notice = /** @type {HTMLElement} */ (document.getElementById('notice-text')).textContent;
+  const notice = /** @type {HTMLElement} */ (document.getElementById("notice-text")).textContent;
   check(!/broke/.test(notice), `the page says that it broke: ${notice}`);
   const { state } = puzzle;
-  if (!state || !inside.getElementById('scene')) return [...found, 'there is no puzzle'];
+  if (!state || !inside.getElementById("scene")) return [...found, "there is no puzzle"];
   const shown = state.task !== null || state.scene !== null;
-  check([...document.querySelectorAll('#gallery:not([hidden]), #results:not([hidden])')].length === (shown || state.hide.includes('puzzles') ? 0 : 1), 'the grid, the results and the puzzle are not one at a time');
-  const isUnread = inside.querySelector('.puzzle').hidden;
-  check(!shown || !isUnread || text('problem') !== '', 'there is no puzzle, and no sentence why');
+  check(
+    [...document.querySelectorAll("#gallery:not([hidden]), #results:not([hidden])")].length ===
+      (shown || state.hide.includes("puzzles") ? 0 : 1),
+    "the grid, the results and the puzzle are not one at a time",
+  );
+  const isUnread = inside.querySelector(".puzzle").hidden;
+  check(!shown || !isUnread || text("problem") !== "", "there is no puzzle, and no sentence why");
   if (!shown || isUnread) return found;
 
   // Tabs, panels and the stage view.
-  const panels = [...inside.querySelectorAll('[role=tabpanel]')].filter((one) => !one.hidden).map(({ id }) => id);
-  const selected = [...inside.querySelectorAll('[role=tab][aria-selected=true]')].map(({ id }) => id.slice('tab-'.length));
-  check(panels.length === 1 && String(panels) === String(selected), `panels ${panels} are shown and tabs ${selected} are selected`);
-  check(state.view === 'stage' || state.hide.includes(state.panel) || panels[0] === state.panel, `panel ${panels} is shown, the state says ${state.panel}`);
-  check(inside.getElementById('stage-view').hidden === (state.view !== 'stage'), 'the stage view is not as the state says');
-  const dialogs = [...inside.querySelectorAll('dialog[open]'), ...document.querySelectorAll('dialog[open]')];
+  const panels = [...inside.querySelectorAll("[role=tabpanel]")].filter((one) => !one.hidden).map(({ id }) => id);
+  const selected = [...inside.querySelectorAll("[role=tab][aria-selected=true]")].map(({ id }) =>
+    id.slice("tab-".length),
+  );
+  check(
+    panels.length === 1 && String(panels) === String(selected),
+    `panels ${panels} are shown and tabs ${selected} are selected`,
+  );
+  check(
+    state.view === "stage" || state.hide.includes(state.panel) || panels[0] === state.panel,
+    `panel ${panels} is shown, the state says ${state.panel}`,
+  );
+  check(
+    inside.getElementById("stage-view").hidden === (state.view !== "stage"),
+    "the stage view is not as the state says",
+  );
+  const dialogs = [...inside.querySelectorAll("dialog[open]"), ...document.querySelectorAll("dialog[open]")];
   check(dialogs.length <= 1, `dialogs ${dialogs.map(({ id }) => id)} are open together`);
 
   // The ball: state, attributes and fields.
-  const fields = ['x', 'y', 'r'].map((name) => /** @type {HTMLInputElement} */ (inside.getElementById(`ball-${name}`)));
+  const fields = ["x", "y", "r"].map((name) => /** @type {HTMLInputElement} */ (inside.getElementById(`ball-${name}`)));
   // Numbers that are being typed are not the ball yet.
-  const isTyped = fields.some((field) => inside.activeElement === field) || (!state.ball && fields.some(({ value }) => value === ''));
-  check(isTyped || String(fields.map(({ value }) => value)) === String(state.ball ?? ['', '', '']), `the fields hold ${fields.map(({ value }) => value)}, the state ${state.ball}`);
-  check((puzzle.getAttribute('ball') ?? '') === String(state.ball ?? ''), `the attribute of the ball is ${puzzle.getAttribute('ball')}, the state's ${state.ball}`);
+  const isTyped =
+    fields.some((field) => inside.activeElement === field) || (!state.ball && fields.some(({ value }) => value === ""));
+  check(
+    isTyped || String(fields.map(({ value }) => value)) === String(state.ball ?? ["", "", ""]),
+    `the fields hold ${fields.map(({ value }) => value)}, the state ${state.ball}`,
+  );
+  check(
+    (puzzle.getAttribute("ball") ?? "") === String(state.ball ?? ""),
+    `the attribute of the ball is ${puzzle.getAttribute("ball")}, the state's ${state.ball}`,
+  );
 
   // The lists of attempts, their counts and marks.
-  const lists = Object.fromEntries(['play', 'player', 'model'].map((name) => [name, [...inside.querySelectorAll(`#${name}-attempts li`)].map((row) => ({
-    number: Number(row.querySelector('b').textContent),
-    ball: (row.querySelector('[data-act=replay]').getAttribute('title').match(/[\d.]+/g) ?? []).map(Number),
-    solved: row.querySelector('.mark').textContent === '✓',
-    current: row.querySelector('[aria-current=true]') !== null,
-  }))]));
-  check(JSON.stringify(lists.play) === JSON.stringify(lists.player), 'the lists of the player’s attempts in Play and Compare differ');
+  const lists = Object.fromEntries(
+    ["play", "player", "model"].map((name) => [
+      name,
+      [...inside.querySelectorAll(`#${name}-attempts li`)].map((row) => ({
+        number: Number(row.querySelector("b").textContent),
+        ball: (
+          row
+            .querySelector("[data-act=replay]")
+            .getAttribute("title")
+            .match(/[\d.]+/g) ?? []
+        ).map(Number),
+        solved: row.querySelector(".mark").textContent === "✓",
+        current: row.querySelector("[aria-current=true]") !== null,
+      })),
+    ]),
+  );
+  check(
+    JSON.stringify(lists.play) === JSON.stringify(lists.player),
+    "the lists of the player’s attempts in Play and Compare differ",
+  );
   for (const [name, rows] of Object.entries(lists)) {
-    check(rows.every(({ number }, index) => number === index + 1) && rows.length <= 100, `the attempts of ${name} are numbered ${rows.map(({ number }) => number)}`);
+    check(
+      rows.every(({ number }, index) => number === index + 1) && rows.length <= 100,
+      `the attempts of ${name} are numbered ${rows.map(({ number }) => number)}`,
+    );
     const first = rows.find(({ solved }) => solved)?.number;
-    const words = rows.length === 0 ? '' : first ? `solved on attempt ${first}` : `${rows.length} of 100, not solved`;
+    const words = rows.length === 0 ? "" : first ? `solved on attempt ${first}` : `${rows.length} of 100, not solved`;
     check(text(`${name}-count`) === words, `the list of ${name} says “${text(`${name}-count`)}”, its rows “${words}”`);
   }
-  check(lists.model.slice(0, -1).every(({ solved }) => !solved), 'the model has gone on after it had solved');
+  check(
+    lists.model.slice(0, -1).every(({ solved }) => !solved),
+    "the model has gone on after it had solved",
+  );
 
   // The verdict.
   const [you, it] = [lists.player, lists.model].map((rows) => rows.find(({ solved }) => solved)?.number);
-  const tries = (count) => (count === 1 ? '1 attempt' : `${count} attempts`);
-  const verdict = text('verdict');
+  const tries = (count) => (count === 1 ? "1 attempt" : `${count} attempts`);
+  const verdict = text("verdict");
   const said = (pattern) => Number(verdict.match(pattern)?.[1] ?? Number.NaN);
-  if (verdict !== 'Your attempt is running.') {
-    if (you && it && you < it) check(verdict.includes('You were quicker'), `${you} against ${it}: ${verdict}`);
-    if (you && it && you > it) check(verdict.includes('The model was quicker'), `${you} against ${it}: ${verdict}`);
-    if (you && it && you === it) check(verdict.includes('A draw'), `${you} against ${it}: ${verdict}`);
+  if (verdict !== "Your attempt is running.") {
+    if (you && it && you < it) check(verdict.includes("You were quicker"), `${you} against ${it}: ${verdict}`);
+    if (you && it && you > it) check(verdict.includes("The model was quicker"), `${you} against ${it}: ${verdict}`);
+    if (you && it && you === it) check(verdict.includes("A draw"), `${you} against ${it}: ${verdict}`);
     if (you && !it) check(said(/^You solved it on attempt (\d+)/) === you, `you ${you}: ${verdict}`);
     if (!you && it) check(said(/^The model solved it on attempt (\d+)/) === it, `the model ${it}: ${verdict}`);
-    if (!you && !it && lists.player.length + lists.model.length === 0) check(verdict === 'Nobody has tried yet.', verdict);
-    if (!you && !it && lists.player.length + lists.model.length > 0) check(verdict.includes(lists.player.length ? String(lists.player.length) : tries(0).split(' ')[0]) || verdict.includes('no attempt'), `${lists.player.length} and ${lists.model.length}: ${verdict}`);
+    if (!you && !it && lists.player.length + lists.model.length === 0)
+      check(verdict === "Nobody has tried yet.", verdict);
+    if (!you && !it && lists.player.length + lists.model.length > 0)
+      check(
+        verdict.includes(lists.player.length ? String(lists.player.length) : tries(0).split(" ")[0]) ||
+          verdict.includes("no attempt"),
+        `${lists.player.length} and ${lists.model.length}: ${verdict}`,
+      );
   }
 
   // The status line, and the attempt that it speaks of.
-  const [, outcome, whose, which] = text('status').match(/^(Solved!|Not solved\.) (Your|The model’s) attempt (\d+)/) ?? [];
+  const [, outcome, whose, which] =
+    text("status").match(/^(Solved!|Not solved\.) (Your|The model’s) attempt (\d+)/) ?? [];
   // Of two over each other it names the outcome of both.
-  if (outcome && !text('status').includes('(dashed)')) {
-    const row = lists[whose === 'Your' ? 'player' : 'model'][Number(which) - 1];
-    check(row?.solved === (outcome === 'Solved!') && row?.current, `the status says “${text('status')}”, the row ${JSON.stringify(row)}`);
+  if (outcome && !text("status").includes("(dashed)")) {
+    const row = lists[whose === "Your" ? "player" : "model"][Number(which) - 1];
+    check(
+      row?.solved === (outcome === "Solved!") && row?.current,
+      `the status says “${text("status")}”, the row ${JSON.stringify(row)}`,
+    );
   }
 
   // What is kept.
   if (state.task !== null) {
-    const kept = (localStorage.getItem(`pathlight.attempts.${state.task}`) ?? '').split('\n').filter(Boolean).map((line) => JSON.parse(line)).filter(({ by }) => by === 'player');
+    const kept = (localStorage.getItem(`pathlight.attempts.${state.task}`) ?? "")
+      .split("\n")
+      .filter(Boolean)
+      .map((line) => JSON.parse(line))
+      .filter(({ by }) => by === "player");
     const balls = (rows) => JSON.stringify(rows.map(({ ball }) => ball));
-    check(balls(kept) === balls(lists.player), `kept are the player's balls ${balls(kept)}, listed ${balls(lists.player)}`);
-    const progress = JSON.parse(localStorage.getItem('pathlight.progress') ?? '{"tasks":{}}').tasks[state.task] ?? { attempts: 0, solved: null };
-    check(progress.attempts >= lists.player.length && (!you || progress.solved !== null), `the progress is ${JSON.stringify(progress)}, of ${lists.player.length} attempts the first to solve is ${you}`);
+    check(
+      balls(kept) === balls(lists.player),
+      `kept are the player's balls ${balls(kept)}, listed ${balls(lists.player)}`,
+    );
+    const progress = JSON.parse(localStorage.getItem("pathlight.progress") ?? '{"tasks":{}}').tasks[state.task] ?? {
+      attempts: 0,
+      solved: null,
+    };
+    check(
+      progress.attempts >= lists.player.length && (!you || progress.solved !== null),
+      `the progress is ${JSON.stringify(progress)}, of ${lists.player.length} attempts the first to solve is ${you}`,
+    );
   }
   return found;
 }

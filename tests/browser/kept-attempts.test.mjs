@@ -1,12 +1,13 @@
-// Attempts are kept for each puzzle and model, come back when the puzzle is opened again, and are saved to a file and read back whole.
+// Attempts are kept for each puzzle and model, come back when the puzzle is opened again, and are saved to a file and
+// read back whole.
 
-import assert from 'node:assert/strict';
-import { readFile, writeFile } from 'node:fs/promises';
-import { tmpdir } from 'node:os';
-import { join } from 'node:path';
-import { after, before, test } from 'node:test';
-import { start } from './harness.mjs';
-import { EASY, attempts, known, modelLoaded, openPuzzle, playModelTurn, says, type } from './page-actions.mjs';
+import assert from "node:assert/strict";
+import { readFile, writeFile } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { start } from "./harness.mjs";
+import { EASY, attempts, known, modelLoaded, openPuzzle, playModelTurn, says, type } from "./page-actions.mjs";
 
 let session;
 before(async () => (session = await start()));
@@ -14,7 +15,7 @@ after(() => session.stop());
 
 async function run(page, ball, words) {
   await type(page, ball);
-  await page.locator('#run').click();
+  await page.locator("#run").click();
   await says(page, words);
 }
 
@@ -23,190 +24,255 @@ async function played(options = {}) {
   const page = await openPuzzle(session, { reducedMotion: true, ...options });
   const { missing, solving } = await known();
   await run(page, missing, /^Not solved/);
-  await page.locator('#reset').click();
+  await page.locator("#reset").click();
   await run(page, solving, /^Solved/);
-  await page.locator('#tab-compare').click();
+  await page.locator("#tab-compare").click();
   await playModelTurn(page);
   return page;
 }
 
-const titles = (page, list) => page.locator(`#${list} [data-act=replay]`).evaluateAll((buttons) => buttons.map((button) => button.title + button.textContent));
+const titles = (page, list) =>
+  page
+    .locator(`#${list} [data-act=replay]`)
+    .evaluateAll((buttons) => buttons.map((button) => button.title + button.textContent));
 
-test('the attempts of both come back after a reload and after another puzzle, and are replayed', async () => {
+test("the attempts of both come back after a reload and after another puzzle, and are replayed", async () => {
   const page = await played();
-  const [player, model] = [await titles(page, 'player-attempts'), await titles(page, 'model-attempts')];
+  const [player, model] = [await titles(page, "player-attempts"), await titles(page, "model-attempts")];
   assert.equal(player.length, 2);
   assert.ok(model.length >= 1);
-  const verdict = await page.locator('#verdict').textContent();
+  const verdict = await page.locator("#verdict").textContent();
   await page.reload();
-  await page.locator('#model-turn').filter({ hasText: 'The model has played' }).waitFor();
-  assert.deepEqual(await titles(page, 'player-attempts'), player);
-  assert.deepEqual(await titles(page, 'model-attempts'), model);
-  assert.equal(await page.locator('#verdict').textContent(), verdict);
-  assert.match(await page.locator('#task option:checked').textContent(), /✓ in 2$/, 'the picker counts them alike');
-  await page.locator('#player-attempts [data-act=replay]').first().click();
+  await page.locator("#model-turn").filter({ hasText: "The model has played" }).waitFor();
+  assert.deepEqual(await titles(page, "player-attempts"), player);
+  assert.deepEqual(await titles(page, "model-attempts"), model);
+  assert.equal(await page.locator("#verdict").textContent(), verdict);
+  assert.match(await page.locator("#task option:checked").textContent(), /✓ in 2$/, "the picker counts them alike");
+  await page.locator("#player-attempts [data-act=replay]").first().click();
   await says(page, /^Not solved. Your attempt 1/);
-  await page.locator('#next').click();
+  await page.locator("#next").click();
   assert.equal(await attempts(page), 0);
-  await page.locator('#previous').click();
+  await page.locator("#previous").click();
   assert.equal(await attempts(page), 2);
 });
 
-test('another model has attempts of its own, and those of the first stay', async () => {
+test("another model has attempts of its own, and those of the first stay", async () => {
   const page = await played();
-  const model = await titles(page, 'model-attempts');
-  await page.locator('#tab-imagine').click();
-  await page.locator('#model-select').selectOption('cross-0');
-  await modelLoaded(page, 'cross-0');
-  await page.locator('#tab-compare').click();
-  assert.deepEqual(await titles(page, 'model-attempts'), []);
+  const model = await titles(page, "model-attempts");
+  await page.locator("#tab-imagine").click();
+  await page.locator("#model-select").selectOption("cross-0");
+  await modelLoaded(page, "cross-0");
+  await page.locator("#tab-compare").click();
+  assert.deepEqual(await titles(page, "model-attempts"), []);
   await page.goBack();
-  await page.locator('#tab-imagine').click();
-  await page.locator('#model-select').selectOption('within-0');
-  await modelLoaded(page, 'within-0');
-  await page.locator('#tab-compare').click();
-  await page.locator('#model-attempts li').first().waitFor();
-  assert.deepEqual(await titles(page, 'model-attempts'), model);
+  await page.locator("#tab-imagine").click();
+  await page.locator("#model-select").selectOption("within-0");
+  await modelLoaded(page, "within-0");
+  await page.locator("#tab-compare").click();
+  await page.locator("#model-attempts li").first().waitFor();
+  assert.deepEqual(await titles(page, "model-attempts"), model);
 });
 
-test('a model that is asked for by its name, when it is there already as the first, keeps its attempts', async () => {
+test("a model that is asked for by its name, when it is there already as the first, keeps its attempts", async () => {
   const page = await played();
-  const model = await titles(page, 'model-attempts');
-  await page.locator('#tab-imagine').click();
-  await page.locator('#model-select').selectOption('within-0');
-  await page.locator('#tab-compare').click();
-  await page.locator('#model-attempts li').first().waitFor();
-  assert.deepEqual(await titles(page, 'model-attempts'), model);
+  const model = await titles(page, "model-attempts");
+  await page.locator("#tab-imagine").click();
+  await page.locator("#model-select").selectOption("within-0");
+  await page.locator("#tab-compare").click();
+  await page.locator("#model-attempts li").first().waitFor();
+  assert.deepEqual(await titles(page, "model-attempts"), model);
 });
 
-test('an attempt that is deleted, and all that are cleared, stay away', async () => {
+test("an attempt that is deleted, and all that are cleared, stay away", async () => {
   const page = await played();
-  await page.locator('#player-attempts [data-act=remove]').first().click();
+  await page.locator("#player-attempts [data-act=remove]").first().click();
   await page.reload();
-  await page.locator('#model-attempts li').first().waitFor();
-  assert.equal((await titles(page, 'player-attempts')).length, 1);
-  await page.locator('#clear-attempts').click();
+  await page.locator("#model-attempts li").first().waitFor();
+  assert.equal((await titles(page, "player-attempts")).length, 1);
+  await page.locator("#clear-attempts").click();
   await page.reload();
   await modelLoaded(page);
-  assert.deepEqual([...(await titles(page, 'player-attempts')), ...(await titles(page, 'model-attempts'))], []);
+  assert.deepEqual([...(await titles(page, "player-attempts")), ...(await titles(page, "model-attempts"))], []);
 });
 
-test('attempts of two tabs stay both', async () => {
+test("attempts of two tabs stay both", async () => {
   const page = await openPuzzle(session, { reducedMotion: true });
   const other = await page.context().newPage();
-  await other.emulateMedia({ reducedMotion: 'reduce' });
+  await other.emulateMedia({ reducedMotion: "reduce" });
   await other.goto(page.url());
   const { missing, solving } = await known();
   await run(page, missing, /^Not solved/);
   await run(other, solving, /^Solved/);
   await other.reload();
-  await other.locator('#play-attempts li').nth(1).waitFor();
+  await other.locator("#play-attempts li").nth(1).waitFor();
   // What is deleted in one stays away when the other goes on.
-  await page.locator('#play-attempts [data-act=remove]').click();
+  await page.locator("#play-attempts [data-act=remove]").click();
   await page.reload();
-  await page.locator('#play-attempts li').first().waitFor();
+  await page.locator("#play-attempts li").first().waitFor();
   assert.equal(await attempts(page), 1);
 });
 
-test('the attempts saved at a puzzle are read back as those of the player and of the model', async () => {
+test("the attempts saved at a puzzle are read back as those of the player and of the model", async () => {
   const page = await played();
-  const [player, model] = [await titles(page, 'player-attempts'), await titles(page, 'model-attempts')];
-  await page.locator('#tab-play').click();
-  const [file] = await Promise.all([page.waitForEvent('download'), page.locator('#attempts-save').click()]);
-  const elsewhere = await session.open('/');
-  await elsewhere.locator('#templates a').first().waitFor();
-  await elsewhere.locator('#progress-file').setInputFiles(await file.path());
-  await elsewhere.locator('#progress-words').filter({ hasText: 'solved 1, in 2 attempts' }).waitFor();
+  const [player, model] = [await titles(page, "player-attempts"), await titles(page, "model-attempts")];
+  await page.locator("#tab-play").click();
+  const [file] = await Promise.all([page.waitForEvent("download"), page.locator("#attempts-save").click()]);
+  const elsewhere = await session.open("/");
+  await elsewhere.locator("#templates a").first().waitFor();
+  await elsewhere.locator("#progress-file").setInputFiles(await file.path());
+  await elsewhere.locator("#progress-words").filter({ hasText: "solved 1, in 2 attempts" }).waitFor();
   await elsewhere.goto(`${session.origin}/#task=${EASY}&panel=compare`);
-  await elsewhere.locator('#model-attempts li').first().waitFor();
-  assert.deepEqual(await titles(elsewhere, 'player-attempts'), player);
-  assert.deepEqual(await titles(elsewhere, 'model-attempts'), model);
+  await elsewhere.locator("#model-attempts li").first().waitFor();
+  assert.deepEqual(await titles(elsewhere, "player-attempts"), player);
+  assert.deepEqual(await titles(elsewhere, "model-attempts"), model);
 });
 
-test('all is saved to a file and read back whole on another device', async () => {
+test("all is saved to a file and read back whole on another device", async () => {
   const page = await played();
-  const [player, model] = [await titles(page, 'player-attempts'), await titles(page, 'model-attempts')];
-  await page.locator('#home').click();
-  const [file] = await Promise.all([page.waitForEvent('download'), page.locator('#progress-save').click()]);
+  const [player, model] = [await titles(page, "player-attempts"), await titles(page, "model-attempts")];
+  await page.locator("#home").click();
+  const [file] = await Promise.all([page.waitForEvent("download"), page.locator("#progress-save").click()]);
   const path = await file.path();
-  const saved = JSON.parse(await readFile(path, 'utf8'));
+  const saved = JSON.parse(await readFile(path, "utf8"));
   assert.deepEqual(saved.tasks, { [EASY]: { attempts: 2, solved: 2 } });
-  assert.deepEqual(saved.attempts.map(({ task, by, status, simulator }) => [task, by, status, Number.isInteger(simulator)]).slice(0, 2), [[EASY, 'player', 'not_solved', true], [EASY, 'player', 'solved', true]]);
-  assert.equal(saved.attempts.filter(({ by }) => by === 'within-0').length, model.length);
-  assert.equal(saved.models['within-0'][EASY].attempts, model.length);
+  assert.deepEqual(
+    saved.attempts
+      .map(({ task, by, status, simulator }) => [task, by, status, Number.isInteger(simulator)])
+      .slice(0, 2),
+    [
+      [EASY, "player", "not_solved", true],
+      [EASY, "player", "solved", true],
+    ],
+  );
+  assert.equal(saved.attempts.filter(({ by }) => by === "within-0").length, model.length);
+  assert.equal(saved.models["within-0"][EASY].attempts, model.length);
 
-  const elsewhere = await session.open('/');
-  await elsewhere.locator('#templates a').first().waitFor();
-  await elsewhere.locator('#progress-file').setInputFiles(path);
-  await elsewhere.locator('#notice-text').filter({ hasText: `Read back: 1 puzzle, with ${2 + model.length} attempts.` }).waitFor();
-  await elsewhere.locator('#progress-words').filter({ hasText: 'solved 1, in 2 attempts' }).waitFor();
+  const elsewhere = await session.open("/");
+  await elsewhere.locator("#templates a").first().waitFor();
+  await elsewhere.locator("#progress-file").setInputFiles(path);
+  await elsewhere
+    .locator("#notice-text")
+    .filter({ hasText: `Read back: 1 puzzle, with ${2 + model.length} attempts.` })
+    .waitFor();
+  await elsewhere.locator("#progress-words").filter({ hasText: "solved 1, in 2 attempts" }).waitFor();
   await elsewhere.goto(`${session.origin}/#task=${EASY}&panel=compare`);
-  await elsewhere.locator('#model-attempts li').first().waitFor();
-  assert.deepEqual(await titles(elsewhere, 'player-attempts'), player);
-  assert.deepEqual(await titles(elsewhere, 'model-attempts'), model);
-  await elsewhere.locator('#score-rows th', { hasText: 'Two Drops, 1 of 100' }).waitFor();
+  await elsewhere.locator("#model-attempts li").first().waitFor();
+  assert.deepEqual(await titles(elsewhere, "player-attempts"), player);
+  assert.deepEqual(await titles(elsewhere, "model-attempts"), model);
+  await elsewhere.locator("#score-rows th", { hasText: "Two Drops, 1 of 100" }).waitFor();
 
   // JSON lines of attempts alone are read too.
   const lines = join(tmpdir(), `pathlight-${process.pid}.jsonl`);
-  await writeFile(lines, saved.attempts.map((one) => `${JSON.stringify({ ...one, digest: 'more' })}\n`).join(''));
-  const third = await session.open('/');
-  await third.locator('#templates a').first().waitFor();
-  await third.locator('#progress-file').setInputFiles(lines);
-  await third.locator('#progress-words').filter({ hasText: 'solved 1, in 2 attempts' }).waitFor();
+  await writeFile(lines, saved.attempts.map((one) => `${JSON.stringify({ ...one, digest: "more" })}\n`).join(""));
+  const third = await session.open("/");
+  await third.locator("#templates a").first().waitFor();
+  await third.locator("#progress-file").setInputFiles(lines);
+  await third.locator("#progress-words").filter({ hasText: "solved 1, in 2 attempts" }).waitFor();
 });
 
-test('an older file takes nothing away, and a longer one replaces', async () => {
+test("an older file takes nothing away, and a longer one replaces", async () => {
   const page = await played();
-  const [player, model] = [await titles(page, 'player-attempts'), await titles(page, 'model-attempts')];
-  await page.locator('#home').click();
-  const line = (x) => ({ task: EASY, by: 'player', ball: [x, 240, 8], status: 'not_solved', steps: 900, longest_touch: 0, final_touch: 0, simulator: 1 });
-  for (const [balls, kept] of [[1, player.length], [3, 3]]) {
-    const buffer = Buffer.from(JSON.stringify({ tasks: {}, attempts: Array.from({ length: balls }, (_, index) => line(20 + 30 * index)) }));
-    await page.locator('#progress-file').setInputFiles({ name: 'file.json', mimeType: 'application/json', buffer });
-    await page.locator('#notice-text').filter({ hasText: `with ${balls} attempt` }).waitFor();
+  const [player, model] = [await titles(page, "player-attempts"), await titles(page, "model-attempts")];
+  await page.locator("#home").click();
+  const line = (x) => ({
+    task: EASY,
+    by: "player",
+    ball: [x, 240, 8],
+    status: "not_solved",
+    steps: 900,
+    longest_touch: 0,
+    final_touch: 0,
+    simulator: 1,
+  });
+  for (const [balls, kept] of [
+    [1, player.length],
+    [3, 3],
+  ]) {
+    const buffer = Buffer.from(
+      JSON.stringify({ tasks: {}, attempts: Array.from({ length: balls }, (_, index) => line(20 + 30 * index)) }),
+    );
+    await page.locator("#progress-file").setInputFiles({ name: "file.json", mimeType: "application/json", buffer });
+    await page
+      .locator("#notice-text")
+      .filter({ hasText: `with ${balls} attempt` })
+      .waitFor();
     await page.goto(`${session.origin}/#task=${EASY}&panel=compare`);
-    await page.locator('#model-attempts li').first().waitFor();
-    assert.equal((await titles(page, 'player-attempts')).length, kept);
-    assert.deepEqual(await titles(page, 'model-attempts'), model);
-    await page.locator('#home').click();
+    await page.locator("#model-attempts li").first().waitFor();
+    assert.equal((await titles(page, "player-attempts")).length, kept);
+    assert.deepEqual(await titles(page, "model-attempts"), model);
+    await page.locator("#home").click();
   }
 });
 
-test('a file with a longer turn of other agents takes nothing away', async () => {
+test("a file with a longer turn of other agents takes nothing away", async () => {
   const page = await played();
-  const model = await titles(page, 'model-attempts');
-  await page.locator('#home').click();
-  const line = (x) => ({ task: EASY, by: 'within-0', ball: [x, 240, 8], status: 'not_solved', steps: 900, longest_touch: 0, final_touch: 0, simulator: 3, agents: 1 });
-  const buffer = Buffer.from(JSON.stringify({ tasks: {}, attempts: Array.from({ length: 90 }, (_, index) => line(20 + 2 * index)) }));
-  await page.locator('#progress-file').setInputFiles({ name: 'file.json', mimeType: 'application/json', buffer });
-  await page.locator('#notice-text').filter({ hasText: 'Read back' }).waitFor();
+  const model = await titles(page, "model-attempts");
+  await page.locator("#home").click();
+  const line = (x) => ({
+    task: EASY,
+    by: "within-0",
+    ball: [x, 240, 8],
+    status: "not_solved",
+    steps: 900,
+    longest_touch: 0,
+    final_touch: 0,
+    simulator: 3,
+    agents: 1,
+  });
+  const buffer = Buffer.from(
+    JSON.stringify({ tasks: {}, attempts: Array.from({ length: 90 }, (_, index) => line(20 + 2 * index)) }),
+  );
+  await page.locator("#progress-file").setInputFiles({ name: "file.json", mimeType: "application/json", buffer });
+  await page.locator("#notice-text").filter({ hasText: "Read back" }).waitFor();
   await page.goto(`${session.origin}/#task=${EASY}&panel=compare`);
-  await page.locator('#model-attempts li').first().waitFor();
-  assert.deepEqual(await titles(page, 'model-attempts'), model);
+  await page.locator("#model-attempts li").first().waitFor();
+  assert.deepEqual(await titles(page, "model-attempts"), model);
 });
 
-for (const [what, content] of Object.entries({ 'no JSON': 'soup', 'another form': '[1, 2]', 'impossible attempts': JSON.stringify({ tasks: {}, attempts: [{ task: 'soup', ball: [1], status: 'solved', steps: 1 }] }) })) {
+for (const [what, content] of Object.entries({
+  "no JSON": "soup",
+  "another form": "[1, 2]",
+  "impossible attempts": JSON.stringify({
+    tasks: {},
+    attempts: [{ task: "soup", ball: [1], status: "solved", steps: 1 }],
+  }),
+})) {
   test(`a file with ${what} is a sentence, and nothing is lost`, async () => {
     const page = await played();
-    await page.locator('#home').click();
-    await page.locator('#progress-file').setInputFiles({ name: 'file.json', mimeType: 'application/json', buffer: Buffer.from(content) });
-    await page.locator('#notice-text').filter({ hasText: 'This file holds no progress of Pathlight' }).waitFor();
-    await page.locator('#templates a').first().click();
+    await page.locator("#home").click();
+    await page
+      .locator("#progress-file")
+      .setInputFiles({ name: "file.json", mimeType: "application/json", buffer: Buffer.from(content) });
+    await page.locator("#notice-text").filter({ hasText: "This file holds no progress of Pathlight" }).waitFor();
+    await page.locator("#templates a").first().click();
     assert.equal(await attempts(page), 2);
   });
 }
 
-test('a turn that other agents made is not brought back, and the new one takes its place', async () => {
+test("a turn that other agents made is not brought back, and the new one takes its place", async () => {
   const page = await played();
   await page.evaluate((task) => {
     const key = `pathlight.attempts.${task}`;
-    const lines = (localStorage.getItem(key) ?? '').trim().split('\n').map((line) => JSON.parse(line));
-    localStorage.setItem(key, lines.map((line) => `${JSON.stringify(line.agents ? { ...line, agents: 1 } : line)}\n`).join(''));
+    const lines = (localStorage.getItem(key) ?? "")
+      .trim()
+      .split("\n")
+      .map((line) => JSON.parse(line));
+    localStorage.setItem(
+      key,
+      lines.map((line) => `${JSON.stringify(line.agents ? { ...line, agents: 1 } : line)}\n`).join(""),
+    );
   }, EASY);
   await page.reload();
   await modelLoaded(page);
-  assert.deepEqual(await titles(page, 'model-attempts'), []);
+  assert.deepEqual(await titles(page, "model-attempts"), []);
   await playModelTurn(page);
-  const kept = await page.evaluate((task) => (localStorage.getItem(`pathlight.attempts.${task}`) ?? '').trim().split('\n').map((line) => JSON.parse(line)), EASY);
+  const kept = await page.evaluate(
+    (task) =>
+      (localStorage.getItem(`pathlight.attempts.${task}`) ?? "")
+        .trim()
+        .split("\n")
+        .map((line) => JSON.parse(line)),
+    EASY,
+  );
   assert.ok(kept.some(({ agents }) => agents > 1) && !kept.some(({ agents }) => agents === 1), JSON.stringify(kept));
 });

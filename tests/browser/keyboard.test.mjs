@@ -1,21 +1,21 @@
 // From the grid to a solved puzzle and the model's turn without touching the mouse.
 
-import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
-import { start } from './harness.mjs';
-import { ball, focused, known, openPuzzle, says, waitForValue } from './page-actions.mjs';
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { start } from "./harness.mjs";
+import { ball, focused, known, openPuzzle, says, waitForValue } from "./page-actions.mjs";
 
 let session;
 before(async () => (session = await start()));
 after(() => session.stop());
 
-const focusedId = async (page) => (await focused(page)).getAttribute('id');
+const focusedId = async (page) => (await focused(page)).getAttribute("id");
 
 /** Presses Tab until the element of this id has the focus. */
 async function tabTo(page, id) {
   for (let presses = 0; presses < 60; presses += 1) {
     if ((await focusedId(page)) === id) return;
-    await page.keyboard.press('Tab');
+    await page.keyboard.press("Tab");
   }
   assert.fail(`Tab does not reach ${id}`);
 }
@@ -27,99 +27,103 @@ async function press(page, key, times) {
 /** Moves the ball from where it is by arrows, Shift and arrows, + and -. */
 async function moveTo(page, [x, y, r]) {
   const [fromX, fromY, fromR] = await ball(page);
-  for (const { by, less, more } of [{ by: x - fromX, less: 'ArrowLeft', more: 'ArrowRight' }, { by: y - fromY, less: 'ArrowDown', more: 'ArrowUp' }]) {
+  for (const { by, less, more } of [
+    { by: x - fromX, less: "ArrowLeft", more: "ArrowRight" },
+    { by: y - fromY, less: "ArrowDown", more: "ArrowUp" },
+  ]) {
     const key = by < 0 ? less : more;
     await press(page, `Shift+${key}`, Math.floor(Math.abs(by) / 10));
     await press(page, key, Math.abs(by) % 10);
   }
-  await press(page, r < fromR ? '-' : '+', Math.abs(r - fromR));
+  await press(page, r < fromR ? "-" : "+", Math.abs(r - fromR));
 }
 
-test('a puzzle is opened, solved and compared by keys alone', async () => {
-  const page = await session.open('/', { reducedMotion: 'reduce' });
-  await page.locator('#templates a').first().waitFor();
+test("a puzzle is opened, solved and compared by keys alone", async () => {
+  const page = await session.open("/", { reducedMotion: "reduce" });
+  await page.locator("#templates a").first().waitFor();
   const { solving } = await known();
-  while (!(await page.evaluate(() => document.activeElement?.matches('#templates a')))) await page.keyboard.press('Tab');
-  await page.keyboard.press('Enter');
-  await page.locator('#scene').waitFor();
-  assert.equal(await focusedId(page), 'scene', 'the scene is ready for the arrows');
+  while (!(await page.evaluate(() => document.activeElement?.matches("#templates a"))))
+    await page.keyboard.press("Tab");
+  await page.keyboard.press("Enter");
+  await page.locator("#scene").waitFor();
+  assert.equal(await focusedId(page), "scene", "the scene is ready for the arrows");
 
-  await page.keyboard.press('ArrowUp');
+  await page.keyboard.press("ArrowUp");
   await moveTo(page, solving);
   assert.deepEqual(await ball(page), solving);
-  await page.keyboard.press('Space');
+  await page.keyboard.press("Space");
   await says(page, /^Solved! Your attempt 1/);
 
-  await page.keyboard.press('3');
-  await tabTo(page, 'model-turn');
-  await page.locator('#model-turn:enabled').waitFor();
-  await page.keyboard.press('Enter');
-  await page.locator('#model-turn').filter({ hasText: 'The model has played' }).waitFor({ timeout: 120_000 });
+  await page.keyboard.press("3");
+  await tabTo(page, "model-turn");
+  await page.locator("#model-turn:enabled").waitFor();
+  await page.keyboard.press("Enter");
+  await page.locator("#model-turn").filter({ hasText: "The model has played" }).waitFor({ timeout: 120_000 });
 });
 
-test('keys step, pause, reset, change the puzzle and the panel', async () => {
+test("keys step, pause, reset, change the puzzle and the panel", async () => {
   const page = await openPuzzle(session);
   const { missing } = await known();
-  const time = page.locator('#time');
-  await page.locator('#scene').focus();
-  await page.keyboard.press('ArrowLeft');
+  const time = page.locator("#time");
+  await page.locator("#scene").focus();
+  await page.keyboard.press("ArrowLeft");
   await moveTo(page, missing);
-  await page.keyboard.press('.');
-  assert.equal(await time.inputValue(), '1');
-  await press(page, '.', 3);
-  await page.keyboard.press(',');
-  assert.equal(await time.inputValue(), '3');
-  await page.keyboard.press('Space');
-  await waitForValue(page, '#time', (value) => Number(value) > 10);
-  await page.keyboard.press('Space');
+  await page.keyboard.press(".");
+  assert.equal(await time.inputValue(), "1");
+  await press(page, ".", 3);
+  await page.keyboard.press(",");
+  assert.equal(await time.inputValue(), "3");
+  await page.keyboard.press("Space");
+  await waitForValue(page, "#time", (value) => Number(value) > 10);
+  await page.keyboard.press("Space");
   const paused = await time.inputValue();
   await page.waitForTimeout(200);
   assert.equal(await time.inputValue(), paused);
-  await page.keyboard.press('r');
+  await page.keyboard.press("r");
   await says(page, /may start here/);
 
-  const first = await page.locator('#task').inputValue();
-  await page.keyboard.press(']');
-  assert.notEqual(await page.locator('#task').inputValue(), first);
-  await page.keyboard.press('[');
-  assert.equal(await page.locator('#task').inputValue(), first);
+  const first = await page.locator("#task").inputValue();
+  await page.keyboard.press("]");
+  assert.notEqual(await page.locator("#task").inputValue(), first);
+  await page.keyboard.press("[");
+  assert.equal(await page.locator("#task").inputValue(), first);
 
-  await page.keyboard.press('2');
-  await page.locator('#imagine').waitFor();
-  await tabTo(page, 'tab-imagine');
-  await page.keyboard.press('ArrowRight');
-  assert.equal(await focusedId(page), 'tab-compare');
-  await page.keyboard.press('?');
-  await page.locator('#keys-dialog[open]').waitFor();
-  await page.keyboard.press('Escape');
-  await page.locator('#keys-dialog[open]').waitFor({ state: 'detached' });
+  await page.keyboard.press("2");
+  await page.locator("#imagine").waitFor();
+  await tabTo(page, "tab-imagine");
+  await page.keyboard.press("ArrowRight");
+  assert.equal(await focusedId(page), "tab-compare");
+  await page.keyboard.press("?");
+  await page.locator("#keys-dialog[open]").waitFor();
+  await page.keyboard.press("Escape");
+  await page.locator("#keys-dialog[open]").waitFor({ state: "detached" });
 });
 
-test('what has the focus can be seen', async () => {
+test("what has the focus can be seen", async () => {
   const page = await openPuzzle(session);
-  for (const id of ['next', 'run', 'radius', 'tab-play']) {
+  for (const id of ["next", "run", "radius", "tab-play"]) {
     await tabTo(page, id);
     const outline = await page.locator(`#${id}`).evaluate((element) => getComputedStyle(element).outlineStyle);
-    assert.equal(outline, 'solid', id);
+    assert.equal(outline, "solid", id);
   }
 });
 
-test('where nothing has the focus, the arrows move the ball', async () => {
+test("where nothing has the focus, the arrows move the ball", async () => {
   const page = await openPuzzle(session);
   await (await focused(page)).evaluate((element) => element.blur());
-  await page.keyboard.press('Shift+ArrowUp');
+  await page.keyboard.press("Shift+ArrowUp");
   const [x, y, r] = await ball(page);
-  await page.keyboard.press('Shift+ArrowLeft');
-  await page.keyboard.press('+');
+  await page.keyboard.press("Shift+ArrowLeft");
+  await page.keyboard.press("+");
   assert.deepEqual(await ball(page), [x - 10, y, r + 1]);
 });
 
-test('letters and digits that are typed into a name are no shortcuts', async () => {
-  const page = await openPuzzle(session, { fragment: '&panel=bend' });
-  const name = page.locator('#bend-name');
-  await name.fill('');
-  await name.pressSequentially('Ramp 2 [over] no. 1, v?');
-  assert.equal(await name.inputValue(), 'Ramp 2 [over] no. 1, v?');
+test("letters and digits that are typed into a name are no shortcuts", async () => {
+  const page = await openPuzzle(session, { fragment: "&panel=bend" });
+  const name = page.locator("#bend-name");
+  await name.fill("");
+  await name.pressSequentially("Ramp 2 [over] no. 1, v?");
+  assert.equal(await name.inputValue(), "Ramp 2 [over] no. 1, v?");
   assert.match(page.url(), /panel=bend/);
-  assert.equal(await page.locator('#keys-dialog[open]').count(), 0);
+  assert.equal(await page.locator("#keys-dialog[open]").count(), 0);
 });

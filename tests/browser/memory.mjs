@@ -1,14 +1,17 @@
-// Measures whether the page holds on to memory: opens many puzzles in a row, and lets the model play many turns. Of the page and of
-// its worker: the heap of JavaScript after a forced collection, and the memory of the wasm.
+// Measures whether the page holds on to memory: opens many puzzles in a row, and lets the model play many turns. Of the
+// page and of its worker: the heap of JavaScript after a forced collection, and the memory of the wasm.
 //
 //     node tests/browser/memory.mjs [puzzles] [turns]
 
-import { pathToFileURL } from 'node:url';
-import { start } from './harness.mjs';
-import { openImagined } from './page-actions.mjs';
+import { pathToFileURL } from "node:url";
+import { start } from "./harness.mjs";
+import { openImagined } from "./page-actions.mjs";
 
 /** @typedef {import('playwright-core').Page} Page */
-/** @typedef {{ heap: number, pageWasm: number, workerWasm: number, elements: number }} Memory bytes, and the elements of the page */
+/**
+ * @typedef {{ heap: number, pageWasm: number, workerWasm: number, elements: number }} Memory bytes, and the elements of
+ *   the page
+ */
 
 /**
  * Opens so many puzzles of the page, which imagines each.
@@ -17,12 +20,17 @@ import { openImagined } from './page-actions.mjs';
  * @param {number} [from]
  */
 export async function openPuzzles(page, count, from = 0) {
-  const templates = await page.evaluate(async () => (await import('/pkg/pathlight.js')).templates().map(({ tasks }) => tasks));
+  const templates = await page.evaluate(async () =>
+    (await import("/pkg/pathlight.js")).templates().map(({ tasks }) => tasks),
+  );
   for (let index = from; index < from + count; index++) {
     const tasks = templates[index % templates.length];
     const task = tasks[Math.floor(index / templates.length) % tasks.length];
     await page.evaluate((task) => void (location.hash = `#task=${task}&panel=imagine`), task);
-    await page.locator('#imagined-in').filter({ hasText: /Imagined in \d+ ms/ }).waitFor();
+    await page
+      .locator("#imagined-in")
+      .filter({ hasText: /Imagined in \d+ ms/ })
+      .waitFor();
   }
 }
 
@@ -33,10 +41,13 @@ export async function openPuzzles(page, count, from = 0) {
  */
 export async function playTurns(page, count) {
   for (let index = 0; index < count; index++) {
-    await page.evaluate((task) => void (location.hash = `#task=${task}&panel=compare`), index % 2 ? '00000:000' : '00002:007');
-    if (await page.locator('#clear-attempts').isEnabled()) await page.locator('#clear-attempts').click();
-    await page.locator('#model-turn:enabled').click();
-    await page.locator('#model-turn').filter({ hasText: 'The model has played' }).waitFor({ timeout: 120_000 });
+    await page.evaluate(
+      (task) => void (location.hash = `#task=${task}&panel=compare`),
+      index % 2 ? "00000:000" : "00002:007",
+    );
+    if (await page.locator("#clear-attempts").isEnabled()) await page.locator("#clear-attempts").click();
+    await page.locator("#model-turn:enabled").click();
+    await page.locator("#model-turn").filter({ hasText: "The model has played" }).waitFor({ timeout: 120_000 });
   }
 }
 
@@ -47,10 +58,10 @@ export async function playTurns(page, count) {
  */
 export async function memoryOf(page) {
   const session = await page.context().newCDPSession(page);
-  await session.send('HeapProfiler.enable');
-  for (let round = 0; round < 3; round++) await session.send('HeapProfiler.collectGarbage');
-  const { usedSize } = await session.send('Runtime.getHeapUsage');
-  const { nodes } = await session.send('Memory.getDOMCounters');
+  await session.send("HeapProfiler.enable");
+  for (let round = 0; round < 3; round++) await session.send("HeapProfiler.collectGarbage");
+  const { usedSize } = await session.send("Runtime.getHeapUsage");
+  const { nodes } = await session.send("Memory.getDOMCounters");
   await session.detach();
   const pageWasm = await page.evaluate(wasmBytes);
   const workerWasm = await page.workers()[0].evaluate(wasmBytes);
@@ -59,7 +70,7 @@ export async function memoryOf(page) {
 
 /** The bytes of the wasm's memory, which only grows. */
 async function wasmBytes() {
-  const { default: init } = await import('/pkg/pathlight.js');
+  const { default: init } = await import("/pkg/pathlight.js");
   return (await init()).memory.buffer.byteLength;
 }
 
@@ -75,13 +86,13 @@ async function measure(puzzles, turns) {
   // What is kept once, for all puzzles, is there after the first of every template.
   await openPuzzles(page, 25);
   console.log(`after   25 puzzles: ${words(await memoryOf(page))}`);
-  for (let opened = 25; opened < puzzles; ) {
+  for (let opened = 25; opened < puzzles;) {
     const count = Math.min(195, puzzles - opened);
     await openPuzzles(page, count, opened);
     opened += count;
     console.log(`after ${String(opened).padStart(4)} puzzles: ${words(await memoryOf(page))}`);
   }
-  for (let played = 0; played < turns; ) {
+  for (let played = 0; played < turns;) {
     const count = played === 0 ? Math.min(4, turns) : Math.min(24, turns - played);
     await playTurns(page, count);
     played += count;
@@ -90,4 +101,5 @@ async function measure(puzzles, turns) {
   await session.stop();
 }
 
-if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) await measure(Number(process.argv[2] ?? 1000), Number(process.argv[3] ?? 100));
+if (import.meta.url === pathToFileURL(process.argv[1] ?? "").href)
+  await measure(Number(process.argv[2] ?? 1000), Number(process.argv[3] ?? 100));

@@ -1,11 +1,11 @@
-// Puzzles that are opened and turns that are played leave nothing behind: the heap, the wasm of page and worker and the elements
-// stay as they are. memory.mjs measures a thousand puzzles and a hundred turns.
+// Puzzles that are opened and turns that are played leave nothing behind: the heap, the wasm of page and worker and the
+// elements stay as they are. memory.mjs measures a thousand puzzles and a hundred turns.
 
-import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
-import { start } from './harness.mjs';
-import { memoryOf, openPuzzles, playTurns } from './memory.mjs';
-import { openImagined } from './page-actions.mjs';
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { start } from "./harness.mjs";
+import { memoryOf, openPuzzles, playTurns } from "./memory.mjs";
+import { openImagined } from "./page-actions.mjs";
 
 /** So much of the heap is noise, bytes. */
 const NOISE = 400_000;
@@ -14,7 +14,7 @@ let session;
 before(async () => (session = await start()));
 after(() => session.stop());
 
-test('fifty puzzles and ten turns', async () => {
+test("fifty puzzles and ten turns", async () => {
   const page = await openImagined(session, { reducedMotion: true });
   await openPuzzles(page, 25);
   await playTurns(page, 2);

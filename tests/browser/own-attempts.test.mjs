@@ -1,12 +1,12 @@
-// Attempts at puzzles of the person's own are kept as those at the benchmark's are: they come back, go with the puzzle, and belong to
-// what is played, whatever it is called.
+// Attempts at puzzles of the person's own are kept as those at the benchmark's are: they come back, go with the puzzle,
+// and belong to what is played, whatever it is called.
 
-import assert from 'node:assert/strict';
-import { readFile } from 'node:fs/promises';
-import { after, before, test } from 'node:test';
-import { ownScene } from '../../www/pkg/pathlight.js';
-import { start } from './harness.mjs';
-import { EASY, attempts, known, modelLoaded, playModelTurn, says, type } from './page-actions.mjs';
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { after, before, test } from "node:test";
+import { ownScene } from "../../www/pkg/pathlight.js";
+import { start } from "./harness.mjs";
+import { EASY, attempts, known, modelLoaded, playModelTurn, says, type } from "./page-actions.mjs";
 
 let session;
 let balls;
@@ -14,27 +14,30 @@ let scene;
 before(async () => {
   session = await start();
   balls = await known();
-  scene = { ...ownScene(EASY), name: 'Mine' };
+  scene = { ...ownScene(EASY), name: "Mine" };
 });
 after(() => session.stop());
 
-const titles = (page, list) => page.locator(`#${list} [data-act=replay]`).evaluateAll((buttons) => buttons.map((button) => button.title + button.textContent));
-const stored = (page) => page.evaluate(() => localStorage.getItem('pathlight.attempts.own'));
+const titles = (page, list) =>
+  page
+    .locator(`#${list} [data-act=replay]`)
+    .evaluateAll((buttons) => buttons.map((button) => button.title + button.textContent));
+const stored = (page) => page.evaluate(() => localStorage.getItem("pathlight.attempts.own"));
 
 /** Opens the puzzle, which is kept in the grid too. */
 async function openOwn() {
-  const page = await session.open('/', { reducedMotion: 'reduce' });
-  await page.evaluate((scene) => localStorage.setItem('pathlight.own-puzzles', JSON.stringify([scene])), scene);
+  const page = await session.open("/", { reducedMotion: "reduce" });
+  await page.evaluate((scene) => localStorage.setItem("pathlight.own-puzzles", JSON.stringify([scene])), scene);
   await page.reload();
-  const href = await page.locator('#own-puzzles a[href*="scene="]').getAttribute('href');
+  const href = await page.locator('#own-puzzles a[href*="scene="]').getAttribute("href");
   await page.goto(`${session.origin}/${href}`);
-  await page.locator('#scene').waitFor();
+  await page.locator("#scene").waitFor();
   return page;
 }
 
 async function run(page, ball, words) {
   await type(page, ball);
-  await page.locator('#run').click();
+  await page.locator("#run").click();
   await says(page, words);
 }
 
@@ -42,124 +45,169 @@ async function run(page, ball, words) {
 async function played() {
   const page = await openOwn();
   await run(page, balls.missing, /^Not solved/);
-  await page.locator('#reset').click();
+  await page.locator("#reset").click();
   await run(page, balls.solving, /^Solved/);
   return page;
 }
 
-test('the attempts of both come back after a reload', async () => {
+test("the attempts of both come back after a reload", async () => {
   const page = await played();
-  await page.locator('#tab-compare').click();
+  await page.locator("#tab-compare").click();
   await playModelTurn(page);
-  const [player, model] = [await titles(page, 'player-attempts'), await titles(page, 'model-attempts')];
+  const [player, model] = [await titles(page, "player-attempts"), await titles(page, "model-attempts")];
   assert.equal(player.length, 2);
   assert.ok(model.length >= 1);
   await page.reload();
-  await page.locator('#model-attempts li').first().waitFor();
-  assert.deepEqual(await titles(page, 'player-attempts'), player);
-  assert.deepEqual(await titles(page, 'model-attempts'), model);
-  await page.locator('#clear-attempts').click();
+  await page.locator("#model-attempts li").first().waitFor();
+  assert.deepEqual(await titles(page, "player-attempts"), player);
+  assert.deepEqual(await titles(page, "model-attempts"), model);
+  await page.locator("#clear-attempts").click();
   await page.reload();
   await modelLoaded(page);
-  assert.deepEqual([...(await titles(page, 'player-attempts')), ...(await titles(page, 'model-attempts'))], []);
+  assert.deepEqual([...(await titles(page, "player-attempts")), ...(await titles(page, "model-attempts"))], []);
   assert.equal(await stored(page), null);
 });
 
-test('a scene that is changed has attempts of its own, and one that is only renamed keeps its own', async () => {
+test("a scene that is changed has attempts of its own, and one that is only renamed keeps its own", async () => {
   const page = await played();
-  await page.locator('#tab-bend').click();
-  const waitForAttempts = (count) => page.locator(count ? `#play-attempts li:nth-child(${count})` : '#play-attempts:not(:has(li))').waitFor({ state: 'attached' });
-  await page.locator('#bend-name').fill('Ours');
-  await page.locator('#bend-name').press('Enter');
-  await page.locator('#puzzle-name').filter({ hasText: 'Ours' }).waitFor();
+  await page.locator("#tab-bend").click();
+  const waitForAttempts = (count) =>
+    page
+      .locator(count ? `#play-attempts li:nth-child(${count})` : "#play-attempts:not(:has(li))")
+      .waitFor({ state: "attached" });
+  await page.locator("#bend-name").fill("Ours");
+  await page.locator("#bend-name").press("Enter");
+  await page.locator("#puzzle-name").filter({ hasText: "Ours" }).waitFor();
   await waitForAttempts(2);
-  await page.locator('[data-adds=ball]').click();
+  await page.locator("[data-adds=ball]").click();
   await waitForAttempts(0);
-  await page.locator('#bend-undo').click();
+  await page.locator("#bend-undo").click();
   await waitForAttempts(2);
 });
 
-test('the grid says how it went; a puzzle that is deleted takes its attempts along, and brings them back', async () => {
+test("the grid says how it went; a puzzle that is deleted takes its attempts along, and brings them back", async () => {
   const page = await played();
-  await page.locator('#home').click();
-  const words = page.locator('#own-puzzles em');
-  await words.filter({ hasText: '✓ solved, in 2 attempts' }).waitFor();
-  await page.locator('#progress-words').filter({ hasText: /^Of your own puzzles you have tried 1 and solved 1, in 2 attempts\.$/ }).waitFor();
+  await page.locator("#home").click();
+  const words = page.locator("#own-puzzles em");
+  await words.filter({ hasText: "✓ solved, in 2 attempts" }).waitFor();
+  await page
+    .locator("#progress-words")
+    .filter({ hasText: /^Of your own puzzles you have tried 1 and solved 1, in 2 attempts\.$/ })
+    .waitFor();
   await page.locator('#own-puzzles button[aria-label="Delete Mine"]').click();
-  await page.locator('#notice-text').filter({ hasText: 'is deleted' }).waitFor();
+  await page.locator("#notice-text").filter({ hasText: "is deleted" }).waitFor();
   assert.equal(await stored(page), null);
-  await page.locator('#progress').waitFor({ state: 'hidden' });
-  await page.locator('#notice button', { hasText: 'Undo' }).click();
-  await words.filter({ hasText: '✓ solved, in 2 attempts' }).waitFor();
-  await page.locator('#own-puzzles a').click();
-  await page.locator('#play-attempts li').nth(1).waitFor();
+  await page.locator("#progress").waitFor({ state: "hidden" });
+  await page.locator("#notice button", { hasText: "Undo" }).click();
+  await words.filter({ hasText: "✓ solved, in 2 attempts" }).waitFor();
+  await page.locator("#own-puzzles a").click();
+  await page.locator("#play-attempts li").nth(1).waitFor();
 });
 
-test('of two puzzles that differ in their names alone, one that is deleted leaves the attempts to the other', async () => {
+test("of two puzzles that differ in their names alone, one that is deleted leaves the attempts to the other", async () => {
   const page = await played();
-  await page.locator('#home').click();
-  const other = { name: 'other.json', mimeType: 'application/json', buffer: Buffer.from(JSON.stringify([{ ...scene, name: 'One' }, { ...scene, name: 'Other' }])) };
-  await page.locator('#own-file').setInputFiles(other);
-  await page.locator('#own-puzzles li').nth(2).waitFor();
+  await page.locator("#home").click();
+  const other = {
+    name: "other.json",
+    mimeType: "application/json",
+    buffer: Buffer.from(
+      JSON.stringify([
+        { ...scene, name: "One" },
+        { ...scene, name: "Other" },
+      ]),
+    ),
+  };
+  await page.locator("#own-file").setInputFiles(other);
+  await page.locator("#own-puzzles li").nth(2).waitFor();
   await page.locator('#own-puzzles button[aria-label="Delete Mine"]').click();
-  await page.locator('#own-puzzles li').nth(2).waitFor({ state: 'detached' });
-  assert.deepEqual(await page.locator('#own-puzzles em').allTextContents(), ['✓ solved, in 2 attempts', '✓ solved, in 2 attempts']);
+  await page.locator("#own-puzzles li").nth(2).waitFor({ state: "detached" });
+  assert.deepEqual(await page.locator("#own-puzzles em").allTextContents(), [
+    "✓ solved, in 2 attempts",
+    "✓ solved, in 2 attempts",
+  ]);
 });
 
-test('attempts are saved with the progress, and read back on another device, also from a file of attempts', async () => {
+test("attempts are saved with the progress, and read back on another device, also from a file of attempts", async () => {
   const page = await played();
-  const [lines] = await Promise.all([page.waitForEvent('download'), page.locator('#attempts-save').click()]);
-  await page.locator('#home').click();
-  const [progress] = await Promise.all([page.waitForEvent('download'), page.locator('#progress-save').click()]);
-  assert.deepEqual(JSON.parse(await readFile(await progress.path(), 'utf8')).attempts.map(({ scene, status }) => [/^[0-9a-f]{64}$/.test(scene), status]), [[true, 'not_solved'], [true, 'solved']]);
+  const [lines] = await Promise.all([page.waitForEvent("download"), page.locator("#attempts-save").click()]);
+  await page.locator("#home").click();
+  const [progress] = await Promise.all([page.waitForEvent("download"), page.locator("#progress-save").click()]);
+  assert.deepEqual(
+    JSON.parse(await readFile(await progress.path(), "utf8")).attempts.map(({ scene, status }) => [
+      /^[0-9a-f]{64}$/.test(scene),
+      status,
+    ]),
+    [
+      [true, "not_solved"],
+      [true, "solved"],
+    ],
+  );
   for (const file of [progress, lines]) {
-    const elsewhere = await session.open('/', { reducedMotion: 'reduce' });
-    await elsewhere.locator('#templates a').first().waitFor();
-    await elsewhere.locator('#progress-file').setInputFiles(await file.path());
-    await elsewhere.locator('#notice-text').filter({ hasText: 'Read back: 1 puzzle, with 2 attempts.' }).waitFor();
+    const elsewhere = await session.open("/", { reducedMotion: "reduce" });
+    await elsewhere.locator("#templates a").first().waitFor();
+    await elsewhere.locator("#progress-file").setInputFiles(await file.path());
+    await elsewhere.locator("#notice-text").filter({ hasText: "Read back: 1 puzzle, with 2 attempts." }).waitFor();
     await elsewhere.goto(page.url().replace(/#.*/, await hashOf(elsewhere)));
-    await elsewhere.locator('#play-attempts li').nth(1).waitFor();
+    await elsewhere.locator("#play-attempts li").nth(1).waitFor();
   }
 });
 
 /** The fragment of the link to the puzzle. */
 async function hashOf(page) {
-  return `#scene=${await page.evaluate(async (scene) => (await import('/workshop/scene-link.js')).textOfScene(scene), scene)}`;
+  return `#scene=${await page.evaluate(async (scene) => (await import("/workshop/scene-link.js")).textOfScene(scene), scene)}`;
 }
 
-test('attempts of two tabs stay both, and the grid of the other tab says so', async () => {
+test("attempts of two tabs stay both, and the grid of the other tab says so", async () => {
   const page = await openOwn();
   const other = await page.context().newPage();
-  await other.emulateMedia({ reducedMotion: 'reduce' });
+  await other.emulateMedia({ reducedMotion: "reduce" });
   await other.goto(page.url());
   const grid = await page.context().newPage();
   await grid.goto(`${session.origin}/`);
-  await grid.locator('#own-puzzles a').waitFor();
+  await grid.locator("#own-puzzles a").waitFor();
   await run(page, balls.missing, /^Not solved/);
   await run(other, balls.solving, /^Solved/);
-  await grid.locator('#own-puzzles em').filter({ hasText: '✓ solved, in 2 attempts' }).waitFor();
+  await grid.locator("#own-puzzles em").filter({ hasText: "✓ solved, in 2 attempts" }).waitFor();
   await page.reload();
-  await page.locator('#play-attempts li').nth(1).waitFor();
+  await page.locator("#play-attempts li").nth(1).waitFor();
 });
 
-test('a store that is full keeps the attempts as long as the page is open', async () => {
+test("a store that is full keeps the attempts as long as the page is open", async () => {
   const page = await openOwn();
-  await page.evaluate(() => (Storage.prototype.setItem = () => { throw new DOMException('full', 'QuotaExceededError'); }));
+  await page.evaluate(
+    () =>
+      (Storage.prototype.setItem = () => {
+        throw new DOMException("full", "QuotaExceededError");
+      }),
+  );
   await run(page, balls.missing, /^Not solved/);
-  await page.locator('#home').click();
-  await page.locator('#own-puzzles em').filter({ hasText: '× not solved, in 1 attempt' }).waitFor();
-  await page.locator('#own-puzzles a').click();
-  await page.locator('#play-attempts li').waitFor();
+  await page.locator("#home").click();
+  await page.locator("#own-puzzles em").filter({ hasText: "× not solved, in 1 attempt" }).waitFor();
+  await page.locator("#own-puzzles a").click();
+  await page.locator("#play-attempts li").waitFor();
   assert.equal(await attempts(page), 1);
 });
 
-test('of very many attempts at own puzzles the oldest go', async () => {
+test("of very many attempts at own puzzles the oldest go", async () => {
   const page = await openOwn();
-  const line = (digest, x) => JSON.stringify({ scene: digest.repeat(64), by: 'player', ball: [x, 240, 8], status: 'not_solved', steps: 900, simulator: 3 });
-  const lines = [...'0123456789'].flatMap((digest) => Array.from({ length: 100 }, (_, index) => line(digest, 20 + index)));
-  await page.evaluate((text) => localStorage.setItem('pathlight.attempts.own', text), lines.join('\n'));
+  const line = (digest, x) =>
+    JSON.stringify({
+      scene: digest.repeat(64),
+      by: "player",
+      ball: [x, 240, 8],
+      status: "not_solved",
+      steps: 900,
+      simulator: 3,
+    });
+  const lines = [..."0123456789"].flatMap((digest) =>
+    Array.from({ length: 100 }, (_, index) => line(digest, 20 + index)),
+  );
+  await page.evaluate((text) => localStorage.setItem("pathlight.attempts.own", text), lines.join("\n"));
   await run(page, balls.missing, /^Not solved/);
-  const kept = (await stored(page)).trim().split('\n').map((one) => JSON.parse(one));
+  const kept = (await stored(page))
+    .trim()
+    .split("\n")
+    .map((one) => JSON.parse(one));
   assert.equal(kept.length, lines.length);
   assert.deepEqual([kept[0].ball[0], kept.at(-1).ball], [21, balls.missing]);
 });

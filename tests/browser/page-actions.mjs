@@ -1,40 +1,47 @@
 // What tests do on the page as a person would: open a puzzle, point at px of the scene, read the status line.
 // It also finds a solving ball by simulation, with the page's own wasm, so that no test holds a solution.
 
-import assert from 'node:assert/strict';
-import { readFile } from 'node:fs/promises';
-import { dirname, join } from 'node:path';
-import { fileURLToPath } from 'node:url';
-import { Puzzle, initSync } from '../../www/pkg/pathlight.js';
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { dirname, join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { Puzzle, initSync } from "../../www/pkg/pathlight.js";
 
-const ROOT = join(dirname(fileURLToPath(import.meta.url)), '..', '..');
-const RESULTS = join(ROOT, 'results');
-const WASM = join(ROOT, 'www', 'pkg', 'pathlight_bg.wasm');
+const ROOT = join(dirname(fileURLToPath(import.meta.url)), "..", "..");
+const RESULTS = join(ROOT, "results");
+const WASM = join(ROOT, "www", "pkg", "pathlight_bg.wasm");
 
 /** A puzzle that many balls solve. */
-export const EASY = '00000:000';
+export const EASY = "00000:000";
 
 /** @typedef {import('playwright-core').Page} Page */
 /** @typedef {[x: number, y: number, r: number]} Ball */
 
 /**
- * Opens a puzzle by its link, whose fragment goes on with `fragment` ("&panel=…"). With `reducedMotion` a run shows its end
- * immediately.
+ * Opens a puzzle by its link, whose fragment goes on with `fragment` ("&panel=…"). With `reducedMotion` a run shows its
+ * end immediately.
  * @param {Awaited<ReturnType<typeof import('./harness.mjs').start>>} session
- * @param {{ task?: string, fragment?: string, reducedMotion?: boolean } & Omit<import('playwright-core').BrowserContextOptions, 'reducedMotion'>} [options]
+ * @param {{ task?: string, fragment?: string, reducedMotion?: boolean } &
+ *   Omit<import('playwright-core').BrowserContextOptions, 'reducedMotion'>} [options]
  */
-export async function openPuzzle(session, { task = EASY, fragment = '', reducedMotion = false, ...options } = {}) {
-  const page = await session.open(`/#task=${task}${fragment}`, { reducedMotion: reducedMotion ? 'reduce' : 'no-preference', ...options });
-  await page.locator('#scene').waitFor();
+export async function openPuzzle(session, { task = EASY, fragment = "", reducedMotion = false, ...options } = {}) {
+  const page = await session.open(`/#task=${task}${fragment}`, {
+    reducedMotion: reducedMotion ? "reduce" : "no-preference",
+    ...options,
+  });
+  await page.locator("#scene").waitFor();
   // Its panels come after its first picture.
-  await page.locator('#puzzle [inert]').first().waitFor({ state: 'detached' });
+  await page.locator("#puzzle [inert]").first().waitFor({ state: "detached" });
   return page;
 }
 
 /** Opens a puzzle on the panel Imagine, and waits until its maps are imagined. */
 export async function openImagined(session, options) {
-  const page = await openPuzzle(session, { fragment: '&panel=imagine', ...options });
-  await page.locator('#imagined-in').filter({ hasText: /Imagined in \d+ ms/ }).waitFor();
+  const page = await openPuzzle(session, { fragment: "&panel=imagine", ...options });
+  await page
+    .locator("#imagined-in")
+    .filter({ hasText: /Imagined in \d+ ms/ })
+    .waitFor();
   return page;
 }
 
@@ -91,8 +98,8 @@ export async function dragTo(page, points) {
  * @returns {Promise<[number, number]>}
  */
 export async function spot(page, x, y) {
-  const box = await page.locator('#scene').boundingBox();
-  assert.ok(box, 'the scene is visible');
+  const box = await page.locator("#scene").boundingBox();
+  assert.ok(box, "the scene is visible");
   return [box.x + (x / 256) * box.width, box.y + box.height - (y / 256) * box.height];
 }
 
@@ -102,10 +109,13 @@ export async function click(page, x, y) {
 
 /** Waits until the status line says so, and returns it. */
 export async function says(page, pattern, timeout = 30_000) {
-  const status = page.locator('#status');
-  await status.filter({ hasText: pattern }).waitFor({ timeout }).catch(async () => {
-    assert.match(await status.textContent(), pattern);
-  });
+  const status = page.locator("#status");
+  await status
+    .filter({ hasText: pattern })
+    .waitFor({ timeout })
+    .catch(async () => {
+      assert.match(await status.textContent(), pattern);
+    });
   return status.textContent();
 }
 
@@ -116,18 +126,21 @@ export async function says(page, pattern, timeout = 30_000) {
  */
 export async function ball(page) {
   const value = async (name) => Number(await page.locator(`#ball-${name}`).inputValue());
-  return [await value('x'), await value('y'), await value('r')];
+  return [await value("x"), await value("y"), await value("r")];
 }
 
 /** Waits until the model of the page is loaded, whatever panel is shown. */
-export async function modelLoaded(page, name = '') {
-  await page.locator('#card').filter({ hasText: `model “${name}` }).waitFor({ state: 'attached' });
+export async function modelLoaded(page, name = "") {
+  await page
+    .locator("#card")
+    .filter({ hasText: `model “${name}` })
+    .waitFor({ state: "attached" });
 }
 
 /** Lets the model play its turn to its end, in the panel Compare. */
 export async function playModelTurn(page) {
-  await page.locator('#model-turn:enabled').click();
-  await page.locator('#model-turn').filter({ hasText: 'The model has played' }).waitFor({ timeout: 120_000 });
+  await page.locator("#model-turn:enabled").click();
+  await page.locator("#model-turn").filter({ hasText: "The model has played" }).waitFor({ timeout: 120_000 });
 }
 
 /**
@@ -145,7 +158,7 @@ export async function focused(page) {
 
 /** How many attempts the player has made. */
 export function attempts(page) {
-  return page.locator('#play-attempts li').count();
+  return page.locator("#play-attempts li").count();
 }
 
 /**
@@ -166,8 +179,8 @@ export async function known(task = EASY) {
           continue;
         }
         const { number, ending } = puzzle.attempt(x, y, r);
-        found[ending.solved ? 'solving' : 'missing'] ??= [x, y, r];
-        if (number === 100) puzzle.clear('player');
+        found[ending.solved ? "solving" : "missing"] ??= [x, y, r];
+        if (number === 100) puzzle.clear("player");
         const { solving, missing, invalid } = found;
         if (solving && missing && invalid) return { solving, missing, invalid };
       }
@@ -180,7 +193,7 @@ export async function known(task = EASY) {
 export async function type(page, [x, y, r]) {
   for (const [name, value] of Object.entries({ x, y, r })) {
     await page.locator(`#ball-${name}`).fill(String(value));
-    await page.locator(`#ball-${name}`).press('Tab');
+    await page.locator(`#ball-${name}`).press("Tab");
   }
   // The page takes the ball once all three numbers are there.
   assert.deepEqual(await ball(page), [x, y, r]);
@@ -195,14 +208,15 @@ async function painted(page) {
 }
 
 /** How many pixels of the scene are nearly of this colour, "#rrggbb". */
-export async function pixels(page, colour, selector = '#scene') {
+export async function pixels(page, colour, selector = "#scene") {
   await painted(page);
   return page.locator(selector).evaluate((canvas, colour) => {
     const expected = [1, 3, 5].map((at) => parseInt(colour.slice(at, at + 2), 16));
-    const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+    const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
     let count = 0;
     for (let at = 0; at < data.length; at += 4) {
-      if (data[at + 3] > 200 && expected.every((value, channel) => Math.abs(data[at + channel] - value) < 12)) count += 1;
+      if (data[at + 3] > 200 && expected.every((value, channel) => Math.abs(data[at + channel] - value) < 12))
+        count += 1;
     }
     return count;
   }, colour);
@@ -210,31 +224,34 @@ export async function pixels(page, colour, selector = '#scene') {
 
 /** The colours of the roles, as the wasm draws them on light paper. */
 export async function palette(page) {
-  return page.evaluate(async () => (await import('/pkg/pathlight.js')).palette(false));
+  return page.evaluate(async () => (await import("/pkg/pathlight.js")).palette(false));
 }
 
 /** A picture of the scene, to see whether it has changed. */
-export async function picture(page, selector = '#scene') {
+export async function picture(page, selector = "#scene") {
   await painted(page);
   return page.locator(selector).evaluate((canvas) => canvas.toDataURL());
 }
 
 /** A puzzle that the first model does not solve within its hundred attempts, as the results of its evaluation say. */
 export async function unsolvedTask() {
-  const { agents } = JSON.parse(await readFile(join(RESULTS, 'shipped/within-0.json'), 'utf8'));
-  const { first_solved: solved } = agents.find(({ agent }) => agent === 'online');
+  const { agents } = JSON.parse(await readFile(join(RESULTS, "shipped/within-0.json"), "utf8"));
+  const { first_solved: solved } = agents.find(({ agent }) => agent === "online");
   return solved.find(([, attempt]) => attempt === null)[0];
 }
 
 /** Fails if the page runs a script that is not its own, or refuses it for another reason than its policy. */
 export async function assertPolicyHolds(session, page) {
   const ran = await page.evaluate(() => {
-    const script = document.createElement('script');
+    const script = document.createElement("script");
     script.textContent = 'document.title = "intruder"';
     document.head.append(script);
-    return document.title === 'intruder';
+    return document.title === "intruder";
   });
   assert.equal(ran, false);
   const problems = session.takeProblems();
-  assert.ok(problems.length > 0 && problems.every((problem) => /Content Security Policy/.test(problem)), problems.join());
+  assert.ok(
+    problems.length > 0 && problems.every((problem) => /Content Security Policy/.test(problem)),
+    problems.join(),
+  );
 }

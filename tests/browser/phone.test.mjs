@@ -1,9 +1,9 @@
 // The page on a phone: everything fits, a finger places and drags, and a drag in the scene scrolls nothing.
 
-import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
-import { start } from './harness.mjs';
-import { ball, known, openPuzzle, says, spot } from './page-actions.mjs';
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { start } from "./harness.mjs";
+import { ball, known, openPuzzle, says, spot } from "./page-actions.mjs";
 
 const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, deviceScaleFactor: 3 };
 
@@ -14,69 +14,92 @@ after(() => session.stop());
 /** Drags a finger from the first point over the others. */
 async function drag(page, points) {
   const client = await page.context().newCDPSession(page);
-  const send = (type, touchPoints) => client.send('Input.dispatchTouchEvent', { type, touchPoints });
+  const send = (type, touchPoints) => client.send("Input.dispatchTouchEvent", { type, touchPoints });
   const [from, ...way] = await Promise.all(points.map(async ([x, y]) => spot(page, x, y)));
   const touch = ([x, y]) => [{ x, y }];
-  await send('touchStart', touch(from));
-  for (const point of way) await send('touchMove', touch(point));
-  await send('touchEnd', []);
+  await send("touchStart", touch(from));
+  for (const point of way) await send("touchMove", touch(point));
+  await send("touchEnd", []);
 }
 
-test('a tap places, a finger drags, nothing scrolls', async () => {
+test("a tap places, a finger drags, nothing scrolls", async () => {
   const page = await openPuzzle(session, { ...PHONE, reducedMotion: true });
   await page.touchscreen.tap(...(await spot(page, 128, 220)));
   assert.deepEqual((await ball(page)).slice(0, 2), [128, 220]);
-  await drag(page, [[130, 222], [120, 210], [100, 190], [90, 150]]);
+  await drag(page, [
+    [130, 222],
+    [120, 210],
+    [100, 190],
+    [90, 150],
+  ]);
   const [x, y] = await ball(page);
   assert.ok(Math.abs(x - 88) <= 1 && Math.abs(y - 148) <= 1, `dragged to ${x}, ${y}`);
-  const scrolled = await page.locator('#play').evaluate((panel) => [scrollX, scrollY, panel.scrollTop]);
+  const scrolled = await page.locator("#play").evaluate((panel) => [scrollX, scrollY, panel.scrollTop]);
   assert.deepEqual(scrolled, [0, 0, 0]);
 });
 
-test('a finger need not hit a small ball, nor its knob, exactly', async () => {
-  const page = await openPuzzle(session, { ...PHONE, fragment: '&ball=128,220,4' });
+test("a finger need not hit a small ball, nor its knob, exactly", async () => {
+  const page = await openPuzzle(session, { ...PHONE, fragment: "&ball=128,220,4" });
   // One px of the scene is about 1.5 px of the screen, so this is 18 px of the screen beside the ball.
-  await drag(page, [[116, 220], [106, 220], [96, 210]]);
-  assert.deepEqual(await ball(page), [108, 210, 4], 'dragged, and not placed anew under the finger');
-  await drag(page, [[118, 210], [124, 210], [130, 210]]);
+  await drag(page, [
+    [116, 220],
+    [106, 220],
+    [96, 210],
+  ]);
+  assert.deepEqual(await ball(page), [108, 210, 4], "dragged, and not placed anew under the finger");
+  await drag(page, [
+    [118, 210],
+    [124, 210],
+    [130, 210],
+  ]);
   const [x, y, r] = await ball(page);
   assert.deepEqual([x, y], [108, 210]);
   assert.ok(r > 12, `the knob was pulled to radius ${r}`);
 });
 
-test('a solving ball is tapped, run and solved', async () => {
+test("a solving ball is tapped, run and solved", async () => {
   const page = await openPuzzle(session, { ...PHONE, reducedMotion: true });
-  const { solving: [x, y, r] } = await known();
+  const {
+    solving: [x, y, r],
+  } = await known();
   await page.touchscreen.tap(...(await spot(page, x, y)));
-  await page.locator('#ball-r').fill(String(r));
-  await page.locator('#ball-r').press('Tab');
+  await page.locator("#ball-r").fill(String(r));
+  await page.locator("#ball-r").press("Tab");
   assert.deepEqual(await ball(page), [x, y, r]);
-  await page.locator('#run').tap();
+  await page.locator("#run").tap();
   await says(page, /^Solved!/);
 });
 
-for (const [width, height] of [[390, 844], [360, 640], [844, 390], [640, 400]]) {
+for (const [width, height] of [
+  [390, 844],
+  [360, 640],
+  [844, 390],
+  [640, 400],
+]) {
   test(`at ${width} x ${height} nothing sticks out and the scene stays in sight`, async () => {
     const page = await openPuzzle(session, { ...PHONE, viewport: { width, height } });
-    for (const panel of ['play', 'imagine', 'compare', 'predict', 'map']) {
+    for (const panel of ["play", "imagine", "compare", "predict", "map"]) {
       await page.locator(`#tab-${panel}`).tap();
       const wide = await page.evaluate(() => document.documentElement.scrollWidth);
       assert.ok(wide <= width, `${panel}: ${wide} px wide`);
-      const box = await page.locator('#scene').boundingBox();
+      const box = await page.locator("#scene").boundingBox();
       assert.ok(box.x >= 0 && box.y >= 0 && box.x + box.width <= width && box.y + box.height <= height, panel);
-      assert.ok(Math.abs(box.width - box.height) < 2, 'the scene is square');
+      assert.ok(Math.abs(box.width - box.height) < 2, "the scene is square");
       assert.ok(box.width > Math.min(width, height) / 2, `the scene is large: ${box.width} px`);
-      for (const button of await page.locator('button:visible, select:visible, #time').all()) {
+      for (const button of await page.locator("button:visible, select:visible, #time").all()) {
         const size = await button.boundingBox();
-        assert.ok(size.width >= 24 && size.height >= 24, `${await button.textContent()} is ${size.width} x ${size.height}`);
+        assert.ok(
+          size.width >= 24 && size.height >= 24,
+          `${await button.textContent()} is ${size.width} x ${size.height}`,
+        );
         assert.ok(size.x >= 0 && size.x + size.width <= width, `${panel}: ${await button.textContent()} sticks out`);
       }
     }
   });
 }
 
-test('the scene is as sharp as the screen', async () => {
+test("the scene is as sharp as the screen", async () => {
   const page = await openPuzzle(session, PHONE);
-  const [pixels, css] = await page.locator('#scene').evaluate((canvas) => [canvas.width, canvas.clientWidth]);
+  const [pixels, css] = await page.locator("#scene").evaluate((canvas) => [canvas.width, canvas.clientWidth]);
   assert.ok(Math.abs(pixels - css * 3) <= 3, `${pixels} pixels for ${css} CSS px`);
 });

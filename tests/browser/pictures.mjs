@@ -1,15 +1,15 @@
-// Takes pictures of all views, on a desktop, a projector and a phone, light and dark, into target/pictures, for people to look
-// at: make pictures. A tool, not a test: it asserts nothing. The task is one on which player and model have something
-// to show.
+// Takes pictures of all views, on a desktop, a projector and a phone, light and dark, into target/pictures, for people
+// to look at: make pictures. A tool, not a test: it asserts nothing. The task is one on which player and model have
+// something to show.
 
-import { mkdir } from 'node:fs/promises';
-import { dirname, join } from 'node:path';
-import { fileURLToPath } from 'node:url';
-import { start } from './harness.mjs';
-import { known, openPuzzle, playModelTurn, says, type } from './page-actions.mjs';
+import { mkdir } from "node:fs/promises";
+import { dirname, join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { start } from "./harness.mjs";
+import { known, openPuzzle, playModelTurn, says, type } from "./page-actions.mjs";
 
-const TASK = process.argv[2] ?? '00007:008';
-const folder = join(dirname(fileURLToPath(import.meta.url)), '..', '..', 'target', 'pictures');
+const TASK = process.argv[2] ?? "00007:008";
+const folder = join(dirname(fileURLToPath(import.meta.url)), "..", "..", "target", "pictures");
 
 const SCREENS = {
   desktop: { viewport: { width: 1280, height: 800 } },
@@ -23,7 +23,7 @@ const session = await start();
 let knownBalls;
 
 for (const [screen, size] of Object.entries(SCREENS)) {
-  for (const colorScheme of /** @type {const} */ (['light', 'dark'])) {
+  for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
     const page = await openPuzzle(session, { ...size, task: TASK, reducedMotion: true, colorScheme });
     const balls = (knownBalls ??= await known(TASK));
     const take = async (view) => {
@@ -32,105 +32,106 @@ for (const [screen, size] of Object.entries(SCREENS)) {
     };
     const run = async (ball, words) => {
       await type(page, ball);
-      await page.locator('#run').click();
+      await page.locator("#run").click();
       await says(page, words);
     };
 
     await type(page, balls.missing);
-    await take('placing');
+    await take("placing");
     await type(page, balls.invalid);
-    await take('invalid');
+    await take("invalid");
     await run(balls.missing, /^Not solved/);
-    await take('missed');
-    await page.locator('#reset').click();
+    await take("missed");
+    await page.locator("#reset").click();
 
     // The paths that the model imagines for the ball, before and after it has run.
-    await page.locator('#forecast-on').setChecked(true);
-    await page.locator('#forecast-words').filter({ hasText: 'thinks' }).waitFor();
-    await take('forecast');
+    await page.locator("#forecast-on").setChecked(true);
+    await page.locator("#forecast-words").filter({ hasText: "thinks" }).waitFor();
+    await take("forecast");
     await run(balls.missing, /^Not solved/);
-    await take('forecast-and-real');
-    await page.locator('#reset').click();
-    await page.locator('#forecast-on').setChecked(false);
+    await take("forecast-and-real");
+    await page.locator("#reset").click();
+    await page.locator("#forecast-on").setChecked(false);
 
     // Half way through a run that is played.
-    await page.emulateMedia({ reducedMotion: 'no-preference' });
+    await page.emulateMedia({ reducedMotion: "no-preference" });
     await run(balls.solving, /is running/);
-    await page.locator('#run').click();
-    const time = page.locator('#time');
-    await time.fill(String(Math.round(Number(await time.getAttribute('max')) * 0.5)));
-    await take('running');
-    await page.emulateMedia({ reducedMotion: 'reduce' });
-    await time.fill(await time.getAttribute('max'));
+    await page.locator("#run").click();
+    const time = page.locator("#time");
+    await time.fill(String(Math.round(Number(await time.getAttribute("max")) * 0.5)));
+    await take("running");
+    await page.emulateMedia({ reducedMotion: "reduce" });
+    await time.fill(await time.getAttribute("max"));
     await says(page, /^Solved/);
-    await take('solved');
-    await page.locator('#solved-share').click();
-    await page.locator('#share-dialog[open]').waitFor();
-    await take('share');
-    await page.keyboard.press('Escape');
-    await page.locator('#play-attempts [data-act=overlay]').first().click();
-    await take('overlaid');
+    await take("solved");
+    await page.locator("#solved-share").click();
+    await page.locator("#share-dialog[open]").waitFor();
+    await take("share");
+    await page.keyboard.press("Escape");
+    await page.locator("#play-attempts [data-act=overlay]").first().click();
+    await take("overlaid");
 
-    await page.locator('#reset').click();
-    await page.locator('#tab-imagine').click();
-    await page.locator('#imagined-in').filter({ hasText: 'Imagined' }).waitFor();
-    await page.locator('[data-stage=target] input').check();
-    await page.locator('[data-stage=placement] input').check();
-    await take('imagine');
-    await page.locator('#imagine [data-opens=about-dialog]').click();
-    await take('about');
-    await page.keyboard.press('Escape');
+    await page.locator("#reset").click();
+    await page.locator("#tab-imagine").click();
+    await page.locator("#imagined-in").filter({ hasText: "Imagined" }).waitFor();
+    await page.locator("[data-stage=target] input").check();
+    await page.locator("[data-stage=placement] input").check();
+    await take("imagine");
+    await page.locator("#imagine [data-opens=about-dialog]").click();
+    await take("about");
+    await page.keyboard.press("Escape");
 
-    await page.locator('#tab-compare').click();
+    await page.locator("#tab-compare").click();
     await playModelTurn(page);
-    await take('compare');
+    await take("compare");
 
-    await page.locator('#proposal-slider').fill('8');
-    await page.locator('#score-title').scrollIntoViewIfNeeded();
-    await take('ball-by-ball');
-    await page.locator('#proposal-close').click();
-    await page.locator('#pair-run').click();
-    await page.locator('#pair-columns > div').nth(1).waitFor();
-    await page.locator('#pair-title').scrollIntoViewIfNeeded();
-    await take('two-models');
+    await page.locator("#proposal-slider").fill("8");
+    await page.locator("#score-title").scrollIntoViewIfNeeded();
+    await take("ball-by-ball");
+    await page.locator("#proposal-close").click();
+    await page.locator("#pair-run").click();
+    await page.locator("#pair-columns > div").nth(1).waitFor();
+    await page.locator("#pair-title").scrollIntoViewIfNeeded();
+    await take("two-models");
 
-    await page.locator('#tab-imagine').click();
-    await page.locator('#overlap-how').scrollIntoViewIfNeeded();
-    await take('imagined-and-real');
-    await page.locator('#walkthrough-next').click();
-    await take('story');
-    await page.locator('#walkthrough-dots button:visible').last().click();
-    await take('story-ends');
-    await page.locator('#scene').press('v');
-    await take('stage-view');
-    await page.keyboard.press('Escape');
-    if (screen !== 'phone') {
-      await page.locator('#lesson-button').click();
-      await page.locator('#lesson-code:visible').waitFor();
-      await take('lesson-link');
-      await page.keyboard.press('Escape');
+    await page.locator("#tab-imagine").click();
+    await page.locator("#overlap-how").scrollIntoViewIfNeeded();
+    await take("imagined-and-real");
+    await page.locator("#walkthrough-next").click();
+    await take("story");
+    await page.locator("#walkthrough-dots button:visible").last().click();
+    await take("story-ends");
+    await page.locator("#scene").press("v");
+    await take("stage-view");
+    await page.keyboard.press("Escape");
+    if (screen !== "phone") {
+      await page.locator("#lesson-button").click();
+      await page.locator("#lesson-code:visible").waitFor();
+      await take("lesson-link");
+      await page.keyboard.press("Escape");
     }
 
-    await page.locator('#tab-predict').click();
-    for (const key of ['ArrowDown', 'ArrowDown', 'ArrowLeft', 'ArrowDown', 'ArrowDown', 'ArrowDown']) await page.locator('#scene').press(`Shift+${key}`);
-    await page.locator('#predict-watch').click();
-    await take('predict');
+    await page.locator("#tab-predict").click();
+    for (const key of ["ArrowDown", "ArrowDown", "ArrowLeft", "ArrowDown", "ArrowDown", "ArrowDown"])
+      await page.locator("#scene").press(`Shift+${key}`);
+    await page.locator("#predict-watch").click();
+    await take("predict");
 
-    await page.locator('#tab-map').click();
-    await page.locator('#solve-map-search').click();
-    await page.locator('#solve-map-words').filter({ hasText: 'Every place tried' }).waitFor({ timeout: 120_000 });
-    await page.locator('#solve-map-placement').check();
-    await take('map');
+    await page.locator("#tab-map").click();
+    await page.locator("#solve-map-search").click();
+    await page.locator("#solve-map-words").filter({ hasText: "Every place tried" }).waitFor({ timeout: 120_000 });
+    await page.locator("#solve-map-placement").check();
+    await take("map");
 
-    await page.keyboard.press('?');
-    await take('keys');
-    await page.keyboard.press('Escape');
-    await page.locator('#home').click();
-    await page.locator('#templates canvas.drawn').first().waitFor();
-    await take('grid');
-    await page.locator('#results-link').click();
-    await page.locator('#results-templates a').first().waitFor();
-    await take('results');
+    await page.keyboard.press("?");
+    await take("keys");
+    await page.keyboard.press("Escape");
+    await page.locator("#home").click();
+    await page.locator("#templates canvas.drawn").first().waitFor();
+    await take("grid");
+    await page.locator("#results-link").click();
+    await page.locator("#results-templates a").first().waitFor();
+    await take("results");
     await page.context().close();
   }
 }

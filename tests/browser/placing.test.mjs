@@ -1,18 +1,33 @@
 // Placing the ball with the mouse, the wheel, the knob and the fields; where it may not be, the page says why.
 
-import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
-import { start } from './harness.mjs';
-import { attempts, ball, click, dragTo, known, openPuzzle, palette, pixels, says, spot, type, waitForValue } from './page-actions.mjs';
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { start } from "./harness.mjs";
+import {
+  attempts,
+  ball,
+  click,
+  dragTo,
+  known,
+  openPuzzle,
+  palette,
+  pixels,
+  says,
+  spot,
+  type,
+  waitForValue,
+} from "./page-actions.mjs";
 
 let session;
 before(async () => (session = await start()));
 after(() => session.stop());
 
-test('a click places the ball there, in whole px', async () => {
+test("a click places the ball there, in whole px", async () => {
   const page = await openPuzzle(session);
   await says(page, /place the red ball/);
-  const { missing: [x, y] } = await known();
+  const {
+    missing: [x, y],
+  } = await known();
   await click(page, x, y);
   const [atX, atY, r] = await ball(page);
   assert.ok(Math.abs(atX - x) <= 1 && Math.abs(atY - y) <= 1, `${atX}, ${atY}`);
@@ -20,7 +35,7 @@ test('a click places the ball there, in whole px', async () => {
   assert.ok((await pixels(page, (await palette(page)).red)) > 50);
 });
 
-test('a drag moves the ball, the knob and the wheel change its radius', async () => {
+test("a drag moves the ball, the knob and the wheel change its radius", async () => {
   const page = await openPuzzle(session);
   await type(page, [128, 200, 12]);
   await page.mouse.move(...(await spot(page, 130, 202)));
@@ -41,43 +56,43 @@ test('a drag moves the ball, the knob and the wheel change its radius', async ()
   await page.mouse.wheel(0, -100);
   await page.mouse.wheel(0, -100);
   await page.mouse.wheel(0, 100);
-  await waitForValue(page, '#ball-r', (value) => value === String(before + 1));
-  await page.locator('#radius').fill('9');
+  await waitForValue(page, "#ball-r", (value) => value === String(before + 1));
+  await page.locator("#radius").fill("9");
   assert.deepEqual(await ball(page), [x, y, 9]);
 });
 
-test('an invalid ball is outlined, named and never counts', async () => {
+test("an invalid ball is outlined, named and never counts", async () => {
   const page = await openPuzzle(session);
   const { invalid } = await known();
   await type(page, invalid);
   const words = await says(page, /^Not here: The ball (sticks out of the scene|overlaps the [\w ]+)\.$/);
   // It is announced, in the only live region; a dialog, which hides the page behind it, may have its own.
-  const live = page.locator(':is([role=status], [aria-live], output):not(dialog *)');
+  const live = page.locator(":is([role=status], [aria-live], output):not(dialog *)");
   assert.equal(await live.count(), 1);
   assert.equal(await live.textContent(), words);
-  await page.locator('#run').click();
+  await page.locator("#run").click();
   await says(page, /does not count as an attempt/);
   assert.equal(await attempts(page), 0);
 });
 
-test('a field that is emptied goes on showing the ball', async () => {
+test("a field that is emptied goes on showing the ball", async () => {
   const page = await openPuzzle(session);
   await type(page, [128, 200, 12]);
-  await page.locator('#ball-r').fill('');
-  await page.locator('#ball-r').press('Tab');
-  assert.equal(await page.locator('#ball-r').inputValue(), '12');
+  await page.locator("#ball-r").fill("");
+  await page.locator("#ball-r").press("Tab");
+  assert.equal(await page.locator("#ball-r").inputValue(), "12");
 });
 
-test('without a ball, Run says what to do', async () => {
+test("without a ball, Run says what to do", async () => {
   const page = await openPuzzle(session);
-  await page.locator('#run').click();
+  await page.locator("#run").click();
   await says(page, /Place the ball first/);
 });
 
-test('however many moves a drag makes, a frame is drawn once, and in time for the next', async () => {
-  const page = await openPuzzle(session, { fragment: '&ball=128,200,12' });
+test("however many moves a drag makes, a frame is drawn once, and in time for the next", async () => {
+  const page = await openPuzzle(session, { fragment: "&ball=128,200,12" });
   await page.evaluate(async () => {
-    const { Puzzle } = await import('/pkg/pathlight.js');
+    const { Puzzle } = await import("/pkg/pathlight.js");
     const paint = Puzzle.prototype.paint;
     globalThis.painted = [];
     Puzzle.prototype.paint = function (...args) {
@@ -89,29 +104,42 @@ test('however many moves a drag makes, a frame is drawn once, and in time for th
   const [x, y] = await spot(page, 128, 200);
   await page.mouse.move(x, y);
   await page.mouse.down();
-  const painted = await page.locator('#scene').evaluate(async (scene, [x, y]) => {
-    const next = () => new Promise((resume) => requestAnimationFrame(resume));
-    await next();
-    globalThis.painted.length = 0;
-    for (let frame = 0; frame < 30; frame += 1) {
-      for (let move = 0; move < 20; move += 1) {
-        scene.dispatchEvent(new PointerEvent('pointermove', { clientX: x + frame * 2, clientY: y + move, isPrimary: true, bubbles: true }));
-      }
+  const painted = await page.locator("#scene").evaluate(
+    async (scene, [x, y]) => {
+      const next = () => new Promise((resume) => requestAnimationFrame(resume));
       await next();
-    }
-    return globalThis.painted;
-  }, [x, y]);
+      globalThis.painted.length = 0;
+      for (let frame = 0; frame < 30; frame += 1) {
+        for (let move = 0; move < 20; move += 1) {
+          scene.dispatchEvent(
+            new PointerEvent("pointermove", {
+              clientX: x + frame * 2,
+              clientY: y + move,
+              isPrimary: true,
+              bubbles: true,
+            }),
+          );
+        }
+        await next();
+      }
+      return globalThis.painted;
+    },
+    [x, y],
+  );
   await page.mouse.up();
   assert.ok(painted.length >= 20 && painted.length <= 31, `${painted.length} drawings in 30 frames of 20 moves`);
   const median = painted.toSorted((a, b) => a - b)[painted.length >> 1];
   assert.ok(median < 16, `a drawing takes ${median} ms`);
 });
 
-test('a second finger does not end the drag of the first', async () => {
+test("a second finger does not end the drag of the first", async () => {
   const page = await openPuzzle(session);
   await type(page, [128, 200, 12]);
-  await dragTo(page, [[128, 200], [110, 210]]);
-  await page.locator('#scene').dispatchEvent('pointerup', { isPrimary: false, pointerId: 77 });
+  await dragTo(page, [
+    [128, 200],
+    [110, 210],
+  ]);
+  await page.locator("#scene").dispatchEvent("pointerup", { isPrimary: false, pointerId: 77 });
   await page.mouse.move(...(await spot(page, 90, 220)), { steps: 5 });
   await page.mouse.up();
   const [x, y] = await ball(page);

@@ -1,8 +1,8 @@
-// What a person does first, in any browser: opens a puzzle, places a ball, solves it, lets the model imagine and play, and comes
-// back. A page is Puppeteer's, or has as much of its interface.
+// What a person does first, in any browser: opens a puzzle, places a ball, solves it, lets the model imagine and play,
+// and comes back. A page is Puppeteer's, or has as much of its interface.
 
-import assert from 'node:assert/strict';
-import { EASY, known } from './page-actions.mjs';
+import assert from "node:assert/strict";
+import { EASY, known } from "./page-actions.mjs";
 
 /** For what takes longer than a moment, ms. */
 const TIMEOUT = 120_000;
@@ -19,43 +19,51 @@ export async function playThrough(page, origin) {
   };
 
   await page.goto(`${origin}/#task=${EASY}`);
-  await says('status', /place the red ball/);
-  const { solving: [x, y, r] } = await known();
-  await click('scene', x / 256, 1 - y / 256);
-  await page.waitForFunction(() => document.getElementById('puzzle')?.hasAttribute('ball'), { timeout: TIMEOUT });
-  await click('ball-r');
-  await page.evaluate(() => /** @type {any} */ (document.getElementById('puzzle')).shadowRoot.getElementById('ball-r').select());
+  await says("status", /place the red ball/);
+  const {
+    solving: [x, y, r],
+  } = await known();
+  await click("scene", x / 256, 1 - y / 256);
+  await page.waitForFunction(() => document.getElementById("puzzle")?.hasAttribute("ball"), { timeout: TIMEOUT });
+  await click("ball-r");
+  await page.evaluate(() =>
+    /** @type {any} */ (document.getElementById("puzzle")).shadowRoot.getElementById("ball-r").select(),
+  );
   await page.keyboard.type(String(r));
-  await page.keyboard.press('Tab');
-  await page.waitForFunction((end) => document.getElementById('puzzle')?.getAttribute('ball')?.endsWith(end), { timeout: TIMEOUT }, `,${r}`);
+  await page.keyboard.press("Tab");
+  await page.waitForFunction(
+    (end) => document.getElementById("puzzle")?.getAttribute("ball")?.endsWith(end),
+    { timeout: TIMEOUT },
+    `,${r}`,
+  );
   // Whatever the pixels of the window allow, the ball is now that which solves.
-  const ball = await page.evaluate(() => document.getElementById('puzzle')?.getAttribute('ball'));
-  assert.match(ball ?? '', new RegExp(`^\\d+,\\d+,${r}$`));
-  await page.evaluate((ball) => void document.getElementById('puzzle')?.setAttribute('ball', ball), `${x},${y},${r}`);
-  await click('run');
-  await says('status', /^Solved!/);
-  await click('tab-imagine');
-  await says('imagined-in', /Imagined in \d+ ms/);
-  await click('tab-compare');
-  await click('model-turn');
-  await says('model-turn', /The model has played/);
-  await says('verdict', /solved it on attempt/);
+  const ball = await page.evaluate(() => document.getElementById("puzzle")?.getAttribute("ball"));
+  assert.match(ball ?? "", new RegExp(`^\\d+,\\d+,${r}$`));
+  await page.evaluate((ball) => void document.getElementById("puzzle")?.setAttribute("ball", ball), `${x},${y},${r}`);
+  await click("run");
+  await says("status", /^Solved!/);
+  await click("tab-imagine");
+  await says("imagined-in", /Imagined in \d+ ms/);
+  await click("tab-compare");
+  await click("model-turn");
+  await says("model-turn", /The model has played/);
+  await says("verdict", /solved it on attempt/);
   await page.reload();
-  await says('verdict', /solved it on attempt/);
+  await says("verdict", /solved it on attempt/);
 }
 
 function saysInPage(id, source) {
-  const element = /** @type {any} */ (document.getElementById('puzzle'))?.shadowRoot?.getElementById(id);
+  const element = /** @type {any} */ (document.getElementById("puzzle"))?.shadowRoot?.getElementById(id);
   return Boolean(element?.checkVisibility() && new RegExp(source).test(element.textContent));
 }
 
 function isUsableInPage(id) {
-  const element = /** @type {any} */ (document.getElementById('puzzle'))?.shadowRoot?.getElementById(id);
+  const element = /** @type {any} */ (document.getElementById("puzzle"))?.shadowRoot?.getElementById(id);
   return Boolean(element?.checkVisibility() && !element.disabled);
 }
 
 function boxInPage(id) {
-  const element = /** @type {any} */ (document.getElementById('puzzle')).shadowRoot.getElementById(id);
-  element.scrollIntoView({ block: 'center' });
+  const element = /** @type {any} */ (document.getElementById("puzzle")).shadowRoot.getElementById(id);
+  element.scrollIntoView({ block: "center" });
   return element.getBoundingClientRect().toJSON();
 }

@@ -1,23 +1,23 @@
 // What was tried and solved is kept on the device, shown on the grid and in the picker, saved to a file and cleared;
 // a store that is damaged or forbidden never breaks the page.
 
-import assert from 'node:assert/strict';
-import { readFile } from 'node:fs/promises';
-import { after, before, test } from 'node:test';
-import { start } from './harness.mjs';
-import { EASY, attempts, known, openPuzzle, says, type } from './page-actions.mjs';
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { after, before, test } from "node:test";
+import { start } from "./harness.mjs";
+import { EASY, attempts, known, openPuzzle, says, type } from "./page-actions.mjs";
 
 let session;
 before(async () => (session = await start()));
 after(() => session.stop());
 
-const KEY = 'pathlight.progress';
+const KEY = "pathlight.progress";
 const label = (page, task = EASY) => page.locator(`#task option[value="${task}"]`).textContent();
-const mark = (page) => page.locator('#templates li').first().locator('em');
+const mark = (page) => page.locator("#templates li").first().locator("em");
 
 async function run(page, ball, words) {
   await type(page, ball);
-  await page.locator('#run').click();
+  await page.locator("#run").click();
   await says(page, words);
 }
 
@@ -25,112 +25,142 @@ async function run(page, ball, words) {
 async function played(page) {
   const { missing, solving } = await known();
   await run(page, missing, /^Not solved/);
-  assert.equal(await label(page), '1 of 100, 1 attempt');
-  await page.locator('#reset').click();
+  assert.equal(await label(page), "1 of 100, 1 attempt");
+  await page.locator("#reset").click();
   await run(page, solving, /^Solved/);
-  assert.equal(await label(page), '1 of 100 ✓ in 2');
+  assert.equal(await label(page), "1 of 100 ✓ in 2");
 }
 
-test('progress is told on the grid and in the picker, and outlasts the page', async () => {
+test("progress is told on the grid and in the picker, and outlasts the page", async () => {
   const page = await openPuzzle(session, { reducedMotion: true });
   await played(page);
-  await page.locator('#home').click();
-  assert.equal(await mark(page).textContent(), '✓ 1 of 100 solved, in 2 attempts');
+  await page.locator("#home").click();
+  assert.equal(await mark(page).textContent(), "✓ 1 of 100 solved, in 2 attempts");
   await page.reload();
-  await page.locator('#progress:visible').filter({ hasText: 'So far you have tried 1 puzzle and solved 1, in 2 attempts.' }).waitFor();
-  assert.equal(await mark(page).textContent(), '✓ 1 of 100 solved, in 2 attempts');
-  await page.locator('#templates a').first().click();
-  assert.equal(await label(page), '1 of 100 ✓ in 2');
+  await page
+    .locator("#progress:visible")
+    .filter({ hasText: "So far you have tried 1 puzzle and solved 1, in 2 attempts." })
+    .waitFor();
+  assert.equal(await mark(page).textContent(), "✓ 1 of 100 solved, in 2 attempts");
+  await page.locator("#templates a").first().click();
+  assert.equal(await label(page), "1 of 100 ✓ in 2");
 });
 
-test('an attempt is not told before it has run, and counts when it is left', async () => {
+test("an attempt is not told before it has run, and counts when it is left", async () => {
   const page = await openPuzzle(session);
   const { solving } = await known();
   await run(page, solving, /is running/);
-  assert.equal(await label(page), '1 of 100');
-  await page.locator('#next').click();
-  await page.locator('#previous').click();
-  assert.equal(await label(page), '1 of 100 ✓ in 1');
+  assert.equal(await label(page), "1 of 100");
+  await page.locator("#next").click();
+  await page.locator("#previous").click();
+  assert.equal(await label(page), "1 of 100 ✓ in 1");
   assert.equal(await attempts(page), 1);
 });
 
-test('another tab’s attempts are seen, and added to', async () => {
+test("another tab’s attempts are seen, and added to", async () => {
   const page = await openPuzzle(session, { reducedMotion: true });
   const other = await page.context().newPage();
   await other.goto(page.url());
   const { missing, solving } = await known();
   await run(page, missing, /^Not solved/);
-  await other.locator('#task option:checked').filter({ hasText: '1 of 100, 1 attempt' }).waitFor({ state: 'attached' });
-  await other.emulateMedia({ reducedMotion: 'reduce' });
+  await other.locator("#task option:checked").filter({ hasText: "1 of 100, 1 attempt" }).waitFor({ state: "attached" });
+  await other.emulateMedia({ reducedMotion: "reduce" });
   await run(other, solving, /^Solved/);
-  assert.equal(await label(other), '1 of 100 ✓ in 2');
+  assert.equal(await label(other), "1 of 100 ✓ in 2");
 });
 
-test('progress is saved to a file, and forgotten only when the person is sure', async () => {
+test("progress is saved to a file, and forgotten only when the person is sure", async () => {
   const page = await openPuzzle(session, { reducedMotion: true });
   await played(page);
-  await page.locator('#home').click();
-  const [file] = await Promise.all([page.waitForEvent('download'), page.locator('#progress-save').click()]);
-  assert.equal(file.suggestedFilename(), 'pathlight-progress.json');
-  assert.deepEqual(JSON.parse(await readFile(await file.path(), 'utf8')).tasks, { [EASY]: { attempts: 2, solved: 2 } });
+  await page.locator("#home").click();
+  const [file] = await Promise.all([page.waitForEvent("download"), page.locator("#progress-save").click()]);
+  assert.equal(file.suggestedFilename(), "pathlight-progress.json");
+  assert.deepEqual(JSON.parse(await readFile(await file.path(), "utf8")).tasks, { [EASY]: { attempts: 2, solved: 2 } });
 
-  await page.locator('#progress-forget').click();
-  await page.keyboard.press('Escape');
-  assert.ok(await page.locator('#progress').isVisible());
-  await page.locator('#progress-forget').click();
-  await page.locator('#forget-dialog button[value=keep]').click();
-  assert.ok(await page.locator('#progress').isVisible());
-  await page.locator('#progress-forget').click();
+  await page.locator("#progress-forget").click();
+  await page.keyboard.press("Escape");
+  assert.ok(await page.locator("#progress").isVisible());
+  await page.locator("#progress-forget").click();
+  await page.locator("#forget-dialog button[value=keep]").click();
+  assert.ok(await page.locator("#progress").isVisible());
+  await page.locator("#progress-forget").click();
   // At once: whoever leaves the page now means it too.
-  const left = await page.locator('#forget-dialog button[value=forget]').evaluate((button, key) => {
+  const left = await page.locator("#forget-dialog button[value=forget]").evaluate((button, key) => {
     /** @type {HTMLButtonElement} */ (button).click();
     return localStorage.getItem(key);
   }, KEY);
   assert.equal(left, null);
-  await page.locator('#progress').waitFor({ state: 'hidden' });
-  assert.equal(await mark(page).textContent(), '');
+  await page.locator("#progress").waitFor({ state: "hidden" });
+  assert.equal(await mark(page).textContent(), "");
 
   // The answer of the time before does not count.
-  await page.locator('#templates a').first().click();
+  await page.locator("#templates a").first().click();
   await run(page, (await known()).missing, /^Not solved/);
-  await page.locator('#home').click();
-  await page.locator('#progress-forget').click();
-  await page.keyboard.press('Escape');
-  assert.ok(await page.locator('#forget-dialog').isHidden() && (await page.locator('#progress').isVisible()));
+  await page.locator("#home").click();
+  await page.locator("#progress-forget").click();
+  await page.keyboard.press("Escape");
+  assert.ok((await page.locator("#forget-dialog").isHidden()) && (await page.locator("#progress").isVisible()));
 });
 
 for (const [what, kept, tried] of [
-  ['no JSON', '{"tasks": {', 0],
-  ['another form', '[1, 2]', 0],
-  ['nothing', 'null', 0],
-  ['partly nonsense', JSON.stringify({ tasks: { [EASY]: { attempts: 2, solved: null }, soup: { attempts: 1, solved: 1 }, '00001:000': { attempts: 1, solved: 7 }, '00002:000': null, '00003:000': { attempts: -1e99, solved: null } } }), 1],
+  ["no JSON", '{"tasks": {', 0],
+  ["another form", "[1, 2]", 0],
+  ["nothing", "null", 0],
+  [
+    "partly nonsense",
+    JSON.stringify({
+      tasks: {
+        [EASY]: { attempts: 2, solved: null },
+        soup: { attempts: 1, solved: 1 },
+        "00001:000": { attempts: 1, solved: 7 },
+        "00002:000": null,
+        "00003:000": { attempts: -1e99, solved: null },
+      },
+    }),
+    1,
+  ],
 ]) {
   test(`a store that holds ${what} does no harm`, async () => {
-    const page = await session.open('/');
+    const page = await session.open("/");
     await page.evaluate(([key, kept]) => localStorage.setItem(key, kept), [KEY, kept]);
     await page.reload();
-    await page.locator('#templates a').first().waitFor();
-    assert.equal((await page.locator('#templates em').allTextContents()).filter(Boolean).length, tried);
-    await page.emulateMedia({ reducedMotion: 'reduce' });
-    await page.locator('#templates a').first().click();
+    await page.locator("#templates a").first().waitFor();
+    assert.equal((await page.locator("#templates em").allTextContents()).filter(Boolean).length, tried);
+    await page.emulateMedia({ reducedMotion: "reduce" });
+    await page.locator("#templates a").first().click();
     await run(page, (await known()).solving, /^Solved/);
     assert.equal(await label(page), `1 of 100 ✓ in ${tried ? 3 : 1}`);
   });
 }
 
 for (const [what, forbid] of [
-  ['asked', () => Object.defineProperty(globalThis, 'localStorage', { get: () => { throw new DOMException('no', 'SecurityError'); } })],
-  ['written', () => { Storage.prototype.setItem = () => { throw new DOMException('full', 'QuotaExceededError'); }; }],
+  [
+    "asked",
+    () =>
+      Object.defineProperty(globalThis, "localStorage", {
+        get: () => {
+          throw new DOMException("no", "SecurityError");
+        },
+      }),
+  ],
+  [
+    "written",
+    () => {
+      Storage.prototype.setItem = () => {
+        throw new DOMException("full", "QuotaExceededError");
+      };
+    },
+  ],
 ]) {
   test(`a store that may not be ${what} lasts as long as the page, which says so`, async () => {
-    const page = await session.open(`/#task=${EASY}`, { reducedMotion: 'reduce' });
+    const page = await session.open(`/#task=${EASY}`, { reducedMotion: "reduce" });
     await page.addInitScript(forbid);
     await page.reload();
-    await page.locator('#scene').waitFor();
+    await page.locator("#scene").waitFor();
     await played(page);
-    await page.locator('#home').click();
-    await page.locator('#progress:visible').filter({ hasText: 'keeps nothing for the page' }).waitFor();
-    assert.equal(await mark(page).textContent(), '✓ 1 of 100 solved, in 2 attempts');
-    assert.ok(await page.locator('#notice').isHidden());
+    await page.locator("#home").click();
+    await page.locator("#progress:visible").filter({ hasText: "keeps nothing for the page" }).waitFor();
+    assert.equal(await mark(page).textContent(), "✓ 1 of 100 solved, in 2 attempts");
+    assert.ok(await page.locator("#notice").isHidden());
   });
 }

@@ -1,10 +1,10 @@
 // The model's hundred proposals, one by one: the outcome of each, and the map that it comes from.
 
-import assert from 'node:assert/strict';
-import { readFile } from 'node:fs/promises';
-import { after, before, test } from 'node:test';
-import { start } from './harness.mjs';
-import { EASY, openPuzzle, picture, playModelTurn, says, spot, unsolvedTask } from './page-actions.mjs';
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { after, before, test } from "node:test";
+import { start } from "./harness.mjs";
+import { EASY, openPuzzle, picture, playModelTurn, says, spot, unsolvedTask } from "./page-actions.mjs";
 
 let session;
 before(async () => (session = await start()));
@@ -12,164 +12,189 @@ after(() => session.stop());
 
 // Many of the model's balls fail there.
 const HARD = await unsolvedTask();
-const ORIGIN = /^By .+ (it was the likeliest .+ \(.+ %\)\.|its chance was .+ % before the first attempt\. Then ball \d+ failed, and it resembles this one, .+ of those left\.)$/;
+const ORIGIN =
+  /^By .+ (it was the likeliest .+ \(.+ %\)\.|its chance was .+ % before the first attempt\. Then ball \d+ failed, and it resembles this one, .+ of those left\.)$/;
 
-async function compare(fragment = '', task = HARD) {
+async function compare(fragment = "", task = HARD) {
   const page = await openPuzzle(session, { task, fragment: `&panel=compare${fragment}`, reducedMotion: true });
-  await page.locator('#proposals:visible').waitFor();
+  await page.locator("#proposals:visible").waitFor();
   return page;
 }
 
 const fact = (page, name) => page.locator(`#proposal-${name}`).textContent();
 
-test('every ball can be looked at: where it is, whether it is allowed, its outcome, where it comes from', async () => {
+test("every ball can be looked at: where it is, whether it is allowed, its outcome, where it comes from", async () => {
   const page = await compare();
   const bare = await picture(page);
   const balls = new Set();
-  await page.locator('#proposal-next').click();
+  await page.locator("#proposal-next").click();
   const [looked, count] = [8, 100];
   for (let number = 1; number <= looked; number += 1) {
-    assert.equal(await fact(page, 'number'), `${number} of ${count}`);
-    balls.add(await fact(page, 'ball'));
-    assert.match(await fact(page, 'ball'), /^x \d+, y \d+, radius \d+$/);
-    assert.match(await fact(page, 'valid'), /^Yes\./);
-    assert.match(await fact(page, 'outcome'), /^[✓×] .+\. $/);
-    assert.match(await fact(page, 'origin'), ORIGIN);
+    assert.equal(await fact(page, "number"), `${number} of ${count}`);
+    balls.add(await fact(page, "ball"));
+    assert.match(await fact(page, "ball"), /^x \d+, y \d+, radius \d+$/);
+    assert.match(await fact(page, "valid"), /^Yes\./);
+    assert.match(await fact(page, "outcome"), /^[✓×] .+\. $/);
+    assert.match(await fact(page, "origin"), ORIGIN);
     await says(page, new RegExp(`The model’s ball ${number}:`));
-    if (number < looked) await page.locator('#proposal-next').click();
+    if (number < looked) await page.locator("#proposal-next").click();
   }
-  assert.equal(balls.size, looked, 'no two are alike');
-  assert.notEqual(await picture(page), bare, 'its paths and the marks are in the scene');
-  await page.locator('#proposal-slider').fill(String(count));
-  assert.equal(await fact(page, 'number'), `${count} of ${count}`);
-  await page.locator('#proposal-next').click();
-  assert.equal(await fact(page, 'number'), `${count} of ${count}`, 'there is no more');
-  assert.equal(await page.locator('#model-attempts li').count(), 0, 'looking is no attempt');
+  assert.equal(balls.size, looked, "no two are alike");
+  assert.notEqual(await picture(page), bare, "its paths and the marks are in the scene");
+  await page.locator("#proposal-slider").fill(String(count));
+  assert.equal(await fact(page, "number"), `${count} of ${count}`);
+  await page.locator("#proposal-next").click();
+  assert.equal(await fact(page, "number"), `${count} of ${count}`, "there is no more");
+  assert.equal(await page.locator("#model-attempts li").count(), 0, "looking is no attempt");
 });
 
-test('the list of a puzzle that the model solves ends with the ball that solves', async () => {
-  const page = await compare('', EASY);
-  await page.locator('#proposal-next').click();
-  const [, count] = /^1 of (\d+)$/.exec(await fact(page, 'number')) ?? [];
-  await page.locator('#proposal-slider').fill(String(count));
-  assert.equal(await fact(page, 'number'), `${count} of ${count}`);
-  assert.match(await fact(page, 'outcome'), /^✓/);
+test("the list of a puzzle that the model solves ends with the ball that solves", async () => {
+  const page = await compare("", EASY);
+  await page.locator("#proposal-next").click();
+  const [, count] = /^1 of (\d+)$/.exec(await fact(page, "number")) ?? [];
+  await page.locator("#proposal-slider").fill(String(count));
+  assert.equal(await fact(page, "number"), `${count} of ${count}`);
+  assert.match(await fact(page, "outcome"), /^✓/);
 });
 
-test('a ball of the turn is the same ball with the same outcome', async () => {
-  const page = await compare('', EASY);
+test("a ball of the turn is the same ball with the same outcome", async () => {
+  const page = await compare("", EASY);
   await playModelTurn(page);
-  const title = await page.locator('#model-attempts li').first().locator('button').first().getAttribute('title');
-  const words = await page.locator('#model-attempts li').first().locator('.words').textContent();
-  await page.locator('#proposal-next').click();
-  await page.locator('#proposal-facts:visible').waitFor();
-  assert.equal(title, `Replay: ball at ${await fact(page, 'ball')}`);
-  const outcome = await fact(page, 'outcome');
+  const title = await page.locator("#model-attempts li").first().locator("button").first().getAttribute("title");
+  const words = await page.locator("#model-attempts li").first().locator(".words").textContent();
+  await page.locator("#proposal-next").click();
+  await page.locator("#proposal-facts:visible").waitFor();
+  assert.equal(title, `Replay: ball at ${await fact(page, "ball")}`);
+  const outcome = await fact(page, "outcome");
   assert.ok(outcome.toLowerCase().includes(words.toLowerCase()) && !/not tried/.test(outcome), outcome);
 });
 
-test('it is in the link, goes by keys, and ends when something else is done', async () => {
-  const page = await compare('&proposal=3');
-  await page.locator('#proposal-number', { hasText: '3 of' }).waitFor();
-  await page.locator('#proposal-slider').focus();
-  await page.keyboard.press('ArrowRight');
-  await page.locator('#proposal-number', { hasText: '4 of' }).waitFor();
+test("it is in the link, goes by keys, and ends when something else is done", async () => {
+  const page = await compare("&proposal=3");
+  await page.locator("#proposal-number", { hasText: "3 of" }).waitFor();
+  await page.locator("#proposal-slider").focus();
+  await page.keyboard.press("ArrowRight");
+  await page.locator("#proposal-number", { hasText: "4 of" }).waitFor();
   await page.waitForFunction(() => /proposal=4/.test(location.hash));
   await page.mouse.click(...(await spot(page, 30, 240)));
-  await page.locator('#proposal-facts').waitFor({ state: 'hidden' });
+  await page.locator("#proposal-facts").waitFor({ state: "hidden" });
   await page.waitForFunction(() => !/proposal=/.test(location.hash));
   await says(page, /Press Run|Not here/);
 });
 
-test('another puzzle opens without a ball of the model’s', async () => {
-  const page = await compare('&proposal=2');
-  await page.locator('#proposal-number', { hasText: '2 of' }).waitFor();
-  await page.locator('#next').click();
+test("another puzzle opens without a ball of the model’s", async () => {
+  const page = await compare("&proposal=2");
+  await page.locator("#proposal-number", { hasText: "2 of" }).waitFor();
+  await page.locator("#next").click();
   await says(page, /place the red ball/);
-  await page.locator('#proposals:visible').waitFor();
-  assert.equal(await fact(page, 'number'), '–');
+  await page.locator("#proposals:visible").waitFor();
+  assert.equal(await fact(page, "number"), "–");
   assert.doesNotMatch(page.url(), /proposal=/);
 });
 
-test('a number past the last proposal is refused in a sentence', async () => {
-  const page = await session.open('/#task=00000:000&proposal=101');
-  await page.locator('#notice-text').filter({ hasText: '“proposal=101”' }).waitFor();
+test("a number past the last proposal is refused in a sentence", async () => {
+  const page = await session.open("/#task=00000:000&proposal=101");
+  await page.locator("#notice-text").filter({ hasText: "“proposal=101”" }).waitFor();
 });
 
-test('each shows what the model imagined for it, beside what really happened', async () => {
-  const page = await compare('&proposal=1');
-  const imagined = page.locator('#proposal-imagined');
-  await imagined.filter({ hasText: /^[A-Z][a-z ]+ \(.+ %\)\. It imagined the green object \d+ px from where it really was, on average\.$/ }).waitFor();
+test("each shows what the model imagined for it, beside what really happened", async () => {
+  const page = await compare("&proposal=1");
+  const imagined = page.locator("#proposal-imagined");
+  await imagined
+    .filter({
+      hasText: /^[A-Z][a-z ]+ \(.+ %\)\. It imagined the green object \d+ px from where it really was, on average\.$/,
+    })
+    .waitFor();
   const first = await picture(page);
-  await page.locator('#proposal-next').click();
-  await page.locator('#proposal-number', { hasText: '2 of' }).waitFor();
-  await imagined.filter({ hasText: 'It imagined' }).waitFor();
+  await page.locator("#proposal-next").click();
+  await page.locator("#proposal-number", { hasText: "2 of" }).waitFor();
+  await imagined.filter({ hasText: "It imagined" }).waitFor();
   assert.notEqual(await picture(page), first);
 });
 
-test('a strip has a mark for each ball by its outcome; a click and a key lead along it, and the whole is saved', async () => {
-  const { agents: [{ first_solved: solved }] } = JSON.parse(await readFile(new URL('../../results/shipped/within-0.json', import.meta.url), 'utf8'));
+test("a strip has a mark for each ball by its outcome; a click and a key lead along it, and the whole is saved", async () => {
+  const {
+    agents: [{ first_solved: solved }],
+  } = JSON.parse(await readFile(new URL("../../results/shipped/within-0.json", import.meta.url), "utf8"));
   const [late, total] = solved.find(([, first]) => first > 50);
-  const page = await compare('', late);
-  const outcomes = await page.locator('#proposal-strip span').evaluateAll((marks) => marks.map((mark) => mark.dataset.outcome));
+  const page = await compare("", late);
+  const outcomes = await page
+    .locator("#proposal-strip span")
+    .evaluateAll((marks) => marks.map((mark) => mark.dataset.outcome));
   assert.equal(outcomes.length, total);
   const count = (outcome) => outcomes.filter((one) => one === outcome).length;
-  assert.equal(await page.locator('#proposal-outcomes').textContent(), `Of ${total} balls 1 solves the puzzle, with ${count('touched')} the green object touches its goal for a while, with ${count('missed')} never.`);
-  assert.ok(count('solved') === 1 && outcomes.at(-1) === 'solved', `${outcomes}`);
+  assert.equal(
+    await page.locator("#proposal-outcomes").textContent(),
+    `Of ${total} balls 1 solves the puzzle, with ${count("touched")} the green object touches its goal for a while, with ${count("missed")} never.`,
+  );
+  assert.ok(count("solved") === 1 && outcomes.at(-1) === "solved", `${outcomes}`);
 
-  await page.locator('#proposal-strip').scrollIntoViewIfNeeded();
-  const box = await page.locator('#proposal-strip span').nth(41).boundingBox();
+  await page.locator("#proposal-strip").scrollIntoViewIfNeeded();
+  const box = await page.locator("#proposal-strip span").nth(41).boundingBox();
   assert.ok(box);
   await page.mouse.click(box.x + box.width / 2, box.y + box.height - 1);
-  assert.equal(await fact(page, 'number'), `42 of ${total}`);
-  assert.ok(await page.locator('#proposal-strip span').nth(41).evaluate((mark) => mark.hasAttribute('data-current')));
-  assert.match(await fact(page, 'outcome'), outcomes[41] === 'missed' ? /ever touched/ : /ouched/);
-  const first = await page.locator('#proposal-facts dt').first().textContent();
-  assert.equal(first, 'Why this one', 'where it comes from stands first');
+  assert.equal(await fact(page, "number"), `42 of ${total}`);
+  assert.ok(
+    await page
+      .locator("#proposal-strip span")
+      .nth(41)
+      .evaluate((mark) => mark.hasAttribute("data-current")),
+  );
+  assert.match(await fact(page, "outcome"), outcomes[41] === "missed" ? /ever touched/ : /ouched/);
+  const first = await page.locator("#proposal-facts dt").first().textContent();
+  assert.equal(first, "Why this one", "where it comes from stands first");
 
-  await page.locator('#proposal-slider').fill('1');
+  await page.locator("#proposal-slider").fill("1");
   const other = outcomes.findIndex((outcome) => outcome !== outcomes[0]) + 1;
-  await page.locator('#proposal-slider').press('n');
-  assert.equal(await fact(page, 'number'), `${other} of ${total}`);
-  await page.keyboard.press('Shift+N');
-  assert.equal(await fact(page, 'number'), `${other - 1} of ${total}`);
-  await page.locator('#proposal-other').click();
-  assert.equal(await fact(page, 'number'), `${other} of ${total}`);
+  await page.locator("#proposal-slider").press("n");
+  assert.equal(await fact(page, "number"), `${other} of ${total}`);
+  await page.keyboard.press("Shift+N");
+  assert.equal(await fact(page, "number"), `${other - 1} of ${total}`);
+  await page.locator("#proposal-other").click();
+  assert.equal(await fact(page, "number"), `${other} of ${total}`);
 
-  const [file] = await Promise.all([page.waitForEvent('download'), page.locator('#proposal-save').click()]);
-  const lines = (await readFile(await file.path(), 'utf8')).trimEnd().split('\r\n');
+  const [file] = await Promise.all([page.waitForEvent("download"), page.locator("#proposal-save").click()]);
+  const lines = (await readFile(await file.path(), "utf8")).trimEnd().split("\r\n");
   assert.equal(lines.length, total + 1);
-  const [head, ...rows] = lines.map((line) => line.split(','));
+  const [head, ...rows] = lines.map((line) => line.split(","));
   const of = (row, name) => row[head.indexOf(name)];
-  assert.deepEqual(rows.map((row) => of(row, 'outcome')), outcomes);
-  assert.deepEqual([of(rows[0], 'task'), of(rows[0], 'model'), of(rows[0], 'seen_in_training')], [late, 'within-0', 'false']);
+  assert.deepEqual(
+    rows.map((row) => of(row, "outcome")),
+    outcomes,
+  );
+  assert.deepEqual(
+    [of(rows[0], "task"), of(rows[0], "model"), of(rows[0], "seen_in_training")],
+    [late, "within-0", "false"],
+  );
   const row = rows[other - 1];
-  assert.equal(await fact(page, 'ball'), `x ${of(row, 'x')}, y ${of(row, 'y')}, radius ${of(row, 'r')}`);
+  assert.equal(await fact(page, "ball"), `x ${of(row, "x")}, y ${of(row, "y")}, radius ${of(row, "r")}`);
 });
 
-test('wherever a result stands the model is named, and whether it has seen the puzzle', async () => {
+test("wherever a result stands the model is named, and whether it has seen the puzzle", async () => {
   const page = await compare();
   const badge = (panel) => page.locator(`${panel} .model-badge`).first();
-  assert.equal((await badge('#compare').innerText()).replace(/\s+/g, ' '), 'within-0 never seen');
-  for (const panel of ['imagine', 'map']) {
+  assert.equal((await badge("#compare").innerText()).replace(/\s+/g, " "), "within-0 never seen");
+  for (const panel of ["imagine", "map"]) {
     await page.locator(`#tab-${panel}`).click();
-    await badge(`#${panel}`).filter({ hasText: 'never seen' }).waitFor();
+    await badge(`#${panel}`).filter({ hasText: "never seen" }).waitFor();
   }
-  await page.locator('#tab-imagine').click();
-  await page.locator('#model-select').selectOption('cross-0');
-  await badge('#imagine').filter({ hasText: /cross-0\s+seen in training/ }).waitFor();
-  await page.locator('#model-words').filter({ hasText: 'cross-0 has learned from 20 of the 25 kinds' }).waitFor();
+  await page.locator("#tab-imagine").click();
+  await page.locator("#model-select").selectOption("cross-0");
+  await badge("#imagine")
+    .filter({ hasText: /cross-0\s+seen in training/ })
+    .waitFor();
+  await page.locator("#model-words").filter({ hasText: "cross-0 has learned from 20 of the 25 kinds" }).waitFor();
 });
 
-test('a number past the last ball of this puzzle leaves the address', async () => {
-  const page = await compare('&proposal=90', EASY);
-  await page.waitForFunction(() => !location.hash.includes('proposal='));
-  await page.locator('#proposal-next').click();
-  await page.locator('#proposal-number', { hasText: '1 of' }).waitFor();
+test("a number past the last ball of this puzzle leaves the address", async () => {
+  const page = await compare("&proposal=90", EASY);
+  await page.waitForFunction(() => !location.hash.includes("proposal="));
+  await page.locator("#proposal-next").click();
+  await page.locator("#proposal-number", { hasText: "1 of" }).waitFor();
   // Also from the address of the open puzzle, when the list is there.
-  await page.waitForFunction(() => location.hash.includes('proposal=1'));
-  await page.evaluate(() => (location.hash = location.hash.replace(/proposal=\d+/, 'proposal=90')));
-  await page.waitForFunction(() => !location.hash.includes('proposal=90'));
+  await page.waitForFunction(() => location.hash.includes("proposal=1"));
+  await page.evaluate(() => (location.hash = location.hash.replace(/proposal=\d+/, "proposal=90")));
+  await page.waitForFunction(() => !location.hash.includes("proposal=90"));
   // The address is written a moment after what it tells.
   await page.waitForTimeout(600);
   assert.doesNotMatch(page.url(), /proposal=/);

@@ -1,5 +1,5 @@
-// A person who does anything at all: clicks whatever is there, presses keys, drags in the scene, types nonsense, goes back and
-// forward, reloads, turns the phone. All is drawn from a seed.
+// A person who does anything at all: clicks whatever is there, presses keys, drags in the scene, types nonsense, goes
+// back and forward, reloads, turns the phone. All is drawn from a seed.
 //
 //     const walk = new RandomWalk(page, seed);
 //     await walk.step();
@@ -7,24 +7,85 @@
 
 /** @typedef {import('playwright-core').Page} Page */
 
-const TASKS = ['00000:000', '00007:008', '00013:002', '00024:099'];
+const TASKS = ["00000:000", "00007:008", "00013:002", "00024:099"];
 const KEYS = [
-  'Tab', 'Shift+Tab', 'Enter', 'Space', 'Escape', 'ArrowLeft', 'ArrowRight', 'ArrowUp', 'ArrowDown', 'Shift+ArrowUp', 'Home', 'End', 'PageDown', 'PageUp',
-  'Control+z', 'Control+y', 'Control+Shift+z', 'Delete', 'Backspace', '+', '-', '.', ',', '[', ']', '?', '1', '2', '3', '4', '5', '6', 'd', 'n', 'N', 'p', 'r', 'v', 'x',
+  "Tab",
+  "Shift+Tab",
+  "Enter",
+  "Space",
+  "Escape",
+  "ArrowLeft",
+  "ArrowRight",
+  "ArrowUp",
+  "ArrowDown",
+  "Shift+ArrowUp",
+  "Home",
+  "End",
+  "PageDown",
+  "PageUp",
+  "Control+z",
+  "Control+y",
+  "Control+Shift+z",
+  "Delete",
+  "Backspace",
+  "+",
+  "-",
+  ".",
+  ",",
+  "[",
+  "]",
+  "?",
+  "1",
+  "2",
+  "3",
+  "4",
+  "5",
+  "6",
+  "d",
+  "n",
+  "N",
+  "p",
+  "r",
+  "v",
+  "x",
 ];
-const TEXTS = ['', '0', '5', '-3', '128', '255', '32', '1e9', '0.5', '999', 'soup', '…<b>', '00007:008'];
+const TEXTS = ["", "0", "5", "-3", "128", "255", "32", "1e9", "0.5", "999", "soup", "…<b>", "00007:008"];
 const FRAGMENTS = [
-  '', '#', '#soup', '#task=99999:999', '#task=00007:008&panel=soup', '#view=results', '#view=results&model=cross-0', '#task=00000:000&ball=60,240,12',
-  '#task=00000:000&panel=compare&model=cross-0', '#task=00001:005&view=stage', '#task=00001:005&view=stage&stage=judge', '#task=00002:007&panel=imagine&layers=base,target',
-  '#task=00002:007&hide=puzzles,tools,imagine', '#task=00000:000&proposal=3&panel=compare', '#task=00003:001&challenge=2', '#scene=soup', '#task=00000:000&panel=bend',
-  '#task=00000:000&forecast=on&ball=100,200,20', '#task=00004:004&model=soup&panel=imagine',
+  "",
+  "#",
+  "#soup",
+  "#task=99999:999",
+  "#task=00007:008&panel=soup",
+  "#view=results",
+  "#view=results&model=cross-0",
+  "#task=00000:000&ball=60,240,12",
+  "#task=00000:000&panel=compare&model=cross-0",
+  "#task=00001:005&view=stage",
+  "#task=00001:005&view=stage&stage=judge",
+  "#task=00002:007&panel=imagine&layers=base,target",
+  "#task=00002:007&hide=puzzles,tools,imagine",
+  "#task=00000:000&proposal=3&panel=compare",
+  "#task=00003:001&challenge=2",
+  "#scene=soup",
+  "#task=00000:000&panel=bend",
+  "#task=00000:000&forecast=on&ball=100,200,20",
+  "#task=00004:004&model=soup&panel=imagine",
 ];
 const FILES = [
-  { name: 'soup.json', mimeType: 'application/json', buffer: Buffer.from('soup') },
-  { name: 'empty.json', mimeType: 'application/json', buffer: Buffer.from('') },
-  { name: 'progress.json', mimeType: 'application/json', buffer: Buffer.from('{"tasks":{"00007:008":{"attempts":3,"solved":2}}}') },
+  { name: "soup.json", mimeType: "application/json", buffer: Buffer.from("soup") },
+  { name: "empty.json", mimeType: "application/json", buffer: Buffer.from("") },
+  {
+    name: "progress.json",
+    mimeType: "application/json",
+    buffer: Buffer.from('{"tasks":{"00007:008":{"attempts":3,"solved":2}}}'),
+  },
 ];
-const VIEWPORTS = [{ width: 1280, height: 800 }, { width: 390, height: 844 }, { width: 844, height: 390 }, { width: 320, height: 480 }];
+const VIEWPORTS = [
+  { width: 1280, height: 800 },
+  { width: 390, height: 844 },
+  { width: 844, height: 390 },
+  { width: 320, height: 480 },
+];
 
 export class RandomWalk {
   /** What was done. */
@@ -54,9 +115,9 @@ export class RandomWalk {
       [3, () => this.#changeScreen()],
       [7, () => this.#wait()],
     ];
-    page.on('filechooser', (chooser) => chooser.setFiles(this.#any(FILES)).catch(() => {}));
-    page.on('download', (download) => download.delete().catch(() => {}));
-    page.on('dialog', (dialog) => dialog.dismiss().catch(() => {}));
+    page.on("filechooser", (chooser) => chooser.setFiles(this.#any(FILES)).catch(() => {}));
+    page.on("download", (download) => download.delete().catch(() => {}));
+    page.on("dialog", (dialog) => dialog.dismiss().catch(() => {}));
   }
 
   /** Does one thing, and returns in words what it was. */
@@ -80,45 +141,51 @@ export class RandomWalk {
     return this.#random() * 256;
   }
 
-  /** Uses any control that can be seen: those of a kind count as one, so that a hundred links are not all that is clicked. */
+  /**
+   * Uses any control that can be seen: those of a kind count as one, so that a hundred links are not all that is
+   * clicked.
+   */
   async #useControl() {
     const found = await this.#page.evaluateHandle(controlInPage, [this.#random(), this.#random()]);
     const control = found.asElement();
-    if (!control) return 'no control';
+    if (!control) return "no control";
     const { name, kind, type, seen, gone } = await control.evaluate(describe);
     if (gone) return `${name} has gone`;
-    if (kind === 'SELECT') {
-      const index = await control.evaluate((select, part) => Math.floor(part * /** @type {HTMLSelectElement} */ (select).options.length), this.#random());
+    if (kind === "SELECT") {
+      const index = await control.evaluate(
+        (select, part) => Math.floor(part * /** @type {HTMLSelectElement} */ (select).options.length),
+        this.#random(),
+      );
       await control.selectOption({ index }, { timeout: 2000 }).catch(() => {});
       return `chooses ${index} of ${name}`;
     }
-    if (type === 'number' || type === 'text') {
+    if (type === "number" || type === "text") {
       const text = this.#any(TEXTS);
       await control.evaluate((input) => /** @type {HTMLInputElement} */ (input).select());
       await this.#page.keyboard.insertText(text);
-      if (!text) await this.#page.keyboard.press('Delete');
-      await this.#page.keyboard.press(this.#any(['Tab', 'Enter', 'a']));
+      if (!text) await this.#page.keyboard.press("Delete");
+      await this.#page.keyboard.press(this.#any(["Tab", "Enter", "a"]));
       return `types “${text}” into ${name}`;
     }
     if (!seen || this.#random() < 0.15) {
       await control.focus();
-      const key = this.#any(['Enter', 'Space']);
+      const key = this.#any(["Enter", "Space"]);
       await this.#page.keyboard.press(key);
       return `focuses ${name} and presses ${key}`;
     }
     const box = await control.boundingBox();
     if (!box) return `${name} has gone`;
     const clickCount = this.#random() < 0.1 ? 2 : 1;
-    const across = type === 'range' ? this.#random() : 0.5;
+    const across = type === "range" ? this.#random() : 0.5;
     await this.#page.mouse.click(box.x + box.width * across, box.y + box.height / 2, { clickCount });
-    return `clicks ${name}${clickCount > 1 ? ' twice' : ''}`;
+    return `clicks ${name}${clickCount > 1 ? " twice" : ""}`;
   }
 
   async #press() {
     const key = this.#any(KEYS);
     const times = this.#random() < 0.2 ? 5 : 1;
     for (let count = 0; count < times; count++) await this.#page.keyboard.press(key);
-    return `presses ${key}${times > 1 ? ` ${times} times` : ''}`;
+    return `presses ${key}${times > 1 ? ` ${times} times` : ""}`;
   }
 
   /**
@@ -127,9 +194,9 @@ export class RandomWalk {
    */
   async #toScene() {
     const box = await this.#page.evaluate(() => {
-      const scene = /** @type {any} */ (document.getElementById('puzzle')).shadowRoot.getElementById('scene');
+      const scene = /** @type {any} */ (document.getElementById("puzzle")).shadowRoot.getElementById("scene");
       if (!scene?.checkVisibility()) return null;
-      scene.scrollIntoView({ block: 'center' });
+      scene.scrollIntoView({ block: "center" });
       return scene.getBoundingClientRect().toJSON();
     });
     return box && ((x, y) => [box.x + (x / 256) * box.width, box.y + box.height - (y / 256) * box.height]);
@@ -137,7 +204,7 @@ export class RandomWalk {
 
   async #clickScene() {
     const spot = await this.#toScene();
-    if (!spot) return 'no scene';
+    if (!spot) return "no scene";
     const [x, y] = [this.#coordinate(), this.#coordinate()];
     await this.#page.mouse.click(...spot(x, y));
     return `clicks the scene at ${Math.round(x)}, ${Math.round(y)}`;
@@ -145,8 +212,10 @@ export class RandomWalk {
 
   async #drag() {
     const spot = await this.#toScene();
-    if (!spot) return 'no scene';
-    const points = Array.from({ length: 2 + Math.floor(this.#random() * 4) }, () => spot(this.#coordinate() * 1.2 - 20, this.#coordinate() * 1.2 - 20));
+    if (!spot) return "no scene";
+    const points = Array.from({ length: 2 + Math.floor(this.#random() * 4) }, () =>
+      spot(this.#coordinate() * 1.2 - 20, this.#coordinate() * 1.2 - 20),
+    );
     await this.#page.mouse.move(...points[0]);
     await this.#page.mouse.down();
     for (const point of points) await this.#page.mouse.move(...point, { steps: 5 });
@@ -154,21 +223,21 @@ export class RandomWalk {
     const between = this.#random() < 0.3 ? this.#any(KEYS) : null;
     if (between) await this.#page.keyboard.press(between);
     await this.#page.mouse.up();
-    return `drags over ${points.length} points${between ? `, presses ${between} meanwhile` : ''}`;
+    return `drags over ${points.length} points${between ? `, presses ${between} meanwhile` : ""}`;
   }
 
   /** Places a ball and runs it, wherever the focus is. */
   async #run() {
     const spot = await this.#toScene();
-    if (!spot) return 'no scene';
+    if (!spot) return "no scene";
     await this.#page.mouse.click(...spot(this.#coordinate(), 100 + this.#coordinate() * 0.6));
-    await this.#page.keyboard.press('Enter');
-    return 'places a ball and runs it';
+    await this.#page.keyboard.press("Enter");
+    return "places a ball and runs it";
   }
 
   async #wheel() {
     const spot = await this.#toScene();
-    if (!spot) return 'no scene';
+    if (!spot) return "no scene";
     await this.#page.mouse.move(...spot(this.#coordinate(), this.#coordinate()));
     const way = this.#any([-300, -100, 100, 300]);
     await this.#page.mouse.wheel(0, way);
@@ -176,9 +245,13 @@ export class RandomWalk {
   }
 
   async #go() {
-    const way = this.#any(['back', 'back', 'forward']);
+    const way = this.#any(["back", "back", "forward"]);
     // Not to the empty page before the first entry.
-    const goes = await this.#page.evaluate((way) => (way === 'back' ? navigation.canGoBack : navigation.canGoForward) && (setTimeout(() => history[way]()), true), way);
+    const goes = await this.#page.evaluate(
+      (way) =>
+        (way === "back" ? navigation.canGoBack : navigation.canGoForward) && (setTimeout(() => history[way]()), true),
+      way,
+    );
     if (!goes) return `cannot go ${way}`;
     await this.#page.waitForTimeout(100);
     return `goes ${way}`;
@@ -186,7 +259,7 @@ export class RandomWalk {
 
   async #reload() {
     await this.#page.reload();
-    return 'reloads';
+    return "reloads";
   }
 
   async #follow() {
@@ -201,7 +274,10 @@ export class RandomWalk {
       await this.#page.setViewportSize(viewport);
       return `looks at ${viewport.width} x ${viewport.height}`;
     }
-    const [colorScheme, reducedMotion] = [this.#any(/** @type {const} */ (['dark', 'light'])), this.#any(/** @type {const} */ (['reduce', 'no-preference']))];
+    const [colorScheme, reducedMotion] = [
+      this.#any(/** @type {const} */ (["dark", "light"])),
+      this.#any(/** @type {const} */ (["reduce", "no-preference"])),
+    ];
     await this.#page.emulateMedia({ colorScheme, reducedMotion });
     return `prefers ${colorScheme} and ${reducedMotion}`;
   }
@@ -215,27 +291,46 @@ export class RandomWalk {
 
 /** Any control that can be used: first a kind is drawn, then one of the kind. */
 function controlInPage([kindPart, onePart]) {
-  const shadowRoot = /** @type {ShadowRoot} */ (document.getElementById('puzzle')?.shadowRoot);
-  const all = [document, shadowRoot].flatMap((root) => [...root.querySelectorAll('a[href], button, input:not([type=file]), select, summary, [tabindex="0"]')]);
-  const dialog = [...shadowRoot.querySelectorAll('dialog[open]'), ...document.querySelectorAll('dialog[open]')].at(-1);
+  const shadowRoot = /** @type {ShadowRoot} */ (document.getElementById("puzzle")?.shadowRoot);
+  const all = [document, shadowRoot].flatMap((root) => [
+    ...root.querySelectorAll('a[href], button, input:not([type=file]), select, summary, [tabindex="0"]'),
+  ]);
+  const dialog = [...shadowRoot.querySelectorAll("dialog[open]"), ...document.querySelectorAll("dialog[open]")].at(-1);
   const usable = all.filter((one) => {
-    if (!one.checkVisibility({ visibilityProperty: true }) || /** @type {HTMLButtonElement} */ (one).disabled || one.closest('[inert]')) return false;
+    if (
+      !one.checkVisibility({ visibilityProperty: true }) ||
+      /** @type {HTMLButtonElement} */ (one).disabled ||
+      one.closest("[inert]")
+    )
+      return false;
     if (dialog && !dialog.contains(one)) return false;
     return !(one instanceof HTMLAnchorElement) || one.origin === location.origin;
   });
-  const kinds = Map.groupBy(usable, (one) => one.id || (one.closest('[id]')?.id ?? '') + one.tagName + (one.getAttribute('data-act') ?? ''));
+  const kinds = Map.groupBy(
+    usable,
+    (one) => one.id || (one.closest("[id]")?.id ?? "") + one.tagName + (one.getAttribute("data-act") ?? ""),
+  );
   const kind = [...kinds.values()][Math.floor(kindPart * kinds.size)];
   return kind?.[Math.floor(onePart * kind.length)] ?? null;
 }
 
 /** @param {any} control */
 function describe(control) {
-  control.scrollIntoView({ block: 'center' });
+  control.scrollIntoView({ block: "center" });
   const box = control.getBoundingClientRect();
   const root = control.getRootNode();
-  const hit = root instanceof Document || root instanceof ShadowRoot ? root.elementFromPoint(box.x + box.width / 2, box.y + box.height / 2) : null;
-  const name = `${control.id || `${control.closest('[id]')?.id} ${control.tagName.toLowerCase()}`} (${(control.textContent || control.title || control.getAttribute('aria-label') || '').trim().slice(0, 24)})`;
-  return { name, kind: control.tagName, type: control instanceof HTMLInputElement ? control.type : '', seen: hit !== null && (control.contains(hit) || hit.contains(control)), gone: !control.isConnected };
+  const hit =
+    root instanceof Document || root instanceof ShadowRoot
+      ? root.elementFromPoint(box.x + box.width / 2, box.y + box.height / 2)
+      : null;
+  const name = `${control.id || `${control.closest("[id]")?.id} ${control.tagName.toLowerCase()}`} (${(control.textContent || control.title || control.getAttribute("aria-label") || "").trim().slice(0, 24)})`;
+  return {
+    name,
+    kind: control.tagName,
+    type: control instanceof HTMLInputElement ? control.type : "",
+    seen: hit !== null && (control.contains(hit) || hit.contains(control)),
+    gone: !control.isConnected,
+  };
 }
 
 /**

@@ -1,112 +1,148 @@
-// Attempts as files: a hundred made in the browser are saved with their digests, verified by the native program, read back, the same to the
-// bit, and replayed; what was changed or is foreign is found out. The badge of a run names its digest.
+// Attempts as files: a hundred made in the browser are saved with their digests, verified by the native program, read
+// back, the same to the bit, and replayed; what was changed or is foreign is found out. The badge of a run names its
+// digest.
 
-import assert from 'node:assert/strict';
-import { spawnSync } from 'node:child_process';
-import { readFile } from 'node:fs/promises';
-import { after, before, test } from 'node:test';
-import { binary, start } from './harness.mjs';
-import { EASY, attempts, known, openPuzzle, playModelTurn, says, type, unsolvedTask } from './page-actions.mjs';
+import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
+import { readFile } from "node:fs/promises";
+import { after, before, test } from "node:test";
+import { binary, start } from "./harness.mjs";
+import { EASY, attempts, known, openPuzzle, playModelTurn, says, type, unsolvedTask } from "./page-actions.mjs";
 
 let session;
 before(async () => (session = await start()));
 after(() => session.stop());
 
 async function savedAttempts(page) {
-  const [download] = await Promise.all([page.waitForEvent('download'), page.locator('#attempts-save').click()]);
+  const [download] = await Promise.all([page.waitForEvent("download"), page.locator("#attempts-save").click()]);
   assert.match(download.suggestedFilename(), /attempts\.jsonl$/);
-  return (await readFile(await download.path(), 'utf8')).trimEnd().split('\n').map((line) => JSON.parse(line));
+  return (await readFile(await download.path(), "utf8"))
+    .trimEnd()
+    .split("\n")
+    .map((line) => JSON.parse(line));
 }
 
 function openAttempts(page, name, text) {
-  return page.locator('#attempts-file').setInputFiles({ name, mimeType: 'application/jsonl', buffer: Buffer.from(text) });
+  return page
+    .locator("#attempts-file")
+    .setInputFiles({ name, mimeType: "application/jsonl", buffer: Buffer.from(text) });
 }
 
 /** Has the native program verify attempts. */
 function verify(text) {
-  const { status, stdout, stderr } = spawnSync(binary, ['verify', '-'], { input: text, encoding: 'utf8' });
-  return { status, stderr, verdicts: stdout.trimEnd().split('\n').map((line) => JSON.parse(line).verdict) };
+  const { status, stdout, stderr } = spawnSync(binary, ["verify", "-"], { input: text, encoding: "utf8" });
+  return {
+    status,
+    stderr,
+    verdicts: stdout
+      .trimEnd()
+      .split("\n")
+      .map((line) => JSON.parse(line).verdict),
+  };
 }
 
-const words = (page, pattern) => page.locator('#attempts-words').filter({ hasText: pattern }).waitFor();
+const words = (page, pattern) => page.locator("#attempts-words").filter({ hasText: pattern }).waitFor();
 
-test('a hundred attempts of the model are saved and come out the same, and one of them is replayed', async () => {
-  const page = await openPuzzle(session, { task: await unsolvedTask(), fragment: '&panel=compare', reducedMotion: true });
+test("a hundred attempts of the model are saved and come out the same, and one of them is replayed", async () => {
+  const page = await openPuzzle(session, {
+    task: await unsolvedTask(),
+    fragment: "&panel=compare",
+    reducedMotion: true,
+  });
   await playModelTurn(page);
-  await page.locator('#tab-play').click();
+  await page.locator("#tab-play").click();
   const lines = await savedAttempts(page);
   assert.equal(lines.length, 100);
   assert.ok(lines.every(({ digest, ball, status }) => /^[0-9a-f]{64}$/.test(digest) && ball.length === 3 && status));
-  const text = lines.map((line) => JSON.stringify(line)).join('\n');
+  const text = lines.map((line) => JSON.stringify(line)).join("\n");
   const verified = verify(text);
   assert.equal(verified.status, 0, verified.stderr);
-  assert.deepEqual(verified.verdicts, Array(100).fill('same'), 'natively too');
+  assert.deepEqual(verified.verdicts, Array(100).fill("same"), "natively too");
   const other = await openPuzzle(session, { reducedMotion: true });
-  await openAttempts(other, 'hundred.jsonl', text);
-  await words(other, 'hundred.jsonl: 100 of 100 attempts come out the same to the bit');
-  await other.locator('#attempts-read button').nth(41).click();
+  await openAttempts(other, "hundred.jsonl", text);
+  await words(other, "hundred.jsonl: 100 of 100 attempts come out the same to the bit");
+  await other.locator("#attempts-read button").nth(41).click();
   await says(other, /^Not solved\. The opened attempt: /);
   await other.waitForFunction((task) => location.hash.includes(task), lines[41].task);
-  assert.equal(await other.locator('#digest').textContent(), `#${lines[41].digest.slice(0, 8)}`, 'the very same run');
-  assert.equal(await attempts(other), 0, 'it is not the person’s own');
+  assert.equal(await other.locator("#digest").textContent(), `#${lines[41].digest.slice(0, 8)}`, "the very same run");
+  assert.equal(await attempts(other), 0, "it is not the person’s own");
 });
 
-test('an attempt that was changed is found out, and a foreign file is a sentence', async () => {
+test("an attempt that was changed is found out, and a foreign file is a sentence", async () => {
   const page = await openPuzzle(session, { reducedMotion: true });
   const { solving, missing } = await known();
   for (const one of [solving, missing]) {
     await type(page, one);
-    await page.locator('#run').click();
+    await page.locator("#run").click();
     await says(page, /^(Solved|Not solved)/);
   }
   const [line] = await savedAttempts(page);
-  const changed = [{ ...line, steps: line.steps + 1 }, { ...line, digest: '0'.repeat(64) }, { ...line, ball: [-9, 0, 5] }, { beach: true }];
-  await openAttempts(page, 'changed.jsonl', [line, ...changed].map((one) => JSON.stringify(one)).join('\n'));
-  await words(page, 'changed.jsonl: 1 of 5 attempts come out the same to the bit');
-  for (const [name, text] of [['noise.jsonl', '\u0001 noise'], ['empty.jsonl', '\n']]) {
+  const changed = [
+    { ...line, steps: line.steps + 1 },
+    { ...line, digest: "0".repeat(64) },
+    { ...line, ball: [-9, 0, 5] },
+    { beach: true },
+  ];
+  await openAttempts(page, "changed.jsonl", [line, ...changed].map((one) => JSON.stringify(one)).join("\n"));
+  await words(page, "changed.jsonl: 1 of 5 attempts come out the same to the bit");
+  for (const [name, text] of [
+    ["noise.jsonl", "\u0001 noise"],
+    ["empty.jsonl", "\n"],
+  ]) {
     await openAttempts(page, name, text);
     await words(page, new RegExp(`${name} is not a file of attempts`));
-    assert.equal(await page.locator('#attempts-read li').count(), 5);
+    assert.equal(await page.locator("#attempts-read li").count(), 5);
   }
 });
 
-test('an attempt at an own scene carries the scene', async () => {
-  const page = await openPuzzle(session, { fragment: '&panel=bend', reducedMotion: true });
-  await page.locator('[data-adds=bar]').click();
+test("an attempt at an own scene carries the scene", async () => {
+  const page = await openPuzzle(session, { fragment: "&panel=bend", reducedMotion: true });
+  await page.locator("[data-adds=bar]").click();
   await page.waitForFunction(() => /scene=/.test(location.hash));
-  await page.locator('#tab-play').click();
+  await page.locator("#tab-play").click();
   await type(page, [30, 240, 8]);
-  await page.locator('#run').click();
+  await page.locator("#run").click();
   await says(page, /attempt/);
   const [line] = await savedAttempts(page);
   assert.equal(line.task, undefined);
   assert.ok(line.scene.bodies.length > 2);
   const other = await openPuzzle(session, { reducedMotion: true });
-  await openAttempts(other, 'own.jsonl', JSON.stringify(line));
-  await words(other, '1 of 1 attempts');
-  await other.locator('#attempts-read button').click();
-  await other.locator('#puzzle-name').filter({ hasText: 'bent' }).waitFor();
+  await openAttempts(other, "own.jsonl", JSON.stringify(line));
+  await words(other, "1 of 1 attempts");
+  await other.locator("#attempts-read button").click();
+  await other.locator("#puzzle-name").filter({ hasText: "bent" }).waitFor();
 });
 
-test('the badge of a run names its digest and has it computed again', async () => {
+test("the badge of a run names its digest and has it computed again", async () => {
   const page = await openPuzzle(session, { reducedMotion: true });
-  assert.equal(await page.locator('#digest').isVisible(), false);
+  assert.equal(await page.locator("#digest").isVisible(), false);
   const { missing } = await known();
   await type(page, missing);
-  await page.locator('#run').click();
+  await page.locator("#run").click();
   await says(page, /^Not solved/);
   const [{ digest }] = await savedAttempts(page);
-  assert.equal(await page.locator('#digest').textContent(), `#${digest.slice(0, 8)}`);
-  await page.locator('#digest').click();
-  await words(page, /the same, to the bit\. Of 50 runs whose digests the native program has shipped, this browser computes 50 to the bit/);
+  assert.equal(await page.locator("#digest").textContent(), `#${digest.slice(0, 8)}`);
+  await page.locator("#digest").click();
+  await words(
+    page,
+    /the same, to the bit\. Of 50 runs whose digests the native program has shipped, this browser computes 50 to the bit/,
+  );
 });
 
-test('an attempt that was not valid is told as one, and cannot be replayed', async () => {
+test("an attempt that was not valid is told as one, and cannot be replayed", async () => {
   const page = await openPuzzle(session, { reducedMotion: true });
-  const requests = [{ task: EASY, ball: [-9, 0, 5] }, { task: EASY, ball: [128, 240, 8] }].map((one) => JSON.stringify(one)).join('\n');
-  const { stdout } = spawnSync(binary, ['simulate', '--batch', '-', '--verifiable'], { input: requests, encoding: 'utf8' });
-  await openAttempts(page, 'two.jsonl', stdout);
-  await words(page, 'two.jsonl: 2 of 2 attempts come out the same to the bit');
-  assert.match(await page.locator('#attempts-read li').first().textContent(), /: not valid, the same$/);
-  assert.equal(await page.locator('#attempts-read button').count(), 1);
+  const requests = [
+    { task: EASY, ball: [-9, 0, 5] },
+    { task: EASY, ball: [128, 240, 8] },
+  ]
+    .map((one) => JSON.stringify(one))
+    .join("\n");
+  const { stdout } = spawnSync(binary, ["simulate", "--batch", "-", "--verifiable"], {
+    input: requests,
+    encoding: "utf8",
+  });
+  await openAttempts(page, "two.jsonl", stdout);
+  await words(page, "two.jsonl: 2 of 2 attempts come out the same to the bit");
+  assert.match(await page.locator("#attempts-read li").first().textContent(), /: not valid, the same$/);
+  assert.equal(await page.locator("#attempts-read button").count(), 1);
 });

@@ -1,25 +1,31 @@
-// What every engine has to compute the same to the bit: rollouts of all templates, half of them with balls that touch much, and the
-// proposals of a model. Knows the native program and Node; in a browser `computeInPage` runs in the page.
+// What every engine has to compute the same to the bit: rollouts of all templates, half of them with balls that touch
+// much, and the proposals of a model. Knows the native program and Node; in a browser `computeInPage` runs in the page.
 
-import { spawnSync } from 'node:child_process';
-import { createHash } from 'node:crypto';
-import { load } from '../../www/api/pathlight.js';
-import { binary } from './harness.mjs';
+import { spawnSync } from "node:child_process";
+import { createHash } from "node:crypto";
+import { load } from "../../www/api/pathlight.js";
+import { binary } from "./harness.mjs";
 
 /** @typedef {[x: number, y: number, r: number]} Ball */
-/** @typedef {{ attempts: { task: string, ball: Ball }[], tasks: string[] }} Sample attempts to simulate, and tasks to propose for */
-/** @typedef {{ digests: string[], proposals: string[] }} Computed a digest for each attempt, and the balls for each task, in order */
+/**
+ * @typedef {{ attempts: { task: string, ball: Ball }[], tasks: string[] }} Sample attempts to simulate, and tasks to
+ *   propose for
+ */
+/**
+ * @typedef {{ digests: string[], proposals: string[] }} Computed a digest for each attempt, and the balls for each
+ *   task, in order
+ */
 
 /** The first model, which the page and the native program take too. */
-const WEIGHTS = new URL('../../assets/within-0.safetensors', import.meta.url);
+const WEIGHTS = new URL("../../assets/within-0.safetensors", import.meta.url);
 /** So many balls are drawn for each that touches much. */
 const DRAWN = 8;
 /** So many proposals of a task are compared. */
 const COUNT = 100;
 
 /**
- * Attempts at so many tasks of each template; every other ball is that of several which moves the bodies farthest from where they go
- * by themselves.
+ * Attempts at so many tasks of each template; every other ball is that of several which moves the bodies farthest from
+ * where they go by themselves.
  * @param {number} perTemplate
  * @param {number} proposedTasks
  * @returns {Promise<Sample>}
@@ -27,15 +33,20 @@ const COUNT = 100;
 export async function sampleOf(perTemplate, proposedTasks) {
   const pathlight = await load({ weights: null });
   const random = numbers(16);
-  const attempts = pathlight.templates().flatMap(({ tasks }) => Array.from({ length: perTemplate }, (_, index) => {
-    const task = tasks[Math.floor((index * tasks.length) / perTemplate)];
-    const balls = Array.from({ length: index % 2 ? DRAWN : 1 }, () => validBall(pathlight, task, random));
-    const alone = pathlight.simulate(task);
-    const moved = balls.map((ball) => displacement(alone, pathlight.simulate(task, ball)));
-    return { task, ball: balls[moved.indexOf(Math.max(...moved))] };
-  }));
-  const { test } = pathlight.fold('within', 0);
-  return { attempts, tasks: Array.from({ length: proposedTasks }, (_, index) => test[Math.floor((index * test.length) / proposedTasks)]) };
+  const attempts = pathlight.templates().flatMap(({ tasks }) =>
+    Array.from({ length: perTemplate }, (_, index) => {
+      const task = tasks[Math.floor((index * tasks.length) / perTemplate)];
+      const balls = Array.from({ length: index % 2 ? DRAWN : 1 }, () => validBall(pathlight, task, random));
+      const alone = pathlight.simulate(task);
+      const moved = balls.map((ball) => displacement(alone, pathlight.simulate(task, ball)));
+      return { task, ball: balls[moved.indexOf(Math.max(...moved))] };
+    }),
+  );
+  const { test } = pathlight.fold("within", 0);
+  return {
+    attempts,
+    tasks: Array.from({ length: proposedTasks }, (_, index) => test[Math.floor((index * test.length) / proposedTasks)]),
+  };
 }
 
 /** @returns {Ball} */
@@ -59,7 +70,7 @@ function displacement(alone, { bodies, poses, steps }) {
 
 /** Numbers in 0..1 that are the same each time (Park and Miller's generator). */
 function* numbers(seed) {
-  for (let state = seed; ; ) {
+  for (let state = seed; ;) {
     state = (state * 48271) % 2147483647;
     yield state / 2147483647;
   }
@@ -79,20 +90,34 @@ export async function computeInNode({ attempts, tasks }) {
 
 /**
  * @param {Sample} sample
- * @param {{ threads?: number, emulator?: string[] }} [machine] by default this one with all its threads; an emulator is a command
- * before the program's
+ * @param {{ threads?: number, emulator?: string[] }} [machine] by default this one with all its threads; an emulator is
+ *   a command before the program's
  * @returns {Computed}
  */
 export function computeNatively({ attempts, tasks }, { threads, emulator = [] } = {}) {
   const env = { ...process.env, ...(threads && { RAYON_NUM_THREADS: String(threads) }) };
-  const lines = (args, input = '') => {
+  const lines = (args, input = "") => {
     const [command, ...words] = [...emulator, binary, ...args];
-    const { stdout, stderr, status } = spawnSync(command, words, { input, env, encoding: 'utf8', maxBuffer: 1e9, cwd: new URL('../..', import.meta.url) });
+    const { stdout, stderr, status } = spawnSync(command, words, {
+      input,
+      env,
+      encoding: "utf8",
+      maxBuffer: 1e9,
+      cwd: new URL("../..", import.meta.url),
+    });
     if (status !== 0) throw new Error(stderr);
-    return stdout.trim().split('\n').map((line) => JSON.parse(line));
+    return stdout
+      .trim()
+      .split("\n")
+      .map((line) => JSON.parse(line));
   };
-  const simulated = lines(['simulate', '--batch', '-', '--verifiable'], attempts.map((attempt) => `${JSON.stringify(attempt)}\n`).join(''));
-  const proposed = tasks.length ? lines(['propose', '--attempts', String(COUNT), ...tasks.flatMap((task) => ['--task', task])]) : [];
+  const simulated = lines(
+    ["simulate", "--batch", "-", "--verifiable"],
+    attempts.map((attempt) => `${JSON.stringify(attempt)}\n`).join(""),
+  );
+  const proposed = tasks.length
+    ? lines(["propose", "--attempts", String(COUNT), ...tasks.flatMap((task) => ["--task", task])])
+    : [];
   return {
     digests: simulated.map(({ digest }) => digest),
     proposals: tasks.map((task) => String(proposed.find((line) => line.task === task).balls)),
@@ -105,7 +130,7 @@ export function computeNatively({ attempts, tasks }, { threads, emulator = [] } 
  * @returns {Promise<Computed>}
  */
 export async function computeInPage({ attempts, tasks }) {
-  const { load } = await import('/api/pathlight.js');
+  const { load } = await import("/api/pathlight.js");
   const pathlight = await load(tasks.length ? {} : { weights: null });
   return {
     digests: attempts.map(({ task, ball }) => pathlight.attemptLine(task, ball).digest),
@@ -128,10 +153,13 @@ export function pieces({ attempts, tasks }, size = 100) {
 
 /** @param {Computed[]} computed */
 export function joined(computed) {
-  return { digests: computed.flatMap(({ digests }) => digests), proposals: computed.flatMap(({ proposals }) => proposals) };
+  return {
+    digests: computed.flatMap(({ digests }) => digests),
+    proposals: computed.flatMap(({ proposals }) => proposals),
+  };
 }
 
 /** One digest of all, to report. @param {Computed} computed */
 export function digestOf(computed) {
-  return createHash('sha256').update(JSON.stringify(computed)).digest('hex').slice(0, 16);
+  return createHash("sha256").update(JSON.stringify(computed)).digest("hex").slice(0, 16);
 }

@@ -1,74 +1,102 @@
-// Small and low windows, and a finger that has been lifted: nothing lies over another, the page never scrolls to a void.
+// Small and low windows, and a finger that has been lifted: nothing lies over another, the page never scrolls to a
+// void.
 
-import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
-import { start } from './harness.mjs';
-import { known, openImagined, openPuzzle, says, spot, type } from './page-actions.mjs';
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { start } from "./harness.mjs";
+import { known, openImagined, openPuzzle, says, spot, type } from "./page-actions.mjs";
 
 let session;
 before(async () => (session = await start()));
 after(() => session.stop());
 
-for (const [width, height] of [[844, 390], [740, 360], [640, 400], [320, 568]]) {
+for (const [width, height] of [
+  [844, 390],
+  [740, 360],
+  [640, 400],
+  [320, 568],
+]) {
   test(`at ${width} x ${height} the transport stays in its column, and its time line can be dragged`, async () => {
     const page = await openPuzzle(session, { viewport: { width, height }, reducedMotion: true });
     await type(page, (await known()).missing);
-    await page.locator('#run').click();
+    await page.locator("#run").click();
     await says(page, /^Not solved/);
-    const [transport, stage, side, time] = await Promise.all(['.transport', '.stage', '.side', '#time'].map((one) => page.locator(one).boundingBox()));
-    assert.ok(transport.x >= stage.x && transport.x + transport.width <= stage.x + stage.width + 1, 'within the stage');
-    for (const control of await page.locator('.transport :is(button, input, select, #clock):visible').all()) {
+    const [transport, stage, side, time] = await Promise.all(
+      [".transport", ".stage", ".side", "#time"].map((one) => page.locator(one).boundingBox()),
+    );
+    assert.ok(transport.x >= stage.x && transport.x + transport.width <= stage.x + stage.width + 1, "within the stage");
+    for (const control of await page.locator(".transport :is(button, input, select, #clock):visible").all()) {
       const box = await control.boundingBox();
-      assert.ok(box.x + box.width <= transport.x + transport.width + 1, `${await control.getAttribute('id')} sticks out`);
-      const over = box.x < side.x + side.width && side.x < box.x + box.width && box.y < side.y + side.height && side.y < box.y + box.height;
-      assert.ok(!over, `${await control.getAttribute('id')} lies over the panel`);
+      assert.ok(
+        box.x + box.width <= transport.x + transport.width + 1,
+        `${await control.getAttribute("id")} sticks out`,
+      );
+      const over =
+        box.x < side.x + side.width &&
+        side.x < box.x + box.width &&
+        box.y < side.y + side.height &&
+        side.y < box.y + box.height;
+      assert.ok(!over, `${await control.getAttribute("id")} lies over the panel`);
     }
     assert.ok(time.width >= 60, `the time line is ${time.width} px wide`);
-    assert.match(await page.locator('#run').innerText(), /Again/, 'its button says what it does');
+    assert.match(await page.locator("#run").innerText(), /Again/, "its button says what it does");
   });
 }
 
-test('what is longer than the window never scrolls the page away', async () => {
+test("what is longer than the window never scrolls the page away", async () => {
   const page = await openPuzzle(session, { viewport: { width: 640, height: 240 } });
-  await page.locator('#difficulty').evaluate((element) => element.scrollIntoView());
-  await page.locator('#watch').focus();
+  await page.locator("#difficulty").evaluate((element) => element.scrollIntoView());
+  await page.locator("#watch").focus();
   await page.evaluate(() => document.scrollingElement?.scrollTo(0, 1000));
-  assert.deepEqual(await page.evaluate(() => [document.scrollingElement?.scrollTop, document.body.scrollTop, document.querySelector('main')?.scrollTop]), [0, 0, 0]);
+  assert.deepEqual(
+    await page.evaluate(() => [
+      document.scrollingElement?.scrollTop,
+      document.body.scrollTop,
+      document.querySelector("main")?.scrollTop,
+    ]),
+    [0, 0, 0],
+  );
 });
 
-test('the value under a finger goes when something runs or another panel is shown', async () => {
-  const page = await openImagined(session, { fragment: '&panel=imagine&layers=base', hasTouch: true, isMobile: true, viewport: { width: 390, height: 844 }, reducedMotion: true });
-  const probe = page.locator('#probe');
+test("the value under a finger goes when something runs or another panel is shown", async () => {
+  const page = await openImagined(session, {
+    fragment: "&panel=imagine&layers=base",
+    hasTouch: true,
+    isMobile: true,
+    viewport: { width: 390, height: 844 },
+    reducedMotion: true,
+  });
+  const probe = page.locator("#probe");
   const touch = async () => page.touchscreen.tap(...(await spot(page, 128, 200)));
   await touch();
   await probe.waitFor();
-  await page.locator('#run').tap();
+  await page.locator("#run").tap();
   await says(page, /olved/);
-  assert.ok(await probe.isHidden(), 'running');
-  await page.locator('#reset').tap();
+  assert.ok(await probe.isHidden(), "running");
+  await page.locator("#reset").tap();
   await touch();
   await probe.waitFor();
-  await page.locator('#tab-compare').tap();
-  assert.ok(await probe.isHidden(), 'another panel');
+  await page.locator("#tab-compare").tap();
+  assert.ok(await probe.isHidden(), "another panel");
 });
 
-test('next stays under the pointer, whatever the picker says', async () => {
+test("next stays under the pointer, whatever the picker says", async () => {
   const page = await openPuzzle(session, { reducedMotion: true });
-  const left = async () => (await page.locator('#next').boundingBox()).x;
+  const left = async () => (await page.locator("#next").boundingBox()).x;
   const before = await left();
   await type(page, (await known()).missing);
-  await page.locator('#run').click();
-  await page.locator('#task option:checked').filter({ hasText: '1 attempt' }).waitFor({ state: 'attached' });
+  await page.locator("#run").click();
+  await page.locator("#task option:checked").filter({ hasText: "1 attempt" }).waitFor({ state: "attached" });
   assert.equal(await left(), before);
 });
 
-test('that the link is copied is said without moving anything, and goes by itself', async () => {
-  const page = await openPuzzle(session, { permissions: ['clipboard-write'] });
+test("that the link is copied is said without moving anything, and goes by itself", async () => {
+  const page = await openPuzzle(session, { permissions: ["clipboard-write"] });
   await page.clock.install();
-  const top = (await page.locator('#scene').boundingBox()).y;
-  await page.locator('#copy').click();
-  await page.locator('#notice').filter({ hasText: 'copied' }).waitFor();
-  assert.equal((await page.locator('#scene').boundingBox()).y, top);
+  const top = (await page.locator("#scene").boundingBox()).y;
+  await page.locator("#copy").click();
+  await page.locator("#notice").filter({ hasText: "copied" }).waitFor();
+  assert.equal((await page.locator("#scene").boundingBox()).y, top);
   await page.clock.runFor(7000);
-  assert.ok(await page.locator('#notice').isHidden());
+  assert.ok(await page.locator("#notice").isHidden());
 });

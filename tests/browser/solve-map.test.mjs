@@ -1,48 +1,50 @@
 // Where a ball of this radius solves the puzzle: searched in the worker, with progress and an end at any time.
 
-import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
-import { start } from './harness.mjs';
-import { known, modelLoaded, openPuzzle, picture, watchFrames } from './page-actions.mjs';
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { start } from "./harness.mjs";
+import { known, modelLoaded, openPuzzle, picture, watchFrames } from "./page-actions.mjs";
 
 let session;
 before(async () => (session = await start()));
 after(() => session.stop());
 
-const words = (page) => page.locator('#solve-map-words');
-const search = (page) => page.locator('#solve-map-search');
+const words = (page) => page.locator("#solve-map-words");
+const search = (page) => page.locator("#solve-map-search");
 
-test('the map grows while the page stays alive, and ends when it is told to', async () => {
-  const page = await openPuzzle(session, { fragment: '&panel=map' });
+test("the map grows while the page stays alive, and ends when it is told to", async () => {
+  const page = await openPuzzle(session, { fragment: "&panel=map" });
   const bare = await picture(page);
   const longestGap = await watchFrames(page);
   await search(page).click();
-  await page.locator('#solve-map-progress:visible').waitFor();
-  await words(page).filter({ hasText: /^[1-9]\d? % tried so far: (about \d+|less than 1) % of the places solve it with radius 12/ }).waitFor();
-  assert.notEqual(await picture(page), bare, 'what is known is in the scene');
-  assert.ok((await longestGap()) < 1000, 'the page does not freeze');
-  const first = parseInt((await words(page).textContent()) ?? '', 10);
-  while (parseInt((await words(page).textContent()) ?? '', 10) <= first) await page.waitForTimeout(10);
-  await search(page).filter({ hasText: 'Stop' }).click();
-  await search(page).filter({ hasText: 'Try every place' }).waitFor();
+  await page.locator("#solve-map-progress:visible").waitFor();
+  await words(page)
+    .filter({ hasText: /^[1-9]\d? % tried so far: (about \d+|less than 1) % of the places solve it with radius 12/ })
+    .waitFor();
+  assert.notEqual(await picture(page), bare, "what is known is in the scene");
+  assert.ok((await longestGap()) < 1000, "the page does not freeze");
+  const first = parseInt((await words(page).textContent()) ?? "", 10);
+  while (parseInt((await words(page).textContent()) ?? "", 10) <= first) await page.waitForTimeout(10);
+  await search(page).filter({ hasText: "Stop" }).click();
+  await search(page).filter({ hasText: "Try every place" }).waitFor();
   await page.waitForTimeout(300);
   // What is said of the placement map may come later.
-  const found = async () => ((await words(page).textContent()) ?? '').split(' The model')[0];
+  const found = async () => ((await words(page).textContent()) ?? "").split(" The model")[0];
   const stopped = await found();
   await page.waitForTimeout(400);
   assert.equal(await found(), stopped);
 });
 
-test('it says of a ball what its simulation says', async () => {
+test("it says of a ball what its simulation says", async () => {
   const page = await openPuzzle(session);
   const { solving } = await known();
   const outcomes = await page.evaluate(async (r) => {
-    const { Puzzle, SolveMap } = await import('/pkg/pathlight.js');
-    const map = new SolveMap('00000:000', r);
+    const { Puzzle, SolveMap } = await import("/pkg/pathlight.js");
+    const map = new SolveMap("00000:000", r);
     // The coarsest round: every eighth place.
     for (let place = 0; place < 64; place += 1) map.advance();
     const picture = map.outcomes();
-    const puzzle = new Puzzle('00000:000');
+    const puzzle = new Puzzle("00000:000");
     const wrong = [];
     for (let row = 0; row < 64; row += 8) {
       for (let column = 0; column < 64; column += 8) {
@@ -57,61 +59,63 @@ test('it says of a ball what its simulation says', async () => {
   assert.ok(outcomes.kinds >= 2);
 });
 
-test('every place is tried in the end, for the ball’s own radius, and the placement map lies over it', async () => {
+test("every place is tried in the end, for the ball’s own radius, and the placement map lies over it", async () => {
   // Few places are free for the largest ball, so that this takes little time.
-  const page = await openPuzzle(session, { fragment: '&panel=predict&ball=128,200,32' });
+  const page = await openPuzzle(session, { fragment: "&panel=predict&ball=128,200,32" });
   const bare = await picture(page);
-  await page.locator('#tab-map').click();
-  assert.equal(await search(page).textContent(), 'Try every place with radius 32');
+  await page.locator("#tab-map").click();
+  assert.equal(await search(page).textContent(), "Try every place with radius 32");
   await search(page).click();
-  await words(page).filter({ hasText: /^Every place tried: .+ of the places solve it with radius 32, and at \d+ % no ball may be\./ }).waitFor({ timeout: 120_000 });
-  await page.locator('#solve-map-progress').waitFor({ state: 'hidden' });
+  await words(page)
+    .filter({ hasText: /^Every place tried: .+ of the places solve it with radius 32, and at \d+ % no ball may be\./ })
+    .waitFor({ timeout: 120_000 });
+  await page.locator("#solve-map-progress").waitFor({ state: "hidden" });
   const alone = await picture(page);
-  await page.locator('#solve-map-placement').check();
+  await page.locator("#solve-map-placement").check();
   await page.waitForFunction(() => /layers=placement/.test(location.hash));
   assert.notEqual(await picture(page), alone);
   const lying = await picture(page);
-  await page.locator('#tab-predict').click();
-  await page.locator('#solve-map-placement').waitFor({ state: 'hidden' });
+  await page.locator("#tab-predict").click();
+  await page.locator("#solve-map-placement").waitFor({ state: "hidden" });
   await page.waitForTimeout(100);
-  assert.equal(await picture(page), bare, 'in Predict neither map tells the answer');
-  await page.locator('#tab-map').click();
-  await page.locator('#solve-map-placement').waitFor();
+  assert.equal(await picture(page), bare, "in Predict neither map tells the answer");
+  await page.locator("#tab-map").click();
+  await page.locator("#solve-map-placement").waitFor();
   await page.waitForTimeout(100);
   assert.equal(await picture(page), lying);
-  await page.locator('#tab-play').click();
-  await page.locator('#solve-map-placement').waitFor({ state: 'hidden' });
+  await page.locator("#tab-play").click();
+  await page.locator("#solve-map-placement").waitFor({ state: "hidden" });
 });
 
-test('keys start and stop it; another puzzle ends it', async () => {
-  const page = await openPuzzle(session, { fragment: '&panel=map' });
+test("keys start and stop it; another puzzle ends it", async () => {
+  const page = await openPuzzle(session, { fragment: "&panel=map" });
   await search(page).focus();
-  await page.keyboard.press('Enter');
-  await words(page).filter({ hasText: 'tried so far' }).waitFor();
-  await page.keyboard.press('Enter');
-  await search(page).filter({ hasText: 'Try every place' }).waitFor();
-  await page.keyboard.press('Enter');
-  await page.locator('#next').click();
-  await search(page).filter({ hasText: 'Try every place' }).waitFor();
-  assert.equal(await words(page).textContent(), '');
+  await page.keyboard.press("Enter");
+  await words(page).filter({ hasText: "tried so far" }).waitFor();
+  await page.keyboard.press("Enter");
+  await search(page).filter({ hasText: "Try every place" }).waitFor();
+  await page.keyboard.press("Enter");
+  await page.locator("#next").click();
+  await search(page).filter({ hasText: "Try every place" }).waitFor();
+  assert.equal(await words(page).textContent(), "");
 });
 
-test('a search that is stopped and started again at once goes to its end', async () => {
-  const page = await openPuzzle(session, { fragment: '&panel=map&ball=128,200,32' });
+test("a search that is stopped and started again at once goes to its end", async () => {
+  const page = await openPuzzle(session, { fragment: "&panel=map&ball=128,200,32" });
   await search(page).click();
-  await words(page).filter({ hasText: 'tried so far' }).waitFor();
+  await words(page).filter({ hasText: "tried so far" }).waitFor();
   await search(page).evaluate((button) => {
     button.click();
     button.click();
   });
-  await search(page).filter({ hasText: 'Stop' }).waitFor();
-  await words(page).filter({ hasText: 'Every place tried' }).waitFor({ timeout: 120_000 });
+  await search(page).filter({ hasText: "Stop" }).waitFor();
+  await words(page).filter({ hasText: "Every place tried" }).waitFor({ timeout: 120_000 });
 });
 
-test('a link that hides what the model imagines is not told of it', async () => {
-  const page = await openPuzzle(session, { fragment: '&panel=map&hide=imagine' });
+test("a link that hides what the model imagines is not told of it", async () => {
+  const page = await openPuzzle(session, { fragment: "&panel=map&hide=imagine" });
   await modelLoaded(page);
   await search(page).click();
-  await words(page).filter({ hasText: 'Every place tried' }).waitFor({ timeout: 120_000 });
-  assert.doesNotMatch((await words(page).textContent()) ?? '', /model/);
+  await words(page).filter({ hasText: "Every place tried" }).waitFor({ timeout: 120_000 });
+  assert.doesNotMatch((await words(page).textContent()) ?? "", /model/);
 });

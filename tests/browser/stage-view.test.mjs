@@ -1,194 +1,235 @@
-// The stage view: the scene and one sentence in large type, and the story in it at the viewer's pace, by buttons, keys, a clicker
-// and touch; and the history, which leads back through tabs and steps.
+// The stage view: the scene and one sentence in large type, and the story in it at the viewer's pace, by buttons, keys,
+// a clicker and touch; and the history, which leads back through tabs and steps.
 
-import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
-import { axeFindsNothing } from './axe.mjs';
-import { start } from './harness.mjs';
-import { EASY, ball, openPuzzle, picture, says, spot, type } from './page-actions.mjs';
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { axeFindsNothing } from "./axe.mjs";
+import { start } from "./harness.mjs";
+import { EASY, ball, openPuzzle, picture, says, spot, type } from "./page-actions.mjs";
 
-const STEPS = ['Base path', 'Target path', 'Action path', 'Placement', 'Judge', 'Candidates', 'Imagined', 'Chosen', 'Run', 'Imagined and real'];
+const STEPS = [
+  "Base path",
+  "Target path",
+  "Action path",
+  "Placement",
+  "Judge",
+  "Candidates",
+  "Imagined",
+  "Chosen",
+  "Run",
+  "Imagined and real",
+];
 
 let session;
 before(async () => (session = await start()));
 after(() => session.stop());
 
-const title = (page) => page.locator('#caption-title').textContent();
+const title = (page) => page.locator("#caption-title").textContent();
 
 async function openStage(options = {}) {
-  const { fragment = '', ...rest } = options;
+  const { fragment = "", ...rest } = options;
   const page = await openPuzzle(session, { fragment: `&view=stage${fragment}`, ...rest });
-  await page.locator('#stage-view:visible').waitFor();
+  await page.locator("#stage-view:visible").waitFor();
   return page;
 }
 
 /** Waits until the maps are there: the story says what they show. */
-const imagined = (page) => page.locator('#imagined-in').filter({ hasText: 'Imagined in' }).waitFor({ state: 'attached' });
+const imagined = (page) =>
+  page.locator("#imagined-in").filter({ hasText: "Imagined in" }).waitFor({ state: "attached" });
 
-test('a clicker leads through the story, which ends with the ball run and imagined laid against real', async () => {
+test("a clicker leads through the story, which ends with the ball run and imagined laid against real", async () => {
   const page = await openStage({ reducedMotion: true });
   await imagined(page);
-  assert.match(await page.locator('#caption').textContent(), /^Make sure .* for 3 seconds\.$/);
-  assert.ok(await page.locator('#scene-label').isHidden());
+  assert.match(await page.locator("#caption").textContent(), /^Make sure .* for 3 seconds\.$/);
+  assert.ok(await page.locator("#scene-label").isHidden());
   const pictures = new Set([await picture(page)]);
   for (const [index, name] of STEPS.entries()) {
-    await page.keyboard.press('PageDown');
+    await page.keyboard.press("PageDown");
     assert.equal(await title(page), name);
-    assert.equal(await page.locator('#scene-label').textContent(), name, 'the scene says what lies over it');
-    await page.locator('#caption-step', { hasText: `${index + 1} of ${STEPS.length}` }).waitFor();
-    await page.locator('#caption-result').filter({ hasText: /\S.*\.$/ }).waitFor();
-    await page.locator('#caption-result').filter({ hasText: 'is choosing' }).waitFor({ state: 'detached' });
+    assert.equal(await page.locator("#scene-label").textContent(), name, "the scene says what lies over it");
+    await page.locator("#caption-step", { hasText: `${index + 1} of ${STEPS.length}` }).waitFor();
+    await page
+      .locator("#caption-result")
+      .filter({ hasText: /\S.*\.$/ })
+      .waitFor();
+    await page.locator("#caption-result").filter({ hasText: "is choosing" }).waitFor({ state: "detached" });
     pictures.add(await picture(page));
   }
-  assert.ok(pictures.size >= STEPS.length, `${pictures.size} pictures: run and its end are the same with reduced motion`);
-  await page.locator('#caption-result').filter({ hasText: /^The model thought: .+ \(.+ %\)\. (Solved|Not solved): .+ It imagined the green object \d+ px from where it really was, on average\.$/ }).waitFor();
-  await page.keyboard.press('PageDown');
-  assert.equal(await title(page), STEPS.at(-1), 'there is no more');
-  await page.keyboard.press('PageUp');
-  await page.keyboard.press('ArrowLeft');
-  assert.equal(await title(page), 'Chosen');
+  assert.ok(
+    pictures.size >= STEPS.length,
+    `${pictures.size} pictures: run and its end are the same with reduced motion`,
+  );
+  await page
+    .locator("#caption-result")
+    .filter({
+      hasText:
+        /^The model thought: .+ \(.+ %\)\. (Solved|Not solved): .+ It imagined the green object \d+ px from where it really was, on average\.$/,
+    })
+    .waitFor();
+  await page.keyboard.press("PageDown");
+  assert.equal(await title(page), STEPS.at(-1), "there is no more");
+  await page.keyboard.press("PageUp");
+  await page.keyboard.press("ArrowLeft");
+  assert.equal(await title(page), "Chosen");
   await says(page, /place the red ball/);
-  assert.equal(await page.locator('#model-attempts li').count(), 0, 'looking is no attempt');
+  assert.equal(await page.locator("#model-attempts li").count(), 0, "looking is no attempt");
 });
 
-test('it plays by itself to its end, and waits for the ball', async () => {
-  const page = await openStage({ fragment: '&stage=chosen' });
+test("it plays by itself to its end, and waits for the ball", async () => {
+  const page = await openStage({ fragment: "&stage=chosen" });
   await imagined(page);
-  await page.locator('#caption-result').filter({ hasText: 'Here it is the ball' }).waitFor();
-  await page.locator('#speed').selectOption('4');
-  await page.locator('#caption-play').click();
-  assert.equal(await title(page), 'Run');
-  await page.locator('#caption-title', { hasText: 'Imagined and real' }).waitFor({ timeout: 40_000 });
-  await page.locator('#caption-play-label', { hasText: 'Play' }).waitFor();
-  assert.match(await page.locator('#caption-result').textContent(), /It imagined the green object/);
+  await page.locator("#caption-result").filter({ hasText: "Here it is the ball" }).waitFor();
+  await page.locator("#speed").selectOption("4");
+  await page.locator("#caption-play").click();
+  assert.equal(await title(page), "Run");
+  await page.locator("#caption-title", { hasText: "Imagined and real" }).waitFor({ timeout: 40_000 });
+  await page.locator("#caption-play-label", { hasText: "Play" }).waitFor();
+  assert.match(await page.locator("#caption-result").textContent(), /It imagined the green object/);
 });
 
-test('by touch, on a phone', async () => {
+test("by touch, on a phone", async () => {
   const page = await openStage({ hasTouch: true, isMobile: true, viewport: { width: 390, height: 844 } });
   await imagined(page);
-  await page.locator('#caption-next').tap();
-  assert.equal(await title(page), 'Base path');
-  await page.locator('#caption-back').tap();
-  assert.match(await page.locator('#caption').textContent(), /^Make sure/i);
+  await page.locator("#caption-next").tap();
+  assert.equal(await title(page), "Base path");
+  await page.locator("#caption-back").tap();
+  assert.match(await page.locator("#caption").textContent(), /^Make sure/i);
   await page.touchscreen.tap(...(await spot(page, 100, 240)));
   await says(page, /Press Run|Not here/);
 });
 
-test('a ball that is placed in the middle of the run ends the story', async () => {
-  const page = await openStage({ fragment: '&stage=run' });
-  await page.locator('#caption-result').filter({ hasText: 'Dotted is what' }).waitFor();
+test("a ball that is placed in the middle of the run ends the story", async () => {
+  const page = await openStage({ fragment: "&stage=run" });
+  await page.locator("#caption-result").filter({ hasText: "Dotted is what" }).waitFor();
   await says(page, /The model’s ball 1 is running/);
   await page.mouse.click(...(await spot(page, 30, 240)));
-  await page.locator('#caption').filter({ hasText: /^Make sure/i }).waitFor();
+  await page
+    .locator("#caption")
+    .filter({ hasText: /^Make sure/i })
+    .waitFor();
   await says(page, /Press Run|Not here/);
 });
 
-test('a key and a button of the page lead there and back, and the link says it', async () => {
-  const page = await openPuzzle(session, { fragment: '&panel=compare' });
-  await page.locator('#stage-button').click();
-  await page.locator('#stage-view:visible').waitFor();
-  for (const hidden of ['header', '#tab-play', '#compare', '#goal']) assert.ok(await page.locator(hidden).isHidden(), hidden);
+test("a key and a button of the page lead there and back, and the link says it", async () => {
+  const page = await openPuzzle(session, { fragment: "&panel=compare" });
+  await page.locator("#stage-button").click();
+  await page.locator("#stage-view:visible").waitFor();
+  for (const hidden of ["header", "#tab-play", "#compare", "#goal"])
+    assert.ok(await page.locator(hidden).isHidden(), hidden);
   await page.waitForFunction(() => /view=stage/.test(location.hash));
-  await page.keyboard.press('Escape');
-  await page.locator('#compare:visible').waitFor();
+  await page.keyboard.press("Escape");
+  await page.locator("#compare:visible").waitFor();
   await page.waitForFunction(() => !/view=/.test(location.hash));
-  await page.locator('#scene').press('v');
-  await page.locator('#stage-view:visible').waitFor();
-  await page.locator('#stage-leave').click();
-  await page.locator('#compare:visible').waitFor();
+  await page.locator("#scene").press("v");
+  await page.locator("#stage-view:visible").waitFor();
+  await page.locator("#stage-leave").click();
+  await page.locator("#compare:visible").waitFor();
 });
 
-test('the sentence is as large as a projector asks for, and nothing scrolls sideways', async () => {
-  for (const [width, height, least] of [[1920, 1080, 40], [1280, 800, 24], [390, 844, 18], [320, 568, 16], [844, 390, 16], [2560, 1440, 40]]) {
-    const page = await openStage({ viewport: { width, height }, fragment: '&stage=base' });
+test("the sentence is as large as a projector asks for, and nothing scrolls sideways", async () => {
+  for (const [width, height, least] of [
+    [1920, 1080, 40],
+    [1280, 800, 24],
+    [390, 844, 18],
+    [320, 568, 16],
+    [844, 390, 16],
+    [2560, 1440, 40],
+  ]) {
+    const page = await openStage({ viewport: { width, height }, fragment: "&stage=base" });
     await imagined(page);
-    const size = await page.locator('#caption').evaluate((element) => parseFloat(getComputedStyle(element).fontSize));
+    const size = await page.locator("#caption").evaluate((element) => parseFloat(getComputedStyle(element).fontSize));
     assert.ok(size >= least, `${width} x ${height}: ${size} px`);
     const beyond = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
     assert.ok(beyond <= 0, `${width} x ${height}: ${beyond} px beyond`);
-    const box = await page.locator('#caption-next').boundingBox();
-    assert.ok(box && box.y + box.height <= height && box.x + box.width <= width, `${width} x ${height}: the buttons are in sight`);
+    const box = await page.locator("#caption-next").boundingBox();
+    assert.ok(
+      box && box.y + box.height <= height && box.x + box.width <= width,
+      `${width} x ${height}: the buttons are in sight`,
+    );
     await page.context().close();
   }
 });
 
-test('a link that hides what is imagined shows the goal alone', async () => {
-  const page = await openStage({ fragment: '&stage=base&hide=imagine' });
-  assert.match(await page.locator('#caption').textContent(), /^Make sure/i);
-  assert.ok(await page.locator('#caption-next').isHidden());
-  await page.keyboard.press('PageDown');
-  assert.match(await page.locator('#caption').textContent(), /^Make sure/i);
+test("a link that hides what is imagined shows the goal alone", async () => {
+  const page = await openStage({ fragment: "&stage=base&hide=imagine" });
+  assert.match(await page.locator("#caption").textContent(), /^Make sure/i);
+  assert.ok(await page.locator("#caption-next").isHidden());
+  await page.keyboard.press("PageDown");
+  assert.match(await page.locator("#caption").textContent(), /^Make sure/i);
 });
 
-for (const colorScheme of /** @type {const} */ (['light', 'dark'])) {
+for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
   test(`axe finds nothing, ${colorScheme}`, async () => {
-    for (const viewport of [{ width: 1920, height: 1080 }, { width: 390, height: 844 }]) {
-      const page = await openStage({ viewport, colorScheme, reducedMotion: true, fragment: '&stage=real' });
-      await page.locator('#caption-result').filter({ hasText: 'It imagined' }).waitFor();
+    for (const viewport of [
+      { width: 1920, height: 1080 },
+      { width: 390, height: 844 },
+    ]) {
+      const page = await openStage({ viewport, colorScheme, reducedMotion: true, fragment: "&stage=real" });
+      await page.locator("#caption-result").filter({ hasText: "It imagined" }).waitFor();
       await axeFindsNothing(page);
     }
   });
 }
 
-test('Back after three tabs and two steps leads through them, and leaves the ball', async () => {
+test("Back after three tabs and two steps leads through them, and leaves the ball", async () => {
   const page = await openPuzzle(session);
   const wait = (pattern) => page.waitForFunction((source) => new RegExp(source).test(location.hash), pattern);
-  for (const panel of ['imagine', 'compare', 'map']) {
+  for (const panel of ["imagine", "compare", "map"]) {
     await page.locator(`#tab-${panel}`).click();
     await wait(`panel=${panel}`);
   }
   await page.goBack();
-  await page.locator('#compare:visible').waitFor();
+  await page.locator("#compare:visible").waitFor();
   await page.goBack();
-  await page.locator('#imagine:visible').waitFor();
+  await page.locator("#imagine:visible").waitFor();
   await imagined(page);
-  for (const stage of ['base', 'target']) {
-    await page.locator('#walkthrough-next').click();
+  for (const stage of ["base", "target"]) {
+    await page.locator("#walkthrough-next").click();
     await wait(`stage=${stage}`);
   }
   await page.goBack();
-  await page.locator('#walkthrough-step', { hasText: 'Step 1' }).waitFor({ state: 'attached' });
+  await page.locator("#walkthrough-step", { hasText: "Step 1" }).waitFor({ state: "attached" });
   await page.goBack();
-  await page.locator('#walkthrough-step', { hasText: 'All together' }).waitFor({ state: 'attached' });
+  await page.locator("#walkthrough-step", { hasText: "All together" }).waitFor({ state: "attached" });
   await page.goBack();
-  await page.locator('#play:visible').waitFor();
+  await page.locator("#play:visible").waitFor();
   await type(page, [90, 190, 7]);
-  await wait('ball=90,190,7');
-  await page.locator('#tab-compare').click();
-  await wait('panel=compare');
-  await page.locator('#tab-play').click();
+  await wait("ball=90,190,7");
+  await page.locator("#tab-compare").click();
+  await wait("panel=compare");
+  await page.locator("#tab-play").click();
   await wait(`task=${EASY}&ball`);
   await type(page, [60, 200, 9]);
-  await wait('ball=60,200,9');
+  await wait("ball=60,200,9");
   await page.goBack();
-  await page.locator('#compare:visible').waitFor();
+  await page.locator("#compare:visible").waitFor();
   assert.deepEqual(await ball(page), [60, 200, 9]);
 });
 
-test('Back that follows a tab at once leads to the tab before, as it was left', async () => {
+test("Back that follows a tab at once leads to the tab before, as it was left", async () => {
   const page = await openPuzzle(session);
-  await page.locator('#tab-imagine').click();
-  await page.locator('#imagine:visible').waitFor();
+  await page.locator("#tab-imagine").click();
+  await page.locator("#imagine:visible").waitFor();
   await page.waitForTimeout(400);
   await page.evaluate(() => {
-    const root = document.querySelector('pathlight-puzzle')?.shadowRoot;
-    for (const selector of ['[data-stage=target] input', '#tab-compare']) {
+    const root = document.querySelector("pathlight-puzzle")?.shadowRoot;
+    for (const selector of ["[data-stage=target] input", "#tab-compare"]) {
       const control = root?.querySelector(selector);
       if (control instanceof HTMLElement) control.click();
     }
     history.back();
   });
-  await page.locator('#imagine:visible').waitFor();
-  await page.waitForFunction(() => location.hash.endsWith('&panel=imagine&layers=target'));
-  assert.ok(await page.locator('[data-stage=target] input').isChecked());
+  await page.locator("#imagine:visible").waitFor();
+  await page.waitForFunction(() => location.hash.endsWith("&panel=imagine&layers=target"));
+  assert.ok(await page.locator("[data-stage=target] input").isChecked());
   await page.goForward();
-  await page.locator('#compare:visible').waitFor();
+  await page.locator("#compare:visible").waitFor();
 });
 
-test('a link to the stage without a puzzle shows the grid and its header', async () => {
-  const page = await session.open('/#view=stage');
-  await page.locator('#templates a').first().waitFor();
-  assert.ok(await page.locator('header').first().isVisible());
-  await page.locator('#templates a').first().click();
-  await page.locator('#tab-play').waitFor();
+test("a link to the stage without a puzzle shows the grid and its header", async () => {
+  const page = await session.open("/#view=stage");
+  await page.locator("#templates a").first().waitFor();
+  assert.ok(await page.locator("header").first().isVisible());
+  await page.locator("#templates a").first().click();
+  await page.locator("#tab-play").waitFor();
 });

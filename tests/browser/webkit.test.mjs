@@ -1,11 +1,11 @@
-// The page in WebKit, of which Safari is made, too: as in Firefox. Skipped, with a word, where WebKitGTK is not installed: there is none for
-// other systems.
+// The page in WebKit, of which Safari is made, too: as in Firefox. Skipped, with a word, where WebKitGTK is not
+// installed: there is none for other systems.
 
-import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
-import { start } from './harness.mjs';
-import { playThrough } from './played-through.mjs';
-import { startWebKit, whyNoWebKit } from './webkit.mjs';
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { start } from "./harness.mjs";
+import { playThrough } from "./played-through.mjs";
+import { startWebKit, whyNoWebKit } from "./webkit.mjs";
 
 const skip = whyNoWebKit() ?? false;
 
@@ -20,7 +20,7 @@ after(async () => {
   await session?.stop();
 });
 
-test('a puzzle is solved, imagined, and played by the model', { timeout: 360_000, skip }, async () => {
+test("a puzzle is solved, imagined, and played by the model", { timeout: 360_000, skip }, async () => {
   await playThrough(await webkit.newPage(), session.origin);
   assert.deepEqual(webkit.problems, []);
 });

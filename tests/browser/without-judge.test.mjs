@@ -1,62 +1,71 @@
 // Weights of the paper's four nets alone: four maps, balls from the placement map, and no ball is imagined.
 
-import assert from 'node:assert/strict';
-import { execFileSync } from 'node:child_process';
-import { mkdtempSync, rmSync } from 'node:fs';
-import { tmpdir } from 'node:os';
-import { join } from 'node:path';
-import { after, before, test } from 'node:test';
-import { binary, start } from './harness.mjs';
-import { modelLoaded, openPuzzle } from './page-actions.mjs';
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { binary, start } from "./harness.mjs";
+import { modelLoaded, openPuzzle } from "./page-actions.mjs";
 
 let session, folder;
 before(async () => {
   // The smallest training.
-  folder = mkdtempSync(join(tmpdir(), 'pathlight-'));
+  folder = mkdtempSync(join(tmpdir(), "pathlight-"));
   const at = (name) => join(folder, name);
-  const run = (...words) => execFileSync(binary, words, { stdio: 'pipe' });
-  run('collect', '--template', '2', '--limit', '4', '--rounds', '1', '--out', at('solutions.jsonl'));
-  run('train', '--solutions', at('solutions.jsonl'), '--epochs', '1', '--batch', '4', '--out', at('run'));
-  run('publish', at('run/weights.safetensors'), '--assets', at('assets'));
-  session = await start({ serve: ['--assets', at('assets')] });
+  const run = (...words) => execFileSync(binary, words, { stdio: "pipe" });
+  run("collect", "--template", "2", "--limit", "4", "--rounds", "1", "--out", at("solutions.jsonl"));
+  run("train", "--solutions", at("solutions.jsonl"), "--epochs", "1", "--batch", "4", "--out", at("run"));
+  run("publish", at("run/weights.safetensors"), "--assets", at("assets"));
+  session = await start({ serve: ["--assets", at("assets")] });
 });
 after(async () => {
   await session.stop();
   rmSync(folder, { recursive: true });
 });
 
-test('four maps are drawn, and the fifth says that there is none', async () => {
-  const page = await openPuzzle(session, { fragment: '&panel=imagine&layers=placement,judge' });
-  await page.locator('#imagined-in').filter({ hasText: /Imagined in \d+ ms/ }).waitFor();
-  for (const stage of ['base', 'target', 'action', 'placement']) {
+test("four maps are drawn, and the fifth says that there is none", async () => {
+  const page = await openPuzzle(session, { fragment: "&panel=imagine&layers=placement,judge" });
+  await page
+    .locator("#imagined-in")
+    .filter({ hasText: /Imagined in \d+ ms/ })
+    .waitFor();
+  for (const stage of ["base", "target", "action", "placement"]) {
     assert.match(await page.locator(`[data-stage=${stage}] .summary`).textContent(), /^Most sure /, stage);
   }
-  const judge = page.locator('[data-stage=judge]');
-  assert.equal(await judge.locator('.summary').textContent(), 'This model has no such map.');
-  const box = await page.locator('#scene').boundingBox();
+  const judge = page.locator("[data-stage=judge]");
+  assert.equal(await judge.locator(".summary").textContent(), "This model has no such map.");
+  const box = await page.locator("#scene").boundingBox();
   await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
-  assert.match(await page.locator('#probe').textContent(), /Placement \d\.\d\dJudge none/);
-  assert.match(await judge.locator('.value').textContent(), /^none at x/);
-  await page.locator('#walkthrough-dots button:visible').last().click();
-  assert.match(await page.locator('#announcement').textContent(), /^Judge\. Where .+\. $/);
+  assert.match(await page.locator("#probe").textContent(), /Placement \d\.\d\dJudge none/);
+  assert.match(await judge.locator(".value").textContent(), /^none at x/);
+  await page.locator("#walkthrough-dots button:visible").last().click();
+  assert.match(await page.locator("#announcement").textContent(), /^Judge\. Where .+\. $/);
 });
 
-test('its balls come from the placement map', async () => {
-  const page = await openPuzzle(session, { fragment: '&panel=compare&proposal=1' });
-  await page.locator('#proposal-origin').filter({ hasText: /placement map/ }).waitFor();
+test("its balls come from the placement map", async () => {
+  const page = await openPuzzle(session, { fragment: "&panel=compare&proposal=1" });
+  await page
+    .locator("#proposal-origin")
+    .filter({ hasText: /placement map/ })
+    .waitFor();
 });
 
-test('it does not imagine balls, and the page does not offer it', async () => {
-  const page = await openPuzzle(session, { fragment: '&forecast=on&ball=128,230,8' });
+test("it does not imagine balls, and the page does not offer it", async () => {
+  const page = await openPuzzle(session, { fragment: "&forecast=on&ball=128,230,8" });
   await modelLoaded(page);
-  await page.locator('#forecast').waitFor({ state: 'hidden' });
-  assert.doesNotMatch(await page.locator('#forecast-words').textContent(), /thinks/);
+  await page.locator("#forecast").waitFor({ state: "hidden" });
+  assert.doesNotMatch(await page.locator("#forecast-words").textContent(), /thinks/);
 });
 
-test('its story ends with the stages, also if a link asks for more', async () => {
-  const page = await openPuzzle(session, { fragment: '&panel=imagine&stage=chosen' });
-  await page.locator('#imagined-in').filter({ hasText: /Imagined in \d+ ms/ }).waitFor();
-  assert.ok(await page.locator('#choice').isHidden());
-  assert.equal(await page.locator('#walkthrough-dots button:visible').count(), 5);
-  assert.equal(await page.locator('#walkthrough-all').getAttribute('aria-pressed'), 'true');
+test("its story ends with the stages, also if a link asks for more", async () => {
+  const page = await openPuzzle(session, { fragment: "&panel=imagine&stage=chosen" });
+  await page
+    .locator("#imagined-in")
+    .filter({ hasText: /Imagined in \d+ ms/ })
+    .waitFor();
+  assert.ok(await page.locator("#choice").isHidden());
+  assert.equal(await page.locator("#walkthrough-dots button:visible").count(), 5);
+  assert.equal(await page.locator("#walkthrough-all").getAttribute("aria-pressed"), "true");
 });

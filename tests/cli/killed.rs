@@ -1,5 +1,5 @@
-//! Commands that are killed at random moments, or whose disk is full: nothing is lost but the work since the last line or
-//! checkpoint, and what they end with is the same as without it.
+//! Commands that are killed at random moments, or whose disk is full: nothing is lost but the work since the last line
+//! or checkpoint, and what they end with is the same as without it.
 //!
 //! PATHLIGHT_KILLS sets how often each is killed.
 
@@ -19,8 +19,8 @@ use super::{assert_refused, output_of, pathlight};
 
 const WEIGHTS: &str = "assets/within-0.safetensors";
 
-/// Runs a command to its end in one folder, and in another after it was killed again and again; `%` in its words stands for the
-/// folder. Asserts that these files are equal.
+/// Runs a command to its end in one folder, and in another after it was killed again and again; `%` in its words stands
+/// for the folder. Asserts that these files are equal.
 fn assert_survives(words: &[&str], results: &[&str]) {
     assert_same_when_killed(words, |folder| {
         results.iter().map(|file| fs::read(folder.join(file)).expect("a result")).collect()

@@ -21,8 +21,8 @@ pub fn label(folder: &Path, rounds: &str) -> String {
     out
 }
 
-/// The number of balls in a file of labels that nets may learn from who know only these tasks: those in the tasks that were not
-/// sampled around solutions of others.
+/// The number of balls in a file of labels that nets may learn from who know only these tasks: those in the tasks that
+/// were not sampled around solutions of others.
 pub fn usable_balls(labels: &str, tasks: &[TaskId]) -> usize {
     let text = fs::read_to_string(labels).expect("labels");
     let lines = text.lines().skip(1).map(|line| serde_json::from_str::<LabelledBalls>(line).expect("a line of labels"));

@@ -1,43 +1,46 @@
 // The installed package in Node: the README's script, errors, memory.
 
-import assert from 'node:assert/strict';
-import { execFileSync } from 'node:child_process';
-import { once } from 'node:events';
-import { cpSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { createServer } from 'node:http';
-import { join } from 'node:path';
-import { test } from 'node:test';
-import { examples, makeProject, root } from './project.mjs';
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { once } from "node:events";
+import { cpSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { createServer } from "node:http";
+import { join } from "node:path";
+import { test } from "node:test";
+import { examples, makeProject, root } from "./project.mjs";
 
 const project = makeProject();
-const installed = join(project, 'node_modules/pathlight');
-const { load } = await import(join(installed, 'api/pathlight.js'));
-const TASK = '00007:008';
+const installed = join(project, "node_modules/pathlight");
+const { load } = await import(join(installed, "api/pathlight.js"));
+const TASK = "00007:008";
 
-test('it brings no other packages and one model', () => {
-  assert.deepEqual(readdirSync(join(project, 'node_modules')).filter((name) => !name.startsWith('.')), ['pathlight']);
-  assert.deepEqual(readdirSync(join(installed, 'assets')).sort(), ['model.json', 'within-0.safetensors']);
+test("it brings no other packages and one model", () => {
+  assert.deepEqual(
+    readdirSync(join(project, "node_modules")).filter((name) => !name.startsWith(".")),
+    ["pathlight"],
+  );
+  assert.deepEqual(readdirSync(join(installed, "assets")).sort(), ["model.json", "within-0.safetensors"]);
 });
 
-test('the script of the README prints the auccess that was measured natively', async (context) => {
-  const [script] = examples(project, 'js');
-  assert.ok(script.trim().split('\n').length <= 10, 'it is short');
-  writeFileSync(join(project, 'auccess.js'), script);
-  const words = execFileSync(process.execPath, ['auccess.js'], { cwd: project, encoding: 'utf8' });
+test("the script of the README prints the auccess that was measured natively", async (context) => {
+  const [script] = examples(project, "js");
+  assert.ok(script.trim().split("\n").length <= 10, "it is short");
+  writeFileSync(join(project, "auccess.js"), script);
+  const words = execFileSync(process.execPath, ["auccess.js"], { cwd: project, encoding: "utf8" });
   context.diagnostic(words);
   const [, printed, count] = /^auccess (\S+) on (\d+) tasks\n$/.exec(words) ?? [];
-  assert.equal(count, '50');
+  assert.equal(count, "50");
 
-  const { agents } = JSON.parse(readFileSync(join(root, 'results/shipped/within-0.json'), 'utf8'));
-  const measured = agents.find(({ agent }) => agent === 'dynamics').first_solved;
+  const { agents } = JSON.parse(readFileSync(join(root, "results/shipped/within-0.json"), "utf8"));
+  const measured = agents.find(({ agent }) => agent === "dynamics").first_solved;
   const firstSolved = measured.filter((_, index) => index % 10 === 0).map(([, first]) => first);
   const expected = (await load({ weights: null })).auccess(firstSolved);
   assert.equal(printed, expected.toFixed(1));
 });
 
-test('100 tasks in a row leave nothing behind in the memory', async () => {
+test("100 tasks in a row leave nothing behind in the memory", async () => {
   const pathlight = await load();
-  const wasm = await import(join(installed, 'pkg/pathlight.js'));
+  const wasm = await import(join(installed, "pkg/pathlight.js"));
   const { memory } = await wasm.default();
   // A handle that is not freed at once stays until a collector finds it, if one does.
   const freed = { Model: 0, Puzzle: 0, SolveMap: 0, Turn: 0 };
@@ -49,22 +52,27 @@ test('100 tasks in a row leave nothing behind in the memory', async () => {
     };
   }
   const tasks = pathlight.templates().flatMap((template) => template.tasks.slice(0, 2));
-  const useAll = () => tasks.forEach((task) => {
-    const maps = pathlight.imagine(task);
-    assert.equal(pathlight.softIou(maps.base, maps.base), 1);
-    const [{ ball }] = pathlight.propose(task, { count: 1 });
-    assert.equal(pathlight.whyInvalid(task, ball), undefined);
-    const imagined = pathlight.imagineBall(task, ball);
-    assert.equal(pathlight.candidates(task) !== null, imagined !== null);
-    assert.equal(imagined !== null, pathlight.card?.dynamics !== undefined);
-    if (imagined) assert.deepEqual([imagined.steps.length, imagined.object.length, imagined.ball.length, imagined.errors.length], [16, 32, 32, 32]);
-    const [attempt] = pathlight.turn(task);
-    assert.deepEqual(attempt.ball, ball);
-    assert.equal(pathlight.simulate(task, ball).steps, attempt.ending.steps);
-    const [{ progress }] = pathlight.solveMap(task, 32);
-    assert.ok(progress > 0);
-    assert.equal(pathlight.about(task).id, task);
-  });
+  const useAll = () =>
+    tasks.forEach((task) => {
+      const maps = pathlight.imagine(task);
+      assert.equal(pathlight.softIou(maps.base, maps.base), 1);
+      const [{ ball }] = pathlight.propose(task, { count: 1 });
+      assert.equal(pathlight.whyInvalid(task, ball), undefined);
+      const imagined = pathlight.imagineBall(task, ball);
+      assert.equal(pathlight.candidates(task) !== null, imagined !== null);
+      assert.equal(imagined !== null, pathlight.card?.dynamics !== undefined);
+      if (imagined)
+        assert.deepEqual(
+          [imagined.steps.length, imagined.object.length, imagined.ball.length, imagined.errors.length],
+          [16, 32, 32, 32],
+        );
+      const [attempt] = pathlight.turn(task);
+      assert.deepEqual(attempt.ball, ball);
+      assert.equal(pathlight.simulate(task, ball).steps, attempt.ending.steps);
+      const [{ progress }] = pathlight.solveMap(task, 32);
+      assert.ok(progress > 0);
+      assert.equal(pathlight.about(task).id, task);
+    });
   const loadThrice = async () => {
     for (let time = 0; time < 3; time++) await pathlight.loadModel();
   };
@@ -74,12 +82,15 @@ test('100 tasks in a row leave nothing behind in the memory', async () => {
     await act();
     const before = memory.buffer.byteLength;
     await act();
-    assert.ok(memory.buffer.byteLength - before <= 1 << 20, `${act.name}: ${before} bytes became ${memory.buffer.byteLength}`);
+    assert.ok(
+      memory.buffer.byteLength - before <= 1 << 20,
+      `${act.name}: ${before} bytes became ${memory.buffer.byteLength}`,
+    );
   }
   assert.deepEqual(freed, { Model: 6, Puzzle: 100, SolveMap: 100, Turn: 100 });
 });
 
-test('a scene, its raster and a rollout fit together', async () => {
+test("a scene, its raster and a rollout fit together", async () => {
   const pathlight = await load({ weights: null });
   const { bodies } = pathlight.scene(TASK);
   const dynamic = bodies.flatMap((body, index) => (body.dynamic ? [index] : []));
@@ -92,71 +103,92 @@ test('a scene, its raster and a rollout fit together', async () => {
   const raster = pathlight.raster(TASK);
   assert.equal(raster.length, 5 * 64 * 64);
   const { x, y } = bodies[0];
-  assert.equal(raster[Math.floor(y / 4) * 64 + Math.floor(x / 4)], 1, 'the green object is in the first channel');
+  assert.equal(raster[Math.floor(y / 4) * 64 + Math.floor(x / 4)], 1, "the green object is in the first channel");
 });
 
-test('bad input is refused in a sentence with a code', async () => {
+test("bad input is refused in a sentence with a code", async () => {
   const pathlight = await load({ weights: null });
   const calls = {
-    bad_task: [() => pathlight.scene('7:8'), () => pathlight.scene(undefined), () => pathlight.raster(7)],
+    bad_task: [() => pathlight.scene("7:8"), () => pathlight.scene(undefined), () => pathlight.raster(7)],
     bad_scene: [() => pathlight.simulate({}, null)],
-    bad_data: [() => pathlight.simulate(TASK, [1, 2]), () => pathlight.simulate(TASK, 'ball'), () => pathlight.fold('within', 10), () => pathlight.fold('both', 0), () => pathlight.auccess('all')],
+    bad_data: [
+      () => pathlight.simulate(TASK, [1, 2]),
+      () => pathlight.simulate(TASK, "ball"),
+      () => pathlight.fold("within", 10),
+      () => pathlight.fold("both", 0),
+      () => pathlight.auccess("all"),
+    ],
     bad_map: [() => pathlight.softIou(new Float32Array(3), new Float32Array(3))],
     invalid_ball: [() => pathlight.solveMap(TASK, 1000).next()],
-    no_weights: [() => pathlight.imagine(TASK), () => load({ weights: './nowhere.safetensors' }), () => load({ weights: 'http://127.0.0.1:1/' })],
-    no_model: [() => load({ model: 'within-9' })],
+    no_weights: [
+      () => pathlight.imagine(TASK),
+      () => load({ weights: "./nowhere.safetensors" }),
+      () => load({ weights: "http://127.0.0.1:1/" }),
+    ],
+    no_model: [() => load({ model: "within-9" })],
     bad_weights: [() => load({ weights: new Uint8Array(8) })],
-    no_wasm: [() => load({ wasm: './nowhere.wasm' }), () => load({ wasm: new Uint8Array(8) })],
+    no_wasm: [() => load({ wasm: "./nowhere.wasm" }), () => load({ wasm: new Uint8Array(8) })],
   };
   for (const [code, refused] of Object.entries(calls)) {
     for (const call of refused) {
-      await assert.rejects(async () => call(), (/** @type {any} */ error) => error.code === code && error.message.length > 20, `${code}: ${call}`);
+      await assert.rejects(
+        async () => call(),
+        (/** @type {any} */ error) => error.code === code && error.message.length > 20,
+        `${code}: ${call}`,
+      );
     }
   }
   assert.equal(pathlight.card, null);
   const { status, reason, steps } = pathlight.simulate(TASK, [1, 1, 30]);
-  assert.deepEqual([status, reason, steps], ['invalid', 'the ball sticks out of the scene', 0]);
+  assert.deepEqual([status, reason, steps], ["invalid", "the ball sticks out of the scene", 0]);
 });
 
-test('a transfer that breaks off is refused with a code and the address', async (context) => {
+test("a transfer that breaks off is refused with a code and the address", async (context) => {
   const server = createServer((request, response) => {
-    const { pathname, searchParams } = new URL(request.url ?? '', 'http://127.0.0.1');
+    const { pathname, searchParams } = new URL(request.url ?? "", "http://127.0.0.1");
     const content = readFileSync(join(installed, pathname));
-    response.writeHead(200, { 'content-type': searchParams.get('type') ?? '', 'content-length': content.length });
+    response.writeHead(200, { "content-type": searchParams.get("type") ?? "", "content-length": content.length });
     response.write(content.subarray(0, content.length / 2), () => response.destroy());
   });
-  server.listen(0, '127.0.0.1');
-  await once(server, 'listening');
+  server.listen(0, "127.0.0.1");
+  await once(server, "listening");
   context.after(() => server.close());
   const { port } = /** @type {import('node:net').AddressInfo} */ (server.address());
   const cut = (path, type) => `http://127.0.0.1:${port}/${path}?type=${type}`;
-  const wasm = 'pkg/pathlight_bg.wasm';
+  const wasm = "pkg/pathlight_bg.wasm";
   for (const [code, options] of /** @type {const} */ ([
-    ['no_wasm', { wasm: cut(wasm, 'application/wasm'), weights: null }],
-    ['no_wasm', { wasm: cut(wasm, 'application/octet-stream'), weights: null }],
-    ['no_weights', { weights: cut('assets/within-0.safetensors', 'application/octet-stream') }],
+    ["no_wasm", { wasm: cut(wasm, "application/wasm"), weights: null }],
+    ["no_wasm", { wasm: cut(wasm, "application/octet-stream"), weights: null }],
+    ["no_weights", { weights: cut("assets/within-0.safetensors", "application/octet-stream") }],
   ])) {
-    const address = String('wasm' in options ? options.wasm : options.weights);
-    await assert.rejects(load(options), (/** @type {any} */ error) => error.code === code && error.message.includes(`could not be loaded: `) && error.message.includes(address));
+    const address = String("wasm" in options ? options.wasm : options.weights);
+    await assert.rejects(
+      load(options),
+      (/** @type {any} */ error) =>
+        error.code === code && error.message.includes(`could not be loaded: `) && error.message.includes(address),
+    );
   }
 });
 
-test('what is wrong with the files of the models is said, with the address', async () => {
-  const copy = join(project, 'copy');
+test("what is wrong with the files of the models is said, with the address", async () => {
+  const copy = join(project, "copy");
   cpSync(installed, copy, { recursive: true });
-  const { load } = await import(join(copy, 'api/pathlight.js'));
-  rmSync(join(copy, 'assets/within-0.safetensors'));
-  await assert.rejects(load(), { code: 'no_weights', message: /^The model’s weights could not be loaded: ENOENT.* for file:.*\/copy\/assets\/within-0\.safetensors\.$/ });
-  const list = join(copy, 'assets/model.json');
-  writeFileSync(list, '<!doctype html>');
-  await assert.rejects(load(), { code: 'no_weights', message: /model\.json holds is not JSON/ });
-  for (const empty of ['null', '{ "models": [] }']) {
+  const { load } = await import(join(copy, "api/pathlight.js"));
+  rmSync(join(copy, "assets/within-0.safetensors"));
+  await assert.rejects(load(), {
+    code: "no_weights",
+    message: /^The model’s weights could not be loaded: ENOENT.* for file:.*\/copy\/assets\/within-0\.safetensors\.$/,
+  });
+  const list = join(copy, "assets/model.json");
+  writeFileSync(list, "<!doctype html>");
+  await assert.rejects(load(), { code: "no_weights", message: /model\.json holds is not JSON/ });
+  for (const empty of ["null", '{ "models": [] }']) {
     writeFileSync(list, empty);
-    await assert.rejects(load(), { code: 'no_weights', message: /names none/ });
+    await assert.rejects(load(), { code: "no_weights", message: /names none/ });
   }
 });
 
-test('a map of outcomes can be read while it grows, and afterwards', async () => {
+test("a map of outcomes can be read while it grows, and afterwards", async () => {
   const pathlight = await load({ weights: null });
   let during;
   for (const { progress, outcomes } of pathlight.solveMap(TASK, 32)) if (progress === 1) during = outcomes();
@@ -168,5 +200,8 @@ test('a map of outcomes can be read while it grows, and afterwards', async () =>
   last.outcomes().fill(0);
   assert.deepEqual(last.outcomes(), during);
   const [first] = pathlight.solveMap(TASK, 32);
-  assert.ok(first.outcomes().some((outcome) => outcome > 0) && first.outcomes().includes(0), 'a map that was left can be read too');
+  assert.ok(
+    first.outcomes().some((outcome) => outcome > 0) && first.outcomes().includes(0),
+    "a map that was left can be read too",
+  );
 });

@@ -1,24 +1,24 @@
-// An empty project in which the packed package is installed, as others install it; every test of the package begins with it.
-// `make package` packs it.
+// An empty project in which the packed package is installed, as others install it; every test of the package begins
+// with it. `make package` packs it.
 
-import { execFileSync } from 'node:child_process';
-import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
-import { dirname, join } from 'node:path';
-import { fileURLToPath } from 'node:url';
+import { execFileSync } from "node:child_process";
+import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { dirname, join } from "node:path";
+import { fileURLToPath } from "node:url";
 
-export const root = join(dirname(fileURLToPath(import.meta.url)), '..', '..');
+export const root = join(dirname(fileURLToPath(import.meta.url)), "..", "..");
 
-const version = /^version = "(.*)"$/m.exec(readFileSync(join(root, 'Cargo.toml'), 'utf8'))?.[1];
-const packed = join(root, 'target', `pathlight-${version}.tgz`);
+const version = /^version = "(.*)"$/m.exec(readFileSync(join(root, "Cargo.toml"), "utf8"))?.[1];
+const packed = join(root, "target", `pathlight-${version}.tgz`);
 
 /** Makes a project and installs the package in it, without a registry. Returns its folder. */
 export function makeProject() {
   if (!existsSync(packed)) throw new Error(`${packed} is missing: run make package`);
-  const folder = mkdtempSync(join(tmpdir(), 'pathlight-package-'));
-  process.once('exit', () => rmSync(folder, { recursive: true, force: true }));
-  writeFileSync(join(folder, 'package.json'), '{ "name": "project", "private": true, "type": "module" }');
-  execFileSync('npm', ['install', '--offline', '--no-audit', '--no-fund', '--loglevel=error', packed], { cwd: folder });
+  const folder = mkdtempSync(join(tmpdir(), "pathlight-package-"));
+  process.once("exit", () => rmSync(folder, { recursive: true, force: true }));
+  writeFileSync(join(folder, "package.json"), '{ "name": "project", "private": true, "type": "module" }');
+  execFileSync("npm", ["install", "--offline", "--no-audit", "--no-fund", "--loglevel=error", packed], { cwd: folder });
   return folder;
 }
 
@@ -28,6 +28,6 @@ export function makeProject() {
  * @param {string} language
  */
 export function examples(project, language) {
-  const readme = readFileSync(join(project, 'node_modules/pathlight/README.md'), 'utf8');
-  return [...readme.matchAll(new RegExp(`^\`\`\`${language}\n(.*?)^\`\`\``, 'gms'))].map(([, code]) => code);
+  const readme = readFileSync(join(project, "node_modules/pathlight/README.md"), "utf8");
+  return [...readme.matchAll(new RegExp(`^\`\`\`${language}\n(.*?)^\`\`\``, "gms"))].map(([, code]) => code);
 }

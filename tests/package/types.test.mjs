@@ -1,24 +1,39 @@
 // The declarations of the installed package, in a strict TypeScript project that knows nothing of browsers.
 
-import assert from 'node:assert/strict';
-import { spawnSync } from 'node:child_process';
-import { readFileSync, writeFileSync } from 'node:fs';
-import { join } from 'node:path';
-import { test } from 'node:test';
-import { makeProject, root } from './project.mjs';
+import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
+import { readFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { test } from "node:test";
+import { makeProject, root } from "./project.mjs";
 
 const project = makeProject();
-const installed = join(project, 'node_modules/pathlight');
+const installed = join(project, "node_modules/pathlight");
 
 /** Compiles a file that uses the package. Returns what the compiler says. */
 function compile(code) {
-  writeFileSync(join(project, 'use.ts'), code);
-  const options = ['--strict', '--noEmit', '--module', 'nodenext', '--target', 'es2022', '--lib', 'es2022', '--types', ''];
-  return spawnSync(join(root, 'scripts/node_modules/.bin/tsc'), [...options, 'use.ts'], { cwd: project, encoding: 'utf8' }).stdout;
+  writeFileSync(join(project, "use.ts"), code);
+  const options = [
+    "--strict",
+    "--noEmit",
+    "--module",
+    "nodenext",
+    "--target",
+    "es2022",
+    "--lib",
+    "es2022",
+    "--types",
+    "",
+  ];
+  return spawnSync(join(root, "scripts/node_modules/.bin/tsc"), [...options, "use.ts"], {
+    cwd: project,
+    encoding: "utf8",
+  }).stdout;
 }
 
-test('its types are complete and strict', () => {
-  assert.equal(compile(`
+test("its types are complete and strict", () => {
+  assert.equal(
+    compile(`
     import { load, type Ball, type CodedError, type Pathlight, type Rollout } from "pathlight";
     const pathlight: Pathlight = await load({ weights: null, onProgress: (fraction: number | null) => fraction });
     const ball: Ball = [128, 200, 12];
@@ -28,19 +43,27 @@ test('its types are complete and strict', () => {
     for (const { ending: { solved } } of pathlight.turn("00007:008", { seed: 1 })) if (solved) break;
     const code: CodedError["code"] = "no_weights";
     export { code, judged, poses };
-  `), '');
-  assert.equal(compile(`
+  `),
+    "",
+  );
+  assert.equal(
+    compile(`
     import "pathlight/element";
     const task: string | null | undefined = document.querySelector("pathlight-puzzle")?.task;
     export { task };
-  `), '');
+  `),
+    "",
+  );
   assert.match(compile('import { load } from "pathlight"; (await load()).simulate("00007:008", [1, 2]);'), /error TS/);
   assert.match(compile('import { load } from "pathlight"; (await load()).fold("both", 0);'), /error TS/);
 });
 
-test('they carry the docs', () => {
-  assert.match(readFileSync(join(installed, 'element/pathlight-puzzle.d.ts'), 'utf8'), /\/\*\* The puzzle, "00007:008"/);
-  const declarations = readFileSync(join(installed, 'api/pathlight.d.ts'), 'utf8');
+test("they carry the docs", () => {
+  assert.match(
+    readFileSync(join(installed, "element/pathlight-puzzle.d.ts"), "utf8"),
+    /\/\*\* The puzzle, "00007:008"/,
+  );
+  const declarations = readFileSync(join(installed, "api/pathlight.d.ts"), "utf8");
   assert.match(declarations, /\/\*\*(?:(?!\*\/).)*Simulates a task with a ball(?:(?!\*\/).)*\*\/\s*simulate\(/s);
-  assert.match(readFileSync(join(installed, 'pkg/pathlight.d.ts'), 'utf8'), /poses: Float32Array/);
+  assert.match(readFileSync(join(installed, "pkg/pathlight.d.ts"), "utf8"), /poses: Float32Array/);
 });

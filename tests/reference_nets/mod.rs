@@ -18,8 +18,8 @@ pub fn imagine(file: &SafeTensors, scene: &Scene) -> [Vec<f32>; 4] {
     [base, target, action, placement]
 }
 
-/// The logits of the cells, of the judge or of the dynamics net: the mean over the scene and its mirror image. Both see how
-/// much of each cell is covered.
+/// The logits of the cells, of the judge or of the dynamics net: the mean over the scene and its mirror image. Both see
+/// how much of each cell is covered.
 pub fn cell_logits(file: &SafeTensors, net: &str, scene: &Scene) -> Vec<f32> {
     let mirror = |image: &[f32]| -> Vec<f32> { image.chunks(SIDE).flat_map(|row| row.iter().rev()).copied().collect() };
     let scene: Vec<f32> =
@@ -51,8 +51,8 @@ fn hourglass(file: &SafeTensors, net: &str, images: &[f32], channels: usize) -> 
     x.iter().map(|&logit| 1.0 / (1.0 + (-logit).exp())).collect()
 }
 
-/// Five convolutions; five transposed ones, each but the first on the one before and the encoder's output of its size. The
-/// first channels of the last are the logits.
+/// Five convolutions; five transposed ones, each but the first on the one before and the encoder's output of its size.
+/// The first channels of the last are the logits.
 fn u_net(file: &SafeTensors, net: &str, images: &[f32]) -> Vec<f32> {
     let (mut x, mut inputs, mut side) = (images.to_vec(), CHANNELS, SIDE);
     let mut encoded = Vec::new();

@@ -1,5 +1,5 @@
-// Reads the files beside the modules, and compiles the wasm: by fetch, or in Node, whose fetch knows no `file:` addresses,
-// from the disk.
+// Reads the files beside the modules, and compiles the wasm: by fetch, or in Node, whose fetch knows no `file:`
+// addresses, from the disk.
 
 import { WASM_SHA256 } from "../pkg/integrity.js";
 import { failure } from "./failure.js";
@@ -35,7 +35,7 @@ export async function readFile(address, refuse, onProgress = () => {}, size = nu
   const whole = size ?? (Number(response.headers.get("content-length")) || null);
   const chunks = [];
   let length = 0;
-  for (const reader = response.body.getReader(); ; ) {
+  for (const reader = response.body.getReader(); ;) {
     const { done, value } = await orRefuse(reader.read(), refuse);
     if (done) break;
     chunks.push(value);
@@ -60,13 +60,16 @@ let compiled = null;
 
 /**
  * Compiles the wasm. Rejects with `no_wasm` if it cannot be read or is no wasm.
- * @param {WebAssembly.Module | BufferSource | URL | string} [source] the module itself, its bytes or their address; without
- * it, the wasm beside this module
+ * @param {WebAssembly.Module | BufferSource | URL | string} [source] the module itself, its bytes or their address;
+ *   without it, the wasm beside this module
  * @returns {Promise<WebAssembly.Module>}
  */
 export async function compileWasm(source) {
   if (typeof WebAssembly !== "object") {
-    throw failure("no_wasm", "There is no WebAssembly here, or it is switched off. Pathlight needs it: try a current browser.");
+    throw failure(
+      "no_wasm",
+      "There is no WebAssembly here, or it is switched off. Pathlight needs it: try a current browser.",
+    );
   }
   if (source === undefined) {
     compiled ??= compileFile(WASM, WASM_SHA256);
@@ -77,7 +80,9 @@ export async function compileWasm(source) {
   }
   if (source instanceof WebAssembly.Module) return source;
   if (typeof source !== "string" && !(source instanceof URL)) {
-    return orRefuse(WebAssembly.compile(source), (reason) => failure("no_wasm", `Pathlight’s wasm could not be compiled: ${reason}. Give the wasm file of this version.`));
+    return orRefuse(WebAssembly.compile(source), (reason) =>
+      failure("no_wasm", `Pathlight’s wasm could not be compiled: ${reason}. Give the wasm file of this version.`),
+    );
   }
   return compileFile(addressOf(source));
 }
@@ -105,11 +110,18 @@ async function compileFile(address, hash = null) {
  * @param {RequestCache} cache
  */
 async function compileIntact(address, hash, refuse, cache) {
-  const response = diskOf(address) ? new Response(await readFile(address, refuse)) : await answerOf(address, refuse, cache);
+  const response = diskOf(address)
+    ? new Response(await readFile(address, refuse))
+    : await answerOf(address, refuse, cache);
   const copy = hash === null ? null : response.clone();
   // Not every static server knows wasm's media type, without which browsers refuse to compile what arrives.
   const streams = response.headers.get("content-type") === "application/wasm";
-  const compiling = orRefuse(streams ? WebAssembly.compileStreaming(response) : response.arrayBuffer().then((bytes) => WebAssembly.compile(bytes)), refuse);
+  const compiling = orRefuse(
+    streams
+      ? WebAssembly.compileStreaming(response)
+      : response.arrayBuffer().then((bytes) => WebAssembly.compile(bytes)),
+    refuse,
+  );
   // What is damaged may not compile either; the hash decides.
   compiling.catch(() => {});
   const found = copy && (await orRefuse(copy.arrayBuffer().then(sha256), refuse));
@@ -124,7 +136,9 @@ export function addressOf(address) {
   if (address instanceof URL) return address;
   if (typeof address !== "string") throw failure("bad_data", `${address} is neither bytes nor an address.`);
   const node = nodeModule("node:url");
-  return node && !/^[a-z]{2,}:/i.test(address) ? node.pathToFileURL(address) : new URL(address, globalThis.location?.href);
+  return node && !/^[a-z]{2,}:/i.test(address)
+    ? node.pathToFileURL(address)
+    : new URL(address, globalThis.location?.href);
 }
 
 /**

@@ -1,8 +1,9 @@
-// The programming interface: load the wasm and weights, then ask for scenes, rollouts, images, maps, proposals and figures.
-// Scripts in Node, other pages and the page's own worker all use it. Needs no document, except where a method draws.
+// The programming interface: load the wasm and weights, then ask for scenes, rollouts, images, maps, proposals and
+// figures. Scripts in Node, other pages and the page's own worker all use it. Needs no document, except where a method
+// draws.
 //
-// A task is named by its id, like "00007:008"; an own scene, which is an object, takes the place of any task. Lengths are in px:
-// a scene is 256 x 256, y up. The file is over 300 lines long for its JSDoc.
+// A task is named by its id, like "00007:008"; an own scene, which is an object, takes the place of any task. Lengths
+// are in px: a scene is 256 x 256, y up. The file is over 300 lines long for its JSDoc.
 
 import * as wasm from "../pkg/pathlight.js";
 import { failure } from "./failure.js";
@@ -42,8 +43,9 @@ import { readModelList, readWeights } from "./weights.js";
 /**
  * What to load.
  * @typedef {object} LoadOptions
- * @property {WebAssembly.Module | BufferSource | URL | string} [wasm] the wasm of this version, its bytes or its address; by
- * default the file that Pathlight comes with. A module or page has one instance: later calls use that of the first
+ * @property {WebAssembly.Module | BufferSource | URL | string} [wasm] the wasm of this version, its bytes or its
+ *   address; by default the file that Pathlight comes with. A module or page has one instance: later calls use that of
+ *   the first
  * @property {string} [model] the name of one of the models that Pathlight comes with; by default the first
  * @property {BufferSource | URL | string | null} [weights] other weights, or their address; null loads none
  * @property {OnProgress} [onProgress] called with the fraction of the weights that has arrived
@@ -52,8 +54,8 @@ import { readModelList, readWeights } from "./weights.js";
 /**
  * Loads the wasm, and the weights of a model.
  *
- * Rejects with an Error with a `code`: `no_wasm` or `no_weights` if a file cannot be read or compiled, `no_model` if there is no model of
- * this name, `bad_weights` if the weights are damaged or belong to other nets.
+ * Rejects with an Error with a `code`: `no_wasm` or `no_weights` if a file cannot be read or compiled, `no_model` if
+ * there is no model of this name, `bad_weights` if the weights are damaged or belong to other nets.
  * @param {LoadOptions} [options]
  */
 export async function load({ wasm: source, model, weights, onProgress } = {}) {
@@ -65,16 +67,16 @@ export async function load({ wasm: source, model, weights, onProgress } = {}) {
 }
 
 /**
- * What `load` returns. Methods throw an Error with a `code`: `bad_task` if there is no such task, `bad_scene` if an own scene
- * may not be played, `bad_data` for other arguments that do not have the agreed form.
+ * What `load` returns. Methods throw an Error with a `code`: `bad_task` if there is no such task, `bad_scene` if an own
+ * scene may not be played, `bad_data` for other arguments that do not have the agreed form.
  */
 export class Pathlight {
   /** @type {wasm.Model | null} */
   #model = null;
 
   /**
-   * Loads the weights of a model that Pathlight comes with, in place of those there are. Returns its name and the names of
-   * all models.
+   * Loads the weights of a model that Pathlight comes with, in place of those there are. Returns its name and the names
+   * of all models.
    * @param {string | null} [name] by default the first
    * @param {OnProgress} [onProgress]
    */
@@ -94,9 +96,16 @@ export class Pathlight {
    */
   async loadWeights(weights, onProgress) {
     if (weights instanceof ArrayBuffer) return this.#use(new Uint8Array(weights));
-    if (ArrayBuffer.isView(weights)) return this.#use(new Uint8Array(weights.buffer, weights.byteOffset, weights.byteLength));
+    if (ArrayBuffer.isView(weights))
+      return this.#use(new Uint8Array(weights.buffer, weights.byteOffset, weights.byteLength));
     const address = addressOf(weights);
-    this.#use(await readFile(address, (reason) => failure("no_weights", `The weights could not be loaded: ${reason} for ${address}.`), onProgress));
+    this.#use(
+      await readFile(
+        address,
+        (reason) => failure("no_weights", `The weights could not be loaded: ${reason} for ${address}.`),
+        onProgress,
+      ),
+    );
   }
 
   /** @param {Uint8Array} bytes */
@@ -162,8 +171,8 @@ export class Pathlight {
   }
 
   /**
-   * Returns the share of uniform valid balls that solve each task, 0..1: of the first template's tasks in turn, then of the
-   * next template's.
+   * Returns the share of uniform valid balls that solve each task, 0..1: of the first template's tasks in turn, then of
+   * the next template's.
    * @returns {Float64Array}
    */
   solveRates() {
@@ -203,8 +212,8 @@ export class Pathlight {
   }
 
   /**
-   * Returns all reasons why a value is no own scene that may be played; none if it may. Takes a fraction of a millisecond, and
-   * throws for no value.
+   * Returns all reasons why a value is no own scene that may be played; none if it may. Takes a fraction of a
+   * millisecond, and throws for no value.
    * @param {unknown} scene
    * @returns {SceneProblem[]}
    */
@@ -230,8 +239,8 @@ export class Pathlight {
   }
 
   /**
-   * Returns the image that the four nets see: the channels green object, blue goal, purple goal, gray and black, each of 64 x 64
-   * zeros and ones, row 0 at the bottom.
+   * Returns the image that the four nets see: the channels green object, blue goal, purple goal, gray and black, each
+   * of 64 x 64 zeros and ones, row 0 at the bottom.
    * @param {Played} task
    * @returns {Float32Array} `[5, 64, 64]`
    */
@@ -250,7 +259,8 @@ export class Pathlight {
   }
 
   /**
-   * Simulates a task with a ball, or alone without one. An invalid ball is no error: the status of its rollout is `invalid`.
+   * Simulates a task with a ball, or alone without one. An invalid ball is no error: the status of its rollout is
+   * `invalid`.
    * @param {Played} task
    * @param {Ball | null} [ball]
    * @returns {Rollout}
@@ -270,9 +280,9 @@ export class Pathlight {
   }
 
   /**
-   * Returns what the model imagines for one ball: the paths of the green object and of the ball, how far off they are expected
-   * to be, and the probability that the ball solves the task; null if the weights have no dynamics net. Further balls of the
-   * same task cost little. Throws `invalid_ball` if the ball may not be placed.
+   * Returns what the model imagines for one ball: the paths of the green object and of the ball, how far off they are
+   * expected to be, and the probability that the ball solves the task; null if the weights have no dynamics net.
+   * Further balls of the same task cost little. Throws `invalid_ball` if the ball may not be placed.
    * @param {Played} task
    * @param {Ball} ball
    * @returns {ImaginedBall | null}
@@ -282,8 +292,8 @@ export class Pathlight {
   }
 
   /**
-   * Returns the balls that the model considers before it chooses, some hundred, each with the path that it imagines for the
-   * green object and the probability that the ball solves the task; null if the weights have no dynamics net.
+   * Returns the balls that the model considers before it chooses, some hundred, each with the path that it imagines for
+   * the green object and the probability that the ball solves the task; null if the weights have no dynamics net.
    * @param {Played} task
    * @returns {Candidate[] | null}
    */
@@ -294,7 +304,8 @@ export class Pathlight {
   /**
    * Returns the balls that the model would try, in order. All are valid; fewer than `count` if the scene has no room.
    * @param {Played} task
-   * @param {{ seed?: number, count?: number }} [options] `seed`: a whole number from 0 to 2^32 - 1; `count`: 1 to 1,000, by default the 100 attempts that count
+   * @param {{ seed?: number, count?: number }} [options] `seed`: a whole number from 0 to 2^32 - 1; `count`: 1 to
+   *   1,000, by default the 100 attempts that count
    * @returns {Proposal[]}
    */
   propose(task, { seed = 0, count } = {}) {
@@ -318,9 +329,9 @@ export class Pathlight {
   }
 
   /**
-   * Maps where a ball of a radius solves a task. Tries one of the 64 x 64 cells each time the next value is asked for; a
-   * value is the fraction of the cells that has been tried, and `outcomes`, which returns a copy of the map at the time of
-   * the call, also after the last value: for each cell 0 untried, 1 invalid, 2 not solved, 3 solved.
+   * Maps where a ball of a radius solves a task. Tries one of the 64 x 64 cells each time the next value is asked for;
+   * a value is the fraction of the cells that has been tried, and `outcomes`, which returns a copy of the map at the
+   * time of the call, also after the last value: for each cell 0 untried, 1 invalid, 2 not solved, 3 solved.
    * @param {Played} task
    * @param {number} radius 2 to 32 px
    * @returns {Generator<{ progress: number, outcomes: () => Uint8Array }, void, void>}
@@ -331,7 +342,7 @@ export class Pathlight {
     let final = null;
     const outcomes = () => final?.slice() ?? map.outcomes();
     try {
-      for (let more = true; more; ) {
+      for (let more = true; more;) {
         more = map.advance();
         yield { progress: map.progress(), outcomes };
       }
@@ -342,8 +353,8 @@ export class Pathlight {
   }
 
   /**
-   * Searches the whole action space for solutions. Tries one valid ball each time the next value is asked for; `found` returns
-   * what is known at the time of the call, also after the last value.
+   * Searches the whole action space for solutions. Tries one valid ball each time the next value is asked for; `found`
+   * returns what is known at the time of the call, also after the last value.
    * @param {Played} task
    * @returns {Generator<{ found: () => FoundSolutions }, void, void>}
    */
@@ -353,7 +364,7 @@ export class Pathlight {
     let final = null;
     const found = () => final ?? search.found();
     try {
-      for (let more = true; more; ) {
+      for (let more = true; more;) {
         more = search.advance();
         yield { found };
       }
@@ -374,7 +385,8 @@ export class Pathlight {
   }
 
   /**
-   * Simulates a ball, or the scene alone without one, and returns the line that `pathlight verify` and `verifyAttempt` check.
+   * Simulates a ball, or the scene alone without one, and returns the line that `pathlight verify` and `verifyAttempt`
+   * check.
    * @param {Played} task
    * @param {Ball | null} [ball]
    * @returns {AttemptLine}
@@ -394,7 +406,8 @@ export class Pathlight {
 
   /**
    * Returns PHYRE's auccess of an agent, 0..100.
-   * @param {(number | null)[]} firstSolved for each task the number, from 1, of the first attempt that solved it; null if none did
+   * @param {(number | null)[]} firstSolved for each task the number, from 1, of the first attempt that solved it; null
+   *   if none did
    * @returns {number}
    */
   auccess(firstSolved) {
@@ -422,8 +435,8 @@ export class Pathlight {
   }
 
   /**
-   * Draws a map into a canvas of 64 x 64 pixels, which the page scales up. The colours run from 0, which is transparent, to
-   * `max`.
+   * Draws a map into a canvas of 64 x 64 pixels, which the page scales up. The colours run from 0, which is
+   * transparent, to `max`.
    * @param {CanvasRenderingContext2D} context
    * @param {Stage} stage
    * @param {GridMap} map

@@ -1,7 +1,8 @@
 // Hashes what was fetched, so that a file damaged on its way or in a cache is not used.
 
 /**
- * Returns the SHA-256 of bytes in hexadecimal, or null where it cannot be computed: browsers hash only on secure and local addresses.
+ * Returns the SHA-256 of bytes in hexadecimal, or null where it cannot be computed: browsers hash only on secure and
+ * local addresses.
  * @param {BufferSource} bytes
  */
 export async function sha256(bytes) {
@@ -11,8 +12,8 @@ export async function sha256(bytes) {
 }
 
 /**
- * Returns what a function makes of a file that is intact. A damaged one is asked for once more, past all caches, which may hold
- * the damage.
+ * Returns what a function makes of a file that is intact. A damaged one is asked for once more, past all caches, which
+ * may hold the damage.
  * @template T
  * @param {(cache: RequestCache) => Promise<T | null>} read null if the file is damaged
  */

@@ -17,11 +17,18 @@ const LIST = new URL("../assets/model.json", import.meta.url);
  */
 export async function readModelList() {
   const bytes = await readFile(LIST, (reason, status) =>
-    failure("no_weights", status === 404
-      ? "The model’s weights are missing here: there is no assets/model.json. If Pathlight has been updated meanwhile, load the page again; if not, the model can neither imagine nor play, but you can."
-      : `The list of models could not be loaded: ${reason} for ${LIST}.`));
+    failure(
+      "no_weights",
+      status === 404
+        ? "The model’s weights are missing here: there is no assets/model.json. If Pathlight has been updated meanwhile, load the page again; if not, the model can neither imagine nor play, but you can."
+        : `The list of models could not be loaded: ${reason} for ${LIST}.`,
+    ),
+  );
   const list = await new Response(bytes).json().catch(() => {
-    throw failure("no_weights", `The list of models is damaged: what ${LIST} holds is not JSON. Put the file there again.`);
+    throw failure(
+      "no_weights",
+      `The list of models is damaged: what ${LIST} holds is not JSON. Put the file there again.`,
+    );
   });
   if (!Array.isArray(list?.models) || list.models.length === 0) {
     throw failure("no_weights", `The list of models, ${LIST}, names none. Write it again by “pathlight publish”.`);
@@ -39,7 +46,10 @@ export async function readWeights({ file, size, sha256: hash }, onProgress) {
   const address = new URL(`../assets/${file}`, import.meta.url);
   /** @type {import("./files.js").Refuse} */
   const refuse = (reason, status) =>
-    failure("no_weights", `The model’s weights ${status === 404 ? "are missing here" : "could not be loaded"}: ${reason} for ${address}.`);
+    failure(
+      "no_weights",
+      `The model’s weights ${status === 404 ? "are missing here" : "could not be loaded"}: ${reason} for ${address}.`,
+    );
   const bytes = await intact(async (cache) => {
     const read = await readFile(address, refuse, onProgress, size, cache);
     const found = hash ? await sha256(read) : null;

@@ -1,6 +1,6 @@
-// The components of a puzzle, which all get the same calls of shell/component.js's lifecycle, in the order in which they are made.
-// The scene, the transport and the panel Play are there from the first picture on; panel-components.js has the rest, which
-// may come later: what the others have been told before is told then.
+// The components of a puzzle, which all get the same calls of shell/component.js's lifecycle, in the order in which
+// they are made. The scene, the transport and the panel Play are there from the first picture on; panel-components.js
+// has the rest, which may come later: what the others have been told before is told then.
 
 import { AfterSolving } from "../play/after-solving.js";
 import { AttemptList } from "../play/attempt-list.js";
@@ -22,8 +22,8 @@ import { Tabs } from "../shell/tabs.js";
  * @property {WebAssembly.Module} module
  * @property {import("../model/shared-client.js").SharedClient} client
  * @property {import("../shell/progress-store.js").SharedProgress} progress
- * @property {(task: string, panel: import("../shell/url-state.js").Panel) => string | null} hrefOf the address of another
- *   puzzle, or null
+ * @property {(task: string, panel: import("../shell/url-state.js").Panel) => string | null} hrefOf the address of
+ *   another puzzle, or null
  */
 
 export class Components {

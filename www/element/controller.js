@@ -1,7 +1,7 @@
-// Joins the components of one puzzle in its shadow tree: opens and closes its session, starts its model, and passes the state
-// to all of them. Each component knows the session and the wasm; only components.js, panel-components.js and
-// this file know all of them.
-// shell/component.js describes their lifecycle. Knows nothing of the page around the shadow tree, nor of its address.
+// Joins the components of one puzzle in its shadow tree: opens and closes its session, starts its model, and passes the
+// state to all of them. Each component knows the session and the wasm; only components.js, panel-components.js and this
+// file know all of them. shell/component.js describes their lifecycle. Knows nothing of the page around the shadow
+// tree, nor of its address.
 
 import { palette } from "../pkg/pathlight.js";
 import { afterFrame } from "../shell/after-frame.js";
@@ -11,7 +11,15 @@ import { byId, find, setText } from "../shell/dom.js";
 import { hideParts } from "../shell/hidden-parts.js";
 import { onShortcut } from "../shell/shortcuts.js";
 import { TASKS } from "../shell/templates.js";
-import { INITIAL_STATE, formatFragment, formatState, parseState, showsPuzzle, viewOf, visiblePanels } from "../shell/url-state.js";
+import {
+  INITIAL_STATE,
+  formatFragment,
+  formatState,
+  parseState,
+  showsPuzzle,
+  viewOf,
+  visiblePanels,
+} from "../shell/url-state.js";
 import { knownScene, sceneOfText } from "../workshop/scene-link.js";
 import { Components } from "./components.js";
 
@@ -19,7 +27,8 @@ import { Components } from "./components.js";
 
 /**
  * An attempt of the player's that has run to its end; the task is null for an own scene.
- * @typedef {{ task: string | null, number: number, ball: import("../pkg/pathlight.js").Ball, solved: boolean }} PlayedAttempt
+ * @typedef {{ task: string | null, number: number, ball: import("../pkg/pathlight.js").Ball, solved: boolean }}
+ *   PlayedAttempt
  */
 
 const KNOWN_TASKS = new Set(TASKS);
@@ -47,13 +56,13 @@ export class PuzzleController extends EventTarget {
   #dark = null;
 
   /**
-   * Fires "statechange" when the person has changed the state, "modelchange" when the model's status changes, and "attempt", a
-   * CustomEvent with a PlayedAttempt, when an attempt of the player's has run to its end or was left.
+   * Fires "statechange" when the person has changed the state, "modelchange" when the model's status changes, and
+   * "attempt", a CustomEvent with a PlayedAttempt, when an attempt of the player's has run to its end or was left.
    * @param {ShadowRoot} root
    * @param {WebAssembly.Module} module
    * @param {import("../shell/progress-store.js").SharedProgress} progress
-   * @param {() => ((task: string, panel: import("../shell/url-state.js").Panel) => string | null) | null} hrefOf returns the
-   *   function that knows the addresses of other puzzles, or null if there is no way to them
+   * @param {() => ((task: string, panel: import("../shell/url-state.js").Panel) => string | null) | null} hrefOf
+   *   returns the function that knows the addresses of other puzzles, or null if there is no way to them
    */
   constructor(root, module, progress, hrefOf) {
     super();
@@ -62,9 +71,18 @@ export class PuzzleController extends EventTarget {
     this.#hrefOf = hrefOf;
     this.#client = new SharedClient(module);
     this.#lastModel = this.model;
-    const parts = { root, module, client: this.#client, progress, hrefOf: (/** @type {string} */ task, /** @type {import("../shell/url-state.js").Panel} */ panel) => hrefOf()?.(task, panel) ?? null };
+    const parts = {
+      root,
+      module,
+      client: this.#client,
+      progress,
+      hrefOf: (/** @type {string} */ task, /** @type {import("../shell/url-state.js").Panel} */ panel) =>
+        hrefOf()?.(task, panel) ?? null,
+    };
     this.#components = new Components(parts, (component) => this.#listenTo(component));
-    this.#components.afterSolving.addEventListener("share", (event) => this.dispatchEvent(new CustomEvent("share", { detail: /** @type {CustomEvent} */ (event).detail })));
+    this.#components.afterSolving.addEventListener("share", (event) =>
+      this.dispatchEvent(new CustomEvent("share", { detail: /** @type {CustomEvent} */ (event).detail })),
+    );
     this.#client.addEventListener("change", () => this.#onClientChange());
     for (const button of root.querySelectorAll("button[data-opens]")) {
       button.addEventListener("click", () => this.showDialog(button.getAttribute("data-opens") ?? ""));
@@ -74,11 +92,15 @@ export class PuzzleController extends EventTarget {
 
   /** @param {import("../shell/component.js").Component} component */
   #listenTo(component) {
-    component.addEventListener("staterequest", (event) => this.#changeState(/** @type {CustomEvent<Partial<State>>} */ (event).detail));
+    component.addEventListener("staterequest", (event) =>
+      this.#changeState(/** @type {CustomEvent<Partial<State>>} */ (event).detail),
+    );
     component.addEventListener("modelrequest", () => this.#requestModel());
   }
 
-  /** Makes the components of the panels: once the scene is drawn, or at once if another panel than Play is asked for. */
+  /**
+   * Makes the components of the panels: once the scene is drawn, or at once if another panel than Play is asked for.
+   */
   async #makePanels() {
     if (this.#panelsAwaited) return;
     this.#panelsAwaited = true;
@@ -88,7 +110,9 @@ export class PuzzleController extends EventTarget {
       await this.#components.addPanels();
     } catch (error) {
       this.#panelsAwaited = false;
-      this.#showProblem("The panels of this puzzle could not be loaded. Check the connection, and load the page again.");
+      this.#showProblem(
+        "The panels of this puzzle could not be loaded. Check the connection, and load the page again.",
+      );
       throw error;
     }
     if (this.#session) this.#startModel();
@@ -119,7 +143,8 @@ export class PuzzleController extends EventTarget {
     const { state, unread } = parseState(texts);
     if (formatFragment(state) !== formatFragment(this.#state)) this.apply(state);
     const words = unread.map(([key, text]) => `${key}="${text}"`);
-    if (words.length) this.#showProblem(`This puzzle is asked for with ${words.join(" and ")}, which Pathlight does not understand.`);
+    if (words.length)
+      this.#showProblem(`This puzzle is asked for with ${words.join(" and ")}, which Pathlight does not understand.`);
     else this.#showProblem(this.#problemOf(state));
   }
 
@@ -148,7 +173,8 @@ export class PuzzleController extends EventTarget {
   }
 
   /**
-   * What a state plays; null if it is nothing, or an own scene that is still to be read. Then the state is applied again.
+   * What a state plays; null if it is nothing, or an own scene that is still to be read. Then the state is applied
+   * again.
    * @param {State} state
    * @returns {import("../model/messages.js").Played | null}
    */
@@ -210,7 +236,8 @@ export class PuzzleController extends EventTarget {
     this.#components.panels?.stageView.onKeydown(event);
     onShortcut(event, {
       session: this.#session,
-      undoing: this.#state.panel === "bend" ? (this.#components.panels?.bend ?? null) : (this.#session?.placement ?? null),
+      undoing:
+        this.#state.panel === "bend" ? (this.#components.panels?.bend ?? null) : (this.#session?.placement ?? null),
       scene: this.#components.canvas,
       showPanel: (index) => {
         const panel = visiblePanels(this.#state)[index];
@@ -223,7 +250,10 @@ export class PuzzleController extends EventTarget {
     });
   }
 
-  /** Shows the scene and one sentence, or all panels again. The story begins with the goal, unless the person was in the middle of it. */
+  /**
+   * Shows the scene and one sentence, or all panels again. The story begins with the goal, unless the person was in the
+   * middle of it.
+   */
   toggleStageView() {
     const { view, stage, panel } = this.#state;
     this.#changeState(view === "stage" ? { view: null } : { view: "stage", stage: panel === "imagine" ? stage : null });
@@ -247,7 +277,10 @@ export class PuzzleController extends EventTarget {
   /** @param {import("../model/messages.js").Played} played */
   #openPuzzle(played) {
     const session = new Session(played, () => reducedMotion.matches);
-    find(this.#root, ".puzzle").setAttribute("aria-label", `Puzzle ${session.about.name} ${session.about.id ?? ""}`.trim());
+    find(this.#root, ".puzzle").setAttribute(
+      "aria-label",
+      `Puzzle ${session.about.name} ${session.about.id ?? ""}`.trim(),
+    );
     session.addEventListener("change", () => this.#onSessionChange(session));
     session.addEventListener("attempted", () => this.#onAttempted(session));
     this.#components.open(session);
@@ -287,11 +320,12 @@ export class PuzzleController extends EventTarget {
   }
 
   /**
-   * Starts the model, unless no panel that needs it is shown; Play and Bend ask for it where they need it. The panels, which
-   * show what comes of it, have to be there.
+   * Starts the model, unless no panel that needs it is shown; Play and Bend ask for it where they need it. The panels,
+   * which show what comes of it, have to be there.
    */
   #startModel() {
-    if (this.#components.panels && visiblePanels(this.#state).some((one) => one !== "play" && one !== "bend")) this.#client.start(this.#state.model);
+    if (this.#components.panels && visiblePanels(this.#state).some((one) => one !== "play" && one !== "bend"))
+      this.#client.start(this.#state.model);
   }
 
   /** Does a link leave out the buttons that lead away from what it shows? */
@@ -299,7 +333,9 @@ export class PuzzleController extends EventTarget {
     return this.#state.hide.includes("tools");
   }
 
-  /** Starts the model because it is asked for, whatever is shown; falls back to the first model if the name is unknown. */
+  /**
+   * Starts the model because it is asked for, whatever is shown; falls back to the first model if the name is unknown.
+   */
   #requestModel() {
     if (this.#client.failure?.code === "no_model") this.#changeState({ model: null });
     else this.#client.start(this.#state.model);

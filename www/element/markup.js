@@ -1,5 +1,5 @@
-// The shadow tree of a puzzle: scene, transport, panels, their templates and dialogs. It is the only markup that is made from
-// text, and the text is constant. Ids are unique in each shadow tree.
+// The shadow tree of a puzzle: scene, transport, panels, their templates and dialogs. It is the only markup that is
+// made from text, and the text is constant. Ids are unique in each shadow tree.
 
 import { BEND_MARKUP } from "../workshop/bend-markup.js";
 import { PANELS_MARKUP } from "./panels-markup.js";

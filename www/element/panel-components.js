@@ -1,5 +1,5 @@
-// The components of all that the first picture of a puzzle does not need, made in the order in which they are opened: the maps
-// are asked for first, and what others read comes before them.
+// The components of all that the first picture of a puzzle does not need, made in the order in which they are opened:
+// the maps are asked for first, and what others read comes before them.
 
 import { Choice } from "../panels/choice.js";
 import { Compare } from "../panels/compare.js";
@@ -41,7 +41,11 @@ export function createPanelComponents({ root, module, client, progress, hrefOf }
   const imagine = new Imagine(root, client, scenePicture);
   const predict = new Predict(root, imagine, scenePicture);
   const proposals = new Proposals(root, client, imagine);
-  const [choice, forecast, solveMap] = [new Choice(root, client), new Forecast(root, client), new SolveMapPanel(root, client, imagine)];
+  const [choice, forecast, solveMap] = [
+    new Choice(root, client),
+    new Forecast(root, client),
+    new SolveMapPanel(root, client, imagine),
+  ];
   const walkthrough = new Walkthrough(root, imagine, choice);
   const stageView = new StageView(root, walkthrough);
   /** @type {Component[]} */
@@ -52,16 +56,24 @@ export function createPanelComponents({ root, module, client, progress, hrefOf }
     new AttemptList(root, byId(root, "player-attempts"), byId(root, "player-count"), "player"),
     new AttemptList(root, byId(root, "model-attempts"), byId(root, "model-count"), "model"),
     choice,
-    walkthrough, stageView,
+    walkthrough,
+    stageView,
     new Probe(root, imagine),
     new ImaginedVsReal(root, imagine, scenePicture),
-    predict, forecast,
+    predict,
+    forecast,
     new Compare(root, client),
-    proposals, solveMap,
+    proposals,
+    solveMap,
     new ModelBadge(root, client, imagine),
     new ModelPair(root, module, client, scenePicture),
-    bend, new ShareOwn(root, bend, progress.player.persistent), new Pictures(root), new StripPicture(root, imagine, scenePicture),
-    new Check(root, client, bend), new Luck(root, client), new Replays(root, client),
+    bend,
+    new ShareOwn(root, bend, progress.player.persistent),
+    new Pictures(root),
+    new StripPicture(root, imagine, scenePicture),
+    new Check(root, client, bend),
+    new Luck(root, client),
+    new Replays(root, client),
     new Scoreboard(root, client, progress, (task) => hrefOf(task, "compare")),
     new Overlays(root, canvas, { bend, choice, forecast, imagine, predict, proposals, solveMap }),
   ];

@@ -1,5 +1,5 @@
-// The markup of the panels, as constant text; the tabs that show them are in markup.js. What panel-components.js brings to life
-// is inert until then.
+// The markup of the panels, as constant text; the tabs that show them are in markup.js. What panel-components.js brings
+// to life is inert until then.
 
 import { LUCK_MARKUP, REPLAYS_MARKUP, SAVE_MARKUP } from "../workshop/play-markup.js";
 

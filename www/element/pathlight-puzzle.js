@@ -1,15 +1,15 @@
-// The custom element <pathlight-puzzle>: shows one puzzle in any page, without a frame. The page of Pathlight itself is made
-// of it. Importing this file defines the element:
+// The custom element <pathlight-puzzle>: shows one puzzle in any page, without a frame. The page of Pathlight itself is
+// made of it. Importing this file defines the element:
 //
 //     <script type="module" src="…/element/pathlight-puzzle.js"></script>
 //     <pathlight-puzzle task="00007:008" panel="imagine"></pathlight-puzzle>
 //
-// The attributes say what is shown, follow the person, and can be changed at any time: `task` or `scene`, `model`, `panel`,
-// `stage`, `view`, `proposal`, `layers`, `opacity`, `forecast`, `ball`, `challenge` and `hide`, as in the links of Pathlight, and `theme`. Besides:
-//   fill       takes the height of its container too, which must have one; else it is as high as its content
-//   remember   keeps the attempts at each puzzle, their number and the one that solved it in this browser (localStorage); else
-//              they are forgotten with the page. Read once, when the puzzle is loaded
-// This file knows only the element; everything else is loaded once the wasm is there.
+// The attributes say what is shown, follow the person, and can be changed at any time: `task` or `scene`, `model`,
+// `panel`, `stage`, `view`, `proposal`, `layers`, `opacity`, `forecast`, `ball`, `challenge` and `hide`, as in the
+// links of Pathlight, and `theme`. Besides: fill       takes the height of its container too, which must have one; else
+// it is as high as its content remember   keeps the attempts at each puzzle, their number and the one that solved it in
+// this browser (localStorage); else they are forgotten with the page. Read once, when the puzzle is loaded This file
+// knows only the element; everything else is loaded once the wasm is there.
 
 import { afterFrame } from "../shell/after-frame.js";
 import { loadWasm } from "../shell/load-wasm.js";
@@ -24,9 +24,26 @@ import { loadStyleSheets } from "./style-sheets.js";
 /** @typedef {(task: string, panel: Panel) => string | null} HrefOf */
 
 /** The attributes that make up the state; shell/url-state.js knows their values. */
-const STATE_ATTRIBUTES = ["task", "scene", "model", "panel", "stage", "view", "proposal", "layers", "opacity", "forecast", "ball", "challenge", "hide"];
+const STATE_ATTRIBUTES = [
+  "task",
+  "scene",
+  "model",
+  "panel",
+  "stage",
+  "view",
+  "proposal",
+  "layers",
+  "opacity",
+  "forecast",
+  "ball",
+  "challenge",
+  "hide",
+];
 
-/** So many frames a page has for itself before a puzzle with nothing to show is made: its first pictures are in the second. */
+/**
+ * So many frames a page has for itself before a puzzle with nothing to show is made: its first pictures are in the
+ * second.
+ */
 const FRAMES_FOR_THE_PAGE = 3;
 
 const darkScheme = matchMedia("(prefers-color-scheme: dark)");
@@ -81,7 +98,10 @@ export class PathlightPuzzle extends HTMLElement {
     this.#scheduleUpdate();
   }
 
-  /** Starts what the puzzle waits for longest. One with nothing to show leaves the page some frames for its own first picture. */
+  /**
+   * Starts what the puzzle waits for longest. One with nothing to show leaves the page some frames for its own first
+   * picture.
+   */
   async #prepare() {
     const sheets = loadStyleSheets();
     // `#load` handles what becomes of them.
@@ -107,8 +127,8 @@ export class PathlightPuzzle extends HTMLElement {
   }
 
   /**
-   * Takes over the properties that were set before this file had defined the element: they are the object's own, and hide the
-   * accessors.
+   * Takes over the properties that were set before this file had defined the element: they are the object's own, and
+   * hide the accessors.
    */
   #takeEarlyProperties() {
     for (const name of ["hrefOf", "state", ...PathlightPuzzle.observedAttributes]) {
@@ -120,54 +140,117 @@ export class PathlightPuzzle extends HTMLElement {
   }
 
   /** The puzzle, "00007:008"; null for none. */
-  get task() { return this.getAttribute("task"); }
-  set task(value) { this.#setAttribute("task", value); }
+  get task() {
+    return this.getAttribute("task");
+  }
+  set task(value) {
+    this.#setAttribute("task", value);
+  }
   /** An own scene, as the link to it holds it; null for a task. */
-  get scene() { return this.getAttribute("scene"); }
-  set scene(value) { this.#setAttribute("scene", value); }
+  get scene() {
+    return this.getAttribute("scene");
+  }
+  set scene(value) {
+    this.#setAttribute("scene", value);
+  }
   /** The name of the model; null for the first. */
-  get model() { return this.getAttribute("model"); }
-  set model(value) { this.#setAttribute("model", value); }
+  get model() {
+    return this.getAttribute("model");
+  }
+  set model(value) {
+    this.#setAttribute("model", value);
+  }
   /** "play", "imagine", "compare", "predict", "map" or "bend"; null for "play". */
-  get panel() { return this.getAttribute("panel"); }
-  set panel(value) { this.#setAttribute("panel", value); }
-  /** The stage that the walkthrough is at: "base", "target", "action", "placement" or "judge", or "candidates", "imagined", "chosen", "run" or "real"; null for all together. */
-  get stage() { return this.getAttribute("stage"); }
-  set stage(value) { this.#setAttribute("stage", value); }
+  get panel() {
+    return this.getAttribute("panel");
+  }
+  set panel(value) {
+    this.#setAttribute("panel", value);
+  }
+  /**
+   * The stage that the walkthrough is at: "base", "target", "action", "placement" or "judge", or "candidates",
+   * "imagined", "chosen", "run" or "real"; null for all together.
+   */
+  get stage() {
+    return this.getAttribute("stage");
+  }
+  set stage(value) {
+    this.#setAttribute("stage", value);
+  }
   /** "stage" for the scene and one sentence, in large type; null for all panels. */
-  get view() { return this.getAttribute("view"); }
-  set view(value) { this.#setAttribute("view", value); }
+  get view() {
+    return this.getAttribute("view");
+  }
+  set view(value) {
+    this.#setAttribute("view", value);
+  }
   /** The number of the model's ball that is looked at, from 1; null for none. */
-  get proposal() { return this.getAttribute("proposal"); }
-  set proposal(value) { this.#setAttribute("proposal", value); }
+  get proposal() {
+    return this.getAttribute("proposal");
+  }
+  set proposal(value) {
+    this.#setAttribute("proposal", value);
+  }
   /** The maps that lie over the scene: names of stages, with commas between them. */
-  get layers() { return this.getAttribute("layers"); }
-  set layers(value) { this.#setAttribute("layers", value); }
+  get layers() {
+    return this.getAttribute("layers");
+  }
+  set layers(value) {
+    this.#setAttribute("layers", value);
+  }
   /** How much the maps cover, 0 to 1. */
-  get opacity() { return this.getAttribute("opacity"); }
-  set opacity(value) { this.#setAttribute("opacity", value); }
+  get opacity() {
+    return this.getAttribute("opacity");
+  }
+  set opacity(value) {
+    this.#setAttribute("opacity", value);
+  }
   /** "on" if the model imagines what the ball being placed would do, else "off" or null. */
-  get forecast() { return this.getAttribute("forecast"); }
-  set forecast(value) { this.#setAttribute("forecast", value); }
+  get forecast() {
+    return this.getAttribute("forecast");
+  }
+  set forecast(value) {
+    this.#setAttribute("forecast", value);
+  }
   /** The ball that is being placed: "x,y,r" in px of the scene; null for none. */
-  get ball() { return this.getAttribute("ball"); }
-  set ball(value) { this.#setAttribute("ball", value); }
+  get ball() {
+    return this.getAttribute("ball");
+  }
+  set ball(value) {
+    this.#setAttribute("ball", value);
+  }
   /** The attempt at which somebody solved the puzzle, whom the player is to beat; null for none. */
-  get challenge() { return this.getAttribute("challenge"); }
-  set challenge(value) { this.#setAttribute("challenge", value); }
+  get challenge() {
+    return this.getAttribute("challenge");
+  }
+  set challenge(value) {
+    this.#setAttribute("challenge", value);
+  }
   /** The names of the parts that are hidden, with commas between them. */
-  get hide() { return this.getAttribute("hide"); }
-  set hide(value) { this.#setAttribute("hide", value); }
+  get hide() {
+    return this.getAttribute("hide");
+  }
+  set hide(value) {
+    this.#setAttribute("hide", value);
+  }
   /** "light", "dark" or "auto"; null for "auto", which follows the system. */
-  get theme() { return this.getAttribute("theme"); }
-  set theme(value) { this.#setAttribute("theme", value); }
+  get theme() {
+    return this.getAttribute("theme");
+  }
+  set theme(value) {
+    this.#setAttribute("theme", value);
+  }
 
   /**
    * Returns the address of another puzzle, for links to it; null where it has none. Null: there are no such links.
    * @type {HrefOf | null}
    */
-  get hrefOf() { return this.#hrefOf; }
-  set hrefOf(value) { this.#hrefOf = value; }
+  get hrefOf() {
+    return this.#hrefOf;
+  }
+  set hrefOf(value) {
+    this.#hrefOf = value;
+  }
 
   /**
    * All that the attributes say, as one object; null until the wasm is there, if it has not been set.
@@ -207,7 +290,9 @@ export class PathlightPuzzle extends HTMLElement {
     this.#controller?.toggleStageView();
   }
 
-  /** Resolves when the state is that of what is seen: a scene that is being bent becomes the puzzle only when it rests. */
+  /**
+   * Resolves when the state is that of what is seen: a scene that is being bent becomes the puzzle only when it rests.
+   */
   async settle() {
     await this.#controller?.settle();
   }
@@ -218,8 +303,8 @@ export class PathlightPuzzle extends HTMLElement {
   }
 
   /**
-   * Acts on a key that was pressed elsewhere in the page. By itself the element hears only the keys that are pressed in it,
-   * so that several puzzles in one page do not all react.
+   * Acts on a key that was pressed elsewhere in the page. By itself the element hears only the keys that are pressed in
+   * it, so that several puzzles in one page do not all react.
    * @param {KeyboardEvent} event
    */
   pressKey(event) {
@@ -243,7 +328,10 @@ export class PathlightPuzzle extends HTMLElement {
     this.#begun = true;
     try {
       const [module, sheets] = await Promise.all([loadWasm(), loadStyleSheets()]);
-      const [{ PuzzleController }, { sharedProgress }] = await Promise.all([import("./controller.js"), import("../shell/progress-store.js")]);
+      const [{ PuzzleController }, { sharedProgress }] = await Promise.all([
+        import("./controller.js"),
+        import("../shell/progress-store.js"),
+      ]);
       this.#root.adoptedStyleSheets = [placeholderSheet, ...sheets];
       this.#root.append(puzzleMarkup());
       const progress = sharedProgress(this.hasAttribute("remember") ? "kept" : "forgotten");
@@ -276,9 +364,13 @@ export class PathlightPuzzle extends HTMLElement {
       this.#reflect(controller);
       this.#dispatch("statechange", controller.state);
     });
-    controller.addEventListener("share", (event) => this.#dispatch("share", /** @type {CustomEvent<Result>} */ (event).detail));
+    controller.addEventListener("share", (event) =>
+      this.#dispatch("share", /** @type {CustomEvent<Result>} */ (event).detail),
+    );
     controller.addEventListener("modelchange", () => this.#dispatch("modelchange", controller.model));
-    controller.addEventListener("attempt", (event) => this.#dispatch("attempt", /** @type {CustomEvent<PlayedAttempt>} */ (event).detail));
+    controller.addEventListener("attempt", (event) =>
+      this.#dispatch("attempt", /** @type {CustomEvent<PlayedAttempt>} */ (event).detail),
+    );
     return controller;
   }
 
@@ -311,7 +403,10 @@ export class PathlightPuzzle extends HTMLElement {
     const { theme } = this;
     controller.setTheme(theme === "dark" || (theme !== "light" && darkScheme.matches));
     if (this.#awaited) this.#applyAwaited(controller);
-    else controller.applyTexts(STATE_ATTRIBUTES.filter((name) => this.hasAttribute(name)).map((name) => [name, this.getAttribute(name) ?? ""]));
+    else
+      controller.applyTexts(
+        STATE_ATTRIBUTES.filter((name) => this.hasAttribute(name)).map((name) => [name, this.getAttribute(name) ?? ""]),
+      );
   }
 
   /** @param {import("./controller.js").PuzzleController} controller */

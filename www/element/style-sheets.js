@@ -3,7 +3,12 @@
 import { failure } from "../api/failure.js";
 import { readFile } from "../api/files.js";
 
-const ADDRESSES = [new URL("../base.css", import.meta.url), new URL("../element/puzzle.css", import.meta.url), new URL("../element/panels.css", import.meta.url), new URL("../workshop/workshop.css", import.meta.url)];
+const ADDRESSES = [
+  new URL("../base.css", import.meta.url),
+  new URL("../element/puzzle.css", import.meta.url),
+  new URL("../element/panels.css", import.meta.url),
+  new URL("../workshop/workshop.css", import.meta.url),
+];
 
 /** @type {Promise<CSSStyleSheet[]> | null} */
 let loaded = null;

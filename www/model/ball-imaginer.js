@@ -44,7 +44,10 @@ export class BallImaginer extends EventTarget {
   /** The answer in the form in which it is drawn over the scene. */
   get paths() {
     if (!this.answer) return null;
-    const { of, imagined: { object, ball, errors } } = this.answer;
+    const {
+      of,
+      imagined: { object, ball, errors },
+    } = this.answer;
     return { of, object, ball, errors };
   }
 

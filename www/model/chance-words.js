@@ -1,5 +1,5 @@
-// What the model imagines for a ball, in words: how likely the ball solves the puzzle, and how far the imagined paths are from
-// the real ones. Knows nothing of the document.
+// What the model imagines for a ball, in words: how likely the ball solves the puzzle, and how far the imagined paths
+// are from the real ones. Knows nothing of the document.
 
 /** @typedef {import("../pkg/pathlight.js").ImaginedBall} ImaginedBall */
 
@@ -49,7 +49,9 @@ export function expectedErrorWords({ steps, errors }) {
  * @param {Pick<ImaginedBall, "object">} real
  */
 export function errorWords({ steps, object }, { object: real }) {
-  const distances = Array.from(steps, (_, index) => Math.hypot(object[2 * index] - real[2 * index], object[2 * index + 1] - real[2 * index + 1]));
+  const distances = Array.from(steps, (_, index) =>
+    Math.hypot(object[2 * index] - real[2 * index], object[2 * index + 1] - real[2 * index + 1]),
+  );
   return `It imagined the green object ${pixels(mean(distances))} from where it really was, on average.`;
 }
 

@@ -1,5 +1,5 @@
-// Asks for an answer to something that changes all the time: the newest question counts, and those that come while one is being
-// answered are left out, except for the last. Knows nothing of what is asked.
+// Asks for an answer to something that changes all the time: the newest question counts, and those that come while one
+// is being answered are left out, except for the last. Knows nothing of what is asked.
 
 /**
  * @template Question

@@ -1,7 +1,7 @@
 // The messages between the page and its worker, as types. There is no code in this file.
 //
-// The page sends a Request, and the worker answers it by any number of updates (`progress`, `attempt`, `map`) and then by
-// one `value` or one `error`. A Cancel ends a request that is still running; nobody waits for its answer.
+// The page sends a Request, and the worker answers it by any number of updates (`progress`, `attempt`, `map`) and then
+// by one `value` or one `error`. A Cancel ends a request that is still running; nobody waits for its answer.
 
 /** @typedef {import("../pkg/pathlight.js").Attempt} Attempt */
 /** @typedef {import("../pkg/pathlight.js").Ball} Ball */
@@ -40,11 +40,12 @@
 /** @typedef {import("../pkg/pathlight.js").Verification} Verification */
 
 /**
- * The calls of the worker: their arguments and their values.
- * `start` takes the compiled wasm; `load` the name of weights in assets/model.json (null: the first); `propose` returns the
- * balls of a turn with what becomes of each; `imagineBall` and `consider` return null if the weights have no dynamics net;
- * `turn` tries them in order; `watch` runs the scene without a ball; `search` looks for
- * solutions, `luck` tries the balls beside one; `attemptLines` simulates balls with their digests, `verify` simulates such lines again; `solve` maps where a ball of a radius (px) solves.
+ * The calls of the worker: their arguments and their values. `start` takes the compiled wasm; `load` the name of
+ * weights in assets/model.json (null: the first); `propose` returns the balls of a turn with what becomes of each;
+ * `imagineBall` and `consider` return null if the weights have no dynamics net; `turn` tries them in order; `watch`
+ * runs the scene without a ball; `search` looks for solutions, `luck` tries the balls beside one; `attemptLines`
+ * simulates balls with their digests, `verify` simulates such lines again; `solve` maps where a ball of a radius (px)
+ * solves.
  * @typedef {object} Calls
  * @property {{ args: { module: WebAssembly.Module }, value: void }} start
  * @property {{ args: { name: string | null }, value: LoadedModel }} load
@@ -68,8 +69,8 @@
  */
 
 /**
- * An error for the person. Codes that the page knows: "no_model" (no model of this name), "crashed" (the wasm trapped, so
- * the worker must not be used again). Others come from the wasm exports and are only shown.
+ * An error for the person. Codes that the page knows: "no_model" (no model of this name), "crashed" (the wasm trapped,
+ * so the worker must not be used again). Others come from the wasm exports and are only shown.
  * @typedef {{ code: string, message: string }} Failure
  */
 

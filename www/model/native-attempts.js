@@ -1,5 +1,5 @@
-// The attempts of assets/attempts.jsonl, which the native program has simulated: what computes the same digests here computes the
-// same as it.
+// The attempts of assets/attempts.jsonl, which the native program has simulated: what computes the same digests here
+// computes the same as it.
 
 import { failure } from "../api/failure.js";
 import { readFile } from "../api/files.js";
@@ -14,5 +14,11 @@ const ADDRESS = new URL(`../assets/${FILE}`, import.meta.url);
  */
 export async function readNativeAttempts() {
   const bytes = await readFile(ADDRESS, (reason) => failure("bad_data", reason)).catch(() => null);
-  return bytes ? new TextDecoder().decode(bytes).trimEnd().split("\n").map((line) => JSON.parse(line)) : [];
+  return bytes
+    ? new TextDecoder()
+        .decode(bytes)
+        .trimEnd()
+        .split("\n")
+        .map((line) => JSON.parse(line))
+    : [];
 }

@@ -1,5 +1,5 @@
-// The outcomes of a model's balls: what became of each, in three kinds, and the list as comma-separated values. Knows nothing of
-// the document.
+// The outcomes of a model's balls: what became of each, in three kinds, and the list as comma-separated values. Knows
+// nothing of the document.
 
 import { STEPS_PER_SECOND } from "../shell/constants.js";
 import { toCsv } from "../shell/csv.js";
@@ -46,10 +46,29 @@ export function outcomesWords(tried) {
  * @param {{ task: string, model: string, seen: boolean, simulator: number }} about
  */
 export function ballsCsv(tried, { task, model, seen, simulator }) {
-  const names = ["task", "model", "seen_in_training", "simulator", "number", "x", "y", "r", "outcome", "longest_touch", "seconds", "origin", "chance", "chance_before", "lowered_by"];
+  const names = [
+    "task",
+    "model",
+    "seen_in_training",
+    "simulator",
+    "number",
+    "x",
+    "y",
+    "r",
+    "outcome",
+    "longest_touch",
+    "seconds",
+    "origin",
+    "chance",
+    "chance_before",
+    "lowered_by",
+  ];
   const rows = tried.map((one, index) => {
     const { ball, ending, origin } = one;
-    const chances = origin.kind === "imagined" ? [origin.probability, origin.prior, origin.lowered_by] : [origin.kind === "judge" ? origin.probability : null, null, null];
+    const chances =
+      origin.kind === "imagined"
+        ? [origin.probability, origin.prior, origin.lowered_by]
+        : [origin.kind === "judge" ? origin.probability : null, null, null];
     const seconds = [ending.longest_touch, ending.steps].map((steps) => (steps / STEPS_PER_SECOND).toFixed(2));
     return [task, model, seen, simulator, index + 1, ...ball, outcomeOf(one), ...seconds, origin.kind, ...chances];
   });

@@ -1,5 +1,5 @@
-// Places in a scene, in words of the scene: "just above the left slope". For people who hear a map instead of seeing it, and for
-// whoever wants to say where a map points. Knows nothing of the document.
+// Places in a scene, in words of the scene: "just above the left slope". For people who hear a map instead of seeing
+// it, and for whoever wants to say where a map points. Knows nothing of the document.
 
 import { CELL_SIZE, GRID_SIDE, SCENE_SIZE } from "../shell/constants.js";
 
@@ -57,7 +57,11 @@ export function placeWords([x, y], scene, names = bodyNames(scene)) {
   }
   const [across, up] = [x, y].map((coordinate) => Math.min(Math.floor((3 * coordinate) / SCENE_SIZE), 2));
   const height = ["low", "half way up", "high up"][up];
-  return across === 1 ? (up === 1 ? "in the middle" : `${height} in the middle`) : `${height} on the ${across ? "right" : "left"}`;
+  return across === 1
+    ? up === 1
+      ? "in the middle"
+      : `${height} in the middle`
+    : `${height} on the ${across ? "right" : "left"}`;
 }
 
 /**
@@ -65,7 +69,9 @@ export function placeWords([x, y], scene, names = bodyNames(scene)) {
  * @param {Scene} scene
  */
 export function bodyNames({ bodies, body1, body2 }) {
-  const kinds = bodies.map((body, index) => (index === body1 || index === body2 || body.dynamic ? `${body.role} ${kindOf(body)}` : kindOf(body)));
+  const kinds = bodies.map((body, index) =>
+    index === body1 || index === body2 || body.dynamic ? `${body.role} ${kindOf(body)}` : kindOf(body),
+  );
   return kinds.map((kind, index) => {
     const alike = bodies.filter((_, other) => kinds[other] === kind);
     return alike.length > 1 ? distinct(kind, bodies[index], alike) : kind;
@@ -111,9 +117,17 @@ function ordinal(number) {
  */
 function awayFrom(body, [x, y]) {
   const [cos, sin] = [Math.cos(body.angle), Math.sin(body.angle)];
-  const local = /** @type {Point} */ ([cos * (x - body.x) + sin * (y - body.y), cos * (y - body.y) - sin * (x - body.x)]);
-  const found = body.parts.map((part) => ("circle" in part ? fromCircle(local, part.circle) : fromPolygon(local, part.polygon)));
-  const { distance, away: [u, v] } = found.reduce((best, one) => (one.distance < best.distance ? one : best));
+  const local = /** @type {Point} */ ([
+    cos * (x - body.x) + sin * (y - body.y),
+    cos * (y - body.y) - sin * (x - body.x),
+  ]);
+  const found = body.parts.map((part) =>
+    "circle" in part ? fromCircle(local, part.circle) : fromPolygon(local, part.polygon),
+  );
+  const {
+    distance,
+    away: [u, v],
+  } = found.reduce((best, one) => (one.distance < best.distance ? one : best));
   return { distance, dx: cos * u - sin * v, dy: sin * u + cos * v };
 }
 

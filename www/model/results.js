@@ -1,5 +1,5 @@
-// The measurements of the shipped models: which test tasks each agent solves, and how often its chances come true. Read only when
-// somebody asks for them. Knows nothing of the document.
+// The measurements of the shipped models: which test tasks each agent solves, and how often its chances come true. Read
+// only when somebody asks for them. Knows nothing of the document.
 //
 // assets/results.json, which `pathlight publish-results` writes.
 
@@ -8,13 +8,14 @@ import { readFile } from "../api/files.js";
 import { toCsv } from "../shell/csv.js";
 
 /**
- * The balls to which a model gives a chance in one tenth of 0..1: their number, the mean of the chances, and how many solve.
+ * The balls to which a model gives a chance in one tenth of 0..1: their number, the mean of the chances, and how many
+ * solve.
  * @typedef {{ balls: number, chance: number, solved: number }} Bin
  */
 
 /**
- * The measurements of a model on the test tasks of its fold: for each agent the first attempt that solved each task, from 1,
- * null if none of a hundred did; and its auccess, 0 to 100.
+ * The measurements of a model on the test tasks of its fold: for each agent the first attempt that solved each task,
+ * from 1, null if none of a hundred did; and its auccess, 0 to 100.
  * @typedef {object} ModelResults
  * @property {string} name
  * @property {number} simulator
@@ -31,7 +32,8 @@ const ADDRESS = new URL("../assets/results.json", import.meta.url);
 let read = null;
 
 /**
- * Returns the measurements of all shipped models. Rejects with a sentence for the person; the next call then tries again.
+ * Returns the measurements of all shipped models. Rejects with a sentence for the person; the next call then tries
+ * again.
  * @returns {Promise<ModelResults[]>}
  */
 export function readResults() {
@@ -43,9 +45,17 @@ export function readResults() {
 }
 
 async function load() {
-  const bytes = await readFile(ADDRESS, (reason) => failure("no_weights", `The results could not be loaded: ${reason} for ${ADDRESS}. Check the connection and try again.`));
+  const bytes = await readFile(ADDRESS, (reason) =>
+    failure(
+      "no_weights",
+      `The results could not be loaded: ${reason} for ${ADDRESS}. Check the connection and try again.`,
+    ),
+  );
   const { models } = await new Response(bytes).json().catch(() => {
-    throw failure("bad_data", `The results are damaged: what ${ADDRESS} holds is not JSON. Write it again by “pathlight publish-results”.`);
+    throw failure(
+      "bad_data",
+      `The results are damaged: what ${ADDRESS} holds is not JSON. Write it again by “pathlight publish-results”.`,
+    );
   });
   return models;
 }
@@ -57,7 +67,9 @@ async function load() {
  */
 export function resultsCsv(models, nameOf) {
   const rows = models.flatMap(({ name, simulator, agents_version: version, tasks, first_solved: solved }) =>
-    Object.entries(solved).flatMap(([agent, firsts]) => tasks.map((task, index) => [name, simulator, version, agent, task, nameOf(task), firsts[index]])),
+    Object.entries(solved).flatMap(([agent, firsts]) =>
+      tasks.map((task, index) => [name, simulator, version, agent, task, nameOf(task), firsts[index]]),
+    ),
   );
   return toCsv([["model", "simulator", "agents_version", "agent", "task", "template", "first_solved"], ...rows]);
 }

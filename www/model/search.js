@@ -1,5 +1,5 @@
-// A search of the worker's that goes on until it is done, fails, or is stopped. Knows nothing of what is searched, nor of the
-// document.
+// A search of the worker's that goes on until it is done, fails, or is stopped. Knows nothing of what is searched, nor
+// of the document.
 
 export class Search {
   /**
@@ -27,7 +27,8 @@ export class Search {
     try {
       await ask(call.signal);
     } catch (error) {
-      if (!call.signal.aborted) this.failure = `The search ended: ${/** @type {Error} */ (error).message} Press the button to search again.`;
+      if (!call.signal.aborted)
+        this.failure = `The search ended: ${/** @type {Error} */ (error).message} Press the button to search again.`;
     }
     if (call === this.#call) this.stop();
   }

@@ -1,6 +1,6 @@
-// The model of one puzzle. Puzzles of a page that ask for the same model share its worker: each worker holds the weights and
-// an instance of the wasm, and a lesson may show many puzzles. Has the calls and the events of a WorkerClient, and follows
-// the one that it uses at present.
+// The model of one puzzle. Puzzles of a page that ask for the same model share its worker: each worker holds the
+// weights and an instance of the wasm, and a lesson may show many puzzles. Has the calls and the events of a
+// WorkerClient, and follows the one that it uses at present.
 
 import { WorkerClient } from "./worker-client.js";
 

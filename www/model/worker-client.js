@@ -1,6 +1,6 @@
-// The page's side of the worker: each call is a promise, and takes an AbortSignal as its token. Once the signal is aborted
-// the promise rejects with its reason and no update of the call arrives any more, however late the worker answers. A worker
-// that crashes rejects every open call with a sentence, and can be started again.
+// The page's side of the worker: each call is a promise, and takes an AbortSignal as its token. Once the signal is
+// aborted the promise rejects with its reason and no update of the call arrives any more, however late the worker
+// answers. A worker that crashes rejects every open call with a sentence, and can be started again.
 
 /** @typedef {import("./messages.js").Calls} Calls */
 /** @typedef {import("./messages.js").Failure} Failure */
@@ -39,7 +39,10 @@ export class WorkerClient extends EventTarget {
   #module;
   /** @type {Worker | null} */
   #worker = null;
-  /** @type {Map<number, { resolve: (value: any) => void, reject: (reason: any) => void, onUpdate: (update: Update) => void }>} */
+  /**
+   * @type {Map<number, { resolve: (value: any) => void, reject: (reason: any) => void, onUpdate: (update: Update) =>
+   *   void }>}
+   */
   #pending = new Map();
   #nextId = 1;
 
@@ -58,8 +61,8 @@ export class WorkerClient extends EventTarget {
   }
 
   /**
-   * Starts a new worker in place of the present one, and loads weights: those of a name, or the first. Never rejects; see
-   * `status`.
+   * Starts a new worker in place of the present one, and loads weights: those of a name, or the first. Never rejects;
+   * see `status`.
    * @param {string | null} name
    */
   async start(name) {
@@ -71,7 +74,9 @@ export class WorkerClient extends EventTarget {
     try {
       worker = this.#worker = this.#listened(createWorker());
       await this.#call("start", { module: this.#module });
-      const loaded = await this.#call("load", { name }, undefined, ({ progress }) => this.#set({ status: "loading", progress }));
+      const loaded = await this.#call("load", { name }, undefined, ({ progress }) =>
+        this.#set({ status: "loading", progress }),
+      );
       this.#set({ status: "ready", loaded });
     } catch (error) {
       const { code = "broken", message } = /** @type {Error & { code?: string }} */ (error);
@@ -232,9 +237,10 @@ export class WorkerClient extends EventTarget {
 
   /** @param {string | undefined} reason none if not even its code could be loaded */
   #onCrash(reason) {
-    const message = reason === undefined
-      ? "The model’s worker could not be loaded. If Pathlight has been updated meanwhile, load the page again. A page with a Content Security Policy has to allow workers (worker-src)."
-      : `The model’s worker has stopped${reason ? ` (${reason})` : ""}.`;
+    const message =
+      reason === undefined
+        ? "The model’s worker could not be loaded. If Pathlight has been updated meanwhile, load the page again. A page with a Content Security Policy has to allow workers (worker-src)."
+        : `The model’s worker has stopped${reason ? ` (${reason})` : ""}.`;
     this.#terminate(message);
     this.#set({ status: "failed", failure: { code: "crashed", message } });
   }
@@ -263,12 +269,13 @@ export class WorkerClient extends EventTarget {
 }
 
 /**
- * A worker of a page has to come from the page's own origin. If the modules come from another, a worker of the page's own
- * imports theirs.
+ * A worker of a page has to come from the page's own origin. If the modules come from another, a worker of the page's
+ * own imports theirs.
  */
 function createWorker() {
   // In this form bundlers find the worker.
-  if (new URL(import.meta.url).origin === globalThis.origin) return new Worker(new URL("../model/worker.js", import.meta.url), { type: "module" });
+  if (new URL(import.meta.url).origin === globalThis.origin)
+    return new Worker(new URL("../model/worker.js", import.meta.url), { type: "module" });
   return new Worker(importingScript(), { type: "module" });
 }
 
@@ -277,5 +284,7 @@ let scriptAddress;
 
 function importingScript() {
   const address = import.meta.url.replace(/[^/]*\/[^/]*$/, "model/worker.js");
-  return (scriptAddress ??= URL.createObjectURL(new Blob([`import ${JSON.stringify(address)};`], { type: "text/javascript" })));
+  return (scriptAddress ??= URL.createObjectURL(
+    new Blob([`import ${JSON.stringify(address)};`], { type: "text/javascript" }),
+  ));
 }

@@ -12,8 +12,25 @@ const SLICE = 100;
 /** A path of a scene alone has a point each so many steps. */
 const WATCHED_STEPS = 4;
 
-/** @type {{ [Name in keyof Calls]: (args: Calls[Name]["args"], sendUpdate: SendUpdate, isCancelled: IsCancelled) => Calls[Name]["value"] | Promise<Calls[Name]["value"]> }} */
-const calls = { start, load, imagine, imagineBall, consider, propose, turn, watch, search, luck, attemptLines, verify, solve };
+/**
+ * @type {{ [Name in keyof Calls]: (args: Calls[Name]["args"], sendUpdate: SendUpdate, isCancelled: IsCancelled) =>
+ *   Calls[Name]["value"] | Promise<Calls[Name]["value"]> }}
+ */
+const calls = {
+  start,
+  load,
+  imagine,
+  imagineBall,
+  consider,
+  propose,
+  turn,
+  watch,
+  search,
+  luck,
+  attemptLines,
+  verify,
+  solve,
+};
 
 /** @type {import("../api/pathlight.js").Pathlight} */
 let pathlight;
@@ -23,7 +40,9 @@ let started;
 const running = new Set();
 
 addEventListener("message", async ({ data }) => {
-  const { id, call, args, cancel } = /** @type {import("./messages.js").Request & import("./messages.js").Cancel} */ (data);
+  const { id, call, args, cancel } = /** @type {import("./messages.js").Request & import("./messages.js").Cancel} */ (
+    data
+  );
   if (cancel !== undefined) {
     running.delete(cancel);
     return;
@@ -31,7 +50,11 @@ addEventListener("message", async ({ data }) => {
   running.add(id);
   try {
     if (call !== "start") await started;
-    const value = await calls[call](args, (update) => postMessage({ id, update }), () => !running.has(id));
+    const value = await calls[call](
+      args,
+      (update) => postMessage({ id, update }),
+      () => !running.has(id),
+    );
     postMessage({ id, value });
   } catch (error) {
     postMessage({ id, error: failureOf(error) });
@@ -87,15 +110,17 @@ function consider({ played, seed }) {
 }
 
 /**
- * Lists the balls of a turn, each with what becomes of it. A model that learns from its attempts knows the next ball only when the
- * one before has been tried, and its list ends with the ball that solves.
+ * Lists the balls of a turn, each with what becomes of it. A model that learns from its attempts knows the next ball
+ * only when the one before has been tried, and its list ends with the ball that solves.
  * @param {Calls["propose"]["args"]} args
  * @param {SendUpdate} _
  * @param {IsCancelled} isCancelled
  */
 async function propose({ played, seed }, _, isCancelled) {
   const proposals = [];
-  for (const proposal of pathlight.card?.dynamics ? pathlight.turn(played, { seed }) : simulated(played, pathlight.propose(played, { seed }))) {
+  for (const proposal of pathlight.card?.dynamics
+    ? pathlight.turn(played, { seed })
+    : simulated(played, pathlight.propose(played, { seed }))) {
     proposals.push(proposal);
     await yieldToMessages();
     if (isCancelled()) break;

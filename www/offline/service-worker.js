@@ -1,9 +1,9 @@
-// The service worker of dist/, which keeps all files of one version, so that the page works without a network. It belongs
-// to dist/ alone: the sources and the bundle of `make play` have nothing at this worker's address.
+// The service worker of dist/, which keeps all files of one version, so that the page works without a network. It
+// belongs to dist/ alone: the sources and the bundle of `make play` have nothing at this worker's address.
 //
-// Each version has a cache of its own, and takes the place of the one before only when the person says so, or when no page
-// is open. A page that is still open then asks for files in the folder of its own version, and gets them from the cache of
-// that version, which stays as long as such a page holds its lock.
+// Each version has a cache of its own, and takes the place of the one before only when the person says so, or when no
+// page is open. A page that is still open then asks for files in the folder of its own version, and gets them from the
+// cache of that version, which stays as long as such a page holds its lock.
 
 /**
  * The version, and the paths that it is made of with their integrity. scripts/build-dist.mjs fills it in.
@@ -42,7 +42,9 @@ worker.addEventListener("fetch", (event) => {
   }
 });
 
-/** Keeps all files. The lock, as long as it takes, keeps another version's worker from deleting this cache as unused. */
+/**
+ * Keeps all files. The lock, as long as it takes, keeps another version's worker from deleting this cache as unused.
+ */
 function install() {
   return navigator.locks.request(CACHE, { mode: "shared" }, precache);
 }

@@ -1,6 +1,6 @@
-// Starts the service worker, and offers a new version of the page in a sentence. Only the index.html of dist/ names this
-// file. Where service workers are missing or denied, or storage is full, the page works as it does without them. It imports
-// nothing statically, so that a version with a broken module can still be replaced.
+// Starts the service worker, and offers a new version of the page in a sentence. Only the index.html of dist/ names
+// this file. Where service workers are missing or denied, or storage is full, the page works as it does without them.
+// It imports nothing statically, so that a version with a broken module can still be replaced.
 
 const SERVICE_WORKER = "service-worker.js";
 /** Longest wait for an idle page before registering the service worker, ms. */
@@ -17,8 +17,8 @@ async function start() {
   const { serviceWorker, locks } = navigator;
   if (!serviceWorker || !locks) return;
   const releaseVersion = await holdVersion();
-  // The first puzzle does not wait for files that are kept for later. A version that fails to start, and tells so itself,
-  // must still find the next one.
+  // The first puzzle does not wait for files that are kept for later. A version that fails to start, and tells so
+  // itself, must still find the next one.
   await import("../page/main.js").catch(() => {});
   serviceWorker.controller?.postMessage("started");
   await idle();
@@ -34,8 +34,8 @@ async function start() {
 }
 
 /**
- * Resolves once this page holds the lock of its version, for which the service worker keeps the files. The result releases
- * the lock, and resolves when that is done.
+ * Resolves once this page holds the lock of its version, for which the service worker keeps the files. The result
+ * releases the lock, and resolves when that is done.
  * @returns {Promise<() => Promise<void>>}
  */
 function holdVersion() {
@@ -89,7 +89,9 @@ async function checkForUpdate(registration, releaseVersion) {
   }
 }
 
-/** Does the server answer that there is no service worker, or with a page for every address? An error is no such answer. */
+/**
+ * Does the server answer that there is no service worker, or with a page for every address? An error is no such answer.
+ */
 async function isGone() {
   try {
     const { status, ok, redirected, headers } = await fetch(SERVICE_WORKER, { method: "HEAD", cache: "no-store" });
@@ -160,7 +162,8 @@ async function leave(scope, releaseVersion) {
     await releaseVersion();
     for (const name of await caches.keys()) {
       // Caches of pages in a folder below have a longer path.
-      if (!name.startsWith(`pathlight ${scope}`) || !/^[^/]+\/$/.test(name.slice(`pathlight ${scope}`.length))) continue;
+      if (!name.startsWith(`pathlight ${scope}`) || !/^[^/]+\/$/.test(name.slice(`pathlight ${scope}`.length)))
+        continue;
       await navigator.locks.request(name, { ifAvailable: true }, (lock) => lock && caches.delete(name));
     }
   } finally {

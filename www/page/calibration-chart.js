@@ -1,5 +1,5 @@
-// How often the chances that a model gives to balls come true, as a chart and as a table: where it says 30 %, three of ten balls
-// should solve.
+// How often the chances that a model gives to balls come true, as a chart and as a table: where it says 30 %, three of
+// ten balls should solve.
 
 /** @typedef {import("../model/results.js").Bin} Bin */
 /** @typedef {{ random: Bin[], candidates: Bin[] }} Calibration */
@@ -15,17 +15,37 @@ const FEW = 10;
  * @param {Calibration} calibration
  */
 export function calibrationChart({ random, candidates }) {
-  const chart = element("svg", { viewBox: `-20 -5 ${SIDE + 30} ${SIDE + 18}`, role: "img", "aria-label": "Chance given and share that solves; the table has the numbers" });
+  const chart = element("svg", {
+    viewBox: `-20 -5 ${SIDE + 30} ${SIDE + 18}`,
+    role: "img",
+    "aria-label": "Chance given and share that solves; the table has the numbers",
+  });
   for (const percent of [0, 50, 100]) {
-    const [across, up] = [element("text", { x: percent, y: SIDE + 9, "text-anchor": "middle" }), element("text", { x: -3, y: SIDE - percent + 2, "text-anchor": "end" })];
+    const [across, up] = [
+      element("text", { x: percent, y: SIDE + 9, "text-anchor": "middle" }),
+      element("text", { x: -3, y: SIDE - percent + 2, "text-anchor": "end" }),
+    ];
     across.textContent = up.textContent = `${percent} %`;
     chart.append(across, up, element("path", { d: `M${percent} 0V${SIDE}M0 ${percent}H${SIDE}`, class: "grid" }));
   }
   chart.append(element("path", { d: `M0 ${SIDE}L${SIDE} 0`, class: "diagonal" }));
   for (const [kind, bins] of Object.entries({ random, candidates })) {
-    const points = bins.filter(({ balls }) => balls >= FEW).map(({ balls, chance, solved }) => [SIDE * chance, SIDE * (1 - solved / balls)]);
-    chart.append(element("path", { d: `M${points.map((point) => point.map((value) => value.toFixed(1)).join(" ")).join("L")}`, class: kind }));
-    chart.append(...points.map(([x, y]) => (kind === "random" ? element("circle", { cx: x, cy: y, r: 1.8, class: kind }) : element("rect", { x: x - 1.8, y: y - 1.8, width: 3.6, height: 3.6, class: kind }))));
+    const points = bins
+      .filter(({ balls }) => balls >= FEW)
+      .map(({ balls, chance, solved }) => [SIDE * chance, SIDE * (1 - solved / balls)]);
+    chart.append(
+      element("path", {
+        d: `M${points.map((point) => point.map((value) => value.toFixed(1)).join(" ")).join("L")}`,
+        class: kind,
+      }),
+    );
+    chart.append(
+      ...points.map(([x, y]) =>
+        kind === "random"
+          ? element("circle", { cx: x, cy: y, r: 1.8, class: kind })
+          : element("rect", { x: x - 1.8, y: y - 1.8, width: 3.6, height: 3.6, class: kind }),
+      ),
+    );
   }
   return chart;
 }
@@ -40,7 +60,13 @@ export function calibrationTable({ random, candidates }) {
     head.scope = "row";
     head.textContent = `${(100 * index) / random.length} to ${(100 * (index + 1)) / random.length} %`;
     const row = document.createElement("tr");
-    row.append(head, ...[bin, candidates[index]].flatMap(({ balls, solved }) => [cell(balls.toLocaleString("en")), cell(balls ? `${((100 * solved) / balls).toFixed(1)} %` : "–")]));
+    row.append(
+      head,
+      ...[bin, candidates[index]].flatMap(({ balls, solved }) => [
+        cell(balls.toLocaleString("en")),
+        cell(balls ? `${((100 * solved) / balls).toFixed(1)} %` : "–"),
+      ]),
+    );
     return row;
   });
 }

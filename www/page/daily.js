@@ -4,9 +4,25 @@ import { solveRateOf } from "../shell/difficulty.js";
 
 /** A puzzle of the day is solved by at least this share of the valid balls, so that nobody despairs. */
 const LEAST_SOLVE_RATE = 0.01;
-/** A prime: each day’s puzzle is so many places after the last one’s, so that kinds alternate and none comes twice before all have come. */
+/**
+ * A prime: each day’s puzzle is so many places after the last one’s, so that kinds alternate and none comes twice
+ * before all have come.
+ */
 const STRIDE = 7919;
-const MONTHS = ["January", "February", "March", "April", "May", "June", "July", "August", "September", "October", "November", "December"];
+const MONTHS = [
+  "January",
+  "February",
+  "March",
+  "April",
+  "May",
+  "June",
+  "July",
+  "August",
+  "September",
+  "October",
+  "November",
+  "December",
+];
 /** ms */
 const DAY = 86_400_000;
 

@@ -1,4 +1,5 @@
-// The dialog that makes a link for a lesson: what of the page it shows, a preview, the address, and the address as a QR code.
+// The dialog that makes a link for a lesson: what of the page it shows, a preview, the address, and the address as a QR
+// code.
 
 import { PathlightPuzzle } from "../element/pathlight-puzzle.js";
 import { byId } from "../shell/dom.js";
@@ -6,7 +7,10 @@ import { HIDEABLE, PANELS, formatFragment, visiblePanels } from "../shell/url-st
 
 /** @typedef {import("../shell/url-state.js").State} State */
 /** @typedef {import("../shell/url-state.js").Hideable} Hideable */
-/** @typedef {{ generate: (text: string) => { toCanvas: (canvas: HTMLCanvasElement, colours: { on: number[], off: number[] }) => void } }} QrLibrary */
+/**
+ * @typedef {{ generate: (text: string) => { toCanvas: (canvas: HTMLCanvasElement, colours: { on: number[], off:
+ *   number[] }) => void } }} QrLibrary
+ */
 
 /**
  * The parts that a link can hide, as the dialog lists them.
@@ -139,7 +143,8 @@ export class LessonDialog {
       await navigator.clipboard.writeText(this.#address.value);
       words.textContent = "The link is copied.";
     } catch {
-      words.textContent = "This browser does not let the page copy: the address is selected, copy it with the keys or the menu.";
+      words.textContent =
+        "This browser does not let the page copy: the address is selected, copy it with the keys or the menu.";
     }
   }
 

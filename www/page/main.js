@@ -1,5 +1,5 @@
-// The entry: waits for the wasm, then loads the page, whose modules may call its exports from their first line on. Unhandled
-// errors are shown here.
+// The entry: waits for the wasm, then loads the page, whose modules may call its exports from their first line on.
+// Unhandled errors are shown here.
 
 import "../element/pathlight-puzzle.js";
 import { byId } from "../shell/dom.js";
@@ -11,7 +11,9 @@ const reload = () => location.reload();
 /** @param {unknown} error */
 function showCrash(error) {
   const reason = error instanceof Error ? error.message : String(error);
-  showNotice(`Something in Pathlight broke: ${reason.replace(/\.$/, "")}. Load the page again to go on.`, [["Load it again", reload]]);
+  showNotice(`Something in Pathlight broke: ${reason.replace(/\.$/, "")}. Load the page again to go on.`, [
+    ["Load it again", reload],
+  ]);
 }
 
 addEventListener("error", ({ error, message }) => showCrash(error ?? message));

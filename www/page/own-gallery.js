@@ -1,5 +1,6 @@
-// The person's own puzzles in the grid, beside the templates: each with a picture, its name, how it went, and a button that deletes
-// it with its attempts; files are opened by a button or dropped anywhere in the page, and all puzzles are saved in one.
+// The person's own puzzles in the grid, beside the templates: each with a picture, its name, how it went, and a button
+// that deletes it with its attempts; files are opened by a button or dropped anywhere in the page, and all puzzles are
+// saved in one.
 
 import { puzzleKey } from "../shell/attempt-store.js";
 import { LazyThumbnails } from "../shell/lazy-thumbnails.js";
@@ -80,7 +81,8 @@ export class OwnGallery {
    * @param {File[]} files
    */
   async #open(files) {
-    if (this.#state.hide.includes("puzzles")) return showNotice("This link shows one puzzle alone, so no file is opened here.");
+    if (this.#state.hide.includes("puzzles"))
+      return showNotice("This link shows one puzzle alone, so no file is opened here.");
     try {
       const scenes = (await Promise.all(files.map(readPuzzles))).flat();
       const [first, ...others] = scenes;
@@ -105,7 +107,10 @@ export class OwnGallery {
   /** Says under each puzzle how it went. */
   #mark() {
     if (this.#marks.length === 0) return;
-    const made = Map.groupBy(this.#attempts.ofOwnScenes.filter(({ by }) => by === "player"), ({ puzzle }) => puzzle);
+    const made = Map.groupBy(
+      this.#attempts.ofOwnScenes.filter(({ by }) => by === "player"),
+      ({ puzzle }) => puzzle,
+    );
     for (const { mark, key } of this.#marks) mark.textContent = wordsOf(made.get(key) ?? []);
   }
 

@@ -29,7 +29,12 @@ const taskPicker = byId(document, "task", HTMLSelectElement);
 export class Page {
   #puzzle = byId(document, "puzzle", PathlightPuzzle);
   #gallery = new Gallery(byId(document, "templates"), TEMPLATES);
-  #picks = new Picks(TEMPLATES, sharedProgress("kept").player, (task) => this.#navigate({ task }), () => this.#startGuide());
+  #picks = new Picks(
+    TEMPLATES,
+    sharedProgress("kept").player,
+    (task) => this.#navigate({ task }),
+    () => this.#startGuide(),
+  );
   #ownGallery = new OwnGallery(sharedProgress("kept").attempts, (scene) => this.#navigate({ scene }));
   #progressView = new ProgressView(sharedProgress("kept"), TEMPLATES, this.#gallery);
   /** @type {import("./share-dialog.js").ShareDialog | null} */
@@ -85,7 +90,8 @@ export class Page {
   /** Applies the colour scheme to the style sheet and to what the wasm paints. */
   #applyTheme() {
     const dark = darkScheme.matches;
-    for (const [name, colour] of Object.entries(palette(dark))) document.documentElement.style.setProperty(`--${name}`, colour);
+    for (const [name, colour] of Object.entries(palette(dark)))
+      document.documentElement.style.setProperty(`--${name}`, colour);
     this.#gallery.setTheme(dark);
     this.#ownGallery.setTheme(dark);
   }
@@ -106,7 +112,8 @@ export class Page {
   #onRoute(own = false) {
     const { state, problem } = this.#address.read();
     // The ball stays where it is, unless a link to the same puzzle places it elsewhere.
-    const ballStays = (own || state.ball === null) && state.task === this.#state.task && state.scene === this.#state.scene;
+    const ballStays =
+      (own || state.ball === null) && state.task === this.#state.task && state.scene === this.#state.scene;
     if (ballStays) state.ball = this.#state.ball;
     const gallery = hrefOf(state, null);
     if (problem) showNotice(problem, gallery ? [["All puzzles", gallery]] : []);
@@ -155,7 +162,11 @@ export class Page {
    */
   #applyTitle({ task, scene, view }) {
     // Its name is known once it has been read; the puzzle itself says if it cannot be.
-    if (scene !== null && !knownScene(scene)) sceneOfText(scene).then(() => this.#applyTitle(this.#state), () => {});
+    if (scene !== null && !knownScene(scene))
+      sceneOfText(scene).then(
+        () => this.#applyTitle(this.#state),
+        () => {},
+      );
     const name = scene === null ? (task !== null && templateOf(task)?.name) || "" : sceneName(knownScene(scene));
     byId(document, "puzzle-name").textContent = name;
     const title = name ? `${name}${task ? ` ${task}` : ""}` : view === "results" ? "Results" : "";
@@ -207,7 +218,14 @@ export class Page {
    * @param {{ task?: string, scene?: string }} puzzle a task, or an own scene
    */
   #navigate({ task, scene }) {
-    const state = { ...this.#state, task: task ?? null, scene: scene ?? null, ball: null, proposal: null, challenge: null };
+    const state = {
+      ...this.#state,
+      task: task ?? null,
+      scene: scene ?? null,
+      ball: null,
+      proposal: null,
+      challenge: null,
+    };
     this.#address.push(state);
     dismissNotice();
     this.#applyState(state);
@@ -218,7 +236,8 @@ export class Page {
     const [target] = event.composedPath();
     if (!event.composedPath().includes(this.#puzzle)) this.#puzzle.pressKey(event);
     const offset = { "[": -1, "]": 1 }[event.key];
-    if (!offset || event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || !leavesPlainKeys(target)) return;
+    if (!offset || event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || !leavesPlainKeys(target))
+      return;
     event.preventDefault();
     this.#stepPuzzle(offset);
   }
@@ -244,7 +263,9 @@ export class Page {
       const { ResultsView } = await import("./results-view.js");
       this.#results ??= new ResultsView(TEMPLATES, (task, model) => hrefOf({ ...this.#state, model }, task, "compare"));
     } catch {
-      return showNotice("The page of the results could not be loaded. Check the connection; if Pathlight has been updated meanwhile, load the page again.");
+      return showNotice(
+        "The page of the results could not be loaded. Check the connection; if Pathlight has been updated meanwhile, load the page again.",
+      );
     }
     this.#results.show(model);
   }
@@ -255,7 +276,9 @@ export class Page {
       const { ShareDialog } = await import("./share-dialog.js");
       this.#shareDialog ??= new ShareDialog(TEMPLATES);
     } catch {
-      return showNotice("The sheet to share a result could not be loaded. Check the connection; if Pathlight has been updated meanwhile, load the page again.");
+      return showNotice(
+        "The sheet to share a result could not be loaded. Check the connection; if Pathlight has been updated meanwhile, load the page again.",
+      );
     }
     // The result can be drawn only while its puzzle is open.
     if (result.isOpen()) this.#shareDialog.show(result, darkScheme.matches);

@@ -1,5 +1,5 @@
-// What the grid offers above its templates: the introduction on a first visit, the puzzle of the day, and the puzzles that the
-// model does not solve.
+// What the grid offers above its templates: the introduction on a first visit, the puzzle of the day, and the puzzles
+// that the model does not solve.
 
 import { readResults } from "../model/results.js";
 import { byId, createButton } from "../shell/dom.js";
@@ -31,7 +31,10 @@ export class Picks {
   constructor(templates, progress, open, startGuide) {
     this.#progress = progress;
     this.#open = open;
-    this.#stump.append(line("strong", "Stump the model"), line("span", "A puzzle that it does not solve in a hundred attempts"));
+    this.#stump.append(
+      line("strong", "Stump the model"),
+      line("span", "A puzzle that it does not solve in a hundred attempts"),
+    );
     this.#tasks = templates.flatMap(({ tasks }) => tasks);
     const welcome = byId(document, "welcome");
     welcome.hidden = progress.tasks.length > 0 || guideOffered();
@@ -56,7 +59,10 @@ export class Picks {
     const stump = document.createElement("li");
     stump.dataset.hideable = "imagine compare";
     stump.append(this.#stump);
-    byId(document, "picks").replaceChildren(this.#item("Puzzle of the day", dayWords(today), taskOfDay(today, this.#tasks), hrefOf), stump);
+    byId(document, "picks").replaceChildren(
+      this.#item("Puzzle of the day", dayWords(today), taskOfDay(today, this.#tasks), hrefOf),
+      stump,
+    );
   }
 
   /** Opens the easiest puzzle that neither the model nor the person has solved. */
@@ -65,8 +71,13 @@ export class Picks {
       const models = await readResults();
       // The person has gone on meanwhile.
       if (byId(document, "gallery").hidden) return;
-      const { tasks, first_solved: { online } } = models.find(({ name }) => name === this.#model) ?? models[0];
-      const unsolved = tasks.filter((_, index) => online[index] === null).toSorted((one, other) => solveRateOf(other) - solveRateOf(one));
+      const {
+        tasks,
+        first_solved: { online },
+      } = models.find(({ name }) => name === this.#model) ?? models[0];
+      const unsolved = tasks
+        .filter((_, index) => online[index] === null)
+        .toSorted((one, other) => solveRateOf(other) - solveRateOf(one));
       this.#open(unsolved.find((task) => this.#progress.of(task).solved === null) ?? unsolved[0]);
     } catch (error) {
       showNotice(/** @type {Error} */ (error).message);
@@ -82,7 +93,10 @@ export class Picks {
   #item(title, detail, task, hrefOf) {
     const link = document.createElement("a");
     link.href = hrefOf(task) ?? "#";
-    link.append(line("strong", title), line("span", `${detail}: ${puzzleName(task)}, ${difficultyName(solveRateOf(task))}`));
+    link.append(
+      line("strong", title),
+      line("span", `${detail}: ${puzzleName(task)}, ${difficultyName(solveRateOf(task))}`),
+    );
     const item = document.createElement("li");
     item.append(link);
     return item;

@@ -1,5 +1,5 @@
-// Paints a result as a picture, or as a frame of a film: 1200 x 630 pixels, the size that messengers and networks show whole, or in
-// that ratio.
+// Paints a result as a picture, or as a frame of a film: 1200 x 630 pixels, the size that messengers and networks show
+// whole, or in that ratio.
 
 import { contextOf } from "../shell/dom.js";
 

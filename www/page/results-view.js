@@ -1,5 +1,5 @@
-// The results page: all test tasks of the shipped models' folds by template, with the attempt that solved each first, as links;
-// how often the chances that a model gives come true; and the whole as CSV.
+// The results page: all test tasks of the shipped models' folds by template, with the attempt that solved each first,
+// as links; how often the chances that a model gives come true; and the whole as CSV.
 
 import { auccessWords, outcomeCount } from "./results-words.js";
 import { calibrationChart, calibrationTable } from "./calibration-chart.js";
@@ -16,7 +16,12 @@ import { download } from "../shell/download.js";
  * Which tasks are listed, by the attempt that solved them first.
  * @type {Record<string, (first: number | null) => boolean>}
  */
-const FILTERS = { all: () => true, failures: (first) => first === null, late: (first) => first === null || first > 10, first: (first) => first === 1 };
+const FILTERS = {
+  all: () => true,
+  failures: (first) => first === null,
+  late: (first) => first === null || first > 10,
+  first: (first) => first === 1,
+};
 
 export class ResultsView {
   #model = byId(document, "results-model", HTMLSelectElement);
@@ -74,7 +79,9 @@ export class ResultsView {
   #onModel() {
     const chosen = this.#agent.value;
     const agents = Object.keys(AGENT_NAMES).filter((agent) => agent in this.#chosen.first_solved);
-    this.#agent.replaceChildren(...agents.map((agent) => new Option(`${agent}: ${AGENT_NAMES[agent]}`, agent, false, agent === chosen)));
+    this.#agent.replaceChildren(
+      ...agents.map((agent) => new Option(`${agent}: ${AGENT_NAMES[agent]}`, agent, false, agent === chosen)),
+    );
     this.#update();
   }
 
@@ -82,8 +89,10 @@ export class ResultsView {
     const model = this.#chosen;
     const firsts = model.first_solved[this.#agent.value];
     const passes = FILTERS[this.#filter.value];
-    byId(document, "results-about").textContent = `${model.name} ${modelWords(model.name)}; it has never seen these ${model.tasks.length} puzzles.`;
-    byId(document, "results-summary").textContent = `${outcomeCount(firsts)} ${auccessWords(model.auccess[this.#agent.value])}`;
+    byId(document, "results-about").textContent =
+      `${model.name} ${modelWords(model.name)}; it has never seen these ${model.tasks.length} puzzles.`;
+    byId(document, "results-summary").textContent =
+      `${outcomeCount(firsts)} ${auccessWords(model.auccess[this.#agent.value])}`;
     const rows = this.#templates.flatMap((template) => this.#row(template, model, firsts, passes) ?? []);
     byId(document, "results-templates").replaceChildren(...rows);
     byId(document, "results-empty").hidden = rows.length > 0;
@@ -100,7 +109,9 @@ export class ResultsView {
    * @param {(first: number | null) => boolean} passes
    */
   #row({ id, name }, model, firsts, passes) {
-    const all = model.tasks.map((task, index) => ({ task, first: firsts[index] })).filter(({ task }) => task.startsWith(id));
+    const all = model.tasks
+      .map((task, index) => ({ task, first: firsts[index] }))
+      .filter(({ task }) => task.startsWith(id));
     const listed = all.filter(({ first }) => passes(first));
     if (listed.length === 0) return undefined;
     const heading = document.createElement("h3");

@@ -1,5 +1,6 @@
-// The sheet on which a person shares a result: a picture or a short film, a text, and a link that challenges others. Loaded when
-// it is first needed. What is shared goes to the system’s share sheet where there is one, else to the clipboard or a file.
+// The sheet on which a person shares a result: a picture or a short film, a text, and a link that challenges others.
+// Loaded when it is first needed. What is shared goes to the system’s share sheet where there is one, else to the
+// clipboard or a file.
 
 import { palette } from "../pkg/pathlight.js";
 import { byId } from "../shell/dom.js";
@@ -75,7 +76,9 @@ export class ShareDialog {
     if (!result) return;
     const canvas = Object.assign(document.createElement("canvas"), { width: WIDTH, height: HEIGHT });
     const lines = linesOf(result);
-    paintResultCard(canvas, palette(this.#dark), lines, (context) => result.paint(context, this.#dark, this.#withBall.checked));
+    paintResultCard(canvas, palette(this.#dark), lines, (context) =>
+      result.paint(context, this.#dark, this.#withBall.checked),
+    );
     this.#picture.alt = `${lines.name}. ${lines.solved}. ${lines.model}`;
     /** @type {Blob | null} */
     const blob = await new Promise((resolve) => canvas.toBlob(resolve, "image/png"));
@@ -103,7 +106,15 @@ export class ShareDialog {
     try {
       const [dark, colours] = [this.#dark, palette(this.#dark)];
       const film = await recordResult(
-        { canvas, type: format.type, run: result.openRun(), lines: linesOf(result), palette: colours, dark, onProgress: (fraction) => (this.#progress.value = fraction) },
+        {
+          canvas,
+          type: format.type,
+          run: result.openRun(),
+          lines: linesOf(result),
+          palette: colours,
+          dark,
+          onProgress: (fraction) => (this.#progress.value = fraction),
+        },
         recording,
       );
       if (film) {
@@ -128,7 +139,9 @@ export class ShareDialog {
    */
   #offer(blob, extension) {
     // Browsers refuse to share a media type with parameters.
-    this.#file = new File([blob], `pathlight-${this.#result?.task.replace(":", "-")}.${extension}`, { type: blob.type.split(";")[0] });
+    this.#file = new File([blob], `pathlight-${this.#result?.task.replace(":", "-")}.${extension}`, {
+      type: blob.type.split(";")[0],
+    });
     byId(document, "share-save").textContent = extension === "png" ? "Save the picture" : "Save the film";
     byId(document, "share-system").hidden = !navigator.canShare?.({ files: [this.#file] });
   }
@@ -137,13 +150,21 @@ export class ShareDialog {
   #words(result) {
     const today = new Date();
     const name = puzzleName(result.task);
-    if (result.task === taskOfDay(today, this.#templates.flatMap(({ tasks }) => tasks))) {
+    if (
+      result.task ===
+      taskOfDay(
+        today,
+        this.#templates.flatMap(({ tasks }) => tasks),
+      )
+    ) {
       const misses = result.solvedAt - 1;
       const marks = misses > MOST_MARKS ? `${misses} × 🔴 ` : "🔴".repeat(misses);
       return `Pathlight, ${dayWords(today)}: ${name}\n${marks}🟢\n${modelWords(result)}`.trim();
     }
     const how = result.solvedAt === 1 ? "at the first attempt" : `in ${result.solvedAt} attempts`;
-    return [`I solved Pathlight’s puzzle “${name}” ${how}.`, modelWords(result), "Can you do better?"].filter(Boolean).join(" ");
+    return [`I solved Pathlight’s puzzle “${name}” ${how}.`, modelWords(result), "Can you do better?"]
+      .filter(Boolean)
+      .join(" ");
   }
 
   /** The address of the puzzle with the challenge, without the ball. */
@@ -158,7 +179,8 @@ export class ShareDialog {
     try {
       await navigator.share({ files: [this.#file], text: text ?? "", url: this.#link });
     } catch (error) {
-      if (/** @type {Error} */ (error).name !== "AbortError") this.#say("This browser could not share it. Copy the text, or save the picture.");
+      if (/** @type {Error} */ (error).name !== "AbortError")
+        this.#say("This browser could not share it. Copy the text, or save the picture.");
     }
   }
 

@@ -1,6 +1,6 @@
-// The last steps of the story, for a model that imagines balls: which balls it considers, what it imagines for each of them,
-// which one it tries first, and what comes of that one. Nothing of it is shown for another model, which does not choose so.
-// Fires "choice" when there is something else to lay over the scene.
+// The last steps of the story, for a model that imagines balls: which balls it considers, what it imagines for each of
+// them, which one it tries first, and what comes of that one. Nothing of it is shown for another model, which does not
+// choose so. Fires "choice" when there is something else to lay over the scene.
 
 import { Component } from "../shell/component.js";
 import { setText } from "../shell/dom.js";
@@ -95,12 +95,19 @@ export class Choice extends Component {
   get overlay() {
     if (!this.#step || !this.#considered) return null;
     const { candidates, chosen } = this.#considered;
-    if (this.#step === "candidates") return { marks: candidates.map(({ ball }) => ({ ball, from: null, chosen: false })) };
-    if (this.#step === "chosen") return { marks: [{ ball: chosen.ball, from: null, chosen: true }], imagined: this.#imaginer.paths };
+    if (this.#step === "candidates")
+      return { marks: candidates.map(({ ball }) => ({ ball, from: null, chosen: false })) };
+    if (this.#step === "chosen")
+      return { marks: [{ ball: chosen.ball, from: null, chosen: true }], imagined: this.#imaginer.paths };
     if (this.#step === "run" || this.#step === "real") return { imagined: this.#imaginer.paths };
     const likeliest = candidates.toSorted((one, other) => other.probability - one.probability).slice(0, HINTS);
     const most = likeliest[0]?.probability;
-    return { hints: likeliest.map(({ object, probability }) => ({ object, opacity: FAINTEST + (1 - FAINTEST) * (probability / most) })) };
+    return {
+      hints: likeliest.map(({ object, probability }) => ({
+        object,
+        opacity: FAINTEST + (1 - FAINTEST) * (probability / most),
+      })),
+    };
   }
 
   /** Plays the chosen ball or shows it at its end, as the step asks; other steps show nothing that runs. */
@@ -181,8 +188,15 @@ export class Choice extends Component {
   get result() {
     if (this.#failure) return this.#failure;
     if (!this.#considered) return this.#answered ? "The model finds no ball to try." : "The model is choosing.";
-    const { candidates, chosen: { ball: [x, y, r], origin } } = this.#considered;
-    if (this.#step === "candidates") return `Here there are ${candidates.length}; a ring stands for the middle of each.`;
+    const {
+      candidates,
+      chosen: {
+        ball: [x, y, r],
+        origin,
+      },
+    } = this.#considered;
+    if (this.#step === "candidates")
+      return `Here there are ${candidates.length}; a ring stands for the middle of each.`;
     if (this.#step === "imagined") {
       const likely = candidates.filter(({ probability }) => probability > 0.5).length;
       return `Here ${likely} of the ${candidates.length} balls are more likely to solve the puzzle than not. The dotted lines are the ways of the green object with the ${Math.min(HINTS, candidates.length)} likeliest, the likelier the stronger.`;
@@ -198,6 +212,8 @@ export class Choice extends Component {
     if (!session?.finished || !session.shown) return "Dotted is what the model imagined, solid is what happens.";
     const ended = `${session.shown.ending.solved ? "Solved" : "Not solved"}: ${sentence(session.shown.words)}`;
     const real = session.puzzle.sampledPaths();
-    return answer && real ? `The model thought: ${chanceWords(answer.imagined.probability)}. ${ended} ${errorWords(answer.imagined, real)}` : ended;
+    return answer && real
+      ? `The model thought: ${chanceWords(answer.imagined.probability)}. ${ended} ${errorWords(answer.imagined, real)}`
+      : ended;
   }
 }

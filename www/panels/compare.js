@@ -97,7 +97,8 @@ export class Compare extends Component {
       await this.#client.turn(session.played, turn.signal, (attempt) => show.add(attempt)).finally(() => show.end());
       await shown;
       // Neither a replay that is being watched nor what the person does meanwhile is interrupted.
-      if (!turn.signal.aborted && !show.interrupted && !session.playback.playing && !session.shown?.preview) this.#showResult(session);
+      if (!turn.signal.aborted && !show.interrupted && !session.playback.playing && !session.shown?.preview)
+        this.#showResult(session);
     } catch (error) {
       if (!turn.signal.aborted) this.#callFailure = /** @type {Error} */ (error).message;
     } finally {
@@ -129,14 +130,21 @@ export class Compare extends Component {
   }
 
   #update() {
-    this.#trouble.update(this.#client, this.#callFailure, { restartModel: () => this.requestModel(), repeatCall: () => this.#playTurn() });
+    this.#trouble.update(this.#client, this.#callFailure, {
+      restartModel: () => this.requestModel(),
+      repeatCall: () => this.#playTurn(),
+    });
     if (!this.session) return;
     const [player, model] = [this.session.attempts.standing("player"), this.session.attempts.standing("model")];
     const over = model.solved_at !== null || model.used === ATTEMPT_LIMIT;
     this.#turnButton.disabled = this.#client.status !== "ready" || over;
     setText(this.#turnButton, this.#turn ? "Stop the model" : over ? "The model has played" : "Let the model play");
     this.byId("model-skip").hidden = !this.#show;
-    for (const id of ["compare-both", "clear-attempts"]) this.byId(id, HTMLButtonElement).disabled = player.used + model.used === 0;
-    setText(this.byId("verdict"), this.session.resultHidden ? "Your attempt is running." : this.session.puzzle.verdict());
+    for (const id of ["compare-both", "clear-attempts"])
+      this.byId(id, HTMLButtonElement).disabled = player.used + model.used === 0;
+    setText(
+      this.byId("verdict"),
+      this.session.resultHidden ? "Your attempt is running." : this.session.puzzle.verdict(),
+    );
   }
 }

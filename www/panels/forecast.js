@@ -1,6 +1,6 @@
-// "What would this ball do?": while a person places the ball, the paths that the model imagines for this very ball lie over
-// the scene, and its chance stands in the panel Play. After a run they stay beside the real paths until the ball changes.
-// Fires "forecast" when what lies over the scene may have changed.
+// "What would this ball do?": while a person places the ball, the paths that the model imagines for this very ball lie
+// over the scene, and its chance stands in the panel Play. After a run they stay beside the real paths until the ball
+// changes. Fires "forecast" when what lies over the scene may have changed.
 
 import { Component } from "../shell/component.js";
 import { setText } from "../shell/dom.js";
@@ -58,7 +58,9 @@ export class Forecast extends Component {
     return this.#ball && this.#imaginer.paths;
   }
 
-  /** The ball to imagine: the one that is being placed, or the player's whose attempt is shown; null if there is none. */
+  /**
+   * The ball to imagine: the one that is being placed, or the player's whose attempt is shown; null if there is none.
+   */
   get #ball() {
     if (!this.session || !this.#on) return null;
     const { ball, placing, invalidReason, shown } = this.session;
@@ -90,11 +92,16 @@ export class Forecast extends Component {
     const { session } = this;
     if (failure) return failure;
     if (!able) return "The model is still loading.";
-    if (!session || !this.#ball) return session?.invalidReason ? "The model imagines only balls that may be placed." : "Place the ball: the model imagines what it would do.";
+    if (!session || !this.#ball)
+      return session?.invalidReason
+        ? "The model imagines only balls that may be placed."
+        : "Place the ball: the model imagines what it would do.";
     if (!answer) return "The model imagines it.";
     const chance = chanceWords(answer.imagined.probability);
     const ended = session.finished && String(answer.of) === String(session.shown?.ball);
     const real = ended ? session.puzzle.sampledPaths() : undefined;
-    return real ? `The model thought: ${chance}. ${errorWords(answer.imagined, real)}` : `The model thinks: ${chance}. ${expectedErrorWords(answer.imagined)}`;
+    return real
+      ? `The model thought: ${chance}. ${errorWords(answer.imagined, real)}`
+      : `The model thinks: ${chance}. ${expectedErrorWords(answer.imagined)}`;
   }
 }

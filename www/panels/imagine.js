@@ -1,5 +1,5 @@
-// The Imagine panel: the maps of the open puzzle, each with a sentence, a legend and a switch that lays it over the scene.
-// Other components read the maps here; "maps" is fired when they have come or gone.
+// The Imagine panel: the maps of the open puzzle, each with a sentence, a legend and a switch that lays it over the
+// scene. Other components read the maps here; "maps" is fired when they have come or gone.
 
 import { paintLegend, paintOutline } from "../pkg/pathlight.js";
 import { Component } from "../shell/component.js";
@@ -117,7 +117,9 @@ export class Imagine extends Component {
    */
   canvasesOf(stages) {
     if (!this.#imagined) return [];
-    return stages.flatMap((stage, index) => (index < MAX_SHADED ? [this.#rows[stage].map.canvas, this.#outlineOf(stage)] : [this.#outlineOf(stage)]));
+    return stages.flatMap((stage, index) =>
+      index < MAX_SHADED ? [this.#rows[stage].map.canvas, this.#outlineOf(stage)] : [this.#outlineOf(stage)],
+    );
   }
 
   /**
@@ -143,7 +145,12 @@ export class Imagine extends Component {
     const values = this.#imagined?.maps[stage];
     if (!values) return;
     const most = Math.max(...values);
-    paintOutline(outline, stage, values.map((value) => value / most), this.dark);
+    paintOutline(
+      outline,
+      stage,
+      values.map((value) => value / most),
+      this.dark,
+    );
   }
 
   /**
@@ -166,7 +173,9 @@ export class Imagine extends Component {
     find(element, ".meaning").textContent = meaning;
     find(element, ".how").textContent = how;
     const box = find(element, "input", HTMLInputElement);
-    box.addEventListener("change", () => this.requestState({ layers: STAGES.filter((one) => this.#rows[one].box.checked) }));
+    box.addEventListener("change", () =>
+      this.requestState({ layers: STAGES.filter((one) => this.#rows[one].box.checked) }),
+    );
     return {
       element,
       box,
@@ -225,7 +234,10 @@ export class Imagine extends Component {
   }
 
   #updateTrouble() {
-    this.#trouble.update(this.#client, this.#callFailure, { restartModel: () => this.requestModel(), repeatCall: () => this.#request() });
+    this.#trouble.update(this.#client, this.#callFailure, {
+      restartModel: () => this.requestModel(),
+      repeatCall: () => this.#request(),
+    });
   }
 
   /** @param {Imagined | null} imagined */

@@ -1,6 +1,6 @@
 // Imagined against real: after a run, the real paths of the green object and of the ball over those that the nets
-// imagined, with their overlap. The last run of the player, of the model and of the scene alone stay beside each other, so
-// that their numbers can be compared.
+// imagined, with their overlap. The last run of the player, of the model and of the scene alone stay beside each other,
+// so that their numbers can be compared.
 
 import { Component } from "../shell/component.js";
 import { find, setText } from "../shell/dom.js";
@@ -9,13 +9,20 @@ import { OverlapCard, percent } from "./overlap-card.js";
 /** @typedef {import("../pkg/pathlight.js").Stage} Stage */
 /** @typedef {import("../play/session.js").Session} Session */
 /** @typedef {"player" | "model" | "alone"} Runner */
-/** @typedef {import("../pkg/pathlight.js").PathMasks & { title: string, number?: number, placed?: string }} Run `number` and `placed`: of the attempt and of its ball, if it is one */
+/**
+ * @typedef {import("../pkg/pathlight.js").PathMasks & { title: string, number?: number, placed?: string }} Run `number`
+ *   and `placed`: of the attempt and of its ball, if it is one
+ */
 
 /**
  * Who runs, in the order shown, with the stage that imagined the green object's path.
  * @type {[Runner, Stage][]}
  */
-const RUNNERS = [["player", "target"], ["model", "target"], ["alone", "base"]];
+const RUNNERS = [
+  ["player", "target"],
+  ["model", "target"],
+  ["alone", "base"],
+];
 
 export class ImaginedVsReal extends Component {
   #imagine;
@@ -27,7 +34,10 @@ export class ImaginedVsReal extends Component {
    * @type {unknown}
    */
   #lastRead = null;
-  /** @type {Map<import("../pkg/pathlight.js").Contender, number>} how many attempts there were when the runs were last looked up */
+  /**
+   * @type {Map<import("../pkg/pathlight.js").Contender, number>} how many attempts there were when the runs were last
+   *   looked up
+   */
   #used = new Map();
 
   /**

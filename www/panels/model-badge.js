@@ -1,5 +1,5 @@
-// Says which model it is wherever a result of it stands, and whether it has seen the puzzle in training, which decides what the
-// result is worth.
+// Says which model it is wherever a result of it stands, and whether it has seen the puzzle in training, which decides
+// what the result is worth.
 
 import { Component } from "../shell/component.js";
 import { setText } from "../shell/dom.js";

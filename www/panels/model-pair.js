@@ -1,5 +1,5 @@
-// Two models side by side on the open puzzle: for each whether it has seen the puzzle, a map, the balls that it tries by their
-// outcome, and when it solves. The second model has a worker of its own while they are shown.
+// Two models side by side on the open puzzle: for each whether it has seen the puzzle, a map, the balls that it tries
+// by their outcome, and when it solves. The second model has a worker of its own while they are shown.
 
 import { Component } from "../shell/component.js";
 import { STAGES } from "../shell/constants.js";
@@ -48,7 +48,9 @@ export class ModelPair extends Component {
     this.#client = client;
     this.#other = new SharedClient(module);
     this.#scenePicture = scenePicture;
-    this.#stage.append(...STAGES.map((stage) => new Option(STAGE_TEXT[stage].name, stage, stage === "target", stage === "target")));
+    this.#stage.append(
+      ...STAGES.map((stage) => new Option(STAGE_TEXT[stage].name, stage, stage === "target", stage === "target")),
+    );
     this.#stage.addEventListener("change", () => this.#paint());
     this.#name.addEventListener("change", () => this.#clear());
     this.byId("pair-run").addEventListener("click", () => this.#run());
@@ -72,7 +74,8 @@ export class ModelPair extends Component {
     if (this.#asked !== null && loaded?.name !== this.#asked) this.#clear();
     const others = (loaded?.names ?? []).filter((name) => name !== loaded?.name);
     this.byId("model-pair").hidden = others.length === 0;
-    if (String(others) !== String(Array.from(this.#name.options, ({ value }) => value))) this.#name.replaceChildren(...others.map((name) => new Option(name)));
+    if (String(others) !== String(Array.from(this.#name.options, ({ value }) => value)))
+      this.#name.replaceChildren(...others.map((name) => new Option(name)));
   }
 
   #clear() {
@@ -101,7 +104,10 @@ export class ModelPair extends Component {
     try {
       await started(this.#other, names[1], call.signal);
       const ask = async (/** @type {SharedClient} */ client, /** @type {string} */ name) => {
-        const [imagined, tried] = await Promise.all([client.imagine(played, call.signal), client.propose(played, call.signal)]);
+        const [imagined, tried] = await Promise.all([
+          client.imagine(played, call.signal),
+          client.propose(played, call.signal),
+        ]);
         return { name, imagined, tried };
       };
       const sides = await Promise.all([ask(this.#client, names[0]), ask(this.#other, names[1])]);
@@ -193,7 +199,9 @@ function outcomeWords(tried) {
   const solved = solvedAt(tried);
   const ended = solved ? `Solved on attempt ${solved}.` : `Not solved in ${tried.length} attempts.`;
   const origin = tried[0]?.origin;
-  return origin?.kind === "imagined" ? `${ended} Its own guess of its first ball: ${chanceWords(origin.probability)}.` : ended;
+  return origin?.kind === "imagined"
+    ? `${ended} Its own guess of its first ball: ${chanceWords(origin.probability)}.`
+    : ended;
 }
 
 /** @param {Side[]} sides */
@@ -203,5 +211,7 @@ function verdictOf(sides) {
   const { name } = sides[attempts.indexOf(fewer)];
   if (fewer === Infinity) return "Neither model solves this puzzle.";
   if (more === Infinity) return `Only ${name} solves this puzzle.`;
-  return fewer === more ? `Both solve it on attempt ${fewer}.` : `${name} needs fewer attempts: ${fewer} instead of ${more}.`;
+  return fewer === more
+    ? `Both solve it on attempt ${fewer}.`
+    : `${name} needs fewer attempts: ${fewer} instead of ${more}.`;
 }

@@ -1,6 +1,6 @@
-// The model's turn as a show: its misses run one after the other, fast and ever faster, and stay in sight as ghosts; then
-// whoever made the show goes on with the result. The worker is faster than the show, so attempts wait here until it is
-// their turn, and are recorded then.
+// The model's turn as a show: its misses run one after the other, fast and ever faster, and stay in sight as ghosts;
+// then whoever made the show goes on with the result. The worker is faster than the show, so attempts wait here until
+// it is their turn, and are recorded then.
 
 /** @typedef {import("../play/session.js").Session} Session */
 /** @typedef {import("../pkg/pathlight.js").Attempt} Attempt */
@@ -30,7 +30,8 @@ export class ModelShow {
 
   /**
    * @param {Session} session
-   * @param {(attempt: Attempt) => number} record adds an attempt to the session, unless it is there already; returns its number
+   * @param {(attempt: Attempt) => number} record adds an attempt to the session, unless it is there already; returns
+   *   its number
    */
   constructor(session, record) {
     this.#session = session;
@@ -79,7 +80,8 @@ export class ModelShow {
     /** @type {import("../play/session.js").Ghost[]} */
     const ghosts = [];
     for (let duration = FIRST; ; duration = Math.max(SHORTEST, duration * FASTER)) {
-      while (this.#waiting.length === 0 && !this.#ended && !this.#stopped) await new Promise((resolve) => (this.#wake = () => resolve(null)));
+      while (this.#waiting.length === 0 && !this.#ended && !this.#stopped)
+        await new Promise((resolve) => (this.#wake = () => resolve(null)));
       const attempt = this.#waiting.shift();
       if (this.#stopped || !attempt) break;
       const { used } = this.#session.attempts.standing("model");

@@ -1,5 +1,5 @@
-// A strip with a mark for each ball of a model's: the higher, the longer the green object touched its goal. A click chooses the ball
-// under the pointer; keys use the slider beside it.
+// A strip with a mark for each ball of a model's: the higher, the longer the green object touched its goal. A click
+// chooses the ball under the pointer; keys use the slider beside it.
 
 import { GOAL_SECONDS, STEPS_PER_SECOND } from "../shell/constants.js";
 import { outcomeOf } from "../model/outcomes.js";
@@ -50,7 +50,8 @@ export class OutcomeStrip {
 function markOf(tried) {
   const outcome = outcomeOf(tried);
   const touched = Math.min(tried.ending.longest_touch / (GOAL_SECONDS * STEPS_PER_SECOND), 1);
-  const height = outcome === "solved" ? 100 : outcome === "touched" ? LEAST.touched + (80 - LEAST.touched) * touched : LEAST.missed;
+  const height =
+    outcome === "solved" ? 100 : outcome === "touched" ? LEAST.touched + (80 - LEAST.touched) * touched : LEAST.missed;
   const mark = document.createElement("span");
   mark.dataset.outcome = outcome;
   mark.style.setProperty("--height", `${height.toFixed(0)}%`);

@@ -1,5 +1,5 @@
-// A small picture of the scene with a shade over it, predicted or drawn, and a line round the real path; below it what it
-// is and how well the two overlap.
+// A small picture of the scene with a shade over it, predicted or drawn, and a line round the real path; below it what
+// it is and how well the two overlap.
 
 import { paintOutline } from "../pkg/pathlight.js";
 import { contextOf, find } from "../shell/dom.js";

@@ -1,5 +1,6 @@
-// What lies over the scene: the maps that are switched on, the map of all solutions, the marks of the model's proposals, the
-// paths that it imagines for a ball, and the line of a prediction. Collects them from the panels and hands them to the canvas of the scene.
+// What lies over the scene: the maps that are switched on, the map of all solutions, the marks of the model's
+// proposals, the paths that it imagines for a ball, and the line of a prediction. Collects them from the panels and
+// hands them to the canvas of the scene.
 
 import { Component } from "../shell/component.js";
 
@@ -9,7 +10,8 @@ const GHOST = 0.2;
 const RECENT = 5;
 /**
  * The panel of the workshop, which comes after this folder.
- * @typedef {EventTarget & { maps: HTMLCanvasElement[], painter: import("../play/canvas.js").Painter | null, pen: import("../play/canvas.js").Pen }} Bend
+ * @typedef {EventTarget & { maps: HTMLCanvasElement[], painter: import("../play/canvas.js").Painter | null, pen:
+ *   import("../play/canvas.js").Pen }} Bend
  */
 
 export class Overlays extends Component {
@@ -76,7 +78,12 @@ export class Overlays extends Component {
     const drawing = panel === "predict";
     const ghosts = this.session?.ghosts ?? [];
     const bending = panel === "bend";
-    const maps = bending ? this.#bend.maps : [...this.#solveMap.canvases, ...this.#imagine.canvasesOf(/** @type {import("../pkg/pathlight.js").Stage[]} */ (stages))];
+    const maps = bending
+      ? this.#bend.maps
+      : [
+          ...this.#solveMap.canvases,
+          ...this.#imagine.canvasesOf(/** @type {import("../pkg/pathlight.js").Stage[]} */ (stages)),
+        ];
     this.#canvas.setOverlay(
       {
         maps,
@@ -84,7 +91,11 @@ export class Overlays extends Component {
         marks: [...this.#proposals.marks, ...ghosts.map(({ ball }) => ({ ball, from: null, chosen: false }))],
         sketch: drawing ? this.#predict.sketch : [],
         imagined: this.#forecast.paths ?? this.#proposals.paths,
-        hints: ghosts.map(({ object }, index) => ({ object, opacity: Math.max(GHOST, 1 - (ghosts.length - index) / RECENT), tried: true })),
+        hints: ghosts.map(({ object }, index) => ({
+          object,
+          opacity: Math.max(GHOST, 1 - (ghosts.length - index) / RECENT),
+          tried: true,
+        })),
         painter: bending ? this.#bend.painter : null,
         ...this.#choice.overlay,
       },

@@ -1,6 +1,6 @@
-// The Predict panel: the person draws the path that they expect the green object to take, runs, and is compared with the
-// net, both against the real path. Without a ball the net's prediction is its base path, with the ball its target path.
-// The canvas of the scene passes pointer and keys on while this panel is shown.
+// The Predict panel: the person draws the path that they expect the green object to take, runs, and is compared with
+// the net, both against the real path. Without a ball the net's prediction is its base path, with the ball its target
+// path. The canvas of the scene passes pointer and keys on while this panel is shown.
 
 import { Component } from "../shell/component.js";
 import { SCENE_SIZE } from "../shell/constants.js";
@@ -91,12 +91,13 @@ export class Predict extends Component {
     const next = inside(point);
     const last = this.sketch.at(-1);
     if (!last) this.#setSketch([next]);
-    else if (Math.hypot(next[0] - last[0], next[1] - last[1]) >= MIN_SEGMENT && this.sketch.length < MAX_POINTS) this.#setSketch([...this.sketch, next]);
+    else if (Math.hypot(next[0] - last[0], next[1] - last[1]) >= MIN_SEGMENT && this.sketch.length < MAX_POINTS)
+      this.#setSketch([...this.sketch, next]);
   }
 
   /**
-   * A key in the scene: arrows extend the line, or begin it at the green object; Backspace shortens it. Returns whether it
-   * was one of these.
+   * A key in the scene: arrows extend the line, or begin it at the green object; Backspace shortens it. Returns whether
+   * it was one of these.
    * @param {KeyboardEvent} event
    */
   onKeydown({ key, shiftKey }) {
@@ -137,7 +138,11 @@ export class Predict extends Component {
     const measurable = session.phase === "watch" || session.shown?.contender === "player";
     const measured = Boolean(end) && session.finished && measurable && !session.placing;
     this.byId("predict-result").hidden = !measured;
-    const words = measured ? this.#measure(session) : end ? `Your line ends at x ${Math.round(end[0])}, y ${Math.round(end[1])}.` : "Nothing drawn yet.";
+    const words = measured
+      ? this.#measure(session)
+      : end
+        ? `Your line ends at x ${Math.round(end[0])}, y ${Math.round(end[1])}.`
+        : "Nothing drawn yet.";
     if (this.byId("predict-words").textContent === words) return;
     this.byId("predict-words").textContent = words;
     if (this.#visible) this.announce(words);
@@ -152,13 +157,19 @@ export class Predict extends Component {
     const real = puzzle.pathMasks()[0].object;
     const modelMap = this.#imagine.maps?.[stage];
     const shared = { stage: /** @type {import("../pkg/pathlight.js").Stage} */ (stage), real, dark: this.dark };
-    const player = this.#playerCard.draw({ ...shared, name: "You", values: puzzle.sketchMask(new Float64Array(this.sketch.flat())) });
+    const player = this.#playerCard.draw({
+      ...shared,
+      name: "You",
+      values: puzzle.sketchMask(new Float64Array(this.sketch.flat())),
+    });
     this.#modelCard.element.hidden = !modelMap;
     if (!modelMap) return `You were right by ${percent(player)}.`;
     const model = this.#modelCard.draw({ ...shared, name: "The model", values: modelMap });
     const [playerWords, modelWords] = [percent(player), percent(model)];
     if (playerWords === modelWords) return `A draw: both were right by ${playerWords}.`;
-    return player > model ? `You were closer: ${playerWords}, the model ${modelWords}.` : `The model was closer: ${modelWords}, you ${playerWords}.`;
+    return player > model
+      ? `You were closer: ${playerWords}, the model ${modelWords}.`
+      : `The model was closer: ${modelWords}, you ${playerWords}.`;
   }
 }
 

@@ -1,6 +1,6 @@
 // The probe: reads all maps at one point of the scene. The point comes from the mouse or a finger over the scene or a
-// small map, or from the arrow keys on a small map. Each small map marks it and shows its value; a note in the corner of
-// the scene shows the values of the maps that lie over it.
+// small map, or from the arrow keys on a small map. Each small map marks it and shows its value; a note in the corner
+// of the scene shows the values of the maps that lie over it.
 
 import { Component } from "../shell/component.js";
 import { CELL_SIZE, SCENE_SIZE, STAGES } from "../shell/constants.js";
@@ -107,7 +107,9 @@ export class Probe extends Component {
     const distance = event.shiftKey ? LARGE_KEY_STEP : KEY_STEP;
     const from = this.#point ?? [SCENE_SIZE / 2, SCENE_SIZE / 2];
     const margin = CELL_SIZE / 2;
-    this.#point = from.map((value, axis) => Math.min(Math.max(value + direction[axis] * distance, margin), SCENE_SIZE - margin));
+    this.#point = from.map((value, axis) =>
+      Math.min(Math.max(value + direction[axis] * distance, margin), SCENE_SIZE - margin),
+    );
     this.#update();
     this.announce(`${placeOf(this.#point)}: ${this.#valueOf(stage, this.#point)}`);
   }
@@ -135,7 +137,10 @@ export class Probe extends Component {
     if (!point || note.hidden) return;
     // In the corner where the pointer is not.
     note.dataset.side = point[0] < SCENE_SIZE / 2 ? "right" : "left";
-    const lines = this.#layers.flatMap((stage) => [`${STAGE_TEXT[stage].name} ${this.#valueOf(stage, point)}`, document.createElement("br")]);
+    const lines = this.#layers.flatMap((stage) => [
+      `${STAGE_TEXT[stage].name} ${this.#valueOf(stage, point)}`,
+      document.createElement("br"),
+    ]);
     note.replaceChildren(...lines, placeOf(point));
   }
 }

@@ -1,7 +1,7 @@
-// The model's proposals, one by one, whether it has tried them or not: the outcome of each, whether it may be placed, what the
-// model imagined for it, and where it comes from. The one that is looked at is shown at its end at once, with its paths,
-// imagined and real, over the scene and the balls before it marked. Its number is in the address. Fires "imagined" when there
-// are other imagined paths to show.
+// The model's proposals, one by one, whether it has tried them or not: the outcome of each, whether it may be placed,
+// what the model imagined for it, and where it comes from. The one that is looked at is shown at its end at once, with
+// its paths, imagined and real, over the scene and the balls before it marked. Its number is in the address. Fires
+// "imagined" when there are other imagined paths to show.
 
 import { Component } from "../shell/component.js";
 import { setText } from "../shell/dom.js";
@@ -153,7 +153,12 @@ export class Proposals extends Component {
     if (!this.session || !this.#proposals || !loaded) return;
     const { id, name } = this.session.about;
     const task = id ?? name;
-    const csv = ballsCsv(this.#proposals, { task, model: loaded.name, seen: this.#imagine.seen ?? false, simulator: loaded.card.simulator });
+    const csv = ballsCsv(this.#proposals, {
+      task,
+      model: loaded.name,
+      seen: this.#imagine.seen ?? false,
+      simulator: loaded.card.simulator,
+    });
     download(fileName(`pathlight ${task} ${loaded.name}`, "csv"), new Blob([csv], { type: "text/csv" }));
   }
 
@@ -170,7 +175,8 @@ export class Proposals extends Component {
   }
 
   async #load() {
-    if (!this.#visible || this.#proposals || this.#call || this.#callFailure || !this.session || !this.#imagine.maps) return;
+    if (!this.#visible || this.#proposals || this.#call || this.#callFailure || !this.session || !this.#imagine.maps)
+      return;
     const call = (this.#call = new AbortController());
     try {
       const proposals = await this.#client.propose(this.session.played, call.signal);
@@ -196,7 +202,10 @@ export class Proposals extends Component {
     const proposals = this.#proposals;
     // The panel's own box tells of a model that could not be loaded.
     this.byId("proposals-failure").hidden = this.#client.failure !== null;
-    this.#trouble.update(this.#client, this.#callFailure, { restartModel: () => this.requestModel(), repeatCall: () => this.#retry() });
+    this.#trouble.update(this.#client, this.#callFailure, {
+      restartModel: () => this.requestModel(),
+      repeatCall: () => this.#retry(),
+    });
     this.byId("proposals").hidden = !proposals || proposals.length === 0;
     this.#strip.show(proposals ?? []);
     if (!session || !proposals?.length) return this.#updateFacts([]);
@@ -222,7 +231,8 @@ export class Proposals extends Component {
   #onSessionChange({ shown }) {
     const ball = this.#shown === null ? null : this.#proposals?.[this.#shown - 1]?.ball;
     // A ball of another model may have the same number.
-    if (this.#shown === null || (shown?.preview && shown.number === this.#shown && String(shown.ball) === String(ball))) return;
+    if (this.#shown === null || (shown?.preview && shown.number === this.#shown && String(shown.ball) === String(ball)))
+      return;
     this.#shown = null;
     if (this.#proposals) this.#updateFacts(this.#proposals);
     this.requestState({ proposal: null });
@@ -244,18 +254,27 @@ export class Proposals extends Component {
     const [x, y, r] = proposal.ball;
     setText(this.byId("proposal-ball"), `x ${x}, y ${y}, radius ${r}`);
     setText(this.byId("proposal-valid"), rejectedWords(proposal));
-    setText(this.byId("proposal-outcome"), `${shown.ending.solved ? "✓" : "×"} ${sentence(shown.words)} ${shown.tried || this.able ? "" : "It was not tried in its turn."}`);
+    setText(
+      this.byId("proposal-outcome"),
+      `${shown.ending.solved ? "✓" : "×"} ${sentence(shown.words)} ${shown.tried || this.able ? "" : "It was not tried in its turn."}`,
+    );
     setText(this.byId("proposal-origin"), this.#originWords(proposal));
     const real = this.session?.puzzle.sampledPaths();
     this.byId("proposal-imagined").hidden = this.byId("proposal-imagined-term").hidden = !this.able;
-    setText(this.byId("proposal-imagined"), this.#answer && real ? `${sentence(chanceWords(this.#answer.imagined.probability))} ${errorWords(this.#answer.imagined, real)}` : "");
+    setText(
+      this.byId("proposal-imagined"),
+      this.#answer && real
+        ? `${sentence(chanceWords(this.#answer.imagined.probability))} ${errorWords(this.#answer.imagined, real)}`
+        : "",
+    );
   }
 
   /** @param {Proposal} proposal */
   #originWords({ origin }) {
     if (origin.kind === "perturbed") return `Ball ${origin.number}, moved at random.`;
     if (origin.kind === "imagined") return this.#imaginedWords(origin);
-    if (origin.kind === "judge") return `The judge, a fifth net: after what was tried before, this ball has the highest probability of solving, ${Math.round(100 * origin.probability)} %.`;
+    if (origin.kind === "judge")
+      return `The judge, a fifth net: after what was tried before, this ball has the highest probability of solving, ${Math.round(100 * origin.probability)} %.`;
     if (origin.kind === "uniform") return "Random: the placement map shows no place where a ball may be.";
     const map = this.#imagine.maps?.placement;
     const value = map ? ` it is ${valueAt(map, [origin.x, origin.y]).toFixed(2)} at x ${origin.x}, y ${origin.y}.` : "";
@@ -267,7 +286,8 @@ export class Proposals extends Component {
    * @param {Extract<Proposal["origin"], { kind: "imagined" }>} origin
    */
   #imaginedWords({ prior, probability, lowered_by: number }) {
-    if (number === null) return `By what the model imagines it was the likeliest to solve the puzzle of all balls not tried yet: ${chanceWords(probability)}.`;
+    if (number === null)
+      return `By what the model imagines it was the likeliest to solve the puzzle of all balls not tried yet: ${chanceWords(probability)}.`;
     return `By what the model imagines its chance was ${percent(prior)} before the first attempt. Then ball ${number} failed, and it resembles this one, by where it starts or by what happened: ${percent(probability)}, but still the likeliest of those left.`;
   }
 

@@ -1,5 +1,5 @@
-// The scene of the open puzzle as a small picture, which lies under the maps. It is drawn once for each puzzle and theme,
-// and copied from there.
+// The scene of the open puzzle as a small picture, which lies under the maps. It is drawn once for each puzzle and
+// theme, and copied from there.
 
 import { Component } from "../shell/component.js";
 import { SCENE_SIZE } from "../shell/constants.js";

@@ -1,6 +1,6 @@
-// Player against model over all the puzzles that both have played: PHYRE's auccess of each, by the same rules. Only valid
-// attempts count, up to the limit; a puzzle that one has not solved counts nothing for it. The model's progress is kept
-// beside the player's, for each model by its name.
+// Player against model over all the puzzles that both have played: PHYRE's auccess of each, by the same rules. Only
+// valid attempts count, up to the limit; a puzzle that one has not solved counts nothing for it. The model's progress
+// is kept beside the player's, for each model by its name.
 
 import { Component } from "../shell/component.js";
 import { ATTEMPT_LIMIT } from "../shell/constants.js";
@@ -50,9 +50,11 @@ export class Scoreboard extends Component {
     if (id === null) return;
     const { used, solved_at: solved } = session.attempts.standing("model");
     const stored = store.of(id);
-    // The turn is the same each time, so the longer one holds the shorter; but one that has ended may be that of newer agents.
+    // The turn is the same each time, so the longer one holds the shorter; but one that has ended may be that of newer
+    // agents.
     const over = solved !== null || used === ATTEMPT_LIMIT;
-    if (used > stored.attempts || (over && (used !== stored.attempts || solved !== stored.solved))) store.set(id, { attempts: used, solved });
+    if (used > stored.attempts || (over && (used !== stored.attempts || solved !== stored.solved)))
+      store.set(id, { attempts: used, solved });
   }
 
   #update() {
@@ -97,6 +99,7 @@ export class Scoreboard extends Component {
 /** @param {import("../shell/progress-store.js").TaskProgress} progress */
 function resultCell({ attempts, solved }) {
   const cell = document.createElement("td");
-  cell.textContent = solved && solved <= ATTEMPT_LIMIT ? `✓ on attempt ${solved}` : `× in ${Math.min(attempts, ATTEMPT_LIMIT)}`;
+  cell.textContent =
+    solved && solved <= ATTEMPT_LIMIT ? `✓ on attempt ${solved}` : `× in ${Math.min(attempts, ATTEMPT_LIMIT)}`;
   return cell;
 }

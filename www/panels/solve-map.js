@@ -1,5 +1,6 @@
-// The Map panel: where a ball of this radius solves the puzzle, found by simulating it at every place, coarsely at first
-// and then finer. The worker does it, sends its progress, and can be stopped. The model's placement map can be laid over it.
+// The Map panel: where a ball of this radius solves the puzzle, found by simulating it at every place, coarsely at
+// first and then finer. The worker does it, sends its progress, and can be stopped. The model's placement map can be
+// laid over it.
 
 import { paintOutcomes } from "../pkg/pathlight.js";
 import { Component } from "../shell/component.js";
@@ -46,7 +47,9 @@ export class SolveMapPanel extends Component {
     const canvas = document.createElement("canvas");
     canvas.width = canvas.height = SCENE_SIZE;
     this.#context = contextOf(canvas);
-    this.byId("solve-map-search").addEventListener("click", () => (this.#search.running ? this.#search.stop() : this.#start()));
+    this.byId("solve-map-search").addEventListener("click", () =>
+      this.#search.running ? this.#search.stop() : this.#start(),
+    );
     this.#placementBox.addEventListener("change", () => {
       const others = this.#checkedLayers.filter((stage) => stage !== "placement");
       this.requestState({ layers: this.#placementBox.checked ? [...others, "placement"] : others });
@@ -79,7 +82,11 @@ export class SolveMapPanel extends Component {
   setTheme(dark) {
     super.setTheme(dark);
     for (const sample of this.byId("map").querySelectorAll("canvas")) {
-      paintOutcomes(contextOf(sample), new Uint8Array(GRID_SIDE * GRID_SIDE).fill(Number(sample.dataset.outcome)), dark);
+      paintOutcomes(
+        contextOf(sample),
+        new Uint8Array(GRID_SIDE * GRID_SIDE).fill(Number(sample.dataset.outcome)),
+        dark,
+      );
     }
     this.#paint();
   }
@@ -102,11 +109,13 @@ export class SolveMapPanel extends Component {
     this.#radius = this.#nextRadius;
     this.#outcomes = null;
     this.#progress = 0;
-    this.#search.start((signal) => this.#client.solve(session.played, this.#radius, signal, ({ outcomes, progress }) => {
-      this.#outcomes = outcomes;
-      this.#progress = progress;
-      this.#paint();
-    }));
+    this.#search.start((signal) =>
+      this.#client.solve(session.played, this.#radius, signal, ({ outcomes, progress }) => {
+        this.#outcomes = outcomes;
+        this.#progress = progress;
+        this.#paint();
+      }),
+    );
     this.#paint();
   }
 
@@ -124,7 +133,10 @@ export class SolveMapPanel extends Component {
 
   #update() {
     if (!this.session) return;
-    setText(this.byId("solve-map-search"), this.#search.running ? "Stop" : `Try every place with radius ${this.#nextRadius}`);
+    setText(
+      this.byId("solve-map-search"),
+      this.#search.running ? "Stop" : `Try every place with radius ${this.#nextRadius}`,
+    );
     this.byId("solve-map-progress").hidden = !this.#search.running;
     find(this.byId("solve-map-progress"), "progress", HTMLProgressElement).value = this.#progress;
     setText(this.byId("solve-map-words"), this.#search.failure ?? (this.#outcomes ? this.#words(this.#outcomes) : ""));
@@ -136,7 +148,10 @@ export class SolveMapPanel extends Component {
     /** @param {number} which */
     const count = (which) => outcomes.reduce((sum, outcome) => sum + Number(outcome === which), 0);
     const [solving, invalid] = [count(SOLVED), count(INVALID)].map((places) => places / outcomes.length);
-    const { tried, least } = this.#progress < 1 ? { tried: `${percent(this.#progress)} tried so far: `, least: "about " } : { tried: "Every place tried: ", least: "" };
+    const { tried, least } =
+      this.#progress < 1
+        ? { tried: `${percent(this.#progress)} tried so far: `, least: "about " }
+        : { tried: "Every place tried: ", least: "" };
     const all = `${tried}${roughPercent(solving, least)} of the places solve it with radius ${this.#radius}, and at ${roughPercent(invalid)} no ball may be.`;
     if (solving === 0) return all;
     return `${all} Those that solve it: ${sides(solved)}.${this.#agreement(solved)}`;

@@ -1,5 +1,6 @@
-// The stage view: the scene and one sentence in large type, for a projector. The sentence is the goal, then the story's, at the
-// viewer's pace: by buttons, arrow keys or the keys of a clicker, or by itself. Everything else of the puzzle is out of sight.
+// The stage view: the scene and one sentence in large type, for a projector. The sentence is the goal, then the
+// story's, at the viewer's pace: by buttons, arrow keys or the keys of a clicker, or by itself. Everything else of the
+// puzzle is out of sight.
 
 import { Component } from "../shell/component.js";
 import { setText } from "../shell/dom.js";
@@ -33,7 +34,9 @@ export class StageView extends Component {
     this.byId("caption-play").addEventListener("click", () => walkthrough.toggle());
     this.byId("stage-leave").addEventListener("click", () => this.requestState({ view: null }));
     // Before the scene, where arrows move the ball.
-    root.addEventListener("keydown", (event) => this.onKeydown(/** @type {KeyboardEvent} */ (event)), { capture: true });
+    root.addEventListener("keydown", (event) => this.onKeydown(/** @type {KeyboardEvent} */ (event)), {
+      capture: true,
+    });
   }
 
   /** @param {import("../play/session.js").Session} session */
@@ -62,7 +65,15 @@ export class StageView extends Component {
    */
   onKeydown(event) {
     const { key, target } = event;
-    if (!this.#on || event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || (target instanceof Element && target.closest(OWN_KEYS))) return;
+    if (
+      !this.#on ||
+      event.defaultPrevented ||
+      event.ctrlKey ||
+      event.metaKey ||
+      event.altKey ||
+      (target instanceof Element && target.closest(OWN_KEYS))
+    )
+      return;
     const by = STORY_KEYS[key];
     if (key === "Escape" && this.#leaves) this.requestState({ view: null });
     else if (by && this.#hasStory) this.#walkthrough.go(by);
@@ -73,7 +84,10 @@ export class StageView extends Component {
   #update() {
     if (!this.#on || !this.session) return;
     const { shown, playing } = this.#walkthrough;
-    const { goal, about: { name } } = this.session;
+    const {
+      goal,
+      about: { name },
+    } = this.session;
     setText(this.byId("caption-step"), shown ? `${shown.number} of ${shown.count}` : "");
     setText(this.byId("caption-title"), shown?.name ?? name);
     setText(this.byId("caption"), shown?.meaning ?? goal);

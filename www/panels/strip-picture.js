@@ -68,12 +68,22 @@ export class StripPicture extends Component {
     // Weights may come without a judge.
     const imagined = STAGES.flatMap((stage) => {
       const values = maps?.[stage];
-      return values ? [{ name: STAGE_TEXT[stage].name, paint: (/** @type {CanvasRenderingContext2D} */ context) => this.#paintMap(context, stage, values) }] : [];
+      return values
+        ? [
+            {
+              name: STAGE_TEXT[stage].name,
+              paint: (/** @type {CanvasRenderingContext2D} */ context) => this.#paintMap(context, stage, values),
+            },
+          ]
+        : [];
     });
     return [
       { name: "Puzzle", paint: ({ canvas }) => this.#scenePicture.drawOn(canvas) },
       ...imagined,
-      { name: session.placing ? "The ball" : "What happens", paint: (context) => paintStill(session, context, session.playback.step, this.dark) },
+      {
+        name: session.placing ? "The ball" : "What happens",
+        paint: (context) => paintStill(session, context, session.playback.step, this.dark),
+      },
     ];
   }
 

@@ -1,6 +1,7 @@
 // The stages explained one after another: a row of steps above the maps. A step lays its map alone over the scene and
-// leaves only its own map in the panel. With a model that imagines balls, the story goes on with how it chooses one, and ends
-// with what comes of it. The step it is at is in the address. Fires "step" when the step, or what is said of it, has changed.
+// leaves only its own map in the panel. With a model that imagines balls, the story goes on with how it chooses one,
+// and ends with what comes of it. The step it is at is in the address. Fires "step" when the step, or what is said of
+// it, has changed.
 
 import { Component } from "../shell/component.js";
 import { STAGES } from "../shell/constants.js";

@@ -1,5 +1,5 @@
-// After the player has solved a puzzle: a small celebration over the scene, and in the panel Play what to do next; and before,
-// what a challenge asks for. Fires "share", a CustomEvent with a Result, when the person wants to share it.
+// After the player has solved a puzzle: a small celebration over the scene, and in the panel Play what to do next; and
+// before, what a challenge asks for. Fires "share", a CustomEvent with a Result, when the person wants to share it.
 
 import { Component } from "../shell/component.js";
 import { setText } from "../shell/dom.js";
@@ -15,8 +15,8 @@ import { paintStill } from "./still.js";
  * @property {string} task
  * @property {number} solvedAt the attempt that solved it
  * @property {{ used: number, solvedAt: number | null } | null} model how the model did; null if it has not played
- * @property {(context: CanvasRenderingContext2D, dark: boolean, ball: boolean) => void} paint draws the scene into a square
- *   canvas, with the ball and the paths of that attempt if `ball`; only until the puzzle is left
+ * @property {(context: CanvasRenderingContext2D, dark: boolean, ball: boolean) => void} paint draws the scene into a
+ *   square canvas, with the ball and the paths of that attempt if `ball`; only until the puzzle is left
  * @property {() => boolean} isOpen whether the puzzle has not been left
  * @property {() => Run} openRun shows that attempt again
  */
@@ -25,8 +25,8 @@ import { paintStill } from "./still.js";
  * A run, frame by frame.
  * @typedef {object} Run
  * @property {number} steps
- * @property {(context: CanvasRenderingContext2D, step: number, dark: boolean) => boolean} paint draws a step into a square
- *   canvas; false if something else is shown meanwhile
+ * @property {(context: CanvasRenderingContext2D, step: number, dark: boolean) => boolean} paint draws a step into a
+ *   square canvas; false if something else is shown meanwhile
  */
 
 /** How long the celebration stays, ms. */
@@ -95,7 +95,8 @@ export class AfterSolving extends Component {
     this.byId("challenge").hidden = this.#challenge === null;
     if (this.#challenge !== null) setText(this.byId("challenge"), challengeWords(this.#challenge, solvedAt));
     if (!session || solvedAt === null) return;
-    this.byId("solved-title").textContent = solvedAt === 1 ? "Solved at the first attempt!" : `Solved in ${solvedAt} attempts!`;
+    this.byId("solved-title").textContent =
+      solvedAt === 1 ? "Solved at the first attempt!" : `Solved in ${solvedAt} attempts!`;
     // An own scene has no id: nothing comes after it, and no link leads to it.
     const { id } = session.about;
     const reason = `${id} ${solvedAt} ${this.#by.value}`;
@@ -118,7 +119,9 @@ export class AfterSolving extends Component {
     const { value } = this.#by;
     if (value === "harder" || value === "easier") return nextByDifficulty(task, unsolved, value);
     const kind = unsolved.filter((other) => kindOf(other) === kindOf(task));
-    return kind.find((other) => other > task) ?? kind[0] ?? unsolved.find((other) => other > task) ?? unsolved[0] ?? null;
+    return (
+      kind.find((other) => other > task) ?? kind[0] ?? unsolved.find((other) => other > task) ?? unsolved[0] ?? null
+    );
   }
 
   /** Goes to the panel Compare, where the model plays if it has not. */
@@ -134,14 +137,18 @@ export class AfterSolving extends Component {
     const solvedAt = session?.attempts.standing("player").solved_at;
     if (!session || !solvedAt) return;
     const { used, solved_at: modelSolvedAt } = session.attempts.standing("model");
-    const { puzzle, about: { id } } = session;
+    const {
+      puzzle,
+      about: { id },
+    } = session;
     if (id === null) return;
     /** @type {Result} */
     const detail = {
       task: id,
       solvedAt,
       model: used > 0 ? { used, solvedAt: modelSolvedAt } : null,
-      paint: (context, dark, ball) => (ball ? puzzle.paintAttempt(context, "player", solvedAt, dark) : puzzle.paintThumbnail(context, dark)),
+      paint: (context, dark, ball) =>
+        ball ? puzzle.paintAttempt(context, "player", solvedAt, dark) : puzzle.paintThumbnail(context, dark),
       isOpen: () => session === this.session,
       openRun: () => this.#openRun(session, solvedAt),
     };
@@ -187,7 +194,9 @@ function challengeWords(challenge, solvedAt) {
   const asked = challenge === 1 ? "at the first attempt" : `in ${challenge} attempts`;
   if (solvedAt === null) return `A challenge: somebody solved this puzzle ${asked}. Can you?`;
   if (solvedAt < challenge) return `You have beaten the challenge: it was solved ${asked}.`;
-  return solvedAt === challenge ? "You are as quick as the one who challenged you." : `The challenge was solved ${asked}.`;
+  return solvedAt === challenge
+    ? "You are as quick as the one who challenged you."
+    : `The challenge was solved ${asked}.`;
 }
 
 /**

@@ -1,5 +1,5 @@
-// A list of one contender's attempts: for each a small picture and its result in words, a button that replays it, one that
-// shows it over another, and, for the player's own, one that deletes it.
+// A list of one contender's attempts: for each a small picture and its result in words, a button that replays it, one
+// that shows it over another, and, for the player's own, one that deletes it.
 
 import { Component } from "../shell/component.js";
 import { ATTEMPT_LIMIT } from "../shell/constants.js";
@@ -86,12 +86,22 @@ export class AttemptList extends Component {
     const solvedAt = standing.solved_at !== null && standing.solved_at <= used ? standing.solved_at : null;
     if (used < this.#length) this.#clear();
     if (used > this.#length) {
-      this.#list.append(...session.attempts.of(this.#contender).slice(this.#length, used).map((attempt) => this.#row(attempt)));
+      this.#list.append(
+        ...session.attempts
+          .of(this.#contender)
+          .slice(this.#length, used)
+          .map((attempt) => this.#row(attempt)),
+      );
       this.#length = used;
       this.#list.scrollTop = this.#list.scrollHeight;
     }
-    setText(this.#count, used === 0 ? "" : solvedAt ? `solved on attempt ${solvedAt}` : `${used} of ${ATTEMPT_LIMIT}, not solved`);
-    const current = session.visibleAttempts.filter(({ contender }) => contender === this.#contender).map(({ number }) => number);
+    setText(
+      this.#count,
+      used === 0 ? "" : solvedAt ? `solved on attempt ${solvedAt}` : `${used} of ${ATTEMPT_LIMIT}, not solved`,
+    );
+    const current = session.visibleAttempts
+      .filter(({ contender }) => contender === this.#contender)
+      .map(({ number }) => number);
     for (const button of this.#list.querySelectorAll("[data-act=replay]")) {
       if (current.includes(numberOf(button))) button.setAttribute("aria-current", "true");
       else button.removeAttribute("aria-current");

@@ -1,5 +1,5 @@
-// The attempts of player and model at one puzzle, and which model made its own. Says nothing when they change: that is up to the
-// session, which knows what of them is shown. Knows nothing of the document.
+// The attempts of player and model at one puzzle, and which model made its own. Says nothing when they change: that is
+// up to the session, which knows what of them is shown. Knows nothing of the document.
 
 /** @typedef {import("../pkg/pathlight.js").Ball} Ball */
 /** @typedef {import("../pkg/pathlight.js").Contender} Contender */

@@ -1,5 +1,5 @@
-// The scene on its canvas: drawn by the wasm at the screen's own resolution, and played with mouse, touch, pen, wheel and
-// keys. Turns gestures into px of the scene and calls the session; decides nothing itself.
+// The scene on its canvas: drawn by the wasm at the screen's own resolution, and played with mouse, touch, pen, wheel
+// and keys. Turns gestures into px of the scene and calls the session; decides nothing itself.
 
 import { Component } from "../shell/component.js";
 import { FIRST_RADIUS, SCENE_SIZE } from "../shell/constants.js";
@@ -29,7 +29,10 @@ import { contextOf } from "../shell/dom.js";
  * @property {Painter | null} painter draws in the place of the session's puzzle
  */
 
-/** @typedef {(context: CanvasRenderingContext2D, view: import("../pkg/pathlight.js").View, maps: HTMLCanvasElement[]) => void} Painter */
+/**
+ * @typedef {(context: CanvasRenderingContext2D, view: import("../pkg/pathlight.js").View, maps: HTMLCanvasElement[]) =>
+ *   void} Painter
+ */
 
 /** How near a pointer has to come to grab the knob, CSS px. */
 const GRAB_DISTANCE = { mouse: 10, pen: 14, touch: 22 };
@@ -50,9 +53,10 @@ export const ARROW_KEYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0,
 const RADIUS_KEYS = { "+": 1, "=": 1, "-": -1, "−": -1 };
 
 /**
- * What the pointer does between down and up. A drag of the ball keeps the offset of its centre from the pointer, and the
- * ball as the drag left it.
- * @typedef {{ kind: "pen" } | { kind: "move", dx: number, dy: number, ball: Ball } | { kind: "resize", ball: Ball }} Drag
+ * What the pointer does between down and up. A drag of the ball keeps the offset of its centre from the pointer, and
+ * the ball as the drag left it.
+ * @typedef {{ kind: "pen" } | { kind: "move", dx: number, dy: number, ball: Ball } | { kind: "resize", ball: Ball }}
+ *   Drag
  */
 
 export class SceneCanvas extends Component {
@@ -80,7 +84,8 @@ export class SceneCanvas extends Component {
     new ResizeObserver(([entry]) => this.#onResize(entry)).observe(canvas);
     canvas.addEventListener("pointerdown", (event) => this.#onPointerDown(event));
     canvas.addEventListener("pointermove", (event) => this.#onPointerMove(event));
-    for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, (event) => this.#onPointerEnd(/** @type {PointerEvent} */ (event)));
+    for (const end of ["pointerup", "pointercancel"])
+      canvas.addEventListener(end, (event) => this.#onPointerEnd(/** @type {PointerEvent} */ (event)));
     canvas.addEventListener("wheel", (event) => this.#onWheel(event), { passive: false });
     canvas.addEventListener("keydown", (event) => this.onKeydown(event));
     // Browsers take the memory of a canvas away from a tab that is not seen.
@@ -191,7 +196,13 @@ export class SceneCanvas extends Component {
    * @param {string} pointerType
    */
   #reachOf(pointerType) {
-    return (pointerType === "touch" ? GRAB_DISTANCE.touch : pointerType === "pen" ? GRAB_DISTANCE.pen : GRAB_DISTANCE.mouse) / this.#scale;
+    return (
+      (pointerType === "touch"
+        ? GRAB_DISTANCE.touch
+        : pointerType === "pen"
+          ? GRAB_DISTANCE.pen
+          : GRAB_DISTANCE.mouse) / this.#scale
+    );
   }
 
   /** @param {PointerEvent} event */

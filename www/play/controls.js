@@ -1,7 +1,14 @@
 // The controls round the scene: the transport below it, the status line, and the fields of the ball being placed.
 
 import { Component } from "../shell/component.js";
-import { FIRST_RADIUS, GOAL_SECONDS, MAX_RADIUS, MIN_RADIUS, SCENE_SIZE, STEPS_PER_SECOND } from "../shell/constants.js";
+import {
+  FIRST_RADIUS,
+  GOAL_SECONDS,
+  MAX_RADIUS,
+  MIN_RADIUS,
+  SCENE_SIZE,
+  STEPS_PER_SECOND,
+} from "../shell/constants.js";
 import { afterFrame } from "../shell/after-frame.js";
 import { difficultyWords } from "../shell/difficulty.js";
 import { find, setText } from "../shell/dom.js";
@@ -27,7 +34,8 @@ export class Controls extends Component {
   /** @param {import("../shell/dom.js").Root} root */
   constructor(root) {
     super(root);
-    for (const input of [this.#radius, this.#fields[2]]) Object.assign(input, { min: String(MIN_RADIUS), max: String(MAX_RADIUS) });
+    for (const input of [this.#radius, this.#fields[2]])
+      Object.assign(input, { min: String(MIN_RADIUS), max: String(MAX_RADIUS) });
     for (const field of this.#fields.slice(0, 2)) field.max = String(SCENE_SIZE - 1);
     this.#goalMeter.setAttribute("aria-valuemax", String(GOAL_SECONDS));
     /** @type {(id: string, act: (session: Session) => void) => void} */
@@ -145,7 +153,8 @@ export class Controls extends Component {
   #markMoments(steps, closest) {
     const percent = (/** @type {number} */ step) => `${((100 * step) / steps).toFixed(2)}%`;
     const bands = this.#touches.map(([first, last]) => band("ring", percent(first), percent(last + 1)));
-    if (closest !== undefined) bands.push(band("text", percent(closest - CLOSEST_WIDTH * steps), percent(closest + CLOSEST_WIDTH * steps)));
+    if (closest !== undefined)
+      bands.push(band("text", percent(closest - CLOSEST_WIDTH * steps), percent(closest + CLOSEST_WIDTH * steps)));
     this.#time.style.setProperty("--touches", bands.length ? `linear-gradient(to right, ${bands.join(", ")})` : "none");
   }
 }
@@ -176,10 +185,14 @@ function setValue(input, value) {
 function statusOf(session) {
   const { phase, shown, finished } = session;
   if (phase === "placing") return placingStatus(session);
-  if (phase === "watch") return { kind: "hint", words: finished ? "That was the scene without a ball." : "The scene without a ball." };
-  if (phase === "compare" || !shown) return finished ? comparedStatus(session.pair) : { kind: "hint", words: compareStatus(session.pair) };
+  if (phase === "watch")
+    return { kind: "hint", words: finished ? "That was the scene without a ball." : "The scene without a ball." };
+  if (phase === "compare" || !shown)
+    return finished ? comparedStatus(session.pair) : { kind: "hint", words: compareStatus(session.pair) };
   if (session.ghosting) return { kind: "trying", words: `The model tries: attempt ${shown.number}.` };
-  const what = shown.opened ? "The opened attempt" : `${shown.contender === "player" ? "Your" : "The model’s"} ${shown.preview ? "ball" : "attempt"} ${shown.number}`;
+  const what = shown.opened
+    ? "The opened attempt"
+    : `${shown.contender === "player" ? "Your" : "The model’s"} ${shown.preview ? "ball" : "attempt"} ${shown.number}`;
   if (!finished) return { kind: "running", words: `${what} is running.` };
   if (shown.ending.solved) return { kind: "solved", words: `Solved! ${what}: ${shown.words}.` };
   return { kind: "missed", words: `Not solved. ${what}: ${missWords(session, shown)}.` };
@@ -191,7 +204,9 @@ function statusOf(session) {
  * @param {ShownAttempt} shown
  */
 function missWords({ approach, still }, { words }) {
-  const near = approach ? `closest ${gapWords(approach.gap)}, at ${(approach.step / STEPS_PER_SECOND).toFixed(1)} s` : words;
+  const near = approach
+    ? `closest ${gapWords(approach.gap)}, at ${(approach.step / STEPS_PER_SECOND).toFixed(1)} s`
+    : words;
   return still ? `${near}; everything lies still` : near;
 }
 
@@ -219,9 +234,15 @@ function placingStatus({ ball, invalidReason, refusal, drawing, bending }) {
  * @returns {{ kind: "solved" | "missed", words: string }}
  */
 function comparedStatus(pair) {
-  const results = pair.map(({ contender, number, words }, index) => `${contender === "player" ? "your" : "the model’s"} attempt ${number}${index ? " (dashed)" : ""}: ${words}`);
+  const results = pair.map(
+    ({ contender, number, words }, index) =>
+      `${contender === "player" ? "your" : "the model’s"} attempt ${number}${index ? " (dashed)" : ""}: ${words}`,
+  );
   const solved = pair.some(({ ending }) => ending.solved);
-  return { kind: solved ? "solved" : "missed", words: `${solved ? "Solved!" : "Not solved."} ${sentence(results.join("; "))}` };
+  return {
+    kind: solved ? "solved" : "missed",
+    words: `${solved ? "Solved!" : "Not solved."} ${sentence(results.join("; "))}`,
+  };
 }
 
 /** @param {ShownAttempt[]} pair */

@@ -1,5 +1,5 @@
-// The introduction on a first visit, half a minute long: watch without a ball, guess, place, run, and see what the model
-// imagined. It follows what the person does on the scene, says the next step, and can be skipped at any time.
+// The introduction on a first visit, half a minute long: watch without a ball, guess, place, run, and see what the
+// model imagined. It follows what the person does on the scene, says the next step, and can be skipped at any time.
 
 import { Component } from "../shell/component.js";
 import { GOAL_SECONDS } from "../shell/constants.js";
@@ -13,14 +13,31 @@ import { setText } from "../shell/dom.js";
  * @type {Record<Step, { words: string, button: string | null }>}
  */
 const STEPS = {
-  watch: { words: `The green object should come to rest against its hatched goal, for ${GOAL_SECONDS} seconds. First watch what happens without help.`, button: "Watch" },
+  watch: {
+    words: `The green object should come to rest against its hatched goal, for ${GOAL_SECONDS} seconds. First watch what happens without help.`,
+    button: "Watch",
+  },
   watching: { words: "Nobody helps. Watch the green object.", button: null },
-  guess: { words: "It does not stay there by itself. You may add one red ball, anywhere that is free. Where would it help? Click or tap there.", button: null },
+  guess: {
+    words:
+      "It does not stay there by itself. You may add one red ball, anywhere that is free. Where would it help? Click or tap there.",
+    button: null,
+  },
   run: { words: "A guess! Drag the ball to move it, or its knob to change its size. Then let it go.", button: "Run" },
   running: { words: "Now nobody touches anything.", button: null },
-  missed: { words: "Not yet: that is how most attempts end. Move the ball and run again, or see what the model imagines here.", button: "What does the model imagine?" },
-  solved: { words: "Solved! Now see what the model imagines, before anything moves.", button: "What does the model imagine?" },
-  imagined: { words: "The shade is where the model imagines the green object, if the puzzle is solved. It has never seen your ball. In Compare it plays against you.", button: "I see" },
+  missed: {
+    words: "Not yet: that is how most attempts end. Move the ball and run again, or see what the model imagines here.",
+    button: "What does the model imagine?",
+  },
+  solved: {
+    words: "Solved! Now see what the model imagines, before anything moves.",
+    button: "What does the model imagine?",
+  },
+  imagined: {
+    words:
+      "The shade is where the model imagines the green object, if the puzzle is solved. It has never seen your ball. In Compare it plays against you.",
+    button: "I see",
+  },
 };
 /** The steps that are counted, each with those that belong to it. */
 const COUNTED = [["watch", "watching"], ["guess"], ["run", "running"], ["missed", "solved"], ["imagined"]];
@@ -72,7 +89,8 @@ export class Guide extends Component {
     const step = this.#step;
     if (!step || step === "imagined") return;
     if (phase === "watch") this.#show(finished ? "guess" : "watching");
-    else if (phase === "attempt" && shown) this.#show(!finished ? "running" : shown.ending.solved ? "solved" : "missed");
+    else if (phase === "attempt" && shown)
+      this.#show(!finished ? "running" : shown.ending.solved ? "solved" : "missed");
     else if (placing && ball && !invalidReason) this.#show("run");
     else if (placing && step !== "watch") this.#show("guess");
   }

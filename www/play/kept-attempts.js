@@ -1,6 +1,6 @@
-// Keeps the attempts of player and model at each puzzle in the browser, and brings them back when the puzzle is opened again: the
-// player's are simulated once more; the model's come with its turn, if it was made by the model that is loaded, with the same
-// agents.
+// Keeps the attempts of player and model at each puzzle in the browser, and brings them back when the puzzle is opened
+// again: the player's are simulated once more; the model's come with its turn, if it was made by the model that is
+// loaded, with the same agents.
 
 import { puzzleKey } from "../shell/attempt-store.js";
 import { Component } from "../shell/component.js";
@@ -36,7 +36,12 @@ export class KeptAttempts extends Component {
   open(session) {
     super.open(session);
     this.#puzzle = puzzleKey(session.played);
-    session.restore(this.#store.of(this.#puzzle).filter(({ by }) => by === "player").map(({ ball }) => ball));
+    session.restore(
+      this.#store
+        .of(this.#puzzle)
+        .filter(({ by }) => by === "player")
+        .map(({ ball }) => ball),
+    );
     this.#kept = { player: ballsOf(session.attempts.of("player")), model: [] };
     this.#bringBackModel();
     for (const event of /** @type {const} */ (["attempted", "change"])) this.listen(event, () => this.#keep(session));
@@ -47,7 +52,11 @@ export class KeptAttempts extends Component {
     const { session } = this;
     const name = this.#client.loaded?.name;
     if (!session || name === undefined || session.attempts.modelName !== null) return;
-    const attempts = this.#store.of(this.#puzzle).filter(({ by, simulator, agents }) => by === name && simulator === SIMULATOR_VERSION && agents === AGENTS_VERSION);
+    const attempts = this.#store
+      .of(this.#puzzle)
+      .filter(
+        ({ by, simulator, agents }) => by === name && simulator === SIMULATOR_VERSION && agents === AGENTS_VERSION,
+      );
     session.restoreModel(attempts, name);
     this.#kept.model = ballsOf(session.attempts.of("model"));
   }
@@ -64,9 +73,21 @@ export class KeptAttempts extends Component {
       const by = contender === "player" ? contender : session.attempts.modelName;
       // The attempts of a model that goes are not deleted.
       if (by === null) continue;
-      const versions = contender === "player" ? { simulator: SIMULATOR_VERSION } : { simulator: SIMULATOR_VERSION, agents: AGENTS_VERSION };
-      this.#store.remove(this.#puzzle, by, kept.filter((ball) => !balls.includes(ball)));
-      this.#store.add(this.#puzzle, by, attempts.filter(({ ball }) => !kept.includes(String(ball))), versions);
+      const versions =
+        contender === "player"
+          ? { simulator: SIMULATOR_VERSION }
+          : { simulator: SIMULATOR_VERSION, agents: AGENTS_VERSION };
+      this.#store.remove(
+        this.#puzzle,
+        by,
+        kept.filter((ball) => !balls.includes(ball)),
+      );
+      this.#store.add(
+        this.#puzzle,
+        by,
+        attempts.filter(({ ball }) => !kept.includes(String(ball))),
+        versions,
+      );
     }
   }
 }

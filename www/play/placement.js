@@ -1,5 +1,5 @@
-// The ball being placed, as it is moved by pointer, keys and numbers: rounded, kept inside the scene, undone and redone. Fires
-// "change". Knows nothing of the document.
+// The ball being placed, as it is moved by pointer, keys and numbers: rounded, kept inside the scene, undone and
+// redone. Fires "change". Knows nothing of the document.
 
 import { FIRST_RADIUS, MAX_RADIUS, MIN_RADIUS, SCENE_SIZE } from "../shell/constants.js";
 import { UndoStack } from "./undo-stack.js";
@@ -27,8 +27,8 @@ export class Placement extends EventTarget {
   }
 
   /**
-   * Places the ball, in px; it is rounded and kept inside the scene. Placements of one `gesture` (a drag, say) are undone
-   * together.
+   * Places the ball, in px; it is rounded and kept inside the scene. Placements of one `gesture` (a drag, say) are
+   * undone together.
    * @param {Ball} ball
    * @param {unknown} [gesture]
    */

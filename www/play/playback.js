@@ -1,5 +1,5 @@
-// The clock of a rollout: play, pause, step, seek, speed. It counts steps, and fires "tick" when there is a new moment to
-// draw; it knows nothing of what is drawn.
+// The clock of a rollout: play, pause, step, seek, speed. It counts steps, and fires "tick" when there is a new moment
+// to draw; it knows nothing of what is drawn.
 
 import { STEPS_PER_SECOND } from "../shell/constants.js";
 

@@ -1,10 +1,8 @@
-// One puzzle being played: the ball being placed (placement.js), the attempts of player and model (attempts.js), and the rollout
-// being shown. Wraps the wasm's Puzzle and the clock; the components ask it to do things and listen:
-//   "change"     something to read has changed
-//   "draw"       only the picture has changed
-//   "attempted"  a new attempt of the player's has run to its end, or was left; `shown` holds it
-// Knows nothing of the document. It is over 300 lines long for its JSDoc: one state machine, and the page's only way to
-// the Puzzle.
+// One puzzle being played: the ball being placed (placement.js), the attempts of player and model (attempts.js), and
+// the rollout being shown. Wraps the wasm's Puzzle and the clock; the components ask it to do things and listen:
+// "change"     something to read has changed "draw"       only the picture has changed "attempted"  a new attempt of
+// the player's has run to its end, or was left; `shown` holds it Knows nothing of the document. It is over 300 lines
+// long for its JSDoc: one state machine, and the page's only way to the Puzzle.
 
 import { Puzzle } from "../pkg/pathlight.js";
 import { GOAL_SECONDS } from "../shell/constants.js";
@@ -19,9 +17,10 @@ import { Playback } from "./playback.js";
 /** @typedef {import("../pkg/pathlight.js").ListedAttempt} ListedAttempt */
 
 /**
- * An attempt that is shown. `preview`: it is a proposal of the model's that is only looked at, and `tried` says whether the
- * model has tried it too; or, if `opened`, somebody's attempt from a file.
- * @typedef {ListedAttempt & { contender: Contender, preview?: boolean, tried?: boolean, opened?: boolean }} ShownAttempt
+ * An attempt that is shown. `preview`: it is a proposal of the model's that is only looked at, and `tried` says whether
+ * the model has tried it too; or, if `opened`, somebody's attempt from a file.
+ * @typedef {ListedAttempt & { contender: Contender, preview?: boolean, tried?: boolean, opened?: boolean }}
+ *   ShownAttempt
  */
 
 /**
@@ -77,8 +76,8 @@ export class Session extends EventTarget {
   /** Changes whenever something else is shown or the ball is placed elsewhere. */
   revision = 0;
   /**
-   * Makes the scene that is being bent the puzzle, and answers with its session, or with null if nothing may run; null if the
-   * scene that is seen is this one.
+   * Makes the scene that is being bent the puzzle, and answers with its session, or with null if nothing may run; null
+   * if the scene that is seen is this one.
    * @type {(() => Promise<Session | null>) | null}
    */
   settle = null;
@@ -182,8 +181,8 @@ export class Session extends EventTarget {
   }
 
   /**
-   * Shows an attempt of the model's within `duration` ms, and the ghosts of those before it. Returns whether it played to its
-   * end; it does not if something else is shown meanwhile.
+   * Shows an attempt of the model's within `duration` ms, and the ghosts of those before it. Returns whether it played
+   * to its end; it does not if something else is shown meanwhile.
    * @param {number} number
    * @param {number} duration
    * @param {Ghost[]} ghosts
@@ -208,12 +207,14 @@ export class Session extends EventTarget {
 
   /** Has everything come to rest before the time of an attempt is over? Only once it has ended. */
   get still() {
-    return this.finished && this.shown !== null && !this.shown.ending.solved && this.playback.last < this.shown.ending.steps;
+    return (
+      this.finished && this.shown !== null && !this.shown.ending.solved && this.playback.last < this.shown.ending.steps
+    );
   }
 
   /**
-   * Shows how a proposal of the model's does, at its end or played from the start; it does not count. `tried`: has it been
-   * an attempt?
+   * Shows how a proposal of the model's does, at its end or played from the start; it does not count. `tried`: has it
+   * been an attempt?
    * @param {number} number
    * @param {Ball} ball
    * @param {boolean} tried
@@ -229,7 +230,9 @@ export class Session extends EventTarget {
    * @param {Ball} ball
    */
   playOpened(ball) {
-    this.#show("attempt", { shown: { ...this.puzzle.preview(...ball), contender: "model", preview: true, opened: true } });
+    this.#show("attempt", {
+      shown: { ...this.puzzle.preview(...ball), contender: "model", preview: true, opened: true },
+    });
   }
 
   /** Is the scene drawn on, instead of a ball placed in it? */
@@ -269,7 +272,8 @@ export class Session extends EventTarget {
   }
 
   /**
-   * Shows an attempt over another: over the one that is shown, else over the other contender's last, else its neighbour.
+   * Shows an attempt over another: over the one that is shown, else over the other contender's last, else its
+   * neighbour.
    * @param {Contender} contender
    * @param {number} number
    */
@@ -279,7 +283,9 @@ export class Session extends EventTarget {
     if (!other) return this.replay(contender, number);
     const [first, second] = contender === "model" && other.contender === "player" ? [other, chosen] : [chosen, other];
     const attempts = this.puzzle.overlay(first.contender, first.number, second.contender, second.number);
-    this.#show("compare", { pair: attempts.map((attempt, index) => ({ contender: [first, second][index].contender, ...attempt })) });
+    this.#show("compare", {
+      pair: attempts.map((attempt, index) => ({ contender: [first, second][index].contender, ...attempt })),
+    });
   }
 
   /**
@@ -408,7 +414,9 @@ export class Session extends EventTarget {
     this.#emit("attempted");
   }
 
-  /** Stops the clock and frees the wasm's memory. `revealResult` comes before. The session must not be used afterwards. */
+  /**
+   * Stops the clock and frees the wasm's memory. `revealResult` comes before. The session must not be used afterwards.
+   */
   close() {
     this.playback.stop();
     this.puzzle.free();
@@ -417,12 +425,26 @@ export class Session extends EventTarget {
   /**
    * Shows the rollouts that the puzzle has been told to show.
    * @param {"attempt" | "watch" | "compare"} phase
-   * @param {{ shown?: ShownAttempt | null, pair?: ShownAttempt[], play?: boolean, resultHidden?: boolean, ghosts?: Ghost[], ghosting?: boolean, duration?: number }} [what]
+   * @param {{ shown?: ShownAttempt | null, pair?: ShownAttempt[], play?: boolean, resultHidden?: boolean, ghosts?:
+   *   Ghost[], ghosting?: boolean, duration?: number }} [what]
    */
-  #show(phase, { shown = null, pair = [], play = true, resultHidden = false, ghosts = [], ghosting = false, duration } = {}) {
+  #show(
+    phase,
+    { shown = null, pair = [], play = true, resultHidden = false, ghosts = [], ghosting = false, duration } = {},
+  ) {
     this.revealResult();
     this.revision += 1;
-    Object.assign(this, { phase, shown, pair, resultHidden, ghosts, ghosting, approach: null, refusal: null, finished: false });
+    Object.assign(this, {
+      phase,
+      shown,
+      pair,
+      resultHidden,
+      ghosts,
+      ghosting,
+      approach: null,
+      refusal: null,
+      finished: false,
+    });
     const last = this.puzzle.steps();
     const atEnd = !play || this.#prefersReducedMotion();
     this.playback.load(last, atEnd ? last : 0);
@@ -435,7 +457,8 @@ export class Session extends EventTarget {
     if (!this.placing && ended && !playing && !this.finished) {
       this.finished = true;
       const { ending } = this.shown ?? {};
-      if (ending && !ending.solved && ending.longest_touch === 0 && !this.ghosting) this.approach = this.puzzle.closestApproach() ?? null;
+      if (ending && !ending.solved && ending.longest_touch === 0 && !this.ghosting)
+        this.approach = this.puzzle.closestApproach() ?? null;
       this.revealResult();
       this.#emit("change");
     }

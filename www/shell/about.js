@@ -17,15 +17,39 @@ const number = (value) => value.toLocaleString("en");
 const ENTRIES = [
   ["samples", "Learned from", (samples, { tasks }) => `${number(samples)} solutions of ${number(tasks)} puzzles`],
   ["epochs", "Looked at each", (epochs) => `${epochs} times`],
-  ["setup", "Kinds of puzzles", (setup) => (setup === "within" ? "the same kinds that it is tested on, but other puzzles (“within”)" : "other kinds than those that it is tested on (“cross”)")],
-  ["fold", "Fold", (fold) => `${fold}, one of ten ways to part the puzzles into those to learn from and those to test on`],
+  [
+    "setup",
+    "Kinds of puzzles",
+    (setup) =>
+      setup === "within"
+        ? "the same kinds that it is tested on, but other puzzles (“within”)"
+        : "other kinds than those that it is tested on (“cross”)",
+  ],
+  [
+    "fold",
+    "Fold",
+    (fold) => `${fold}, one of ten ways to part the puzzles into those to learn from and those to test on`,
+  ],
   ["batch", "Batch size", number],
   ["learning_rate", "Learning rate (Adam)", String],
   ["decay_epochs", "Learning rate decays to zero over the last", (epochs) => `${epochs} epochs`],
-  ["without_dev", "Dev tasks", (without) => (without ? "left out, to choose settings by them" : "learned from, like the other training puzzles")],
+  [
+    "without_dev",
+    "Dev tasks",
+    (without) => (without ? "left out, to choose settings by them" : "learned from, like the other training puzzles"),
+  ],
   ["mirror", "Mirrored", (mirror) => (mirror ? "half of the time, left to right" : "never")],
-  ["judge", "The judge learned from", ({ balls, epochs }) => `${number(balls)} balls with their outcome, ${epochs} times over`],
-  ["dynamics", "The net that imagines balls learned from", ({ balls, epochs, from }) => `${number(balls)} balls with their paths, in ${epochs} passes over the puzzles${from ? ", after an earlier training" : ""}`],
+  [
+    "judge",
+    "The judge learned from",
+    ({ balls, epochs }) => `${number(balls)} balls with their outcome, ${epochs} times over`,
+  ],
+  [
+    "dynamics",
+    "The net that imagines balls learned from",
+    ({ balls, epochs, from }) =>
+      `${number(balls)} balls with their paths, in ${epochs} passes over the puzzles${from ? ", after an earlier training" : ""}`,
+  ],
   ["simulator", "Version of the simulator", String],
   ["seed", "Random seed", String],
 ];

@@ -1,12 +1,13 @@
-// The attempts themselves, as this device keeps them: for each puzzle the balls of the player and of each model, with what became
-// of them. Kept in localStorage as JSON lines, an attempt a line: a key for each task, and one for all own scenes, of which only
-// the latest attempts stay. A store that is forbidden, full or damaged loses attempts but never breaks the page. Knows nothing of
-// the document.
+// The attempts themselves, as this device keeps them: for each puzzle the balls of the player and of each model, with
+// what became of them. Kept in localStorage as JSON lines, an attempt a line: a key for each task, and one for all own
+// scenes, of which only the latest attempts stay. A store that is forbidden, full or damaged loses attempts but never
+// breaks the page. Knows nothing of the document.
 //
-// {"task":"00007:008","by":"player","ball":[128,200,12],"status":"solved","steps":312,"longest_touch":180,"final_touch":180,"simulator":3}
-// An own scene has its digest as "scene" instead of the "task"; in files it may be the scene itself. "by" is "player" or the name of
-// a model, and then "agents" is the version of the agents; lengths are in px, times in steps; "simulator" is the version of the
-// simulator.
+// {"task":"00007:008","by":"player","ball":[128,200,12],"status":"solved","steps":312,"longest_touch":180,
+//  "final_touch":180,"simulator":3}
+// An own scene has its digest as "scene" instead of the "task"; in files it may be the scene itself. "by" is "player"
+// or the name of a model, and then "agents" is the version of the agents; lengths are in px, times in steps;
+// "simulator" is the version of the simulator.
 
 import { AGENTS_VERSION, SIMULATOR_VERSION } from "./constants.js";
 import { pathlight } from "./pathlight.js";
@@ -73,8 +74,8 @@ export class AttemptStore extends EventTarget {
   }
 
   /**
-   * Adds attempts of one contender at a puzzle, beside those that another tab has kept. An attempt with the same ball is replaced,
-   * and so are those of a model that other versions made, for they are not brought back.
+   * Adds attempts of one contender at a puzzle, beside those that another tab has kept. An attempt with the same ball
+   * is replaced, and so are those of a model that other versions made, for they are not brought back.
    * @param {string} puzzle
    * @param {string} by
    * @param {Attempt[]} attempts
@@ -83,8 +84,13 @@ export class AttemptStore extends EventTarget {
   add(puzzle, by, attempts, { simulator, agents }) {
     if (attempts.length === 0) return;
     const balls = new Set(attempts.map(({ ball }) => String(ball)));
-    const stays = (/** @type {KeptAttempt} */ one) => !isOf(one, puzzle, by) || (!balls.has(String(one.ball)) && (by === "player" || (one.simulator === simulator && one.agents === agents)));
-    this.#change(slotOf(puzzle), (kept) => [...kept.filter(stays), ...attempts.map(({ ball, ending }) => ({ puzzle, by, ball, ending, simulator, agents }))]);
+    const stays = (/** @type {KeptAttempt} */ one) =>
+      !isOf(one, puzzle, by) ||
+      (!balls.has(String(one.ball)) && (by === "player" || (one.simulator === simulator && one.agents === agents)));
+    this.#change(slotOf(puzzle), (kept) => [
+      ...kept.filter(stays),
+      ...attempts.map(({ ball, ending }) => ({ puzzle, by, ball, ending, simulator, agents })),
+    ]);
   }
 
   /**
@@ -94,7 +100,10 @@ export class AttemptStore extends EventTarget {
    * @param {string[]} balls as text
    */
   remove(puzzle, by, balls) {
-    if (balls.length) this.#change(slotOf(puzzle), (kept) => kept.filter((one) => !isOf(one, puzzle, by) || !balls.includes(String(one.ball))));
+    if (balls.length)
+      this.#change(slotOf(puzzle), (kept) =>
+        kept.filter((one) => !isOf(one, puzzle, by) || !balls.includes(String(one.ball))),
+      );
   }
 
   /** All attempts, by puzzle; those at own scenes come last. */
@@ -105,8 +114,8 @@ export class AttemptStore extends EventTarget {
   }
 
   /**
-   * Takes attempts that were saved: of each contender at a puzzle they replace those that are here if they are more. First
-   * count those that are brought back.
+   * Takes attempts that were saved: of each contender at a puzzle they replace those that are here if they are more.
+   * First count those that are brought back.
    * @param {KeptAttempt[]} attempts
    */
   take(attempts) {
@@ -116,7 +125,10 @@ export class AttemptStore extends EventTarget {
         for (const ofOne of Map.groupBy(saved, ({ puzzle, by }) => `${puzzle} ${by}`).values()) {
           const others = taken.filter((one) => !isOf(one, ofOne[0].puzzle, ofOne[0].by));
           const here = taken.filter((one) => !others.includes(one));
-          const [more, current] = [ofOne.length - here.length, ofOne.filter(isCurrent).length - here.filter(isCurrent).length];
+          const [more, current] = [
+            ofOne.length - here.length,
+            ofOne.filter(isCurrent).length - here.filter(isCurrent).length,
+          ];
           if (current > 0 || (current === 0 && more > 0)) taken = [...others, ...ofOne];
         }
         return taken;
@@ -223,7 +235,15 @@ export function formatAttempts(attempts) {
 
 /** @param {KeptAttempt} attempt */
 function lineOf({ puzzle, by, ball, ending: { solved, ...times }, simulator, agents }) {
-  return { ...(TASK.test(puzzle) ? { task: puzzle } : { scene: puzzle }), by, ball, status: solved ? "solved" : "not_solved", ...times, simulator, agents };
+  return {
+    ...(TASK.test(puzzle) ? { task: puzzle } : { scene: puzzle }),
+    by,
+    ball,
+    status: solved ? "solved" : "not_solved",
+    ...times,
+    simulator,
+    agents,
+  };
 }
 
 /**
@@ -267,7 +287,19 @@ function parsedLine(line) {
  */
 function attemptOf(parsed) {
   // A line with a digest names who made it: it may be the model's.
-  const { task, scene, digest, by = digest === undefined ? "player" : null, ball, status, steps, longest_touch = 0, final_touch = 0, simulator = 0, agents } = parsed ?? {};
+  const {
+    task,
+    scene,
+    digest,
+    by = digest === undefined ? "player" : null,
+    ball,
+    status,
+    steps,
+    longest_touch = 0,
+    final_touch = 0,
+    simulator = 0,
+    agents,
+  } = parsed ?? {};
   /** @type {(value: unknown) => boolean} */
   const isSteps = (value) => Number.isSafeInteger(value) && Number(value) >= 0 && Number(value) <= MOST_STEPS;
   const isBall = Array.isArray(ball) && ball.length === 3 && ball.every((value) => Number.isFinite(value));
@@ -275,7 +307,14 @@ function attemptOf(parsed) {
   if (!fits || ![steps, longest_touch, final_touch, simulator, agents ?? 0].every(isSteps)) return null;
   const puzzle = scene === undefined ? taskOf(task) : digestOf(scene);
   if (puzzle === null) return null;
-  return { puzzle, by, ball: /** @type {import("../pkg/pathlight.js").Ball} */ (ball), ending: { solved: status === "solved", steps, longest_touch, final_touch }, simulator, agents };
+  return {
+    puzzle,
+    by,
+    ball: /** @type {import("../pkg/pathlight.js").Ball} */ (ball),
+    ending: { solved: status === "solved", steps, longest_touch, final_touch },
+    simulator,
+    agents,
+  };
 }
 
 /** @param {unknown} task */

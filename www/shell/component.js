@@ -1,16 +1,15 @@
-// The lifecycle that every part of a puzzle shares. element/controller.js holds one list of components and calls on each of
-// them:
+// The lifecycle that every part of a puzzle shares. element/controller.js holds one list of components and calls on
+// each of them:
 //
-//   setTheme(dark)    at the start, and whenever the colour scheme changes, also while no puzzle is open
-//   open(session)     a puzzle has been opened; at most one is open at a time
-//   setState(view)    the state has changed; also after every open, and while no puzzle is open
-//   close()           the puzzle is being left, also when another follows. Its session and the wasm memory behind it are
-//                     freed right afterwards, so nothing of it may be kept or called: running worker calls are aborted,
-//                     and listeners on the session are dropped by the base class
+//   setTheme(dark)    at the start, and whenever the colour scheme changes, also while no puzzle is open open(session)
+// a puzzle has been opened; at most one is open at a time setState(view)    the state has changed; also after every
+// open, and while no puzzle is open close()           the puzzle is being left, also when another follows. Its session
+// and the wasm memory behind it are freed right afterwards, so nothing of it may be kept or called: running worker
+// calls are aborted, and listeners on the session are dropped by the base class
 //
-// A component finds its elements in the root that it is given, so that several puzzles live in one page. It asks for another
-// state by `requestState` (event "staterequest") and for the model to be started once more by `requestModel` (event
-// "modelrequest").
+// A component finds its elements in the root that it is given, so that several puzzles live in one page. It asks for
+// another state by `requestState` (event "staterequest") and for the model to be started once more by `requestModel`
+// (event "modelrequest").
 
 import { byId, fromTemplate, setText } from "./dom.js";
 
@@ -102,8 +101,8 @@ export class Component extends EventTarget {
   }
 
   /**
-   * Writes a sentence to the only live region of the root: a screen reader reads it as soon as there is time, and a later
-   * one replaces one that has not been read yet.
+   * Writes a sentence to the only live region of the root: a screen reader reads it as soon as there is time, and a
+   * later one replaces one that has not been read yet.
    * @protected
    * @param {string} sentence
    */

@@ -1,5 +1,5 @@
-// The constants that the page shares with the Rust code, which exports them, and the few that are the page's own. The wasm
-// has to be loaded before this module: page/main.js imports the rest only then.
+// The constants that the page shares with the Rust code, which exports them, and the few that are the page's own. The
+// wasm has to be loaded before this module: page/main.js imports the rest only then.
 
 import { constants } from "../pkg/pathlight.js";
 

@@ -6,7 +6,10 @@ import { TASKS } from "./templates.js";
 /** The least solve rates of puzzles that are called easy, and medium. */
 const EASY = 0.02;
 const MEDIUM = 0.004;
-/** A puzzle is a little harder than another if its solve rate is so many times the other’s; a little easier, if the other way round. */
+/**
+ * A puzzle is a little harder than another if its solve rate is so many times the other’s; a little easier, if the
+ * other way round.
+ */
 const LITTLE = { most: 0.75, least: 0.35 };
 
 /**
@@ -35,13 +38,14 @@ export function difficultyName(rate) {
  */
 export function difficultyWords(task) {
   const { solve_rate: rate, balls } = pathlight.difficulty(task);
-  const share = rate > 0 ? `about 1 ball in ${Math.round(1 / rate)} solves it` : `fewer than 1 ball in ${balls} solve it`;
+  const share =
+    rate > 0 ? `about 1 ball in ${Math.round(1 / rate)} solves it` : `fewer than 1 ball in ${balls} solve it`;
   return `${difficultyName(rate)}: ${share}`;
 }
 
 /**
- * The next puzzle of another kind that is a little harder, or easier: the first after `task` in the order of `tasks`, and then
- * from their beginning. Null if there is none.
+ * The next puzzle of another kind that is a little harder, or easier: the first after `task` in the order of `tasks`,
+ * and then from their beginning. Null if there is none.
  * @param {string} task
  * @param {string[]} tasks those to choose from
  * @param {"harder" | "easier"} by
@@ -51,7 +55,9 @@ export function nextByDifficulty(task, tasks, by) {
   /** @param {string} other */
   const fits = (other) => {
     const [lower, higher] = by === "harder" ? [solveRateOf(other), rate] : [rate, solveRateOf(other)];
-    return kindOf(other) !== kindOf(task) && lower <= LITTLE.most * higher && lower >= LITTLE.least * higher && higher > 0;
+    return (
+      kindOf(other) !== kindOf(task) && lower <= LITTLE.most * higher && lower >= LITTLE.least * higher && higher > 0
+    );
   };
   const candidates = tasks.filter(fits);
   return candidates.find((other) => other > task) ?? candidates[0] ?? null;

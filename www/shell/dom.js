@@ -1,5 +1,6 @@
-// Looks elements up in the page or in the shadow tree of a puzzle, and changes text only where it differs: every assignment
-// triggers an announcement and a layout. An element that is missing is a bug of ours, so it throws immediately, with its name.
+// Looks elements up in the page or in the shadow tree of a puzzle, and changes text only where it differs: every
+// assignment triggers an announcement and a layout. An element that is missing is a bug of ours, so it throws
+// immediately, with its name.
 
 /**
  * A tree of elements in which an id is unique.
@@ -60,7 +61,10 @@ export function createButton(label, act) {
  */
 export function contextOf(canvas) {
   const context = canvas.getContext("2d");
-  if (!context) throw new Error("This browser gives the page no canvas to draw on: perhaps its memory is used up. Close other tabs, and load the page again.");
+  if (!context)
+    throw new Error(
+      "This browser gives the page no canvas to draw on: perhaps its memory is used up. Close other tabs, and load the page again.",
+    );
   return context;
 }
 
@@ -80,6 +84,7 @@ export function setText(element, text) {
  * @returns {T}
  */
 function checked(element, selector, type) {
-  if (!(element instanceof (type ?? HTMLElement))) throw new Error(`The markup has no ${selector} of the class ${(type ?? HTMLElement).name}`);
+  if (!(element instanceof (type ?? HTMLElement)))
+    throw new Error(`The markup has no ${selector} of the class ${(type ?? HTMLElement).name}`);
   return /** @type {T} */ (element);
 }

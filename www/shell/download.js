@@ -21,6 +21,9 @@ export function download(name, blob) {
  * @param {string} extension
  */
 export function fileName(words, extension) {
-  const stem = words.toLowerCase().replace(/[^\p{L}\p{N}]+/gu, "-").replace(/^-|-$/g, "");
+  const stem = words
+    .toLowerCase()
+    .replace(/[^\p{L}\p{N}]+/gu, "-")
+    .replace(/^-|-$/g, "");
   return `${stem || "pathlight"}.${extension}`;
 }

@@ -1,4 +1,5 @@
-// The grid of templates, each with the scene of its first puzzle, how hard its puzzles are, and what has been solved of it.
+// The grid of templates, each with the scene of its first puzzle, how hard its puzzles are, and what has been solved of
+// it.
 
 import { difficultyName, solveRateOf } from "./difficulty.js";
 import { LazyThumbnails } from "./lazy-thumbnails.js";
@@ -17,7 +18,9 @@ const SIDE = 176;
 
 export class Gallery {
   #dark = false;
-  #thumbnails = new LazyThumbnails((context, { dataset }) => pathlight.paintScene(context, dataset.task ?? "", { dark: this.#dark }));
+  #thumbnails = new LazyThumbnails((context, { dataset }) =>
+    pathlight.paintScene(context, dataset.task ?? "", { dark: this.#dark }),
+  );
   #list;
   #templates;
   /**
@@ -50,9 +53,14 @@ export class Gallery {
   show(order) {
     if (order === this.#order) return;
     this.#order = order;
-    if (this.#items.size === 0) this.#items = new Map(this.#templates.map((template) => [template, this.#item(template)]));
+    if (this.#items.size === 0)
+      this.#items = new Map(this.#templates.map((template) => [template, this.#item(template)]));
     const items = Array.from(this.#items.values());
-    this.#list.append(...(order === "number" ? items : items.toSorted((one, other) => other.rate - one.rate)).map(({ element }) => element));
+    this.#list.append(
+      ...(order === "number" ? items : items.toSorted((one, other) => other.rate - one.rate)).map(
+        ({ element }) => element,
+      ),
+    );
   }
 
   /** @param {boolean} dark */
@@ -64,7 +72,13 @@ export class Gallery {
   /** @param {import("./url-state.js").State} state */
   setState(state) {
     this.#hrefOf = (task) => hrefOf(state, task);
-    for (const [{ tasks: [first] }, { link }] of this.#items) link.href = this.#hrefOf(first) ?? "#";
+    for (const [
+      {
+        tasks: [first],
+      },
+      { link },
+    ] of this.#items)
+      link.href = this.#hrefOf(first) ?? "#";
   }
 
   /**

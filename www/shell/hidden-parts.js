@@ -1,5 +1,5 @@
-// Hides the parts that a link hides: elements with data-hideable="name …", which names what they belong to. Something that
-// belongs to several parts is hidden with the last of them. The names are HIDEABLE's in url-state.js.
+// Hides the parts that a link hides: elements with data-hideable="name …", which names what they belong to. Something
+// that belongs to several parts is hidden with the last of them. The names are HIDEABLE's in url-state.js.
 
 /**
  * @param {import("./dom.js").Root} root
@@ -8,6 +8,9 @@
 export function hideParts(root, hide) {
   for (const element of root.querySelectorAll("[data-hideable]")) {
     const parts = element.getAttribute("data-hideable")?.split(" ") ?? [];
-    element.classList.toggle("hidden-by-link", parts.every((part) => hide.includes(part)));
+    element.classList.toggle(
+      "hidden-by-link",
+      parts.every((part) => hide.includes(part)),
+    );
   }
 }

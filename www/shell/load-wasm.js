@@ -1,5 +1,5 @@
-// Loads the wasm once, for all puzzles of a page and their workers. It starts with this module, because the first picture waits
-// for nothing longer.
+// Loads the wasm once, for all puzzles of a page and their workers. It starts with this module, because the first
+// picture waits for nothing longer.
 
 // By the path from another folder: in a bundle this import stays, in a file that lies in one.
 import { compileWasm } from "../shell/compile-wasm.js";
@@ -8,8 +8,8 @@ import { compileWasm } from "../shell/compile-wasm.js";
 let loaded = null;
 
 /**
- * Returns the compiled module once the API can be called. Rejects with a sentence for the person; the next call then tries
- * again.
+ * Returns the compiled module once the API can be called. Rejects with a sentence for the person; the next call then
+ * tries again.
  */
 export function loadWasm() {
   loaded ??= load().catch((error) => {

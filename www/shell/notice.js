@@ -1,5 +1,5 @@
-// One sentence above everything else: what is wrong, and what the person can do about it; or, for a while at the lower edge,
-// what has been done.
+// One sentence above everything else: what is wrong, and what the person can do about it; or, for a while at the lower
+// edge, what has been done.
 
 import { byId, createButton } from "./dom.js";
 
@@ -16,7 +16,9 @@ let timer;
  */
 export function showNotice(sentence, actions = []) {
   byId(document, "notice-text").textContent = sentence;
-  const controls = actions.map(([label, action]) => (typeof action === "string" ? link(label, action) : createButton(label, action)));
+  const controls = actions.map(([label, action]) =>
+    typeof action === "string" ? link(label, action) : createButton(label, action),
+  );
   byId(document, "notice-actions").replaceChildren(...controls, createButton("Close", dismissNotice));
   bar.classList.remove("done");
   clearTimeout(timer);

@@ -1,5 +1,5 @@
-// The API for the page's own thread, without a model: the worker has that. The wasm has to be loaded before this module is
-// used: page/main.js imports the rest only then.
+// The API for the page's own thread, without a model: the worker has that. The wasm has to be loaded before this module
+// is used: page/main.js imports the rest only then.
 
 import { Pathlight } from "../api/pathlight.js";
 

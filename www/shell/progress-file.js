@@ -1,8 +1,9 @@
-// The file that a person saves progress to: what was tried and solved, by the player and by each model, and the attempts
-// themselves. It is read back whole, also what other versions have saved, and JSON lines of attempts alone. Knows nothing of the
-// document.
+// The file that a person saves progress to: what was tried and solved, by the player and by each model, and the
+// attempts themselves. It is read back whole, also what other versions have saved, and JSON lines of attempts alone.
+// Knows nothing of the document.
 //
-// { "tasks": {…}, "models": { "within-0": {…} }, "attempts": [{…}] }   as progress-store.js and attempt-store.js have them
+// { "tasks": {…}, "models": { "within-0": {…} }, "attempts": [{…}] }   as progress-store.js and attempt-store.js have
+// them
 
 import { NAME, TASK, formatAttempts, parseAttempts } from "./attempt-store.js";
 import { validTasks } from "./progress-store.js";
@@ -11,14 +12,20 @@ import { validTasks } from "./progress-store.js";
 
 /** @param {SharedProgress} progress */
 export function progressJson(progress) {
-  const models = Object.fromEntries(progress.modelNames.map((name) => [name, JSON.parse(progress.ofModel(name).toJson()).tasks]));
-  const attempts = formatAttempts(progress.attempts.all).split("\n").filter(Boolean).map((line) => JSON.parse(line));
+  const models = Object.fromEntries(
+    progress.modelNames.map((name) => [name, JSON.parse(progress.ofModel(name).toJson()).tasks]),
+  );
+  const attempts = formatAttempts(progress.attempts.all)
+    .split("\n")
+    .filter(Boolean)
+    .map((line) => JSON.parse(line));
   return `${JSON.stringify({ ...JSON.parse(progress.player.toJson()), models, attempts }, null, 1)}\n`;
 }
 
 /**
- * Takes what a file holds; where it tells more of a puzzle than is known here, it counts. Returns the number of puzzles and of
- * attempts that it holds. Throws an error with a sentence for the person if it holds none; then nothing has changed.
+ * Takes what a file holds; where it tells more of a puzzle than is known here, it counts. Returns the number of puzzles
+ * and of attempts that it holds. Throws an error with a sentence for the person if it holds none; then nothing has
+ * changed.
  * @param {SharedProgress} progress
  * @param {string} text
  */
@@ -26,15 +33,23 @@ export function takeProgress(progress, text) {
   const { tasks, models, lines } = contentOf(text);
   const { attempts } = parseAttempts(lines);
   const ofPlayer = validTasks({ tasks });
-  const ofModels = Object.entries(Object(models)).map(([name, ofModel]) => ({ name, of: validTasks({ tasks: ofModel }) }));
+  const ofModels = Object.entries(Object(models)).map(([name, ofModel]) => ({
+    name,
+    of: validTasks({ tasks: ofModel }),
+  }));
   const named = ofModels.filter(({ name, of }) => NAME.test(name) && Object.keys(of).length > 0);
-  const known = new Set([...[ofPlayer, ...named.map(({ of }) => of)].flatMap(Object.keys), ...attempts.map(({ puzzle }) => puzzle)]);
-  if (known.size === 0) throw new Error("This file holds no progress of Pathlight and no attempts. Choose one that was saved here.");
+  const known = new Set([
+    ...[ofPlayer, ...named.map(({ of }) => of)].flatMap(Object.keys),
+    ...attempts.map(({ puzzle }) => puzzle),
+  ]);
+  if (known.size === 0)
+    throw new Error("This file holds no progress of Pathlight and no attempts. Choose one that was saved here.");
   progress.attempts.take(attempts);
   progress.player.take(ofPlayer);
   named.forEach(({ name, of }) => progress.ofModel(name).take(of));
   // Files of attempts alone tell of the progress too.
-  for (const [by, tasksOf] of counted(attempts)) (by === "player" ? progress.player : progress.ofModel(by)).take(tasksOf);
+  for (const [by, tasksOf] of counted(attempts))
+    (by === "player" ? progress.player : progress.ofModel(by)).take(tasksOf);
   return { puzzles: known.size, attempts: attempts.length };
 }
 
@@ -64,7 +79,11 @@ function contentOf(text) {
   try {
     const { tasks, models, attempts } = Object(JSON.parse(text));
     if (!Array.isArray(attempts) && tasks === undefined) return { lines: text };
-    return { tasks, models, lines: (Array.isArray(attempts) ? attempts : []).map((one) => JSON.stringify(one)).join("\n") };
+    return {
+      tasks,
+      models,
+      lines: (Array.isArray(attempts) ? attempts : []).map((one) => JSON.stringify(one)).join("\n"),
+    };
   } catch {
     return { lines: text };
   }

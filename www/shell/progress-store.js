@@ -1,6 +1,6 @@
-// What this device remembers of a contender's attempts: for each puzzle how many there were, and which solved it first. Kept
-// in localStorage as JSON. A store that is forbidden, full or damaged loses the progress but never breaks the page.
-// Knows nothing of the document.
+// What this device remembers of a contender's attempts: for each puzzle how many there were, and which solved it first.
+// Kept in localStorage as JSON. A store that is forbidden, full or damaged loses the progress but never breaks the
+// page. Knows nothing of the document.
 //
 // { "tasks": { "00007:013": { "attempts": 4, "solved": 3 } } }   "solved" is null as long as no attempt solved it
 
@@ -163,8 +163,8 @@ export function rememberGuide() {
 const MODEL_KEY = "pathlight.model.";
 
 /**
- * The progress of the player and of each model, and the attempts themselves, which all puzzles of a page share. Fires "change"
- * when any progress changes.
+ * The progress of the player and of each model, and the attempts themselves, which all puzzles of a page share. Fires
+ * "change" when any progress changes.
  */
 class Progress extends EventTarget {
   player;
@@ -196,7 +196,10 @@ class Progress extends EventTarget {
     /** @type {string[]} */
     let kept = [];
     try {
-      if (this.#persistent) kept = Object.keys(localStorage).filter((key) => key.startsWith(MODEL_KEY)).map((key) => key.slice(MODEL_KEY.length));
+      if (this.#persistent)
+        kept = Object.keys(localStorage)
+          .filter((key) => key.startsWith(MODEL_KEY))
+          .map((key) => key.slice(MODEL_KEY.length));
     } catch {
       // It may not be asked; what was made in this page is known.
     }
@@ -232,7 +235,10 @@ export function validTasks(stored) {
   /** @type {(value: unknown, most: number) => boolean} */
   const isCount = (value, most) => Number.isSafeInteger(value) && Number(value) >= 1 && Number(value) <= most;
   const entries = Object.entries(/** @type {Record<string, any>} */ (stored?.tasks ?? {})).filter(
-    ([task, one]) => TASK.test(task) && isCount(one?.attempts, MAX_STORED_ATTEMPTS) && (one.solved === null || isCount(one.solved, one.attempts)),
+    ([task, one]) =>
+      TASK.test(task) &&
+      isCount(one?.attempts, MAX_STORED_ATTEMPTS) &&
+      (one.solved === null || isCount(one.solved, one.attempts)),
   );
   return Object.fromEntries(entries.map(([task, { attempts, solved }]) => [task, { attempts, solved }]));
 }

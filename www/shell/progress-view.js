@@ -52,7 +52,8 @@ export class ProgressView {
     const tasks = this.#templates.find((template) => template.tasks.includes(id))?.tasks ?? [id];
     const picker = byId(document, "task", HTMLSelectElement);
     const listed = Array.from(picker.options, (option) => option.value);
-    if (String(listed) !== String(tasks)) picker.replaceChildren(...tasks.map((task) => new Option(this.#label(task), task)));
+    if (String(listed) !== String(tasks))
+      picker.replaceChildren(...tasks.map((task) => new Option(this.#label(task), task)));
     picker.value = id;
     picker.title = `Puzzle ${id}`;
   }
@@ -61,9 +62,12 @@ export class ProgressView {
     const all = this.#store.sum(this.#templates.flatMap(({ tasks }) => tasks));
     const own = sumOf(this.#progress.attempts.ofOwnScenes);
     byId(document, "progress").hidden = all.tried + own.tried === 0;
-    byId(document, "progress-words").textContent = `${totalWords(all, own)}${this.#store.persistent ? "" : " This browser keeps nothing for the page: it is forgotten when you close it."}`;
-    for (const template of this.#templates) this.#gallery.mark(template, templateWords(this.#store.sum(template.tasks), template.tasks.length));
-    for (const option of byId(document, "task", HTMLSelectElement).options) option.textContent = this.#label(option.value);
+    byId(document, "progress-words").textContent =
+      `${totalWords(all, own)}${this.#store.persistent ? "" : " This browser keeps nothing for the page: it is forgotten when you close it."}`;
+    for (const template of this.#templates)
+      this.#gallery.mark(template, templateWords(this.#store.sum(template.tasks), template.tasks.length));
+    for (const option of byId(document, "task", HTMLSelectElement).options)
+      option.textContent = this.#label(option.value);
   }
 
   /**
@@ -90,7 +94,8 @@ export class ProgressView {
     const [file] = input.files ?? [];
     if (!file) return;
     try {
-      if (file.size > MAX_SIZE) throw new Error(`${file.name} is too large to be progress of Pathlight. Nothing was changed.`);
+      if (file.size > MAX_SIZE)
+        throw new Error(`${file.name} is too large to be progress of Pathlight. Nothing was changed.`);
       const { puzzles, attempts } = takeProgress(this.#progress, await file.text());
       showNotice(`Read back: ${counted(puzzles, "puzzle")}, with ${counted(attempts, "attempt")}.`);
     } catch (error) {
@@ -106,14 +111,19 @@ export class ProgressView {
 const counted = (count, noun) => `${count} ${noun}${count === 1 ? "" : "s"}`;
 
 /**
- * Of the player's attempts at own scenes: how many scenes were tried, how many are solved, and how many attempts there are.
+ * Of the player's attempts at own scenes: how many scenes were tried, how many are solved, and how many attempts there
+ * are.
  * @param {import("./attempt-store.js").KeptAttempt[]} kept
  * @returns {Sum}
  */
 function sumOf(kept) {
   const attempts = kept.filter(({ by }) => by === "player");
   const scenes = [...Map.groupBy(attempts, ({ puzzle }) => puzzle).values()];
-  return { tried: scenes.length, solved: scenes.filter((ofScene) => ofScene.some(({ ending }) => ending.solved)).length, attempts: attempts.length };
+  return {
+    tried: scenes.length,
+    solved: scenes.filter((ofScene) => ofScene.some(({ ending }) => ending.solved)).length,
+    attempts: attempts.length,
+  };
 }
 
 /**
@@ -122,8 +132,14 @@ function sumOf(kept) {
  */
 function totalWords(all, own) {
   const sentences = [];
-  if (all.tried) sentences.push(`So far you have tried ${counted(all.tried, "puzzle")} and solved ${all.solved}, in ${counted(all.attempts, "attempt")}.`);
-  if (own.tried) sentences.push(`Of your own puzzles you have tried ${own.tried} and solved ${own.solved}, in ${counted(own.attempts, "attempt")}.`);
+  if (all.tried)
+    sentences.push(
+      `So far you have tried ${counted(all.tried, "puzzle")} and solved ${all.solved}, in ${counted(all.attempts, "attempt")}.`,
+    );
+  if (own.tried)
+    sentences.push(
+      `Of your own puzzles you have tried ${own.tried} and solved ${own.solved}, in ${counted(own.attempts, "attempt")}.`,
+    );
   return sentences.join(" ");
 }
 

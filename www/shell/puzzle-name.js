@@ -11,7 +11,8 @@ const names = new Map();
  */
 export function puzzleName(task) {
   if (names.size === 0) {
-    for (const { name, tasks } of TEMPLATES) tasks.forEach((one, index) => names.set(one, `${name}, ${index + 1} of ${tasks.length}`));
+    for (const { name, tasks } of TEMPLATES)
+      tasks.forEach((one, index) => names.set(one, `${name}, ${index + 1} of ${tasks.length}`));
   }
   return names.get(task) ?? task;
 }

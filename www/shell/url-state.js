@@ -1,19 +1,40 @@
-// The state of a puzzle as one object, and its two-way translation to texts: the attributes of its element, and the fragment
-// of the page's address (what follows `#`).
-// A link carries the task, the model, the panel, the layers and the ball, so that it opens the same view elsewhere; for
-// teaching it may hide parts of the page. Knows nothing of the document.
+// The state of a puzzle as one object, and its two-way translation to texts: the attributes of its element, and the
+// fragment of the page's address (what follows `#`). A link carries the task, the model, the panel, the layers and the
+// ball, so that it opens the same view elsewhere; for teaching it may hide parts of the page. Knows nothing of the
+// document.
 
 import { ATTEMPT_LIMIT, MAX_RADIUS, MIN_RADIUS, SCENE_SIZE, STAGES } from "./constants.js";
 
 /** @typedef {import("../pkg/pathlight.js").Ball} Ball */
 /** @typedef {import("../pkg/pathlight.js").Stage} Stage */
 
-/** The steps by which a model that imagines balls chooses one and sees what comes of it; in the story they follow the stages. */
+/**
+ * The steps by which a model that imagines balls chooses one and sees what comes of it; in the story they follow the
+ * stages.
+ */
 export const CHOICE_STEPS = /** @type {const} */ (["candidates", "imagined", "chosen", "run", "real"]);
 /** @typedef {typeof CHOICE_STEPS[number]} ChoiceStep */
 export const PANELS = /** @type {const} */ (["play", "imagine", "compare", "predict", "map", "bend"]);
 /** What a link can hide: the panels, of which one stays, and what the document marks with data-hideable. */
-export const HIDEABLE = /** @type {const} */ (["puzzles", "tools", "story", "hint", "fields", "watch", "attempts", "forecast", "transport", "speed", "play", "imagine", "compare", "predict", "map", "bend", "save"]);
+export const HIDEABLE = /** @type {const} */ ([
+  "puzzles",
+  "tools",
+  "story",
+  "hint",
+  "fields",
+  "watch",
+  "attempts",
+  "forecast",
+  "transport",
+  "speed",
+  "play",
+  "imagine",
+  "compare",
+  "predict",
+  "map",
+  "bend",
+  "save",
+]);
 /** @typedef {typeof PANELS[number]} Panel */
 /** @typedef {typeof HIDEABLE[number]} Hideable */
 
@@ -24,8 +45,8 @@ export const HIDEABLE = /** @type {const} */ (["puzzles", "tools", "story", "hin
  * @property {string | null} model a name in assets/model.json, or null for the first
  * @property {Panel} panel as the address names it; it may be hidden, see `viewOf`
  * @property {Stage | ChoiceStep | null} stage the step that the walkthrough is at, or null for all together
- * @property {"stage" | "results" | null} view "stage" for the scene and one sentence, in large type; "results", with no task,
- *   for the results of the models in the place of the grid; null for all panels
+ * @property {"stage" | "results" | null} view "stage" for the scene and one sentence, in large type; "results", with no
+ *   task, for the results of the models in the place of the grid; null for all panels
  * @property {number | null} proposal the number of the model's ball that is looked at, from 1, or null
  * @property {Stage[]} layers the maps to lay over the scene, in the order of STAGES
  * @property {number} opacity how much the maps cover, 0..1
@@ -37,7 +58,8 @@ export const HIDEABLE = /** @type {const} */ (["puzzles", "tools", "story", "hin
 
 /**
  * What is on the page: the state, but `panel` is the one that is shown, which is never hidden, and `layers` are those
- * that lie over the scene there; `checkedLayers` are those that the address names. `forecast` is whether it is seen there.
+ * that lie over the scene there; `checkedLayers` are those that the address names. `forecast` is whether it is seen
+ * there.
  * @typedef {State & { checkedLayers: Stage[] }} View
  */
 
@@ -67,7 +89,8 @@ const INTEGER = /^\d{1,3}$/;
 /** @type {Codec} */
 const ATTEMPT = {
   format: String,
-  parse: (text) => (INTEGER.test(text) && !text.startsWith("0") && Number(text) <= ATTEMPT_LIMIT ? Number(text) : undefined),
+  parse: (text) =>
+    INTEGER.test(text) && !text.startsWith("0") && Number(text) <= ATTEMPT_LIMIT ? Number(text) : undefined,
 };
 /** A packed scene; only unpacking it tells whether it is one. */
 const PACKED = /^[\w-]{1,32000}$/;
@@ -85,10 +108,7 @@ const CODECS = {
   view: oneOf(["stage", "results"]),
   proposal: ATTEMPT,
   layers: someOf(STAGES),
-  opacity: {
-    format: String,
-    parse: (text) => (/^(0|1|0?\.\d+)$/.test(text) ? Number(text) : undefined),
-  },
+  opacity: { format: String, parse: (text) => (/^(0|1|0?\.\d+)$/.test(text) ? Number(text) : undefined) },
   forecast: {
     format: (on) => (on ? "on" : "off"),
     parse: (text) => (text === "on" ? true : text === "off" ? false : undefined),
@@ -122,7 +142,10 @@ function someOf(names) {
   return {
     format: (chosen) => chosen.join(","),
     parse: (text) => {
-      const chosen = text.split(",").map((name) => name.trim()).filter(Boolean);
+      const chosen = text
+        .split(",")
+        .map((name) => name.trim())
+        .filter(Boolean);
       return chosen.every((name) => names.includes(name)) ? names.filter((name) => chosen.includes(name)) : undefined;
     },
   };
@@ -148,7 +171,9 @@ export function formatState(state) {
   /** @type {Record<string, unknown>} */
   const initial = { ...INITIAL_STATE };
   const isInitial = (/** @type {string} */ key) => JSON.stringify(values[key]) === JSON.stringify(initial[key]);
-  return Object.fromEntries(Object.entries(CODECS).map(([key, { format }]) => [key, isInitial(key) ? null : format(values[key])]));
+  return Object.fromEntries(
+    Object.entries(CODECS).map(([key, { format }]) => [key, isInitial(key) ? null : format(values[key])]),
+  );
 }
 
 /**
@@ -179,13 +204,18 @@ export function parseState(texts) {
  */
 export function parseFragment(hash) {
   const parts = hash.replace(/^#/, "").split("&").filter(Boolean);
-  const { state, unread } = parseState(parts.map((part) => {
-    const [key, ...rest] = part.split("=");
-    return [decoded(key), decoded(rest.join("="))];
-  }));
+  const { state, unread } = parseState(
+    parts.map((part) => {
+      const [key, ...rest] = part.split("=");
+      return [decoded(key), decoded(rest.join("="))];
+    }),
+  );
   const words = unread.slice(0, NAMED).map(([key, text]) => `“${shortened(text ? `${key}=${text}` : key)}”`);
   if (unread.length > NAMED) words.push("more");
-  return { state, problem: words.length ? `This link says ${words.join(" and ")}, which Pathlight does not understand.` : null };
+  return {
+    state,
+    problem: words.length ? `This link says ${words.join(" and ")}, which Pathlight does not understand.` : null,
+  };
 }
 
 /**
@@ -234,12 +264,16 @@ export function visiblePanels({ hide }) {
 export function viewOf(state) {
   const panel = shownPanel(state);
   // It belongs to placing the ball; in Predict it would reveal the answer.
-  const forecast = state.forecast && panel === "play" && !["forecast", "imagine"].some((part) => state.hide.some((one) => one === part));
+  const forecast =
+    state.forecast &&
+    panel === "play" &&
+    !["forecast", "imagine"].some((part) => state.hide.some((one) => one === part));
   return { ...state, panel, forecast, layers: visibleLayers(state, panel), checkedLayers: state.layers };
 }
 
 /**
- * The panel that is shown. In the stage view none is seen, but the story is Imagine's, and without it the ball is placed as in Play.
+ * The panel that is shown. In the stage view none is seen, but the story is Imagine's, and without it the ball is
+ * placed as in Play.
  * @param {State} state
  * @returns {Panel}
  */

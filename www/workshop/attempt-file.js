@@ -1,5 +1,5 @@
-// Attempts as a file: JSON lines, one attempt each, with the digest of all its poses, so that anybody can simulate it again and
-// see whether the same comes out (`pathlight verify`).
+// Attempts as a file: JSON lines, one attempt each, with the digest of all its poses, so that anybody can simulate it
+// again and see whether the same comes out (`pathlight verify`).
 
 import { download, fileName } from "../shell/download.js";
 
@@ -24,7 +24,8 @@ export function saveAttempts(name, lines) {
  * @returns {Promise<unknown[]>}
  */
 export async function readAttempts(file) {
-  const foreign = (/** @type {string} */ why) => new Error(`${file.name} is not a file of attempts from Pathlight: ${why}. Nothing was changed.`);
+  const foreign = (/** @type {string} */ why) =>
+    new Error(`${file.name} is not a file of attempts from Pathlight: ${why}. Nothing was changed.`);
   if (file.size > MAX_SIZE) throw foreign("it is too large");
   const lines = (await file.text()).split("\n");
   /** @type {unknown[]} */

@@ -1,5 +1,5 @@
-// The pointer and the keys of a scene that is being bent: dragging a body moves it, its knobs resize and turn it. Turns gestures
-// into calls of the draft; decides nothing about the scene.
+// The pointer and the keys of a scene that is being bent: dragging a body moves it, its knobs resize and turn it. Turns
+// gestures into calls of the draft; decides nothing about the scene.
 
 import { ARROW_KEYS } from "../play/canvas.js";
 import { SCENE_SIZE } from "../shell/constants.js";
@@ -10,8 +10,8 @@ import { degreesOf } from "./body-words.js";
 /** @typedef {import("../play/canvas.js").Pen} Pen */
 
 /**
- * What the pointer does between down and up. Moving keeps the offset of the body's origin from the pointer; turning the one of
- * the body's angle from the pointer's direction, degrees.
+ * What the pointer does between down and up. Moving keeps the offset of the body's origin from the pointer; turning the
+ * one of the body's angle from the pointer's direction, degrees.
  * @typedef {{ kind: "move", dx: number, dy: number } | { kind: "resize" } | { kind: "turn", offset: number }} Drag
  */
 
@@ -66,7 +66,8 @@ export class BendPen {
     this.#drag = draft.body ? knobDrag(draft.body, point, reach) : null;
     if (this.#drag) return;
     // The selected body stays grabbed where it is under another.
-    const hit = draft.body && distanceTo(draft.body, point) <= 0 ? draft.selected : bodyAt(draft.scene.bodies, point, reach);
+    const hit =
+      draft.body && distanceTo(draft.body, point) <= 0 ? draft.selected : bodyAt(draft.scene.bodies, point, reach);
     draft.select(hit);
     const { body } = draft;
     if (body) this.#drag = { kind: "move", dx: body.x - point[0], dy: body.y - point[1] };
@@ -96,8 +97,8 @@ export class BendPen {
   }
 
   /**
-   * Arrows move, + and − resize, , and . turn, N and P select the next and the previous body, Delete removes, D duplicates.
-   * Returns whether it was one of these.
+   * Arrows move, + and − resize, , and . turn, N and P select the next and the previous body, Delete removes, D
+   * duplicates. Returns whether it was one of these.
    * @param {KeyboardEvent} event
    */
   onKeydown({ key, shiftKey, repeat }) {
@@ -142,7 +143,9 @@ export class BendPen {
  */
 function knobDrag(body, point, reach) {
   const { size, turn } = knobsOf(body, SCENE_SIZE);
-  const [toSize, toTurn] = [size, turn].map((knob) => (knob ? Math.hypot(point[0] - knob[0], point[1] - knob[1]) : Infinity));
+  const [toSize, toTurn] = [size, turn].map((knob) =>
+    knob ? Math.hypot(point[0] - knob[0], point[1] - knob[1]) : Infinity,
+  );
   if (Math.min(toSize, toTurn) > reach) return null;
   if (toSize <= toTurn) return { kind: "resize" };
   return { kind: "turn", offset: degreesOf(body) - directionTo(body, point) };

@@ -1,7 +1,7 @@
-// The panel Bend: the scene of the open puzzle as something to take apart. A Draft holds what the person makes of it; a draft that
-// may be played becomes the puzzle of all panels whenever a gesture has ended, and its link the address. What the nets imagine
-// and where the green object goes alone follow while something is dragged (live-scene.js), and no frame waits for them.
-// Fires "bend" when what the scene shows may have changed.
+// The panel Bend: the scene of the open puzzle as something to take apart. A Draft holds what the person makes of it; a
+// draft that may be played becomes the puzzle of all panels whenever a gesture has ended, and its link the address.
+// What the nets imagine and where the green object goes alone follow while something is dragged (live-scene.js), and no
+// frame waits for them. Fires "bend" when what the scene shows may have changed.
 
 import { paintDraft, palette } from "../pkg/pathlight.js";
 import { Component } from "../shell/component.js";
@@ -23,7 +23,11 @@ import { textOfScene } from "./scene-link.js";
 const REST = 300;
 
 export class Bend extends Component {
-  pen = new BendPen(() => this.#draft, () => this.#leaveRun(), () => this.#commit());
+  pen = new BendPen(
+    () => this.#draft,
+    () => this.#leaveRun(),
+    () => this.#commit(),
+  );
   #client;
   #live;
   #fields;
@@ -128,8 +132,15 @@ export class Bend extends Component {
     return (context, view, maps) => {
       paintDraft(context, draft.scene, { ...view, knob: 0 }, maps);
       const { bodies } = draft.scene;
-      const troubled = this.#problems.flatMap(({ body, other }) => [body, other]).flatMap((index) => (index === null ? [] : [bodies[index]]));
-      drawDecoration(context, { selected: draft.body, troubled, path: this.playable && this.#live.path, colours: palette(this.dark) });
+      const troubled = this.#problems
+        .flatMap(({ body, other }) => [body, other])
+        .flatMap((index) => (index === null ? [] : [bodies[index]]));
+      drawDecoration(context, {
+        selected: draft.body,
+        troubled,
+        path: this.playable && this.#live.path,
+        colours: palette(this.dark),
+      });
     };
   }
 
@@ -194,12 +205,15 @@ export class Bend extends Component {
   async #commit() {
     const draft = this.#draft;
     // Last: a puzzle that is opened announces its state.
-    if (draft && (await this.settle())) this.announce([wordsOf(draft.scene, draft.selected), ...this.#problems.map(({ sentence }) => sentence)].join(" "));
+    if (draft && (await this.settle()))
+      this.announce(
+        [wordsOf(draft.scene, draft.selected), ...this.#problems.map(({ sentence }) => sentence)].join(" "),
+      );
   }
 
   /**
-   * Makes the draft the puzzle of all panels, if it may be played and is another. Returns false if it has been bent further or was
-   * left meanwhile.
+   * Makes the draft the puzzle of all panels, if it may be played and is another. Returns false if it has been bent
+   * further or was left meanwhile.
    */
   async settle() {
     clearTimeout(this.#timer);
@@ -222,10 +236,14 @@ export class Bend extends Component {
   /** Is the draft the puzzle already, or may it not be? */
   get #isPuzzle() {
     const { session, scene } = this;
-    return !session || !scene || this.#problems.length > 0 || JSON.stringify(scene) === JSON.stringify(sceneOf(session));
+    return (
+      !session || !scene || this.#problems.length > 0 || JSON.stringify(scene) === JSON.stringify(sceneOf(session))
+    );
   }
 
-  /** The session of the scene as it has been bent; null if it may not be played, or was bent further or left meanwhile. */
+  /**
+   * The session of the scene as it has been bent; null if it may not be played, or was bent further or left meanwhile.
+   */
   async #settled() {
     const [problem] = this.#problems;
     if (problem) {
@@ -250,11 +268,13 @@ export class Bend extends Component {
     if (!draft) return;
     this.byId("bend-undo", HTMLButtonElement).disabled = !draft.canUndo;
     this.byId("bend-redo", HTMLButtonElement).disabled = !draft.canRedo;
-    for (const button of this.byId("bend").querySelectorAll("[data-adds]")) /** @type {HTMLButtonElement} */ (button).disabled = !draft.canAdd;
+    for (const button of this.byId("bend").querySelectorAll("[data-adds]"))
+      /** @type {HTMLButtonElement} */ (button).disabled = !draft.canAdd;
     const list = this.byId("bend-problems");
     list.hidden = this.#problems.length === 0;
     const sentences = this.#problems.map(({ sentence }) => sentence);
-    if (Array.from(list.children, (item) => item.textContent).join() !== sentences.join()) list.replaceChildren(...sentences.map(listItem));
+    if (Array.from(list.children, (item) => item.textContent).join() !== sentences.join())
+      list.replaceChildren(...sentences.map(listItem));
     this.#fields.update();
   }
 }

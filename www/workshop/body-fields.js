@@ -50,7 +50,13 @@ export class BodyFields extends Component {
     this.byId("bend-fields").hidden = body === null;
     if (!draft || !body) return;
     const [size, second] = SIZES[body.shape];
-    const values = { x: body.x, y: body.y, angle: degreesOf(body), size: sizeOf(body, size), thickness: sizeOf(body, "thickness") };
+    const values = {
+      x: body.x,
+      y: body.y,
+      angle: degreesOf(body),
+      size: sizeOf(body, size),
+      thickness: sizeOf(body, "thickness"),
+    };
     for (const [name, field] of Object.entries(this.#fields)) {
       const text = String(rounded(values[/** @type {keyof typeof values} */ (name)]));
       if (field.value !== text) field.value = text;

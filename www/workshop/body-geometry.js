@@ -1,5 +1,5 @@
-// The bodies of an own scene as a person handles them: where a pointer meets one, where its knobs are, and what dragging a knob
-// makes of it. Lengths in px, y up, angles in radians counter-clockwise. Draws nothing.
+// The bodies of an own scene as a person handles them: where a pointer meets one, where its knobs are, and what
+// dragging a knob makes of it. Lengths in px, y up, angles in radians counter-clockwise. Draws nothing.
 
 /** @typedef {import("../pkg/pathlight.js").OwnBody} OwnBody */
 /** @typedef {OwnBody["shape"]} ShapeType */
@@ -60,14 +60,18 @@ export function distanceTo(body, point) {
 }
 
 /**
- * Returns the index of the body that a pointer at a point grabs, or null: of those within reach the one that it is in, of
- * those the smallest, so that what lies in a jar can be grabbed.
+ * Returns the index of the body that a pointer at a point grabs, or null: of those within reach the one that it is in,
+ * of those the smallest, so that what lies in a jar can be grabbed.
  * @param {OwnBody[]} bodies
  * @param {Point} point
  * @param {number} reach px
  */
 export function bodyAt(bodies, point, reach) {
-  const near = bodies.map((body, index) => ({ index, distance: Math.max(distanceTo(body, point), 0), extent: extentOf(body) }));
+  const near = bodies.map((body, index) => ({
+    index,
+    distance: Math.max(distanceTo(body, point), 0),
+    extent: extentOf(body),
+  }));
   const hit = near.filter(({ distance }) => distance <= reach);
   return hit.sort((one, other) => one.distance - other.distance || one.extent - other.extent)[0]?.index ?? null;
 }
@@ -90,8 +94,8 @@ export function extentOf(body) {
 }
 
 /**
- * The knobs of a body in the scene: one that resizes it and, except for a ball, one that turns it. A knob that would lie
- * outside of the scene goes to the other side of the body.
+ * The knobs of a body in the scene: one that resizes it and, except for a ball, one that turns it. A knob that would
+ * lie outside of the scene goes to the other side of the body.
  * @param {OwnBody} body
  * @param {number} side width and height of the scene, px
  * @returns {{ size: Point, turn: Point | null }}
@@ -110,9 +114,15 @@ export function knobsOf(body, side) {
     case "bar":
       return { size: inside([body.length / 2, 0]), turn: inside([0, body.thickness / 2 + TURN_DISTANCE]) };
     case "jar":
-      return { size: inside([0, body.height]), turn: inside([(body.height * JAR_WIDTH) / 2 + TURN_DISTANCE, body.height / 2]) };
+      return {
+        size: inside([0, body.height]),
+        turn: inside([(body.height * JAR_WIDTH) / 2 + TURN_DISTANCE, body.height / 2]),
+      };
     case "standing_sticks":
-      return { size: inside([0, (body.length / 2) * Math.sin(STICK_ANGLE)]), turn: inside([body.length / 4 + TURN_DISTANCE, 0]) };
+      return {
+        size: inside([0, (body.length / 2) * Math.sin(STICK_ANGLE)]),
+        turn: inside([body.length / 4 + TURN_DISTANCE, 0]),
+      };
   }
 }
 

@@ -60,6 +60,7 @@ export function rounded(value) {
  */
 function plainName({ body1, body2, bodies }, index) {
   const { shape, dynamic } = bodies[index];
-  const colour = index === body1 ? "green" : index === body2 ? (dynamic ? "blue" : "purple") : dynamic ? "gray" : "black";
+  const colour =
+    index === body1 ? "green" : index === body2 ? (dynamic ? "blue" : "purple") : dynamic ? "gray" : "black";
   return `${colour} ${SHAPE_NAMES[shape]}`;
 }

@@ -1,6 +1,6 @@
-// "Can it be solved?": the worker tries the balls of a grid on the open puzzle, and says how many solve it and how that compares
-// with the benchmark. The easiest ball stays hidden until it is asked for. It can be stopped, and ends when the puzzle is left. What is
-// bent so that it may not be played is not searched.
+// "Can it be solved?": the worker tries the balls of a grid on the open puzzle, and says how many solve it and how that
+// compares with the benchmark. The easiest ball stays hidden until it is asked for. It can be stopped, and ends when
+// the puzzle is left. What is bent so that it may not be played is not searched.
 
 import { Component } from "../shell/component.js";
 import { find, setText } from "../shell/dom.js";
@@ -67,10 +67,12 @@ export class Check extends Component {
     if (!this.#client.alive) this.requestModel();
     this.#found = null;
     this.#revealed = false;
-    this.#search.start((signal) => this.#client.search(session.played, signal, (found) => {
-      this.#found = found;
-      this.#update();
-    }));
+    this.#search.start((signal) =>
+      this.#client.search(session.played, signal, (found) => {
+        this.#found = found;
+        this.#update();
+      }),
+    );
     this.#update();
   }
 
@@ -98,7 +100,12 @@ export class Check extends Component {
     setText(this.byId("check-words"), blocked ?? this.#search.failure ?? (found ? words(found) : ""));
     const ball = found?.easiest ?? null;
     this.byId("check-reveal").hidden = ball === null || this.#revealed;
-    setText(this.byId("check-ball"), ball && this.#revealed ? `The easiest ball is at x ${ball[0]}, y ${ball[1]} with radius ${ball[2]}: it lies in the scene now. Press Run.` : "");
+    setText(
+      this.byId("check-ball"),
+      ball && this.#revealed
+        ? `The easiest ball is at x ${ball[0]}, y ${ball[1]} with radius ${ball[2]}: it lies in the scene now. Press Run.`
+        : "",
+    );
   }
 }
 
@@ -110,8 +117,13 @@ function words({ progress, valid, solved, solves_itself: solvesItself, rank }) {
   const sentences = [];
   if (solvesItself) sentences.push("The scene solves itself, without any ball.");
   const tried = `${valid.toLocaleString("en")} balls${progress < 1 ? " so far" : ""}`;
-  sentences.push(solved === 0 ? `None found in ${tried}.` : `It can be solved: ${solved.toLocaleString("en")} of ${tried} solve it, ${share(solved / valid)}.`);
-  if (progress === 1 && solved > 0 && rank !== null) sentences.push(`Of the benchmark’s puzzles ${Math.round(100 * rank)} % are harder.`);
+  sentences.push(
+    solved === 0
+      ? `None found in ${tried}.`
+      : `It can be solved: ${solved.toLocaleString("en")} of ${tried} solve it, ${share(solved / valid)}.`,
+  );
+  if (progress === 1 && solved > 0 && rank !== null)
+    sentences.push(`Of the benchmark’s puzzles ${Math.round(100 * rank)} % are harder.`);
   if (progress === 1 && solved === 0) sentences.push("A ball between those of the grid may still solve it.");
   return sentences.join(" ");
 }

@@ -1,6 +1,6 @@
-// A scene that is being bent: the bodies as they are now, the one that is selected, and what can be undone. All that a person
-// can do to a scene is a method here; pointer, keys and fields only call them. Fires "change" when anything has changed.
-// Knows nothing of the document.
+// A scene that is being bent: the bodies as they are now, the one that is selected, and what can be undone. All that a
+// person can do to a scene is a method here; pointer, keys and fields only call them. Fires "change" when anything has
+// changed. Knows nothing of the document.
 
 import { SCENE_SIZE } from "../shell/constants.js";
 import { pathlight } from "../shell/pathlight.js";
@@ -20,7 +20,9 @@ const ANGLE_GRID = { on: 5, off: 1 };
 /** How far a copy lies from its original at least, px. */
 const COPY_OFFSET = 16;
 /** Where a new body is tried, from where it is wanted, px: nearest first, and above before below. */
-const PLACES = [0, 24, -24, 48, -48, 72, -72, 96, -96].flatMap((y, _, all) => all.map((x) => [x, y])).sort((one, other) => Math.hypot(...one) - Math.hypot(...other));
+const PLACES = [0, 24, -24, 48, -48, 72, -72, 96, -96]
+  .flatMap((y, _, all) => all.map((x) => [x, y]))
+  .sort((one, other) => Math.hypot(...one) - Math.hypot(...other));
 
 /** @type {Record<OwnBody["shape"], (x: number, y: number) => OwnBody>} */
 const NEW_BODIES = {
@@ -174,7 +176,12 @@ export class Draft extends EventTarget {
     if (index === null || index === this.#scene.body2) return;
     const { body1, body2, bodies } = this.#scene;
     if (body1 !== index) return this.#set({ ...this.#scene, body2: index });
-    this.#set({ ...this.#scene, body1: body2, body2: index, bodies: bodies.map((body, at) => (at === body2 ? { ...body, dynamic: true } : body)) });
+    this.#set({
+      ...this.#scene,
+      body1: body2,
+      body2: index,
+      bodies: bodies.map((body, at) => (at === body2 ? { ...body, dynamic: true } : body)),
+    });
   }
 
   /**
@@ -202,7 +209,12 @@ export class Draft extends EventTarget {
     /** @param {number} at */
     const moved = (at) => (at > index ? at - 1 : at);
     this.#selected = null;
-    this.#set({ ...this.#scene, body1: moved(body1), body2: moved(body2), bodies: bodies.filter((_, at) => at !== index) });
+    this.#set({
+      ...this.#scene,
+      body1: moved(body1),
+      body2: moved(body2),
+      bodies: bodies.filter((_, at) => at !== index),
+    });
   }
 
   /** @param {string} name */
@@ -238,8 +250,12 @@ export class Draft extends EventTarget {
     if (!this.canAdd) return;
     const { bodies } = this.#scene;
     const index = bodies.length;
-    const moved = (/** @type {number[]} */ [dx, dy]) => ({ ...this.#scene, bodies: [...bodies, { ...body, x: rounded(body.x + dx), y: rounded(body.y + dy) }] });
-    const fits = (/** @type {OwnScene} */ scene) => pathlight.sceneProblems(scene).every((problem) => problem.body !== index && problem.other !== index);
+    const moved = (/** @type {number[]} */ [dx, dy]) => ({
+      ...this.#scene,
+      bodies: [...bodies, { ...body, x: rounded(body.x + dx), y: rounded(body.y + dy) }],
+    });
+    const fits = (/** @type {OwnScene} */ scene) =>
+      pathlight.sceneProblems(scene).every((problem) => problem.body !== index && problem.other !== index);
     this.#selected = index;
     this.#set(PLACES.map(moved).find(fits) ?? moved(PLACES[0]));
   }

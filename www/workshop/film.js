@@ -15,8 +15,8 @@ export function filmFormat() {
 }
 
 /**
- * Records a canvas while frames are drawn on it. Returns the film, or null if it was aborted. Rejects if the browser cannot
- * record it, or a frame cannot be drawn.
+ * Records a canvas while frames are drawn on it. Returns the film, or null if it was aborted. Rejects if the browser
+ * cannot record it, or a frame cannot be drawn.
  * @param {HTMLCanvasElement} canvas
  * @param {string} type
  * @param {AbortSignal} signal

@@ -1,5 +1,5 @@
-// Draws over a scene that is being bent: the path of the green object alone, the outline and the knobs of the selected body, and
-// marks on bodies that are in each other's way. In px of the scene, y up, as body-geometry.js.
+// Draws over a scene that is being bent: the path of the green object alone, the outline and the knobs of the selected
+// body, and marks on bodies that are in each other's way. In px of the scene, y up, as body-geometry.js.
 
 import { SCENE_SIZE } from "../shell/constants.js";
 import { extentOf, knobsOf } from "./body-geometry.js";
@@ -52,7 +52,10 @@ export function drawDecoration(context, { selected, troubled, path, colours }) {
 function drawPath(context, path, colours, css) {
   context.setLineDash([]);
   context.lineJoin = "round";
-  for (const [colour, width] of /** @type {[string, number][]} */ ([[colours.paper, 4], [colours.green, 2]])) {
+  for (const [colour, width] of /** @type {[string, number][]} */ ([
+    [colours.paper, 4],
+    [colours.green, 2],
+  ])) {
     context.beginPath();
     for (let at = 0; at < path.length; at += 2) context.lineTo(path[at], path[at + 1]);
     context.strokeStyle = colour;
@@ -97,7 +100,9 @@ function drawRing(context, body, colour, dashes, width) {
     const [sin, cos] = [Math.sin(body.angle), Math.cos(body.angle)];
     // The origin of a jar is the middle of its base.
     const up = body.shape === "jar" ? body.height / 2 : 0;
-    const radius = (body.shape === "jar" ? extentOf({ ...body, height: body.height / 2 }) + body.height / 5 : extentOf(body)) + RING_GAP;
+    const radius =
+      (body.shape === "jar" ? extentOf({ ...body, height: body.height / 2 }) + body.height / 5 : extentOf(body)) +
+      RING_GAP;
     context.arc(body.x - up * sin, body.y + up * cos, radius, 0, 2 * Math.PI);
   }
   context.setLineDash(dashes);

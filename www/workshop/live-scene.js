@@ -1,5 +1,6 @@
-// What follows a scene while it is being bent: the maps that the nets imagine, and the path of the green object alone. The worker
-// answers the newest scene and leaves out those in between. Fires "live" when there is something else to show.
+// What follows a scene while it is being bent: the maps that the nets imagine, and the path of the green object alone.
+// The worker answers the newest scene and leaves out those in between. Fires "live" when there is something else to
+// show.
 
 import { Component } from "../shell/component.js";
 import { GRID_SIDE, STAGES } from "../shell/constants.js";
@@ -153,7 +154,10 @@ export class LiveScene extends Component {
       const values = this.#maps?.[stage];
       element.hidden = this.#maps !== null && !values;
       if (values) pathlight.paintMap(map, stage, values, { max: Math.max(...values), dark: this.dark });
-      map.canvas.setAttribute("aria-label", `${STAGE_TEXT[stage].name}: ${values ? summary(values) : "not imagined yet"}`);
+      map.canvas.setAttribute(
+        "aria-label",
+        `${STAGE_TEXT[stage].name}: ${values ? summary(values) : "not imagined yet"}`,
+      );
     }
     const { status, failure } = this.#client;
     const words = failure?.message ?? this.#failure ?? (status === "loading" ? "The model is still loading." : "");

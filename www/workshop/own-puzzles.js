@@ -1,6 +1,5 @@
-// The puzzles of a person's own that this browser keeps, in localStorage as JSON: an array of scenes, oldest first. A store that
-// is forbidden, full or damaged keeps nothing but never breaks the page.
-// Knows nothing of the document.
+// The puzzles of a person's own that this browser keeps, in localStorage as JSON: an array of scenes, oldest first. A
+// store that is forbidden, full or damaged keeps nothing but never breaks the page. Knows nothing of the document.
 
 import { pathlight } from "../shell/pathlight.js";
 import { plainScene } from "./plain-scene.js";
@@ -47,7 +46,9 @@ class OwnPuzzles extends EventTarget {
   add(scenes) {
     this.#read();
     const own = scenes.map(plainScene);
-    const fresh = own.filter((scene, index) => !this.#has(scene) && !own.slice(0, index).some((one) => same(one, scene)));
+    const fresh = own.filter(
+      (scene, index) => !this.#has(scene) && !own.slice(0, index).some((one) => same(one, scene)),
+    );
     return this.#write([...this.#scenes, ...fresh]);
   }
 

@@ -1,4 +1,5 @@
-// Saves what the scene shows: as a picture, or a run as a film, for which the run is drawn once more. Everything happens in this browser.
+// Saves what the scene shows: as a picture, or a run as a film, for which the run is drawn once more. Everything
+// happens in this browser.
 
 import { Component } from "../shell/component.js";
 import { STEPS_PER_SECOND } from "../shell/constants.js";
@@ -74,7 +75,10 @@ export class Pictures extends Component {
         const step = Math.min(seconds * STEPS_PER_SECOND, steps);
         if (!showsTheSame()) recording.abort();
         else paintStill(session, context, step, this.dark);
-        setText(this.byId("save-words"), `Recording: ${Math.min(seconds, steps / STEPS_PER_SECOND).toFixed(0)} of ${(steps / STEPS_PER_SECOND).toFixed(0)} s.`);
+        setText(
+          this.byId("save-words"),
+          `Recording: ${Math.min(seconds, steps / STEPS_PER_SECOND).toFixed(0)} of ${(steps / STEPS_PER_SECOND).toFixed(0)} s.`,
+        );
         return seconds < steps / STEPS_PER_SECOND + LAST_FRAME;
       });
       if (blob) {

@@ -1,4 +1,5 @@
-// An own scene without anything else that its JSON may hold, with its keys in one order, so that equal scenes have equal JSON.
+// An own scene without anything else that its JSON may hold, with its keys in one order, so that equal scenes have
+// equal JSON.
 
 import { SIZES, sizeOf } from "./body-geometry.js";
 

@@ -1,4 +1,5 @@
-// Puzzles as files: the JSON of one scene, or an array of several. What is read is checked whole before anything is made of it.
+// Puzzles as files: the JSON of one scene, or an array of several. What is read is checked whole before anything is
+// made of it.
 
 import { download, fileName } from "../shell/download.js";
 import { pathlight } from "../shell/pathlight.js";
@@ -38,7 +39,9 @@ function jsonBlob(value) {
  */
 export async function readPuzzles(file) {
   if (/\.jsonl$/i.test(file.name)) {
-    throw new Error(`${file.name} is a file of attempts, not of puzzles: open a puzzle, and then the file by “Open attempts”. Nothing was changed.`);
+    throw new Error(
+      `${file.name} is a file of attempts, not of puzzles: open a puzzle, and then the file by “Open attempts”. Nothing was changed.`,
+    );
   }
   const foreign = `${file.name} is not a file of puzzles from Pathlight. Nothing was changed.`;
   if (file.size > MAX_SIZE) throw new Error(foreign);

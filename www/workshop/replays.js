@@ -1,5 +1,6 @@
-// Attempts as files: saves those at the open puzzle, opens files of anybody, simulates each attempt again in the worker, says whether
-// the same comes out to the bit, and replays it. Also the badge on a run that has ended: the first characters of its digest.
+// Attempts as files: saves those at the open puzzle, opens files of anybody, simulates each attempt again in the
+// worker, says whether the same comes out to the bit, and replays it. Also the badge on a run that has ended: the first
+// characters of its digest.
 
 import { Component } from "../shell/component.js";
 import { AGENTS_VERSION } from "../shell/constants.js";
@@ -65,10 +66,20 @@ export class Replays extends Component {
     const { session } = this;
     if (!session) return;
     const { name } = session.about;
-    const made = [...attemptsBy("player", session.attempts.of("player")), ...attemptsBy(session.attempts.modelName ?? "model", session.attempts.of("model"))];
+    const made = [
+      ...attemptsBy("player", session.attempts.of("player")),
+      ...attemptsBy(session.attempts.modelName ?? "model", session.attempts.of("model")),
+    ];
     this.#tell(async (signal) => {
-      const lines = await this.#client.attemptLines(session.played, made.map(({ ball }) => ball), signal);
-      saveAttempts(name, lines.map((line, index) => ({ ...line, ...made[index] })));
+      const lines = await this.#client.attemptLines(
+        session.played,
+        made.map(({ ball }) => ball),
+        signal,
+      );
+      saveAttempts(
+        name,
+        lines.map((line, index) => ({ ...line, ...made[index] })),
+      );
       return `${lines.length === 1 ? "One attempt is" : `${lines.length} attempts are`} saved: “pathlight verify” simulates them again.`;
     });
   }
@@ -123,7 +134,10 @@ export class Replays extends Component {
       item.textContent = `${puzzle}, ${place}: not valid, the same`;
       return item;
     }
-    const words = verification.verdict === "same" ? `${status === "solved" ? "solved" : "not solved"} in ${steps} steps, the same to the bit` : verification.reason;
+    const words =
+      verification.verdict === "same"
+        ? `${status === "solved" ? "solved" : "not solved"} in ${steps} steps, the same to the bit`
+        : verification.reason;
     item.append(createButton(`${puzzle}, ${place}: ${words}`, () => this.#replay(attempt)));
     return item;
   }
@@ -131,7 +145,14 @@ export class Replays extends Component {
   /** @param {AttemptLine} attempt */
   async #replay({ task, scene, ball }) {
     const text = scene ? await textOfScene(pathlight.ownScene(scene)) : null;
-    this.requestState({ task: text === null ? (task ?? null) : null, scene: text, ball: null, proposal: null, challenge: null, panel: "play" });
+    this.requestState({
+      task: text === null ? (task ?? null) : null,
+      scene: text,
+      ball: null,
+      proposal: null,
+      challenge: null,
+      panel: "play",
+    });
     if (ball) this.session?.playOpened(ball);
     else this.session?.watch();
   }
@@ -142,7 +163,10 @@ export class Replays extends Component {
     this.#tell(async (signal) => {
       const native = await readNativeAttempts();
       const [again, ...others] = await this.#client.verify([line, ...native], signal);
-      const agrees = again.verdict === "same" ? "A second instance of the simulator has just computed the same, to the bit." : again.reason;
+      const agrees =
+        again.verdict === "same"
+          ? "A second instance of the simulator has just computed the same, to the bit."
+          : again.reason;
       const same = others.filter(({ verdict }) => verdict === "same").length;
       return `${line.digest.slice(0, BADGE_LENGTH)}… is the SHA-256 of all poses of this run. ${agrees} ${native.length ? `Of ${native.length} runs whose digests the native program has shipped, this browser computes ${same} to the bit. ` : ""}Save the attempts, and “pathlight verify” compares this one too.`;
     });
@@ -153,7 +177,11 @@ export class Replays extends Component {
     const { session } = this;
     if (!session?.finished || session.phase === "compare" || session.placing) return null;
     if (this.#known?.shown !== session.shown || this.#known.phase !== session.phase) {
-      this.#known = { shown: session.shown, phase: session.phase, line: pathlight.attemptLine(session.played, session.shown?.ball ?? null) };
+      this.#known = {
+        shown: session.shown,
+        phase: session.phase,
+        line: pathlight.attemptLine(session.played, session.shown?.ball ?? null),
+      };
     }
     return this.#known.line;
   }
@@ -161,7 +189,8 @@ export class Replays extends Component {
   #update() {
     const { session } = this;
     if (!session) return;
-    this.byId("attempts-save", HTMLButtonElement).disabled = session.attempts.standing("player").used + session.attempts.standing("model").used === 0;
+    this.byId("attempts-save", HTMLButtonElement).disabled =
+      session.attempts.standing("player").used + session.attempts.standing("model").used === 0;
     const line = this.#line;
     this.#badge.hidden = line === null;
     if (!line) return;
@@ -183,5 +212,11 @@ export class Replays extends Component {
  */
 function attemptsBy(by, attempts) {
   const agents = by === "player" ? undefined : AGENTS_VERSION;
-  return attempts.map(({ ball, ending: { longest_touch, final_touch } }) => ({ ball, by, longest_touch, final_touch, agents }));
+  return attempts.map(({ ball, ending: { longest_touch, final_touch } }) => ({
+    ball,
+    by,
+    longest_touch,
+    final_touch,
+    agents,
+  }));
 }

@@ -1,5 +1,5 @@
-// A scene as the text of a link, and back: its JSON, deflated, in base64url. Damaged or foreign text is refused with a sentence,
-// and nothing larger than a scene may be is unpacked. Knows nothing of the document.
+// A scene as the text of a link, and back: its JSON, deflated, in base64url. Damaged or foreign text is refused with a
+// sentence, and nothing larger than a scene may be is unpacked. Knows nothing of the document.
 
 import { failure } from "../api/failure.js";
 import { pathlight } from "../shell/pathlight.js";
@@ -46,8 +46,13 @@ function remember(text, scene) {
  */
 export async function textOfScene(scene) {
   const json = new Blob([JSON.stringify(scene)]).stream();
-  const deflated = new Uint8Array(await new Response(json.pipeThrough(new CompressionStream("deflate-raw"))).arrayBuffer());
-  const text = btoa(String.fromCharCode(...deflated)).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
+  const deflated = new Uint8Array(
+    await new Response(json.pipeThrough(new CompressionStream("deflate-raw"))).arrayBuffer(),
+  );
+  const text = btoa(String.fromCharCode(...deflated))
+    .replaceAll("+", "-")
+    .replaceAll("/", "_")
+    .replaceAll("=", "");
   remember(text, scene);
   return text;
 }
@@ -63,13 +68,19 @@ export async function sceneOfText(text) {
   /** @type {OwnScene} */
   let scene;
   try {
-    const bytes = Uint8Array.from(atob(text.replaceAll("-", "+").replaceAll("_", "/")), (character) => character.charCodeAt(0));
+    const bytes = Uint8Array.from(atob(text.replaceAll("-", "+").replaceAll("_", "/")), (character) =>
+      character.charCodeAt(0),
+    );
     scene = JSON.parse(await inflated(new Blob([bytes])));
   } catch {
-    throw failure("bad_data", "This link holds a puzzle of somebody’s own, but it is damaged: perhaps a part of it is missing. Ask for it again.");
+    throw failure(
+      "bad_data",
+      "This link holds a puzzle of somebody’s own, but it is damaged: perhaps a part of it is missing. Ask for it again.",
+    );
   }
   const [problem] = pathlight.sceneProblems(scene);
-  if (problem) throw failure("bad_data", `This link holds a puzzle of somebody’s own that cannot be played: ${problem.sentence}`);
+  if (problem)
+    throw failure("bad_data", `This link holds a puzzle of somebody’s own that cannot be played: ${problem.sentence}`);
   const own = plainScene(scene);
   remember(text, own);
   return own;
@@ -77,7 +88,11 @@ export async function sceneOfText(text) {
 
 /** @param {Blob} deflated */
 async function inflated(deflated) {
-  const reader = deflated.stream().pipeThrough(new DecompressionStream("deflate-raw")).pipeThrough(new TextDecoderStream("utf-8", { fatal: true })).getReader();
+  const reader = deflated
+    .stream()
+    .pipeThrough(new DecompressionStream("deflate-raw"))
+    .pipeThrough(new TextDecoderStream("utf-8", { fatal: true }))
+    .getReader();
   let json = "";
   for (;;) {
     const { done, value } = await reader.read();

@@ -36,7 +36,9 @@ export class ShareOwn extends Component {
     if (!scene) return;
     const failure = ownPuzzles().add([scene]);
     this.#kept = scene;
-    this.#say(failure ?? `“${sceneName(scene)}” is kept in this browser: it is in the grid, after the benchmark’s puzzles.`);
+    this.#say(
+      failure ?? `“${sceneName(scene)}” is kept in this browser: it is in the grid, after the benchmark’s puzzles.`,
+    );
   }
 
   /** @param {string} words */

@@ -1,14 +1,20 @@
 // onnxruntime-web's wasm, which has fixed-width SIMD, on one thread.
 
-import * as ort from '../../../target/bench/node_modules/onnxruntime-web/dist/ort.wasm.min.mjs';
-import { ofMaps } from '../../web/contender.mjs';
+import * as ort from "../../../target/bench/node_modules/onnxruntime-web/dist/ort.wasm.min.mjs";
+import { ofMaps } from "../../web/contender.mjs";
 
 /** `what` is 'nets', the four nets, or 'all-nets', the judge too. */
 export async function load(read, what) {
   ort.env.wasm.numThreads = 1;
-  ort.env.wasm.wasmBinary = await read('target/bench/node_modules/onnxruntime-web/dist/ort-wasm-simd-threaded.wasm');
-  const nets = await ort.InferenceSession.create(await read(`target/bench/${what}.onnx`), { executionProviders: ['wasm'] });
-  const scene = new ort.Tensor('float32', new Float32Array((await read('target/bench/scene.f32')).buffer), [1, 5, 64, 64]);
+  ort.env.wasm.wasmBinary = await read("target/bench/node_modules/onnxruntime-web/dist/ort-wasm-simd-threaded.wasm");
+  const nets = await ort.InferenceSession.create(await read(`target/bench/${what}.onnx`), {
+    executionProviders: ["wasm"],
+  });
+  const scene = new ort.Tensor(
+    "float32",
+    new Float32Array((await read("target/bench/scene.f32")).buffer),
+    [1, 5, 64, 64],
+  );
   return ofMaps(async () => {
     const maps = await nets.run({ scene });
     return nets.outputNames.map((name) => maps[name].data);

@@ -1,17 +1,17 @@
-// Our nets in the package that the page loads. They are given a task and not an image, so that they also lay out and draw
-// the scene.
+// Our nets in the package that the page loads. They are given a task and not an image, so that they also lay out and
+// draw the scene.
 
-import { initSync, Model } from '../../../www/pkg/pathlight.js';
-import { ofMaps } from '../../web/contender.mjs';
-import { TASK } from './task.mjs';
+import { initSync, Model } from "../../../www/pkg/pathlight.js";
+import { ofMaps } from "../../web/contender.mjs";
+import { TASK } from "./task.mjs";
 
 /** `what` is 'nets', the four nets; 'all-nets', all five maps as the page shows them; or 'propose', a hundred balls. */
 export async function load(read, what) {
-  initSync({ module: await read('www/pkg/pathlight_bg.wasm') });
-  const model = new Model(await read('assets/within-0.safetensors'));
+  initSync({ module: await read("www/pkg/pathlight_bg.wasm") });
+  const model = new Model(await read("assets/within-0.safetensors"));
   const works = {
     nets: () => [model.imaginePaths(TASK)],
-    'all-nets': () => {
+    "all-nets": () => {
       const { base, target, action, placement } = model.imagine(TASK);
       return [base, target, action, placement];
     },

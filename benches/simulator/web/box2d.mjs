@@ -1,19 +1,23 @@
 // Box2D 2.4.1 in wasm, the npm package box2d-wasm, with the loop in JavaScript as its users write it. Stepping alone.
 
-import { createRequire } from 'node:module';
+import { createRequire } from "node:module";
 
 export async function load(read) {
   // Its ES module does not run in Node.
-  const start = createRequire(import.meta.url)('../../../target/bench/node_modules/box2d-wasm/dist/umd/Box2D.simd.js');
-  const box2d = await start({ wasmBinary: await read('target/bench/node_modules/box2d-wasm/dist/umd/Box2D.simd.wasm') });
-  const { parameters, rollouts } = parse(new TextDecoder().decode(await read('target/bench/rollouts.txt')));
+  const start = createRequire(import.meta.url)("../../../target/bench/node_modules/box2d-wasm/dist/umd/Box2D.simd.js");
+  const box2d = await start({
+    wasmBinary: await read("target/bench/node_modules/box2d-wasm/dist/umd/Box2D.simd.wasm"),
+  });
+  const { parameters, rollouts } = parse(new TextDecoder().decode(await read("target/bench/rollouts.txt")));
   const result = rollouts.map((rollout) => {
     const { world, bodies, free } = build(box2d, parameters, rollout);
     const { solved, steps } = run(box2d, parameters, rollout, world, bodies);
-    const positions = bodies.filter((_, index) => rollout.bodies[index].dynamic).flatMap((body) => {
-      const { x, y } = body.GetPosition();
-      return [x * parameters.pxPerMetre, y * parameters.pxPerMetre];
-    });
+    const positions = bodies
+      .filter((_, index) => rollout.bodies[index].dynamic)
+      .flatMap((body) => {
+        const { x, y } = body.GetPosition();
+        return [x * parameters.pxPerMetre, y * parameters.pxPerMetre];
+      });
     free();
     return [Number(solved), steps, ...positions];
   });
@@ -39,8 +43,19 @@ function parse(text) {
   const numbers = text.split(/\s+/).map(Number);
   const next = () => numbers[at++];
   const many = (count, one) => Array.from({ length: count }, one);
-  const names = ['maxSteps', 'goalSteps', 'velocityIterations', 'positionIterations', 'pxPerMetre', 'timeStep', 'gravity',
-    'density', 'friction', 'restitution', 'angularDamping'];
+  const names = [
+    "maxSteps",
+    "goalSteps",
+    "velocityIterations",
+    "positionIterations",
+    "pxPerMetre",
+    "timeStep",
+    "gravity",
+    "density",
+    "friction",
+    "restitution",
+    "angularDamping",
+  ];
   const parameters = Object.fromEntries(names.map((name) => [name, next()]));
   const shape = () => ({ radius: next(), corners: many(next(), () => [next(), next()]) });
   const body = () => ({ dynamic: next() === 1, x: next(), y: next(), angle: next(), shapes: many(next(), shape) });
@@ -52,9 +67,13 @@ function parse(text) {
 }
 
 function build(box2d, parameters, rollout) {
-  const { b2World, b2Vec2, b2BodyDef, b2FixtureDef, b2CircleShape, b2PolygonShape, b2_dynamicBody, b2_staticBody } = box2d;
+  const { b2World, b2Vec2, b2BodyDef, b2FixtureDef, b2CircleShape, b2PolygonShape, b2_dynamicBody, b2_staticBody } =
+    box2d;
   const temporary = [];
-  const keep = (object) => { temporary.push(object); return object; };
+  const keep = (object) => {
+    temporary.push(object);
+    return object;
+  };
   const metres = (x, y) => keep(new b2Vec2(x / parameters.pxPerMetre, y / parameters.pxPerMetre));
   const world = new b2World(keep(new b2Vec2(0, parameters.gravity)));
   const bodies = rollout.bodies.map((from) => {
@@ -68,7 +87,9 @@ function build(box2d, parameters, rollout) {
       let shape;
       if (corners.length > 0) {
         shape = keep(new b2PolygonShape());
-        const [points, free] = box2d.tuplesToVec2Array(corners.map(([x, y]) => [x / parameters.pxPerMetre, y / parameters.pxPerMetre]));
+        const [points, free] = box2d.tuplesToVec2Array(
+          corners.map(([x, y]) => [x / parameters.pxPerMetre, y / parameters.pxPerMetre]),
+        );
         shape.Set(points, corners.length);
         free();
       } else {

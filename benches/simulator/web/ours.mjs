@@ -1,12 +1,14 @@
-// The simulator in wasm, built from ../wasm.rs. It needs nothing from outside: the imports are those of the page's exports,
-// which come along in the library.
+// The simulator in wasm, built from ../wasm.rs. It needs nothing from outside: the imports are those of the page's
+// exports, which come along in the library.
 
 /** Times the stepping alone. */
 export async function load(read) {
-  const module = await WebAssembly.compile(await read('target/bench/simulator.wasm'));
+  const module = await WebAssembly.compile(await read("target/bench/simulator.wasm"));
   const imports = {};
   for (const { module: from, name } of WebAssembly.Module.imports(module)) {
-    (imports[from] ??= {})[name] = () => { throw new Error(`the simulator called ${name}`); };
+    (imports[from] ??= {})[name] = () => {
+      throw new Error(`the simulator called ${name}`);
+    };
   }
   const { exports } = await WebAssembly.instantiate(module, imports);
   const at = exports.final_states();

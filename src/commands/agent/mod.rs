@@ -1,8 +1,8 @@
-//! `pathlight agent`: an agent that plays against any simulator, over JSON lines. `simulate --batch - --paths` is the other
-//! side: it reads the agent's lines and writes the lines that the agent reads.
+//! `pathlight agent`: an agent that plays against any simulator, over JSON lines. `simulate --batch - --paths` is the
+//! other side: it reads the agent's lines and writes the lines that the agent reads.
 //!
-//! Each line that is not blank gets exactly one line as its answer, at once, so that a driver that writes one and reads one
-//! never waits in vain. A line that cannot be used is answered with an error and changes nothing.
+//! Each line that is not blank gets exactly one line as its answer, at once, so that a driver that writes one and reads
+//! one never waits in vain. A line that cannot be used is answered with an error and changes nothing.
 
 use std::io::{self, Write};
 
@@ -26,17 +26,19 @@ use lines::{Line, next_line};
 
 mod lines;
 
-/// Balls that an agent has ready for one puzzle: another simulator may find some of them invalid, which are no attempts.
+/// Balls that an agent has ready for one puzzle: another simulator may find some of them invalid, which are no
+/// attempts.
 const BALLS: usize = 2 * MAX_ATTEMPTS;
 
 /// Play against any simulator: reads tasks and outcomes as JSON lines, answers each with the next ball
 ///
-/// {"task":"00007:008"} begins a puzzle; so does {"scene":{"body1","body2","bodies"}} with a scene as `tasks --json` prints
-/// it or an own scene as `tasks --own` prints it. The answer is {"task","ball":[x,y,r]}, px. {"status":"solved"|"not_solved"|"invalid"} tells what became of the ball;
-/// "paths":{"object":[[x,y,angle],…],"ball":[…]} beside it, the poses at every tenth step from the start in px and radians,
-/// tell what happened and may be missing. The answer is the next ball, or "ball":null once the puzzle is solved, 100
-/// attempts are made or no ball is left. A line that cannot be used is answered with {"error"} and changes nothing; if there
-/// was one, the command ends with exit code 2.
+/// {"task":"00007:008"} begins a puzzle; so does {"scene":{"body1","body2","bodies"}} with a scene as `tasks --json`
+/// prints it or an own scene as `tasks --own` prints it. The answer is {"task","ball":[x,y,r]}, px.
+/// {"status":"solved"|"not_solved"|"invalid"} tells what became of the ball;
+/// "paths":{"object":[[x,y,angle],…],"ball":[…]} beside it, the poses at every tenth step from the start in px and
+/// radians, tell what happened and may be missing. The answer is the next ball, or "ball":null once the puzzle is
+/// solved, 100 attempts are made or no ball is left. A line that cannot be used is answered with {"error"} and changes
+/// nothing; if there was one, the command ends with exit code 2.
 #[derive(clap::Args)]
 pub struct Args {
     #[command(flatten)]

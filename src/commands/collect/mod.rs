@@ -61,8 +61,8 @@ impl Args {
         Ok(())
     }
 
-    /// Searches, or continues with it. Returns how many tasks have fewer solutions than asked for, and the unsolved tasks by
-    /// template.
+    /// Searches, or continues with it. Returns how many tasks have fewer solutions than asked for, and the unsolved
+    /// tasks by template.
     ///
     /// # Errors
     /// If the file cannot be continued or written.

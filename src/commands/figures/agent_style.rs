@@ -4,8 +4,8 @@ use clap::ValueEnum;
 
 use crate::commands::agent_name::AgentName;
 
-/// Colour and dashes. The colours are those of Okabe and Ito, which colour-blind people can tell apart; neighbours differ in
-/// lightness too.
+/// Colour and dashes. The colours are those of Okabe and Ito, which colour-blind people can tell apart; neighbours
+/// differ in lightness too.
 pub type Style = (&'static str, &'static str);
 
 const STYLES: [Style; 6] = [

@@ -1,7 +1,7 @@
 //! The success curves: how many of the test tasks each agent solves within so many attempts.
 //!
-//! The axis of the attempts is that of AUCCESS: attempt k takes the width ln(k + 1) - ln(k), its weight. So AUCCESS is the
-//! area under a curve, in percent of the panel.
+//! The axis of the attempts is that of AUCCESS: attempt k takes the width ln(k + 1) - ln(k), its weight. So AUCCESS is
+//! the area under a curve, in percent of the panel.
 
 use pathlight::benchmark::auccess::MAX_ATTEMPTS;
 use pathlight::benchmark::folds::Setup;
@@ -147,7 +147,8 @@ fn curve(agent: &Measured) -> Group {
         .add(path.set("fill", "none").set("stroke", colour).set("stroke-width", 2).set("stroke-dasharray", dashes))
 }
 
-/// Returns places of labels, px: as near to those asked for as `LABEL` between them allows, in the same order from top to bottom.
+/// Returns places of labels, px: as near to those asked for as `LABEL` between them allows, in the same order from top
+/// to bottom.
 fn apart(places: &[f64]) -> Vec<f64> {
     let mut order: Vec<usize> = (0..places.len()).collect();
     order.sort_by(|&one, &other| places[one].total_cmp(&places[other]));

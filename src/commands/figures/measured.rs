@@ -31,7 +31,8 @@ pub struct Measured {
 }
 
 impl Measured {
-    /// Returns the mean over the folds of their auccess, on all tasks or on those of a template; `None` if no fold tests it.
+    /// Returns the mean over the folds of their auccess, on all tasks or on those of a template; `None` if no fold
+    /// tests it.
     pub fn auccess(&self, template: Option<usize>) -> Option<f64> {
         self.mean(template, auccess)
     }

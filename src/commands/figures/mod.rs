@@ -1,7 +1,8 @@
-//! `pathlight figures`: draws the figures of the results as SVG, each with a text alternative, and a page that shows them.
+//! `pathlight figures`: draws the figures of the results as SVG, each with a text alternative, and a page that shows
+//! them.
 //!
-//! A module per figure draws it from the files that other commands measured; nothing is measured here. The same files yield
-//! the same bytes.
+//! A module per figure draws it from the files that other commands measured; nothing is measured here. The same files
+//! yield the same bytes.
 
 use std::fmt::Write as _;
 use std::io::{self, Write as _};

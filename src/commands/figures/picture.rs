@@ -1,7 +1,7 @@
 //! What the figures are made of: the SVG document with its text alternatives, and words.
 //!
-//! A figure is drawn on paper of its own, so that it reads on any ground. Numbers are rounded, so that the same input yields the
-//! same bytes.
+//! A figure is drawn on paper of its own, so that it reads on any ground. Numbers are rounded, so that the same input
+//! yields the same bytes.
 
 use pathlight::colour::palette::palette;
 use svg::Document;

@@ -133,7 +133,8 @@ pub fn positions(rollout: &Rollout, body: usize) -> Vec<[f64; 2]> {
     steps.filter_map(|step| rollout.pose(step, body)).map(|[x, y, _]| [x.into(), y.into()]).collect()
 }
 
-/// Returns a path through these points in the colour of a role, with a rim that keeps it visible on a body of its own colour.
+/// Returns a path through these points in the colour of a role, with a rim that keeps it visible on a body of its own
+/// colour.
 pub fn path(points: &[[f64; 2]], role: Role, style: LineStyle) -> Group {
     let mut rounded: Vec<(f64, f64)> = points.iter().map(|&[x, y]| (tenth(x), tenth(y))).collect();
     rounded.dedup();

@@ -1,8 +1,8 @@
 //! `pathlight forecasts`: how well the dynamics net imagines what balls lead to, on test tasks of a fold.
 //!
-//! Uniformly random balls, and the known solutions of the tasks, because few random balls solve. The path of a body is drawn
-//! along its sampled positions, the imagined one like the real one, and compared by soft IoU. Half of the image of a path
-//! may be the body at its start; so the path of a body that stays where it is is compared too.
+//! Uniformly random balls, and the known solutions of the tasks, because few random balls solve. The path of a body is
+//! drawn along its sampled positions, the imagined one like the real one, and compared by soft IoU. Half of the image
+//! of a path may be the body at its start; so the path of a body that stays where it is is compared too.
 //!
 //! The `--json` file has the overlaps by template, for `figures`, and beside them those of the maps of the four nets.
 

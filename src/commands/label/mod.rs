@@ -1,4 +1,5 @@
-//! `pathlight label`: balls with their outcome for all tasks, as JSON lines, to train a judge, a dynamics net or DQN on.
+//! `pathlight label`: balls with their outcome for all tasks, as JSON lines, to train a judge, a dynamics net or DQN
+//! on.
 //!
 //! The file is a journal: the settings, then one line per task and round, in that order, so the number of lines
 //! says where an interrupted run continues. The balls depend only on the settings and the solutions.
@@ -55,13 +56,13 @@ pub struct Args {
     #[command(flatten)]
     pub selection: TaskSelection,
 
-    /// Label the balls that the dynamics net of these weights finds most probable, instead of sampled ones: hard negatives.
-    /// Every round takes the next 64. They have to be of the fold of --setup
+    /// Label the balls that the dynamics net of these weights finds most probable, instead of sampled ones: hard
+    /// negatives. Every round takes the next 64. They have to be of the fold of --setup
     #[arg(long, value_name = "FILE", requires = "setup")]
     pub weights: Option<PathBuf>,
 
-    /// Label balls in variants of the tasks' scenes, another variant in every round. Balls are sampled around the solutions
-    /// of the task alone
+    /// Label balls in variants of the tasks' scenes, another variant in every round. Balls are sampled around the
+    /// solutions of the task alone
     #[arg(long, conflicts_with = "weights")]
     pub variants: bool,
 

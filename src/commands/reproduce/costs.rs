@@ -1,5 +1,5 @@
-//! What the results cost, and what more would: `costs.md` beside the report. Apart from it, because times differ from run to
-//! run, and the report does not.
+//! What the results cost, and what more would: `costs.md` beside the report. Apart from it, because times differ from
+//! run to run, and the report does not.
 
 use std::fmt::Write as _;
 use std::path::Path;
@@ -85,8 +85,8 @@ fn rows(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// All rows with more labels, of which every ball is seen as often, so that the nets that learn from them train longer by the
-/// same factor.
+/// All rows with more labels, of which every ball is seen as often, so that the nets that learn from them train longer
+/// by the same factor.
 fn estimate(text: &mut String, results: &[FoldResult], seconds_per_ball: f64) -> anyhow::Result<()> {
     let Some(first) = results.first() else { return Ok(()) };
     let tasks: usize = TEMPLATES.iter().map(|&template| Task::of(template).count()).sum();

@@ -232,8 +232,8 @@ impl FoldResult {
         all.filter(|(task, _)| template.is_none_or(|one| task.template == one)).map(|&(_, first)| first).collect()
     }
 
-    /// Auccess, and the percentages of tasks solved at the first attempt, within 10 and within 100; `None` if the agent was
-    /// not measured.
+    /// Auccess, and the percentages of tasks solved at the first attempt, within 10 and within 100; `None` if the agent
+    /// was not measured.
     pub fn score(&self, agent: AgentName) -> Option<[f64; 4]> {
         let firsts = self.first_solved(agent, None);
         let [one, ten, hundred] = [1, 10, MAX_ATTEMPTS].map(|attempts| 100.0 * solved_within(&firsts, attempts));

@@ -1,9 +1,10 @@
-//! `pathlight reproduce`: reproduces the paper's table over setups and folds, with the other commands, and reports on it.
+//! `pathlight reproduce`: reproduces the paper's table over setups and folds, with the other commands, and reports on
+//! it.
 //!
 //! Three parts, by default one after the other: the data that all folds share (`collect`, `label`); a result per setup
-//! and fold, as a JSON file each (`train`, `train-judge`, `train-dynamics`, `train-dqn`, `evaluate`); a report on the existing
-//! results. Each part continues where it was interrupted. Results do not depend on each other, so they can be made in
-//! parallel, on several machines.
+//! and fold, as a JSON file each (`train`, `train-judge`, `train-dynamics`, `train-dqn`, `evaluate`); a report on the
+//! existing results. Each part continues where it was interrupted. Results do not depend on each other, so they can be
+//! made in parallel, on several machines.
 
 use std::io::{self, Write as _};
 use std::path::PathBuf;

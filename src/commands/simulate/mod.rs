@@ -57,13 +57,14 @@ pub struct Args {
     #[arg(long, conflicts_with_all = ["poses", "paths"])]
     verifiable: bool,
 
-    /// Also print, of the balls within a pixel in x, y and radius, how many may be placed and how many solve, and whether the
-    /// ball itself solves with --engine rapier: luck or a plan?
+    /// Also print, of the balls within a pixel in x, y and radius, how many may be placed and how many solve, and
+    /// whether the ball itself solves with --engine rapier: luck or a plan?
     #[arg(long, conflicts_with_all = ["verifiable", "batch", "engine"])]
     luck: bool,
 
-    /// Simulate each line of this file ("-" is standard input) on all cores: {"task":"00007:008","ball":[X,Y,R]},
-    /// with "scene":{…}, an own scene, instead of "task"; with "action":[x,y,r] instead of "ball", or with "ball":null for no ball
+    /// Simulate each line of this file ("-" is standard input) on all cores: {"task":"00007:008","ball":[X,Y,R]}, with
+    /// "scene":{…}, an own scene, instead of "task"; with "action":[x,y,r] instead of "ball", or with "ball":null for
+    /// no ball
     #[arg(long, value_name = "FILE", conflicts_with_all = ["task", "scene", "action", "ball", "poses"])]
     batch: Option<String>,
 

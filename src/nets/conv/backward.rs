@@ -2,8 +2,8 @@
 //!
 //! With `C = im2col(x)` and the weights `W`, `conv_down` is `W C` and `conv_up` is `col2im(W^T x)`. So the gradient
 //! with respect to the input of one is the other without its bias, and the gradient with respect to the weights is the
-//! product of the coarse images and the transposed columns of the fine ones (`weight_gradient` where the layer is a direct
-//! convolution). Native only, used by `autodiff`: the page does not train.
+//! product of the coarse images and the transposed columns of the fine ones (`weight_gradient` where the layer is a
+//! direct convolution). Native only, used by `autodiff`: the page does not train.
 
 use std::sync::Mutex;
 
@@ -145,7 +145,8 @@ mod tests {
     /// Step of the central difference. The layers are linear but for the ReLU, so a long step is exact and rounds less.
     const STEP: f32 = 0.125;
 
-    /// Both kernels, batches of one group and of several, the last of six columns, matrix products and direct convolutions.
+    /// Both kernels, batches of one group and of several, the last of six columns, matrix products and direct
+    /// convolutions.
     const CASES: [(Geometry, usize); 4] = [
         (Geometry { fine_channels: 3, coarse_channels: 8, coarse_side: 4, kernel: 4 }, 2),
         (Geometry { fine_channels: 8, coarse_channels: 16, coarse_side: 1, kernel: 2 }, 22),

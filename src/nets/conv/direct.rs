@@ -1,10 +1,10 @@
 //! Both layers as direct convolutions of 4 x 4 kernels, for coarse images of at least 8 x 8 cells.
 //!
-//! Tiles of some output channels by some columns of a row are summed up in registers. With stride 2, the taps of a kernel
-//! row that meet the same phase, the even or the odd columns of the fine image, are neighbours in that phase: so both layers
-//! are sums over pairs of neighbouring taps, and one tile serves both. `conv_down` reads the fine image split into phases;
-//! `conv_up` computes each phase of the fine image from the coarse one and interleaves them. Used by `forward` and
-//! `backward`.
+//! Tiles of some output channels by some columns of a row are summed up in registers. With stride 2, the taps of a
+//! kernel row that meet the same phase, the even or the odd columns of the fine image, are neighbours in that phase: so
+//! both layers are sums over pairs of neighbouring taps, and one tile serves both. `conv_down` reads the fine image
+//! split into phases; `conv_up` computes each phase of the fine image from the coarse one and interleaves them. Used by
+//! `forward` and `backward`.
 
 use pulp::{Simd, WithSimd, bytemuck};
 
@@ -169,8 +169,8 @@ fn interleave(to: &mut [f32], even: &[f32], odd: &[f32]) {
     }
 }
 
-/// Sums of `REGISTERS` registers of neighbouring columns in `CHANNELS` output channels. For each input channel, a pair of
-/// taps covers the cells from its offset on and their right neighbours; `weights` are `[input channels][pairs][left,
+/// Sums of `REGISTERS` registers of neighbouring columns in `CHANNELS` output channels. For each input channel, a pair
+/// of taps covers the cells from its offset on and their right neighbours; `weights` are `[input channels][pairs][left,
 /// right][output channels]`.
 #[inline(always)]
 fn tile<S: Simd, const REGISTERS: usize, const CHANNELS: usize, const PAIRS: usize>(

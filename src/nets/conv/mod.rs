@@ -1,14 +1,14 @@
 //! The two layers of all nets: a stride-2 convolution and a stride-2 transposed convolution, fast on the CPU.
 //!
-//! burn's own `conv2d` and `conv_transpose2d` define the result: they are the default bodies of `StridedConv`,
-//! which ndarray runs. On flex, layers of at least 8 x 8 coarse cells are direct convolutions whose sums stay in registers
+//! burn's own `conv2d` and `conv_transpose2d` define the result: they are the default bodies of `StridedConv`, which
+//! ndarray runs. On flex, layers of at least 8 x 8 coarse cells are direct convolutions whose sums stay in registers
 //! (`direct`). The deeper layers, with few cells and many weights, are one matrix product by im2col (Chellapilla et al.
 //! 2006): the columns `[fine channels * kernel^2, samples * coarse cells]` hold, for each coarse cell, the patch of the
-//! fine image that its kernel covers. With weights `W` `[coarse channels, fine channels * kernel^2]`, `conv_down` is
-//! `W * im2col(x)` and `conv_up` is `col2im(W^T * x)`. Bias and ReLU follow in the same pass.
+//! fine image that its kernel covers. With weights `W` `[coarse channels, fine channels * kernel^2]`, `conv_down` is `W
+//! * im2col(x)` and `conv_up` is `col2im(W^T * x)`. Bias and ReLU follow in the same pass.
 //!
-//! burn's general layers also support the strides, dilations and groups that no net of ours has. Used by `hourglass` and
-//! `judge`.
+//! burn's general layers also support the strides, dilations and groups that no net of ours has. Used by `hourglass`
+//! and `judge`.
 
 // burn has deprecated its ndarray backend; it is kept as the reference backend of the differential tests.
 #![allow(deprecated)]

@@ -39,8 +39,8 @@ impl Planes {
         }
     }
 
-    /// Copies a fine image of side `2 side` inside the border. In each row, the padded columns of even number come before
-    /// those of odd number, `side + 1` each.
+    /// Copies a fine image of side `2 side` inside the border. In each row, the padded columns of even number come
+    /// before those of odd number, `side + 1` each.
     #[inline(always)]
     pub fn fill_with_phases(&mut self, image: &[f32], side: usize) {
         for (plane, cells) in self.data.chunks_exact_mut(self.len).zip(image.chunks_exact(4 * side * side)) {

@@ -1,9 +1,10 @@
 //! Vector registers by pulp, which selects the instructions of the processor at run time: AVX2 or SSE4.1 natively, and
 //! simd128 in wasm.
 //!
-//! The kernels of the forward pass do not fuse a multiplication with an addition, and each sum has an order of its own that
-//! does not depend on the number of lanes. So all instruction sets compute the same maps, bit for bit, and so does wasm.
-//! `weight_gradient` and gemm, which multiplies only batches, do fuse, so trained weights depend on the processor.
+//! The kernels of the forward pass do not fuse a multiplication with an addition, and each sum has an order of its own
+//! that does not depend on the number of lanes. So all instruction sets compute the same maps, bit for bit, and so does
+//! wasm. `weight_gradient` and gemm, which multiplies only batches, do fuse, so trained weights depend on the
+//! processor.
 
 use pulp::{Simd, WithSimd};
 

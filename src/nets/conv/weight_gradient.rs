@@ -1,7 +1,7 @@
 //! The gradient of the loss with respect to the weights of a layer, by the direct convolutions' view of the images.
 //!
-//! For both layers it is the correlation of coarse images with fine ones: of the gradient of the output with the input of
-//! `conv_down`, and of the input with the gradient of the output of `conv_up`. Native only; used by `backward`.
+//! For both layers it is the correlation of coarse images with fine ones: of the gradient of the output with the input
+//! of `conv_down`, and of the input with the gradient of the output of `conv_up`. Native only; used by `backward`.
 
 use pulp::{Simd, WithSimd};
 
@@ -12,8 +12,8 @@ use super::simd::{load, vectorize};
 /// Coarse channels that are correlated with a pair of taps at once: eight sums.
 const CHANNELS: usize = 4;
 
-/// The images of some samples, and where the gradient `[coarse_channels, fine_channels, 4, 4]` is written to. The layer is one
-/// that `DirectConv::fits`.
+/// The images of some samples, and where the gradient `[coarse_channels, fine_channels, 4, 4]` is written to. The layer
+/// is one that `DirectConv::fits`.
 pub struct WeightGradient<'a> {
     pub geometry: &'a Geometry,
     pub coarse: &'a [f32],
@@ -62,8 +62,8 @@ impl WithSimd for WeightGradient<'_> {
     }
 }
 
-/// Adds the products of coarse images, `[CHANNELS, side, side]`, with the cells that a pair of taps meets; those of one coarse
-/// row and the next are `stride` values apart.
+/// Adds the products of coarse images, `[CHANNELS, side, side]`, with the cells that a pair of taps meets; those of one
+/// coarse row and the next are `stride` values apart.
 #[inline(always)]
 fn correlate<S: Simd>(
     simd: S,

@@ -20,8 +20,8 @@ pub struct DqnBatch {
 }
 
 impl DqnBatch {
-    /// Adds a scene and labelled balls of it, as they are or mirrored left to right. Every scene of a batch has the same
-    /// number of balls.
+    /// Adds a scene and labelled balls of it, as they are or mirrored left to right. Every scene of a batch has the
+    /// same number of balls.
     pub fn add(&mut self, scene: &[Coverage; CHANNELS], balls: impl Iterator<Item = (Ball, bool)>, mirrored: bool) {
         for channel in scene {
             let flipped = mirrored.then(|| channel.mirrored());

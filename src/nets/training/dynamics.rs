@@ -1,8 +1,8 @@
 //! One optimiser step of the dynamics net.
 //!
-//! The loss is the sum of: the binary cross-entropies of the three chances (of the ball's cell, of the ball, and from its
-//! paths alone), and the mean distances of the coordinates and of the expected errors, weighted. Without the last two, what the net
-//! calls paths is whatever helps the chances: an ablation.
+//! The loss is the sum of: the binary cross-entropies of the three chances (of the ball's cell, of the ball, and from
+//! its paths alone), and the mean distances of the coordinates and of the expected errors, weighted. Without the last
+//! two, what the net calls paths is whatever helps the chances: an ablation.
 
 use burn::tensor::{Device, Tensor, TensorData};
 
@@ -80,8 +80,8 @@ impl Trainer<DynamicsNet> {
     }
 
     /// One optimiser step on a batch; returns the losses: of the logits of the cells, of the balls, of the paths alone,
-    /// the mean distance of a coordinate and of an expected error, both in `UNIT`, weighted. These two are zero unless it learns the
-    /// `paths`.
+    /// the mean distance of a coordinate and of an expected error, both in `UNIT`, weighted. These two are zero unless
+    /// it learns the `paths`.
     pub fn step(&mut self, mut batch: DynamicsBatch, paths: bool, learning_rate: f64) -> Vec<f32> {
         let device = self.device.clone();
         let (logits, predictions) = self.nets.forward(batch.cells.scenes(&device), batch.balls.tensors(&device));

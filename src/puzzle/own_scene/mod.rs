@@ -1,9 +1,9 @@
 //! Own scenes: the scenes that people make, as they are edited, shared and stored. Versioned JSON, of which
 //! `assets/scene.schema.json` is the schema (`pathlight tasks --schema`).
 //!
-//! A body is a shape with its lengths, a place, and whether it moves; colours follow from the goal. `read` takes JSON from
-//! anywhere and `limit_problems` names what the limits refuse; `play::scene_check` adds what only the simulator knows, and is the way to
-//! a scene that may be played.
+//! A body is a shape with its lengths, a place, and whether it moves; colours follow from the goal. `read` takes JSON
+//! from anywhere and `limit_problems` names what the limits refuse; `play::scene_check` adds what only the simulator
+//! knows, and is the way to a scene that may be played.
 
 use std::f64::consts::{FRAC_1_SQRT_2, TAU};
 use std::ops::RangeInclusive;
@@ -24,15 +24,16 @@ pub const BODIES: RangeInclusive<usize> = 2..=64;
 /// Most characters of a name.
 pub const NAME_LENGTH: usize = 60;
 
-/// How deep a dynamic body may overlap another body or a wall at the start, px. The position solver separates them without
-/// giving them speed. The deepest overlap of two bodies in the benchmark is 2.73 px (00006:164).
+/// How deep a dynamic body may overlap another body or a wall at the start, px. The position solver separates them
+/// without giving them speed. The deepest overlap of two bodies in the benchmark is 2.73 px (00006:164).
 pub const MAX_OVERLAP: f64 = 3.0;
 
-/// How far a dynamic body may reach over a corner of the scene, along the diagonal, px. The walls only meet there: of bodies
-/// that reached over by 1.6 px or more, some slipped out between them.
+/// How far a dynamic body may reach over a corner of the scene, along the diagonal, px. The walls only meet there: of
+/// bodies that reached over by 1.6 px or more, some slipped out between them.
 const OVER_CORNER: f64 = 1.0;
 
-/// How far outside of the scene a static body may be, px. Some of the benchmark's are up to 90 px away and never touched.
+/// How far outside of the scene a static body may be, px. Some of the benchmark's are up to 90 px away and never
+/// touched.
 const OUTSIDE: f64 = 128.0;
 
 /// A scene that somebody has made.
@@ -68,8 +69,8 @@ pub struct OwnBody {
     /// Radians, counter-clockwise.
     #[cfg_attr(not(target_arch = "wasm32"), schemars(range(min = -TAU, max = TAU)))]
     pub angle: f64,
-    /// Whether it moves. A dynamic body lies inside the scene but for 3 px, and at a corner for 1 px; a static one is no farther
-    /// outside of it than 128 px.
+    /// Whether it moves. A dynamic body lies inside the scene but for 3 px, and at a corner for 1 px; a static one is
+    /// no farther outside of it than 128 px.
     pub dynamic: bool,
 }
 

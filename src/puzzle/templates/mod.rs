@@ -1,9 +1,9 @@
 //! The 25 ball templates of PHYRE v0.2.2: each a story, a grid of parameters, and a short script.
 //!
 //! A task number is the position of a combination of parameters among the valid ones, in the order of PHYRE's
-//! `stable_shuffle` of all combinations. The benchmark keeps 100 of a template's tasks. A template lists their numbers and
-//! their combinations, so that a task is laid out at once; the test below derives the combinations again.
-//! `task` is the entry point for the other modules.
+//! `stable_shuffle` of all combinations. The benchmark keeps 100 of a template's tasks. A template lists their numbers
+//! and their combinations, so that a task is laid out at once; the test below derives the combinations again. `task` is
+//! the entry point for the other modules.
 
 use crate::puzzle::scene::Scene;
 use grid::Grid::{self, Flag, Ints, Lin, List, Mul, Words};
