@@ -15,7 +15,7 @@ import { mkdir, readFile, readdir, rm, writeFile } from "node:fs/promises";
 import { dirname, extname, join, posix } from "node:path";
 import { fileURLToPath } from "node:url";
 import { SOURCES, bundledPage } from "./bundle-page.mjs";
-import { QUALITY, isCompressible, writeCompressed } from "./compress.mjs";
+import { isCompressible, writeCompressed } from "./compress.mjs";
 
 const ROOT = join(dirname(fileURLToPath(import.meta.url)), "..");
 const SERVICE_WORKER = "offline/service-worker.js";
@@ -32,13 +32,14 @@ const PLACEHOLDER = "VERSION";
 /**
  * Builds the folder and returns its files without the compressed ones.
  * @param {{ page?: string, assets?: string, out?: string, quality?: number }} [options] folders of the page, of the
- *     weights and of the result, whose contents are replaced; brotli's quality, 0 to compress nothing
+ *     weights and of the result, whose contents are replaced; brotli's quality, by default the best, 0 to compress
+ *     nothing
  */
 export async function buildDist({
   page = SOURCES,
   assets = join(ROOT, "assets"),
   out = join(ROOT, "dist"),
-  quality = QUALITY,
+  quality,
 } = {}) {
   if (existsSync(out) && !existsSync(join(out, "service-worker.js")) && (await readdir(out)).length > 0) {
     throw new Error(`${out} holds files that are not a built page: empty it, or name another folder`);
@@ -49,7 +50,7 @@ export async function buildDist({
     const target = join(out, path);
     await mkdir(dirname(target), { recursive: true });
     await writeFile(target, content);
-    if (quality && isCompressible(path)) await writeCompressed(target, content, quality);
+    if (quality !== 0 && isCompressible(path)) await writeCompressed(target, content, quality);
   });
   await Promise.all(written);
   return files;

@@ -10,7 +10,7 @@ import { mkdir, readFile, readdir, rm, writeFile } from "node:fs/promises";
 import { dirname, join, relative } from "node:path";
 import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
-import { QUALITY, isCompressible, writeCompressed } from "./compress.mjs";
+import { isCompressible, writeCompressed } from "./compress.mjs";
 
 const ROOT = join(dirname(fileURLToPath(import.meta.url)), "..");
 export const SOURCES = join(ROOT, "www");
@@ -47,9 +47,8 @@ export async function bundledPage(page) {
 /**
  * Writes what a server needs of it, with the assets and all compressed forms, to a folder, whose contents are replaced.
  * @param {string} out
- * @param {number} [quality] brotli's
  */
-export async function writeBundledPage(out, quality = QUALITY) {
+export async function writeBundledPage(out) {
   const page = [...(await bundledPage(SOURCES))].filter(([path]) => !OFFLINE.test(path));
   const assets = (await filesIn(ASSETS)).map(([path, content]) => /** @type {const} */ ([`assets/${path}`, content]));
   await rm(out, { recursive: true, force: true });
@@ -57,7 +56,7 @@ export async function writeBundledPage(out, quality = QUALITY) {
     const target = join(out, path);
     await mkdir(dirname(target), { recursive: true });
     await writeFile(target, content);
-    if (isCompressible(path)) await writeCompressed(target, content, quality);
+    if (isCompressible(path)) await writeCompressed(target, content);
   });
   await Promise.all(written);
 }

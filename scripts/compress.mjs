@@ -1,7 +1,7 @@
 // Compresses files in advance, for servers that send FILE.br or FILE.gz in place of FILE:
 // node scripts/compress.mjs FILE… writes both beside each.
 //
-// Results are kept in target/compressed, named by the hash of the content, because the weights take 15 s each.
+// Results are kept in target/compressed, named by the hash of the content, because each file of weights takes 15 s.
 
 import { createHash } from "node:crypto";
 import { mkdir, readFile, rename, writeFile } from "node:fs/promises";
@@ -11,8 +11,8 @@ import { promisify } from "node:util";
 import { brotliCompress, constants, gzip } from "node:zlib";
 
 const KEPT = fileURLToPath(new URL("../target/compressed", import.meta.url));
-/** Brotli's quality. 11 takes twice as long, and makes the weights 1 % larger and the rest less than 1 % smaller. */
-export const QUALITY = 10;
+/** Brotli's quality for weights. The highest takes twice as long and makes them 1 % larger. */
+const WEIGHTS_QUALITY = 10;
 /** Files that a person waits for are announced, bytes. */
 const SLOW = 4_000_000;
 /** Images do not become smaller. */
@@ -27,9 +27,9 @@ export function isCompressible(path) {
  * Writes the compressed forms of a file beside it.
  * @param {string} path
  * @param {Buffer} content the file's
- * @param {number} [quality] brotli's
+ * @param {number} [quality] brotli's; by default the one that makes the file smallest
  */
-export async function writeCompressed(path, content, quality = QUALITY) {
+export async function writeCompressed(path, content, quality = bestQuality(path)) {
   const hash = createHash("sha256").update(content).digest("hex");
   const params = { [constants.BROTLI_PARAM_QUALITY]: quality, [constants.BROTLI_PARAM_SIZE_HINT]: content.length };
   const forms = [
@@ -39,6 +39,11 @@ export async function writeCompressed(path, content, quality = QUALITY) {
   await Promise.all(
     forms.map(async ({ name, compress }) => writeFile(path + extname(name), await keptOr(name, compress))),
   );
+}
+
+/** @param {string} path */
+function bestQuality(path) {
+  return path.endsWith(".safetensors") ? WEIGHTS_QUALITY : constants.BROTLI_MAX_QUALITY;
 }
 
 /**
