@@ -91,6 +91,7 @@ test("webpack builds it", async () => {
   const path = folderOf("webpack", "./main.js");
   // Minified it takes twice as long.
   const optimization = { minimize: false };
+  /** @type {import("webpack").Configuration} */
   const options = { mode: "production", context: project, entry: "./main.js", output: { path }, optimization };
   const stats = await new Promise((resolve, reject) =>
     webpack(options, (error, stats) => (error ? reject(error) : resolve(stats))),

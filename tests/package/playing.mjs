@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 
 /**
  * Opens an address in a new page. Browsers ask for an icon that is not there.
- * @param {{ open: (path: string, options: object) => Promise<import("playwright-core").Page> }} session
+ * @param {Awaited<ReturnType<typeof import("../browser/harness.mjs").startOn>>} session
  * @param {string} address
  */
 export async function open(session, address) {
@@ -25,11 +25,7 @@ export const drawn = (page) =>
     return green > (canvas.width * canvas.height) / 50;
   });
 
-/**
- * Solves a puzzle as the model does it.
- * @param {import("playwright-core").Locator} puzzle
- * @param {import("../../www/api/pathlight.js").Pathlight} pathlight with its model
- */
+/** Solves a puzzle as the model does it; `pathlight` has loaded its own. */
 export async function solve(puzzle, pathlight) {
   const task = await puzzle.getAttribute("task");
   assert.ok(task);

@@ -8,8 +8,8 @@
 // `panel`, `stage`, `view`, `proposal`, `layers`, `opacity`, `forecast`, `ball`, `challenge` and `hide`, as in the
 // links of Pathlight, and `theme`. Besides:
 //   fill      takes the height of its container too, which must have one; else it is as high as its content
-//   remember  keeps the attempts at each puzzle, their number and the one that solved it in this browser (localStorage);
-//             else they are forgotten with the page. Read once, when the puzzle is loaded
+//   remember  keeps the attempts at each puzzle, their number and the one that solved it, in this browser
+//             (localStorage); else they are forgotten with the page. Read once, when the puzzle is loaded
 //
 // This file knows only the element; everything else is loaded once the wasm is there.
 
