@@ -51,8 +51,8 @@ const RULES: &[Rule] = &[
     },
     Rule {
         words: &["new Worker("],
-        files: Only(&["model/worker-client.js"]),
-        reason: "one file starts the worker, and ends it",
+        files: Only(&["model/start-worker.js"]),
+        reason: "one file finds the worker's code",
     },
     Rule {
         words: &["fetch("],

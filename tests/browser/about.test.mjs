@@ -66,6 +66,7 @@ for (const [what, viewport] of Object.entries({
     const page = await session.open("/", { viewport });
     await page.locator("#templates a").first().waitFor();
     await page.locator("#about-button").click();
+    await page.locator("#about-title:focus").waitFor();
     const box = await page.locator("#about-dialog[open]").boundingBox();
     assert.ok(
       box && box.x >= 0 && box.x + box.width <= viewport.width && box.height <= viewport.height,

@@ -8,7 +8,8 @@
 import * as wasm from "../pkg/pathlight.js";
 import { failure } from "./failure.js";
 import { addressOf, compileWasm, readFile } from "./files.js";
-import { readModelList, readWeights } from "./weights.js";
+import { readModelList } from "./model-files.js";
+import { readWeights } from "./weights.js";
 
 /** @typedef {import("../pkg/pathlight.js").About} About */
 /** @typedef {import("../pkg/pathlight.js").AttemptLine} AttemptLine */

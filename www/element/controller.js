@@ -271,7 +271,10 @@ export class PuzzleController extends EventTarget {
 
   /** @param {string} id */
   showDialog(id) {
-    byId(this.#root, id, HTMLDialogElement).showModal();
+    const dialog = byId(this.#root, id, HTMLDialogElement);
+    dialog.showModal();
+    // Its heading, so that it is read from the beginning. In frames browsers refuse the attribute autofocus.
+    dialog.querySelector("h2")?.focus();
   }
 
   /** @param {import("../model/messages.js").Played} played */

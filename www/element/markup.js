@@ -152,7 +152,7 @@ template.innerHTML = `
 </dialog>
 
 <dialog id="about-dialog" lang="en" aria-labelledby="about-title">
-  <h2 id="about-title" tabindex="-1" autofocus>About Pathlight</h2>
+  <h2 id="about-title" tabindex="-1">About Pathlight</h2>
   <p>You choose where one red ball starts. After that nobody touches anything: balls fall and roll, bars tip, and everything bumps into everything else. <span data-hideable="compare">The model plays by the same rules, in the same simulator.</span></p>
   <div data-hideable="imagine">
   <h3>How the model thinks</h3>

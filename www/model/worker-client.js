@@ -2,6 +2,8 @@
 // aborted the promise rejects with its reason and no update of the call arrives any more, however late the worker
 // answers. A worker that crashes rejects every open call with a sentence, and can be started again.
 
+import { createWorker, whyNoWorker } from "./start-worker.js";
+
 /** @typedef {import("./messages.js").Calls} Calls */
 /** @typedef {import("./messages.js").Failure} Failure */
 /** @typedef {import("./messages.js").Played} Played */
@@ -238,9 +240,7 @@ export class WorkerClient extends EventTarget {
   /** @param {string | undefined} reason none if not even its code could be loaded */
   #onCrash(reason) {
     const message =
-      reason === undefined
-        ? "The model’s worker could not be loaded. If Pathlight has been updated meanwhile, load the page again. A page with a Content Security Policy has to allow workers (worker-src)."
-        : `The model’s worker has stopped${reason ? ` (${reason})` : ""}.`;
+      reason === undefined ? whyNoWorker() : `The model’s worker has stopped${reason ? ` (${reason})` : ""}.`;
     this.#terminate(message);
     this.#set({ status: "failed", failure: { code: "crashed", message } });
   }
@@ -266,25 +266,4 @@ export class WorkerClient extends EventTarget {
     Object.assign(this, { status, progress, failure, loaded });
     this.dispatchEvent(new Event("change"));
   }
-}
-
-/**
- * A worker of a page has to come from the page's own origin. If the modules come from another, a worker of the page's
- * own imports theirs.
- */
-function createWorker() {
-  // In this form bundlers find the worker.
-  if (new URL(import.meta.url).origin === globalThis.origin)
-    return new Worker(new URL("../model/worker.js", import.meta.url), { type: "module" });
-  return new Worker(importingScript(), { type: "module" });
-}
-
-/** @type {string | undefined} */
-let scriptAddress;
-
-function importingScript() {
-  const address = import.meta.url.replace(/[^/]*\/[^/]*$/, "model/worker.js");
-  return (scriptAddress ??= URL.createObjectURL(
-    new Blob([`import ${JSON.stringify(address)};`], { type: "text/javascript" }),
-  ));
 }
