@@ -56,6 +56,7 @@ test("work is done in slices, between which it says how far it is", async () => 
     for (let step = 1; step <= 100; step += 1) yield step / 100;
     return "done";
   }
+  /** @type {[number[], (number | undefined)[]]} */
   const [said, pauses] = [[], []];
   const pause = async () => void pauses.push(said.at(-1));
   const result = await inSlices(steps(), { now: clock(), pause, onProgress: (done) => said.push(done) });
@@ -151,7 +152,7 @@ test("lines that are none are counted, and a deep or long one is none", () => {
 test("each puzzle is checked once, equal ones are kept once, and not too many", () => {
   let checked = 0;
   const puzzles = new PuzzleStore(() => (checked += 1) > 0);
-  const scene = (name) => ({ version: 1, name, body1: 0, body2: 1, bodies: [] });
+  const scene = (name) => ({ version: /** @type {const} */ (1), name, body1: 0, body2: 1, bodies: [] });
   assert.deepEqual(puzzles.add([scene("a"), scene("a"), scene("a")]), { added: 1, left: 0, failure: null });
   const many = Array.from({ length: MOST_PUZZLES + 10 }, (_, index) => scene(`puzzle ${index}`));
   assert.deepEqual(puzzles.add(many), { added: MOST_PUZZLES - 1, left: 11, failure: null });

@@ -95,12 +95,14 @@ export class AttemptStore {
   }
 
   /**
-   * Forgets what was read, as another tab has written it.
+   * Forgets what was read, as another tab has written it. Returns whether the key is of attempts.
    * @param {string | null} key null for all
    */
   refresh(key) {
-    if (key?.startsWith(PREFIX)) this.#known.delete(key.slice(PREFIX.length));
-    else this.#known.clear();
+    if (key === null) this.#known.clear();
+    if (!key?.startsWith(PREFIX)) return false;
+    this.#known.delete(key.slice(PREFIX.length));
+    return true;
   }
 }
 

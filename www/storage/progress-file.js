@@ -47,7 +47,7 @@ export function* progressOfText(text, digestOf) {
       yield done;
     }
   }
-  if (reader.attempts.length === 0 && counts.names.length === 0) {
+  if (reader.attempts.length === 0 && counts.all.length === 0) {
     if (text.length > MAX_JSON && whole === undefined)
       throw new FileProblem(
         "This file is too large to be read as a whole. Choose one with an attempt on each line, as “pathlight” and this page write them.",

@@ -15,8 +15,7 @@ import {
 import { AttemptStore, OWN, slotOf } from "./attempt-store.js";
 import { BrowserStore } from "./browser-store.js";
 import { Contender } from "./contender.js";
-import { CountStore } from "./count-store.js";
-import { Counts, merge, progressOf } from "./counts.js";
+import { Counts, StoredCounts, isCountsKey, merge, progressOf } from "./counts.js";
 
 /** @typedef {import("./attempts.js").KeptAttempt} KeptAttempt */
 /** @typedef {import("./counts.js").TaskProgress} TaskProgress */
@@ -48,8 +47,8 @@ export class Progress extends EventTarget {
     super();
     this.#isKept = persistent;
     this.#store = new BrowserStore(persistent, (key) => this.#onStored(key));
-    this.#counts = new CountStore(this.#store);
-    this.#attempts = new AttemptStore(this.#store, (by, task) => this.#counts.counts.of(by, task).solved);
+    this.#counts = new StoredCounts(this.#store);
+    this.#attempts = new AttemptStore(this.#store, (by, task) => this.#counts.of(by, task).solved);
   }
 
   /** Does it outlast the page? */
@@ -64,7 +63,7 @@ export class Progress extends EventTarget {
 
   /** The names of the models that have played. */
   get modelNames() {
-    const names = new Set([...this.#counts.counts.names, ...this.all.map(({ by }) => by)]);
+    const names = new Set([...this.#counts.all, ...this.all].map(({ by }) => by));
     names.delete(PLAYER);
     return [...names].sort();
   }
@@ -81,7 +80,7 @@ export class Progress extends EventTarget {
     // A model's turn of newer versions counts once it has ended.
     const last = progressOf(turns.at(-1) ?? []);
     if (by !== PLAYER && (last.solved !== null || last.attempts >= ATTEMPT_LIMIT)) return last;
-    return turns.map(progressOf).reduce(merge, this.#counts.counts.of(by, task));
+    return turns.map(progressOf).reduce(merge, this.#counts.of(by, task));
   }
 
   /**
@@ -91,7 +90,7 @@ export class Progress extends EventTarget {
   tasksOf(by) {
     const slots = this.#attempts.slots.filter((slot) => slot !== OWN);
     const kept = slots.filter((slot) => this.#attempts.in(slot).some((one) => one.by === by));
-    return [...new Set([...kept, ...this.#counts.counts.entries(by).map(([task]) => task)])].sort();
+    return [...new Set([...kept, ...this.#counts.all.filter((one) => one.by === by).map(({ task }) => task)])].sort();
   }
 
   /**
@@ -181,8 +180,7 @@ export class Progress extends EventTarget {
    * @returns {Generator<number, Merged, void>} yields how much is done, 0..1
    */
   *merging(attempts, counts = new Counts()) {
-    const tasks = counts.names.flatMap((by) => counts.entries(by).map(([task]) => task));
-    const puzzles = new Set([...tasks, ...attempts.map(({ puzzle }) => puzzle)]).size;
+    const puzzles = new Set([...counts.all.map(({ task }) => task), ...attempts.map(({ puzzle }) => puzzle)]).size;
     const solvedBefore = this.#solved;
     const counted = new Counts();
     counted.merge(counts);
@@ -256,10 +254,9 @@ export class Progress extends EventTarget {
 
   /** @param {string | null} key */
   #onStored(key) {
-    if (key !== null && !/^(attempts\.|model\.|progress$)/.test(key)) return;
-    this.#attempts.refresh(key);
-    if (!key?.startsWith("attempts.")) this.#counts.refresh();
-    this.#changed();
+    const isCounts = key === null || isCountsKey(key);
+    if (isCounts) this.#counts.refresh();
+    if (this.#attempts.refresh(key) || isCounts) this.#changed();
   }
 
   #changed() {
