@@ -20,6 +20,7 @@ const VERSIONS = [
 const digestOf = (scene) => scene.digest;
 const read = (text) => atOnce(progressOfText(text, digestOf));
 const ending = (solved) => ({ solved, steps: 300, longest_touch: solved ? 180 : 0, final_touch: 0 });
+/** @returns {import("../../www/pkg/pathlight.js").Ball} */
 const ballAt = (x) => [x, 200, 8];
 
 /** Merges what a file holds; one without anything is refused. */

@@ -76,7 +76,7 @@ test("what is stored: counts, attempts at tasks and own scenes, puzzles", () => 
     ],
   );
   assert.equal(progress.attemptsAt(DIGEST)[0].ending.solved, true);
-  assert.deepEqual(new PuzzleStore(() => true).scenes, [SCENE]);
+  assert.deepEqual(new PuzzleStore().scenes, [SCENE]);
   // An attempt that is made now counts on.
   const ending = { solved: false, steps: 1, longest_touch: 0, final_touch: 0 };
   progress.add(TASK, "player", [{ ball: [50, 200, 8], ending }], { simulator: 3 });

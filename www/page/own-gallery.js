@@ -10,9 +10,8 @@ import { puzzleKey } from "../shell/puzzle-key.js";
 import { sceneName } from "../shell/puzzle-name.js";
 import { INITIAL_STATE, formatFragment } from "../shell/url-state.js";
 import { PLAYER, grouped } from "../storage/attempts.js";
-import { MOST_PUZZLES } from "../storage/puzzle-store.js";
-import { atOnce } from "../storage/slices.js";
-import { ownPuzzles } from "../workshop/own-puzzles.js";
+import { MOST_PUZZLES, ownPuzzles } from "../storage/puzzle-store.js";
+import { atOnce, inSlices } from "../storage/slices.js";
 import { readPuzzles, savePuzzles } from "../workshop/puzzle-file.js";
 import { textOfScene } from "../workshop/scene-link.js";
 import { readChosen } from "./file-reading.js";
@@ -34,10 +33,12 @@ export class OwnGallery {
   /** @type {WeakMap<HTMLCanvasElement, OwnScene>} */
   #sceneOf = new WeakMap();
   /**
-   * What says how a puzzle went, with what its attempts are kept under.
-   * @type {{ mark: HTMLElement, key: string }[]}
+   * What is shown of each puzzle, by its JSON, with what its attempts are kept under.
+   * @type {Map<string, { scene: OwnScene, item: HTMLElement, canvas: HTMLCanvasElement, mark: HTMLElement, key: string }>}
    */
-  #marks = [];
+  #shown = new Map();
+  /** Ends the showing of what was kept before. */
+  #stop = new AbortController();
   #thumbnails = new LazyThumbnails((context, canvas) => {
     const scene = this.#sceneOf.get(canvas);
     if (scene) pathlight.paintScene(context, scene, { dark: this.#dark });
@@ -52,7 +53,9 @@ export class OwnGallery {
     this.#navigate = navigate;
     const input = byId(document, "own-file", HTMLInputElement);
     byId(document, "own-open").addEventListener("click", () => input.click());
-    byId(document, "own-save").addEventListener("click", () => savePuzzles(this.#store.scenes));
+    byId(document, "own-save").addEventListener("click", () =>
+      savePuzzles([...this.#shown.values()].map(({ scene }) => scene)),
+    );
     input.addEventListener("change", () => {
       this.#open(Array.from(input.files ?? []));
       input.value = "";
@@ -99,24 +102,44 @@ export class OwnGallery {
     showNotice(failure ?? keptWords(added, read.length - added - left, left));
   }
 
-  #update() {
-    this.#thumbnails.clear();
-    const { scenes } = this.#store;
-    this.#marks = [];
-    this.#list.replaceChildren(...scenes.map((scene) => this.#item(scene)));
-    byId(document, "own-empty").hidden = scenes.length > 0;
-    byId(document, "own-save").hidden = scenes.length === 0;
+  /** Shows the puzzles that are kept; those that are new in slices, as many may have come from a file. */
+  async #update() {
+    this.#stop.abort();
+    const { signal } = (this.#stop = new AbortController());
+    const kept = new Map(this.#store.scenes.map((scene) => [JSON.stringify(scene), scene]));
+    for (const [text, { item, canvas }] of this.#shown) {
+      if (kept.has(text)) continue;
+      item.remove();
+      this.#thumbnails.remove(canvas);
+      this.#shown.delete(text);
+    }
+    byId(document, "own-empty").hidden = kept.size > 0;
+    byId(document, "own-save").hidden = kept.size === 0;
+    try {
+      await inSlices(this.#showing(kept), { signal });
+    } catch (error) {
+      if (!signal.aborted) throw error;
+    }
+  }
+
+  /** @param {Map<string, OwnScene>} kept */
+  *#showing(kept) {
+    for (const [text, scene] of kept) {
+      if (!this.#shown.has(text) && pathlight.sceneProblems(scene).length === 0)
+        this.#shown.set(text, this.#show(scene));
+      yield this.#shown.size / kept.size;
+    }
     this.#mark();
   }
 
   /** Says under each puzzle how it went. */
   #mark() {
-    if (this.#marks.length === 0) return;
+    if (this.#shown.size === 0) return;
     const made = grouped(
       this.#progress.ofOwnScenes.filter(({ by }) => by === PLAYER),
       ({ puzzle }) => puzzle,
     );
-    for (const { mark, key } of this.#marks) mark.textContent = wordsOf(made.get(key) ?? []);
+    for (const { mark, key } of this.#shown.values()) mark.textContent = wordsOf(made.get(key) ?? []);
   }
 
   /** @param {HTMLAnchorElement} link whose scene's text is known */
@@ -124,14 +147,16 @@ export class OwnGallery {
     link.href = `#${formatFragment({ ...INITIAL_STATE, ...this.#state, scene: link.dataset.scene ?? null })}`;
   }
 
-  /** @param {OwnScene} scene */
-  #item(scene) {
+  /**
+   * Adds a puzzle to the grid.
+   * @param {OwnScene} scene
+   */
+  #show(scene) {
     const canvas = this.#thumbnails.add(SIDE);
     this.#sceneOf.set(canvas, scene);
     const title = document.createElement("strong");
     title.textContent = sceneName(scene);
     const mark = document.createElement("em");
-    this.#marks.push({ mark, key: puzzleKey(scene) });
     const link = document.createElement("a");
     link.append(canvas, title, mark);
     textOfScene(scene).then((text) => {
@@ -142,7 +167,8 @@ export class OwnGallery {
     remove.setAttribute("aria-label", `Delete ${sceneName(scene)}`);
     const item = document.createElement("li");
     item.append(link, remove);
-    return item;
+    this.#list.append(item);
+    return { scene, item, canvas, mark, key: puzzleKey(scene) };
   }
 
   /** @param {OwnScene} scene */
@@ -152,7 +178,7 @@ export class OwnGallery {
     const key = puzzleKey(scene);
     const attempts = this.#progress.attemptsAt(key);
     // One that is the same but for its name has the same attempts.
-    if (!this.#store.scenes.some((one) => puzzleKey(one) === key)) this.#progress.forget(key);
+    if (![...this.#shown.values()].some((shown) => shown.key === key)) this.#progress.forget(key);
     showNotice(`“${sceneName(scene)}” is deleted.`, [["Undo", () => this.#bringBack(scene, attempts)]]);
   }
 

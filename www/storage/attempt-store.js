@@ -44,7 +44,7 @@ export class AttemptStore {
   latestIn(slot) {
     const text = this.#store.get(PREFIX + slot) ?? "";
     const known = this.#known.get(slot);
-    if (known?.text === text) return known.attempts;
+    if (known && known.text === text) return known.attempts;
     const reader = new AttemptReader(this.#solvedAt);
     for (const { line } of linesOf(text)) reader.addLine(line);
     const attempts = reader.attempts.filter(({ puzzle }) => slotOf(puzzle) === slot);

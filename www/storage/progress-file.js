@@ -10,6 +10,8 @@ import { FileProblem, linesOf } from "./slices.js";
 
 /** Text that is not JSON lines is read at once; more would freeze the page, characters. */
 const MAX_JSON = 1e7;
+/** How such a file begins. */
+const OBJECT = /^\s*\{\s*"(tasks|models|attempts)"/;
 
 /** @param {import("./progress.js").Progress} progress */
 export function progressJson(progress) {
@@ -63,7 +65,7 @@ export function* progressOfText(text, digestOf) {
  */
 function parsed(text) {
   try {
-    return text.length > MAX_JSON ? undefined : JSON.parse(text);
+    return OBJECT.test(text) && text.length <= MAX_JSON ? JSON.parse(text) : undefined;
   } catch {
     return undefined;
   }

@@ -180,7 +180,15 @@ export class Progress extends EventTarget {
    * @returns {Generator<number, Merged, void>} yields how much is done, 0..1
    */
   *merging(attempts, counts = new Counts()) {
-    const puzzles = new Set([...counts.all.map(({ task }) => task), ...attempts.map(({ puzzle }) => puzzle)]).size;
+    const puzzles = new Set(counts.all.map(({ task }) => task));
+    /** @type {{ slot: string, piece: KeptAttempt[] }[]} */
+    const pieces = [];
+    for (let start = 0; start < attempts.length; start += PIECE) {
+      const some = attempts.slice(start, start + PIECE);
+      for (const { puzzle } of some) puzzles.add(puzzle);
+      for (const [slot, piece] of grouped(some, ({ puzzle }) => slotOf(puzzle))) pieces.push({ slot, piece });
+      yield 0;
+    }
     const solvedBefore = this.#solved;
     const counted = new Counts();
     counted.merge(counts);
@@ -190,7 +198,7 @@ export class Progress extends EventTarget {
     const undos = [];
     let complete = false;
     try {
-      for (const { slot, piece } of pieces(attempts)) {
+      for (const { slot, piece } of pieces) {
         const before = this.#attempts.latestIn(slot);
         const merged = mergeAttempts(before, piece, slot === OWN ? Math.min(room, MOST_OWN - before.length) : room);
         // When the oldest have to go, those that were here go last.
@@ -216,7 +224,7 @@ export class Progress extends EventTarget {
       for (const step of undos) step();
       this.#changed();
     };
-    return { puzzles, attempts: attempts.length, added, solved, left, undo };
+    return { puzzles: puzzles.size, attempts: attempts.length, added, solved, left, undo };
   }
 
   /** How many puzzles the player has solved. */
@@ -262,15 +270,6 @@ export class Progress extends EventTarget {
   #changed() {
     this.dispatchEvent(new Event("change"));
   }
-}
-
-/**
- * Attempts by slot, not too many at once.
- * @param {KeptAttempt[]} attempts
- */
-function* pieces(attempts) {
-  for (const [slot, all] of grouped(attempts, ({ puzzle }) => slotOf(puzzle)))
-    for (let start = 0; start < all.length; start += PIECE) yield { slot, piece: all.slice(start, start + PIECE) };
 }
 
 /**

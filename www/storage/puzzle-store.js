@@ -10,25 +10,15 @@ const KEY = "own-puzzles";
 export const MOST_PUZZLES = 500;
 
 export class PuzzleStore extends EventTarget {
-  #isPlayable;
   #store;
   /** @type {string | null} what was read last */
   #text = null;
   /** @type {Map<string, OwnScene>} by its JSON */
   #scenes = new Map();
-  /**
-   * What is stored but may not be played, as another version may have written it; it stays there.
-   * @type {unknown[]}
-   */
-  #unread = [];
 
-  /**
-   * Fires "change" whenever it holds something else, also when another tab has written it.
-   * @param {(scene: any) => boolean} isPlayable
-   */
-  constructor(isPlayable) {
+  /** Fires "change" whenever it holds something else, also when another tab has written it. */
+  constructor() {
     super();
-    this.#isPlayable = isPlayable;
     this.#store = new BrowserStore(true, (key) => {
       if (key !== KEY && key !== null) return;
       this.#read();
@@ -37,7 +27,7 @@ export class PuzzleStore extends EventTarget {
     this.#read();
   }
 
-  /** All puzzles, oldest first. */
+  /** All puzzles, oldest first. Some may not be playable, as another version may have written them. */
   get scenes() {
     return [...this.#scenes.values()];
   }
@@ -78,18 +68,12 @@ export class PuzzleStore extends EventTarget {
     if (text === this.#text) return;
     this.#text = text;
     const stored = parsed(text);
-    this.#unread = [];
-    this.#scenes = new Map();
-    for (const scene of Array.isArray(stored) ? stored : []) {
-      if (this.#isPlayable(scene)) this.#scenes.set(JSON.stringify(scene), scene);
-      else this.#unread.push(scene);
-    }
+    this.#scenes = new Map((Array.isArray(stored) ? stored : []).map((scene) => [JSON.stringify(scene), scene]));
   }
 
   /** @param {Map<string, OwnScene>} scenes */
   #write(scenes) {
-    const texts = [...scenes.keys(), ...this.#unread.map((scene) => JSON.stringify(scene))];
-    const text = `[${texts.join(",")}]`;
+    const text = `[${[...scenes.keys()].join(",")}]`;
     if (!this.#store.set(KEY, text)) {
       this.#store.revert(KEY);
       return "This browser keeps nothing for the page, or has no room left: save the puzzle as a file, or copy its link.";
@@ -108,4 +92,12 @@ function parsed(text) {
   } catch {
     return [];
   }
+}
+
+/** @type {PuzzleStore | null} */
+let shared = null;
+
+/** The puzzles that this browser keeps. */
+export function ownPuzzles() {
+  return (shared ??= new PuzzleStore());
 }

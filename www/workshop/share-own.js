@@ -3,7 +3,7 @@
 import { Component } from "../shell/component.js";
 import { setText } from "../shell/dom.js";
 import { sceneName } from "../shell/puzzle-name.js";
-import { ownPuzzles } from "./own-puzzles.js";
+import { ownPuzzles } from "../storage/puzzle-store.js";
 import { plainScene } from "./plain-scene.js";
 import { savePuzzle } from "./puzzle-file.js";
 
