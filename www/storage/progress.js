@@ -272,14 +272,8 @@ export class Progress extends EventTarget {
   }
 }
 
-/**
- * @param {KeptAttempt} attempt
- * @param {string} puzzle
- * @param {string} by
- */
-function isOf(attempt, puzzle, by) {
-  return attempt.puzzle === puzzle && attempt.by === by;
-}
+/** @type {(attempt: KeptAttempt, puzzle: string, by: string) => boolean} */
+const isOf = (attempt, puzzle, by) => attempt.puzzle === puzzle && attempt.by === by;
 
 /**
  * @param {KeptAttempt} a
