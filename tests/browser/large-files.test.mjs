@@ -76,6 +76,9 @@ test("a file of attempts yields at each line, and merging at each puzzle", () =>
   const { attempts } = read(text);
   // A thousand at a time are sorted by puzzle, and each puzzle is merged at once.
   assert.equal([...new Progress(false).merging(attempts)].length, 3 + 60);
+  // Each puzzle is merged once, also when its attempts are far apart in the file.
+  const mixed = attempts.map((_, index) => attempts[(index * 50 + Math.floor(index / 60)) % 3000]);
+  assert.equal([...new Progress(false).merging(mixed)].length, 3 + 60);
   // Of all own scenes not more than a thousand at once.
   const own = Array.from({ length: 2500 }, (_, index) =>
     JSON.stringify(line({ scene: (10_000 + index).toString(16).padStart(64, "0") }, 1)),

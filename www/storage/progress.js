@@ -181,14 +181,22 @@ export class Progress extends EventTarget {
    */
   *merging(attempts, counts = new Counts()) {
     const puzzles = new Set(counts.all.map(({ task }) => task));
-    /** @type {{ slot: string, piece: KeptAttempt[] }[]} */
-    const pieces = [];
-    for (let start = 0; start < attempts.length; start += PIECE) {
-      const some = attempts.slice(start, start + PIECE);
-      for (const { puzzle } of some) puzzles.add(puzzle);
-      for (const [slot, piece] of grouped(some, ({ puzzle }) => slotOf(puzzle))) pieces.push({ slot, piece });
-      yield 0;
+    /** @type {Map<string, KeptAttempt[]>} */
+    const slots = new Map();
+    for (const [index, attempt] of attempts.entries()) {
+      puzzles.add(attempt.puzzle);
+      const slot = slotOf(attempt.puzzle);
+      const before = slots.get(slot);
+      if (before) before.push(attempt);
+      else slots.set(slot, [attempt]);
+      if (index % PIECE === 0) yield 0;
     }
+    const pieces = [...slots].flatMap(([slot, all]) =>
+      Array.from({ length: Math.ceil(all.length / PIECE) }, (_, index) => ({
+        slot,
+        piece: all.slice(index * PIECE, (index + 1) * PIECE),
+      })),
+    );
     const solvedBefore = this.#solved;
     const counted = new Counts();
     counted.merge(counts);
@@ -275,13 +283,8 @@ export class Progress extends EventTarget {
 /** @type {(attempt: KeptAttempt, puzzle: string, by: string) => boolean} */
 const isOf = (attempt, puzzle, by) => attempt.puzzle === puzzle && attempt.by === by;
 
-/**
- * @param {KeptAttempt} a
- * @param {KeptAttempt} b
- */
-function compareVersions(a, b) {
-  return a.simulator - b.simulator || (a.agents ?? 0) - (b.agents ?? 0);
-}
+/** @type {(a: KeptAttempt, b: KeptAttempt) => number} */
+const compareVersions = (a, b) => a.simulator - b.simulator || (a.agents ?? 0) - (b.agents ?? 0);
 
 /** @type {Partial<Record<"kept" | "forgotten", Progress>>} */
 const shared = {};
