@@ -6,7 +6,8 @@ use crate::rule::{Never, Only, Rule, unknown_files};
 /// The folders and files of `www/` in the order in which they import each other: each only those before it. `pkg` is
 /// the wasm package, of which all may import what the API does not have. Imports in JSDoc are types only and are not
 /// looked at.
-const LAYERS: [&str; 10] = ["pkg", "api", "shell", "model", "play", "panels", "workshop", "element", "page", "offline"];
+const LAYERS: [&str; 11] =
+    ["pkg", "api", "storage", "shell", "model", "play", "panels", "workshop", "element", "page", "offline"];
 
 /// What modules outside of `api/` may import of `pkg`: what the API does not have, because only the player needs it.
 const PLAYER_ONLY: [&str; 7] =
@@ -36,8 +37,13 @@ const RULES: &[Rule] = &[
     },
     Rule {
         words: &["localStorage", "sessionStorage", "indexedDB", "document.cookie"],
-        files: Only(&["shell/progress-store.js", "shell/attempt-store.js", "workshop/own-puzzles.js"]),
-        reason: "one file each knows what is stored in the browser, and in what form",
+        files: Only(&["storage/browser-store.js"]),
+        reason: "one file knows how the browser stores, and what becomes of the page when it does not",
+    },
+    Rule {
+        words: &["document.", "byId(", "pkg/pathlight.js\";", "api/pathlight.js\";"],
+        files: Never(&["storage/"]),
+        reason: "what is stored is read and merged in Node too, without a page and without the wasm",
     },
     Rule {
         words: &["history.", "location."],
@@ -46,7 +52,7 @@ const RULES: &[Rule] = &[
     },
     Rule {
         words: &["URL(\"./"],
-        files: Never(&["api/", "shell/", "model/", "play/", "panels/", "workshop/", "element/", "page/"]),
+        files: Never(&["api/", "storage/", "shell/", "model/", "play/", "panels/", "workshop/", "element/", "page/"]),
         reason: "a bundle takes the place of its entry in another folder: addresses begin with that of the folder, \"../\"",
     },
     Rule {

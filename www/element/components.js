@@ -21,7 +21,7 @@ import { Tabs } from "../shell/tabs.js";
  * @property {ShadowRoot} root
  * @property {WebAssembly.Module} module
  * @property {import("../model/shared-client.js").SharedClient} client
- * @property {import("../shell/progress-store.js").SharedProgress} progress
+ * @property {import("../storage/progress.js").Progress} progress
  * @property {(task: string, panel: import("../shell/url-state.js").Panel) => string | null} hrefOf the address of
  *   another puzzle, or null
  */
@@ -58,7 +58,7 @@ export class Components {
       new Tabs(root),
       this.canvas,
       new Controls(root),
-      new KeptAttempts(root, client, progress.attempts),
+      new KeptAttempts(root, client, progress),
       this.guide,
       this.afterSolving,
       new AttemptList(root, byId(root, "play-attempts"), byId(root, "play-count"), "player"),

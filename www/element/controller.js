@@ -38,7 +38,6 @@ export class PuzzleController extends EventTarget {
   /** @type {State} */
   #state = { ...INITIAL_STATE };
   #root;
-  #progress;
   #hrefOf;
   #client;
   #components;
@@ -60,14 +59,13 @@ export class PuzzleController extends EventTarget {
    * "attempt", a CustomEvent with a PlayedAttempt, when an attempt of the player's has run to its end or was left.
    * @param {ShadowRoot} root
    * @param {WebAssembly.Module} module
-   * @param {import("../shell/progress-store.js").SharedProgress} progress
+   * @param {import("../storage/progress.js").Progress} progress
    * @param {() => ((task: string, panel: import("../shell/url-state.js").Panel) => string | null) | null} hrefOf
    *   returns the function that knows the addresses of other puzzles, or null if there is no way to them
    */
   constructor(root, module, progress, hrefOf) {
     super();
     this.#root = root;
-    this.#progress = progress;
     this.#hrefOf = hrefOf;
     this.#client = new SharedClient(module);
     this.#lastModel = this.model;
@@ -365,8 +363,6 @@ export class PuzzleController extends EventTarget {
   #onAttempted({ about, shown }) {
     if (!shown) return;
     const { number, ball, ending } = shown;
-    // The progress is on the benchmark's tasks.
-    if (about.id !== null) this.#progress.player.add(about.id, ending.solved);
     /** @type {PlayedAttempt} */
     const attempt = { task: about.id, number, ball, solved: ending.solved };
     this.dispatchEvent(new CustomEvent("attempt", { detail: attempt }));

@@ -68,7 +68,7 @@ export function createPanelComponents({ root, module, client, progress, hrefOf }
     new ModelBadge(root, client, imagine),
     new ModelPair(root, module, client, scenePicture),
     bend,
-    new ShareOwn(root, bend, progress.player.persistent),
+    new ShareOwn(root, bend, progress.persistent),
     new Pictures(root),
     new StripPicture(root, imagine, scenePicture),
     new Check(root, client, bend),

@@ -346,7 +346,7 @@ export class PathlightPuzzle extends HTMLElement {
       const [module, sheets] = await Promise.all([loadWasm(), loadStyleSheets()]);
       const [{ PuzzleController }, { sharedProgress }] = await Promise.all([
         import("./controller.js"),
-        import("../shell/progress-store.js"),
+        import("../storage/progress.js"),
       ]);
       this.#root.adoptedStyleSheets = [placeholderSheet, ...sheets];
       this.#root.append(puzzleMarkup());

@@ -50,7 +50,7 @@ export class AfterSolving extends Component {
 
   /**
    * @param {import("../shell/dom.js").Root} root
-   * @param {import("../shell/progress-store.js").SharedProgress} progress
+   * @param {import("../storage/progress.js").Progress} progress
    * @param {(task: string) => string | null} hrefOf the address of a puzzle, or null if there is no way to it
    */
   constructor(root, progress, hrefOf) {

@@ -35,6 +35,16 @@ export class LazyThumbnails {
     return canvas;
   }
 
+  /**
+   * Forgets a canvas: it is not drawn any more.
+   * @param {HTMLCanvasElement} canvas
+   */
+  remove(canvas) {
+    this.#observer.unobserve(canvas);
+    this.#queue.delete(canvas);
+    this.#canvases.delete(canvas);
+  }
+
   /** Forgets all canvases: none of them is drawn any more. */
   clear() {
     this.#observer.disconnect();

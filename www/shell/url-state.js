@@ -3,6 +3,7 @@
 // ball, so that it opens the same view elsewhere; for teaching it may hide parts of the page. Knows nothing of the
 // document.
 
+import { NAME } from "../storage/attempts.js";
 import { ATTEMPT_LIMIT, MAX_RADIUS, MIN_RADIUS, SCENE_SIZE, STAGES } from "./constants.js";
 
 /** @typedef {import("../pkg/pathlight.js").Ball} Ball */
@@ -102,7 +103,7 @@ const PACKED = /^[\w-]{1,32000}$/;
 const CODECS = {
   task: { format: String, parse: (text) => (/^\d{5}:\d{3}$/.test(text) ? text : undefined) },
   scene: { format: String, parse: (text) => (PACKED.test(text) ? text : undefined) },
-  model: { format: String, parse: (text) => (/^[\w.-]+$/.test(text) ? text : undefined) },
+  model: { format: String, parse: (text) => (NAME.test(text) ? text : undefined) },
   panel: oneOf(PANELS),
   stage: oneOf([...STAGES, ...CHOICE_STEPS]),
   view: oneOf(["stage", "results"]),

@@ -3,7 +3,8 @@
 import { Component } from "../shell/component.js";
 import { setText } from "../shell/dom.js";
 import { sceneName } from "../shell/puzzle-name.js";
-import { ownPuzzles } from "./own-puzzles.js";
+import { ownPuzzles } from "../storage/puzzle-store.js";
+import { plainScene } from "./plain-scene.js";
 import { savePuzzle } from "./puzzle-file.js";
 
 export class ShareOwn extends Component {
@@ -34,7 +35,7 @@ export class ShareOwn extends Component {
   #keep() {
     const scene = this.#bend.playable;
     if (!scene) return;
-    const failure = ownPuzzles().add([scene]);
+    const { failure } = ownPuzzles().add([plainScene(scene)]);
     this.#kept = scene;
     this.#say(
       failure ?? `“${sceneName(scene)}” is kept in this browser: it is in the grid, after the benchmark’s puzzles.`,
