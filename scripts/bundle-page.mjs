@@ -13,7 +13,7 @@ import { build } from "esbuild";
 const ROOT = join(dirname(fileURLToPath(import.meta.url)), "..");
 export const SOURCES = join(ROOT, "www");
 /** What compiles the wasm while the rest is read. */
-const FIRST = "shell/compile-wasm.js";
+const FIRST = "loading/compile-wasm.js";
 /** With it, what the page starts with, and what its worker does. */
 const ENTRIES = [FIRST, "page/main.js", "model/worker.js"];
 /** What a page of dist/ has besides. */

@@ -10,10 +10,10 @@ use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 use super::imagined_ball::{Hint, ImaginedPaths};
 use super::paint::{LineStyle, Painter, bounding_radius};
 use super::recording::Recording;
-use crate::play::ending::touch_streak;
 use crate::puzzle::action::Ball;
 use crate::puzzle::rollout::GOAL_STEPS;
 use crate::puzzle::scene::{Role, SIZE, Scene};
+use crate::session::ending::touch_streak;
 
 /// Opacity of the static bodies that are drawn again over the maps, 0..=1.
 const STATIC_OPACITY: f64 = 0.6;

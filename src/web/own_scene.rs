@@ -9,10 +9,10 @@ use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 use super::error::{Code, error, from_js, to_js};
 use super::frame;
 use super::played::{load, plain_scene};
-use crate::play::played::Played;
-use crate::play::scene_check::problems;
 use crate::puzzle::dimensions::{BALL_RADIUS, BAR_LENGTH, BAR_THICKNESS, JAR_HEIGHT, STICK_LENGTH};
 use crate::puzzle::own_scene::{BODIES, MAX_OVERLAP, NAME_LENGTH, OwnScene, Problem};
+use crate::session::played::Played;
+use crate::session::scene_check::problems;
 
 /// Returns a task in the form of own scenes, in which it can be changed.
 ///

@@ -61,7 +61,7 @@ before(async () => {
   const { load } = await import("../../www/api/pathlight.js");
   await load({ weights: null });
   page = {
-    ...(await import("../../www/shell/url-state.js")),
+    ...(await import("../../www/state/url-state.js")),
     ...(await import("../../www/shell/attempt-store.js")),
     ...(await import("../../www/shell/progress-store.js")),
     ...(await import("../../www/shell/progress-file.js")),

@@ -1,4 +1,4 @@
-// The components of a puzzle, which all get the same calls of shell/component.js's lifecycle, in the order in which
+// The components of a puzzle, which all get the same calls of widgets/component.js's lifecycle, in the order in which
 // they are made. The scene, the transport and the panel Play are there from the first picture on; panel-components.js
 // has the rest, which may come later: what the others have been told before is told then.
 
@@ -8,12 +8,12 @@ import { SceneCanvas } from "../play/canvas.js";
 import { Controls } from "../play/controls.js";
 import { Guide } from "../play/guide.js";
 import { KeptAttempts } from "../play/kept-attempts.js";
-import { byId } from "../shell/dom.js";
-import { Tabs } from "../shell/tabs.js";
+import { byId } from "../widgets/dom.js";
+import { Tabs } from "../widgets/tabs.js";
 
-/** @typedef {import("../shell/component.js").Component} Component */
+/** @typedef {import("../widgets/component.js").Component} Component */
 /** @typedef {import("../play/session.js").Session} Session */
-/** @typedef {import("../shell/url-state.js").View} View */
+/** @typedef {import("../state/url-state.js").View} View */
 
 /**
  * What components are made of.
@@ -22,7 +22,7 @@ import { Tabs } from "../shell/tabs.js";
  * @property {WebAssembly.Module} module
  * @property {import("../model/shared-client.js").SharedClient} client
  * @property {import("../shell/progress-store.js").SharedProgress} progress
- * @property {(task: string, panel: import("../shell/url-state.js").Panel) => string | null} hrefOf the address of
+ * @property {(task: string, panel: import("../state/url-state.js").Panel) => string | null} hrefOf the address of
  *   another puzzle, or null
  */
 

@@ -1,16 +1,16 @@
 // Joins the components of one puzzle in its shadow tree: opens and closes its session, starts its model, and passes the
 // state to all of them. Each component knows the session and the wasm; only components.js, panel-components.js and this
-// file know all of them. shell/component.js describes their lifecycle. Knows nothing of the page around the shadow
+// file know all of them. widgets/component.js describes their lifecycle. Knows nothing of the page around the shadow
 // tree, nor of its address.
 
 import { palette } from "../pkg/pathlight.js";
-import { afterFrame } from "../shell/after-frame.js";
+import { afterFrame } from "../loading/after-frame.js";
 import { SharedClient } from "../model/shared-client.js";
 import { Session } from "../play/session.js";
-import { byId, find, setText } from "../shell/dom.js";
-import { hideParts } from "../shell/hidden-parts.js";
-import { onShortcut } from "../shell/shortcuts.js";
-import { TASKS } from "../shell/templates.js";
+import { byId, find, setText } from "../widgets/dom.js";
+import { hideParts } from "../widgets/hidden-parts.js";
+import { onShortcut } from "../widgets/shortcuts.js";
+import { TASKS } from "../puzzles/templates.js";
 import {
   INITIAL_STATE,
   formatFragment,
@@ -19,11 +19,11 @@ import {
   showsPuzzle,
   viewOf,
   visiblePanels,
-} from "../shell/url-state.js";
+} from "../state/url-state.js";
 import { knownScene, sceneOfText } from "../workshop/scene-link.js";
 import { Components } from "./components.js";
 
-/** @typedef {import("../shell/url-state.js").State} State */
+/** @typedef {import("../state/url-state.js").State} State */
 
 /**
  * An attempt of the player's that has run to its end; the task is null for an own scene.
@@ -61,7 +61,7 @@ export class PuzzleController extends EventTarget {
    * @param {ShadowRoot} root
    * @param {WebAssembly.Module} module
    * @param {import("../shell/progress-store.js").SharedProgress} progress
-   * @param {() => ((task: string, panel: import("../shell/url-state.js").Panel) => string | null) | null} hrefOf
+   * @param {() => ((task: string, panel: import("../state/url-state.js").Panel) => string | null) | null} hrefOf
    *   returns the function that knows the addresses of other puzzles, or null if there is no way to them
    */
   constructor(root, module, progress, hrefOf) {
@@ -76,7 +76,7 @@ export class PuzzleController extends EventTarget {
       module,
       client: this.#client,
       progress,
-      hrefOf: (/** @type {string} */ task, /** @type {import("../shell/url-state.js").Panel} */ panel) =>
+      hrefOf: (/** @type {string} */ task, /** @type {import("../state/url-state.js").Panel} */ panel) =>
         hrefOf()?.(task, panel) ?? null,
     };
     this.#components = new Components(parts, (component) => this.#listenTo(component));
@@ -90,7 +90,7 @@ export class PuzzleController extends EventTarget {
     root.addEventListener("keydown", (event) => this.onKeydown(/** @type {KeyboardEvent} */ (event)));
   }
 
-  /** @param {import("../shell/component.js").Component} component */
+  /** @param {import("../widgets/component.js").Component} component */
   #listenTo(component) {
     component.addEventListener("staterequest", (event) =>
       this.#changeState(/** @type {CustomEvent<Partial<State>>} */ (event).detail),

@@ -3,18 +3,18 @@
 // saved in one.
 
 import { puzzleKey } from "../shell/attempt-store.js";
-import { LazyThumbnails } from "../shell/lazy-thumbnails.js";
-import { byId, createButton } from "../shell/dom.js";
-import { showNotice } from "../shell/notice.js";
+import { LazyThumbnails } from "../widgets/lazy-thumbnails.js";
+import { byId, createButton } from "../widgets/dom.js";
+import { showNotice } from "../widgets/notice.js";
 import { pathlight } from "../shell/pathlight.js";
-import { sceneName } from "../shell/puzzle-name.js";
-import { INITIAL_STATE, formatFragment } from "../shell/url-state.js";
+import { sceneName } from "../puzzles/puzzle-name.js";
+import { INITIAL_STATE, formatFragment } from "../state/url-state.js";
 import { ownPuzzles } from "../workshop/own-puzzles.js";
 import { readPuzzles, savePuzzles } from "../workshop/puzzle-file.js";
 import { textOfScene } from "../workshop/scene-link.js";
 
 /** @typedef {import("../pkg/pathlight.js").OwnScene} OwnScene */
-/** @typedef {import("../shell/url-state.js").State} State */
+/** @typedef {import("../state/url-state.js").State} State */
 
 /** Width of a picture, CSS px. */
 const SIDE = 176;

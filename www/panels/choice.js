@@ -2,14 +2,14 @@
 // them, which one it tries first, and what comes of that one. Nothing of it is shown for another model, which does not
 // choose so. Fires "choice" when there is something else to lay over the scene.
 
-import { Component } from "../shell/component.js";
-import { setText } from "../shell/dom.js";
+import { Component } from "../widgets/component.js";
+import { setText } from "../widgets/dom.js";
 import { BallImaginer } from "../model/ball-imaginer.js";
 import { chanceWords, errorWords } from "../model/chance-words.js";
-import { sentence } from "../shell/sentence.js";
+import { sentence } from "../text/sentence.js";
 import { CHOICE_TEXT } from "../model/stage-text.js";
 
-/** @typedef {import("../shell/url-state.js").ChoiceStep} ChoiceStep */
+/** @typedef {import("../state/url-state.js").ChoiceStep} ChoiceStep */
 /** @typedef {import("../model/messages.js").Considered} Considered */
 
 /** The imagined paths of so many of the likeliest balls are hinted at: more would cover each other. */
@@ -43,7 +43,7 @@ export class Choice extends Component {
   #running = null;
 
   /**
-   * @param {import("../shell/dom.js").Root} root
+   * @param {import("../widgets/dom.js").Root} root
    * @param {import("../model/shared-client.js").SharedClient} client
    */
   constructor(root, client) {

@@ -2,8 +2,8 @@
 // over the scene, and its chance stands in the panel Play. After a run they stay beside the real paths until the ball
 // changes. Fires "forecast" when what lies over the scene may have changed.
 
-import { Component } from "../shell/component.js";
-import { setText } from "../shell/dom.js";
+import { Component } from "../widgets/component.js";
+import { setText } from "../widgets/dom.js";
 import { BallImaginer } from "../model/ball-imaginer.js";
 import { chanceWords, errorWords, expectedErrorWords } from "../model/chance-words.js";
 
@@ -22,7 +22,7 @@ export class Forecast extends Component {
   #timer;
 
   /**
-   * @param {import("../shell/dom.js").Root} root
+   * @param {import("../widgets/dom.js").Root} root
    * @param {import("../model/shared-client.js").SharedClient} client
    */
   constructor(root, client) {
@@ -47,7 +47,7 @@ export class Forecast extends Component {
     clearTimeout(this.#timer);
   }
 
-  /** @param {import("../shell/url-state.js").View} view */
+  /** @param {import("../state/url-state.js").View} view */
   setState({ forecast }) {
     this.#on = this.#box.checked = forecast;
     this.#follow();

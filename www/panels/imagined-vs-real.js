@@ -2,8 +2,8 @@
 // imagined, with their overlap. The last run of the player, of the model and of the scene alone stay beside each other,
 // so that their numbers can be compared.
 
-import { Component } from "../shell/component.js";
-import { find, setText } from "../shell/dom.js";
+import { Component } from "../widgets/component.js";
+import { find, setText } from "../widgets/dom.js";
 import { OverlapCard, percent } from "./overlap-card.js";
 
 /** @typedef {import("../pkg/pathlight.js").Stage} Stage */
@@ -41,7 +41,7 @@ export class ImaginedVsReal extends Component {
   #used = new Map();
 
   /**
-   * @param {import("../shell/dom.js").Root} root
+   * @param {import("../widgets/dom.js").Root} root
    * @param {import("./imagine.js").Imagine} imagine
    * @param {import("./scene-picture.js").ScenePicture} scenePicture
    */

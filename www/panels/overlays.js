@@ -2,7 +2,7 @@
 // proposals, the paths that it imagines for a ball, and the line of a prediction. Collects them from the panels and
 // hands them to the canvas of the scene.
 
-import { Component } from "../shell/component.js";
+import { Component } from "../widgets/component.js";
 
 /** The opacity of the paths of old misses. */
 const GHOST = 0.2;
@@ -23,11 +23,11 @@ export class Overlays extends Component {
   #predict;
   #proposals;
   #solveMap;
-  /** @type {import("../shell/url-state.js").View | null} */
+  /** @type {import("../state/url-state.js").View | null} */
   #view = null;
 
   /**
-   * @param {import("../shell/dom.js").Root} root
+   * @param {import("../widgets/dom.js").Root} root
    * @param {import("../play/canvas.js").SceneCanvas} canvas
    * @param {object} panels
    * @param {Bend} panels.bend
@@ -63,7 +63,7 @@ export class Overlays extends Component {
     this.listen("change", () => this.#update());
   }
 
-  /** @param {import("../shell/url-state.js").View} view */
+  /** @param {import("../state/url-state.js").View} view */
   setState(view) {
     this.#view = view;
     this.#update();

@@ -2,7 +2,7 @@
 // the net, both against the real path. Without a ball the net's prediction is its base path, with the ball its target
 // path. The canvas of the scene passes pointer and keys on while this panel is shown.
 
-import { Component } from "../shell/component.js";
+import { Component } from "../widgets/component.js";
 import { SCENE_SIZE } from "../shell/constants.js";
 import { ARROW_KEYS } from "../play/canvas.js";
 import { OverlapCard, percent } from "./overlap-card.js";
@@ -30,7 +30,7 @@ export class Predict extends Component {
   #modelCard;
 
   /**
-   * @param {import("../shell/dom.js").Root} root
+   * @param {import("../widgets/dom.js").Root} root
    * @param {import("./imagine.js").Imagine} imagine
    * @param {import("./scene-picture.js").ScenePicture} scenePicture
    */
@@ -62,7 +62,7 @@ export class Predict extends Component {
     this.#setSketch([]);
   }
 
-  /** @param {import("../shell/url-state.js").View} view */
+  /** @param {import("../state/url-state.js").View} view */
   setState({ panel }) {
     this.#visible = panel === "predict";
     if (this.session) this.session.drawing = this.#visible;

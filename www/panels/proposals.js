@@ -3,14 +3,14 @@
 // its paths, imagined and real, over the scene and the balls before it marked. Its number is in the address. Fires
 // "imagined" when there are other imagined paths to show.
 
-import { Component } from "../shell/component.js";
-import { setText } from "../shell/dom.js";
-import { download, fileName } from "../shell/download.js";
+import { Component } from "../widgets/component.js";
+import { setText } from "../widgets/dom.js";
+import { download, fileName } from "../widgets/download.js";
 import { BallImaginer } from "../model/ball-imaginer.js";
 import { chanceWords, errorWords, percent } from "../model/chance-words.js";
 import { valueAt } from "../model/map-summary.js";
 import { ballsCsv, otherOutcome, outcomesWords } from "../model/outcomes.js";
-import { sentence } from "../shell/sentence.js";
+import { sentence } from "../text/sentence.js";
 import { OutcomeStrip } from "./outcome-strip.js";
 import { TroubleBox } from "./trouble-box.js";
 
@@ -49,7 +49,7 @@ export class Proposals extends Component {
   #callFailure = null;
 
   /**
-   * @param {import("../shell/dom.js").Root} root
+   * @param {import("../widgets/dom.js").Root} root
    * @param {import("../model/shared-client.js").SharedClient} client
    * @param {import("./imagine.js").Imagine} imagine
    */
@@ -89,7 +89,7 @@ export class Proposals extends Component {
     this.#shown = null;
   }
 
-  /** @param {import("../shell/url-state.js").View} view */
+  /** @param {import("../state/url-state.js").View} view */
   setState({ panel, proposal }) {
     this.#visible = panel === "compare";
     this.#requested = proposal;

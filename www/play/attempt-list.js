@@ -1,10 +1,10 @@
 // A list of one contender's attempts: for each a small picture and its result in words, a button that replays it, one
 // that shows it over another, and, for the player's own, one that deletes it.
 
-import { Component } from "../shell/component.js";
+import { Component } from "../widgets/component.js";
 import { ATTEMPT_LIMIT } from "../shell/constants.js";
-import { find, setText } from "../shell/dom.js";
-import { LazyThumbnails } from "../shell/lazy-thumbnails.js";
+import { find, setText } from "../widgets/dom.js";
+import { LazyThumbnails } from "../widgets/lazy-thumbnails.js";
 
 /** @typedef {import("./session.js").Session} Session */
 
@@ -21,7 +21,7 @@ export class AttemptList extends Component {
   });
 
   /**
-   * @param {import("../shell/dom.js").Root} root
+   * @param {import("../widgets/dom.js").Root} root
    * @param {HTMLElement} list an <ol>
    * @param {HTMLElement} count where the score is shown
    * @param {import("./session.js").Contender} contender

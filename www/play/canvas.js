@@ -1,9 +1,9 @@
 // The scene on its canvas: drawn by the wasm at the screen's own resolution, and played with mouse, touch, pen, wheel
 // and keys. Turns gestures into px of the scene and calls the session; decides nothing itself.
 
-import { Component } from "../shell/component.js";
+import { Component } from "../widgets/component.js";
 import { FIRST_RADIUS, SCENE_SIZE } from "../shell/constants.js";
-import { contextOf } from "../shell/dom.js";
+import { contextOf } from "../widgets/dom.js";
 
 /** @typedef {import("../pkg/pathlight.js").Ball} Ball */
 /** @typedef {[x: number, y: number]} Point px of the scene, from its lower left corner */
@@ -77,7 +77,7 @@ export class SceneCanvas extends Component {
   /** @type {Pen | null} */
   #pen = null;
 
-  /** @param {import("../shell/dom.js").Root} root */
+  /** @param {import("../widgets/dom.js").Root} root */
   constructor(root) {
     super(root);
     const canvas = this.#canvas;

@@ -1,6 +1,6 @@
 // The controls round the scene: the transport below it, the status line, and the fields of the ball being placed.
 
-import { Component } from "../shell/component.js";
+import { Component } from "../widgets/component.js";
 import {
   FIRST_RADIUS,
   GOAL_SECONDS,
@@ -9,10 +9,10 @@ import {
   SCENE_SIZE,
   STEPS_PER_SECOND,
 } from "../shell/constants.js";
-import { afterFrame } from "../shell/after-frame.js";
-import { difficultyWords } from "../shell/difficulty.js";
-import { find, setText } from "../shell/dom.js";
-import { sentence } from "../shell/sentence.js";
+import { afterFrame } from "../loading/after-frame.js";
+import { difficultyWords } from "../puzzles/difficulty.js";
+import { find, setText } from "../widgets/dom.js";
+import { sentence } from "../text/sentence.js";
 
 /** @typedef {import("./session.js").Session} Session */
 /** @typedef {import("./session.js").ShownAttempt} ShownAttempt */
@@ -31,7 +31,7 @@ export class Controls extends Component {
    */
   #touches = [];
 
-  /** @param {import("../shell/dom.js").Root} root */
+  /** @param {import("../widgets/dom.js").Root} root */
   constructor(root) {
     super(root);
     for (const input of [this.#radius, this.#fields[2]])

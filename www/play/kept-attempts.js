@@ -3,7 +3,7 @@
 // loaded, with the same agents.
 
 import { puzzleKey } from "../shell/attempt-store.js";
-import { Component } from "../shell/component.js";
+import { Component } from "../widgets/component.js";
 import { AGENTS_VERSION, SIMULATOR_VERSION } from "../shell/constants.js";
 
 /** @typedef {import("./session.js").Session} Session */
@@ -20,7 +20,7 @@ export class KeptAttempts extends Component {
   #kept = { player: [], model: [] };
 
   /**
-   * @param {import("../shell/dom.js").Root} root
+   * @param {import("../widgets/dom.js").Root} root
    * @param {import("../model/shared-client.js").SharedClient} client
    * @param {import("../shell/attempt-store.js").AttemptStore} store
    */

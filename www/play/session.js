@@ -6,7 +6,7 @@
 
 import { Puzzle } from "../pkg/pathlight.js";
 import { GOAL_SECONDS } from "../shell/constants.js";
-import { sentence } from "../shell/sentence.js";
+import { sentence } from "../text/sentence.js";
 import { Attempts } from "./attempts.js";
 import { Placement } from "./placement.js";
 import { Playback } from "./playback.js";

@@ -4,8 +4,8 @@
 // frame waits for them. Fires "bend" when what the scene shows may have changed.
 
 import { paintDraft, palette } from "../pkg/pathlight.js";
-import { Component } from "../shell/component.js";
-import { setText } from "../shell/dom.js";
+import { Component } from "../widgets/component.js";
+import { setText } from "../widgets/dom.js";
 import { pathlight } from "../shell/pathlight.js";
 import { SCENE_SIZE } from "../shell/constants.js";
 import { BendPen } from "./bend-pen.js";
@@ -43,7 +43,7 @@ export class Bend extends Component {
   #committing = false;
 
   /**
-   * @param {import("../shell/dom.js").Root} root
+   * @param {import("../widgets/dom.js").Root} root
    * @param {import("../model/shared-client.js").SharedClient} client
    */
   constructor(root, client) {
@@ -76,7 +76,7 @@ export class Bend extends Component {
     if (!this.#committing) this.#setDraft(null);
   }
 
-  /** @param {import("../shell/url-state.js").View} view */
+  /** @param {import("../state/url-state.js").View} view */
   setState({ panel, hide }) {
     const left = this.#visible && panel !== "bend";
     this.#visible = panel === "bend";

@@ -1,7 +1,7 @@
 // "Luck or plan?", for a ball of the player's that solved: how many of the balls within a pixel of it solve too.
 
-import { Component } from "../shell/component.js";
-import { setText } from "../shell/dom.js";
+import { Component } from "../widgets/component.js";
+import { setText } from "../widgets/dom.js";
 
 /** At least this share of the balls beside it solves: a plan. At most the other: luck. */
 const PLAN = 2 / 3;
@@ -18,7 +18,7 @@ export class Luck extends Component {
   #asked = "";
 
   /**
-   * @param {import("../shell/dom.js").Root} root
+   * @param {import("../widgets/dom.js").Root} root
    * @param {import("../model/shared-client.js").SharedClient} client
    */
   constructor(root, client) {

@@ -3,7 +3,7 @@
 // ball, so that it opens the same view elsewhere; for teaching it may hide parts of the page. Knows nothing of the
 // document.
 
-import { ATTEMPT_LIMIT, MAX_RADIUS, MIN_RADIUS, SCENE_SIZE, STAGES } from "./constants.js";
+import { ATTEMPT_LIMIT, MAX_RADIUS, MIN_RADIUS, SCENE_SIZE, STAGES } from "../shell/constants.js";
 
 /** @typedef {import("../pkg/pathlight.js").Ball} Ball */
 /** @typedef {import("../pkg/pathlight.js").Stage} Stage */

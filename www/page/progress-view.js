@@ -1,12 +1,12 @@
 // The person's progress: a line above the grid, a note on each of its templates, a mark on each puzzle of the picker.
 // Saves it to a file, and deletes it when the person is sure.
 
-import { byId } from "./dom.js";
-import { download } from "./download.js";
-import { showNotice } from "./notice.js";
-import { progressJson, takeProgress } from "./progress-file.js";
+import { byId } from "../widgets/dom.js";
+import { download } from "../widgets/download.js";
+import { showNotice } from "../widgets/notice.js";
+import { progressJson, takeProgress } from "../shell/progress-file.js";
 
-/** @typedef {import("./gallery.js").Template} Template */
+/** @typedef {import("../widgets/gallery.js").Template} Template */
 
 /** More than the progress and the attempts of a person at all puzzles, bytes. */
 const MAX_SIZE = 2e7;
@@ -18,9 +18,9 @@ export class ProgressView {
   #gallery;
 
   /**
-   * @param {import("./progress-store.js").SharedProgress} progress
+   * @param {import("../shell/progress-store.js").SharedProgress} progress
    * @param {Template[]} templates
-   * @param {import("./gallery.js").Gallery} gallery
+   * @param {import("../widgets/gallery.js").Gallery} gallery
    */
   constructor(progress, templates, gallery) {
     this.#progress = progress;
@@ -113,7 +113,7 @@ const counted = (count, noun) => `${count} ${noun}${count === 1 ? "" : "s"}`;
 /**
  * Of the player's attempts at own scenes: how many scenes were tried, how many are solved, and how many attempts there
  * are.
- * @param {import("./attempt-store.js").KeptAttempt[]} kept
+ * @param {import("../shell/attempt-store.js").KeptAttempt[]} kept
  * @returns {Sum}
  */
 function sumOf(kept) {
