@@ -62,6 +62,7 @@ before(async () => {
   await load({ weights: null });
   page = {
     ...(await import("../../www/state/url-state.js")),
+    ...(await import("../../www/state/view.js")),
     ...(await import("../../www/shell/attempt-store.js")),
     ...(await import("../../www/shell/progress-store.js")),
     ...(await import("../../www/shell/progress-file.js")),

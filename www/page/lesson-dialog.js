@@ -3,7 +3,8 @@
 
 import { PathlightPuzzle } from "../element/pathlight-puzzle.js";
 import { byId } from "../widgets/dom.js";
-import { HIDEABLE, PANELS, formatFragment, visiblePanels } from "../state/url-state.js";
+import { HIDEABLE, PANELS, formatFragment } from "../state/url-state.js";
+import { visiblePanels } from "../state/view.js";
 
 /** @typedef {import("../state/url-state.js").State} State */
 /** @typedef {import("../state/url-state.js").Hideable} Hideable */

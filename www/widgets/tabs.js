@@ -2,7 +2,8 @@
 
 import { Component } from "./component.js";
 import { find, setText } from "./dom.js";
-import { PANELS, visiblePanels } from "../state/url-state.js";
+import { PANELS } from "../state/url-state.js";
+import { visiblePanels } from "../state/view.js";
 
 /** @typedef {import("../state/url-state.js").Panel} Panel */
 
@@ -22,7 +23,7 @@ export class Tabs extends Component {
     }
   }
 
-  /** @param {import("../state/url-state.js").View} view */
+  /** @param {import("../state/view.js").View} view */
   setState(view) {
     this.#visible = visiblePanels(view);
     this.#selected = view.panel;
