@@ -6,6 +6,7 @@ import { Component } from "../widgets/component.js";
 import { setText } from "../widgets/dom.js";
 import { BallImaginer } from "../model/ball-imaginer.js";
 import { chanceWords, errorWords } from "../model/chance-words.js";
+import { sameBall } from "../puzzles/ball.js";
 import { sentence } from "../text/sentence.js";
 import { CHOICE_TEXT } from "../model/stage-text.js";
 
@@ -38,7 +39,7 @@ export class Choice extends Component {
   #failure = null;
   /**
    * The chosen ball as the session shows it, and the step that shows it so; null while it does not.
-   * @type {{ shown: import("../play/session.js").ShownAttempt | null, step: ChoiceStep } | null}
+   * @type {{ shown: import("../play/shown.js").ShownAttempt | null, step: ChoiceStep } | null}
    */
   #running = null;
 
@@ -116,7 +117,7 @@ export class Choice extends Component {
     const ball = this.#considered?.chosen.ball;
     const step = this.#step === "run" || this.#step === "real" ? this.#step : null;
     if (!session || step === (this.#running?.step ?? null)) return;
-    const tried = session.attempts.of("model").some((attempt) => String(attempt.ball) === String(ball));
+    const tried = session.attempts.of("model").some((attempt) => sameBall(attempt.ball, ball));
     // First, because the session tells at once that it shows something else.
     this.#running = null;
     if (!step) {

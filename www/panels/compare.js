@@ -60,7 +60,7 @@ export class Compare extends Component {
 
   /**
    * When the person comes to this panel, both paths are shown over each other if there is something to show.
-   * @param {import("../state/url-state.js").View} view
+   * @param {import("../state/view.js").View} view
    */
   setState({ panel, proposal }) {
     const arrived = panel === "compare" && this.#panel !== null && this.#panel !== "compare";
@@ -89,7 +89,7 @@ export class Compare extends Component {
     const name = this.#client.loaded?.name;
     if (!session || name === undefined) return;
     const turn = (this.#turn = new AbortController());
-    const show = (this.#show = new ModelShow(session, (attempt) => session.recordModelAttempt(attempt, name)));
+    const show = (this.#show = new ModelShow(session, (attempt) => session.attempts.add(attempt, name)));
     this.#callFailure = null;
     this.#update();
     try {

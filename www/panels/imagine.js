@@ -74,7 +74,7 @@ export class Imagine extends Component {
     this.#setImagined(null);
   }
 
-  /** @param {import("../state/url-state.js").View} view */
+  /** @param {import("../state/view.js").View} view */
   setState(view) {
     this.#shown = view.panel === "imagine";
     this.#paintScenes();

@@ -11,7 +11,7 @@ const RECENT = 5;
 /**
  * The panel of the workshop, which comes after this folder.
  * @typedef {EventTarget & { maps: HTMLCanvasElement[], painter: import("../play/canvas.js").Painter | null, pen:
- *   import("../play/canvas.js").Pen }} Bend
+ *   import("../play/gestures.js").Pen }} Bend
  */
 
 export class Overlays extends Component {
@@ -23,7 +23,7 @@ export class Overlays extends Component {
   #predict;
   #proposals;
   #solveMap;
-  /** @type {import("../state/url-state.js").View | null} */
+  /** @type {import("../state/view.js").View | null} */
   #view = null;
 
   /**
@@ -63,9 +63,10 @@ export class Overlays extends Component {
     this.listen("change", () => this.#update());
   }
 
-  /** @param {import("../state/url-state.js").View} view */
+  /** @param {import("../state/view.js").View} view */
   setState(view) {
     this.#view = view;
+    this.session?.edit({ tool: view.panel === "predict" ? "line" : view.panel === "bend" ? "bodies" : "ball" });
     this.#update();
   }
 

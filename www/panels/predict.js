@@ -4,7 +4,7 @@
 
 import { Component } from "../widgets/component.js";
 import { SCENE_SIZE } from "../shell/constants.js";
-import { ARROW_KEYS } from "../play/canvas.js";
+import { ARROW_KEYS } from "../play/gestures.js";
 import { OverlapCard, percent } from "./overlap-card.js";
 
 /** @typedef {import("../play/canvas.js").Point} Point */
@@ -53,7 +53,6 @@ export class Predict extends Component {
   open(session) {
     super.open(session);
     this.listen("change", () => this.#update());
-    session.drawing = this.#visible;
     this.#update();
   }
 
@@ -62,10 +61,9 @@ export class Predict extends Component {
     this.#setSketch([]);
   }
 
-  /** @param {import("../state/url-state.js").View} view */
+  /** @param {import("../state/view.js").View} view */
   setState({ panel }) {
     this.#visible = panel === "predict";
-    if (this.session) this.session.drawing = this.#visible;
   }
 
   /** @param {boolean} dark */

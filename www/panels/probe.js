@@ -7,7 +7,7 @@ import { CELL_SIZE, SCENE_SIZE, STAGES } from "../shell/constants.js";
 import { find, setText } from "../widgets/dom.js";
 import { valueAt } from "../model/map-summary.js";
 import { STAGE_TEXT } from "../model/stage-text.js";
-import { ARROW_KEYS } from "../play/canvas.js";
+import { ARROW_KEYS } from "../play/gestures.js";
 
 /** @typedef {import("../pkg/pathlight.js").Stage} Stage */
 
@@ -61,7 +61,7 @@ export class Probe extends Component {
     this.#clear();
   }
 
-  /** @param {import("../state/url-state.js").View} view */
+  /** @param {import("../state/view.js").View} view */
   setState({ layers, panel }) {
     this.#layers = layers;
     if (panel !== this.#panel) this.#point = null;

@@ -70,7 +70,7 @@ export class SolveMapPanel extends Component {
     this.#outcomes = null;
   }
 
-  /** @param {import("../state/url-state.js").View} view */
+  /** @param {import("../state/view.js").View} view */
   setState({ panel, checkedLayers, hide }) {
     this.#hidesModel = hide.includes("imagine");
     this.#visible = panel === "map";

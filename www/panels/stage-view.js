@@ -45,7 +45,7 @@ export class StageView extends Component {
     this.#update();
   }
 
-  /** @param {import("../state/url-state.js").View} view */
+  /** @param {import("../state/view.js").View} view */
   setState({ view, hide }) {
     const on = view === "stage";
     const arrived = on && !this.#on;

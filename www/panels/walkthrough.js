@@ -66,7 +66,7 @@ export class Walkthrough extends Component {
     this.#pause();
   }
 
-  /** @param {import("../state/url-state.js").View} view */
+  /** @param {import("../state/view.js").View} view */
   setState({ stage, panel }) {
     this.#visible = panel === "imagine";
     this.#requested = stage;

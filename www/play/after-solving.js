@@ -77,7 +77,7 @@ export class AfterSolving extends Component {
     this.#endCelebration();
   }
 
-  /** @param {import("../state/url-state.js").View} view */
+  /** @param {import("../state/view.js").View} view */
   setState({ challenge }) {
     this.#challenge = challenge;
     // The model that the address names is kept on the way.

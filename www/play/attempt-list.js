@@ -5,6 +5,7 @@ import { Component } from "../widgets/component.js";
 import { ATTEMPT_LIMIT } from "../shell/constants.js";
 import { find, setText } from "../widgets/dom.js";
 import { LazyThumbnails } from "../widgets/lazy-thumbnails.js";
+import { visibleAttempts } from "./shown.js";
 
 /** @typedef {import("./session.js").Session} Session */
 
@@ -99,7 +100,7 @@ export class AttemptList extends Component {
       this.#count,
       used === 0 ? "" : solvedAt ? `solved on attempt ${solvedAt}` : `${used} of ${ATTEMPT_LIMIT}, not solved`,
     );
-    const current = session.visibleAttempts
+    const current = visibleAttempts(session.state)
       .filter(({ contender }) => contender === this.#contender)
       .map(({ number }) => number);
     for (const button of this.#list.querySelectorAll("[data-act=replay]")) {

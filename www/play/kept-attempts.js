@@ -36,7 +36,7 @@ export class KeptAttempts extends Component {
   open(session) {
     super.open(session);
     this.#puzzle = puzzleKey(session.played);
-    session.restore(
+    session.attempts.restore(
       this.#store
         .of(this.#puzzle)
         .filter(({ by }) => by === "player")
@@ -57,7 +57,7 @@ export class KeptAttempts extends Component {
       .filter(
         ({ by, simulator, agents }) => by === name && simulator === SIMULATOR_VERSION && agents === AGENTS_VERSION,
       );
-    session.restoreModel(attempts, name);
+    session.attempts.restoreModel(attempts, name);
     this.#kept.model = ballsOf(session.attempts.of("model"));
   }
 
