@@ -7,12 +7,13 @@ import { sameBall } from "../puzzles/ball.js";
 import { find, setText } from "../widgets/dom.js";
 import { OverlapCard, percent } from "./overlap-card.js";
 
+/** @typedef {import("../pkg/pathlight.js").Ball} Ball */
 /** @typedef {import("../pkg/pathlight.js").Stage} Stage */
 /** @typedef {import("../play/session.js").Session} Session */
 /** @typedef {"player" | "model" | "alone"} Runner */
 /**
- * @typedef {import("../pkg/pathlight.js").PathMasks & { title: string, number?: number, placed?: import("../pkg/pathlight.js").Ball }} Run `number`
- *   and `placed`: of the attempt and of its ball, if it is one
+ * `number` and `placed`: of the attempt and its ball, if it is one.
+ * @typedef {import("../pkg/pathlight.js").PathMasks & { title: string, number?: number, placed?: Ball }} Run
  */
 
 /**
@@ -148,7 +149,7 @@ const watchedRun = { runner: "alone", title: "Without a ball" };
 
 /**
  * @param {import("../play/shown.js").ShownAttempt | null} attempt
- * @returns {{ runner: Runner, title: string, number?: number, placed?: import("../pkg/pathlight.js").Ball }}
+ * @returns {{ runner: Runner, title: string, number?: number, placed?: Ball }}
  */
 function runOf(attempt) {
   if (!attempt) return watchedRun;

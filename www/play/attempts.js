@@ -1,5 +1,5 @@
-// The attempts of player and model at one puzzle, and which model made its own. Fires "change". Knows nothing of what is
-// shown, nor of the document.
+// The attempts of player and model at one puzzle, and which model made its own. Fires "change". Knows nothing of what
+// is shown, nor of the document.
 
 /** @typedef {import("../pkg/pathlight.js").Ball} Ball */
 /** @typedef {import("../pkg/pathlight.js").Contender} Contender */

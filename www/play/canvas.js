@@ -1,5 +1,5 @@
-// The scene on its canvas: drawn by the wasm at the screen's own resolution. What pointer, wheel and keys do there is in
-// gestures.js.
+// The scene on its canvas, drawn by the wasm at the screen's own resolution. gestures.js has what pointer, wheel and
+// keys do there.
 
 import { Component } from "../widgets/component.js";
 import { SCENE_SIZE } from "../shell/constants.js";

@@ -4,8 +4,8 @@
 //   change      something to read has changed
 //   draw        only the picture has changed
 //   attempted   a new attempt of the player's has run to its end, or was left; `shown` holds it
-//   draft       what was asked for has to wait until the draft of the scene is the puzzle: a CustomEvent whose detail is
-//               to be called with the session of the draft
+//   draft       what was asked for has to wait until the draft of the scene is the puzzle: a CustomEvent whose detail
+//               is to be called with the session of the draft
 //
 // Knows nothing of the document. The page's only way to the Puzzle.
 

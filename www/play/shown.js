@@ -1,6 +1,6 @@
-// What the scene of a puzzle shows, as one state: the ball being placed, or a run: an attempt, the scene without a ball,
-// or attempts over each other. Each function takes a state and returns the next one; none is changed in place. Pure: no
-// wasm, no document, no clock.
+// What the scene of a puzzle shows, as one state: the ball being placed, or a run of an attempt, of the scene without a
+// ball, or of attempts over each other. Each function takes a state and returns the next one; none is changed in place.
+// Pure: no wasm, no document, no clock.
 
 /** @typedef {import("../pkg/pathlight.js").Ball} Ball */
 /** @typedef {import("../pkg/pathlight.js").Contender} Contender */

@@ -1,5 +1,5 @@
-// What the page shows for a state: of what the address names, what is not hidden and belongs to the panel that is shown.
-// Knows nothing of the document.
+// What the page shows for a state: of what the address names, what is not hidden and belongs to the panel that is
+// shown. Knows nothing of the document.
 
 import { STAGES } from "../shell/constants.js";
 import { PANELS } from "./url-state.js";
