@@ -3,7 +3,7 @@
 
 use js_sys::Reflect;
 use pathlight::nets::{DynamicsNet, PathNet, flex};
-use pathlight::play::game::ATTEMPT_LIMIT;
+use pathlight::session::game::ATTEMPT_LIMIT;
 use pathlight::web::{
     Model, Puzzle, SolutionSearch, SolveMap, attempt_line, auccess, constants, fold, luck, own_scene, palette, raster,
     scene, scene_problems, simulate, soft_iou, templates, verify_attempt, why_invalid,

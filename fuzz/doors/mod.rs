@@ -10,14 +10,14 @@ use std::str;
 use pathlight::agents;
 use pathlight::nets::judge::logit_index;
 use pathlight::nets::{PathNet, flex};
-use pathlight::play::played::Played;
-use pathlight::play::verification::{AttemptLine, Verdict};
 use pathlight::puzzle::own_scene::{OwnScene, sentences};
 use pathlight::puzzle::rollout::Rollout;
 use pathlight::puzzle::scene::Scene;
 use pathlight::puzzle::task::{Task, TaskId};
 use pathlight::raster;
+use pathlight::session::played::Played;
 use pathlight::simulator::simulate;
+use pathlight::verification::{AttemptLine, Verdict};
 use serde_json::Value;
 
 use commands::journal::{self, Entry};

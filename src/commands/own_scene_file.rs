@@ -4,8 +4,8 @@ use std::fs;
 use std::path::Path;
 
 use anyhow::{Context, anyhow};
-use pathlight::play::played::Played;
 use pathlight::puzzle::own_scene::sentences;
+use pathlight::session::played::Played;
 use serde_json::Value;
 
 /// Largest file, bytes. The largest scene needs some 10,000.

@@ -5,9 +5,9 @@ use std::io::{self, Write};
 use std::path::PathBuf;
 
 use pathlight::agents;
-use pathlight::play::played::Played;
 use pathlight::puzzle::action::Ball;
 use pathlight::puzzle::task::{Task, TaskId};
+use pathlight::session::played::Played;
 use rayon::prelude::*;
 use serde::Serialize;
 

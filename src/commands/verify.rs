@@ -5,7 +5,7 @@ use std::io::{self, Read, Write};
 use std::process::ExitCode;
 
 use anyhow::Context;
-use pathlight::play::verification::{AttemptLine, Verdict};
+use pathlight::verification::{AttemptLine, Verdict};
 use rayon::prelude::*;
 use serde::Serialize;
 

@@ -15,7 +15,7 @@ use crate::raster::CELLS;
 #[wasm_bindgen(js_name = softIou)]
 pub fn soft_iou(one: &[f32], other: &[f32]) -> Result<f64, JsValue> {
     match [one.len(), other.len()] {
-        [CELLS, CELLS] => Ok(crate::play::soft_iou::soft_iou(one, other)),
+        [CELLS, CELLS] => Ok(crate::raster::soft_iou::soft_iou(one, other)),
         [a, b] => Err(error(Code::BadMap, format!("a map holds {CELLS} values, not {a} or {b}"))),
     }
 }

@@ -16,11 +16,11 @@ use crate::agents::{self, Proposal};
 use crate::benchmark::folds::Fold;
 use crate::colour::stage::Stage;
 use crate::nets::{Card, Imagined, PathNet, ReadScene, flex};
-use crate::play::ending::Ending;
-use crate::play::game::ATTEMPT_LIMIT;
-use crate::play::played::{Played, PlayedId};
-use crate::play::turn;
 use crate::puzzle::task::TaskId;
+use crate::session::ending::Ending;
+use crate::session::game::ATTEMPT_LIMIT;
+use crate::session::played::{Played, PlayedId};
+use crate::session::turn;
 
 /// Most balls of one list of proposals, as on the command line.
 const MAX_PROPOSALS: usize = 1000;

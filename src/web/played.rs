@@ -7,9 +7,9 @@ use serde_json::{Map, Number, Value};
 use wasm_bindgen::prelude::*;
 
 use super::error::{Code, error};
-use crate::play::played::{Played, PlayedId};
 use crate::puzzle::own_scene::{BODIES, Problem};
 use crate::puzzle::task::{Task, TaskError, TaskId};
+use crate::session::played::{Played, PlayedId};
 
 thread_local! {
     /// The task that was loaded last: a script tries many balls on one task, and loading it may take longer than a

@@ -6,8 +6,10 @@ use crate::rule::{Never, Only, Rule, unknown_files};
 /// The folders and files of `www/` in the order in which they import each other: each only those before it. `pkg` is
 /// the wasm package, of which all may import what the API does not have. Imports in JSDoc are types only and are not
 /// looked at.
-const LAYERS: [&str; 11] =
-    ["pkg", "api", "storage", "shell", "model", "play", "panels", "workshop", "element", "page", "offline"];
+const LAYERS: [&str; 16] = [
+    "pkg", "api", "storage", "shell", "loading", "puzzles", "state", "text", "widgets", "model", "play", "panels",
+    "workshop", "element", "page", "offline",
+];
 
 /// What modules outside of `api/` may import of `pkg`: what the API does not have, because only the player needs it.
 const PLAYER_ONLY: [&str; 7] =
@@ -32,7 +34,7 @@ const RULES: &[Rule] = &[
     },
     Rule {
         words: &["document", "window", "localStorage"],
-        files: Never(&["api/", "model/", "shell/url-state.js", "shell/constants.js"]),
+        files: Never(&["api/", "model/", "state/", "shell/constants.js"]),
         reason: "it runs in the worker too, or without a page",
     },
     Rule {
@@ -52,7 +54,7 @@ const RULES: &[Rule] = &[
     },
     Rule {
         words: &["URL(\"./"],
-        files: Never(&["api/", "storage/", "shell/", "model/", "play/", "panels/", "workshop/", "element/", "page/"]),
+        files: Never(&["api/", "loading/", "widgets/", "model/", "play/", "panels/", "workshop/", "element/", "page/"]),
         reason: "a bundle takes the place of its entry in another folder: addresses begin with that of the folder, \"../\"",
     },
     Rule {
@@ -95,11 +97,11 @@ fn an_import_of_a_later_folder_is_found() {
     let imports = |path, text| later_imports(&Source::new(path, text)).len();
     assert_eq!(imports("model/worker.js", "import { Session } from \"../play/session.js\";"), 1);
     assert_eq!(imports("model/worker.js", "import {\n  Session,\n} from '../play/session.js';"), 1);
-    assert_eq!(imports("shell/load-wasm.js", "const page = await import(\"../page/page.js\");"), 1);
-    assert_eq!(imports("shell/dom.js", "import \"../model/stage-text.js\";"), 1);
-    assert_eq!(imports("panels/compare.js", "import { byId } from \"../shell/dom.js\";"), 0);
+    assert_eq!(imports("loading/load-wasm.js", "const page = await import(\"../page/page.js\");"), 1);
+    assert_eq!(imports("widgets/dom.js", "import \"../model/stage-text.js\";"), 1);
+    assert_eq!(imports("panels/compare.js", "import { byId } from \"../widgets/dom.js\";"), 0);
     assert_eq!(imports("panels/compare.js", "import { TroubleBox } from \"./trouble-box.js\";"), 0);
-    assert_eq!(imports("shell/component.js", "/** @typedef {import(\"../play/session.js\").Session} Session */"), 0);
+    assert_eq!(imports("widgets/component.js", "/** @typedef {import(\"../play/session.js\").Session} Session */"), 0);
     assert_eq!(imports("model/worker.js", "import init from \"../pkg/pathlight.js\";"), 0);
 }
 

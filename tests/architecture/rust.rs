@@ -4,14 +4,37 @@ use crate::files::{Source, files, holds};
 use crate::rule::{Never, Only, Rule, unknown_files};
 
 /// The folders of `src/` from the data outwards: each uses only those before it.
-const LAYERS: [&str; 11] =
-    ["puzzle", "colour", "raster", "simulator", "benchmark", "dataset", "nets", "agents", "play", "web", "commands"];
+const LAYERS: [&str; 13] = [
+    "puzzle",
+    "colour",
+    "raster",
+    "simulator",
+    "benchmark",
+    "dataset",
+    "nets",
+    "agents",
+    "session",
+    "verification",
+    "search",
+    "web",
+    "commands",
+];
 
 /// The outermost layers: nothing uses them, not even each other.
 const OUTERMOST: [&str; 2] = ["web", "commands"];
 
 /// What builds or decides a simulation, draws data or chooses a ball: the same bits natively and in wasm.
-const DETERMINISTIC: &[&str] = &["puzzle/", "raster/", "simulator/", "benchmark/", "dataset/", "agents/", "play/"];
+const DETERMINISTIC: &[&str] = &[
+    "puzzle/",
+    "raster/",
+    "simulator/",
+    "benchmark/",
+    "dataset/",
+    "agents/",
+    "session/",
+    "verification.rs",
+    "search/",
+];
 
 const RULES: &[Rule] = &[
     Rule {
@@ -111,11 +134,11 @@ fn every_folder_has_its_place_in_the_order() {
 #[test]
 fn an_import_of_a_later_folder_is_found() {
     assert_eq!(upward_imports("nets/mod.rs", "use crate::agents::Proposal;").len(), 1);
-    assert_eq!(upward_imports("nets/mod.rs", "use crate::{play::game, puzzle::task};").len(), 1);
-    assert_eq!(upward_imports("nets/mod.rs", "use crate::{\n    play::game,\n    puzzle::task,\n};").len(), 1);
+    assert_eq!(upward_imports("nets/mod.rs", "use crate::{session::game, puzzle::task};").len(), 1);
+    assert_eq!(upward_imports("nets/mod.rs", "use crate::{\n    session::game,\n    puzzle::task,\n};").len(), 1);
     assert_eq!(upward_imports("nets/mod.rs", "use crate::raster::SIDE;").len(), 0);
     assert_eq!(upward_imports("commands/tasks.rs", "use pathlight::web::Puzzle;").len(), 1);
-    assert_eq!(upward_imports("commands/tasks.rs", "use pathlight::play::game;").len(), 0);
+    assert_eq!(upward_imports("commands/tasks.rs", "use pathlight::session::game;").len(), 0);
     assert_eq!(upward_imports("nets/conv/mod.rs", "use crate::nets::conv;").len(), 0);
 }
 

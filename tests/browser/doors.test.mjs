@@ -52,7 +52,8 @@ before(async () => {
   const { load } = await import("../../www/api/pathlight.js");
   await load({ weights: null });
   page = {
-    ...(await import("../../www/shell/url-state.js")),
+    ...(await import("../../www/state/url-state.js")),
+    ...(await import("../../www/state/view.js")),
     ...(await import("../../www/storage/progress.js")),
     ...(await import("../../www/storage/progress-file.js")),
     ...(await import("../../www/storage/puzzle-store.js")),

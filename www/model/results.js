@@ -5,7 +5,7 @@
 
 import { failure } from "../api/failure.js";
 import { readFile } from "../api/files.js";
-import { toCsv } from "../shell/csv.js";
+import { toCsv } from "./csv.js";
 
 /**
  * The balls to which a model gives a chance in one tenth of 0..1: their number, the mean of the chances, and how many

@@ -1,6 +1,6 @@
 // Reads a file that the person has chosen: the notice says how far it is, stops it, and says what went wrong.
 
-import { dismissNotice, showNotice } from "../shell/notice.js";
+import { dismissNotice, showNotice } from "../widgets/notice.js";
 import { FileProblem } from "../storage/slices.js";
 
 /**

@@ -2,13 +2,13 @@
 // that deletes it with its attempts; files are opened by a button or dropped anywhere in the page, and all puzzles are
 // saved in one.
 
-import { LazyThumbnails } from "../shell/lazy-thumbnails.js";
-import { byId, createButton } from "../shell/dom.js";
-import { showNotice } from "../shell/notice.js";
+import { LazyThumbnails } from "../widgets/lazy-thumbnails.js";
+import { byId, createButton } from "../widgets/dom.js";
+import { showNotice } from "../widgets/notice.js";
 import { pathlight } from "../shell/pathlight.js";
 import { puzzleKey } from "../shell/puzzle-key.js";
-import { sceneName } from "../shell/puzzle-name.js";
-import { INITIAL_STATE, formatFragment } from "../shell/url-state.js";
+import { sceneName } from "../puzzles/puzzle-name.js";
+import { INITIAL_STATE, formatFragment } from "../state/url-state.js";
 import { PLAYER, grouped } from "../storage/attempts.js";
 import { MOST_PUZZLES, ownPuzzles } from "../storage/puzzle-store.js";
 import { atOnce, inSlices } from "../storage/slices.js";
@@ -17,7 +17,7 @@ import { textOfScene } from "../workshop/scene-link.js";
 import { readChosen } from "./file-reading.js";
 
 /** @typedef {import("../pkg/pathlight.js").OwnScene} OwnScene */
-/** @typedef {import("../shell/url-state.js").State} State */
+/** @typedef {import("../state/url-state.js").State} State */
 
 /** Width of a picture, CSS px. */
 const SIDE = 176;

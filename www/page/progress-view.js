@@ -1,9 +1,9 @@
 // The person's progress: a line above the grid, a note on each of its templates, a mark on each puzzle of the picker.
 // Saves it to a file, and deletes it when the person is sure.
 
-import { byId } from "../shell/dom.js";
-import { download } from "../shell/download.js";
-import { showNotice } from "../shell/notice.js";
+import { byId } from "../widgets/dom.js";
+import { download } from "../widgets/download.js";
+import { showNotice } from "../widgets/notice.js";
 import { pathlight } from "../shell/pathlight.js";
 import { PLAYER } from "../storage/attempts.js";
 import { MOST_ATTEMPTS } from "../storage/progress.js";
@@ -11,7 +11,7 @@ import { progressJson, progressOfText } from "../storage/progress-file.js";
 import { FileProblem, inSlices } from "../storage/slices.js";
 import { readChosen } from "./file-reading.js";
 
-/** @typedef {import("../shell/gallery.js").Template} Template */
+/** @typedef {import("../widgets/gallery.js").Template} Template */
 
 /** More than the progress and the attempts of a person at all puzzles, bytes. */
 const MAX_SIZE = 2e7;
@@ -24,7 +24,7 @@ export class ProgressView {
   /**
    * @param {import("../storage/progress.js").Progress} progress
    * @param {Template[]} templates
-   * @param {import("../shell/gallery.js").Gallery} gallery
+   * @param {import("../widgets/gallery.js").Gallery} gallery
    */
   constructor(progress, templates, gallery) {
     this.#progress = progress;

@@ -2,10 +2,10 @@
 // valid attempts count, up to the limit; a puzzle that one has not solved counts nothing for it. The model's progress
 // is kept beside the player's, for each model by its name.
 
-import { Component } from "../shell/component.js";
+import { Component } from "../widgets/component.js";
 import { ATTEMPT_LIMIT } from "../shell/constants.js";
 import { pathlight } from "../shell/pathlight.js";
-import { puzzleName } from "../shell/puzzle-name.js";
+import { puzzleName } from "../puzzles/puzzle-name.js";
 
 /** @typedef {import("../storage/contender.js").Contender} Contender */
 
@@ -15,7 +15,7 @@ export class Scoreboard extends Component {
   #hrefOf;
 
   /**
-   * @param {import("../shell/dom.js").Root} root
+   * @param {import("../widgets/dom.js").Root} root
    * @param {import("../model/shared-client.js").SharedClient} client
    * @param {import("../storage/progress.js").Progress} progress
    * @param {(task: string) => string | null} hrefOf the address of a puzzle, or null if there is no way to it

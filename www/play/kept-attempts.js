@@ -2,7 +2,7 @@
 // again: the player's are simulated once more; the model's come with its turn, if it was made by the model that is
 // loaded, with the same agents.
 
-import { Component } from "../shell/component.js";
+import { Component } from "../widgets/component.js";
 import { AGENTS_VERSION, SIMULATOR_VERSION } from "../shell/constants.js";
 import { puzzleKey } from "../shell/puzzle-key.js";
 import { PLAYER } from "../storage/attempts.js";
@@ -21,7 +21,7 @@ export class KeptAttempts extends Component {
   #kept = { player: [], model: [] };
 
   /**
-   * @param {import("../shell/dom.js").Root} root
+   * @param {import("../widgets/dom.js").Root} root
    * @param {import("../model/shared-client.js").SharedClient} client
    * @param {import("../storage/progress.js").Progress} progress
    */
@@ -37,7 +37,7 @@ export class KeptAttempts extends Component {
   open(session) {
     super.open(session);
     this.#puzzle = puzzleKey(session.played);
-    session.restore(
+    session.attempts.restore(
       this.#progress
         .attemptsAt(this.#puzzle)
         .filter(({ by }) => by === PLAYER)
@@ -58,7 +58,7 @@ export class KeptAttempts extends Component {
       .filter(
         ({ by, simulator, agents }) => by === name && simulator === SIMULATOR_VERSION && agents === AGENTS_VERSION,
       );
-    session.restoreModel(attempts, name);
+    session.attempts.restoreModel(attempts, name);
     this.#kept.model = ballsOf(session.attempts.of("model"));
   }
 

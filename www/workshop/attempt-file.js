@@ -1,7 +1,7 @@
 // Attempts as a file: JSON lines, one attempt each, with the digest of all its poses, so that anybody can simulate it
 // again and see whether the same comes out (`pathlight verify`).
 
-import { download, fileName } from "../shell/download.js";
+import { download, fileName } from "../widgets/download.js";
 import { FileProblem, inSlices, linesOf } from "../storage/slices.js";
 
 /** @typedef {import("../pkg/pathlight.js").AttemptLine} AttemptLine */

@@ -1,9 +1,9 @@
 // Puzzles as files: the JSON of one scene, or an array of several. What is read is checked whole before anything is
 // made of it.
 
-import { download, fileName } from "../shell/download.js";
+import { download, fileName } from "../widgets/download.js";
 import { pathlight } from "../shell/pathlight.js";
-import { sceneName } from "../shell/puzzle-name.js";
+import { sceneName } from "../puzzles/puzzle-name.js";
 import { FileProblem, inSlices } from "../storage/slices.js";
 import { plainScene } from "./plain-scene.js";
 

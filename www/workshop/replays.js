@@ -2,11 +2,11 @@
 // worker, says whether the same comes out to the bit, and replays it. Also the badge on a run that has ended: the first
 // characters of its digest.
 
-import { Component } from "../shell/component.js";
+import { Component } from "../widgets/component.js";
 import { AGENTS_VERSION } from "../shell/constants.js";
-import { createButton, setText } from "../shell/dom.js";
+import { createButton, setText } from "../widgets/dom.js";
 import { pathlight } from "../shell/pathlight.js";
-import { sceneName } from "../shell/puzzle-name.js";
+import { sceneName } from "../puzzles/puzzle-name.js";
 import { readNativeAttempts } from "../model/native-attempts.js";
 import { MOST_ATTEMPTS, readAttempts, saveAttempts } from "./attempt-file.js";
 import { textOfScene } from "./scene-link.js";
@@ -40,7 +40,7 @@ export class Replays extends Component {
   #known = null;
 
   /**
-   * @param {import("../shell/dom.js").Root} root
+   * @param {import("../widgets/dom.js").Root} root
    * @param {import("../model/shared-client.js").SharedClient} client
    */
   constructor(root, client) {

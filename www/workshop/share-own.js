@@ -1,8 +1,8 @@
 // What can be done with the puzzle that has been made: name it, keep it in this browser, save it as a file.
 
-import { Component } from "../shell/component.js";
-import { setText } from "../shell/dom.js";
-import { sceneName } from "../shell/puzzle-name.js";
+import { Component } from "../widgets/component.js";
+import { setText } from "../widgets/dom.js";
+import { sceneName } from "../puzzles/puzzle-name.js";
 import { ownPuzzles } from "../storage/puzzle-store.js";
 import { plainScene } from "./plain-scene.js";
 import { savePuzzle } from "./puzzle-file.js";
@@ -17,7 +17,7 @@ export class ShareOwn extends Component {
   #kept = null;
 
   /**
-   * @param {import("../shell/dom.js").Root} root
+   * @param {import("../widgets/dom.js").Root} root
    * @param {import("./bend.js").Bend} bend
    * @param {boolean} keeps whether this browser may keep puzzles for the page
    */

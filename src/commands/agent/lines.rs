@@ -3,7 +3,6 @@
 use std::io::{self, BufRead, Read};
 
 use anyhow::{Context, bail};
-use pathlight::play::played::Played;
 use pathlight::puzzle::action::Ball;
 use pathlight::puzzle::own_scene::sentences;
 use pathlight::puzzle::recorded_paths::RecordedPaths;
@@ -11,6 +10,7 @@ use pathlight::puzzle::rollout::Status;
 use pathlight::puzzle::sampled_paths::SampledPaths;
 use pathlight::puzzle::scene::Scene;
 use pathlight::puzzle::task::TaskId;
+use pathlight::session::played::Played;
 use serde::Deserialize;
 use serde_json::Value;
 

@@ -8,14 +8,14 @@ use pathlight::agents::{Origin, Proposal};
 use pathlight::benchmark::auccess::MAX_ATTEMPTS;
 use pathlight::colour::stage::Stage;
 use pathlight::nets::{Imagined, PathNet};
-use pathlight::play::soft_iou::soft_iou;
-use pathlight::play::turn::Turn;
 use pathlight::puzzle::rollout::{Rollout, STEPS_PER_SECOND};
 use pathlight::puzzle::sampled_paths::{SampledPath, SampledPaths};
 use pathlight::puzzle::scene::{Body, Role};
 use pathlight::puzzle::task::{Task, TaskId};
 use pathlight::puzzle::templates::TEMPLATES;
 use pathlight::raster::path_image;
+use pathlight::raster::soft_iou::soft_iou;
+use pathlight::session::turn::Turn;
 use pathlight::simulator::simulate;
 use svg::node::element::{Definitions, Group, Use};
 

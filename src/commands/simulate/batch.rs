@@ -7,9 +7,9 @@ use std::fs::File;
 use std::io::{self, BufRead, BufReader, BufWriter, Read, Write};
 
 use anyhow::{Context, ensure};
-use pathlight::play::played::Played;
 use pathlight::puzzle::own_scene::sentences;
 use pathlight::puzzle::task::Task;
+use pathlight::session::played::Played;
 use pathlight::simulator::Engine;
 use rayon::prelude::*;
 

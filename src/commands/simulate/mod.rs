@@ -6,14 +6,14 @@ use std::io::{self, Write};
 use std::path::PathBuf;
 
 use clap::ArgGroup;
-use pathlight::play::luck::{Luck, luck};
-use pathlight::play::played::Played;
-use pathlight::play::verification::AttemptLine;
 use pathlight::puzzle::action::{Action, Ball, Invalid};
 use pathlight::puzzle::recorded_paths::RecordedPaths;
 use pathlight::puzzle::rollout::{Pose, Rollout, Status};
 use pathlight::puzzle::task::{Task, TaskId};
+use pathlight::search::luck::{Luck, luck};
+use pathlight::session::played::Played;
 use pathlight::simulator::{Engine, Outcome};
+use pathlight::verification::AttemptLine;
 use serde::{Serialize, Serializer};
 
 use super::engine_arg::EngineArg;

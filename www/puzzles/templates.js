@@ -1,6 +1,6 @@
 // The templates of the benchmark and all their tasks, read from the wasm once.
 
-import { pathlight } from "./pathlight.js";
+import { pathlight } from "../shell/pathlight.js";
 
 /** @typedef {import("../pkg/pathlight.js").Template} Template */
 

@@ -1,5 +1,5 @@
-// The keyboard shortcuts of a puzzle; those of its scene are in play/canvas.js. A field that is typed in, a list and a
-// dialog keep their own keys.
+// The keyboard shortcuts of a puzzle; those of its scene are in play/gestures.js. A field that is typed in, a list and
+// a dialog keep their own keys.
 
 /** @typedef {import("../play/session.js").Session} Session */
 

@@ -6,11 +6,11 @@
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-use super::played::Played;
 use crate::puzzle::action::Ball;
 use crate::puzzle::own_scene::sentences;
 use crate::puzzle::rollout::{Status, digest_of};
 use crate::puzzle::task::{Task, TaskId};
+use crate::session::played::Played;
 use crate::simulator::Engine;
 
 /// An attempt, and what came of it. Exactly one of `task` and `scene` is there.

@@ -2,9 +2,10 @@
 
 import { Component } from "./component.js";
 import { find, setText } from "./dom.js";
-import { PANELS, visiblePanels } from "./url-state.js";
+import { PANELS } from "../state/url-state.js";
+import { visiblePanels } from "../state/view.js";
 
-/** @typedef {import("./url-state.js").Panel} Panel */
+/** @typedef {import("../state/url-state.js").Panel} Panel */
 
 export class Tabs extends Component {
   /** @type {Panel[]} */
@@ -22,7 +23,7 @@ export class Tabs extends Component {
     }
   }
 
-  /** @param {import("./url-state.js").View} view */
+  /** @param {import("../state/view.js").View} view */
   setState(view) {
     this.#visible = visiblePanels(view);
     this.#selected = view.panel;

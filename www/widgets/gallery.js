@@ -1,10 +1,10 @@
 // The grid of templates, each with the scene of its first puzzle, how hard its puzzles are, and what has been solved of
 // it.
 
-import { difficultyName, solveRateOf } from "./difficulty.js";
+import { difficultyName, solveRateOf } from "../puzzles/difficulty.js";
 import { LazyThumbnails } from "./lazy-thumbnails.js";
-import { pathlight } from "./pathlight.js";
-import { hrefOf } from "./url-state.js";
+import { pathlight } from "../shell/pathlight.js";
+import { hrefOf } from "../state/url-state.js";
 
 /** @typedef {import("../pkg/pathlight.js").Template} Template */
 
@@ -69,7 +69,7 @@ export class Gallery {
     this.#thumbnails.redraw();
   }
 
-  /** @param {import("./url-state.js").State} state */
+  /** @param {import("../state/url-state.js").State} state */
   setState(state) {
     this.#hrefOf = (task) => hrefOf(state, task);
     for (const [

@@ -1,6 +1,6 @@
 // The sheet “About Pathlight”: how the loaded model was trained, as its card says.
 
-import { Component } from "./component.js";
+import { Component } from "../widgets/component.js";
 
 /** The licences of all that is shipped. Not in the markup, because only a module knows where it lies. */
 const LICENCES = new URL("../pkg/licences.txt", import.meta.url);
@@ -57,7 +57,7 @@ export class About extends Component {
   #client;
 
   /**
-   * @param {import("./dom.js").Root} root
+   * @param {import("../widgets/dom.js").Root} root
    * @param {import("../model/shared-client.js").SharedClient} client
    */
   constructor(root, client) {

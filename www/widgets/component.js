@@ -14,8 +14,8 @@
 import { byId, fromTemplate, setText } from "./dom.js";
 
 /** @typedef {import("../play/session.js").Session} Session */
-/** @typedef {import("./url-state.js").State} State */
-/** @typedef {import("./url-state.js").View} View */
+/** @typedef {import("../state/url-state.js").State} State */
+/** @typedef {import("../state/view.js").View} View */
 /** @typedef {import("./dom.js").Root} Root */
 
 export class Component extends EventTarget {
@@ -74,7 +74,7 @@ export class Component extends EventTarget {
    * @protected
    * @param {EventTarget} target
    * @param {string} event
-   * @param {() => void} act
+   * @param {(event: Event) => void} act
    */
   listenTo(target, event, act) {
     target.addEventListener(event, act, { signal: this.#closed.signal });

@@ -2,7 +2,7 @@
 // picture waits for nothing longer.
 
 // By the path from another folder: in a bundle this import stays, in a file that lies in one.
-import { compileWasm } from "../shell/compile-wasm.js";
+import { compileWasm } from "../loading/compile-wasm.js";
 
 /** @type {Promise<WebAssembly.Module> | null} */
 let loaded = null;

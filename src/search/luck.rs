@@ -42,9 +42,9 @@ pub fn luck(scene: &Scene, ball: Ball) -> Luck {
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod tests {
     use super::*;
-    use crate::play::verification::AttemptLine;
     use crate::puzzle::rollout::Status;
     use crate::puzzle::task::Task;
+    use crate::verification::AttemptLine;
 
     #[test]
     fn the_balls_within_a_pixel_are_tried_one_by_one() {
