@@ -87,6 +87,9 @@ impl AttemptLine {
 
     /// Simulates the attempt again and compares.
     pub fn verify(&self) -> Verdict {
+        if self.digest.len() != 64 || !self.digest.bytes().all(|byte| matches!(byte, b'0'..=b'9' | b'a'..=b'f')) {
+            return Verdict::NotValid("`digest` is not a SHA-256: it has 64 hexadecimal digits, in lower case.".into());
+        }
         let again = match (self.played(), self.ball, self.status) {
             (Err(why), ..) => return Verdict::NotValid(why),
             (Ok(played), None, Status::Invalid) => AttemptLine::placing_no_ball(&played, self.engine),
@@ -137,6 +140,10 @@ mod tests {
         assert!(other(AttemptLine { status: Status::Solved, ..line() }));
         assert!(other(AttemptLine { digest: "0".repeat(64), ..line() }));
         assert!(other(AttemptLine { ball: Some(Ball { x: 129.0, y: 250.0, r: 4.0 }), ..line() }));
+        for digest in [line().digest.to_uppercase(), line().digest[1..].to_string(), "g".repeat(64), "é".repeat(32)] {
+            let verdict = AttemptLine { digest, ..line() }.verify();
+            assert!(matches!(&verdict, Verdict::NotValid(why) if why.contains("64 hexadecimal digits")), "{verdict:?}");
+        }
         let outside = Some(Ball { x: 1.0, y: 250.0, r: 4.0 });
         assert!(matches!(AttemptLine { ball: outside, ..line() }.verify(), Verdict::NotValid(_)));
         assert!(matches!(AttemptLine { task: None, ..line() }.verify(), Verdict::NotValid(_)));

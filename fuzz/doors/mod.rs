@@ -38,6 +38,7 @@ mod commands {
     pub mod differences;
     pub mod file_lock;
     pub mod journal;
+    pub mod json_lines;
     pub mod label {
         pub mod lines;
     }
@@ -141,10 +142,9 @@ pub fn labels(bytes: &[u8]) {
 
 /// Lines that `pathlight agent` is told.
 pub fn agent(bytes: &[u8]) {
-    let mut source = bytes;
-    while let Some(line) = commands::agent::lines::next_line(&mut source).expect("bytes are read") {
-        use commands::agent::lines::Line;
-        match line.and_then(|line| Line::parse(&line)) {
+    use commands::agent::lines::{Line, MAX_LINE};
+    for line in commands::json_lines::Lines::new(bytes, MAX_LINE) {
+        match line.expect("bytes are read").text.and_then(|text| Line::parse(&text)) {
             Ok(Line::Scene(scene)) => look_at(&scene),
             Ok(Line::Own(played)) => look_at(&played.scene),
             Ok(Line::Task(id)) => drop(Task::load(id).inspect_err(says_why)),

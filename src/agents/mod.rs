@@ -103,8 +103,8 @@ pub fn start(nets: &PathNet, scene: &Scene, seed: u64, count: usize) -> Box<dyn 
 /// Returns up to `count` proposals of the model, without learning from attempts: the balls that its dynamics net finds
 /// most probable; from weights without one those of its judge; without a judge those that its placement map suggests.
 pub fn propose(nets: &PathNet, scene: &Scene, seed: u64, count: usize) -> Vec<Proposal> {
-    if let Some(candidates) = imagined_candidates(nets, scene, count) {
-        return OnlineAgent::new(candidates, Similarity::DEFAULT).list(count);
+    if let Some(proposals) = imagined_candidates::proposals(nets, scene, count) {
+        return proposals;
     }
     // Damaged weights may have a judge whose logits are NaN; it ranks nothing.
     match from_judge(nets, scene, count) {

@@ -1,7 +1,7 @@
 //! The argument that names DQN's weights, and the check that a fold may use them.
 
-use std::fs;
 use std::path::PathBuf;
+use std::{fs, path};
 
 use anyhow::{Context, ensure};
 use pathlight::nets::{Dqn, DqnCard, flex};
@@ -23,7 +23,8 @@ impl DqnArgs {
     /// # Errors
     /// If the file cannot be read, or its net was trained on another fold and so may know the test tasks of this.
     pub fn load(&self, fold: &FoldArgs) -> anyhow::Result<(Dqn, DqnCard)> {
-        let path = self.dqn.clone().unwrap_or_else(|| fold.folder().join("dqn/weights.safetensors"));
+        let default = || path::absolute(fold.folder().join("dqn/weights.safetensors"));
+        let path = self.dqn.clone().map_or_else(default, Ok)?;
         let name = path.display();
         let bytes = fs::read(&path).with_context(|| {
             format!("cannot read DQN's weights in {name}: run `pathlight train-dqn`, or name a file with --dqn")

@@ -15,8 +15,8 @@ pub struct FoldArgs {
     #[arg(long, value_parser = setup(), default_value = "within")]
     pub setup: Setup,
 
-    /// Fold of the benchmark
-    #[arg(long, default_value_t = 0, value_parser = clap::value_parser!(u8).range(0..i64::from(FOLDS)))]
+    /// Fold of the benchmark, 0 to 9
+    #[arg(long, default_value_t = 0, value_parser = fold)]
     pub fold: u8,
 }
 
@@ -47,6 +47,12 @@ impl fmt::Display for FoldArgs {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}-{}", self.setup, self.fold)
     }
+}
+
+/// Parses the number of a fold.
+pub fn fold(text: &str) -> Result<u8, String> {
+    let number = text.parse().ok().filter(|number| *number < FOLDS);
+    number.ok_or_else(|| format!("the folds are 0 to {}", FOLDS - 1))
 }
 
 /// Returns at most the first `limit` tasks of each template, of tasks in ascending order.

@@ -31,6 +31,7 @@ mod fold_args;
 mod forecasts;
 mod journal;
 mod json_file;
+mod json_lines;
 mod label;
 mod labelled_scenes;
 mod merge;

@@ -1,7 +1,7 @@
 //! The arguments that name a model's weights, and the check that a fold may use them.
 
-use std::fs;
 use std::path::PathBuf;
+use std::{fs, path};
 
 use anyhow::{Context, ensure};
 use pathlight::nets::{Card, PathNet, flex};
@@ -22,10 +22,14 @@ impl ModelArgs {
     /// # Errors
     /// If the file cannot be read, or its nets were trained on another fold and so may know the test tasks of this.
     pub fn load(&self, &FoldArgs { setup, fold }: &FoldArgs) -> anyhow::Result<(PathNet, Card)> {
-        let path = self.weights.clone().unwrap_or_else(|| format!("assets/{setup}-{fold}.safetensors").into());
+        let default = || path::absolute(format!("assets/{setup}-{fold}.safetensors"));
+        let path = self.weights.clone().map_or_else(default, Ok)?;
         let name = path.display();
         let bytes = fs::read(&path).with_context(|| {
-            format!("cannot read the weights in {name}: run `pathlight train`, or name a file with --weights")
+            format!(
+                "cannot read the weights in {name}: run this in Pathlight's folder, or name a file that `pathlight train` \
+                 has written with --weights"
+            )
         })?;
         let (nets, card) = PathNet::load(&bytes, &flex()).with_context(|| format!("cannot use {name}"))?;
         ensure!(

@@ -27,7 +27,7 @@ pub struct Args {
     #[arg(long = "task", value_name = "TASK")]
     tasks: Vec<TaskId>,
 
-    /// Propose for the own scene of this file instead, JSON as `tasks --schema` describes it
+    /// Propose for the own scene of this file ("-" is standard input) instead, JSON as `tasks --schema` describes it
     #[arg(long, value_name = "FILE", conflicts_with = "tasks")]
     scene: Option<PathBuf>,
 
@@ -39,7 +39,7 @@ pub struct Args {
     #[arg(long, default_value_t = 0)]
     seed: u64,
 
-    /// File to write; - is standard output
+    /// File to write; "-" is standard output
     #[arg(long, default_value = "-")]
     out: PathBuf,
 

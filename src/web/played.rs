@@ -85,5 +85,9 @@ fn bad_scene(problems: &[Problem]) -> JsValue {
 
 /// Returns a value that is no text as a person would write it, for the error that names it.
 pub fn written(value: &JsValue) -> String {
+    // JSON has no NaN and no infinity.
+    if let Some(number) = value.as_f64().filter(|number| !number.is_finite()) {
+        return number.to_string();
+    }
     js_sys::JSON::stringify(value).ok().and_then(|text| text.as_string()).unwrap_or_else(|| "undefined".to_string())
 }

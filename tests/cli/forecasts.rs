@@ -9,6 +9,7 @@ fn solved_and_missed_balls_are_counted_and_imagined_better_than_at_rest() {
     let table = output_of(&["forecasts", "--limit", "1", "--balls", "4"]);
     let row = |name: &str| -> Vec<f64> {
         let line = table.lines().find_map(|line| line.strip_prefix(name)).expect("a row");
+        assert_eq!(line.matches('(').count(), line.matches(')').count(), "{line}");
         let numbers = line.split_whitespace().filter_map(|word| word.trim_matches(['(', ')']).parse().ok());
         numbers.collect()
     };

@@ -9,6 +9,7 @@ use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
 use pathlight::nets::{Card, PathNet, flex};
+use serde_json::Value;
 
 mod agent;
 mod calibration;
@@ -54,6 +55,13 @@ fn output_of(args: &[&str]) -> String {
     let output = run(args, "");
     assert!(output.status.success(), "{args:?}: {}", stderr(&output));
     stdout(&output)
+}
+
+/// Returns an answer to a JSON line without the number of the line, which must be this.
+fn without_line(number: usize, answer: &str) -> Value {
+    let mut answer: Value = serde_json::from_str(answer).unwrap_or_else(|error| panic!("{error}: {answer}"));
+    assert_eq!(answer.as_object_mut().and_then(|keys| keys.remove("line")), Some(number.into()), "{answer}");
+    answer
 }
 
 /// Asserts that a run is refused: nothing on standard output, an error that contains these words, exit code 2.

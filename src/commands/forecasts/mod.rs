@@ -141,12 +141,12 @@ impl Args {
                 (0..PRINTED.len()).map(|index| format!("{:>7.1}", mean(&|one| one.distances[index]))).collect();
             writeln!(
                 text,
-                "{name:12}{:>9}{:>7.1} %{:>11.1} %{:>8.2}{:>12.2}){:>7.2}{}",
+                "{name:12}{:>9}{:>7.1} %{:>11.1} %{:>8.2}{:>13}{:>7.2}{}",
                 of.len(),
                 100.0 * mean(&|one| one.chance),
                 100.0 * mean(&|one| one.path_chance),
                 mean(&|one| one.object_iou),
-                mean(&|one| one.resting_iou),
+                format!("({:.2})", mean(&|one| one.resting_iou)),
                 mean(&|one| one.ball_iou),
                 distances.concat()
             )?;
