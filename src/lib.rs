@@ -25,8 +25,7 @@
 //! | `raster` | scenes and rollouts as 64 x 64 images |
 //! | `simulator` | computes the rollout of a scene and a ball: a port of Box2D 2.3's step on rapier2d's geometry |
 //! | `benchmark` | PHYRE's folds and its metric, auccess |
-//! | `dataset` | what nets learn from: solutions, labelled balls, samples |
-//! | `nets` | the four nets that imagine paths, the judge, the dynamics net, DQN, their weights and their training |
+//! | `nets` | the four nets that imagine paths, the judge, the dynamics net, DQN, their weights, and with the feature `training` their training |
 //! | `agents` | who proposes balls: from imagined paths, from maps, at random |
 //! | `play` | one session on one puzzle, an agent's turn, the map of all solutions, soft IoU |
 //! | `web` | the wasm exports; wasm32 only |
@@ -34,7 +33,6 @@
 pub mod agents;
 pub mod benchmark;
 pub mod colour;
-pub mod dataset;
 pub mod nets;
 pub mod play;
 pub mod puzzle;

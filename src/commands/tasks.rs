@@ -13,12 +13,13 @@ use serde::Serialize;
 use serde_json::{Map, Value};
 
 use super::own_scene_file;
+use super::template_arg::template;
 
 /// List the templates, the tasks of one, or scenes as JSON
 #[derive(clap::Args)]
 pub struct Args {
     /// List the 100 tasks of this template, with their parameters
-    #[arg(long, value_name = "TEMPLATE", value_parser = super::template)]
+    #[arg(long, value_name = "TEMPLATE", value_parser = template)]
     template: Option<&'static Template>,
 
     /// Print scenes as JSON, one per line: of this task (like 00007:008), or of all tasks if none is named
