@@ -1,8 +1,8 @@
 //! The doors: one function for each kind of input from outside, from its bytes to what becomes of them. None may panic,
 //! hang, or refuse without a word, whatever the bytes are.
 //!
-//! `targets/` feeds them with libFuzzer, `tests/doors.rs` with the corpus and mutations of it. The parsers of the
-//! command line are modules of the binary, so they are included here by their paths.
+//! `targets/` feeds them with libFuzzer, `lab/tests/doors.rs` with the corpus and mutations of it. The parsers of
+//! the player's command line are modules of its binary, so they are included here by their paths.
 
 use std::path::Path;
 use std::str;
@@ -18,9 +18,11 @@ use pathlight::raster;
 use pathlight::session::played::Played;
 use pathlight::simulator::simulate;
 use pathlight::verification::{AttemptLine, Verdict};
+use pathlight_lab::data::collect::CollectEntry;
+use pathlight_lab::data::labels::LabelledBalls;
+use pathlight_lab::files::journal::{self, Entry};
 use serde_json::Value;
 
-use commands::journal::{self, Entry};
 use commands::simulate::start::{Place, Request};
 
 mod any_scene;
@@ -32,16 +34,7 @@ mod commands {
     pub mod agent {
         pub mod lines;
     }
-    pub mod collect {
-        pub mod lines;
-    }
-    pub mod differences;
-    pub mod file_lock;
-    pub mod journal;
     pub mod json_lines;
-    pub mod label {
-        pub mod lines;
-    }
     pub mod simulate {
         pub mod start;
     }
@@ -128,14 +121,14 @@ pub fn weights(bytes: &[u8]) {
     }
 }
 
-/// A file of `pathlight collect`.
+/// A file of `pathlight-lab data collect`.
 pub fn solutions(bytes: &[u8]) {
-    journal::<commands::collect::lines::CollectEntry>(bytes);
+    journal::<CollectEntry>(bytes);
 }
 
-/// A file of `pathlight label`. What it lets through can be trained on.
+/// A file of `pathlight-lab data label`. What it lets through can be trained on.
 pub fn labels(bytes: &[u8]) {
-    for line in journal::<pathlight::dataset::labels::LabelledBalls>(bytes) {
+    for line in journal::<LabelledBalls>(bytes) {
         assert!(line.solved.iter().chain(&line.failed).all(|&ball| logit_index(ball).is_ok()));
     }
 }

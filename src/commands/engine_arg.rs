@@ -1,4 +1,4 @@
-//! The argument that names the engine; part of the arguments of other commands.
+//! The argument that names the engine; the lab's binary takes it too.
 
 use pathlight::simulator::Engine;
 

@@ -14,13 +14,14 @@ use pathlight::puzzle::templates::{TEMPLATES, Template};
 use serde::Serialize;
 use serde_json::{Map, Value};
 
+use super::template_arg::template;
 use super::{fold_args, own_scene_file};
 
 /// List the templates, the tasks of a template or of a fold, or print scenes as JSON
 #[derive(clap::Args)]
 pub struct Args {
     /// List the 100 tasks of this template, with their parameters
-    #[arg(long, value_name = "TEMPLATE", value_parser = super::template)]
+    #[arg(long, value_name = "TEMPLATE", value_parser = template)]
     template: Option<&'static Template>,
 
     /// List the tasks of this fold of the benchmark, 0 to 9

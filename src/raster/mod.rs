@@ -2,7 +2,7 @@
 //!
 //! Everything is drawn at 256 x 256 pixels, one per px. For the four nets it is max-pooled to 64 x 64 cells, as in the
 //! data of Harter et al. (2020); for the judge, the dynamics net and DQN it is average-pooled. Row 0 is the bottom of
-//! the scene. Also defines how cells map to scene coordinates. Used by `dataset`, `nets`, `agents`, `search` and the
+//! the scene. Also defines how cells map to scene coordinates. Used by `nets`, `agents`, `search`, the lab and the
 //! page. Must not depend on the simulator or on nets.
 
 use scan_conversion::{Span, body_spans, disc_spans};

@@ -3,7 +3,7 @@
 
 use crate::puzzle::own_scene::{MAX_OVERLAP, OwnScene, Problem};
 use crate::puzzle::scene::Scene;
-use crate::simulator::overlap::overlaps;
+use crate::simulator::penetration::overlaps;
 
 /// Returns why a scene may not be played, all reasons; none if it may.
 pub fn problems(own: &OwnScene) -> Vec<Problem> {

@@ -91,7 +91,7 @@ export class Pathlight {
   }
 
   /**
-   * Loads weights that `pathlight train`, `train-judge` or `train-dynamics` has written, in place of those there are.
+   * Loads weights that `pathlight-lab train` has written, in place of those there are.
    * @param {BufferSource | URL | string} weights their bytes or their address; in Node also a path
    * @param {OnProgress} [onProgress]
    */

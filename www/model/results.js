@@ -1,7 +1,7 @@
 // The measurements of the shipped models: which test tasks each agent solves, and how often its chances come true. Read
 // only when somebody asks for them. Knows nothing of the document.
 //
-// assets/results.json, which `pathlight publish-results` writes.
+// assets/results.json, which `pathlight-lab publish results` writes.
 
 import { failure } from "../api/failure.js";
 import { readFile } from "../api/files.js";
@@ -54,7 +54,7 @@ async function load() {
   const { models } = await new Response(bytes).json().catch(() => {
     throw failure(
       "bad_data",
-      `The results are damaged: what ${ADDRESS} holds is not JSON. Write it again by “pathlight publish-results”.`,
+      `The results are damaged: what ${ADDRESS} holds is not JSON. Write it again by “pathlight-lab publish results”.`,
     );
   });
   return models;

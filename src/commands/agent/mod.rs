@@ -6,6 +6,7 @@
 use std::io::{self, Write};
 
 use anyhow::ensure;
+use pathlight::agents::agent_name::{AgentName, Loaded};
 use pathlight::agents::{Agent, Observation};
 use pathlight::benchmark::auccess::MAX_ATTEMPTS;
 use pathlight::nets::{Dqn, PathNet};
@@ -16,11 +17,10 @@ use pathlight::puzzle::scene::Scene;
 use pathlight::puzzle::task::{Task, TaskId};
 use serde::Serialize;
 
-use super::agent_name::{AgentName, Loaded};
-use super::dqn_args::DqnArgs;
+use super::agent_arg::agent;
 use super::fold_args::FoldArgs;
 use super::json_lines::{Lines, Numbered, Refusal};
-use super::model_args::ModelArgs;
+use super::model_args::{DqnArgs, ModelArgs};
 use super::simulate::whole_numbers;
 use lines::{Line, MAX_LINE};
 
@@ -48,7 +48,7 @@ pub struct Args {
     fold: FoldArgs,
 
     /// Agent that plays [default: online; from weights without a dynamics net judge, without a judge paper]
-    #[arg(long, value_enum)]
+    #[arg(long, value_parser = agent())]
     agent: Option<AgentName>,
 
     /// Seed of all random draws
@@ -75,12 +75,13 @@ struct Answer {
 
 impl Args {
     pub fn run(self) -> anyhow::Result<()> {
+        let fold = self.fold.into();
         let (agent, nets, dqn) = if self.agent == Some(AgentName::Random) {
             (AgentName::Random, None, None)
         } else if self.agent == Some(AgentName::Dqn) {
-            (AgentName::Dqn, None, Some(self.dqn.load(&self.fold)?.0))
+            (AgentName::Dqn, None, Some(self.dqn.load(fold)?))
         } else {
-            let (nets, _) = self.model.load(&self.fold)?;
+            let nets = self.model.load(fold)?;
             let default = match (&nets.dynamics, &nets.judge) {
                 (Some(_), _) => AgentName::Online,
                 (None, Some(_)) => AgentName::Judge,
