@@ -8,8 +8,8 @@ use std::path::Path;
 use std::str;
 
 use pathlight::agents;
+use pathlight::nets::PathNet;
 use pathlight::nets::judge::logit_index;
-use pathlight::nets::{PathNet, flex};
 use pathlight::play::played::Played;
 use pathlight::play::verification::{AttemptLine, Verdict};
 use pathlight::puzzle::own_scene::{OwnScene, sentences};
@@ -123,7 +123,7 @@ pub fn batch(bytes: &[u8]) {
 /// A file of weights: the bytes, and the shipped file with its head changed by the bytes.
 pub fn weights(bytes: &[u8]) {
     for file in [bytes.to_vec(), weights_file::changed(bytes)] {
-        let _ = PathNet::load(&file, &flex()).inspect_err(says_why);
+        let _ = PathNet::load(&file).inspect_err(says_why);
     }
 }
 

@@ -1,8 +1,8 @@
 //! The agents that propose balls: the model, which may learn from its attempts, and the random agent.
 //!
 //! The page, `propose` and `evaluate` all call these functions, so the same seed yields the same attempts. The judge's
-//! logits and probabilities are the same natively and in wasm, bit for bit; the maps of the four nets differ in the
-//! last bits where the exponential functions of the two do, so that the placement map may start from another ball. No
+//! logits and probabilities are the same natively and in wasm, bit for bit. The maps of the paper's nets differ in the
+//! last bits, as the exponential functions of the two do, so the placement map may start from another ball. No
 //! agent calls the simulator. All balls are valid and in the order of the attempts. `seed` is that of one puzzle:
 //! `TaskId::seed`.
 
@@ -30,12 +30,12 @@ use crate::puzzle::action::Ball;
 use crate::puzzle::sampled_paths::SampledPaths;
 use crate::puzzle::scene::Scene;
 
-/// An agent at work on one puzzle: it proposes balls one by one, and may learn from what became of them.
+/// An agent at work on one puzzle: it proposes balls one by one, and may learn from their outcomes.
 pub trait Agent: Send {
     /// Returns the next ball; `None` if it has no more.
     fn propose(&mut self) -> Option<Proposal>;
 
-    /// Tells the outcome of the attempt with the ball that it proposed last.
+    /// Tells the agent the outcome of the attempt with the ball that it proposed last.
     fn observe(&mut self, observation: &Observation);
 }
 
@@ -47,7 +47,7 @@ pub struct Observation {
     pub paths: Option<SampledPaths>,
 }
 
-/// A list that was ordered beforehand: it learns nothing.
+/// A list that was ordered beforehand is an agent that learns nothing.
 impl Agent for std::vec::IntoIter<Proposal> {
     fn propose(&mut self) -> Option<Proposal> {
         self.next()

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::PathBuf;
 
 use anyhow::{Context, ensure};
-use pathlight::nets::{Dqn, DqnCard, flex};
+use pathlight::nets::{Dqn, DqnCard};
 
 use super::fold_args::FoldArgs;
 
@@ -28,7 +28,7 @@ impl DqnArgs {
         let bytes = fs::read(&path).with_context(|| {
             format!("cannot read DQN's weights in {name}: run `pathlight train-dqn`, or name a file with --dqn")
         })?;
-        let (net, card) = Dqn::load(&bytes, &flex())
+        let (net, card) = Dqn::load(&bytes)
             .with_context(|| format!("cannot use {name} as DQN's weights, which `pathlight train-dqn` writes"))?;
         ensure!(
             card.setup == fold.setup && card.fold == fold.fold,

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::PathBuf;
 
 use anyhow::{Context, ensure};
-use pathlight::nets::{Card, PathNet, flex};
+use pathlight::nets::{Card, PathNet};
 
 use super::fold_args::FoldArgs;
 
@@ -27,7 +27,7 @@ impl ModelArgs {
         let bytes = fs::read(&path).with_context(|| {
             format!("cannot read the weights in {name}: run `pathlight train`, or name a file with --weights")
         })?;
-        let (nets, card) = PathNet::load(&bytes, &flex()).with_context(|| format!("cannot use {name}"))?;
+        let (nets, card) = PathNet::load(&bytes).with_context(|| format!("cannot use {name}"))?;
         ensure!(
             card.setup == setup && card.fold == fold,
             "{name} was trained on {} {}, so it may have seen the test tasks of {setup} {fold}: use other weights",

@@ -9,7 +9,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, ensure};
-use pathlight::nets::{PathNet, flex};
+use pathlight::nets::PathNet;
 use serde::{Deserialize, Serialize};
 
 use super::digest;
@@ -47,8 +47,7 @@ impl Args {
         let mut written = Vec::new();
         for path in &self.weights {
             let bytes = fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
-            let (nets, card) =
-                PathNet::load(&bytes, &flex()).with_context(|| format!("cannot use {}", path.display()))?;
+            let (nets, card) = PathNet::load(&bytes).with_context(|| format!("cannot use {}", path.display()))?;
             ensure!(
                 !card.dynamics.as_ref().is_some_and(|dynamics| dynamics.without_paths),
                 "{} was trained with --without-paths, so the page would show paths that mean nothing: train it without that \

@@ -8,7 +8,7 @@ use anyhow::ensure;
 use pathlight::dataset::samples::Sample;
 use pathlight::dataset::solutions::Solution;
 use pathlight::nets::training::{Batch, Schedule, Trainer};
-use pathlight::nets::{Card, PathNet, flex};
+use pathlight::nets::{Card, PathNet};
 use pathlight::puzzle::task::Task;
 use pathlight::simulator;
 use rand::seq::SliceRandom;
@@ -57,7 +57,7 @@ impl Args {
     pub fn run(self) -> anyhow::Result<()> {
         let folder = self.training.out.clone().unwrap_or_else(|| self.fold.folder());
         let (samples, card) = self.samples()?;
-        let trainer = Trainer::<PathNet>::new(flex(), self.training.seed);
+        let trainer = Trainer::<PathNet>::new(self.training.seed);
         let data = digest(&self.solutions)?;
         let mut run = TrainingRun::open(folder, card, data, &["base", "target", "action", "placement"], trainer)?;
         let batches_per_epoch = samples.len().div_ceil(self.training.batch.into());

@@ -7,7 +7,7 @@
 use std::path::PathBuf;
 
 use pathlight::nets::training::{DqnBatch, Trainer};
-use pathlight::nets::{Dqn, DqnCard, flex};
+use pathlight::nets::{Dqn, DqnCard};
 use pathlight::raster::scene_coverage;
 
 use super::digest;
@@ -60,7 +60,7 @@ impl Args {
         };
         let folder = self.training.out.clone().unwrap_or_else(|| self.fold.folder().join("dqn"));
         let digests = self.labels.iter().map(|path| digest(path)).collect::<anyhow::Result<Vec<_>>>()?;
-        let trainer = Trainer::<Dqn>::new(flex(), self.training.seed);
+        let trainer = Trainer::<Dqn>::new(self.training.seed);
         let mut run = TrainingRun::open(folder, card, digests.join(" "), &["dqn"], trainer)?;
         let plan = scenes.plan(self.epochs, &self.training);
         let complete = run.train(

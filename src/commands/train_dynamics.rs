@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, ensure};
 use pathlight::nets::training::{DynamicsBatch, Trainer};
-use pathlight::nets::{DynamicsCard, DynamicsNet, flex};
+use pathlight::nets::{DynamicsCard, DynamicsNet};
 use pathlight::raster::scene_coverage;
 
 use super::digest;
@@ -92,9 +92,9 @@ impl Args {
         });
         let folder = self.training.out.clone().unwrap_or_else(|| self.fold.folder().join("dynamics"));
         let trainer = match (&self.from, judge) {
-            (Some(path), _) => Trainer::from_nets(self.dynamics_of(path, without_dev)?, flex()),
-            (None, Some((judge, _))) => Trainer::from_judge(judge, flex(), self.training.seed),
-            (None, None) => Trainer::<DynamicsNet>::new(flex(), self.training.seed),
+            (Some(path), _) => Trainer::from_nets(self.dynamics_of(path, without_dev)?),
+            (None, Some((judge, _))) => Trainer::from_judge(judge, self.training.seed),
+            (None, None) => Trainer::<DynamicsNet>::new(self.training.seed),
         };
         let losses = ["cell", "ball", "from paths", "paths", "errors"];
         let digests = self.labels.iter().map(|path| digest(path)).collect::<anyhow::Result<Vec<_>>>()?;

@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use std::slice;
 
 use pathlight::nets::training::{JudgeBatch, Trainer};
-use pathlight::nets::{Judge, JudgeCard, flex};
+use pathlight::nets::{Judge, JudgeCard};
 use pathlight::raster::scene_coverage;
 
 use super::digest;
@@ -57,7 +57,7 @@ impl Args {
             balls: scenes.balls(),
         });
         let folder = self.training.out.clone().unwrap_or_else(|| self.fold.folder().join("judge"));
-        let trainer = Trainer::<Judge>::new(flex(), self.training.seed);
+        let trainer = Trainer::<Judge>::new(self.training.seed);
         let mut run = TrainingRun::open(folder, card, digest(&self.labels)?, &["judge"], trainer)?;
         let plan = scenes.plan(self.epochs, &self.training);
         let complete = run.train(

@@ -8,7 +8,7 @@ use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
-use pathlight::nets::{Card, PathNet, flex};
+use pathlight::nets::{Card, PathNet};
 
 mod agent;
 mod calibration;
@@ -76,7 +76,7 @@ fn without_dynamics(folder: &Path) -> String {
 /// Writes the shipped weights with a change; returns the file.
 fn changed_weights(out: &Path, change: impl FnOnce(&mut PathNet, &mut Card)) -> String {
     let bytes = fs::read("assets/within-0.safetensors").expect("weights");
-    let (mut nets, mut card) = PathNet::load(&bytes, &flex()).expect("our own weights");
+    let (mut nets, mut card) = PathNet::load(&bytes).expect("our own weights");
     change(&mut nets, &mut card);
     fs::write(out, nets.save(&card).expect("weights")).expect("a file");
     out.display().to_string()

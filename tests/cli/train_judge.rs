@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use pathlight::benchmark::folds::{Fold, Setup};
-use pathlight::nets::{PathNet, flex};
+use pathlight::nets::PathNet;
 use pathlight::puzzle::task::{Task, TaskId};
 use pathlight::puzzle::templates::TEMPLATES;
 use tempfile::tempdir;
@@ -27,7 +27,7 @@ fn a_judge_joins_the_weights_and_orders_the_attempts() {
     let whole = judge("whole", &[]);
     let out = whole.join("weights.safetensors").display().to_string();
     let bytes = fs::read(&out).expect("weights");
-    let (nets, card) = PathNet::load(&bytes, &flex()).expect("weights that fit");
+    let (nets, card) = PathNet::load(&bytes).expect("weights that fit");
     assert!(nets.judge.is_some());
     let training = Fold::new(Setup::Within, 0).all_train();
     let usable = usable_balls(&labels, &training);

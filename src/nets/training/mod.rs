@@ -9,4 +9,4 @@ mod trainer;
 pub use dqn::DqnBatch;
 pub use dynamics::DynamicsBatch;
 pub use schedule::{Schedule, WARMUP_STEPS};
-pub use trainer::{Batch, JudgeBatch, Module, Trainer};
+pub use trainer::{Batch, CheckpointError, JudgeBatch, Trainable, Trainer};
