@@ -8,6 +8,7 @@ use std::collections::BTreeMap;
 use std::io::{self, Write};
 use std::path::PathBuf;
 
+use pathlight::benchmark::folds::Setup;
 use pathlight::puzzle::task::TaskId;
 use serde::Serialize;
 
@@ -41,6 +42,7 @@ struct Results {
 #[derive(Serialize)]
 struct ModelResults {
     name: String,
+    setup: Setup,
     simulator: u32,
     agents_version: u32,
     /// All test tasks of the model's fold, ascending.
@@ -76,6 +78,7 @@ impl Args {
         let (calibration, _) = shipped.read::<Calibration>(&name)?;
         let label = |agent: AgentName| agent.to_string();
         Ok(ModelResults {
+            setup: report.setup,
             simulator: report.simulator,
             agents_version: report.agents_version,
             tasks: fold.tasks().test,

@@ -274,7 +274,7 @@ export class Proposals extends Component {
     if (origin.kind === "perturbed") return `Ball ${origin.number}, moved at random.`;
     if (origin.kind === "imagined") return this.#imaginedWords(origin);
     if (origin.kind === "judge")
-      return `The judge, a fifth net: after what was tried before, this ball has the highest probability of solving, ${Math.round(100 * origin.probability)} %.`;
+      return `The judge: after what was tried before, this ball has the highest probability of solving, ${Math.round(100 * origin.probability)} %.`;
     if (origin.kind === "uniform") return "Random: the placement map shows no place where a ball may be.";
     const map = this.#imagine.maps?.placement;
     const value = map ? ` it is ${valueAt(map, [origin.x, origin.y]).toFixed(2)} at x ${origin.x}, y ${origin.y}.` : "";
