@@ -12,7 +12,7 @@ use crate::puzzle::action::{Ball, Obstacles};
 use crate::puzzle::scene::Scene;
 
 /// Candidates of a scene, unless more are asked for: four times as many as there are attempts.
-const CANDIDATES: usize = 400;
+pub(super) const CANDIDATES: usize = 400;
 
 /// Candidates whose neighbours are imagined too: the others are hardly ever tried.
 const CLIMBERS: usize = 100;
@@ -23,11 +23,15 @@ const STEP: f64 = 1.0;
 /// Returns the candidates of a scene, at least `count` if as many balls fit, all different, though some may be much
 /// alike; `None` if the weights have no dynamics net, or damaged weights know no chance.
 pub fn imagined_candidates(nets: &PathNet, scene: &Scene, count: usize) -> Option<Vec<Candidate>> {
-    let read = nets.read(scene)?;
+    candidates_of(&nets.read(scene)?, scene, count)
+}
+
+/// Returns the candidates of a scene that the dynamics net has read.
+pub(super) fn candidates_of(read: &ReadScene, scene: &Scene, count: usize) -> Option<Vec<Candidate>> {
     let ranked = ranking::ranked(&read.logits, scene, count.max(CANDIDATES));
     let balls: Vec<Ball> = ranked.into_iter().map(|proposal| proposal.ball).collect();
-    let mut candidates: Vec<Candidate> = imagine(&read, &balls).filter(is_finite).collect();
-    climb(&mut candidates, &read, &Obstacles::new(scene));
+    let mut candidates: Vec<Candidate> = imagine(read, &balls).filter(is_finite).collect();
+    climb(&mut candidates, read, &Obstacles::new(scene));
     (!candidates.is_empty()).then_some(candidates)
 }
 
@@ -58,6 +62,8 @@ fn neighbours(ball: Ball, obstacles: &Obstacles) -> impl Iterator<Item = Ball> {
 }
 
 fn imagine(read: &ReadScene, balls: &[Ball]) -> impl Iterator<Item = Candidate> {
+    #[cfg(test)]
+    tests::IMAGINED.set(tests::IMAGINED.get() + balls.len());
     let imagined = read.imagine(balls).into_iter().zip(balls);
     imagined.map(|(ImaginedBall { logit, paths, .. }, &ball)| Candidate { ball, logit: logit.into(), paths })
 }
@@ -69,11 +75,18 @@ fn is_finite(candidate: &Candidate) -> bool {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
+    use std::cell::Cell;
+
     use super::*;
     use crate::agents::{Origin, propose, start};
     use crate::nets::{DynamicsNet, flex};
     use crate::puzzle::task::Task;
+
+    thread_local! {
+        /// Balls that this thread has imagined.
+        pub static IMAGINED: Cell<usize> = const { Cell::new(0) };
+    }
 
     #[test]
     fn a_dynamics_net_yields_valid_balls_that_the_model_tries() {

@@ -4,21 +4,20 @@
 //! a turn simulates up to a hundred rollouts. `Turn` makes one attempt per call, so that the worker can stop in
 //! between.
 
-use std::cell::RefCell;
-
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
 use super::error::{Code, error, to_js};
 use super::played::load;
+use crate::agents::Proposal;
+use crate::agents::memoized_model::MemoizedModel;
 use crate::agents::ranking::probability_map;
-use crate::agents::{self, Proposal};
 use crate::benchmark::folds::Fold;
 use crate::colour::stage::Stage;
-use crate::nets::{Card, Imagined, PathNet, ReadScene, flex};
+use crate::nets::{Card, Imagined, PathNet, flex};
 use crate::play::ending::Ending;
 use crate::play::game::ATTEMPT_LIMIT;
-use crate::play::played::{Played, PlayedId};
+use crate::play::played::Played;
 use crate::play::turn;
 use crate::puzzle::task::TaskId;
 
@@ -28,9 +27,7 @@ const MAX_PROPOSALS: usize = 1000;
 /// The nets with their weights.
 #[wasm_bindgen]
 pub struct Model {
-    pub(super) net: PathNet,
-    /// The last scene that the dynamics net has read.
-    pub(super) last_read: RefCell<Option<(PlayedId, ReadScene)>>,
+    pub(super) model: MemoizedModel,
     card: Card,
     /// The tasks that it was trained on or chosen by, ascending.
     seen: Vec<TaskId>,
@@ -56,9 +53,9 @@ impl Model {
     /// `bad_weights` if the file is damaged or belongs to other nets.
     #[wasm_bindgen(constructor)]
     pub fn new(bytes: &[u8]) -> Result<Model, JsValue> {
-        let (net, card) = PathNet::load(bytes, &flex()).map_err(|why| error(Code::BadWeights, why))?;
+        let (nets, card) = PathNet::load(bytes, &flex()).map_err(|why| error(Code::BadWeights, why))?;
         let seen = Fold::new(card.setup, card.fold).all_train();
-        Ok(Model { net, last_read: RefCell::new(None), card, seen })
+        Ok(Model { model: MemoizedModel::new(nets), card, seen })
     }
 
     /// Returns how the weights were trained.
@@ -87,8 +84,9 @@ impl Model {
         #[wasm_bindgen(unchecked_param_type = "Played")] played: JsValue,
     ) -> Result<JsValue, JsValue> {
         let scene = load(played)?.scene;
-        let imagined = self.net.imagine(&scene);
-        let judge = self.net.cell_logits(&scene).and_then(|logits| probability_map(&logits, &scene));
+        let nets = &self.model.nets;
+        let imagined = nets.imagine(&scene);
+        let judge = nets.cell_logits(&scene).and_then(|logits| probability_map(&logits, &scene));
         let maps = js_sys::Object::new();
         for stage in Stage::ALL {
             let map = match stage {
@@ -119,7 +117,7 @@ impl Model {
     ) -> Result<JsValue, JsValue> {
         let Played { id, scene, .. } = load(played)?;
         let count = count.map_or(Ok(ATTEMPT_LIMIT), whole_count)?;
-        to_js(&agents::propose(&self.net, &scene, id.seed(seed.into()), count))
+        to_js(&self.model.propose(&scene, id.seed(seed.into()), count))
     }
 
     /// Starts the model's turn on a task. The same seed leads to the same attempts.
@@ -132,7 +130,7 @@ impl Model {
         seed: u32,
     ) -> Result<Turn, JsValue> {
         let Played { id, scene, .. } = load(played)?;
-        let agent = agents::start(&self.net, &scene, id.seed(seed.into()), ATTEMPT_LIMIT);
+        let agent = self.model.start(&scene, id.seed(seed.into()), ATTEMPT_LIMIT);
         Ok(Turn(turn::Turn::new(scene, agent)))
     }
 
@@ -146,7 +144,7 @@ impl Model {
         &self,
         #[wasm_bindgen(unchecked_param_type = "Played")] played: JsValue,
     ) -> Result<Vec<f32>, JsValue> {
-        let Imagined { base, target, action, placement } = self.net.imagine(&load(played)?.scene);
+        let Imagined { base, target, action, placement } = self.model.nets.imagine(&load(played)?.scene);
         Ok([base, target, action, placement].concat())
     }
 }
