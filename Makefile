@@ -23,7 +23,8 @@ export PATH := $(TOOLS)/bin:$(PATH)
 export CARGO_TARGET_DIR := $(CURDIR)/target
 
 PACKAGE := www/pkg/pathlight_bg.wasm
-PACKAGED := Cargo.toml Cargo.lock .cargo/config.toml scripts/build-wasm scripts/licences.mjs scripts/optimise-wasm \
+PACKAGED := Cargo.toml Cargo.lock .cargo/config.toml scripts/build-wasm scripts/constants.mjs scripts/licences.mjs \
+	scripts/optimise-wasm \
 	src/web/types.d.ts $(shell find src -name '*.rs' -not -path 'src/commands/*' -not -path src/main.rs)
 
 BUNDLE := scripts/install-tools js-tools && node scripts/bundle-page.mjs

@@ -9,8 +9,7 @@ use crate::rule::{Never, Only, Rule, unknown_files};
 const LAYERS: [&str; 10] = ["pkg", "api", "shell", "model", "play", "panels", "workshop", "element", "page", "offline"];
 
 /// What modules outside of `api/` may import of `pkg`: what the API does not have, because only the player needs it.
-const PLAYER_ONLY: [&str; 7] =
-    ["Puzzle", "constants", "paintDraft", "palette", "paintLegend", "paintOutcomes", "paintOutline"];
+const PLAYER_ONLY: [&str; 6] = ["Puzzle", "paintDraft", "palette", "paintLegend", "paintOutcomes", "paintOutline"];
 
 const RULES: &[Rule] = &[
     Rule {
@@ -113,7 +112,7 @@ fn imports_of_the_wasm_are_found() {
     assert_eq!(names("import {\n  Puzzle,\n} from './pkg/pathlight.js';"), ["Puzzle"]);
     assert_eq!(names("import * as wasm from \"../pkg/pathlight.js\";"), ["*"]);
     assert_eq!(names("const wasm = await import(\"../pkg/pathlight.js\");"), ["*"]);
-    assert_eq!(names("import { load } from \"../api/pathlight.js\";"), [""; 0]);
+    assert_eq!(names("import { load } from \"../api/index.js\";"), [""; 0]);
 }
 
 #[test]

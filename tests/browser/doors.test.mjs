@@ -58,7 +58,7 @@ Object.defineProperty(FullStorage.prototype, "setItem", {
 let page;
 before(async () => {
   Object.assign(globalThis, { localStorage: new MemoryStorage(), addEventListener() {} });
-  const { load } = await import("../../www/api/pathlight.js");
+  const { load } = await import("../../www/api/index.js");
   await load({ weights: null });
   page = {
     ...(await import("../../www/shell/url-state.js")),
@@ -69,7 +69,7 @@ before(async () => {
     ...(await import("../../www/workshop/puzzle-file.js")),
     ...(await import("../../www/workshop/attempt-file.js")),
     ...(await import("../../www/workshop/own-puzzles.js")),
-    ...(await import("../../www/shell/pathlight.js")),
+    ...(await import("../../www/shell/page-api.js")),
   };
 });
 

@@ -11,7 +11,7 @@ import { examples, makeProject, root } from "./project.mjs";
 
 const project = makeProject();
 const [puzzles, drawing] = examples(project, "html");
-const { load } = await import(join(project, "node_modules/pathlight/api/pathlight.js"));
+const { load } = await import(join(project, "node_modules/pathlight/api/index.js"));
 
 let session;
 before(async () => (session = await startOn(await serveStatic(project))));
@@ -77,7 +77,7 @@ test("Vite bundles both, with worker, wasm and weights", async () => {
         '<script type="module" src="./node_modules/pathlight/element/pathlight-puzzle.js"></script>',
         '<script type="module">import "pathlight/element";</script>',
       )
-      .replace("./node_modules/pathlight/api/pathlight.js", "pathlight");
+      .replace("./node_modules/pathlight/api/index.js", "pathlight");
   assert.doesNotMatch(bundled(puzzles + drawing), /node_modules/);
   writeFileSync(join(app, "index.html"), bundled(puzzles));
   writeFileSync(join(app, "imagine.html"), bundled(drawing));

@@ -11,7 +11,7 @@ import { examples, makeProject, root } from "./project.mjs";
 
 const project = makeProject();
 const installed = join(project, "node_modules/pathlight");
-const { load } = await import(join(installed, "api/pathlight.js"));
+const { load } = await import(join(installed, "api/index.js"));
 const TASK = "00007:008";
 
 test("it brings no other packages and one model", () => {
@@ -173,7 +173,7 @@ test("a transfer that breaks off is refused with a code and the address", async 
 test("what is wrong with the files of the models is said, with the address", async () => {
   const copy = join(project, "copy");
   cpSync(installed, copy, { recursive: true });
-  const { load } = await import(join(copy, "api/pathlight.js"));
+  const { load } = await import(join(copy, "api/index.js"));
   rmSync(join(copy, "assets/within-0.safetensors"));
   await assert.rejects(load(), {
     code: "no_weights",

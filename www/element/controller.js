@@ -176,7 +176,7 @@ export class PuzzleController extends EventTarget {
    * What a state plays; null if it is nothing, or an own scene that is still to be read. Then the state is applied
    * again.
    * @param {State} state
-   * @returns {import("../model/messages.js").Played | null}
+   * @returns {import("../pkg/pathlight.js").Played | null}
    */
   #playedOf({ task, scene }) {
     if (scene === null) return task;
@@ -274,7 +274,7 @@ export class PuzzleController extends EventTarget {
     byId(this.#root, id, HTMLDialogElement).showModal();
   }
 
-  /** @param {import("../model/messages.js").Played} played */
+  /** @param {import("../pkg/pathlight.js").Played} played */
   #openPuzzle(played) {
     const session = new Session(played, () => reducedMotion.matches);
     find(this.#root, ".puzzle").setAttribute(

@@ -2,9 +2,9 @@
 
 import { LatestCall } from "./latest-call.js";
 
-/** @typedef {import("./messages.js").Ball} Ball */
-/** @typedef {import("./messages.js").ImaginedBall} ImaginedBall */
-/** @typedef {import("./messages.js").Played} Played */
+/** @typedef {import("../pkg/pathlight.js").Ball} Ball */
+/** @typedef {import("../pkg/pathlight.js").ImaginedBall} ImaginedBall */
+/** @typedef {import("../pkg/pathlight.js").Played} Played */
 
 export class BallImaginer extends EventTarget {
   /**
@@ -67,7 +67,7 @@ export class BallImaginer extends EventTarget {
    */
   async #answerFor(played, ball, signal) {
     if (String(ball) === String(this.answer?.of)) return this.answer;
-    const imagined = await this.#client.imagineBall(played, ball, signal);
+    const imagined = await this.#client.call("imagineBall", [played, ball], signal);
     return imagined && { of: ball, imagined };
   }
 

@@ -6,7 +6,7 @@ import { puzzleKey } from "../shell/attempt-store.js";
 import { LazyThumbnails } from "../shell/lazy-thumbnails.js";
 import { byId, createButton } from "../shell/dom.js";
 import { showNotice } from "../shell/notice.js";
-import { pathlight } from "../shell/pathlight.js";
+import { pathlight } from "../shell/page-api.js";
 import { sceneName } from "../shell/puzzle-name.js";
 import { INITIAL_STATE, formatFragment } from "../shell/url-state.js";
 import { ownPuzzles } from "../workshop/own-puzzles.js";

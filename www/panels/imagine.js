@@ -5,7 +5,7 @@ import { paintLegend, paintOutline } from "../pkg/pathlight.js";
 import { Component } from "../shell/component.js";
 import { GRID_SIDE, STAGES } from "../shell/constants.js";
 import { contextOf, find, setText } from "../shell/dom.js";
-import { pathlight } from "../shell/pathlight.js";
+import { pathlight } from "../shell/page-api.js";
 import { summary } from "../model/map-summary.js";
 import { modelWords } from "../model/model-words.js";
 import { mapWords } from "../model/place-words.js";
@@ -14,7 +14,7 @@ import { sentence } from "../shell/sentence.js";
 import { TroubleBox } from "./trouble-box.js";
 
 /** @typedef {import("../pkg/pathlight.js").Stage} Stage */
-/** @typedef {import("../model/messages.js").Imagined} Imagined */
+/** @typedef {import("../model/worker.js").Imagined} Imagined */
 
 /** So many maps are shaded over the scene; of more only the outlines can be told apart. */
 const MAX_SHADED = 2;
@@ -209,7 +209,7 @@ export class Imagine extends Component {
 
   /**
    * The models to choose from, where there are several.
-   * @param {import("../model/messages.js").LoadedModel} loaded
+   * @param {import("../model/worker.js").LoadedModel} loaded
    */
   #offerModels({ name, names }) {
     setText(this.byId("model-words"), modelWords(name) && `${name} ${modelWords(name)}.`);
@@ -224,7 +224,7 @@ export class Imagine extends Component {
     this.#callFailure = null;
     this.#updateTrouble();
     try {
-      const imagined = await this.#client.imagine(this.session.played, call.signal);
+      const imagined = await this.#client.call("imagine", [this.session.played], call.signal);
       if (!call.signal.aborted) this.#setImagined(imagined);
     } catch (error) {
       if (call.signal.aborted) return;

@@ -4,7 +4,7 @@
 import { Component } from "../shell/component.js";
 import { STAGES } from "../shell/constants.js";
 import { contextOf, find, setText } from "../shell/dom.js";
-import { pathlight } from "../shell/pathlight.js";
+import { pathlight } from "../shell/page-api.js";
 import { chanceWords } from "../model/chance-words.js";
 import { modelWords, seenWords } from "../model/model-words.js";
 import { mapWords } from "../model/place-words.js";
@@ -15,7 +15,7 @@ import { OutcomeStrip } from "./outcome-strip.js";
 
 /** @typedef {import("../pkg/pathlight.js").Stage} Stage */
 /** @typedef {import("../pkg/pathlight.js").TriedProposal} TriedProposal */
-/** @typedef {import("../model/messages.js").Imagined} Imagined */
+/** @typedef {import("../model/worker.js").Imagined} Imagined */
 /** @typedef {{ name: string, imagined: Imagined, tried: TriedProposal[] }} Side what one model imagines and tries */
 
 export class ModelPair extends Component {
@@ -105,8 +105,8 @@ export class ModelPair extends Component {
       await started(this.#other, names[1], call.signal);
       const ask = async (/** @type {SharedClient} */ client, /** @type {string} */ name) => {
         const [imagined, tried] = await Promise.all([
-          client.imagine(played, call.signal),
-          client.propose(played, call.signal),
+          client.call("imagine", [played], call.signal),
+          client.call("propose", [played], call.signal),
         ]);
         return { name, imagined, tried };
       };

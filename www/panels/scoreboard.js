@@ -4,7 +4,7 @@
 
 import { Component } from "../shell/component.js";
 import { ATTEMPT_LIMIT } from "../shell/constants.js";
-import { pathlight } from "../shell/pathlight.js";
+import { pathlight } from "../shell/page-api.js";
 import { puzzleName } from "../shell/puzzle-name.js";
 
 /** @typedef {import("../shell/progress-store.js").ProgressStore} ProgressStore */

@@ -5,7 +5,7 @@ import { Component } from "../shell/component.js";
 import { GRID_SIDE, STAGES } from "../shell/constants.js";
 import { contextOf } from "../shell/dom.js";
 import { download, fileName } from "../shell/download.js";
-import { pathlight } from "../shell/pathlight.js";
+import { pathlight } from "../shell/page-api.js";
 import { STAGE_TEXT } from "../model/stage-text.js";
 import { paintStill } from "../play/still.js";
 

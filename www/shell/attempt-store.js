@@ -10,7 +10,7 @@
 // "simulator" is the version of the simulator.
 
 import { AGENTS_VERSION, SIMULATOR_VERSION } from "./constants.js";
-import { pathlight } from "./pathlight.js";
+import { pathlight } from "./page-api.js";
 
 /** @typedef {import("../pkg/pathlight.js").Attempt} Attempt */
 

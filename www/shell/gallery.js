@@ -3,7 +3,7 @@
 
 import { difficultyName, solveRateOf } from "./difficulty.js";
 import { LazyThumbnails } from "./lazy-thumbnails.js";
-import { pathlight } from "./pathlight.js";
+import { pathlight } from "./page-api.js";
 import { hrefOf } from "./url-state.js";
 
 /** @typedef {import("../pkg/pathlight.js").Template} Template */

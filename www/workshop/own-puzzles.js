@@ -1,7 +1,7 @@
 // The puzzles of a person's own that this browser keeps, in localStorage as JSON: an array of scenes, oldest first. A
 // store that is forbidden, full or damaged keeps nothing but never breaks the page. Knows nothing of the document.
 
-import { pathlight } from "../shell/pathlight.js";
+import { pathlight } from "../shell/page-api.js";
 import { plainScene } from "./plain-scene.js";
 
 /** @typedef {import("../pkg/pathlight.js").OwnScene} OwnScene */

@@ -2,7 +2,7 @@
 // made of it.
 
 import { download, fileName } from "../shell/download.js";
-import { pathlight } from "../shell/pathlight.js";
+import { pathlight } from "../shell/page-api.js";
 import { sceneName } from "../shell/puzzle-name.js";
 import { plainScene } from "./plain-scene.js";
 

@@ -5,7 +5,7 @@
 import { Component } from "../shell/component.js";
 import { AGENTS_VERSION } from "../shell/constants.js";
 import { createButton, setText } from "../shell/dom.js";
-import { pathlight } from "../shell/pathlight.js";
+import { pathlight } from "../shell/page-api.js";
 import { sceneName } from "../shell/puzzle-name.js";
 import { readNativeAttempts } from "../model/native-attempts.js";
 import { readAttempts, saveAttempts } from "./attempt-file.js";
@@ -71,11 +71,8 @@ export class Replays extends Component {
       ...attemptsBy(session.attempts.modelName ?? "model", session.attempts.of("model")),
     ];
     this.#tell(async (signal) => {
-      const lines = await this.#client.attemptLines(
-        session.played,
-        made.map(({ ball }) => ball),
-        signal,
-      );
+      const balls = made.map(({ ball }) => ball);
+      const lines = await this.#client.call("attemptLines", [session.played, balls], signal);
       saveAttempts(
         name,
         lines.map((line, index) => ({ ...line, ...made[index] })),
@@ -91,7 +88,7 @@ export class Replays extends Component {
     this.#tell(async (signal) => {
       const lines = await readAttempts(file);
       if (!signal.aborted) this.#say("Each attempt is simulated again.");
-      const verifications = await this.#client.verify(lines, signal);
+      const verifications = await this.#client.call("verify", [lines], signal);
       this.byId("attempts-read").replaceChildren(...lines.map((line, index) => this.#item(line, verifications[index])));
       const same = verifications.filter(({ verdict }) => verdict === "same").length;
       return (this.#listWords = `${file.name}: ${same} of ${lines.length} attempts come out the same to the bit.`);
@@ -162,7 +159,7 @@ export class Replays extends Component {
     if (!line) return;
     this.#tell(async (signal) => {
       const native = await readNativeAttempts();
-      const [again, ...others] = await this.#client.verify([line, ...native], signal);
+      const [again, ...others] = await this.#client.call("verify", [[line, ...native]], signal);
       const agrees =
         again.verdict === "same"
           ? "A second instance of the simulator has just computed the same, to the bit."
