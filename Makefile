@@ -23,8 +23,9 @@ export PATH := $(TOOLS)/bin:$(PATH)
 export CARGO_TARGET_DIR := $(CURDIR)/target
 
 PACKAGE := www/pkg/pathlight_bg.wasm
-PACKAGED := Cargo.toml Cargo.lock .cargo/config.toml scripts/build-wasm scripts/licences.mjs scripts/optimise-wasm \
-	src/web/types.d.ts src/benchmark/difficulty.json $(shell find src -name '*.rs' -not -path 'src/commands/*' -not -path src/main.rs)
+PACKAGED := Cargo.toml Cargo.lock .cargo/config.toml scripts/build-wasm scripts/constants.mjs scripts/licences.mjs \
+	scripts/optimise-wasm src/web/types.d.ts src/benchmark/difficulty.json \
+	$(shell find src -name '*.rs' -not -path 'src/commands/*' -not -path src/main.rs)
 
 BUNDLE := scripts/install-tools js-tools && node scripts/bundle-page.mjs
 

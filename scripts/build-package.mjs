@@ -65,7 +65,7 @@ export const loadStyleSheets = () =>
  * Parcel finds these files by their names, without `exports`.
  */
 const DOORS = {
-  "pathlight.jsx": 'export * from "./api/pathlight.js";\n',
+  "pathlight.jsx": 'export * from "./api/index.js";\n',
   "element.jsx": 'export * from "./element/pathlight-puzzle.js";\n',
 };
 

@@ -2,7 +2,7 @@
 #![cfg(target_arch = "wasm32")]
 
 use js_sys::Reflect;
-use pathlight::nets::{DynamicsNet, PathNet};
+use pathlight::nets::{Card, DynamicsCard, DynamicsNet, JudgeCard, PathNet};
 use pathlight::session::game::ATTEMPT_LIMIT;
 use pathlight::web::{
     Model, Puzzle, SolutionSearch, SolveMap, attempt_line, auccess, constants, fold, luck, own_scene, palette, raster,
@@ -313,6 +313,30 @@ fn values_have_the_fields_that_their_types_declare() {
         assert_eq!(code(propose(seed.clone(), JsValue::UNDEFINED).expect_err("refused")), "bad_data", "{seed}");
         assert_eq!(code(model.turn(TASK.into(), &js(&seed)).err().expect("refused")), "bad_data", "{seed}");
     }
+}
+
+/// The fields of a value that has all that it may have, sorted; those that the barest lacks end in `?`.
+fn fields_of_all(fullest: &Value, barest: &Value) -> Vec<String> {
+    let barest = fields(barest);
+    let marked = |field: String| if barest.contains(&field) { field } else { field + "?" };
+    fields(fullest).into_iter().map(marked).collect()
+}
+
+#[wasm_bindgen_test]
+fn cards_have_the_fields_that_their_types_declare() {
+    let (_, shipped) = PathNet::load(include_bytes!("../assets/within-0.safetensors"), &flex()).expect("weights");
+    let judge = JudgeCard { seed: 0, epochs: 1, batch: 1, balls_per_scene: 1, learning_rate: 0.1, balls: 1 };
+    let dynamics = shipped.dynamics.clone().expect("the shipped weights have a dynamics net");
+    let barest = DynamicsCard { without_paths: false, from: None, judge: None, ..dynamics.clone() };
+    let from = Some("0".repeat(64));
+    let fullest = DynamicsCard { without_paths: true, from, judge: Some(judge.clone()), ..dynamics };
+    let json = |card: &Card| serde_json::to_value(card).expect("JSON");
+    let bare = json(&Card { judge: None, dynamics: Some(barest), ..shipped.clone() });
+    let full = json(&Card { judge: Some(judge), dynamics: Some(fullest), ..shipped.clone() });
+    let none = json(&Card { judge: None, dynamics: None, ..shipped });
+    assert_eq!(fields_of_all(&full, &none), declared("ModelCard"));
+    assert_eq!(fields_of_all(&full["dynamics"], &bare["dynamics"]), declared("DynamicsCard"));
+    assert_eq!(fields(&full["judge"]), declared("JudgeCard"));
 }
 
 #[wasm_bindgen_test]

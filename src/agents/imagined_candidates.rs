@@ -12,7 +12,7 @@ use crate::puzzle::action::{Ball, Obstacles};
 use crate::puzzle::scene::Scene;
 
 /// Candidates of a scene, unless more are asked for: four times as many as there are attempts.
-const CANDIDATES: usize = 400;
+pub(super) const CANDIDATES: usize = 400;
 
 /// The likeliest candidates, whose neighbours are imagined too. The others are hardly ever tried.
 const CLIMBERS: usize = 100;
@@ -23,23 +23,27 @@ const STEP: f64 = 1.0;
 /// Returns the candidates of a scene, all different: at least `count`, unless fewer balls fit. `None` if the weights
 /// have no dynamics net, or are damaged so that no chance is a number.
 pub fn imagined_candidates(nets: &PathNet, scene: &Scene, count: usize) -> Option<Vec<Candidate>> {
-    let read = nets.read(scene)?;
+    candidates_of(&nets.read(scene)?, scene, count)
+}
+
+/// Returns the candidates of a scene that the dynamics net has read.
+pub(super) fn candidates_of(read: &ReadScene, scene: &Scene, count: usize) -> Option<Vec<Candidate>> {
     let ranked = ranking::ranked(&read.logits, scene, count.max(CANDIDATES));
     let balls: Vec<Ball> = ranked.into_iter().map(|proposal| proposal.ball).collect();
-    let mut candidates: Vec<Candidate> = imagine(&read, &balls).filter(is_finite).collect();
-    climb(&mut candidates, &read, &Obstacles::new(scene));
+    let mut candidates: Vec<Candidate> = imagine(read, &balls).filter(is_finite).collect();
+    climb(&mut candidates, read, &Obstacles::new(scene));
     (!candidates.is_empty()).then_some(candidates)
 }
 
 /// Returns up to `count` proposals: the candidates in the order in which the online agent tries them if all attempts
 /// fail, then the balls that the net ranks behind the candidates. A longer list begins with the balls of a shorter one.
-/// `None` as for `imagined_candidates`.
-pub fn proposals(nets: &PathNet, scene: &Scene, count: usize) -> Option<Vec<Proposal>> {
-    let candidates = imagined_candidates(nets, scene, CANDIDATES)?;
+pub(super) fn proposals(candidates: Vec<Candidate>, nets: &PathNet, scene: &Scene, count: usize) -> Vec<Proposal> {
     let mut proposals = OnlineAgent::new(candidates, Similarity::DEFAULT).list(count);
-    if proposals.len() < count {
+    if proposals.len() < count
+        && let Some(read) = nets.read(scene)
+    {
         // More than are missing: some are candidates that have climbed there.
-        let ranked = ranking::ranked(&nets.read(scene)?.logits, scene, count + CANDIDATES);
+        let ranked = ranking::ranked(&read.logits, scene, count + CANDIDATES);
         for proposal in ranked.into_iter().skip(CANDIDATES) {
             if proposals.iter().all(|before| before.ball != proposal.ball) {
                 proposals.push(proposal);
@@ -47,7 +51,7 @@ pub fn proposals(nets: &PathNet, scene: &Scene, count: usize) -> Option<Vec<Prop
         }
         proposals.truncate(count);
     }
-    Some(proposals)
+    proposals
 }
 
 /// Replaces each of the likeliest candidates by its likeliest neighbour, if that is likelier and no candidate yet.
@@ -77,6 +81,8 @@ fn neighbours(ball: Ball, obstacles: &Obstacles) -> impl Iterator<Item = Ball> {
 }
 
 fn imagine(read: &ReadScene, balls: &[Ball]) -> impl Iterator<Item = Candidate> {
+    #[cfg(test)]
+    tests::IMAGINED.set(tests::IMAGINED.get() + balls.len());
     let imagined = read.imagine(balls).into_iter().zip(balls);
     imagined.map(|(ImaginedBall { logit, paths, .. }, &ball)| Candidate { ball, logit: logit.into(), paths })
 }
@@ -88,11 +94,18 @@ fn is_finite(candidate: &Candidate) -> bool {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
+    use std::cell::Cell;
+
     use super::*;
     use crate::agents::{Origin, propose, start};
     use crate::nets::DynamicsNet;
     use crate::puzzle::task::Task;
+
+    thread_local! {
+        /// Balls that this thread has imagined.
+        pub static IMAGINED: Cell<usize> = const { Cell::new(0) };
+    }
 
     #[test]
     fn a_dynamics_net_yields_valid_balls_that_the_model_tries() {

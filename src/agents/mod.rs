@@ -13,6 +13,7 @@ mod fitting_balls;
 mod fixed_actions;
 pub mod gaussian_process;
 pub mod imagined_candidates;
+pub mod memoized_model;
 pub mod online;
 pub mod placement;
 pub mod ranking;
@@ -21,8 +22,8 @@ use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
 use serde::Serialize;
 
-use imagined_candidates::imagined_candidates;
-use online::{OnlineAgent, Similarity};
+use imagined_candidates::{CANDIDATES, imagined_candidates};
+use online::{Candidate, OnlineAgent, Similarity};
 
 #[cfg(not(target_arch = "wasm32"))]
 use crate::nets::Dqn;
@@ -96,17 +97,39 @@ pub const VERSION: u32 = 3;
 /// Returns the model at work on a scene: the online agent, or, from weights without a dynamics net, the list of up to
 /// `count` proposals.
 pub fn start(nets: &PathNet, scene: &Scene, seed: u64, count: usize) -> Box<dyn Agent> {
-    match imagined_candidates(nets, scene, count) {
-        Some(candidates) => Box::new(OnlineAgent::new(candidates, Similarity::DEFAULT)),
-        None => Box::new(propose(nets, scene, seed, count).into_iter()),
-    }
+    start_from(imagined_candidates(nets, scene, count), nets, scene, seed, count)
 }
 
 /// Returns up to `count` proposals of the model, without learning from attempts: the balls that its dynamics net finds
 /// most probable; from weights without one those of its judge; without a judge those that its placement map suggests.
 pub fn propose(nets: &PathNet, scene: &Scene, seed: u64, count: usize) -> Vec<Proposal> {
-    if let Some(proposals) = imagined_candidates::proposals(nets, scene, count) {
-        return proposals;
+    propose_from(imagined_candidates(nets, scene, CANDIDATES), nets, scene, seed, count)
+}
+
+/// `start` with candidates that have been imagined.
+fn start_from(
+    candidates: Option<Vec<Candidate>>,
+    nets: &PathNet,
+    scene: &Scene,
+    seed: u64,
+    count: usize,
+) -> Box<dyn Agent> {
+    match candidates {
+        Some(candidates) => Box::new(OnlineAgent::new(candidates, Similarity::DEFAULT)),
+        None => Box::new(propose_from(None, nets, scene, seed, count).into_iter()),
+    }
+}
+
+/// `propose` with candidates that have been imagined.
+fn propose_from(
+    candidates: Option<Vec<Candidate>>,
+    nets: &PathNet,
+    scene: &Scene,
+    seed: u64,
+    count: usize,
+) -> Vec<Proposal> {
+    if let Some(candidates) = candidates {
+        return imagined_candidates::proposals(candidates, nets, scene, count);
     }
     // Damaged weights may have a judge whose logits are NaN; it ranks nothing.
     match from_judge(nets, scene, count) {

@@ -40,8 +40,9 @@ pub fn auccess(
         let number = whole_number(&first, 1..=u32::MAX, format_args!("item {index} has to be {RULE}"))?;
         Ok(Some(number as usize))
     };
-    let firsts = first_solved.unchecked_into::<Array>().iter().enumerate().map(attempt);
-    Ok(crate::benchmark::auccess::auccess(&firsts.collect::<Result<Vec<_>, _>>()?))
+    let first_solved: Array = first_solved.unchecked_into();
+    let attempts = first_solved.iter().enumerate().map(attempt).collect::<Result<Vec<_>, _>>()?;
+    Ok(crate::benchmark::auccess::auccess(&attempts))
 }
 
 /// Returns the ids of the tasks of one of PHYRE's folds, each list ascending.

@@ -15,6 +15,7 @@ use crate::benchmark::difficulty::Difficulty;
 use crate::colour::maps::{ImaginedMap, SOLID};
 use crate::colour::palette::palette as colours;
 use crate::puzzle::action::RADIUS;
+use crate::puzzle::dimensions;
 use crate::puzzle::rollout::{GOAL_STEPS, STEPS_PER_SECOND};
 use crate::puzzle::scene::{SIZE, Scene};
 use crate::puzzle::task::{self, TaskError, TaskId};
@@ -57,7 +58,8 @@ use error::{Code, error, to_js};
 use paint::Painter;
 use played::load;
 
-/// Returns the constants that the page shares with the Rust code.
+/// Returns the constants that the page shares with the Rust code. `scripts/constants.mjs` writes them to a module, so
+/// that the page need not wait for the wasm.
 #[wasm_bindgen(unchecked_return_type = "Constants")]
 pub fn constants() -> Result<JsValue, JsValue> {
     #[derive(Serialize)]
@@ -74,6 +76,10 @@ pub fn constants() -> Result<JsValue, JsValue> {
         paper_stages: Vec<&'static str>,
         simulator_version: u32,
         agents_version: u32,
+        stick_lean: f64,
+        half_stick: f64,
+        jar_height_per_width: f64,
+        jar_base: f64,
     }
     to_js(&Constants {
         scene_size: SIZE,
@@ -88,6 +94,10 @@ pub fn constants() -> Result<JsValue, JsValue> {
         paper_stages: ImaginedMap::ALL.into_iter().filter(|map| map.of_paper()).map(ImaginedMap::name).collect(),
         simulator_version: simulator::VERSION,
         agents_version: agents::VERSION,
+        stick_lean: dimensions::STICK_LEAN,
+        half_stick: dimensions::HALF_STICK,
+        jar_height_per_width: dimensions::JAR_HEIGHT_PER_WIDTH,
+        jar_base: dimensions::JAR_BASE,
     })
 }
 

@@ -4,22 +4,21 @@
 //! a turn simulates up to a hundred rollouts. `Turn` makes one attempt per call, so that the worker can stop in
 //! between.
 
-use std::cell::RefCell;
-
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
 use super::error::{Code, error, to_js, whole_number};
 use super::played::load;
+use crate::agents::Proposal;
+use crate::agents::memoized_model::MemoizedModel;
 use crate::agents::ranking::probability_map;
-use crate::agents::{self, Proposal};
 use crate::benchmark::folds::Fold;
 use crate::colour::maps::ImaginedMap;
-use crate::nets::{Card, PathNet, ReadScene};
+use crate::nets::{Card, PathNet};
 use crate::puzzle::task::TaskId;
 use crate::session::ending::Ending;
 use crate::session::game::ATTEMPT_LIMIT;
-use crate::session::played::{Played, PlayedId};
+use crate::session::played::Played;
 use crate::session::turn;
 
 /// Most balls of one list of proposals, as on the command line.
@@ -28,9 +27,7 @@ const MAX_PROPOSALS: u32 = 1000;
 /// The nets with their weights.
 #[wasm_bindgen]
 pub struct Model {
-    pub(super) net: PathNet,
-    /// The last scene that the dynamics net has read.
-    pub(super) last_read: RefCell<Option<(PlayedId, ReadScene)>>,
+    pub(super) model: MemoizedModel,
     card: Card,
     /// The tasks that it was trained on or chosen by, ascending.
     seen: Vec<TaskId>,
@@ -56,9 +53,9 @@ impl Model {
     /// `bad_weights` if the file is damaged or belongs to other nets.
     #[wasm_bindgen(constructor)]
     pub fn new(bytes: &[u8]) -> Result<Model, JsValue> {
-        let (net, card) = PathNet::load(bytes).map_err(|why| error(Code::BadWeights, why))?;
+        let (nets, card) = PathNet::load(bytes).map_err(|why| error(Code::BadWeights, why))?;
         let seen = Fold::new(card.setup, card.fold).all_train();
-        Ok(Model { net, last_read: RefCell::new(None), card, seen })
+        Ok(Model { model: MemoizedModel::new(nets), card, seen })
     }
 
     /// Returns how the weights were trained.
@@ -87,8 +84,9 @@ impl Model {
         #[wasm_bindgen(unchecked_param_type = "Played")] played: JsValue,
     ) -> Result<JsValue, JsValue> {
         let scene = load(played)?.scene;
-        let imagined = self.net.imagine(&scene);
-        let judge = self.net.cell_logits(&scene).and_then(|logits| probability_map(&logits, &scene));
+        let nets = &self.model.nets;
+        let imagined = nets.imagine(&scene);
+        let judge = nets.cell_logits(&scene).and_then(|logits| probability_map(&logits, &scene));
         let maps = js_sys::Object::new();
         for map in ImaginedMap::ALL {
             let values = match map {
@@ -123,7 +121,7 @@ impl Model {
             whole_number(count, 1..=MAX_PROPOSALS, format_args!("the model proposes 1 to {MAX_PROPOSALS} balls"))?
                 as usize
         };
-        to_js(&agents::propose(&self.net, &scene, id.seed(seed), count))
+        to_js(&self.model.propose(&scene, id.seed(seed), count))
     }
 
     /// Starts the model's turn on a task. The same seed leads to the same attempts.
@@ -137,7 +135,7 @@ impl Model {
         #[wasm_bindgen(unchecked_param_type = "number")] seed: &JsValue,
     ) -> Result<Turn, JsValue> {
         let Played { id, scene, .. } = load(played)?;
-        let agent = agents::start(&self.net, &scene, id.seed(whole_seed(seed)?), ATTEMPT_LIMIT);
+        let agent = self.model.start(&scene, id.seed(whole_seed(seed)?), ATTEMPT_LIMIT);
         Ok(Turn(turn::Turn::new(scene, agent)))
     }
 
@@ -151,7 +149,7 @@ impl Model {
         &self,
         #[wasm_bindgen(unchecked_param_type = "Played")] played: JsValue,
     ) -> Result<Vec<f32>, JsValue> {
-        let imagined = self.net.imagine(&load(played)?.scene);
+        let imagined = self.model.nets.imagine(&load(played)?.scene);
         let maps: Vec<&[f32]> = ImaginedMap::ALL.into_iter().filter_map(|map| imagined.map(map)).collect();
         Ok(maps.concat())
     }

@@ -170,6 +170,14 @@ export interface Constants {
     simulator_version: number;
     /** The version of the agents: the same model proposes other balls with another. */
     agents_version: number;
+    /** How far standing sticks lean from the horizontal, degrees. */
+    stick_lean: number;
+    /** Half the thickness of a stick, px. */
+    half_stick: number;
+    /** Height of a jar in widths of its rim. */
+    jar_height_per_width: number;
+    /** Width of a jar's base in widths of its rim. */
+    jar_base: number;
 }
 
 /** A puzzle template and the ids of its tasks ("00007:000"). */
@@ -341,8 +349,12 @@ export interface DynamicsCard {
     /** Variants of the tasks' scenes among the scenes. */
     variants: number;
     without_dev: boolean;
+    /** The net learned chances alone: what it imagines are no paths. */
+    without_paths?: boolean;
     /** SHA-256 of the weights that it started from. */
     from?: string;
+    /** How the judge that it started from was trained. */
+    judge?: JudgeCard;
 }
 
 /** What a frame shows. */

@@ -12,8 +12,7 @@ const LAYERS: [&str; 16] = [
 ];
 
 /// What modules outside of `api/` may import of `pkg`: what the API does not have, because only the player needs it.
-const PLAYER_ONLY: [&str; 7] =
-    ["Puzzle", "constants", "paintDraft", "palette", "paintLegend", "paintOutcomes", "paintOutline"];
+const PLAYER_ONLY: [&str; 6] = ["Puzzle", "paintDraft", "palette", "paintLegend", "paintOutcomes", "paintOutline"];
 
 const RULES: &[Rule] = &[
     Rule {
@@ -43,7 +42,7 @@ const RULES: &[Rule] = &[
         reason: "one file knows how the browser stores, and what becomes of the page when it does not",
     },
     Rule {
-        words: &["document.", "byId(", "pkg/pathlight.js\";", "api/pathlight.js\";"],
+        words: &["document.", "byId(", "pkg/pathlight.js\";", "api/index.js\";"],
         files: Never(&["storage/"]),
         reason: "what is stored is read and merged in Node too, without a page and without the wasm",
     },
@@ -121,7 +120,7 @@ fn imports_of_the_wasm_are_found() {
     assert_eq!(names("import {\n  Puzzle,\n} from './pkg/pathlight.js';"), ["Puzzle"]);
     assert_eq!(names("import * as wasm from \"../pkg/pathlight.js\";"), ["*"]);
     assert_eq!(names("const wasm = await import(\"../pkg/pathlight.js\");"), ["*"]);
-    assert_eq!(names("import { load } from \"../api/pathlight.js\";"), [""; 0]);
+    assert_eq!(names("import { load } from \"../api/index.js\";"), [""; 0]);
 }
 
 #[test]

@@ -49,7 +49,7 @@ Object.defineProperty(FullStorage.prototype, "setItem", {
 let page;
 before(async () => {
   Object.assign(globalThis, { localStorage: new MemoryStorage(), addEventListener() {} });
-  const { load } = await import("../../www/api/pathlight.js");
+  const { load } = await import("../../www/api/index.js");
   await load({ weights: null });
   page = {
     ...(await import("../../www/state/url-state.js")),
@@ -61,7 +61,7 @@ before(async () => {
     ...(await import("../../www/workshop/scene-link.js")),
     ...(await import("../../www/workshop/puzzle-file.js")),
     ...(await import("../../www/workshop/attempt-file.js")),
-    ...(await import("../../www/shell/pathlight.js")),
+    ...(await import("../../www/shell/page-api.js")),
   };
 });
 

@@ -11,7 +11,7 @@ import { examples, makeProject } from "./project.mjs";
 
 const project = makeProject();
 const [puzzles, drawing] = examples(project, "html");
-const { load } = await import(join(project, "node_modules/pathlight/api/pathlight.js"));
+const { load } = await import(join(project, "node_modules/pathlight/api/index.js"));
 
 let session;
 before(async () => (session = await startOn(await serveStatic(project))));

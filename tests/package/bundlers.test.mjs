@@ -15,7 +15,7 @@ const POLICY = "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'";
 const tools = join(root, "tests/package/node_modules");
 const project = makeProject();
 const installed = join(project, "node_modules/pathlight");
-const { load } = await import(join(installed, "api/pathlight.js"));
+const { load } = await import(join(installed, "api/index.js"));
 const pathlight = await load();
 
 /** The page, with a script at an address. */

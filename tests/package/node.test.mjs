@@ -11,7 +11,7 @@ import { examples, makeProject, root } from "./project.mjs";
 
 const project = makeProject();
 const installed = join(project, "node_modules/pathlight");
-const { load } = await import(join(installed, "api/pathlight.js"));
+const { load } = await import(join(installed, "api/index.js"));
 const TASK = "00007:008";
 
 test("it brings no other packages and one model", () => {
@@ -195,7 +195,7 @@ test("missing weights are named by their address", async () => {
   const copy = join(project, "copy");
   cpSync(installed, copy, { recursive: true });
   rmSync(join(copy, "assets/within-0.safetensors"));
-  const { load } = await import(join(copy, "api/pathlight.js"));
+  const { load } = await import(join(copy, "api/index.js"));
   await assert.rejects(load(), {
     code: "no_weights",
     message: /^The model’s weights could not be loaded: ENOENT.* for file:.*\/copy\/assets\/within-0\.safetensors\.$/,
@@ -205,7 +205,7 @@ test("missing weights are named by their address", async () => {
 test("what is wrong with the page's list of the models is said", async () => {
   const copy = join(project, "page");
   for (const folder of ["api", "pkg"]) cpSync(join(root, "www", folder), join(copy, folder), { recursive: true });
-  const { load } = await import(join(copy, "api/pathlight.js"));
+  const { load } = await import(join(copy, "api/index.js"));
   const list = join(copy, "assets/model.json");
   await assert.rejects(load(), { code: "no_weights", message: /list of models could not be loaded: ENOENT/ });
   mkdirSync(join(copy, "assets"));

@@ -13,7 +13,7 @@ import { examples, makeProject, root } from "./project.mjs";
 
 const tools = join(root, "tests/package/node_modules");
 const project = makeProject();
-const { load } = await import(join(project, "node_modules/pathlight/api/pathlight.js"));
+const { load } = await import(join(project, "node_modules/pathlight/api/index.js"));
 const [component] = examples(project, "tsx");
 writeFileSync(join(project, "puzzle.tsx"), component);
 const compilerOptions = {

@@ -6,12 +6,9 @@ import { sameBall } from "../../www/puzzles/ball.js";
 
 test("balls are the same by place and radius", () => {
   assert.ok(sameBall([1, 2, 3], [1, 2, 3]));
-  for (const other of [
-    [0, 2, 3],
-    [1, 0, 3],
-    [1, 2, 0],
-  ])
-    assert.equal(sameBall([1, 2, 3], other), false);
+  assert.equal(sameBall([1, 2, 3], [0, 2, 3]), false);
+  assert.equal(sameBall([1, 2, 3], [1, 0, 3]), false);
+  assert.equal(sameBall([1, 2, 3], [1, 2, 0]), false);
 });
 
 test("no ball is the same as no ball alone", () => {

@@ -23,7 +23,7 @@ export class AskedPuzzle {
   /**
    * What a state plays; null if it is nothing, or an own scene that is still to be read.
    * @param {State} state
-   * @returns {import("../model/messages.js").Played | null}
+   * @returns {import("../pkg/pathlight.js").Played | null}
    */
   playedOf({ task, scene }) {
     if (scene === null) return task;

@@ -206,7 +206,7 @@ export class PuzzleController extends EventTarget {
     dialog.querySelector("h2")?.focus();
   }
 
-  /** @param {import("../model/messages.js").Played} played */
+  /** @param {import("../pkg/pathlight.js").Played} played */
   #openPuzzle(played) {
     const session = new Session(played, () => reducedMotion.matches);
     find(this.#root, ".puzzle").setAttribute(

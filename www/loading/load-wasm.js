@@ -2,7 +2,8 @@
 // picture waits for nothing longer.
 
 // By the path from another folder: in a bundle this import stays, in a file that lies in one.
-import { compileWasm } from "../loading/compile-wasm.js";
+import { compileWasm } from "./compile-wasm.js";
+import { load as loadPathlight } from "../api/index.js";
 
 /** @type {Promise<WebAssembly.Module> | null} */
 let loaded = null;
@@ -23,7 +24,7 @@ export function loadWasm() {
 loadWasm().catch(() => {});
 
 async function load() {
-  const [module, pathlight] = await Promise.all([compileWasm(), import("../api/pathlight.js")]);
-  await pathlight.load({ wasm: module, weights: null });
+  const module = await compileWasm();
+  await loadPathlight({ wasm: module, weights: null });
   return module;
 }

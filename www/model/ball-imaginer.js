@@ -3,9 +3,9 @@
 import { sameBall } from "../puzzles/ball.js";
 import { LatestCall } from "./latest-call.js";
 
-/** @typedef {import("./messages.js").Ball} Ball */
-/** @typedef {import("./messages.js").ImaginedBall} ImaginedBall */
-/** @typedef {import("./messages.js").Played} Played */
+/** @typedef {import("../pkg/pathlight.js").Ball} Ball */
+/** @typedef {import("../pkg/pathlight.js").ImaginedBall} ImaginedBall */
+/** @typedef {import("../pkg/pathlight.js").Played} Played */
 
 export class BallImaginer extends EventTarget {
   /**
@@ -68,7 +68,7 @@ export class BallImaginer extends EventTarget {
    */
   async #answerFor(played, ball, signal) {
     if (sameBall(ball, this.answer?.of)) return this.answer;
-    const imagined = await this.#client.imagineBall(played, ball, signal);
+    const imagined = await this.#client.call("imagineBall", [played, ball], signal);
     return imagined && { of: ball, imagined };
   }
 

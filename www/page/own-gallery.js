@@ -5,7 +5,7 @@
 import { LazyThumbnails } from "../widgets/lazy-thumbnails.js";
 import { byId, createButton } from "../widgets/dom.js";
 import { showNotice } from "../widgets/notice.js";
-import { pathlight } from "../shell/pathlight.js";
+import { pathlight } from "../shell/page-api.js";
 import { puzzleKey } from "../shell/puzzle-key.js";
 import { sceneName } from "../puzzles/puzzle-name.js";
 import { INITIAL_STATE, formatFragment } from "../state/url-state.js";

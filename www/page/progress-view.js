@@ -4,7 +4,7 @@
 import { byId } from "../widgets/dom.js";
 import { download } from "../widgets/download.js";
 import { showNotice } from "../widgets/notice.js";
-import { pathlight } from "../shell/pathlight.js";
+import { pathlight } from "../shell/page-api.js";
 import { PLAYER } from "../storage/attempts.js";
 import { MOST_ATTEMPTS } from "../storage/progress.js";
 import { progressJson, progressOfText } from "../storage/progress-file.js";

@@ -11,7 +11,7 @@ import { sentence } from "../text/sentence.js";
 import { CHOICE_TEXT } from "../model/stage-text.js";
 
 /** @typedef {import("../state/url-state.js").ChoiceStep} ChoiceStep */
-/** @typedef {import("../model/messages.js").Considered} Considered */
+/** @typedef {import("../model/worker.js").Considered} Considered */
 
 /** The imagined paths of so many of the likeliest balls are hinted at: more would cover each other. */
 const HINTS = 40;
@@ -160,7 +160,7 @@ export class Choice extends Component {
     this.#failure = null;
     const { played } = this.session;
     try {
-      const considered = await this.#client.consider(played, call.signal);
+      const considered = await this.#client.call("consider", [played], call.signal);
       if (call.signal.aborted) return;
       this.#considered = considered;
       this.#answered = true;

@@ -94,7 +94,8 @@ export class Compare extends Component {
     this.#update();
     try {
       const shown = show.run();
-      await this.#client.turn(session.played, turn.signal, (attempt) => show.add(attempt)).finally(() => show.end());
+      const played = this.#client.call("turn", [session.played], turn.signal, (attempt) => show.add(attempt));
+      await played.finally(() => show.end());
       await shown;
       // Neither a replay that is being watched nor what the person does meanwhile is interrupted.
       if (!turn.signal.aborted && !show.interrupted && !session.playback.playing && !session.shown?.preview)

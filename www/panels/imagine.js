@@ -5,7 +5,7 @@ import { paintLegend, paintOutline } from "../pkg/pathlight.js";
 import { Component } from "../widgets/component.js";
 import { GRID_SIDE, PAPER_STAGES, STAGES } from "../shell/constants.js";
 import { contextOf, find, setText } from "../widgets/dom.js";
-import { pathlight } from "../shell/pathlight.js";
+import { pathlight } from "../shell/page-api.js";
 import { summary } from "../model/map-summary.js";
 import { modelWords } from "../model/model-words.js";
 import { mapWords } from "../model/place-words.js";
@@ -14,7 +14,7 @@ import { sentence } from "../text/sentence.js";
 import { TroubleBox } from "./trouble-box.js";
 
 /** @typedef {import("../pkg/pathlight.js").Stage} Stage */
-/** @typedef {import("../model/messages.js").Imagined} Imagined */
+/** @typedef {import("../model/worker.js").Imagined} Imagined */
 
 /** How many maps are shaded over the scene; of more only the outlines can be told apart. */
 const MAX_SHADED = 2;
@@ -213,7 +213,7 @@ export class Imagine extends Component {
 
   /**
    * Says what the model is and how it makes its maps, and offers the others, where there are several.
-   * @param {import("../model/messages.js").LoadedModel} loaded
+   * @param {import("../model/worker.js").LoadedModel} loaded
    */
   #onLoaded({ name, names, card }) {
     setText(this.byId("model-words"), `${name} ${modelWords(card)}.`);
@@ -234,7 +234,7 @@ export class Imagine extends Component {
     this.#callFailure = null;
     this.#updateTrouble();
     try {
-      const imagined = await this.#client.imagine(this.session.played, call.signal);
+      const imagined = await this.#client.call("imagine", [this.session.played], call.signal);
       if (!call.signal.aborted) this.#setImagined(imagined);
     } catch (error) {
       if (call.signal.aborted) return;

@@ -4,7 +4,7 @@
 import { Component } from "../widgets/component.js";
 import { STAGES } from "../shell/constants.js";
 import { contextOf, find, setText } from "../widgets/dom.js";
-import { pathlight } from "../shell/pathlight.js";
+import { pathlight } from "../shell/page-api.js";
 import { chanceWords } from "../model/chance-words.js";
 import { modelWords, seenWords } from "../model/model-words.js";
 import { mapWords } from "../model/place-words.js";
@@ -15,8 +15,8 @@ import { OutcomeStrip } from "./outcome-strip.js";
 
 /** @typedef {import("../pkg/pathlight.js").Stage} Stage */
 /** @typedef {import("../pkg/pathlight.js").TriedProposal} TriedProposal */
-/** @typedef {import("../model/messages.js").Imagined} Imagined */
-/** @typedef {import("../model/messages.js").LoadedModel} LoadedModel */
+/** @typedef {import("../model/worker.js").Imagined} Imagined */
+/** @typedef {import("../model/worker.js").LoadedModel} LoadedModel */
 /**
  * What one model imagines and tries.
  * @typedef {{ name: string, card: LoadedModel["card"], imagined: Imagined, tried: TriedProposal[] }} Side
@@ -109,8 +109,8 @@ export class ModelPair extends Component {
       await started(this.#other, names[1], call.signal);
       const ask = async (/** @type {SharedClient} */ client, /** @type {string} */ name) => {
         const [imagined, tried] = await Promise.all([
-          client.imagine(played, call.signal),
-          client.propose(played, call.signal),
+          client.call("imagine", [played], call.signal),
+          client.call("propose", [played], call.signal),
         ]);
         const card = /** @type {LoadedModel} */ (client.loaded).card;
         return { name, card, imagined, tried };

@@ -3,7 +3,7 @@
 
 import { paintOutline } from "../pkg/pathlight.js";
 import { contextOf, find } from "../widgets/dom.js";
-import { pathlight } from "../shell/pathlight.js";
+import { pathlight } from "../shell/page-api.js";
 
 /** @param {number} fraction */
 export const percent = (fraction) => `${Math.round(100 * fraction)} %`;

@@ -180,7 +180,7 @@ export class Proposals extends Component {
       return;
     const call = (this.#call = new AbortController());
     try {
-      const proposals = await this.#client.propose(this.session.played, call.signal);
+      const proposals = await this.#client.call("propose", [this.session.played], call.signal);
       if (!call.signal.aborted) this.#proposals = proposals;
     } catch (error) {
       if (!call.signal.aborted) this.#callFailure = /** @type {Error} */ (error).message;

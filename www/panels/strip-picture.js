@@ -5,7 +5,7 @@ import { Component } from "../widgets/component.js";
 import { GRID_SIDE, STAGES } from "../shell/constants.js";
 import { contextOf } from "../widgets/dom.js";
 import { download, fileName } from "../widgets/download.js";
-import { pathlight } from "../shell/pathlight.js";
+import { pathlight } from "../shell/page-api.js";
 import { STAGE_TEXT } from "../model/stage-text.js";
 import { paintStill } from "../play/still.js";
 

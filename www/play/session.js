@@ -35,7 +35,7 @@ export class Session extends Display {
   attempts;
 
   /**
-   * @param {import("../model/messages.js").Played} played
+   * @param {import("../pkg/pathlight.js").Played} played
    * @param {() => boolean} prefersReducedMotion asked before each run; if so, it goes straight to its end
    */
   constructor(played, prefersReducedMotion) {

@@ -1,6 +1,6 @@
 // How hard the puzzles are, in words, and which one is next by that.
 
-import { pathlight } from "../shell/pathlight.js";
+import { pathlight } from "../shell/page-api.js";
 import { TASKS } from "./templates.js";
 
 /** The least solve rates of puzzles that are called easy, and medium. */

@@ -1,11 +1,8 @@
-// The templates of the benchmark and all their tasks, read from the wasm once.
+// The templates of the benchmark and all their tasks.
 
-import { pathlight } from "../shell/pathlight.js";
+import { TEMPLATES } from "../pkg/constants.js";
 
-/** @typedef {import("../pkg/pathlight.js").Template} Template */
-
-/** The 25 templates, each with its 100 tasks. */
-export const TEMPLATES = pathlight.templates();
+export { TEMPLATES };
 /** The 2,500 tasks. */
 export const TASKS = TEMPLATES.flatMap(({ tasks }) => tasks);
 

@@ -3,7 +3,7 @@
 
 import { difficultyName, solveRateOf } from "../puzzles/difficulty.js";
 import { LazyThumbnails } from "./lazy-thumbnails.js";
-import { pathlight } from "../shell/pathlight.js";
+import { pathlight } from "../shell/page-api.js";
 import { hrefOf } from "../state/url-state.js";
 
 /** @typedef {import("../pkg/pathlight.js").Template} Template */

@@ -6,7 +6,7 @@
 import { paintDraft, palette } from "../pkg/pathlight.js";
 import { Component } from "../widgets/component.js";
 import { setText } from "../widgets/dom.js";
-import { pathlight } from "../shell/pathlight.js";
+import { pathlight } from "../shell/page-api.js";
 import { SCENE_SIZE } from "../shell/constants.js";
 import { BendPen } from "./bend-pen.js";
 import { BodyFields } from "./body-fields.js";

@@ -68,7 +68,7 @@ export class Check extends Component {
     this.#found = null;
     this.#revealed = false;
     this.#search.start((signal) =>
-      this.#client.search(session.played, signal, (found) => {
+      this.#client.call("search", [session.played], signal, (found) => {
         this.#found = found;
         this.#update();
       }),

@@ -61,7 +61,7 @@ export class Luck extends Component {
     this.#asked = ball;
     this.#say("The computer tries the balls beside yours.");
     try {
-      const found = await this.#client.luck(session.played, ball, call.signal);
+      const found = await this.#client.call("luck", [session.played, ball], call.signal);
       if (!call.signal.aborted) this.#say(words(found));
     } catch (error) {
       if (!call.signal.aborted) this.#say(/** @type {Error} */ (error).message);

@@ -2,7 +2,7 @@
 // made of it.
 
 import { download, fileName } from "../widgets/download.js";
-import { pathlight } from "../shell/pathlight.js";
+import { pathlight } from "../shell/page-api.js";
 import { sceneName } from "../puzzles/puzzle-name.js";
 import { FileProblem, inSlices } from "../storage/slices.js";
 import { plainScene } from "./plain-scene.js";

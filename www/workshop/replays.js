@@ -5,7 +5,7 @@
 import { Component } from "../widgets/component.js";
 import { AGENTS_VERSION } from "../shell/constants.js";
 import { createButton, setText } from "../widgets/dom.js";
-import { pathlight } from "../shell/pathlight.js";
+import { pathlight } from "../shell/page-api.js";
 import { sceneName } from "../puzzles/puzzle-name.js";
 import { readNativeAttempts } from "../model/native-attempts.js";
 import { MOST_ATTEMPTS, readAttempts, saveAttempts } from "./attempt-file.js";
@@ -75,11 +75,8 @@ export class Replays extends Component {
       ...attemptsBy(session.attempts.modelName ?? "model", session.attempts.of("model")),
     ];
     this.#tell(async (signal) => {
-      const lines = await this.#client.attemptLines(
-        session.played,
-        made.map(({ ball }) => ball),
-        signal,
-      );
+      const balls = made.map(({ ball }) => ball);
+      const lines = await this.#client.call("attemptLines", [session.played, balls], signal);
       saveAttempts(
         name,
         lines.map((line, index) => ({ ...line, ...made[index] })),
@@ -122,7 +119,9 @@ export class Replays extends Component {
     let [done, same] = [0, 0];
     while (done < attempts.length && !stop.signal.aborted && !signal.aborted) {
       const batch = attempts.slice(done, done + BATCH);
-      const verifications = await this.#client.verify(batch, signal).finally(() => signal.aborted && last.remove());
+      const verifications = await this.#client
+        .call("verify", [batch], signal)
+        .finally(() => signal.aborted && last.remove());
       const listed = batch.slice(0, Math.max(0, LISTED - done));
       last.before(...listed.map((attempt, index) => this.#item(attempt, verifications[index])));
       same += verifications.filter(({ verdict }) => verdict === "same").length;
@@ -197,7 +196,7 @@ export class Replays extends Component {
     if (!line) return;
     this.#tell(async (signal) => {
       const native = await readNativeAttempts();
-      const [again, ...others] = await this.#client.verify([line, ...native], signal);
+      const [again, ...others] = await this.#client.call("verify", [[line, ...native]], signal);
       const agrees =
         again.verdict === "same"
           ? "A second instance of the simulator has just computed the same, to the bit."

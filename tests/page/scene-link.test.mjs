@@ -3,15 +3,12 @@
 
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
-import { before, test } from "node:test";
+import { test } from "node:test";
 import { initSync } from "../../www/pkg/pathlight.js";
+import { pathlight } from "../../www/shell/page-api.js";
+import { sceneOfText, textOfScene } from "../../www/workshop/scene-link.js";
 
-let pathlight, textOfScene, sceneOfText;
-before(async () => {
-  initSync({ module: await readFile(new URL("../../www/pkg/pathlight_bg.wasm", import.meta.url)) });
-  ({ pathlight } = await import("../../www/shell/pathlight.js"));
-  ({ textOfScene, sceneOfText } = await import("../../www/workshop/scene-link.js"));
-});
+initSync({ module: await readFile(new URL("../../www/pkg/pathlight_bg.wasm", import.meta.url)) });
 
 /** A second copy of the module, which has read and written nothing. */
 const fresh = () => import(`../../www/workshop/scene-link.js?${Math.random()}`);

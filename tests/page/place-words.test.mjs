@@ -3,11 +3,10 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { test } from "node:test";
+import { bodyNames, mapWords, placeWords } from "../../www/model/place-words.js";
 import { initSync, scene, templates } from "../../www/pkg/pathlight.js";
 
 initSync({ module: await readFile(new URL("../../www/pkg/pathlight_bg.wasm", import.meta.url)) });
-// It reads constants of the wasm when it is loaded.
-const { bodyNames, mapWords, placeWords } = await import("../../www/model/place-words.js");
 
 const FUNNEL = scene("00007:008");
 
