@@ -100,7 +100,8 @@ async function modelFiles(assets) {
     const sha256 = createHash("sha256").update(content).digest("hex");
     if (sha256 !== model.sha256)
       throw new Error(
-        `${join(assets, model.file)} is not the file that model.json names: write both again by \`pathlight publish\``,
+        `${join(assets, model.file)} is not the file that model.json names: write both again by ` +
+          "`pathlight-lab publish weights`",
       );
     const path = `assets/${model.name}-${hash(content)}${extname(model.file)}`;
     weights.set(path, content);

@@ -16,7 +16,7 @@ const ROOT = join(dirname(fileURLToPath(import.meta.url)), "..");
 export const SOURCES = join(ROOT, "www");
 const ASSETS = join(ROOT, "assets");
 /** What compiles the wasm while the rest is read. */
-const FIRST = "shell/compile-wasm.js";
+const FIRST = "loading/compile-wasm.js";
 /** With it, what the page starts with, and what its worker does. */
 const ENTRIES = [FIRST, "page/main.js", "model/worker.js"];
 /** What a page of dist/ has besides. */

@@ -5,8 +5,8 @@
 //! candidates take one step of steepest-ascent hill climbing: each is replaced by its likeliest neighbour. Further
 //! steps, longer ones and more candidates gain nothing on dev tasks.
 
-use super::online::Candidate;
-use super::ranking;
+use super::online::{Candidate, OnlineAgent, Similarity};
+use super::{Proposal, ranking};
 use crate::nets::{ImaginedBall, PathNet, ReadScene};
 use crate::puzzle::action::{Ball, Obstacles};
 use crate::puzzle::scene::Scene;
@@ -29,6 +29,25 @@ pub fn imagined_candidates(nets: &PathNet, scene: &Scene, count: usize) -> Optio
     let mut candidates: Vec<Candidate> = imagine(&read, &balls).filter(is_finite).collect();
     climb(&mut candidates, &read, &Obstacles::new(scene));
     (!candidates.is_empty()).then_some(candidates)
+}
+
+/// Returns up to `count` proposals: the candidates in the order in which the online agent tries them if all attempts
+/// fail, then the balls that the net ranks behind the candidates. A longer list begins with the balls of a shorter one.
+/// `None` as for `imagined_candidates`.
+pub fn proposals(nets: &PathNet, scene: &Scene, count: usize) -> Option<Vec<Proposal>> {
+    let candidates = imagined_candidates(nets, scene, CANDIDATES)?;
+    let mut proposals = OnlineAgent::new(candidates, Similarity::DEFAULT).list(count);
+    if proposals.len() < count {
+        // More than are missing: some are candidates that have climbed there.
+        let ranked = ranking::ranked(&nets.read(scene)?.logits, scene, count + CANDIDATES);
+        for proposal in ranked.into_iter().skip(CANDIDATES) {
+            if proposals.iter().all(|before| before.ball != proposal.ball) {
+                proposals.push(proposal);
+            }
+        }
+        proposals.truncate(count);
+    }
+    Some(proposals)
 }
 
 /// Replaces each of the likeliest candidates by its likeliest neighbour, if that is likelier and no candidate yet.
@@ -90,7 +109,22 @@ mod tests {
             assert_eq!(ball.check(&scene), Ok(()));
             assert!(candidates[..index].iter().all(|before| before.ball != *ball), "{ball} twice");
         }
-        assert_eq!(propose(&nets, &scene, 0, 100).len(), 100);
+    }
+
+    #[test]
+    fn a_longer_list_begins_with_the_balls_of_a_shorter_one() {
+        let scene = Task::load("00002:007".parse().expect("an id")).expect("a task").scene;
+        let mut nets = PathNet::new(&flex());
+        nets.dynamics = Some(DynamicsNet::new(&flex()));
+        let longest = propose(&nets, &scene, 0, 1000);
+        assert_eq!(longest.len(), 1000);
+        for (index, Proposal { ball, .. }) in longest.iter().enumerate() {
+            assert_eq!(ball.check(&scene), Ok(()));
+            assert!(longest[..index].iter().all(|before| before.ball != *ball), "{ball} twice");
+        }
+        for count in [1, 100, CANDIDATES, CANDIDATES + 1, 700] {
+            assert_eq!(propose(&nets, &scene, 0, count), longest[..count], "{count}");
+        }
     }
 
     #[test]

@@ -1,11 +1,13 @@
 //! The agents that propose balls: the model, which may learn from its attempts, and the random agent.
 //!
-//! The page, `propose` and `evaluate` all call these functions, so the same seed yields the same attempts. The judge's
+//! The page, the command line and the lab all call these functions, so the same seed yields the same attempts. The judge's
 //! logits and probabilities are the same natively and in wasm, bit for bit; the maps of the four nets differ in the
 //! last bits where the exponential functions of the two do, so that the placement map may start from another ball. No
 //! agent calls the simulator. All balls are valid and in the order of the attempts. `seed` is that of one puzzle:
 //! `TaskId::seed`.
 
+#[cfg(not(target_arch = "wasm32"))]
+pub mod agent_name;
 mod fitting_balls;
 #[cfg(not(target_arch = "wasm32"))]
 mod fixed_actions;
@@ -22,12 +24,12 @@ use serde::Serialize;
 use imagined_candidates::imagined_candidates;
 use online::{OnlineAgent, Similarity};
 
-use crate::dataset::sampling::random_ball;
 #[cfg(not(target_arch = "wasm32"))]
 use crate::nets::Dqn;
 use crate::nets::PathNet;
 use crate::puzzle::action::Ball;
 use crate::puzzle::sampled_paths::SampledPaths;
+use crate::puzzle::sampling::random_ball;
 use crate::puzzle::scene::Scene;
 
 /// An agent at work on one puzzle: it proposes balls one by one, and may learn from what became of them.
@@ -103,8 +105,8 @@ pub fn start(nets: &PathNet, scene: &Scene, seed: u64, count: usize) -> Box<dyn 
 /// Returns up to `count` proposals of the model, without learning from attempts: the balls that its dynamics net finds
 /// most probable; from weights without one those of its judge; without a judge those that its placement map suggests.
 pub fn propose(nets: &PathNet, scene: &Scene, seed: u64, count: usize) -> Vec<Proposal> {
-    if let Some(candidates) = imagined_candidates(nets, scene, count) {
-        return OnlineAgent::new(candidates, Similarity::DEFAULT).list(count);
+    if let Some(proposals) = imagined_candidates::proposals(nets, scene, count) {
+        return proposals;
     }
     // Damaged weights may have a judge whose logits are NaN; it ranks nothing.
     match from_judge(nets, scene, count) {

@@ -8,8 +8,8 @@ use rand::{Rng, RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
 use super::{Origin, Proposal};
-use crate::dataset::sampling::{perturbed, random_ball};
 use crate::puzzle::action::{Action, Ball, Obstacles};
+use crate::puzzle::sampling::{perturbed, random_ball};
 use crate::puzzle::scene::Scene;
 use crate::raster::{ball_image, cell_centre};
 

@@ -1,8 +1,7 @@
 //! The judge: scores every action at once, how likely a ball of any radius at any place solves the scene.
 //!
-//! A U-Net (`u_net`) that returns one map of logits for each of a few radii, and learns from balls with their outcome
-//! (`dataset::labels`). The paper has no such net. Agents that order balls by it need fewer
-//! attempts.
+//! A U-Net (`u_net`) that returns one map of logits for each of a few radii, and learns from balls with their outcome.
+//! The paper has no such net. Agents that order balls by it need fewer attempts.
 
 use burn::module::Module;
 use burn::nn::conv::{Conv2d, ConvTranspose2d};

@@ -23,12 +23,12 @@ pub mod imagined_balls;
 pub mod judge;
 #[cfg(not(target_arch = "wasm32"))]
 mod rounding;
-#[cfg(not(target_arch = "wasm32"))]
+#[cfg(feature = "training")]
 pub mod training;
 mod u_net;
 mod weights;
 
-pub use card::{Card, DqnCard, DynamicsCard, JudgeCard};
+pub use card::{Card, DqnCard, DynamicsCard, JudgeCard, OtherFold};
 #[cfg(not(target_arch = "wasm32"))]
 pub use dqn::Dqn;
 pub use dynamics::DynamicsNet;

@@ -27,9 +27,9 @@ const CARD: &str = "pathlight";
 pub enum WeightsError {
     #[error("not a safetensors file ({0}): download or train the weights again")]
     NotSafetensors(#[from] safetensors::SafeTensorError),
-    #[error("the file does not record how it was trained: write weights with `pathlight train`")]
+    #[error("the file does not record how it was trained: write weights with `pathlight-lab train paths`")]
     NoCard,
-    #[error("the card of the weights cannot be read ({0}): write weights with `pathlight train`")]
+    #[error("the card of the weights cannot be read ({0}): write weights with `pathlight-lab train paths`")]
     BadCard(#[from] serde_json::Error),
     #[error("the weights lack `{0}`: they belong to other nets")]
     Missing(String),
@@ -38,7 +38,7 @@ pub enum WeightsError {
     )]
     ShapeMismatch { name: String, found: Vec<usize>, expected: Vec<usize>, dtype: Dtype },
     #[error(
-        "the dynamics net of the weights learned from set cells, and is now shown covered shares of cells: train it again with `pathlight train-dynamics`"
+        "the dynamics net of the weights learned from set cells, and is now shown covered shares of cells: train it again with `pathlight-lab train dynamics`"
     )]
     SetCells,
     #[error("`{0}` holds a number that is not finite: download or train the weights again")]

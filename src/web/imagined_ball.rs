@@ -15,10 +15,10 @@ use crate::agents::online::Candidate;
 use crate::agents::sigmoid;
 use crate::nets::ImaginedBall;
 use crate::nets::ball_head::POSITIONS;
-use crate::play::game::ATTEMPT_LIMIT;
-use crate::play::played::Played;
 use crate::puzzle::action::Ball;
 use crate::puzzle::sampled_paths::{SAMPLED_STEPS, SAMPLES, SampledPath, SampledPaths};
+use crate::session::game::ATTEMPT_LIMIT;
+use crate::session::played::Played;
 
 /// The imagined paths of one ball, as a frame draws them.
 #[derive(Deserialize)]

@@ -14,13 +14,13 @@ use crate::agents;
 use crate::benchmark::difficulty::Difficulty;
 use crate::colour::palette::palette as colours;
 use crate::colour::stage::{SOLID, Stage};
-use crate::play::game::ATTEMPT_LIMIT;
 use crate::puzzle::action::RADIUS;
 use crate::puzzle::rollout::{GOAL_STEPS, STEPS_PER_SECOND};
 use crate::puzzle::scene::{SIZE, Scene};
 use crate::puzzle::task::{self, TaskError, TaskId};
 use crate::puzzle::templates::TEMPLATES;
 use crate::raster::{PX_PER_CELL, SIDE};
+use crate::session::game::ATTEMPT_LIMIT;
 use crate::simulator;
 
 mod describe;

@@ -9,21 +9,21 @@ use std::cell::RefCell;
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
-use super::error::{Code, error, to_js};
+use super::error::{Code, error, to_js, whole_number};
 use super::played::load;
 use crate::agents::ranking::probability_map;
 use crate::agents::{self, Proposal};
 use crate::benchmark::folds::Fold;
 use crate::colour::stage::Stage;
 use crate::nets::{Card, Imagined, PathNet, ReadScene, flex};
-use crate::play::ending::Ending;
-use crate::play::game::ATTEMPT_LIMIT;
-use crate::play::played::{Played, PlayedId};
-use crate::play::turn;
 use crate::puzzle::task::TaskId;
+use crate::session::ending::Ending;
+use crate::session::game::ATTEMPT_LIMIT;
+use crate::session::played::{Played, PlayedId};
+use crate::session::turn;
 
 /// Most balls of one list of proposals, as on the command line.
-const MAX_PROPOSALS: usize = 1000;
+const MAX_PROPOSALS: u32 = 1000;
 
 /// The nets with their weights.
 #[wasm_bindgen]
@@ -108,31 +108,39 @@ impl Model {
     /// Returns the balls that the model would try, in order, each with its origin: `count` of them, 1 to 1,000; without
     /// a count as many as there are attempts.
     ///
-    /// # Errors `bad_task` if there is no such task, `bad_scene` if the scene may not be played, `bad_data` if the
+    /// # Errors
+    /// `bad_task` if there is no such task, `bad_scene` if the scene may not be played, `bad_data` if the seed or the
     /// count is out of range or not a whole number.
     #[wasm_bindgen(unchecked_return_type = "Proposal[]")]
     pub fn propose(
         &self,
         #[wasm_bindgen(unchecked_param_type = "Played")] played: JsValue,
-        seed: u32,
-        count: Option<f64>,
+        #[wasm_bindgen(unchecked_param_type = "number")] seed: &JsValue,
+        #[wasm_bindgen(unchecked_optional_param_type = "number")] count: &JsValue,
     ) -> Result<JsValue, JsValue> {
         let Played { id, scene, .. } = load(played)?;
-        let count = count.map_or(Ok(ATTEMPT_LIMIT), whole_count)?;
-        to_js(&agents::propose(&self.net, &scene, id.seed(seed.into()), count))
+        let seed = whole_seed(seed)?;
+        let count = if count.is_undefined() || count.is_null() {
+            ATTEMPT_LIMIT
+        } else {
+            whole_number(count, 1..=MAX_PROPOSALS, format_args!("the model proposes 1 to {MAX_PROPOSALS} balls"))?
+                as usize
+        };
+        to_js(&agents::propose(&self.net, &scene, id.seed(seed), count))
     }
 
     /// Starts the model's turn on a task. The same seed leads to the same attempts.
     ///
     /// # Errors
-    /// `bad_task` if there is no such task, `bad_scene` if the scene may not be played.
+    /// `bad_task` if there is no such task, `bad_scene` if the scene may not be played, `bad_data` if the seed is out of
+    /// range or not a whole number.
     pub fn turn(
         &self,
         #[wasm_bindgen(unchecked_param_type = "Played")] played: JsValue,
-        seed: u32,
+        #[wasm_bindgen(unchecked_param_type = "number")] seed: &JsValue,
     ) -> Result<Turn, JsValue> {
         let Played { id, scene, .. } = load(played)?;
-        let agent = agents::start(&self.net, &scene, id.seed(seed.into()), ATTEMPT_LIMIT);
+        let agent = agents::start(&self.net, &scene, id.seed(whole_seed(seed)?), ATTEMPT_LIMIT);
         Ok(Turn(turn::Turn::new(scene, agent)))
     }
 
@@ -166,9 +174,6 @@ impl Turn {
     }
 }
 
-/// Returns a number of proposals. It comes as JavaScript's number, because wasm-bindgen would wrap or truncate others.
-fn whole_count(count: f64) -> Result<usize, JsValue> {
-    let whole = (1.0..=MAX_PROPOSALS as f64).contains(&count) && count.fract() == 0.0;
-    let refused = || error(Code::BadData, format!("the model proposes 1 to {MAX_PROPOSALS} balls, not {count}"));
-    whole.then_some(count as usize).ok_or_else(refused)
+fn whole_seed(seed: &JsValue) -> Result<u64, JsValue> {
+    whole_number(seed, 0..=u32::MAX, "a seed is a whole number from 0 to 2^32 - 1").map(u64::from)
 }

@@ -349,6 +349,8 @@ export interface View {
     step: number;
     /** The ball being placed. */
     ball: Ball | null;
+    /** Whether that ball may be placed there; `paintDraft` finds out itself. */
+    valid: boolean;
     /** The radius of the knob on that ball, px; 0 draws none. */
     knob: number;
     /** Draws whole paths and not only up to the step. */

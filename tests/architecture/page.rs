@@ -6,7 +6,10 @@ use crate::rule::{Never, Only, Rule, unknown_files};
 /// The folders and files of `www/` in the order in which they import each other: each only those before it. `pkg` is
 /// the wasm package, of which all may import what the API does not have. Imports in JSDoc are types only and are not
 /// looked at.
-const LAYERS: [&str; 10] = ["pkg", "api", "shell", "model", "play", "panels", "workshop", "element", "page", "offline"];
+const LAYERS: [&str; 16] = [
+    "pkg", "api", "storage", "shell", "loading", "puzzles", "state", "text", "widgets", "model", "play", "panels",
+    "workshop", "element", "page", "offline",
+];
 
 /// What modules outside of `api/` may import of `pkg`: what the API does not have, because only the player needs it.
 const PLAYER_ONLY: [&str; 7] =
@@ -31,13 +34,18 @@ const RULES: &[Rule] = &[
     },
     Rule {
         words: &["document", "window", "localStorage"],
-        files: Never(&["api/", "model/", "shell/url-state.js", "shell/constants.js"]),
+        files: Never(&["api/", "model/", "state/", "shell/constants.js"]),
         reason: "it runs in the worker too, or without a page",
     },
     Rule {
         words: &["localStorage", "sessionStorage", "indexedDB", "document.cookie"],
-        files: Only(&["shell/progress-store.js", "shell/attempt-store.js", "workshop/own-puzzles.js"]),
-        reason: "one file each knows what is stored in the browser, and in what form",
+        files: Only(&["storage/browser-store.js"]),
+        reason: "one file knows how the browser stores, and what becomes of the page when it does not",
+    },
+    Rule {
+        words: &["document.", "byId(", "pkg/pathlight.js\";", "api/pathlight.js\";"],
+        files: Never(&["storage/"]),
+        reason: "what is stored is read and merged in Node too, without a page and without the wasm",
     },
     Rule {
         words: &["history.", "location."],
@@ -46,7 +54,7 @@ const RULES: &[Rule] = &[
     },
     Rule {
         words: &["URL(\"./"],
-        files: Never(&["api/", "shell/", "model/", "play/", "panels/", "workshop/", "element/", "page/"]),
+        files: Never(&["api/", "loading/", "widgets/", "model/", "play/", "panels/", "workshop/", "element/", "page/"]),
         reason: "a bundle takes the place of its entry in another folder: addresses begin with that of the folder, \"../\"",
     },
     Rule {
@@ -89,11 +97,11 @@ fn an_import_of_a_later_folder_is_found() {
     let imports = |path, text| later_imports(&Source::new(path, text)).len();
     assert_eq!(imports("model/worker.js", "import { Session } from \"../play/session.js\";"), 1);
     assert_eq!(imports("model/worker.js", "import {\n  Session,\n} from '../play/session.js';"), 1);
-    assert_eq!(imports("shell/load-wasm.js", "const page = await import(\"../page/page.js\");"), 1);
-    assert_eq!(imports("shell/dom.js", "import \"../model/stage-text.js\";"), 1);
-    assert_eq!(imports("panels/compare.js", "import { byId } from \"../shell/dom.js\";"), 0);
+    assert_eq!(imports("loading/load-wasm.js", "const page = await import(\"../page/page.js\");"), 1);
+    assert_eq!(imports("widgets/dom.js", "import \"../model/stage-text.js\";"), 1);
+    assert_eq!(imports("panels/compare.js", "import { byId } from \"../widgets/dom.js\";"), 0);
     assert_eq!(imports("panels/compare.js", "import { TroubleBox } from \"./trouble-box.js\";"), 0);
-    assert_eq!(imports("shell/component.js", "/** @typedef {import(\"../play/session.js\").Session} Session */"), 0);
+    assert_eq!(imports("widgets/component.js", "/** @typedef {import(\"../play/session.js\").Session} Session */"), 0);
     assert_eq!(imports("model/worker.js", "import init from \"../pkg/pathlight.js\";"), 0);
 }
 

@@ -79,7 +79,7 @@ test("what make play serves loads two scripts, and one more for the model", asyn
       .getEntriesByType("resource")
       .map(({ name }) => new URL(name).pathname)
       .filter((path) => path.endsWith(".js"));
-  assert.deepEqual(await page.evaluate(scripts), ["/shell/compile-wasm.js", "/page/main.js", "/model/worker.js"]);
+  assert.deepEqual(await page.evaluate(scripts), ["/loading/compile-wasm.js", "/page/main.js", "/model/worker.js"]);
   const bytes = await page.evaluate(
     () =>
       /** @type {PerformanceResourceTiming[]} */ (performance.getEntriesByType("resource")).find(({ name }) =>

@@ -143,6 +143,27 @@ test("bad input is refused in a sentence with a code", async () => {
   assert.deepEqual([status, reason, steps], ["invalid", "the ball sticks out of the scene", 0]);
 });
 
+test("numbers that a script gets wrong are refused by name", async () => {
+  const pathlight = await load();
+  for (const first of [0, -1, 1.5, "1"])
+    assert.throws(() => pathlight.auccess([1, /** @type {any} */ (first)]), {
+      code: "bad_data",
+      message: /^item 1 has to be the number of the first attempt .*, counted from 1, or null, not /,
+    });
+  for (const seed of /** @type {any[]} */ ([-1, 1.5, "a", 2 ** 32])) {
+    const refused = { code: "bad_data", message: /^a seed is a whole number from 0 to 2\^32 - 1, not / };
+    assert.throws(() => pathlight.propose(TASK, { seed }), refused);
+    assert.throws(() => pathlight.turn(TASK, { seed }).next(), refused);
+  }
+  for (const count of /** @type {any[]} */ ([0, 1001, "7"]))
+    assert.throws(() => pathlight.propose(TASK, { count }), {
+      code: "bad_data",
+      message: /proposes 1 to 1000 balls, not /,
+    });
+  const digest = pathlight.attemptLine(TASK).digest.toUpperCase();
+  assert.equal(pathlight.verifyAttempt({ ...pathlight.attemptLine(TASK), digest }).verdict, "not_valid");
+});
+
 test("a transfer that breaks off is refused with a code and the address", async (context) => {
   const server = createServer((request, response) => {
     const { pathname, searchParams } = new URL(request.url ?? "", "http://127.0.0.1");

@@ -91,7 +91,7 @@ export class Pathlight {
   }
 
   /**
-   * Loads weights that `pathlight train`, `train-judge` or `train-dynamics` has written, in place of those there are.
+   * Loads weights that `pathlight-lab train` has written, in place of those there are.
    * @param {BufferSource | URL | string} weights their bytes or their address; in Node also a path
    * @param {OnProgress} [onProgress]
    */
@@ -304,6 +304,7 @@ export class Pathlight {
 
   /**
    * Returns the balls that the model would try, in order. All are valid; fewer than `count` if the scene has no room.
+   * A longer list begins with the balls of a shorter one.
    * @param {Played} task
    * @param {{ seed?: number, count?: number }} [options] `seed`: a whole number from 0 to 2^32 - 1; `count`: 1 to
    *   1,000, by default the 100 attempts that count
@@ -317,7 +318,7 @@ export class Pathlight {
    * The model's turn: tries the balls that it proposes, one each time the next value is asked for, until one solves the
    * task or all 100 have been tried.
    * @param {Played} task
-   * @param {{ seed?: number }} [options]
+   * @param {{ seed?: number }} [options] `seed`: as that of `propose`
    * @returns {Generator<TriedProposal, void, void>}
    */
   *turn(task, { seed = 0 } = {}) {

@@ -13,19 +13,19 @@
 //
 // This file knows only the element; everything else is loaded once the wasm is there.
 
-import { afterFrame } from "../shell/after-frame.js";
-import { loadWasm } from "../shell/load-wasm.js";
+import { afterFrame } from "../loading/after-frame.js";
+import { loadWasm } from "../loading/load-wasm.js";
 import { puzzleMarkup } from "./markup.js";
 import { Placeholder, placeholderSheet } from "./placeholder.js";
 import { loadStyleSheets } from "./style-sheets.js";
 
-/** @typedef {import("../shell/url-state.js").State} State */
-/** @typedef {import("../shell/url-state.js").Panel} Panel */
+/** @typedef {import("../state/url-state.js").State} State */
+/** @typedef {import("../state/url-state.js").Panel} Panel */
 /** @typedef {import("./controller.js").PlayedAttempt} PlayedAttempt */
 /** @typedef {import("../play/after-solving.js").Result} Result */
 /** @typedef {(task: string, panel: Panel) => string | null} HrefOf */
 
-/** The attributes that make up the state; shell/url-state.js knows their values. */
+/** The attributes that make up the state; state/url-state.js knows their values. */
 const STATE_ATTRIBUTES = [
   "task",
   "scene",
@@ -346,7 +346,7 @@ export class PathlightPuzzle extends HTMLElement {
       const [module, sheets] = await Promise.all([loadWasm(), loadStyleSheets()]);
       const [{ PuzzleController }, { sharedProgress }] = await Promise.all([
         import("./controller.js"),
-        import("../shell/progress-store.js"),
+        import("../storage/progress.js"),
       ]);
       this.#root.adoptedStyleSheets = [placeholderSheet, ...sheets];
       this.#root.append(puzzleMarkup());

@@ -1,5 +1,6 @@
 // Asks the worker what the model imagines for a ball that may change all the time. Knows nothing of the document.
 
+import { sameBall } from "../puzzles/ball.js";
 import { LatestCall } from "./latest-call.js";
 
 /** @typedef {import("./messages.js").Ball} Ball */
@@ -66,7 +67,7 @@ export class BallImaginer extends EventTarget {
    * @param {AbortSignal} signal
    */
   async #answerFor(played, ball, signal) {
-    if (String(ball) === String(this.answer?.of)) return this.answer;
+    if (sameBall(ball, this.answer?.of)) return this.answer;
     const imagined = await this.#client.imagineBall(played, ball, signal);
     return imagined && { of: ball, imagined };
   }

@@ -37,7 +37,7 @@ export const STAGE_TEXT = {
 
 /**
  * The same for the steps by which a model that imagines balls chooses one, and sees what comes of it.
- * @type {Record<import("../shell/url-state.js").ChoiceStep, { name: string, meaning: string, how: string }>}
+ * @type {Record<import("../state/url-state.js").ChoiceStep, { name: string, meaning: string, how: string }>}
  */
 export const CHOICE_TEXT = {
   candidates: {

@@ -2,9 +2,9 @@
 // Unhandled errors are shown here.
 
 import "../element/pathlight-puzzle.js";
-import { byId } from "../shell/dom.js";
-import { showNotice } from "../shell/notice.js";
-import { loadWasm } from "../shell/load-wasm.js";
+import { byId } from "../widgets/dom.js";
+import { showNotice } from "../widgets/notice.js";
+import { loadWasm } from "../loading/load-wasm.js";
 
 const reload = () => location.reload();
 

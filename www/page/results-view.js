@@ -5,8 +5,8 @@ import { auccessWords, outcomeCount } from "./results-words.js";
 import { calibrationChart, calibrationTable } from "./calibration-chart.js";
 import { AGENT_NAMES, modelWords } from "../model/model-words.js";
 import { readResults, resultsCsv } from "../model/results.js";
-import { byId } from "../shell/dom.js";
-import { download } from "../shell/download.js";
+import { byId } from "../widgets/dom.js";
+import { download } from "../widgets/download.js";
 
 /** @typedef {import("../model/results.js").ModelResults} ModelResults */
 /** @typedef {import("../pkg/pathlight.js").Template} Template */

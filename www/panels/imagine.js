@@ -2,15 +2,15 @@
 // scene. Other components read the maps here; "maps" is fired when they have come or gone.
 
 import { paintLegend, paintOutline } from "../pkg/pathlight.js";
-import { Component } from "../shell/component.js";
+import { Component } from "../widgets/component.js";
 import { GRID_SIDE, STAGES } from "../shell/constants.js";
-import { contextOf, find, setText } from "../shell/dom.js";
+import { contextOf, find, setText } from "../widgets/dom.js";
 import { pathlight } from "../shell/pathlight.js";
 import { summary } from "../model/map-summary.js";
 import { modelWords } from "../model/model-words.js";
 import { mapWords } from "../model/place-words.js";
 import { STAGE_TEXT } from "../model/stage-text.js";
-import { sentence } from "../shell/sentence.js";
+import { sentence } from "../text/sentence.js";
 import { TroubleBox } from "./trouble-box.js";
 
 /** @typedef {import("../pkg/pathlight.js").Stage} Stage */
@@ -44,7 +44,7 @@ export class Imagine extends Component {
   #scenesDrawn = false;
 
   /**
-   * @param {import("../shell/dom.js").Root} root
+   * @param {import("../widgets/dom.js").Root} root
    * @param {import("../model/shared-client.js").SharedClient} client
    * @param {import("./scene-picture.js").ScenePicture} scenePicture
    */
@@ -74,7 +74,7 @@ export class Imagine extends Component {
     this.#setImagined(null);
   }
 
-  /** @param {import("../shell/url-state.js").View} view */
+  /** @param {import("../state/view.js").View} view */
   setState(view) {
     this.#shown = view.panel === "imagine";
     this.#paintScenes();

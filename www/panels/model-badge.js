@@ -1,8 +1,8 @@
 // Says which model it is wherever a result of it stands, and whether it has seen the puzzle in training, which decides
 // what the result is worth.
 
-import { Component } from "../shell/component.js";
-import { setText } from "../shell/dom.js";
+import { Component } from "../widgets/component.js";
+import { setText } from "../widgets/dom.js";
 import { modelWords, seenWords } from "../model/model-words.js";
 
 export class ModelBadge extends Component {
@@ -11,7 +11,7 @@ export class ModelBadge extends Component {
   #badges;
 
   /**
-   * @param {import("../shell/dom.js").Root} root
+   * @param {import("../widgets/dom.js").Root} root
    * @param {import("../model/shared-client.js").SharedClient} client
    * @param {import("./imagine.js").Imagine} imagine
    */

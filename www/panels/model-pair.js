@@ -1,16 +1,16 @@
 // Two models side by side on the open puzzle: for each whether it has seen the puzzle, a map, the balls that it tries
 // by their outcome, and when it solves. The second model has a worker of its own while they are shown.
 
-import { Component } from "../shell/component.js";
+import { Component } from "../widgets/component.js";
 import { STAGES } from "../shell/constants.js";
-import { contextOf, find, setText } from "../shell/dom.js";
+import { contextOf, find, setText } from "../widgets/dom.js";
 import { pathlight } from "../shell/pathlight.js";
 import { chanceWords } from "../model/chance-words.js";
 import { modelWords, seenWords } from "../model/model-words.js";
 import { mapWords } from "../model/place-words.js";
 import { STAGE_TEXT } from "../model/stage-text.js";
 import { SharedClient } from "../model/shared-client.js";
-import { sentence } from "../shell/sentence.js";
+import { sentence } from "../text/sentence.js";
 import { OutcomeStrip } from "./outcome-strip.js";
 
 /** @typedef {import("../pkg/pathlight.js").Stage} Stage */
@@ -38,7 +38,7 @@ export class ModelPair extends Component {
   #asked = null;
 
   /**
-   * @param {import("../shell/dom.js").Root} root
+   * @param {import("../widgets/dom.js").Root} root
    * @param {WebAssembly.Module} module
    * @param {SharedClient} client of the model that is chosen
    * @param {import("./scene-picture.js").ScenePicture} scenePicture

@@ -2,7 +2,7 @@
 // it is and how well the two overlap.
 
 import { paintOutline } from "../pkg/pathlight.js";
-import { contextOf, find } from "../shell/dom.js";
+import { contextOf, find } from "../widgets/dom.js";
 import { pathlight } from "../shell/pathlight.js";
 
 /** @param {number} fraction */

@@ -2,9 +2,9 @@
 // The worker answers the newest scene and leaves out those in between. Fires "live" when there is something else to
 // show.
 
-import { Component } from "../shell/component.js";
+import { Component } from "../widgets/component.js";
 import { GRID_SIDE, STAGES } from "../shell/constants.js";
-import { contextOf, setText } from "../shell/dom.js";
+import { contextOf, setText } from "../widgets/dom.js";
 import { pathlight } from "../shell/pathlight.js";
 import { LatestCall } from "../model/latest-call.js";
 import { summary } from "../model/map-summary.js";
@@ -34,7 +34,7 @@ export class LiveScene extends Component {
   #watching;
 
   /**
-   * @param {import("../shell/dom.js").Root} root
+   * @param {import("../widgets/dom.js").Root} root
    * @param {import("../model/shared-client.js").SharedClient} client
    */
   constructor(root, client) {

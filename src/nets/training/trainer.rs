@@ -2,7 +2,7 @@
 //!
 //! The loss of the four nets is the sum of the per-pixel binary cross-entropies of their maps, with gradients through
 //! the whole chain (Harter et al. 2020). The judge's is the mean binary cross-entropy of the balls. A trainer can be
-//! saved between two batches and resumed with the same result. Used by the commands that train and by the benches;
+//! saved between two batches and resumed with the same result. Used by the lab;
 //! native only. The learning rate of each step is the caller's.
 
 use std::mem::take;
@@ -16,7 +16,7 @@ use burn::tensor::activation::relu;
 use burn::tensor::{Device, Int, Tensor, TensorData};
 
 use super::adam::FusedAdam;
-use crate::dataset::samples::Sample;
+use super::sample::Sample;
 use crate::nets::judge::{RADII, logit_index};
 use crate::nets::{Judge, PathNet};
 use crate::puzzle::action::{Ball, Invalid};

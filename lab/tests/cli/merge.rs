@@ -1,0 +1,106 @@
+//! `pathlight-lab data merge`: the files of single templates make the file of all, byte for byte.
+
+use std::fs;
+use std::path::Path;
+
+use tempfile::tempdir;
+
+use super::{assert_refused, output_of};
+
+/// Runs a command for each template, and returns the names of the files.
+fn shards(command: &[&str], folder: &Path, name: &str) -> Vec<String> {
+    let shard = |template: usize| {
+        let out = folder.join(format!("{name}-{template}.jsonl")).display().to_string();
+        output_of(&[command, &["--template", &template.to_string(), "--out", &out]].concat());
+        out
+    };
+    (0..25).map(shard).collect()
+}
+
+fn merge(files: &[String], out: &str) {
+    let files: Vec<&str> = files.iter().map(String::as_str).collect();
+    output_of(&[&["data", "merge"], &files[..], &["--out", out]].concat());
+}
+
+#[test]
+fn files_of_single_templates_make_the_file_of_all() {
+    let folder = tempdir().expect("a folder");
+    let path = |name: &str| folder.path().join(name).display().to_string();
+    let equal = |one: &str, other: &str| {
+        assert!(fs::read(path(one)).expect("a file") == fs::read(path(other)).expect("a file"), "{one} is not {other}");
+    };
+    // Searches of some templates end after one round, those of others after several.
+    let collect = ["data", "collect", "--limit", "2", "--per-task", "2", "--rounds", "4", "--persist", "0"];
+    let solutions = path("solutions.jsonl");
+    output_of(&[&collect[..], &["--out", &solutions]].concat());
+    let mut files = shards(&collect, folder.path(), "solutions");
+    files.reverse();
+    merge(&files, &path("merged.jsonl"));
+    equal("merged.jsonl", "solutions.jsonl");
+    merge(&files, &path("merged.jsonl"));
+
+    // A fold of the setup cross has training tasks of 20 templates only.
+    for options in [&["--variants"][..], &["--setup", "cross", "--fold", "0"]] {
+        let label = [&["data", "label", "--limit", "2", "--rounds", "2", "--solutions", &solutions], options].concat();
+        let (all, merged) = (path("labels.jsonl"), path("labels-merged.jsonl"));
+        output_of(&[&label[..], &["--out", &all]].concat());
+        let labelled = fs::read_to_string(&all).expect("labels");
+        let has = |template: usize| labelled.contains(&format!("{{\"task\":\"{template:05}:"));
+        let file = |template: usize| {
+            let out = path(&format!("labels-{template}.jsonl"));
+            output_of(&[&label[..], &["--template", &template.to_string(), "--out", &out]].concat());
+            out
+        };
+        let files: Vec<String> = (0..25).filter(|&template| has(template)).map(file).collect();
+        merge(&files, &merged);
+        equal("labels-merged.jsonl", "labels.jsonl");
+        let but_one: Vec<&str> = files[1..].iter().map(String::as_str).collect();
+        let fewer = path("fewer.jsonl");
+        let refused = [&["data", "merge"], &but_one[..], &["--out", &fewer]].concat();
+        assert_refused(&refused, "make those with `pathlight-lab data label --template`");
+        for file in files.iter().chain([&all, &merged]) {
+            fs::remove_file(file).expect("removed");
+        }
+    }
+
+    let merge_with = |others: &[&str], out: &str, words: &str| {
+        let files: Vec<&str> = files.iter().map(String::as_str).collect();
+        assert_refused(&[&["data", "merge"], &files[..], others, &["--out", out]].concat(), words);
+    };
+    merge_with(&[&solutions], &path("new.jsonl"), "is not of one template");
+    merge_with(&[&files[3]], &path("new.jsonl"), "are of the same template");
+    fs::write(path("other.jsonl"), "kept").expect("written");
+    merge_with(&[], &path("other.jsonl"), "exists with other contents");
+    assert_eq!(fs::read_to_string(path("other.jsonl")).expect("a file"), "kept");
+    let other_seed = path("other-seed.jsonl");
+    let search = [&collect[..], &["--template", "0", "--seed", "1", "--out", &other_seed]].concat();
+    output_of(&search);
+    let named: Vec<&str> = files.iter().map(String::as_str).filter(|file| !file.ends_with("-0.jsonl")).collect();
+    let out = path("new.jsonl");
+    assert_refused(&[&["data", "merge"], &named[..], &[&other_seed, "--out", &out]].concat(), "`seed` is");
+}
+
+#[test]
+fn a_search_that_was_interrupted_is_not_merged() {
+    let folder = tempdir().expect("a folder");
+    let collect = ["data", "collect", "--limit", "1", "--per-task", "2", "--rounds", "50"];
+    let files = shards(&collect, folder.path(), "solutions");
+    let texts: Vec<String> = files.iter().map(|file| fs::read_to_string(file).expect("a file")).collect();
+    let rounds = |text: &str| text.lines().filter(|line| line.contains("\"round\"")).count();
+    let longest = (0..25).max_by_key(|&template| rounds(&texts[template])).expect("files");
+    let other = (0..25).filter(|&one| one != longest).max_by_key(|&template| rounds(&texts[template])).expect("files");
+    assert!(rounds(&texts[other]) >= 2, "no search takes two rounds");
+    let out = folder.path().join("merged.jsonl").display().to_string();
+    let named: Vec<&str> = files.iter().map(String::as_str).collect();
+    let merge = [&["data", "merge"], &named[..], &["--out", &out]].concat();
+    // The longest search is cut off late, so that it may still be the longest; the other in its first round.
+    for (template, kept) in [(longest, 49.min(rounds(&texts[longest]) - 1)), (other, 0)] {
+        let lines: Vec<&str> = texts[template].split_inclusive('\n').collect();
+        let mut closing = (0..lines.len()).filter(|&line| lines[line].contains("\"round\""));
+        let end = closing.nth(kept).expect("a round that is cut off");
+        fs::write(&files[template], lines[..end].concat()).expect("written");
+        assert_refused(&merge, &format!("continue it with `pathlight-lab data collect --template {template}"));
+        fs::write(&files[template], &texts[template]).expect("written");
+    }
+    output_of(&merge);
+}
