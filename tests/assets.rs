@@ -5,7 +5,7 @@
 use std::fs;
 use std::path::Path;
 
-use pathlight::nets::{PathNet, flex};
+use pathlight::nets::PathNet;
 use pathlight::simulator;
 use serde_json::Value;
 use sha2::{Digest, Sha256};
@@ -26,7 +26,7 @@ fn every_model_of_the_list_is_there_whole_and_up_to_date() {
         let digest: String = Sha256::digest(&bytes).iter().map(|byte| format!("{byte:02x}")).collect();
         assert_eq!(digest, text("sha256"), "run `pathlight-lab publish weights` again");
         assert_eq!(model["size"], bytes.len(), "run `pathlight-lab publish weights` again");
-        let (nets, card) = PathNet::load(&bytes, &flex()).expect("weights that fit");
+        let (nets, card) = PathNet::load(&bytes).expect("weights that fit");
         assert_eq!(text("name"), format!("{}-{}", card.setup, card.fold));
         assert_eq!(card.simulator, simulator::VERSION, "trained on rollouts of another simulator");
         assert!(bytes.len() < MAX_BYTES, "{} is {} bytes", text("name"), bytes.len());

@@ -2,7 +2,7 @@
 #![cfg(target_arch = "wasm32")]
 
 use js_sys::Reflect;
-use pathlight::nets::{DynamicsNet, PathNet, flex};
+use pathlight::nets::{DynamicsNet, PathNet};
 use pathlight::session::game::ATTEMPT_LIMIT;
 use pathlight::web::{
     Model, Puzzle, SolutionSearch, SolveMap, attempt_line, auccess, constants, fold, luck, own_scene, palette, raster,
@@ -337,13 +337,13 @@ fn the_model_imagines_a_map_for_each_stage() {
 #[wasm_bindgen_test]
 fn a_ball_is_imagined_by_weights_that_have_a_dynamics_net() {
     let bytes = include_bytes!("../assets/within-0.safetensors");
-    let (mut nets, mut card) = PathNet::load(bytes, &flex()).expect("the shipped weights");
+    let (mut nets, mut card) = PathNet::load(bytes).expect("the shipped weights");
     (nets.dynamics, card.dynamics) = (None, None);
     let without = Model::new(&nets.save(&card).expect("weights")).expect("a model");
     let ball = |x: f64, y: f64, r: f64| serde_wasm_bindgen::to_value(&[x, y, r]).expect("a ball");
     assert!(without.imagine_ball(TASK.into(), ball(128.0, 230.0, 8.0)).expect("no error").is_undefined());
     assert!(without.candidates(TASK.into()).expect("no error").is_undefined());
-    nets.dynamics = Some(DynamicsNet::new(&flex()));
+    nets.dynamics = Some(DynamicsNet::fresh(0));
     let model = Model::new(&nets.save(&card).expect("weights")).expect("a model");
     let imagined = |id: &str, x: f64| model.imagine_ball(id.into(), ball(x, 230.0, 8.0)).expect("a valid ball");
     let first = imagined(TASK, 128.0);

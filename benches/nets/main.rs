@@ -12,7 +12,7 @@ use std::{env, fs};
 use pathlight::agents::{self, ranking};
 use pathlight::benchmark::auccess::MAX_ATTEMPTS;
 use pathlight::nets::training::{Batch, Sample, Trainer};
-use pathlight::nets::{Imagined, PathNet, flex};
+use pathlight::nets::{Imagined, PathNet};
 use pathlight::puzzle::task::Task;
 use pathlight::raster::{Bitmap, scene_channels};
 use pathlight_lab::data::samples::sample;
@@ -80,7 +80,7 @@ fn load(task: &str) -> Task {
 
 fn nets() -> PathNet {
     let bytes = fs::read(WEIGHTS).expect("the weights are in assets");
-    PathNet::load(&bytes, &flex()).expect("the weights fit").0
+    PathNet::load(&bytes).expect("the weights fit").0
 }
 
 /// Writes the scene `[5, 64, 64]` and the batch `[32, 9, 64, 64]`, scenes before targets.
@@ -108,7 +108,7 @@ fn batch() -> Vec<Sample> {
 /// The step of `pathlight-lab train paths`, on one batch over and over; returns the sum of the losses.
 fn training() -> impl FnMut() -> f32 {
     // The shipped weights, because the peers start from the same file.
-    let mut trainer = Trainer::from_nets(nets(), flex());
+    let mut trainer = Trainer::from_nets(nets());
     let samples = batch();
     move || {
         let batch = Batch::new(samples.iter().map(|sample| (sample, false)));

@@ -8,8 +8,8 @@ use std::path::Path;
 use std::str;
 
 use pathlight::agents;
+use pathlight::nets::PathNet;
 use pathlight::nets::judge::logit_index;
-use pathlight::nets::{PathNet, flex};
 use pathlight::puzzle::own_scene::{OwnScene, sentences};
 use pathlight::puzzle::rollout::Rollout;
 use pathlight::puzzle::scene::Scene;
@@ -117,7 +117,7 @@ pub fn batch(bytes: &[u8]) {
 /// A file of weights: the bytes, and the shipped file with its head changed by the bytes.
 pub fn weights(bytes: &[u8]) {
     for file in [bytes.to_vec(), weights_file::changed(bytes)] {
-        let _ = PathNet::load(&file, &flex()).inspect_err(says_why);
+        let _ = PathNet::load(&file).inspect_err(says_why);
     }
 }
 

@@ -32,12 +32,12 @@ use crate::puzzle::sampled_paths::SampledPaths;
 use crate::puzzle::sampling::random_ball;
 use crate::puzzle::scene::Scene;
 
-/// An agent at work on one puzzle: it proposes balls one by one, and may learn from what became of them.
+/// An agent at work on one puzzle: it proposes balls one by one, and may learn from their outcomes.
 pub trait Agent: Send {
     /// Returns the next ball; `None` if it has no more.
     fn propose(&mut self) -> Option<Proposal>;
 
-    /// Tells the outcome of the attempt with the ball that it proposed last.
+    /// Tells the agent the outcome of the attempt with the ball that it proposed last.
     fn observe(&mut self, observation: &Observation);
 }
 
@@ -49,7 +49,7 @@ pub struct Observation {
     pub paths: Option<SampledPaths>,
 }
 
-/// A list that was ordered beforehand: it learns nothing.
+/// A list that was ordered beforehand is an agent that learns nothing.
 impl Agent for std::vec::IntoIter<Proposal> {
     fn propose(&mut self) -> Option<Proposal> {
         self.next()

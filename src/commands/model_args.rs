@@ -5,7 +5,7 @@ use std::{fs, path};
 
 use anyhow::Context;
 use pathlight::benchmark::folds::FoldId;
-use pathlight::nets::{Dqn, PathNet, flex};
+use pathlight::nets::{Dqn, PathNet};
 
 /// A file of weights; part of the arguments of other commands.
 #[derive(clap::Args)]
@@ -30,7 +30,7 @@ impl ModelArgs {
                  `pathlight-lab train paths` has written with --weights"
             )
         })?;
-        let (nets, card) = PathNet::load(&bytes, &flex()).with_context(|| format!("cannot use {name}"))?;
+        let (nets, card) = PathNet::load(&bytes).with_context(|| format!("cannot use {name}"))?;
         card.fold_id().check(fold).with_context(|| format!("cannot use {name}"))?;
         Ok(nets)
     }
@@ -56,7 +56,7 @@ impl DqnArgs {
         let bytes = fs::read(&path).with_context(|| {
             format!("cannot read DQN's weights in {name}: run `pathlight-lab train dqn`, or name a file with --dqn")
         })?;
-        let (net, card) = Dqn::load(&bytes, &flex())
+        let (net, card) = Dqn::load(&bytes)
             .with_context(|| format!("cannot use {name} as DQN's weights, which `pathlight-lab train dqn` writes"))?;
         card.fold_id().check(fold).with_context(|| format!("cannot use {name}"))?;
         Ok(net)

@@ -29,7 +29,8 @@ impl ModuleMapper for Rounding {
             return param;
         }
         param.map(|tensor| {
-            let (shape, device) = (tensor.dims(), tensor.device());
+            let shape = tensor.dims();
+            let device = tensor.device();
             let mut weights: Vec<f32> = tensor.into_data().iter().collect();
             round(&mut weights);
             Tensor::from_data(TensorData::new(weights, shape), &device)

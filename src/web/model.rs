@@ -14,8 +14,8 @@ use super::played::load;
 use crate::agents::ranking::probability_map;
 use crate::agents::{self, Proposal};
 use crate::benchmark::folds::Fold;
-use crate::colour::stage::Stage;
-use crate::nets::{Card, Imagined, PathNet, ReadScene, flex};
+use crate::colour::maps::ImaginedMap;
+use crate::nets::{Card, PathNet, ReadScene};
 use crate::puzzle::task::TaskId;
 use crate::session::ending::Ending;
 use crate::session::game::ATTEMPT_LIMIT;
@@ -56,7 +56,7 @@ impl Model {
     /// `bad_weights` if the file is damaged or belongs to other nets.
     #[wasm_bindgen(constructor)]
     pub fn new(bytes: &[u8]) -> Result<Model, JsValue> {
-        let (net, card) = PathNet::load(bytes, &flex()).map_err(|why| error(Code::BadWeights, why))?;
+        let (net, card) = PathNet::load(bytes).map_err(|why| error(Code::BadWeights, why))?;
         let seen = Fold::new(card.setup, card.fold).all_train();
         Ok(Model { net, last_read: RefCell::new(None), card, seen })
     }
@@ -76,7 +76,7 @@ impl Model {
         Ok(load(played)?.id.task().is_some_and(|task| self.seen.binary_search(&task).is_ok()))
     }
 
-    /// Returns the maps of a task: for each stage a Float32Array of 64 x 64 values in 0..=1, row 0 at the bottom.
+    /// Returns the maps of a task: for each a Float32Array of 64 x 64 values in 0..=1, row 0 at the bottom.
     /// Weights with neither a judge nor a dynamics net have no map `judge`.
     ///
     /// # Errors
@@ -90,16 +90,13 @@ impl Model {
         let imagined = self.net.imagine(&scene);
         let judge = self.net.cell_logits(&scene).and_then(|logits| probability_map(&logits, &scene));
         let maps = js_sys::Object::new();
-        for stage in Stage::ALL {
-            let map = match stage {
-                Stage::Base => Some(&imagined.base),
-                Stage::Target => Some(&imagined.target),
-                Stage::Action => Some(&imagined.action),
-                Stage::Placement => Some(&imagined.placement),
-                Stage::Judge => judge.as_ref(),
+        for map in ImaginedMap::ALL {
+            let values = match map {
+                ImaginedMap::Judge => judge.as_deref(),
+                of_paper => imagined.map(of_paper),
             };
-            if let Some(map) = map {
-                js_sys::Reflect::set(&maps, &stage.name().into(), &js_sys::Float32Array::from(map.as_slice()))?;
+            if let Some(values) = values {
+                js_sys::Reflect::set(&maps, &map.name().into(), &js_sys::Float32Array::from(values))?;
             }
         }
         Ok(maps.into())
@@ -144,8 +141,8 @@ impl Model {
         Ok(Turn(turn::Turn::new(scene, agent)))
     }
 
-    /// Returns the maps of the paper's four nets alone, without the judge: base, target, action and placement in one
-    /// Float32Array `[4, 64, 64]`. `make bench` compares it with other engines, which run the same four nets.
+    /// Returns the maps of the paper's nets alone: base, target, action and placement in one Float32Array
+    /// `[4, 64, 64]`. `make bench` compares it with other engines, which run the same nets.
     ///
     /// # Errors
     /// `bad_task` if there is no such task, `bad_scene` if the scene may not be played.
@@ -154,8 +151,9 @@ impl Model {
         &self,
         #[wasm_bindgen(unchecked_param_type = "Played")] played: JsValue,
     ) -> Result<Vec<f32>, JsValue> {
-        let Imagined { base, target, action, placement } = self.net.imagine(&load(played)?.scene);
-        Ok([base, target, action, placement].concat())
+        let imagined = self.net.imagine(&load(played)?.scene);
+        let maps: Vec<&[f32]> = ImaginedMap::ALL.into_iter().filter_map(|map| imagined.map(map)).collect();
+        Ok(maps.concat())
     }
 }
 

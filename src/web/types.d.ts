@@ -133,7 +133,7 @@ export interface Fold {
     test: string[];
 }
 
-/** What the nets imagine: the four maps of the paper in the order in which the nets make them, and the judge's. */
+/** The maps that the nets imagine, in the order in which they make them. */
 export type Stage = "base" | "target" | "action" | "placement" | "judge";
 
 /** A map or a mask: 64 x 64 values in 0..1, row by row, row 0 at the bottom. */
@@ -162,8 +162,10 @@ export interface Constants {
     steps_per_second: number;
     /** Steps for which the green object has to touch its goal. */
     goal_steps: number;
-    /** All stages, in the order in which the nets make them. */
+    /** All maps, in the order in which the nets make them. */
     stages: Stage[];
+    /** Those that the paper's nets make; every model has them. */
+    paper_stages: Stage[];
     /** The version of the simulator: rollouts of another may end otherwise. */
     simulator_version: number;
     /** The version of the agents: the same model proposes other balls with another. */

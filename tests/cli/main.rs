@@ -8,7 +8,7 @@ use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
-use pathlight::nets::{PathNet, flex};
+use pathlight::nets::PathNet;
 use serde_json::Value;
 
 mod agent;
@@ -66,7 +66,7 @@ fn assert_refused(args: &[&str], words: &str) {
 /// Writes the shipped weights without their dynamics net; returns the file.
 fn without_dynamics(folder: &Path) -> String {
     let bytes = fs::read("assets/within-0.safetensors").expect("weights");
-    let (mut nets, mut card) = PathNet::load(&bytes, &flex()).expect("our own weights");
+    let (mut nets, mut card) = PathNet::load(&bytes).expect("our own weights");
     (nets.dynamics, card.dynamics) = (None, None);
     let out = folder.join("without-dynamics.safetensors");
     fs::write(&out, nets.save(&card).expect("weights")).expect("a file");

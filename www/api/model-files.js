@@ -30,7 +30,10 @@ export async function readModelList() {
     );
   });
   if (!Array.isArray(list?.models) || list.models.length === 0) {
-    throw failure("no_weights", `The list of models, ${LIST}, names none. Write it again by “pathlight-lab publish weights”.`);
+    throw failure(
+      "no_weights",
+      `The list of models, ${LIST}, names none. Write it again by “pathlight-lab publish weights”.`,
+    );
   }
   return list.models;
 }

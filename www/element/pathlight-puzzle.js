@@ -183,8 +183,8 @@ export class PathlightPuzzle extends HTMLElement {
     this.#setAttribute("panel", value);
   }
   /**
-   * The stage that the walkthrough is at: "base", "target", "action", "placement" or "judge", or "candidates",
-   * "imagined", "chosen", "run" or "real"; null for all together.
+   * The step that the walkthrough is at: the name of a map, or "candidates", "imagined", "chosen", "run" or "real";
+   * null for all together.
    */
   get stage() {
     return this.getAttribute("stage");

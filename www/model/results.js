@@ -18,6 +18,7 @@ import { toCsv } from "./csv.js";
  * from 1, null if none of a hundred did; and its auccess, 0 to 100.
  * @typedef {object} ModelResults
  * @property {string} name
+ * @property {import("../pkg/pathlight.js").Setup} setup
  * @property {number} simulator
  * @property {number} agents_version
  * @property {string[]} tasks

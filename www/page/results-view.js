@@ -90,7 +90,7 @@ export class ResultsView {
     const firsts = model.first_solved[this.#agent.value];
     const passes = FILTERS[this.#filter.value];
     byId(document, "results-about").textContent =
-      `${model.name} ${modelWords(model.name)}; it has never seen these ${model.tasks.length} puzzles.`;
+      `${model.name} ${modelWords(model)}; it has never seen these ${model.tasks.length} puzzles.`;
     byId(document, "results-summary").textContent =
       `${outcomeCount(firsts)} ${auccessWords(model.auccess[this.#agent.value])}`;
     const rows = this.#templates.flatMap((template) => this.#row(template, model, firsts, passes) ?? []);

@@ -16,7 +16,11 @@ import { OutcomeStrip } from "./outcome-strip.js";
 /** @typedef {import("../pkg/pathlight.js").Stage} Stage */
 /** @typedef {import("../pkg/pathlight.js").TriedProposal} TriedProposal */
 /** @typedef {import("../model/messages.js").Imagined} Imagined */
-/** @typedef {{ name: string, imagined: Imagined, tried: TriedProposal[] }} Side what one model imagines and tries */
+/** @typedef {import("../model/messages.js").LoadedModel} LoadedModel */
+/**
+ * What one model imagines and tries.
+ * @typedef {{ name: string, card: LoadedModel["card"], imagined: Imagined, tried: TriedProposal[] }} Side
+ */
 
 export class ModelPair extends Component {
   #client;
@@ -108,7 +112,8 @@ export class ModelPair extends Component {
           client.imagine(played, call.signal),
           client.propose(played, call.signal),
         ]);
-        return { name, imagined, tried };
+        const card = /** @type {LoadedModel} */ (client.loaded).card;
+        return { name, card, imagined, tried };
       };
       const sides = await Promise.all([ask(this.#client, names[0]), ask(this.#other, names[1])]);
       if (call.signal.aborted) return;
@@ -129,10 +134,10 @@ export class ModelPair extends Component {
   }
 
   /** @param {Side} side */
-  #column({ name, imagined: { maps, seen }, tried }) {
+  #column({ name, card, imagined: { maps, seen }, tried }) {
     const column = this.fromTemplate("pair-column");
     find(column, "h3").textContent = name;
-    find(column, ".model-words").textContent = sentence(modelWords(name) || name);
+    find(column, ".model-words").textContent = sentence(modelWords(card));
     const badge = find(column, ".model-badge span");
     badge.dataset.seen = String(seen);
     badge.textContent = seenWords(seen);

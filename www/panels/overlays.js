@@ -6,7 +6,7 @@ import { Component } from "../widgets/component.js";
 
 /** The opacity of the paths of old misses. */
 const GHOST = 0.2;
-/** So many of the latest misses are more than that. */
+/** How many of the latest misses are more opaque than that. */
 const RECENT = 5;
 /**
  * The panel of the workshop, which comes after this folder.

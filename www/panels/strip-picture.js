@@ -65,7 +65,7 @@ export class StripPicture extends Component {
    */
   #cells(session) {
     const { maps } = this.#imagine;
-    // Weights may come without a judge.
+    // Weights may come without a net that scores balls.
     const imagined = STAGES.flatMap((stage) => {
       const values = maps?.[stage];
       return values

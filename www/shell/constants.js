@@ -20,8 +20,10 @@ export const MAX_RADIUS = shared.max_radius;
 export const STEPS_PER_SECOND = shared.steps_per_second;
 /** How long the green object has to touch its goal, s. */
 export const GOAL_SECONDS = shared.goal_steps / shared.steps_per_second;
-/** The maps in the order in which the nets make them: the paper's four, then the judge's. */
+/** The maps in the order in which the nets make them. */
 export const STAGES = shared.stages;
+/** Those that the paper's nets make; every model has them. */
+export const PAPER_STAGES = shared.paper_stages;
 
 /** The version of the simulator; those of other versions may end otherwise. */
 export const SIMULATOR_VERSION = shared.simulator_version;

@@ -4,8 +4,8 @@
 
 use std::collections::BTreeMap;
 
+use pathlight::colour::maps::ImaginedMap;
 use pathlight::colour::palette::palette;
-use pathlight::colour::stage::Stage;
 use pathlight::puzzle::action::Ball;
 use pathlight::puzzle::rollout::{Pose, Rollout};
 use pathlight::puzzle::scene::{Body, Role, SIZE, Scene, Shape};
@@ -162,7 +162,7 @@ fn tenth(value: f64) -> f64 {
 
 /// Returns a map over the whole scene; the colour scale runs from 0, transparent, to `max`. All cells of one level
 /// are one path: no larger than a PNG in base64, and sharp at any size.
-pub fn map(stage: Stage, values: &[f32], max: f32) -> Group {
+pub fn map(which: ImaginedMap, values: &[f32], max: f32) -> Group {
     let level = |value: f32| {
         (value / max.max(f32::MIN_POSITIVE) * f32::from(LEVELS)).round().clamp(0.0, f32::from(LEVELS)) as u8
     };
@@ -181,7 +181,7 @@ pub fn map(stage: Stage, values: &[f32], max: f32) -> Group {
     // Neighbouring cells must leave no seam.
     let group = Group::new().set("transform", format!("scale({PX_PER_CELL})")).set("shape-rendering", "crispEdges");
     paths.into_iter().fold(group.set("class", "map"), |group, (level, data)| {
-        let [r, g, b, opacity] = stage.colour(f32::from(level) / f32::from(LEVELS), false);
+        let [r, g, b, opacity] = which.colour(f32::from(level) / f32::from(LEVELS), false);
         let path = Path::new().set("d", data).set("fill", format!("#{r:02x}{g:02x}{b:02x}"));
         group.add(path.set("fill-opacity", px(f64::from(opacity) / 255.0)))
     })

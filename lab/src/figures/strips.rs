@@ -7,7 +7,7 @@ use anyhow::{Context, ensure};
 use pathlight::agents::agent_name::Loaded;
 use pathlight::agents::{Origin, Proposal};
 use pathlight::benchmark::auccess::MAX_ATTEMPTS;
-use pathlight::colour::stage::Stage;
+use pathlight::colour::maps::ImaginedMap;
 use pathlight::nets::{Imagined, PathNet};
 use pathlight::puzzle::rollout::{Rollout, STEPS_PER_SECOND};
 use pathlight::puzzle::sampled_paths::{SampledPath, SampledPaths};
@@ -172,7 +172,7 @@ impl Strip {
         let real = |rollout: &Rollout, body, role| path(&positions(rollout, body), role, LineStyle::Real);
         let [green_path, red_path] =
             [(scene.body1, Role::Green), (scene.bodies.len(), Role::Red)].map(|(body, role)| real(rollout, body, role));
-        let shaded = |stage, values: &[f32]| map(stage, values, values.iter().copied().fold(0.0, f32::max));
+        let shaded = |which, values: &[f32]| map(which, values, values.iter().copied().fold(0.0, f32::max));
         let overlap = |values: &[f32], body: &Body, rollout: &Rollout, index| {
             soft_iou(values, &path_image(body, rollout, index).to_f32().collect::<Vec<f32>>())
         };
@@ -199,10 +199,13 @@ impl Strip {
         });
         let pictures: [(Vec<Group>, String); COLUMNS.len()] = [
             (vec![whole()], String::new()),
-            (vec![faint(), shaded(Stage::Base, &imagined.base), real(&self.base, scene.body1, Role::Green)], iou(base)),
-            (vec![faint(), shaded(Stage::Target, &imagined.target), green_path.clone()], iou(target)),
-            (vec![faint(), shaded(Stage::Action, &imagined.action), red_path.clone()], iou(action)),
-            (vec![faint(), shaded(Stage::Placement, &imagined.placement), ball_outline(*ball)], String::new()),
+            (
+                vec![faint(), shaded(ImaginedMap::Base, &imagined.base), real(&self.base, scene.body1, Role::Green)],
+                iou(base),
+            ),
+            (vec![faint(), shaded(ImaginedMap::Target, &imagined.target), green_path.clone()], iou(target)),
+            (vec![faint(), shaded(ImaginedMap::Action, &imagined.action), red_path.clone()], iou(action)),
+            (vec![faint(), shaded(ImaginedMap::Placement, &imagined.placement), ball_outline(*ball)], String::new()),
             ([whole(), scene_drawing::ball(*ball)].into_iter().chain(expected).collect(), attempt.clone()),
             (vec![scene_drawing::last_frame(scene, *ball, rollout), red_path, green_path], ending.clone()),
         ];

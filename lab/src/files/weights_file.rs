@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::Context;
 use pathlight::benchmark::folds::FoldId;
-use pathlight::nets::{Card, Dqn, DqnCard, PathNet, flex};
+use pathlight::nets::{Card, Dqn, DqnCard, PathNet};
 
 /// Returns the default folder of the training runs of a fold.
 pub fn training_folder(fold: FoldId) -> PathBuf {
@@ -22,7 +22,7 @@ pub fn load_nets(path: Option<&Path>, fold: FoldId) -> anyhow::Result<(PathNet, 
     let bytes = fs::read(&path).with_context(|| {
         format!("cannot read the weights in {name}: run `pathlight-lab train paths`, or name a file with --weights")
     })?;
-    let (nets, card) = PathNet::load(&bytes, &flex()).with_context(|| format!("cannot use {name}"))?;
+    let (nets, card) = PathNet::load(&bytes).with_context(|| format!("cannot use {name}"))?;
     card.fold_id().check(fold).with_context(|| format!("cannot use {name}"))?;
     Ok((nets, card))
 }
@@ -37,7 +37,7 @@ pub fn load_dqn(path: Option<&Path>, fold: FoldId) -> anyhow::Result<(Dqn, DqnCa
     let bytes = fs::read(&path).with_context(|| {
         format!("cannot read DQN's weights in {name}: run `pathlight-lab train dqn`, or name a file with --dqn")
     })?;
-    let (net, card) = Dqn::load(&bytes, &flex())
+    let (net, card) = Dqn::load(&bytes)
         .with_context(|| format!("cannot use {name} as DQN's weights, which `pathlight-lab train dqn` writes"))?;
     card.fold_id().check(fold).with_context(|| format!("cannot use {name}"))?;
     Ok((net, card))

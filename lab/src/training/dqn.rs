@@ -7,7 +7,7 @@ use std::path::PathBuf;
 
 use pathlight::benchmark::folds::FoldId;
 use pathlight::nets::training::{DqnBatch, Trainer};
-use pathlight::nets::{Dqn, DqnCard, flex};
+use pathlight::nets::{Dqn, DqnCard};
 use pathlight::raster::scene_coverage;
 
 use super::labelled_scenes::{Drawn, LabelledScenes, Sampling};
@@ -60,7 +60,7 @@ impl Settings {
             without_dev: self.without_dev,
         };
         let folder = self.run.out.clone().unwrap_or_else(|| training_folder(self.fold).join("dqn"));
-        let trainer = Trainer::<Dqn>::new(flex(), self.run.seed);
+        let trainer = Trainer::<Dqn>::new(self.run.seed);
         let mut run = TrainingRun::open(folder, card, digests(&self.labels)?, &["dqn"], trainer)?;
         let complete = run.train(
             &scenes.plan(self.epochs, batch, learning_rate),

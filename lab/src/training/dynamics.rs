@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, ensure};
 use pathlight::benchmark::folds::FoldId;
 use pathlight::nets::training::{DynamicsBatch, Trainer};
-use pathlight::nets::{DynamicsCard, DynamicsNet, flex};
+use pathlight::nets::{DynamicsCard, DynamicsNet};
 use pathlight::raster::scene_coverage;
 use serde::{Deserialize, Serialize};
 
@@ -110,9 +110,9 @@ impl Settings {
         });
         let folder = self.run.out.clone().unwrap_or_else(|| training_folder(self.fold).join("dynamics"));
         let trainer = match (&self.from, judge) {
-            (Some(path), _) => Trainer::from_nets(self.dynamics_of(path, without_dev)?, flex()),
-            (None, Some((judge, _))) => Trainer::from_judge(judge, flex(), self.run.seed),
-            (None, None) => Trainer::<DynamicsNet>::new(flex(), self.run.seed),
+            (Some(path), _) => Trainer::from_nets(self.dynamics_of(path, without_dev)?),
+            (None, Some((judge, _))) => Trainer::from_judge(judge, self.run.seed),
+            (None, None) => Trainer::<DynamicsNet>::new(self.run.seed),
         };
         let losses = ["cell", "ball", "from paths", "paths", "errors"];
         let mut run = TrainingRun::open(folder, card, digests(&self.labels)?, &losses, trainer)?;

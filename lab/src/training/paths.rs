@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use anyhow::ensure;
 use pathlight::benchmark::folds::FoldId;
 use pathlight::nets::training::{Batch, Sample, Schedule, Trainer};
-use pathlight::nets::{Card, PathNet, flex};
+use pathlight::nets::{Card, PathNet};
 use pathlight::puzzle::task::Task;
 use pathlight::simulator;
 use rand::seq::SliceRandom;
@@ -54,7 +54,7 @@ impl Settings {
     pub fn train(&self, progress: &mut dyn Progress) -> anyhow::Result<Option<PathBuf>> {
         let folder = self.run.out.clone().unwrap_or_else(|| training_folder(self.fold));
         let (samples, card) = self.samples(progress)?;
-        let trainer = Trainer::<PathNet>::new(flex(), self.run.seed);
+        let trainer = Trainer::<PathNet>::new(self.run.seed);
         let data = digest(&self.solutions)?;
         let mut run = TrainingRun::open(folder, card, data, &["base", "target", "action", "placement"], trainer)?;
         let batches_per_epoch = samples.len().div_ceil(self.recipe.batch.into());

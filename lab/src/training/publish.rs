@@ -8,7 +8,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, ensure};
-use pathlight::nets::{PathNet, flex};
+use pathlight::nets::PathNet;
 use serde::{Deserialize, Serialize};
 
 use crate::files::digest;
@@ -39,7 +39,7 @@ pub fn publish(weights: &[PathBuf], assets: &Path) -> anyhow::Result<Vec<PathBuf
     let mut written = Vec::new();
     for path in weights {
         let bytes = fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
-        let (nets, card) = PathNet::load(&bytes, &flex()).with_context(|| format!("cannot use {}", path.display()))?;
+        let (nets, card) = PathNet::load(&bytes).with_context(|| format!("cannot use {}", path.display()))?;
         ensure!(
             !card.dynamics.as_ref().is_some_and(|dynamics| dynamics.without_paths),
             "{} was trained with --without-paths, so the page would show paths that mean nothing: train it without \

@@ -8,7 +8,7 @@ use std::slice;
 
 use pathlight::benchmark::folds::FoldId;
 use pathlight::nets::training::{JudgeBatch, Trainer};
-use pathlight::nets::{Judge, JudgeCard, flex};
+use pathlight::nets::{Judge, JudgeCard};
 use pathlight::raster::scene_coverage;
 
 use super::labelled_scenes::{Drawn, LabelledScenes, Sampling};
@@ -65,7 +65,7 @@ impl Settings {
             balls: scenes.balls(),
         });
         let folder = self.run.out.clone().unwrap_or_else(|| training_folder(self.fold).join("judge"));
-        let trainer = Trainer::<Judge>::new(flex(), self.run.seed);
+        let trainer = Trainer::<Judge>::new(self.run.seed);
         let mut run = TrainingRun::open(folder, card, digest(&self.labels)?, &["judge"], trainer)?;
         let complete = run.train(
             &scenes.plan(self.epochs, batch, learning_rate),

@@ -11,7 +11,7 @@ use std::thread;
 use std::time::Instant;
 
 use anyhow::{Context, bail, ensure};
-use pathlight::nets::training::{Module, Schedule, Trainer};
+use pathlight::nets::training::{Schedule, Trainable, Trainer};
 use pathlight::nets::{Card, WeightsError};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
@@ -62,7 +62,7 @@ pub struct Plan {
     pub schedule: Schedule,
 }
 
-impl<M: Module, C: PartialEq + Serialize + DeserializeOwned> TrainingRun<M, C> {
+impl<M: Trainable, C: PartialEq + Serialize + DeserializeOwned> TrainingRun<M, C> {
     /// Opens the run of a folder: from its checkpoint, or with the fresh trainer. `data` is the digest of the training
     /// data, `losses` are the names of the losses of a step.
     ///

@@ -6,7 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-use pathlight::nets::{Card, PathNet, flex};
+use pathlight::nets::{Card, PathNet};
 
 mod calibration;
 mod collect;
@@ -66,7 +66,7 @@ fn without_dynamics(folder: &Path) -> String {
 /// Writes the shipped weights with a change; returns the file.
 fn changed_weights(out: &Path, change: impl FnOnce(&mut PathNet, &mut Card)) -> String {
     let bytes = fs::read(root("assets/within-0.safetensors")).expect("weights");
-    let (mut nets, mut card) = PathNet::load(&bytes, &flex()).expect("our own weights");
+    let (mut nets, mut card) = PathNet::load(&bytes).expect("our own weights");
     change(&mut nets, &mut card);
     fs::write(out, nets.save(&card).expect("weights")).expect("a file");
     out.display().to_string()

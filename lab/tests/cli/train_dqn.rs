@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use pathlight::nets::{Dqn, flex};
+use pathlight::nets::Dqn;
 use serde_json::Value;
 use tempfile::tempdir;
 
@@ -21,7 +21,7 @@ fn dqn_is_trained_alone_and_measured() {
     };
     let whole = train("whole", &[]);
     let bytes = fs::read(&whole).expect("weights");
-    let (_, card) = Dqn::load(&bytes, &flex()).expect("weights that fit");
+    let (_, card) = Dqn::load(&bytes).expect("weights that fit");
     assert!(card.balls > 64 && card.epochs == 4);
 
     let cut = train("cut", &["--stop-after", "3"]);

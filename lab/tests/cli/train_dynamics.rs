@@ -3,7 +3,7 @@
 use std::fs;
 
 use pathlight::benchmark::folds::{Fold, Setup};
-use pathlight::nets::{PathNet, flex};
+use pathlight::nets::PathNet;
 use pathlight::puzzle::action::Ball;
 use pathlight::puzzle::task::Task;
 use pathlight::puzzle::templates::TEMPLATES;
@@ -28,7 +28,7 @@ fn a_dynamics_net_joins_the_weights_and_can_be_trained_further() {
     };
     let whole = train("whole", &[]);
     let bytes = fs::read(&whole).expect("weights");
-    let (nets, card) = PathNet::load(&bytes, &flex()).expect("weights that fit");
+    let (nets, card) = PathNet::load(&bytes).expect("weights that fit");
     assert!(card.judge.is_none() && card.dynamics.expect("a card").balls > 64);
     let scene = Task::load("00002:007".parse().expect("an id")).expect("a task").scene;
     let read = nets.read(&scene).expect("a dynamics net");
@@ -40,7 +40,7 @@ fn a_dynamics_net_joins_the_weights_and_can_be_trained_further() {
     let judge = file("judge");
     output_of(&["train", "success", "--weights", WEIGHTS, "--labels", &labels, "--epochs", "1", "--out", &judge]);
     let from_judge = train("from-judge", &["--weights", &format!("{judge}/weights.safetensors")]);
-    let (nets, card) = PathNet::load(&fs::read(from_judge).expect("weights"), &flex()).expect("weights that fit");
+    let (nets, card) = PathNet::load(&fs::read(from_judge).expect("weights")).expect("weights that fit");
     assert!(nets.judge.is_none() && card.judge.is_none(), "it takes the place of the judge that it started from");
     assert_eq!(card.dynamics.expect("a card").judge.expect("its judge").epochs, 1);
 
@@ -73,7 +73,7 @@ fn a_dynamics_net_joins_the_weights_and_can_be_trained_further() {
     let further = further.expect("weights");
     assert_ne!(further, bytes);
     let counted = |bytes: &[u8]| {
-        let (_, card) = PathNet::load(bytes, &flex()).expect("weights that fit");
+        let (_, card) = PathNet::load(bytes).expect("weights that fit");
         card.dynamics.expect("a card").variants
     };
     let training = Fold::new(Setup::Within, 0).all_train();

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use pathlight::agents;
 use pathlight::benchmark::folds::{Fold, Setup};
-use pathlight::nets::{PathNet, flex};
+use pathlight::nets::PathNet;
 use pathlight::puzzle::task::{Task, TaskId};
 use pathlight::puzzle::templates::TEMPLATES;
 use tempfile::tempdir;
@@ -27,7 +27,7 @@ fn a_judge_joins_the_weights_and_orders_the_attempts() {
     };
     let whole = judge("whole", &[]);
     let bytes = fs::read(whole.join("weights.safetensors")).expect("weights");
-    let (nets, card) = PathNet::load(&bytes, &flex()).expect("weights that fit");
+    let (nets, card) = PathNet::load(&bytes).expect("weights that fit");
     assert!(nets.judge.is_some());
     let training = Fold::new(Setup::Within, 0).all_train();
     let usable = usable_balls(&labels, &training);
@@ -54,7 +54,7 @@ fn a_judge_joins_the_weights_and_orders_the_attempts() {
     assert_eq!(losses(&cut), losses(&whole));
 
     let scene = Task::load("00002:007".parse().expect("an id")).expect("a task").scene;
-    let (shipped, _) = PathNet::load(&fs::read(root(WEIGHTS)).expect("weights"), &flex()).expect("our own weights");
+    let (shipped, _) = PathNet::load(&fs::read(root(WEIGHTS)).expect("weights")).expect("our own weights");
     let balls =
         |nets| agents::propose(nets, &scene, 0, 9).into_iter().map(|proposal| proposal.ball).collect::<Vec<_>>();
     assert_ne!(balls(&nets), balls(&shipped));

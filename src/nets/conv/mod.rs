@@ -7,8 +7,8 @@
 //! fine image that its kernel covers. With weights `W` `[coarse channels, fine channels * kernel^2]`, `conv_down` is `W
 //! * im2col(x)` and `conv_up` is `col2im(W^T * x)`. Bias and ReLU follow in the same pass.
 //!
-//! burn's general layers also support the strides, dilations and groups that no net of ours has. Used by `hourglass`
-//! and `judge`.
+//! burn's layers also support other strides, dilations and groups, which our nets do not use. Used by `hourglass`,
+//! `u_net` and `dqn`.
 
 // burn has deprecated its ndarray backend; it is kept as the reference backend of the differential tests.
 #![allow(deprecated)]
