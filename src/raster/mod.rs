@@ -1,9 +1,9 @@
 //! 64 x 64 images for the nets: the five channels of a scene, and the path of a body through a rollout.
 //!
-//! Everything is drawn at 256 x 256 pixels, one per px. For the paper's nets it is max-pooled to 64 x 64 cells, as in the
-//! data of Harter et al. (2020); for the judge, the dynamics net and DQN it is average-pooled. Row 0 is the bottom of
-//! the scene. Also defines how cells map to scene coordinates. Used by `nets`, `agents`, `search`, the lab and the
-//! page. Must not depend on the simulator or on nets.
+//! Everything is drawn at 256 x 256 pixels, one per px. For the paper's nets it is max-pooled to 64 x 64 cells; for the
+//! judge, the dynamics net and DQN it is average-pooled. Row 0 is the bottom of the scene. Also defines how cells map
+//! to scene coordinates. Used by `nets`, `agents`, `search`, the lab and the page. Must not depend on the simulator or
+//! on nets.
 
 use scan_conversion::{Span, body_spans, disc_spans};
 
@@ -26,7 +26,7 @@ pub const PX_PER_CELL: usize = SIZE as usize / SIDE;
 /// Channels of a scene: green object, blue goal, purple goal, gray, black (PHYRE's roles without the action ball).
 pub const CHANNELS: usize = 5;
 
-/// A path image shows every tenth step of a rollout, as in the data of Harter et al. (2020).
+/// A path image shows every tenth step of a rollout. The code of Harter et al. (2020) draws every fifth.
 const PATH_STRIDE: usize = 10;
 
 /// Distance between two drawings of a body along a trail, px: half a cell, so that no cell is left out.

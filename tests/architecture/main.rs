@@ -1,12 +1,13 @@
 //! Architecture rules, checked against the source text: the order of the folders, what each may use and why, names,
 //! lengths.
 //!
-//! `rust` has the rules of `src/` and `lab/`, `page` those of `www/`. Comments are left out, so a rule may be named in
-//! one.
+//! `rust` has the rules of `src/` and `lab/`, `page` those of `www/`, `docs` those of the texts that people read.
+//! Comments are left out, so a rule may be named in one.
 #![cfg(not(target_arch = "wasm32"))]
 
 use std::process::Command;
 
+mod docs;
 mod files;
 mod page;
 mod rule;
