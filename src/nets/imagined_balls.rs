@@ -1,8 +1,8 @@
 //! What the dynamics net imagines for the balls of one scene, on plain slices.
 //!
 //! `BallHead::predict` with sums in an order that does not depend on the processor: natively and in wasm the answers
-//! are the same, bit for bit. PHYRE's world is symmetric, so the net answers for the scene and for its mirror image, and
-//! the answer is their mean.
+//! are the same, bit for bit. PHYRE's world is symmetric, so the net answers for the scene and for its mirror image,
+//! and the answer is their mean.
 
 use burn::nn::Linear;
 use burn::tensor::Tensor;
