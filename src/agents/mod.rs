@@ -1,9 +1,9 @@
 //! The agents that propose balls: the model, which may learn from its attempts, and the random agent.
 //!
-//! The page, the command line and the lab all call these functions, so the same seed yields the same attempts. The judge's
-//! logits and probabilities are the same natively and in wasm, bit for bit; the maps of the four nets differ in the
-//! last bits where the exponential functions of the two do, so that the placement map may start from another ball. No
-//! agent calls the simulator. All balls are valid and in the order of the attempts. `seed` is that of one puzzle:
+//! The page, the command line and the lab all call these functions, so the same seed yields the same attempts. The
+//! judge's logits and probabilities are the same natively and in wasm, bit for bit; the maps of the four nets differ in
+//! the last bits where the exponential functions of the two do, so that the placement map may start from another ball.
+//! No agent calls the simulator. All balls are valid and in the order of the attempts. `seed` is that of one puzzle:
 //! `TaskId::seed`.
 
 #[cfg(not(target_arch = "wasm32"))]

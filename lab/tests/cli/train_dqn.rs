@@ -37,7 +37,7 @@ fn dqn_is_trained_alone_and_measured() {
     assert_eq!(report["card"], Value::Null, "the four nets are not needed");
 
     let measured = ["measure", "evaluate", "--agent", "dqn", "--dqn"];
-    assert_refused(&[&measured[..], &[&weights, "--setup", "cross"]].concat(), "was trained on within 0");
+    assert_refused(&[&measured[..], &[&weights, "--setup", "cross"]].concat(), "were trained on within 0");
     assert_refused(&[&measured[..], &[&weights, "--dev"]].concat(), "train dqn --without-dev");
     assert_refused(&[&measured[..], &["assets/within-0.safetensors"]].concat(), "as DQN's weights");
     assert_refused(&[&measured[..], &[&file("none")]].concat(), "run `pathlight-lab train dqn`");
