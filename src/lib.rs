@@ -25,7 +25,7 @@
 //! | `raster` | scenes and rollouts as 64 x 64 images |
 //! | `simulator` | computes the rollout of a scene and a ball: a port of Box2D 2.3's step on rapier2d's geometry |
 //! | `benchmark` | PHYRE's folds and its metric, auccess |
-//! | `nets` | the four nets that imagine paths, the judge, the dynamics net, DQN, their weights; `training`, a feature |
+//! | `nets` | the nets: the four, the judge, the dynamics net and DQN, and their weights; `training` is a feature |
 //! | `agents` | who proposes balls: from imagined paths, from maps, at random |
 //! | `play` | one session on one puzzle, an agent's turn, the map of all solutions, soft IoU |
 //! | `web` | the wasm exports; wasm32 only |
