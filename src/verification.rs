@@ -7,10 +7,10 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use crate::puzzle::action::Ball;
-use crate::puzzle::own_scene::sentences;
+use crate::puzzle::custom_scene::sentences;
 use crate::puzzle::rollout::{Status, digest_of};
 use crate::puzzle::task::{Task, TaskId};
-use crate::session::played::Played;
+use crate::session::puzzle::Puzzle;
 use crate::simulator::Engine;
 
 /// An attempt, and what came of it. Exactly one of `task` and `scene` is there.
@@ -18,7 +18,7 @@ use crate::simulator::Engine;
 pub struct AttemptLine {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub task: Option<TaskId>,
-    /// An own scene.
+    /// A custom scene.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub scene: Option<Value>,
     /// px; null if the scene ran without a ball, or, with the status `invalid`, if an action placed none.
@@ -49,9 +49,9 @@ pub enum Verdict {
 
 impl AttemptLine {
     /// Simulates a ball, or the scene alone without one, and returns the line of it.
-    pub fn of(played: &Played, ball: Option<Ball>, engine: Engine) -> AttemptLine {
-        let nothing = AttemptLine { ball, ..AttemptLine::placing_no_ball(played, engine) };
-        match engine.simulate(&played.scene, ball) {
+    pub fn of(puzzle: &Puzzle, ball: Option<Ball>, engine: Engine) -> AttemptLine {
+        let nothing = AttemptLine { ball, ..AttemptLine::placing_no_ball(puzzle, engine) };
+        match engine.simulate(&puzzle.scene, ball) {
             Ok(rollout) => {
                 AttemptLine { status: rollout.status(), steps: rollout.steps, digest: rollout.digest(), ..nothing }
             }
@@ -60,10 +60,10 @@ impl AttemptLine {
     }
 
     /// Returns the line of an action that places no ball.
-    pub fn placing_no_ball(played: &Played, engine: Engine) -> AttemptLine {
+    pub fn placing_no_ball(puzzle: &Puzzle, engine: Engine) -> AttemptLine {
         AttemptLine {
-            task: played.id.task(),
-            scene: played.own.as_ref().map(|own| serde_json::to_value(own).expect("plain data")),
+            task: puzzle.id.task(),
+            scene: puzzle.custom.as_ref().map(|custom| serde_json::to_value(custom).expect("plain data")),
             ball: None,
             engine,
             simulator: engine.version(),
@@ -77,10 +77,10 @@ impl AttemptLine {
     ///
     /// # Errors
     /// Why it cannot be played, in a sentence.
-    fn played(&self) -> Result<Played, String> {
+    fn puzzle(&self) -> Result<Puzzle, String> {
         match (self.task, &self.scene) {
-            (Some(task), None) => Task::load(task).map(Played::from).map_err(|why| why.to_string()),
-            (None, Some(scene)) => Played::read(scene.clone()).map_err(|problems| sentences(&problems)),
+            (Some(task), None) => Task::load(task).map(Puzzle::from).map_err(|why| why.to_string()),
+            (None, Some(scene)) => Puzzle::read(scene.clone()).map_err(|problems| sentences(&problems)),
             _ => Err("An attempt names either a `task` or a `scene`: write one of them.".to_string()),
         }
     }
@@ -90,10 +90,10 @@ impl AttemptLine {
         if self.digest.len() != 64 || !self.digest.bytes().all(|byte| matches!(byte, b'0'..=b'9' | b'a'..=b'f')) {
             return Verdict::NotValid("`digest` is not a SHA-256: it has 64 hexadecimal digits, in lower case.".into());
         }
-        let again = match (self.played(), self.ball, self.status) {
+        let again = match (self.puzzle(), self.ball, self.status) {
             (Err(why), ..) => return Verdict::NotValid(why),
-            (Ok(played), None, Status::Invalid) => AttemptLine::placing_no_ball(&played, self.engine),
-            (Ok(played), ball, _) => AttemptLine::of(&played, ball, self.engine),
+            (Ok(puzzle), None, Status::Invalid) => AttemptLine::placing_no_ball(&puzzle, self.engine),
+            (Ok(puzzle), ball, _) => AttemptLine::of(&puzzle, ball, self.engine),
         };
         if again.status == Status::Invalid && self.status != Status::Invalid {
             return Verdict::NotValid("The ball may not be placed there.".to_string());
@@ -121,7 +121,7 @@ impl AttemptLine {
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod tests {
     use super::*;
-    use crate::puzzle::own_scene::OwnScene;
+    use crate::puzzle::custom_scene::CustomScene;
 
     fn line() -> AttemptLine {
         in_engine(Engine::default())
@@ -150,20 +150,20 @@ mod tests {
     }
 
     #[test]
-    fn an_own_scene_is_verified_like_its_task() {
+    fn a_custom_scene_is_verified_like_its_task() {
         let task = Task::load(line().task.expect("a task")).expect("a task");
-        let own = Played::own(&OwnScene::of(&task.scene).expect("the four shapes")).expect("a scene");
-        let own = AttemptLine::of(&own, line().ball, Engine::default());
-        assert_eq!((&own.digest, own.verify()), (&line().digest, Verdict::Same));
-        assert!(matches!(AttemptLine { scene: Some(Value::Null), ..own }.verify(), Verdict::NotValid(_)));
+        let custom = Puzzle::custom(&CustomScene::of(&task.scene).expect("the four shapes")).expect("a scene");
+        let custom = AttemptLine::of(&custom, line().ball, Engine::default());
+        assert_eq!((&custom.digest, custom.verify()), (&line().digest, Verdict::Same));
+        assert!(matches!(AttemptLine { scene: Some(Value::Null), ..custom }.verify(), Verdict::NotValid(_)));
     }
 
     #[test]
     fn an_action_that_places_no_ball_is_verified_as_nothing_simulated() {
-        let played = line().played().expect("a task");
-        let nothing = AttemptLine::placing_no_ball(&played, Engine::default());
+        let puzzle = line().puzzle().expect("a task");
+        let nothing = AttemptLine::placing_no_ball(&puzzle, Engine::default());
         assert_eq!((nothing.verify(), nothing.steps), (Verdict::Same, 0));
-        let alone = AttemptLine::of(&played, None, Engine::default());
+        let alone = AttemptLine::of(&puzzle, None, Engine::default());
         assert_eq!(alone.verify(), Verdict::Same);
         for claim in [AttemptLine { steps: 3, ..nothing.clone() }, AttemptLine { digest: alone.digest, ..nothing }] {
             assert!(matches!(claim.verify(), Verdict::OtherOutcome(_)));

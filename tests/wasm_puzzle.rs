@@ -5,7 +5,7 @@ use js_sys::Reflect;
 use pathlight::nets::{Card, DynamicsCard, DynamicsNet, JudgeCard, PathNet};
 use pathlight::session::game::ATTEMPT_LIMIT;
 use pathlight::web::{
-    Model, Puzzle, SolutionSearch, SolveMap, attempt_line, auccess, constants, fold, luck, own_scene, palette, raster,
+    Game, Model, SolutionSearch, SolveMap, attempt_line, auccess, constants, custom_scene, fold, luck, palette, raster,
     scene, scene_problems, simulate, soft_iou, templates, verify_attempt, why_invalid,
 };
 use serde_json::{Value, json};
@@ -25,15 +25,15 @@ fn code(error: JsValue) -> String {
     Reflect::get(&error, &"code".into()).expect("an object").as_string().expect("a code")
 }
 
-fn open(id: &str) -> Puzzle {
-    Puzzle::new(id.into()).unwrap_or_else(|error| panic!("{id} does not open: {error:?}"))
+fn open(id: &str) -> Game {
+    Game::new(id.into()).unwrap_or_else(|error| panic!("{id} does not open: {error:?}"))
 }
 
 /// Returns valid balls all over the scene.
-fn balls(puzzle: &Puzzle) -> impl Iterator<Item = (f64, f64, f64)> {
+fn balls(game: &Game) -> impl Iterator<Item = (f64, f64, f64)> {
     let all = (1..25).flat_map(|x| (1..25).flat_map(move |y| [4, 10, 20].map(|r| (x * 10, y * 10, r))));
     all.map(|(x, y, r)| (f64::from(x), f64::from(y), f64::from(r)))
-        .filter(|&(x, y, r)| puzzle.why_invalid(x, y, r).is_none())
+        .filter(|&(x, y, r)| game.why_invalid(x, y, r).is_none())
 }
 
 #[wasm_bindgen_test]
@@ -55,83 +55,83 @@ fn every_template_opens_with_its_name_and_goal() {
 #[wasm_bindgen_test]
 fn an_unknown_task_is_an_error_with_a_code() {
     for id in ["", "00007", "00025:000", "00000:999", "7:13"] {
-        assert_eq!(code(Puzzle::new(id.into()).err().expect("refused")), "bad_task", "{id}");
+        assert_eq!(code(Game::new(id.into()).err().expect("refused")), "bad_task", "{id}");
     }
 }
 
 #[wasm_bindgen_test]
 fn an_invalid_ball_names_what_it_overlaps_and_does_not_count() {
-    let mut puzzle = open(TASK);
+    let mut game = open(TASK);
     // Two Drops has a green ball; a red one at its place overlaps it.
-    let line = json(puzzle.about().expect("words"))["description"].as_str().expect("a text").to_string();
+    let line = json(game.about().expect("words"))["description"].as_str().expect("a text").to_string();
     let place = line.split("green ball at x ").nth(1).expect("its place");
     let coordinates = place.split(|c: char| !c.is_ascii_digit()).filter_map(|digits| digits.parse().ok());
     let coordinates: Vec<f64> = coordinates.take(2).collect();
     let (x, y) = (coordinates[0], coordinates[1]);
-    assert_eq!(puzzle.why_invalid(x, y, 5.0).as_deref(), Some("the ball overlaps the green ball"));
-    assert_eq!(puzzle.why_invalid(1.0, 250.0, 9.0).as_deref(), Some("the ball sticks out of the scene"));
-    assert_eq!(code(puzzle.attempt(x, y, 5.0).expect_err("refused")), "invalid_ball");
-    assert_eq!(json(puzzle.standing("player").expect("a score"))["used"], 0);
-    assert_eq!(puzzle.steps(), 0);
+    assert_eq!(game.why_invalid(x, y, 5.0).as_deref(), Some("the ball overlaps the green ball"));
+    assert_eq!(game.why_invalid(1.0, 250.0, 9.0).as_deref(), Some("the ball sticks out of the scene"));
+    assert_eq!(code(game.attempt(x, y, 5.0).expect_err("refused")), "invalid_ball");
+    assert_eq!(json(game.standing("player").expect("a score"))["used"], 0);
+    assert_eq!(game.steps(), 0);
 }
 
 #[wasm_bindgen_test]
 fn attempts_run_until_solved_and_replay_the_same() {
-    let mut puzzle = open(TASK);
-    let tries: Vec<_> = balls(&puzzle).collect();
+    let mut game = open(TASK);
+    let tries: Vec<_> = balls(&game).collect();
     let mut solved = None;
     for (x, y, r) in tries {
-        if json(puzzle.standing("player").expect("a score"))["used"] == ATTEMPT_LIMIT {
-            puzzle.clear("player").expect("cleared");
+        if json(game.standing("player").expect("a score"))["used"] == ATTEMPT_LIMIT {
+            game.clear("player").expect("cleared");
         }
-        let attempt = json(puzzle.attempt(x, y, r).expect("valid"));
+        let attempt = json(game.attempt(x, y, r).expect("valid"));
         if attempt["ending"]["solved"] == true {
-            solved = Some((attempt, puzzle.steps()));
+            solved = Some((attempt, game.steps()));
             break;
         }
     }
     let (attempt, steps) = solved.expect("one of the balls solves Two Drops");
     assert!(attempt["words"].as_str().expect("words").starts_with("solved after "));
-    puzzle.reset();
-    assert_eq!(puzzle.steps(), 0);
+    game.reset();
+    assert_eq!(game.steps(), 0);
     let number = attempt["number"].as_u64().expect("a number") as usize;
-    assert_eq!(json(puzzle.replay("player", number).expect("made")), attempt);
-    assert_eq!(puzzle.steps(), steps);
-    assert_eq!(json(puzzle.standing("player").expect("a score"))["solved_at"], number);
+    assert_eq!(json(game.replay("player", number).expect("made")), attempt);
+    assert_eq!(game.steps(), steps);
+    assert_eq!(json(game.standing("player").expect("a score"))["solved_at"], number);
     // The object touched its goal for the last three seconds.
-    let touches = json(puzzle.touches().expect("intervals"));
+    let touches = json(game.touches().expect("intervals"));
     let last = touches.as_array().and_then(|all| all.last()).expect("it touched");
     assert_eq!(last[1], steps);
 }
 
 #[wasm_bindgen_test]
 fn two_attempts_are_overlaid_and_one_is_removed() {
-    let mut puzzle = open(TASK);
-    let tries: Vec<_> = balls(&puzzle).take(2).collect();
-    let made: Vec<_> = tries.iter().map(|&(x, y, r)| json(puzzle.attempt(x, y, r).expect("valid"))).collect();
-    let steps = |puzzle: &mut Puzzle, number| {
-        puzzle.replay("player", number).expect("made");
-        puzzle.steps()
+    let mut game = open(TASK);
+    let tries: Vec<_> = balls(&game).take(2).collect();
+    let made: Vec<_> = tries.iter().map(|&(x, y, r)| json(game.attempt(x, y, r).expect("valid"))).collect();
+    let steps = |game: &mut Game, number| {
+        game.replay("player", number).expect("made");
+        game.steps()
     };
-    let longest = steps(&mut puzzle, 1).max(steps(&mut puzzle, 2));
-    let pair = json(puzzle.overlay("player", 2, "player", 1).expect("both made"));
+    let longest = steps(&mut game, 1).max(steps(&mut game, 2));
+    let pair = json(game.overlay("player", 2, "player", 1).expect("both made"));
     assert_eq!((&pair[0], &pair[1]), (&made[1], &made[0]));
-    assert_eq!(puzzle.steps(), longest);
-    assert_eq!(code(puzzle.overlay("player", 1, "model", 1).expect_err("refused")), "no_attempt");
+    assert_eq!(game.steps(), longest);
+    assert_eq!(code(game.overlay("player", 1, "model", 1).expect_err("refused")), "no_attempt");
 
-    puzzle.remove("player", 1).expect("made");
-    assert_eq!(json(puzzle.attempts("player").expect("a list"))[0]["ball"], made[1]["ball"]);
-    assert_eq!(code(puzzle.remove("player", 2).expect_err("refused")), "no_attempt");
+    game.remove("player", 1).expect("made");
+    assert_eq!(json(game.attempts("player").expect("a list"))[0]["ball"], made[1]["ball"]);
+    assert_eq!(code(game.remove("player", 2).expect_err("refused")), "no_attempt");
 }
 
 #[wasm_bindgen_test]
 fn what_was_never_tried_cannot_be_replayed() {
-    let mut puzzle = open(TASK);
+    let mut game = open(TASK);
     for number in [0, 1] {
-        assert_eq!(code(puzzle.replay("player", number).expect_err("refused")), "no_attempt");
+        assert_eq!(code(game.replay("player", number).expect_err("refused")), "no_attempt");
     }
-    assert_eq!(code(puzzle.replay("nobody", 1).expect_err("refused")), "bad_data");
-    assert_eq!(code(puzzle.add_model_attempt(JsValue::from("ball")).expect_err("refused")), "bad_data");
+    assert_eq!(code(game.replay("nobody", 1).expect_err("refused")), "bad_data");
+    assert_eq!(code(game.add_model_attempt(JsValue::from("ball")).expect_err("refused")), "bad_data");
 }
 
 #[wasm_bindgen_test]
@@ -141,11 +141,11 @@ fn bytes_that_are_not_weights_are_refused() {
 
 #[wasm_bindgen_test]
 fn the_real_paths_are_masks_with_soft_iou_1_to_themselves() {
-    let mut puzzle = open(TASK);
-    assert_eq!(puzzle.path_masks().expect("no paths").length(), 0, "nothing has run yet");
-    let (x, y, r) = balls(&puzzle).next().expect("a valid ball");
-    puzzle.attempt(x, y, r).expect("valid");
-    let paths = puzzle.path_masks().expect("the paths of one rollout");
+    let mut game = open(TASK);
+    assert_eq!(game.path_masks().expect("no paths").length(), 0, "nothing has run yet");
+    let (x, y, r) = balls(&game).next().expect("a valid ball");
+    game.attempt(x, y, r).expect("valid");
+    let paths = game.path_masks().expect("the paths of one rollout");
     assert_eq!(paths.length(), 1);
     let mask = |name: &str| {
         let value = Reflect::get(&paths.get(0), &name.into()).expect("an object");
@@ -154,19 +154,19 @@ fn the_real_paths_are_masks_with_soft_iou_1_to_themselves() {
     let (object, ball) = (mask("object"), mask("ball"));
     assert_eq!(soft_iou(&object, &object).expect("two maps"), 1.0);
     assert!(soft_iou(&object, &ball).expect("two maps") < 1.0);
-    puzzle.watch().expect("it runs");
-    let alone = puzzle.path_masks().expect("the path of one rollout").get(0);
+    game.watch().expect("it runs");
+    let alone = game.path_masks().expect("the path of one rollout").get(0);
     assert!(Reflect::get(&alone, &"ball".into()).expect("an object").is_undefined(), "there is no ball");
 }
 
 #[wasm_bindgen_test]
 fn a_sketch_of_any_points_is_a_mask_that_holds_the_green_object() {
-    let puzzle = open(TASK);
-    let bare = puzzle.sketch_mask(&[]);
+    let game = open(TASK);
+    let bare = game.sketch_mask(&[]);
     assert!(bare.iter().sum::<f32>() > 0.0);
     let points: &[&[f64]] = &[&[1.0], &[f64::NAN, f64::INFINITY, -1e300, 1e300], &[-5.0, 900.0, 10.0, 10.0]];
     for points in points {
-        let sketch = puzzle.sketch_mask(points);
+        let sketch = game.sketch_mask(points);
         assert_eq!(sketch.len(), bare.len());
         assert!(bare.iter().zip(&sketch).all(|(bare, drawn)| bare <= drawn), "{points:?}");
     }
@@ -174,13 +174,13 @@ fn a_sketch_of_any_points_is_a_mask_that_holds_the_green_object() {
 
 #[wasm_bindgen_test]
 fn a_preview_returns_the_ending_and_counts_nothing() {
-    let mut puzzle = open(TASK);
-    let (x, y, r) = balls(&puzzle).next().expect("a valid ball");
-    let previewed = json(puzzle.preview(x, y, r).expect("valid"));
-    assert_eq!(json(puzzle.standing("model").expect("a score"))["used"], 0);
-    let tried = json(puzzle.attempt(x, y, r).expect("valid"));
+    let mut game = open(TASK);
+    let (x, y, r) = balls(&game).next().expect("a valid ball");
+    let previewed = json(game.preview(x, y, r).expect("valid"));
+    assert_eq!(json(game.standing("model").expect("a score"))["used"], 0);
+    let tried = json(game.attempt(x, y, r).expect("valid"));
     assert_eq!(previewed["ending"], tried["ending"]);
-    assert_eq!(code(puzzle.preview(1.0, 1.0, 30.0).expect_err("it sticks out")), "invalid_ball");
+    assert_eq!(code(game.preview(1.0, 1.0, 30.0).expect_err("it sticks out")), "invalid_ball");
 }
 
 #[wasm_bindgen_test]
@@ -198,17 +198,17 @@ fn metrics_refuse_malformed_maps_and_lists() {
 
 #[wasm_bindgen_test]
 fn a_script_simulates_what_the_game_attempts() {
-    let mut puzzle = open(TASK);
-    let (x, y, r) = balls(&puzzle).next().expect("a valid ball");
+    let mut game = open(TASK);
+    let (x, y, r) = balls(&game).next().expect("a valid ball");
     let ball = |ball: [f64; 3]| serde_wasm_bindgen::to_value(&ball).expect("a ball");
     let rollout = simulate(TASK.into(), ball([x, y, r])).expect("a rollout");
     let array = |name: &str| Reflect::get(&rollout, &name.into()).expect("an object");
     let poses = array("poses").dyn_into::<js_sys::Float32Array>().expect("poses").to_vec();
     let bodies = array("bodies").dyn_into::<js_sys::Uint32Array>().expect("bodies").to_vec();
     let touching = array("touching").dyn_into::<js_sys::Uint8Array>().expect("touching");
-    let attempt = json(puzzle.attempt(x, y, r).expect("valid"));
+    let attempt = json(game.attempt(x, y, r).expect("valid"));
     let steps = attempt["ending"]["steps"].as_u64().expect("a number") as usize;
-    assert!(puzzle.steps() <= steps, "the page may stop when all lies still");
+    assert!(game.steps() <= steps, "the page may stop when all lies still");
     assert_eq!(touching.length() as usize, steps + 1);
     assert_eq!(poses.len(), (steps + 1) * bodies.len() * 3);
     assert_eq!(Reflect::get(&rollout, &"steps".into()).expect("steps"), steps as f64);
@@ -268,15 +268,15 @@ fn fields(value: &Value) -> Vec<String> {
 
 #[wasm_bindgen_test]
 fn values_have_the_fields_that_their_types_declare() {
-    let mut puzzle = open(TASK);
-    let (x, y, r) = balls(&puzzle).next().expect("a valid ball");
-    let attempt = json(puzzle.attempt(x, y, r).expect("valid"));
+    let mut game = open(TASK);
+    let (x, y, r) = balls(&game).next().expect("a valid ball");
+    let attempt = json(game.attempt(x, y, r).expect("valid"));
     let mut listed = [declared("Attempt"), declared("ListedAttempt")].concat();
     listed.sort_unstable();
     assert_eq!(fields(&attempt), listed);
     assert_eq!(fields(&attempt["ending"]), declared("Ending"));
-    assert_eq!(fields(&json(puzzle.about().expect("words"))), declared("About"));
-    assert_eq!(fields(&json(puzzle.standing("player").expect("a standing"))), declared("Standing"));
+    assert_eq!(fields(&json(game.about().expect("words"))), declared("About"));
+    assert_eq!(fields(&json(game.standing("player").expect("a standing"))), declared("Standing"));
     assert_eq!(fields(&json(constants().expect("constants"))), declared("Constants"));
     assert_eq!(fields(&json(palette(true).expect("colours"))), declared("Palette"));
     assert_eq!(fields(&json(templates().expect("a list"))[0]), declared("Template"));
@@ -407,24 +407,24 @@ fn js(value: &Value) -> JsValue {
 }
 
 #[wasm_bindgen_test]
-fn an_own_scene_takes_the_place_of_its_task() {
-    let own = own_scene(TASK.into()).expect("a task");
-    assert_eq!(json(scene(own.clone()).expect("a scene")), json(scene(TASK.into()).expect("a scene")));
-    assert_eq!(raster(own.clone()).expect("channels"), raster(TASK.into()).expect("channels"));
-    let about = json(Puzzle::new(own.clone()).expect("it opens").about().expect("words"));
-    assert_eq!((&about["id"], &about["name"]), (&Value::Null, &Value::from("Own scene")));
-    assert_eq!(scene_problems(own.clone()).map(json).expect("a list"), serde_json::json!([]));
-    let line = |played: JsValue| json(attempt_line(played, JsValue::NULL).expect("a line"));
-    let (of_own, of_task) = (line(own.clone()), line(TASK.into()));
-    assert_eq!((&of_own["digest"], of_own.get("task")), (&of_task["digest"], None));
-    for line in [&of_own, &of_task] {
+fn a_custom_scene_takes_the_place_of_its_task() {
+    let custom = custom_scene(TASK.into()).expect("a task");
+    assert_eq!(json(scene(custom.clone()).expect("a scene")), json(scene(TASK.into()).expect("a scene")));
+    assert_eq!(raster(custom.clone()).expect("channels"), raster(TASK.into()).expect("channels"));
+    let about = json(Game::new(custom.clone()).expect("it opens").about().expect("words"));
+    assert_eq!((&about["id"], &about["name"]), (&Value::Null, &Value::from("Custom scene")));
+    assert_eq!(scene_problems(custom.clone()).map(json).expect("a list"), serde_json::json!([]));
+    let line = |puzzle: JsValue| json(attempt_line(puzzle, JsValue::NULL).expect("a line"));
+    let (of_custom, of_task) = (line(custom.clone()), line(TASK.into()));
+    assert_eq!((&of_custom["digest"], of_custom.get("task")), (&of_task["digest"], None));
+    for line in [&of_custom, &of_task] {
         assert_eq!(json(verify_attempt(js(line)).expect("a verdict"))["verdict"], "same");
     }
-    let mut search = SolutionSearch::new(own.clone()).expect("it begins");
+    let mut search = SolutionSearch::new(custom.clone()).expect("it begins");
     assert!(search.advance());
     assert_eq!(fields(&json(search.found().expect("an object"))), declared("FoundSolutions"));
     let ball = serde_wasm_bindgen::to_value(&[128.0, 250.0, 4.0]).expect("a ball");
-    assert_eq!(fields(&json(luck(own, ball).expect("two counts"))), declared("Luck"));
+    assert_eq!(fields(&json(luck(custom, ball).expect("two counts"))), declared("Luck"));
 }
 
 #[wasm_bindgen_test]
@@ -455,8 +455,8 @@ fn foreign_values_are_sentences_and_never_crash() {
         let reason = named(key, name);
         assert!(reason.contains(name.split(':').next().expect("a part")), "{reason}");
     }
-    let mut own = json(own_scene(TASK.into()).expect("a task"));
-    own["bodies"][0]["x"] = 999.into();
-    assert_eq!(code(simulate(js(&own), JsValue::NULL).expect_err("refused")), "bad_scene");
-    assert_eq!(json(scene_problems(js(&own)).expect("a list"))[0]["body"], 0);
+    let mut custom = json(custom_scene(TASK.into()).expect("a task"));
+    custom["bodies"][0]["x"] = 999.into();
+    assert_eq!(code(simulate(js(&custom), JsValue::NULL).expect_err("refused")), "bad_scene");
+    assert_eq!(json(scene_problems(js(&custom)).expect("a list"))[0]["body"], 0);
 }

@@ -10,12 +10,12 @@ use std::str;
 use pathlight::agents;
 use pathlight::nets::PathNet;
 use pathlight::nets::judge::logit_index;
-use pathlight::puzzle::own_scene::{OwnScene, sentences};
+use pathlight::puzzle::custom_scene::{CustomScene, sentences};
 use pathlight::puzzle::rollout::Rollout;
 use pathlight::puzzle::scene::Scene;
 use pathlight::puzzle::task::{Task, TaskId};
 use pathlight::raster;
-use pathlight::session::played::Played;
+use pathlight::session::puzzle::Puzzle;
 use pathlight::simulator::simulate;
 use pathlight::verification::{AttemptLine, Verdict};
 use pathlight_lab::data::collect::CollectEntry;
@@ -56,19 +56,19 @@ pub const ALL: [(&str, Door); 9] = [
     ("simulator", simulator),
 ];
 
-/// An own scene as a file, a link or the page's storage holds it.
+/// A custom scene as a file, a link or the page's storage holds it.
 pub fn scene(bytes: &[u8]) {
     let Ok(value) = serde_json::from_slice::<Value>(bytes) else { return };
-    let own = match OwnScene::read(value.clone()) {
-        Ok(own) => own,
+    let custom = match CustomScene::read(value.clone()) {
+        Ok(custom) => custom,
         Err(problems) => return assert!(!problems.is_empty() && problems.iter().all(is_sentence)),
     };
-    match Played::read(value) {
-        Ok(played) => {
-            let written = serde_json::to_vec(&own).expect("plain data");
+    match Puzzle::read(value) {
+        Ok(puzzle) => {
+            let written = serde_json::to_vec(&custom).expect("plain data");
             let again = serde_json::from_slice(&written).expect("JSON");
-            assert_eq!(OwnScene::read(again), Ok(own), "a scene is read as it was written");
-            run(&played.scene);
+            assert_eq!(CustomScene::read(again), Ok(custom), "a scene is read as it was written");
+            run(&puzzle.scene);
         }
         Err(problems) => assert!(!problems.is_empty() && problems.iter().all(is_sentence)),
     }
@@ -104,11 +104,11 @@ pub fn batch(bytes: &[u8]) {
     for line in bytes.split(|&byte| byte == b'\n').take(4) {
         let request = serde_json::from_slice::<Request>(line).inspect_err(says_why);
         let Ok(Request { place, start }) = request else { continue };
-        let played = match place {
-            Place::Task(task) => Task::load(task).map(Played::from).map_err(|why| why.to_string()),
-            Place::Scene(scene) => Played::read(scene).map_err(|problems| sentences(&problems)),
+        let puzzle = match place {
+            Place::Task(task) => Task::load(task).map(Puzzle::from).map_err(|why| why.to_string()),
+            Place::Scene(scene) => Puzzle::read(scene).map_err(|problems| sentences(&problems)),
         };
-        let Ok(Played { scene, .. }) = played.inspect_err(says_why) else { continue };
+        let Ok(Puzzle { scene, .. }) = puzzle.inspect_err(says_why) else { continue };
         let placed = start.place(&scene).inspect_err(says_why);
         let _ = placed.and_then(|ball| simulate(&scene, ball)).inspect_err(says_why);
     }
@@ -139,7 +139,7 @@ pub fn agent(bytes: &[u8]) {
     for line in commands::json_lines::Lines::new(bytes, MAX_LINE) {
         match line.expect("bytes are read").text.and_then(|text| Line::parse(&text)) {
             Ok(Line::Scene(scene)) => look_at(&scene),
-            Ok(Line::Own(played)) => look_at(&played.scene),
+            Ok(Line::Custom(puzzle)) => look_at(&puzzle.scene),
             Ok(Line::Task(id)) => drop(Task::load(id).inspect_err(says_why)),
             Ok(Line::Outcome { .. }) => {}
             Err(why) => says_why(&why),
@@ -210,6 +210,6 @@ fn says_why(why: &impl ToString) {
     assert!(said.len() > 10 && said.len() < 100_000, "refused with {said:?}");
 }
 
-fn is_sentence(problem: &pathlight::puzzle::own_scene::Problem) -> bool {
+fn is_sentence(problem: &pathlight::puzzle::custom_scene::Problem) -> bool {
     problem.sentence.ends_with('.') && problem.sentence.len() > 20
 }

@@ -11,13 +11,13 @@ use clap::{Parser, Subcommand};
 
 mod agent;
 mod agent_arg;
+mod custom_scene_file;
 mod engine_arg;
 mod exit;
 mod fold_args;
 mod json_lines;
 mod model_args;
 mod moved;
-mod own_scene_file;
 mod progress;
 mod propose;
 mod simulate;

@@ -10,13 +10,13 @@ use pathlight::agents;
 use pathlight::benchmark::folds::FoldId;
 use pathlight::puzzle::action::Ball;
 use pathlight::puzzle::task::{Task, TaskId};
-use pathlight::session::played::Played;
+use pathlight::session::puzzle::Puzzle;
 use rayon::prelude::*;
 use serde::Serialize;
 
+use super::custom_scene_file;
 use super::fold_args::FoldArgs;
 use super::model_args::ModelArgs;
-use super::own_scene_file;
 use super::progress::Progress;
 
 /// Write the model's proposals as JSON lines, best first, without simulating
@@ -29,7 +29,7 @@ pub struct Args {
     #[arg(long = "task", value_name = "TASK")]
     tasks: Vec<TaskId>,
 
-    /// Propose for the own scene of this file ("-" is standard input) instead, JSON as `tasks --schema` describes it
+    /// Propose for the custom scene of this file ("-" is standard input) instead, JSON as `tasks --schema` describes it
     #[arg(long, value_name = "FILE", conflicts_with = "tasks")]
     scene: Option<PathBuf>,
 
@@ -52,7 +52,7 @@ pub struct Args {
 /// A line: the valid balls of a task, px, best first.
 #[derive(Serialize)]
 struct TaskProposals {
-    /// Absent for an own scene.
+    /// Absent for a custom scene.
     #[serde(skip_serializing_if = "Option::is_none")]
     task: Option<TaskId>,
     balls: Vec<Ball>,
@@ -62,8 +62,8 @@ impl Args {
     pub fn run(self) -> anyhow::Result<()> {
         let fold = FoldId::from(self.fold);
         let nets = self.model.load(fold)?;
-        let own = self.scene.as_deref().map(own_scene_file::read).transpose()?;
-        let tasks = if own.is_some() {
+        let custom = self.scene.as_deref().map(custom_scene_file::read).transpose()?;
+        let tasks = if custom.is_some() {
             Vec::new()
         } else if self.tasks.is_empty() {
             fold.tasks().test
@@ -74,12 +74,12 @@ impl Args {
         let (mut stdout, mut file) = (io::stdout().lock(), Vec::new());
         let to_stdout = self.out.as_os_str() == "-";
         let out: &mut dyn Write = if to_stdout { &mut stdout } else { &mut file };
-        let proposals = |Played { id, scene, .. }: Played| {
+        let proposals = |Puzzle { id, scene, .. }: Puzzle| {
             let proposals = agents::propose(&nets, &scene, id.seed(self.seed), self.attempts.into());
             TaskProposals { task: id.task(), balls: proposals.into_iter().map(|proposal| proposal.ball).collect() }
         };
-        if let Some(played) = own {
-            writeln!(out, "{}", serde_json::to_string(&proposals(played))?)?;
+        if let Some(puzzle) = custom {
+            writeln!(out, "{}", serde_json::to_string(&proposals(puzzle))?)?;
         }
         let mut progress = Progress::new(Some(tasks.len() as u64));
         for tasks in tasks.chunks(25) {

@@ -7,7 +7,7 @@ use std::path::PathBuf;
 
 use clap::ValueEnum;
 use pathlight::benchmark::folds::{Fold, Setup};
-use pathlight::puzzle::own_scene::OwnScene;
+use pathlight::puzzle::custom_scene::CustomScene;
 use pathlight::puzzle::scene::Scene;
 use pathlight::puzzle::task::{Task, TaskId};
 use pathlight::puzzle::templates::{TEMPLATES, Template};
@@ -15,7 +15,7 @@ use serde::Serialize;
 use serde_json::{Map, Value};
 
 use super::template_arg::template;
-use super::{fold_args, own_scene_file};
+use super::{custom_scene_file, fold_args};
 
 /// List the templates, the tasks of a template or of a fold, or print scenes as JSON
 #[derive(clap::Args)]
@@ -41,16 +41,16 @@ pub struct Args {
     #[arg(long, value_name = "TASK", num_args = 0..=1)]
     json: Option<Option<TaskId>>,
 
-    /// Print the own scene of this file ("-" is standard input) as JSON, as it is simulated
+    /// Print the custom scene of this file ("-" is standard input) as JSON, as it is simulated
     #[arg(long, value_name = "FILE", conflicts_with_all = ["template", "fold", "json"])]
     scene: Option<PathBuf>,
 
-    /// Print this task as an own scene, which can be edited and played with --scene
-    #[arg(long, value_name = "TASK", conflicts_with_all = ["template", "fold", "json", "scene"])]
-    own: Option<TaskId>,
+    /// Print this task as a custom scene, which can be edited and played with --scene
+    #[arg(long, alias = "own", value_name = "TASK", conflicts_with_all = ["template", "fold", "json", "scene"])]
+    custom: Option<TaskId>,
 
-    /// Print the JSON Schema of own scenes
-    #[arg(long, conflicts_with_all = ["template", "fold", "json", "scene", "own"])]
+    /// Print the JSON Schema of custom scenes
+    #[arg(long, conflicts_with_all = ["template", "fold", "json", "scene", "custom"])]
     schema: bool,
 }
 
@@ -69,14 +69,14 @@ impl Args {
     pub fn run(self) -> anyhow::Result<()> {
         let mut out = BufWriter::new(io::stdout().lock());
         if self.schema {
-            serde_json::to_writer_pretty(&mut out, &schemars::schema_for!(OwnScene))?;
+            serde_json::to_writer_pretty(&mut out, &schemars::schema_for!(CustomScene))?;
             writeln!(out)?;
-        } else if let Some(task) = self.own {
-            let own = OwnScene::of(&Task::load(task)?.scene).expect("a template uses the four shapes");
-            writeln!(out, "{}", serde_json::to_string(&own)?)?;
+        } else if let Some(task) = self.custom {
+            let custom = CustomScene::of(&Task::load(task)?.scene).expect("a template uses the four shapes");
+            writeln!(out, "{}", serde_json::to_string(&custom)?)?;
         } else if let Some(file) = &self.scene {
-            let played = own_scene_file::read(file)?;
-            writeln!(out, "{}", serde_json::to_string(&OwnTask { goal: &played.goal, scene: &played.scene })?)?;
+            let puzzle = custom_scene_file::read(file)?;
+            writeln!(out, "{}", serde_json::to_string(&CustomTask { goal: &puzzle.goal, scene: &puzzle.scene })?)?;
         } else {
             self.print_tasks(&mut out)?;
         }
@@ -111,9 +111,9 @@ impl Args {
     }
 }
 
-/// An own scene as it is simulated.
+/// A custom scene as it is simulated.
 #[derive(Serialize)]
-struct OwnTask<'a> {
+struct CustomTask<'a> {
     goal: &'a str,
     #[serde(flatten)]
     scene: &'a Scene,

@@ -1,7 +1,7 @@
 //! The four shapes of bodies with what a person changes of them: the radius of a ball, the length of a bar, the height
 //! of a jar.
 //!
-//! `layout` lays templates out with them, `own_scene` the scenes that people make. Depends on `scene` only. The
+//! `layout` lays templates out with them, `custom_scene` the scenes that people make. Depends on `scene` only. The
 //! formulas are PHYRE's (v0.2.2, `creator`).
 
 use std::ops::RangeInclusive;
@@ -13,7 +13,7 @@ use super::scene::{Body, SIZE, Shape, ShapeType, rectangle};
 /// Thickness of the benchmark's bars, px; also scales the walls of a jar and the sticks.
 pub const THICKNESS: f64 = 5.12;
 
-/// Radii of the balls that own scenes may have, px.
+/// Radii of the balls that custom scenes may have, px.
 pub const BALL_RADIUS: RangeInclusive<f64> = 2.0..=64.0;
 /// Lengths of bars, px. Static ones may stick out of the scene.
 pub const BAR_LENGTH: RangeInclusive<f64> = 2.0..=512.0;
@@ -91,7 +91,7 @@ impl Dimensions {
         }
     }
 
-    /// Returns its lengths: the key of each, its value and the values that own scenes may have, px.
+    /// Returns its lengths: the key of each, its value and the values that custom scenes may have, px.
     pub fn lengths(self) -> Vec<(&'static str, f64, RangeInclusive<f64>)> {
         match self {
             Dimensions::Ball { radius } => vec![("radius", radius, BALL_RADIUS)],

@@ -3,9 +3,9 @@
 //! Every other folder uses this one; it uses none of them.
 
 pub mod action;
+pub mod custom_scene;
 pub mod dimensions;
 pub mod layout;
-pub mod own_scene;
 pub mod recorded_paths;
 pub mod rollout;
 pub mod sampled_paths;

@@ -1,6 +1,6 @@
 //! Whether a scene has the form that simulation and images rely on: numbers that are numbers, and convex shapes.
 //!
-//! The templates' scenes and own scenes within their limits have it. A scene that a caller builds, or that a program
+//! The templates' scenes and custom scenes within their limits have it. A scene that a caller builds, or that a program
 //! sends, is checked before it is used.
 
 use super::scene::{Body, Scene, Shape};

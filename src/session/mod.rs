@@ -3,6 +3,6 @@
 
 pub mod ending;
 pub mod game;
-pub mod played;
+pub mod puzzle;
 pub mod scene_check;
 pub mod turn;

@@ -51,14 +51,14 @@ fn depth(contact: &Contact, world: &World) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::puzzle::custom_scene::{CustomBody, CustomScene};
     use crate::puzzle::dimensions::Dimensions;
-    use crate::puzzle::own_scene::{OwnBody, OwnScene};
 
     /// A scene of two bodies, the first of which is dynamic, side by side: the origins are `apart` px from each other.
     fn side_by_side(shapes: [Dimensions; 2], apart: f64, second_moves: bool) -> Scene {
-        let body = |dimensions, x, dynamic| OwnBody { dimensions, x, y: 100.0, angle: 0.0, dynamic };
+        let body = |dimensions, x, dynamic| CustomBody { dimensions, x, y: 100.0, angle: 0.0, dynamic };
         let bodies = vec![body(shapes[0], 100.0, true), body(shapes[1], 100.0 + apart, second_moves)];
-        OwnScene { version: 1, name: None, body1: 0, body2: 1, bodies }.to_scene()
+        CustomScene { version: 1, name: None, body1: 0, body2: 1, bodies }.to_scene()
     }
 
     #[test]

@@ -6,14 +6,14 @@ use std::ops::RangeInclusive;
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
-use super::played::written;
+use super::puzzle_from_js::written;
 
 /// What went wrong, for code that handles it; people read the sentence.
 #[derive(Clone, Copy)]
 pub enum Code {
     /// No such task.
     BadTask,
-    /// An own scene that may not be played.
+    /// A custom scene that may not be played.
     BadScene,
     /// A map of an unknown name or of a wrong size.
     BadMap,

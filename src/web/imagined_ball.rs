@@ -8,7 +8,7 @@ use wasm_bindgen::prelude::*;
 use super::describe::invalid_reason;
 use super::error::{Code, error, to_js};
 use super::model::Model;
-use super::played::load;
+use super::puzzle_from_js::load;
 use super::scripting::ball_from;
 use crate::agents::online::Candidate;
 use crate::agents::sigmoid;
@@ -79,10 +79,10 @@ impl Model {
     #[wasm_bindgen(js_name = imagineBall, unchecked_return_type = "ImaginedBall | undefined")]
     pub fn imagine_ball(
         &self,
-        #[wasm_bindgen(unchecked_param_type = "Played")] played: JsValue,
+        #[wasm_bindgen(unchecked_param_type = "Puzzle")] puzzle: JsValue,
         #[wasm_bindgen(unchecked_param_type = "Ball")] ball: JsValue,
     ) -> Result<JsValue, JsValue> {
-        let scene = load(played)?.scene;
+        let scene = load(puzzle)?.scene;
         let ball: Ball = ball_from(ball)?;
         ball.check(&scene).map_err(|why| error(Code::InvalidBall, invalid_reason(why, &scene)))?;
         self.model.imagine(&scene, ball).map_or(Ok(JsValue::UNDEFINED), |imagined| to_object(&imagined))
@@ -96,9 +96,9 @@ impl Model {
     #[wasm_bindgen(unchecked_return_type = "Candidate[] | undefined")]
     pub fn candidates(
         &self,
-        #[wasm_bindgen(unchecked_param_type = "Played")] played: JsValue,
+        #[wasm_bindgen(unchecked_param_type = "Puzzle")] puzzle: JsValue,
     ) -> Result<JsValue, JsValue> {
-        let Some(candidates) = self.model.candidates(&load(played)?.scene, ATTEMPT_LIMIT) else {
+        let Some(candidates) = self.model.candidates(&load(puzzle)?.scene, ATTEMPT_LIMIT) else {
             return Ok(JsValue::UNDEFINED);
         };
         candidates.iter().map(candidate_to_js).collect::<Result<Array, _>>().map(Into::into)

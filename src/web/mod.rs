@@ -1,6 +1,6 @@
 //! The wasm exports, which the page and its worker call. The only user of wasm_bindgen and web_sys.
 //!
-//! `puzzle` is one puzzle on the page, `puzzle_view` what is drawn of it; `model` is the nets in the worker and
+//! `game` is one puzzle on the page, `game_view` what is drawn of it; `model` is the nets in the worker and
 //! `solve_map` its search for all solutions; `scripting` is what a script asks of a task, and `metrics` how agents are
 //! compared. This file holds the exports that need no state: the constants, the templates, thumbnails, maps and
 //! legends. Data go to JavaScript as plain objects with the field names of the Rust types (`types.d.ts` declares them),
@@ -24,20 +24,20 @@ use crate::raster::{PX_PER_CELL, SIDE};
 use crate::session::game::ATTEMPT_LIMIT;
 use crate::simulator;
 
+mod custom_scene;
 mod describe;
 mod error;
 mod frame;
+mod game;
+mod game_view;
 mod heatmap;
 mod imagined_ball;
 mod marks;
 mod metrics;
 mod model;
-mod own_scene;
 mod paint;
 mod panic;
-mod played;
-mod puzzle;
-mod puzzle_view;
+mod puzzle_from_js;
 mod recording;
 mod ribbon;
 mod scripting;
@@ -45,18 +45,18 @@ mod solve_map;
 mod types;
 mod verification;
 
+pub use custom_scene::{custom_scene, paint_edited_scene, scene_digest, scene_limits, scene_problems};
+pub use game::Game;
 pub use metrics::{auccess, fold, soft_iou};
 pub use model::{Model, Turn};
-pub use own_scene::{own_scene, paint_draft, scene_digest, scene_limits, scene_problems};
 pub use panic::throw_panics;
-pub use puzzle::Puzzle;
 pub use scripting::{raster, scene, simulate, why_invalid};
 pub use solve_map::SolveMap;
 pub use verification::{SolutionSearch, attempt_line, luck, verify_attempt};
 
 use error::{Code, error, to_js};
 use paint::Painter;
-use played::load;
+use puzzle_from_js::load;
 
 /// Returns the constants that the page shares with the Rust code. `scripts/constants.mjs` writes them to a module, so
 /// that the page need not wait for the wasm.
@@ -155,18 +155,18 @@ pub fn palette(dark: bool) -> Result<JsValue, JsValue> {
     to_js(colours(dark))
 }
 
-/// Draws the scene of a task, or an own scene, so that it fills a square canvas. For an open puzzle,
-/// `Puzzle.paintThumbnail` does not load it again.
+/// Draws the scene of a task, or a custom scene, so that it fills a square canvas. For an open puzzle,
+/// `Game.paintThumbnail` does not load it again.
 ///
 /// # Errors
 /// `bad_task` if there is no such task, `bad_scene` if the scene may not be played.
 #[wasm_bindgen(js_name = paintThumbnail)]
 pub fn paint_thumbnail(
     context: &CanvasRenderingContext2d,
-    #[wasm_bindgen(unchecked_param_type = "Played")] played: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Puzzle")] puzzle: JsValue,
     dark: bool,
 ) -> Result<(), JsValue> {
-    paint_scene(context, &load(played)?.scene, dark)
+    paint_scene(context, &load(puzzle)?.scene, dark)
 }
 
 /// Draws one map, 64 x 64 values with row 0 at the bottom, into a canvas of 64 x 64 pixels. The colour scale runs from

@@ -8,7 +8,7 @@ use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
 use super::error::{Code, error, to_js, whole_number};
-use super::played::load;
+use super::puzzle_from_js::load;
 use crate::agents::Proposal;
 use crate::agents::memoized_model::MemoizedModel;
 use crate::agents::ranking::probability_map;
@@ -18,7 +18,7 @@ use crate::nets::{Card, PathNet};
 use crate::puzzle::task::TaskId;
 use crate::session::ending::Ending;
 use crate::session::game::ATTEMPT_LIMIT;
-use crate::session::played::Played;
+use crate::session::puzzle::Puzzle;
 use crate::session::turn;
 
 /// Most balls of one list of proposals, as on the command line.
@@ -64,13 +64,13 @@ impl Model {
         to_js(&self.card)
     }
 
-    /// Whether the model was trained on this task or its settings were chosen on it; never for an own scene.
+    /// Whether the model was trained on this task or its settings were chosen on it; never for a custom scene.
     ///
     /// # Errors
     /// `bad_task` if there is no such task, `bad_scene` if the scene may not be played.
     #[wasm_bindgen(js_name = hasSeen)]
-    pub fn has_seen(&self, #[wasm_bindgen(unchecked_param_type = "Played")] played: JsValue) -> Result<bool, JsValue> {
-        Ok(load(played)?.id.task().is_some_and(|task| self.seen.binary_search(&task).is_ok()))
+    pub fn has_seen(&self, #[wasm_bindgen(unchecked_param_type = "Puzzle")] puzzle: JsValue) -> Result<bool, JsValue> {
+        Ok(load(puzzle)?.id.task().is_some_and(|task| self.seen.binary_search(&task).is_ok()))
     }
 
     /// Returns the maps of a task: for each a Float32Array of 64 x 64 values in 0..=1, row 0 at the bottom.
@@ -81,9 +81,9 @@ impl Model {
     #[wasm_bindgen(unchecked_return_type = "Maps")]
     pub fn imagine(
         &self,
-        #[wasm_bindgen(unchecked_param_type = "Played")] played: JsValue,
+        #[wasm_bindgen(unchecked_param_type = "Puzzle")] puzzle: JsValue,
     ) -> Result<JsValue, JsValue> {
-        let scene = load(played)?.scene;
+        let scene = load(puzzle)?.scene;
         let nets = &self.model.nets;
         let imagined = nets.imagine(&scene);
         let judge = nets.cell_logits(&scene).and_then(|logits| probability_map(&logits, &scene));
@@ -109,11 +109,11 @@ impl Model {
     #[wasm_bindgen(unchecked_return_type = "Proposal[]")]
     pub fn propose(
         &self,
-        #[wasm_bindgen(unchecked_param_type = "Played")] played: JsValue,
+        #[wasm_bindgen(unchecked_param_type = "Puzzle")] puzzle: JsValue,
         #[wasm_bindgen(unchecked_param_type = "number")] seed: &JsValue,
         #[wasm_bindgen(unchecked_optional_param_type = "number")] count: &JsValue,
     ) -> Result<JsValue, JsValue> {
-        let Played { id, scene, .. } = load(played)?;
+        let Puzzle { id, scene, .. } = load(puzzle)?;
         let seed = whole_seed(seed)?;
         let count = if count.is_undefined() || count.is_null() {
             ATTEMPT_LIMIT
@@ -131,10 +131,10 @@ impl Model {
     /// range or not a whole number.
     pub fn turn(
         &self,
-        #[wasm_bindgen(unchecked_param_type = "Played")] played: JsValue,
+        #[wasm_bindgen(unchecked_param_type = "Puzzle")] puzzle: JsValue,
         #[wasm_bindgen(unchecked_param_type = "number")] seed: &JsValue,
     ) -> Result<Turn, JsValue> {
-        let Played { id, scene, .. } = load(played)?;
+        let Puzzle { id, scene, .. } = load(puzzle)?;
         let agent = self.model.start(&scene, id.seed(whole_seed(seed)?), ATTEMPT_LIMIT);
         Ok(Turn(turn::Turn::new(scene, agent)))
     }
@@ -147,9 +147,9 @@ impl Model {
     #[wasm_bindgen(js_name = imaginePaths)]
     pub fn imagine_paths(
         &self,
-        #[wasm_bindgen(unchecked_param_type = "Played")] played: JsValue,
+        #[wasm_bindgen(unchecked_param_type = "Puzzle")] puzzle: JsValue,
     ) -> Result<Vec<f32>, JsValue> {
-        let imagined = self.model.nets.imagine(&load(played)?.scene);
+        let imagined = self.model.nets.imagine(&load(puzzle)?.scene);
         let maps: Vec<&[f32]> = ImaginedMap::ALL.into_iter().filter_map(|map| imagined.map(map)).collect();
         Ok(maps.concat())
     }

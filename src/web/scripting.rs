@@ -9,7 +9,7 @@ use wasm_bindgen::prelude::*;
 
 use super::describe::invalid_reason;
 use super::error::{Code, error, from_js, to_js};
-use super::played::load;
+use super::puzzle_from_js::load;
 use crate::puzzle::action::Ball;
 use crate::puzzle::rollout::{Rollout, Status};
 use crate::raster::scene_channels;
@@ -21,8 +21,8 @@ use crate::simulator;
 /// # Errors
 /// `bad_task` if there is no such task, `bad_scene` if the scene may not be played.
 #[wasm_bindgen(unchecked_return_type = "Scene")]
-pub fn scene(#[wasm_bindgen(unchecked_param_type = "Played")] played: JsValue) -> Result<JsValue, JsValue> {
-    to_js(&load(played)?.scene)
+pub fn scene(#[wasm_bindgen(unchecked_param_type = "Puzzle")] puzzle: JsValue) -> Result<JsValue, JsValue> {
+    to_js(&load(puzzle)?.scene)
 }
 
 /// Returns the five channels of a scene, which the four nets and the judge see: green object, blue goal, purple goal,
@@ -31,8 +31,8 @@ pub fn scene(#[wasm_bindgen(unchecked_param_type = "Played")] played: JsValue) -
 /// # Errors
 /// `bad_task` if there is no such task, `bad_scene` if the scene may not be played.
 #[wasm_bindgen]
-pub fn raster(#[wasm_bindgen(unchecked_param_type = "Played")] played: JsValue) -> Result<Vec<f32>, JsValue> {
-    Ok(scene_channels(&load(played)?.scene).iter().flat_map(|channel| channel.to_f32()).collect())
+pub fn raster(#[wasm_bindgen(unchecked_param_type = "Puzzle")] puzzle: JsValue) -> Result<Vec<f32>, JsValue> {
+    Ok(scene_channels(&load(puzzle)?.scene).iter().flat_map(|channel| channel.to_f32()).collect())
 }
 
 /// Returns why a ball is invalid in a task, as a phrase; undefined if it is valid.
@@ -41,10 +41,10 @@ pub fn raster(#[wasm_bindgen(unchecked_param_type = "Played")] played: JsValue) 
 /// `bad_task` if there is no such task, `bad_scene` if the scene may not be played, `bad_data` if it is not a ball.
 #[wasm_bindgen(js_name = whyInvalid)]
 pub fn why_invalid(
-    #[wasm_bindgen(unchecked_param_type = "Played")] played: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Puzzle")] puzzle: JsValue,
     #[wasm_bindgen(unchecked_param_type = "Ball")] ball: JsValue,
 ) -> Result<Option<String>, JsValue> {
-    let scene = load(played)?.scene;
+    let scene = load(puzzle)?.scene;
     Ok(ball_from::<Ball>(ball)?.check(&scene).err().map(|why| invalid_reason(why, &scene)))
 }
 
@@ -55,7 +55,7 @@ pub fn why_invalid(
 /// `bad_task` if there is no such task, `bad_scene` if the scene may not be played, `bad_data` if it is not a ball.
 #[wasm_bindgen(unchecked_return_type = "Rollout")]
 pub fn simulate(
-    #[wasm_bindgen(unchecked_param_type = "Played")] played: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Puzzle")] puzzle: JsValue,
     #[wasm_bindgen(unchecked_param_type = "Ball | null")] ball: JsValue,
 ) -> Result<JsValue, JsValue> {
     #[derive(Serialize)]
@@ -65,7 +65,7 @@ pub fn simulate(
         #[serde(flatten)]
         ending: Ending,
     }
-    let scene = load(played)?.scene;
+    let scene = load(puzzle)?.scene;
     let (status, reason, rollout) = match simulator::simulate(&scene, ball_from(ball)?) {
         Ok(rollout) => (rollout.status(), None, rollout),
         Err(why) => (Status::Invalid, Some(invalid_reason(why, &scene)), nothing_simulated()),

@@ -3,7 +3,7 @@
 use wasm_bindgen::prelude::*;
 
 use super::error::{Code, error};
-use super::played::load;
+use super::puzzle_from_js::load;
 use crate::search::solve_map;
 
 /// A map of 64 x 64 cells of one task: the outcome of a ball of this radius that starts in the cell.
@@ -18,10 +18,10 @@ impl SolveMap {
     /// radius is not a ball's.
     #[wasm_bindgen(constructor)]
     pub fn new(
-        #[wasm_bindgen(unchecked_param_type = "Played")] played: JsValue,
+        #[wasm_bindgen(unchecked_param_type = "Puzzle")] puzzle: JsValue,
         radius: f64,
     ) -> Result<SolveMap, JsValue> {
-        let map = solve_map::SolveMap::new(load(played)?.scene, radius);
+        let map = solve_map::SolveMap::new(load(puzzle)?.scene, radius);
         map.map(SolveMap).map_err(|why| error(Code::InvalidBall, why))
     }
 

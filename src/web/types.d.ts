@@ -30,28 +30,28 @@ export interface Scene {
 
 /** A scene that somebody has made, as it is edited, shared and stored; `scene.schema.json` is its schema. Colours follow from
  * the goal: the body `body1`, which is dynamic, touches `body2` for three seconds. */
-export interface OwnScene {
+export interface CustomScene {
     version: 1;
     /** What its maker calls it, at most 60 characters. */
     name?: string;
     body1: number;
     body2: number;
-    bodies: OwnBody[];
+    bodies: CustomBody[];
 }
 
-/** A body of an own scene; lengths in px, the angle in radians, counter-clockwise. The origin at x, y is the centre of a ball
+/** A body of a custom scene; lengths in px, the angle in radians, counter-clockwise. The origin at x, y is the centre of a ball
  * or of a bar, the middle of a jar's base, or where sticks cross. */
-export type OwnBody = { x: number; y: number; angle: number; dynamic: boolean } & (
+export type CustomBody = { x: number; y: number; angle: number; dynamic: boolean } & (
     | { shape: "ball"; radius: number }
     | { shape: "bar"; length: number; thickness: number }
     | { shape: "jar"; height: number }
     | { shape: "standing_sticks"; length: number }
 );
 
-/** What is played: the id of a task ("00007:008"), or an own scene. */
-export type Played = string | OwnScene;
+/** A puzzle: the id of a task ("00007:008"), or a custom scene. */
+export type Puzzle = string | CustomScene;
 
-/** Why an own scene may not be played. */
+/** Why a custom scene may not be played. */
 export interface SceneProblem {
     /** The body that has the problem, as an index into `bodies`; null if it is the scene's. */
     body: number | null;
@@ -61,7 +61,7 @@ export interface SceneProblem {
     sentence: string;
 }
 
-/** The limits of own scenes: least and most, lengths in px. */
+/** The limits of custom scenes: least and most, lengths in px. */
 export interface SceneLimits {
     bodies: [number, number];
     ball_radius: [number, number];
@@ -104,7 +104,7 @@ export interface Luck {
 /** An attempt that anyone can simulate again. Either `task` or `scene` is there. */
 export interface AttemptLine {
     task?: string;
-    scene?: OwnScene;
+    scene?: CustomScene;
     /** Null without a ball, or, with the status `invalid`, if an action placed none. */
     ball: Ball | null;
     /** What simulated it, if that is not the first engine: the native program, which alone has another. */
@@ -204,7 +204,7 @@ export interface Palette {
 
 /** A puzzle in words. */
 export interface About {
-    /** Null for an own scene. */
+    /** Null for a custom scene. */
     id: string | null;
     name: string;
     story: string;
@@ -363,7 +363,7 @@ export interface View {
     step: number;
     /** The ball being placed. */
     ball: Ball | null;
-    /** Whether that ball may be placed there; `paintDraft` finds out itself. */
+    /** Whether that ball may be placed there; `paintEditedScene` finds out itself. */
     valid: boolean;
     /** The radius of the knob on that ball, px; 0 draws none. */
     knob: number;

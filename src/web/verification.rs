@@ -5,7 +5,7 @@ use serde_json::Value;
 use wasm_bindgen::prelude::*;
 
 use super::error::{from_js, to_js};
-use super::played::{load, plain_scene, written};
+use super::puzzle_from_js::{load, plain_scene, written};
 use super::scripting::ball_from;
 use crate::puzzle::action::Ball;
 use crate::puzzle::rollout::Status;
@@ -25,8 +25,8 @@ impl SolutionSearch {
     /// # Errors
     /// `bad_task` if there is no such task, `bad_scene` if the scene may not be played.
     #[wasm_bindgen(constructor)]
-    pub fn new(#[wasm_bindgen(unchecked_param_type = "Played")] played: JsValue) -> Result<SolutionSearch, JsValue> {
-        Ok(SolutionSearch(solution_search::SolutionSearch::new(load(played)?.scene)))
+    pub fn new(#[wasm_bindgen(unchecked_param_type = "Puzzle")] puzzle: JsValue) -> Result<SolutionSearch, JsValue> {
+        Ok(SolutionSearch(solution_search::SolutionSearch::new(load(puzzle)?.scene)))
     }
 
     /// Simulates the next valid ball; returns false once all have been tried.
@@ -47,10 +47,10 @@ impl SolutionSearch {
 /// `bad_task` if there is no such task, `bad_scene` if the scene may not be played, `bad_data` if it is not a ball.
 #[wasm_bindgen(unchecked_return_type = "Luck")]
 pub fn luck(
-    #[wasm_bindgen(unchecked_param_type = "Played")] played: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Puzzle")] puzzle: JsValue,
     #[wasm_bindgen(unchecked_param_type = "Ball")] ball: JsValue,
 ) -> Result<JsValue, JsValue> {
-    to_js(&luck::luck(&load(played)?.scene, ball_from(ball)?))
+    to_js(&luck::luck(&load(puzzle)?.scene, ball_from(ball)?))
 }
 
 /// Simulates a ball, or the scene alone if it is null, and returns the line that anyone can verify.
@@ -59,10 +59,10 @@ pub fn luck(
 /// `bad_task` if there is no such task, `bad_scene` if the scene may not be played, `bad_data` if it is not a ball.
 #[wasm_bindgen(js_name = attemptLine, unchecked_return_type = "AttemptLine")]
 pub fn attempt_line(
-    #[wasm_bindgen(unchecked_param_type = "Played")] played: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Puzzle")] puzzle: JsValue,
     #[wasm_bindgen(unchecked_param_type = "Ball | null")] ball: JsValue,
 ) -> Result<JsValue, JsValue> {
-    to_js(&AttemptLine::of(&load(played)?, ball_from(ball)?, Engine::default()))
+    to_js(&AttemptLine::of(&load(puzzle)?, ball_from(ball)?, Engine::default()))
 }
 
 /// Simulates the attempt of a line again, and returns whether it is the same to the bit. Fails for no value: what is

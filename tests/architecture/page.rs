@@ -6,13 +6,13 @@ use crate::rule::{Never, Only, Rule, unknown_files};
 /// The folders and files of `www/` in the order in which they import each other: each only those before it. `pkg` is
 /// the wasm package, of which all may import what the API does not have. Imports in JSDoc are types only and are not
 /// looked at.
-const LAYERS: [&str; 16] = [
+const LAYERS: [&str; 17] = [
     "pkg", "api", "storage", "shell", "loading", "puzzles", "state", "text", "widgets", "model", "play", "panels",
-    "workshop", "element", "page", "offline",
+    "editor", "attempts", "element", "page", "offline",
 ];
 
 /// What modules outside of `api/` may import of `pkg`: what the API does not have, because only the player needs it.
-const PLAYER_ONLY: [&str; 6] = ["Puzzle", "paintDraft", "palette", "paintLegend", "paintOutcomes", "paintOutline"];
+const PLAYER_ONLY: [&str; 6] = ["Game", "paintEditedScene", "palette", "paintLegend", "paintOutcomes", "paintOutline"];
 
 const RULES: &[Rule] = &[
     Rule {
@@ -28,7 +28,7 @@ const RULES: &[Rule] = &[
             "byId(document",
             "find(document",
         ],
-        files: Never(&["model/", "play/", "panels/", "workshop/", "element/"]),
+        files: Never(&["model/", "play/", "panels/", "editor/", "attempts/", "element/"]),
         reason: "several puzzles live in one page: each looks up its elements in its own shadow tree",
     },
     Rule {
@@ -53,7 +53,18 @@ const RULES: &[Rule] = &[
     },
     Rule {
         words: &["URL(\"./"],
-        files: Never(&["api/", "loading/", "widgets/", "model/", "play/", "panels/", "workshop/", "element/", "page/"]),
+        files: Never(&[
+            "api/",
+            "loading/",
+            "widgets/",
+            "model/",
+            "play/",
+            "panels/",
+            "editor/",
+            "attempts/",
+            "element/",
+            "page/",
+        ]),
         reason: "a bundle takes the place of its entry in another folder: addresses begin with that of the folder, \"../\"",
     },
     Rule {
@@ -71,7 +82,7 @@ const RULES: &[Rule] = &[
         files: Only(&["offline/"]),
         reason: "the page works without a service worker",
     },
-    Rule { words: &["new Puzzle("], files: Only(&["play/session.js"]), reason: "who makes a puzzle frees it" },
+    Rule { words: &["new Game("], files: Only(&["play/session.js"]), reason: "who makes a game frees it" },
 ];
 
 #[test]
@@ -117,7 +128,7 @@ fn what_the_api_has_is_called_through_it() {
 fn imports_of_the_wasm_are_found() {
     let names = |code| wasm_imports(code).collect::<Vec<_>>();
     assert_eq!(names("import { palette, templates as all } from \"../pkg/pathlight.js\";"), ["palette", "templates"]);
-    assert_eq!(names("import {\n  Puzzle,\n} from './pkg/pathlight.js';"), ["Puzzle"]);
+    assert_eq!(names("import {\n  Game,\n} from './pkg/pathlight.js';"), ["Game"]);
     assert_eq!(names("import * as wasm from \"../pkg/pathlight.js\";"), ["*"]);
     assert_eq!(names("const wasm = await import(\"../pkg/pathlight.js\");"), ["*"]);
     assert_eq!(names("import { load } from \"../api/index.js\";"), [""; 0]);

@@ -179,7 +179,7 @@ fn an_import_of_a_later_folder_is_found() {
     assert_eq!(player("nets/mod.rs", "use crate::{session::game, puzzle::task};"), 1);
     assert_eq!(player("nets/mod.rs", "use crate::{\n    session::game,\n    puzzle::task,\n};"), 1);
     assert_eq!(player("nets/mod.rs", "use crate::raster::SIDE;"), 0);
-    assert_eq!(player("commands/tasks.rs", "use pathlight::web::Puzzle;"), 1);
+    assert_eq!(player("commands/tasks.rs", "use pathlight::web::Game;"), 1);
     assert_eq!(player("commands/tasks.rs", "use pathlight::session::game;"), 0);
     assert_eq!(player("nets/conv/mod.rs", "use crate::nets::conv;"), 0);
     let lab = |file, code| LAB.upward_imports(file, code).len();

@@ -11,14 +11,14 @@ let session;
 before(async () => (session = await start()));
 after(() => session.stop());
 
-/** Opens an own scene in the panel Bend. */
+/** Opens a custom scene in the panel Make. */
 async function openScene(scene) {
   const page = await session.open("/", { reducedMotion: "reduce" });
-  await page.locator("#own-open").waitFor();
+  await page.locator("#custom-open").waitFor();
   await page
-    .locator("#own-file")
+    .locator("#custom-file")
     .setInputFiles({ name: "scene.json", mimeType: "application/json", buffer: Buffer.from(JSON.stringify(scene)) });
-  await page.locator("#tab-bend").click();
+  await page.locator("#tab-make").click();
   return page;
 }
 
@@ -33,7 +33,7 @@ const scene = (object, goal) => ({
 });
 
 test("a puzzle that can be solved: how many balls do, and the easiest only when it is asked for", async () => {
-  const page = await openPuzzle(session, { fragment: "&panel=bend", reducedMotion: true });
+  const page = await openPuzzle(session, { fragment: "&panel=make", reducedMotion: true });
   await page.locator("#check-search").click();
   await page.locator("#check-words").filter({ hasText: "so far" }).waitFor();
   await page.locator("#check-search").filter({ hasText: "Search" }).waitFor({ timeout: 120_000 });
@@ -52,20 +52,20 @@ test("a puzzle that can be solved: how many balls do, and the easiest only when 
   await says(page, /^Solved/);
 });
 
-test("what is bent so that it may not be played is not searched, nor is what it was before", async () => {
+test("what is edited so that it may not be played is not searched, nor is what it was before", async () => {
   const page = await openScene(scene({ x: 60, y: 200 }, { x: 200, y: 10 }));
   await page.locator("#check-search").click();
   await page.locator("#check-words").filter({ hasText: "so far" }).waitFor();
   await page.locator("#scene").press("n");
   for (let step = 0; step < 8; step += 1) await page.locator("#scene").press("Shift+ArrowUp");
-  await page.locator("#bend-problems:visible").waitFor();
+  await page.locator("#make-problems:visible").waitFor();
   await page.locator("#check-search:disabled").filter({ hasText: "Search" }).waitFor();
   await page
     .locator("#check-words")
     .filter({ hasText: /^First mend what stands above/ })
     .waitFor();
   for (let step = 0; step < 4; step += 1) await page.locator("#scene").press("Shift+ArrowDown");
-  // What was bent a moment ago is searched: its puzzle does not end the search when it comes.
+  // What was edited a moment ago is searched: its puzzle does not end the search when it comes.
   await page.locator("#check-search:enabled").click();
   await page.locator("#check-words").filter({ hasText: "so far" }).waitFor();
   await page.waitForTimeout(600);
@@ -73,7 +73,7 @@ test("what is bent so that it may not be played is not searched, nor is what it 
 });
 
 test("the search can be stopped, and says what it has found so far", async () => {
-  const page = await openPuzzle(session, { fragment: "&panel=bend" });
+  const page = await openPuzzle(session, { fragment: "&panel=make" });
   await page.locator("#check-search").click();
   await page.locator("#check-words").filter({ hasText: "so far" }).waitFor();
   await page.locator("#check-search").filter({ hasText: "Stop" }).click();
@@ -92,13 +92,13 @@ test("a scene that nothing solves says none found, and one that solves itself sa
     .waitFor({ timeout: 120_000 });
   assert.equal(await impossible.locator("#check-reveal").isVisible(), false);
   const itself = await openScene(scene({ x: 100, y: 120 }, { x: 100, y: 10 }));
-  await itself.locator("#bend-alone").filter({ hasText: "solves itself" }).waitFor();
+  await itself.locator("#make-alone").filter({ hasText: "solves itself" }).waitFor();
   await itself.locator("#check-search").click();
   await itself.locator("#check-words").filter({ hasText: "The scene solves itself" }).waitFor();
 });
 
 /** The example of docs/teaching.md: a lesson that shows nothing of the model, so that nothing has started it. */
-const WITHOUT_MODEL = "&hide=puzzles,imagine,compare,predict,map,bend";
+const WITHOUT_MODEL = "&hide=puzzles,imagine,compare,predict,map,make";
 
 test("in a lesson without the model: luck, the digest, and attempts are saved", async () => {
   const { solving } = await known();

@@ -58,9 +58,9 @@ before(async () => {
     ...(await import("../../www/storage/progress-file.js")),
     ...(await import("../../www/storage/puzzle-store.js")),
     ...(await import("../../www/storage/slices.js")),
-    ...(await import("../../www/workshop/scene-link.js")),
-    ...(await import("../../www/workshop/puzzle-file.js")),
-    ...(await import("../../www/workshop/attempt-file.js")),
+    ...(await import("../../www/editor/scene-link.js")),
+    ...(await import("../../www/editor/puzzle-file.js")),
+    ...(await import("../../www/attempts/attempt-file.js")),
     ...(await import("../../www/shell/page-api.js")),
   };
 });
@@ -295,10 +295,10 @@ test("whatever is stored, and whether or not it may be, the page has progress, a
       assert.ok(progress.attemptsAt("00007:008").some((one) => String(one.ball) === "1,2,3"));
       for (const one of progress.all) assert.match(one.puzzle, /^(\d{5}:\d{3}|[0-9a-f]{64})$/);
       assert.doesNotThrow(() => JSON.parse(page.progressJson(progress)));
-      const own = new page.PuzzleStore();
-      const why = own.add([SCENE]).failure;
+      const custom = new page.PuzzleStore();
+      const why = custom.add([SCENE]).failure;
       assert.ok(why === null || isSentence(why));
-      for (const scene of own.scenes) assert.doesNotThrow(() => page.pathlight.sceneProblems(scene));
+      for (const scene of custom.scenes) assert.doesNotThrow(() => page.pathlight.sceneProblems(scene));
     }),
   );
 });

@@ -1,11 +1,11 @@
-// How smoothly something follows the pointer in the scene, and how long the maps of a scene that is being bent take to
-// follow: for timings.mjs.
+// How smoothly something follows the pointer in the scene, and how long the maps of a scene that is being edited take
+// to follow: for timings.mjs.
 
 import { spot } from "./page-actions.mjs";
 
 /** @typedef {import('playwright-core').Page} Page */
 
-/** The benchmark's puzzles with the fewest, the median number and the most bodies, of those that may be bent. */
+/** The benchmark's puzzles with the fewest, the median number and the most bodies, of those that may be edited. */
 const BENT = ["00000:000", "00004:611", "00013:121"];
 
 /** Time of a drag, ms. */
@@ -42,19 +42,19 @@ export async function drag(page, [x, y], [across, up]) {
 }
 
 /**
- * Drags the green object of three puzzles in the panel Bend: for each the times between frames, and those from a move
+ * Drags the green object of three puzzles in the panel Make: for each the times between frames, and those from a move
  * of the pointer until the frame that shows the maps imagined of it, ms.
  * @param {Awaited<ReturnType<typeof import('./harness.mjs').start>>} session
- * @param {(task: string) => Promise<import('../../www/pkg/pathlight.js').OwnScene>} sceneOf
+ * @param {(task: string) => Promise<import('../../www/pkg/pathlight.js').CustomScene>} sceneOf
  */
-export async function bendTimings(session, sceneOf) {
+export async function editingTimings(session, sceneOf) {
   const timings = [];
   for (const task of BENT) {
     const { body1, bodies } = await sceneOf(task);
     const page = await session.open("");
     await page.addInitScript(watchMaps);
-    await page.goto(`${session.origin}/#task=${task}&panel=bend`);
-    await page.locator('#bend-maps canvas[aria-label*="not imagined yet"]').first().waitFor({ state: "detached" });
+    await page.goto(`${session.origin}/#task=${task}&panel=make`);
+    await page.locator('#make-maps canvas[aria-label*="not imagined yet"]').first().waitFor({ state: "detached" });
     const latencies = await page.evaluateHandle(() => globalThis.mapLatencies());
     const { x, y } = bodies[body1];
     const gaps = await drag(page, [x, y], [6, 3]);
@@ -77,7 +77,7 @@ function watchMaps() {
     /** @type {number[]} */
     const latencies = [];
     const canvas = /** @type {HTMLCanvasElement} */ (
-      document.querySelector("#puzzle")?.shadowRoot?.querySelector("#bend-maps canvas")
+      document.querySelector("#puzzle")?.shadowRoot?.querySelector("#make-maps canvas")
     );
     const map = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
     const { putImageData } = map;

@@ -191,10 +191,10 @@ test("a puzzle that is removed frees its worker and its memory, and can be playe
   const page = await embed(session);
   await imagined(page.locator("#two"));
   await page.evaluate(async () => {
-    const { Puzzle } = await import("/pkg/pathlight.js");
-    const free = Puzzle.prototype.free;
+    const { Game } = await import("/pkg/pathlight.js");
+    const free = Game.prototype.free;
     globalThis.freed = 0;
-    Puzzle.prototype.free = function () {
+    Game.prototype.free = function () {
       globalThis.freed += 1;
       free.call(this);
     };

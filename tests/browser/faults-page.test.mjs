@@ -51,8 +51,8 @@ test("a trap in the page’s wasm is a sentence; the page loads anew with all at
   const page = await openPuzzle(session, { reducedMotion: true });
   await play(page);
   await page.evaluate(async () => {
-    const { Puzzle } = await import("/pkg/pathlight.js");
-    Puzzle.prototype.watch = () => {
+    const { Game } = await import("/pkg/pathlight.js");
+    Game.prototype.watch = () => {
       throw new WebAssembly.RuntimeError("unreachable");
     };
   });

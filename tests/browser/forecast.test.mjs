@@ -153,10 +153,10 @@ test("after a run it stays beside the real paths until the ball changes", async 
   );
   const { object } = await imagined(page, missing);
   const real = await page.evaluate(async ([[x, y, r], task]) => {
-    const { Puzzle } = await import("/pkg/pathlight.js");
-    const puzzle = new Puzzle(task);
-    puzzle.preview(x, y, r);
-    return Array.from(puzzle.sampledPaths()?.object ?? []);
+    const { Game } = await import("/pkg/pathlight.js");
+    const game = new Game(task);
+    game.preview(x, y, r);
+    return Array.from(game.sampledPaths()?.object ?? []);
   }, /** @type {const} */ ([missing, EASY]));
   const errors = Array.from({ length: 16 }, (_, index) =>
     Math.hypot(object[2 * index] - real[2 * index], object[2 * index + 1] - real[2 * index + 1]),

@@ -119,11 +119,11 @@ test("where nothing has the focus, the arrows move the ball", async () => {
 });
 
 test("letters and digits that are typed into a name are no shortcuts", async () => {
-  const page = await openPuzzle(session, { fragment: "&panel=bend" });
-  const name = page.locator("#bend-name");
+  const page = await openPuzzle(session, { fragment: "&panel=make" });
+  const name = page.locator("#make-name");
   await name.fill("");
   await name.pressSequentially("Ramp 2 [over] no. 1, v?");
   assert.equal(await name.inputValue(), "Ramp 2 [over] no. 1, v?");
-  assert.match(page.url(), /panel=bend/);
+  assert.match(page.url(), /panel=make/);
   assert.equal(await page.locator("#keys-dialog[open]").count(), 0);
 });

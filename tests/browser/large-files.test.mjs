@@ -79,11 +79,11 @@ test("a file of attempts yields at each line, and merging at each puzzle", () =>
   // Each puzzle is merged once, also when its attempts are far apart in the file.
   const mixed = attempts.map((_, index) => attempts[(index * 50 + Math.floor(index / 60)) % 3000]);
   assert.equal([...new Progress(false).merging(mixed)].length, 3 + 60);
-  // Of all own scenes not more than a thousand at once.
-  const own = Array.from({ length: 2500 }, (_, index) =>
+  // Of all custom scenes not more than a thousand at once.
+  const custom = Array.from({ length: 2500 }, (_, index) =>
     JSON.stringify(line({ scene: (10_000 + index).toString(16).padStart(64, "0") }, 1)),
   );
-  assert.equal([...new Progress(false).merging(read(own.join("\n")).attempts)].length, 3 + 3);
+  assert.equal([...new Progress(false).merging(read(custom.join("\n")).attempts)].length, 3 + 3);
 });
 
 test("a file with more attempts than are kept says so, and loses no solution", () => {
@@ -110,7 +110,7 @@ test("reading that is stopped changes nothing", async () => {
   assert.equal(progressJson(progress), before);
 });
 
-test("attempts at a thousand unknown own scenes push none out, and go first when there is no room", () => {
+test("attempts at a thousand unknown custom scenes push none out, and go first when there is no room", () => {
   const progress = new Progress(false);
   const mine = "e".repeat(64);
   const ending = { solved: true, ...TIMES };
@@ -122,7 +122,7 @@ test("attempts at a thousand unknown own scenes push none out, and go first when
   assert.deepEqual([added, left], [999, 1]);
   for (let x = 2; x < 30; x += 1)
     progress.add("f".repeat(64), "player", [{ ball: [x, 200, 8], ending }], { simulator: 3 });
-  assert.deepEqual([progress.attemptsAt(mine).length, progress.ofOwnScenes.length], [1, 1000]);
+  assert.deepEqual([progress.attemptsAt(mine).length, progress.ofCustomScenes.length], [1, 1000]);
 });
 
 test("a full store keeps what it has, says how many attempts it does not keep, and is of use again when there is room", () => {

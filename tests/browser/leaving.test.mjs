@@ -17,9 +17,9 @@ test("a puzzle is left while pictures of attempts wait to be drawn", async () =>
   });
   // Slow painting, so that some pictures still wait.
   await page.evaluate(async () => {
-    const { Puzzle } = await import("/pkg/pathlight.js");
-    const paintAttempt = Puzzle.prototype.paintAttempt;
-    Puzzle.prototype.paintAttempt = function (...args) {
+    const { Game } = await import("/pkg/pathlight.js");
+    const paintAttempt = Game.prototype.paintAttempt;
+    Game.prototype.paintAttempt = function (...args) {
       const end = performance.now() + 100;
       while (performance.now() < end);
       paintAttempt.apply(this, args);
@@ -38,9 +38,9 @@ test("a puzzle is left while pictures of attempts wait to be drawn", async () =>
 });
 
 test("sentences about a puzzle go with it", async () => {
-  const sentences = ["#attempts-words", "#save-words", "#bend-said", "#bend-alone"];
-  const page = await openPuzzle(session, { fragment: "&panel=bend", reducedMotion: true });
-  await page.locator("#bend-keep").click();
+  const sentences = ["#attempts-words", "#save-words", "#make-said", "#make-alone"];
+  const page = await openPuzzle(session, { fragment: "&panel=make", reducedMotion: true });
+  await page.locator("#make-keep").click();
   await page.locator("#tab-play").click();
   await page.locator("#watch").click();
   await page.locator("#digest").click();
@@ -62,7 +62,7 @@ test("an answer about a puzzle that was left is not shown", async () => {
   await page.locator("#watch").click();
   // The worker answers in order: the answer to the button comes before that to the search.
   await page.locator("#digest").click();
-  await page.evaluate(() => (location.hash = "#task=00001:000&panel=bend"));
+  await page.evaluate(() => (location.hash = "#task=00001:000&panel=make"));
   await page.locator("#check-search").click();
   await page.locator("#check-words").filter({ hasText: "so far" }).waitFor();
   assert.equal(await page.locator("#attempts-words").textContent(), "");

@@ -57,14 +57,14 @@ test("a code that could not be drawn once comes with the next link", async () =>
 test("boxes by keys make the link, the preview and the code; the link opens just that", async () => {
   const page = await openDialog({ fragment: "&panel=imagine" });
   assert.equal(await address(page), page.url(), "at first it is the link to what is shown");
-  for (const name of ["imagine", "compare", "map", "bend", "play", "puzzles", "tools", "hint", "speed"]) {
+  for (const name of ["imagine", "compare", "map", "make", "play", "puzzles", "tools", "hint", "speed"]) {
     await page.locator(`#lesson-dialog [name=${name}]`).focus();
     await page.keyboard.press("Space");
   }
   const link = await address(page);
   assert.equal(
     link,
-    `${session.origin}/#task=${EASY}&panel=predict&hide=puzzles,tools,hint,speed,play,imagine,compare,map,bend`,
+    `${session.origin}/#task=${EASY}&panel=predict&hide=puzzles,tools,hint,speed,play,imagine,compare,map,make`,
   );
   assert.ok(await page.locator("[name=predict]").isDisabled(), "one panel stays");
   await page.waitForFunction(
@@ -101,7 +101,7 @@ test("boxes by keys make the link, the preview and the code; the link opens just
 });
 
 test("what is hidden is nowhere told, in the sheets neither", async () => {
-  const page = await openPuzzle(session, { fragment: "&hide=imagine,predict,map,bend,transport,fields,hint" });
+  const page = await openPuzzle(session, { fragment: "&hide=imagine,predict,map,make,transport,fields,hint" });
   await page.keyboard.press("?");
   const keys = await page.locator("#keys-dialog").innerText();
   assert.match(keys, /1 to 2\s+Play, Compare/);

@@ -52,7 +52,7 @@ test("a link to the same puzzle without a ball leaves it, and back moves none; t
   assert.deepEqual(await ball(page), [91, 190, 7]);
 });
 
-test("of an own puzzle that cannot be read nothing is shown but why", async () => {
+test("of a custom puzzle that cannot be read nothing is shown but why", async () => {
   const page = await openPuzzle(session);
   await page.evaluate(() => void (location.hash = "#scene=soup"));
   await page.locator("#problem").filter({ hasText: "damaged" }).waitFor();

@@ -65,11 +65,11 @@ test("the first picture of a puzzle waits for no panel", async () => {
   assert.ok(loaded.includes("/play/canvas.js"), String(loaded));
   const early = loaded.filter(
     (path) =>
-      path.startsWith("/panels/") || ["/workshop/bend.js", "/model/worker.js", "/page/results-view.js"].includes(path),
+      path.startsWith("/panels/") || ["/editor/editor.js", "/model/worker.js", "/page/results-view.js"].includes(path),
   );
   assert.deepEqual(early, []);
-  await page.locator("#tab-bend").click();
-  await page.locator("#bend-bodies button").first().waitFor();
+  await page.locator("#tab-make").click();
+  await page.locator("#make-bodies button").first().waitFor();
 });
 
 test("what make play serves loads two scripts, and one more for the model", async () => {

@@ -19,7 +19,7 @@ const LINES = [
   { task: TASK, by: "player", ball: [20, 200, 8], status: "solved", ...TIMES, simulator: 3 },
   { task: TASK, by: "within-0", ball: [30, 200, 8], status: "solved", ...TIMES, simulator: 3, agents: 4 },
 ];
-const OWN_LINE = { scene: DIGEST, by: "player", ball: [40, 200, 8], status: "solved", ...TIMES, simulator: 3 };
+const CUSTOM_LINE = { scene: DIGEST, by: "player", ball: [40, 200, 8], status: "solved", ...TIMES, simulator: 3 };
 /** The player's misses before the solution were deleted, but counted. */
 const COUNTS = { [TASK]: { attempts: 5, solved: 4 }, "00000:001": { attempts: 2, solved: null } };
 const MODELS = { "within-0": { [TASK]: { attempts: 1, solved: 1 }, "00000:002": { attempts: 100, solved: null } } };
@@ -54,12 +54,12 @@ function assertAsCounted(progress) {
     for (const [task, counts] of Object.entries(tasks)) assert.deepEqual(progress.ofModel(name).of(task), counts);
 }
 
-test("what is stored: counts, attempts at tasks and own scenes, puzzles", () => {
+test("what is stored: counts, attempts at tasks and custom scenes, puzzles", () => {
   const storage = stored({
     "pathlight.progress": JSON.stringify({ tasks: COUNTS }),
     "pathlight.model.within-0": JSON.stringify({ tasks: MODELS["within-0"] }),
     [`pathlight.attempts.${TASK}`]: jsonLines(LINES),
-    "pathlight.attempts.own": jsonLines([OWN_LINE]),
+    "pathlight.attempts.own": jsonLines([CUSTOM_LINE]),
     "pathlight.own-puzzles": JSON.stringify([SCENE]),
   });
   const progress = new Progress(true);
@@ -93,14 +93,14 @@ test("a file of counts alone", () => {
 });
 
 test("a file of counts and attempts", () => {
-  const file = { tasks: COUNTS, models: MODELS, attempts: [...LINES, OWN_LINE] };
+  const file = { tasks: COUNTS, models: MODELS, attempts: [...LINES, CUSTOM_LINE] };
   const progress = read(JSON.stringify(file, null, 1));
   assertAsCounted(progress);
   assert.equal(progress.all.length, 4);
 });
 
 test("a file of attempts at one puzzle, with digests and scenes", () => {
-  const lines = [LINES[1], { ...OWN_LINE, scene: SCENE, digest: "d".repeat(64) }].map((line) => ({
+  const lines = [LINES[1], { ...CUSTOM_LINE, scene: SCENE, digest: "d".repeat(64) }].map((line) => ({
     ...line,
     digest: DIGEST,
   }));

@@ -5,7 +5,7 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
-import { Puzzle, initSync } from "../../www/pkg/pathlight.js";
+import { Game, initSync } from "../../www/pkg/pathlight.js";
 
 const ROOT = join(dirname(fileURLToPath(import.meta.url)), "..", "..");
 const RESULTS = join(ROOT, "results");
@@ -168,19 +168,19 @@ export function attempts(page) {
  */
 export async function known(task = EASY) {
   initSync({ module: await readFile(WASM) });
-  const puzzle = new Puzzle(task);
+  const game = new Game(task);
   /** @type {{ solving?: Ball, missing?: Ball, invalid?: Ball }} */
   const found = {};
   for (let r = 8; r <= 24; r += 8) {
     for (let y = 250; y > 0; y -= 12) {
       for (let x = 4; x < 256; x += 8) {
-        if (puzzle.whyInvalid(x, y, r)) {
+        if (game.whyInvalid(x, y, r)) {
           found.invalid ??= [x, y, r];
           continue;
         }
-        const { number, ending } = puzzle.attempt(x, y, r);
+        const { number, ending } = game.attempt(x, y, r);
         found[ending.solved ? "solving" : "missing"] ??= [x, y, r];
-        if (number === 100) puzzle.clear("player");
+        if (number === 100) game.clear("player");
         const { solving, missing, invalid } = found;
         if (solving && missing && invalid) return { solving, missing, invalid };
       }

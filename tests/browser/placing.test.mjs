@@ -92,10 +92,10 @@ test("without a ball, Run says what to do", async () => {
 test("however many moves a drag makes, a frame is drawn once, and in time for the next", async () => {
   const page = await openPuzzle(session, { fragment: "&ball=128,200,12" });
   await page.evaluate(async () => {
-    const { Puzzle } = await import("/pkg/pathlight.js");
-    const paint = Puzzle.prototype.paint;
+    const { Game } = await import("/pkg/pathlight.js");
+    const paint = Game.prototype.paint;
     globalThis.painted = [];
-    Puzzle.prototype.paint = function (...args) {
+    Game.prototype.paint = function (...args) {
       const start = performance.now();
       paint.apply(this, args);
       globalThis.painted.push(performance.now() - start);

@@ -24,8 +24,8 @@ async function draw(page, points) {
 /** Where the green object is at first. */
 function green(page) {
   return page.evaluate(async () => {
-    const { Puzzle } = await import("/pkg/pathlight.js");
-    return [...new Puzzle("00000:000").objectStart()];
+    const { Game } = await import("/pkg/pathlight.js");
+    return [...new Game("00000:000").objectStart()];
   });
 }
 

@@ -67,7 +67,7 @@ const FRAGMENTS = [
   "#task=00000:000&proposal=3&panel=compare",
   "#task=00003:001&challenge=2",
   "#scene=soup",
-  "#task=00000:000&panel=bend",
+  "#task=00000:000&panel=make",
   "#task=00000:000&forecast=on&ball=100,200,20",
   "#task=00004:004&model=soup&panel=imagine",
 ];

@@ -95,8 +95,8 @@ test("an attempt that was changed is found out, and a foreign file is a sentence
   }
 });
 
-test("an attempt at an own scene carries the scene", async () => {
-  const page = await openPuzzle(session, { fragment: "&panel=bend", reducedMotion: true });
+test("an attempt at a custom scene carries the scene", async () => {
+  const page = await openPuzzle(session, { fragment: "&panel=make", reducedMotion: true });
   await page.locator("[data-adds=bar]").click();
   await page.waitForFunction(() => /scene=/.test(location.hash));
   await page.locator("#tab-play").click();
@@ -110,7 +110,7 @@ test("an attempt at an own scene carries the scene", async () => {
   await openAttempts(other, "own.jsonl", JSON.stringify(line));
   await words(other, "1 of 1 attempts");
   await other.locator("#attempts-read button").click();
-  await other.locator("#puzzle-name").filter({ hasText: "bent" }).waitFor();
+  await other.locator("#puzzle-name").filter({ hasText: "edited" }).waitFor();
 });
 
 test("the badge of a run names its digest and has it computed again", async () => {

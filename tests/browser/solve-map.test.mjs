@@ -39,17 +39,17 @@ test("it says of a ball what its simulation says", async () => {
   const page = await openPuzzle(session);
   const { solving } = await known();
   const outcomes = await page.evaluate(async (r) => {
-    const { Puzzle, SolveMap } = await import("/pkg/pathlight.js");
+    const { Game, SolveMap } = await import("/pkg/pathlight.js");
     const map = new SolveMap("00000:000", r);
     // The coarsest round: every eighth place.
     for (let place = 0; place < 64; place += 1) map.advance();
     const picture = map.outcomes();
-    const puzzle = new Puzzle("00000:000");
+    const game = new Game("00000:000");
     const wrong = [];
     for (let row = 0; row < 64; row += 8) {
       for (let column = 0; column < 64; column += 8) {
         const [x, y] = [column * 4 + 2, row * 4 + 2];
-        const expected = puzzle.whyInvalid(x, y, r) ? 1 : puzzle.attempt(x, y, r).ending.solved ? 3 : 2;
+        const expected = game.whyInvalid(x, y, r) ? 1 : game.attempt(x, y, r).ending.solved ? 3 : 2;
         if (picture[row * 64 + column] !== expected) wrong.push([x, y]);
       }
     }

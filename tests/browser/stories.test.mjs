@@ -69,7 +69,7 @@ test("a teacher makes the link for the class out of the stage view", async () =>
   const page = await openPuzzle(session, { task: "00007:008", fragment: "&view=stage&stage=target" });
   await page.keyboard.press("Escape");
   await page.locator("#lesson-button").click();
-  for (const name of ["imagine", "compare", "map", "bend", "predict", "puzzles", "tools", "forecast"])
+  for (const name of ["imagine", "compare", "map", "make", "predict", "puzzles", "tools", "forecast"])
     await page.locator(`#lesson-dialog [name=${name}]`).uncheck();
   const link = await page.locator("#lesson-address").inputValue();
   const pupil = await session.open(link.slice(session.origin.length), { ...SCREENS["a phone"] });

@@ -3,15 +3,15 @@
 //
 //   first puzzle   from asking for the page, with an empty cache, until the scene (or the grid's first picture) is
 // drawn; the page is the one asked for, a puzzle by its link or the grid drag           the time between two frames
-// while the ball is dragged, and the work in each bending        the same while the green object of a scene is dragged
-// in Bend, and from a move until its maps are drawn maps           from opening another puzzle until its maps are
+// while the ball is dragged, and the work in each editing        the same while the green object of a scene is dragged
+// in Make, and from a move until its maps are drawn maps           from opening another puzzle until its maps are
 // drawn, once the weights are there in wasm        the model's own part of it: the maps of a puzzle, a hundred balls
 // proposed for it, one ball imagined
 //
 // Each is measured several times; the median is printed with the worst, beside what it should be.
 
 import { start } from "./harness.mjs";
-import { bendTimings, drag } from "./drag-timings.mjs";
+import { editingTimings, drag } from "./drag-timings.mjs";
 import { openPuzzle } from "./page-actions.mjs";
 
 const TIMES = 7;
@@ -142,10 +142,10 @@ row(
   "< 16 ms",
 );
 
-const sceneOf = (task) => plain.evaluate(async (task) => (await import("/pkg/pathlight.js")).ownScene(task), task);
-for (const { bodies, gaps, latencies } of await bendTimings(session, sceneOf)) {
-  rowsOfDrag(`bending ${bodies} bodies`, gaps);
-  row(`bending ${bodies} bodies, from a move to its maps`, latencies, "ms", "< 100 ms");
+const sceneOf = (task) => plain.evaluate(async (task) => (await import("/pkg/pathlight.js")).customScene(task), task);
+for (const { bodies, gaps, latencies } of await editingTimings(session, sceneOf)) {
+  rowsOfDrag(`editing ${bodies} bodies`, gaps);
+  row(`editing ${bodies} bodies, from a move to its maps`, latencies, "ms", "< 100 ms");
 }
 
 console.table(rows);

@@ -12,8 +12,8 @@ use pathlight::nets::PathNet;
 use serde_json::Value;
 
 mod agent;
+mod custom_scenes;
 mod moved;
-mod own_scenes;
 mod pipes;
 mod propose;
 mod serve;

@@ -43,7 +43,7 @@ test("100 tasks in a row leave nothing behind in the memory", async () => {
   const wasm = await import(join(installed, "pkg/pathlight.js"));
   const { memory } = await wasm.default();
   // A handle that is not freed at once stays until a collector finds it, if one does.
-  const freed = { Model: 0, Puzzle: 0, SolveMap: 0, Turn: 0 };
+  const freed = { Game: 0, Model: 0, SolveMap: 0, Turn: 0 };
   for (const [name, { prototype }] of Object.keys(freed).map((name) => [name, wasm[name]])) {
     const { free } = prototype;
     prototype.free = function () {
@@ -87,7 +87,7 @@ test("100 tasks in a row leave nothing behind in the memory", async () => {
       `${act.name}: ${before} bytes became ${memory.buffer.byteLength}`,
     );
   }
-  assert.deepEqual(freed, { Model: 6, Puzzle: 100, SolveMap: 100, Turn: 100 });
+  assert.deepEqual(freed, { Game: 100, Model: 6, SolveMap: 100, Turn: 100 });
 });
 
 test("a scene, its raster and a rollout fit together", async () => {

@@ -5,14 +5,14 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { test } from "node:test";
 import { initSync, scene as sceneOf } from "../../www/pkg/pathlight.js";
-import { SIZES, bodyAt, directionTo, distanceTo, extentOf, knobsOf, sizeTo } from "../../www/workshop/body-geometry.js";
+import { SIZES, bodyAt, directionTo, distanceTo, extentOf, knobsOf, sizeTo } from "../../www/editor/body-geometry.js";
 
 initSync({ module: await readFile(new URL("../../www/pkg/pathlight_bg.wasm", import.meta.url)) });
 
-/** @typedef {import("../../www/pkg/pathlight.js").OwnBody} OwnBody */
+/** @typedef {import("../../www/pkg/pathlight.js").CustomBody} CustomBody */
 
 const PLACE = { x: 120, y: 100, angle: 0.5, dynamic: false };
-/** @type {OwnBody[]} */
+/** @type {CustomBody[]} */
 const BODIES = [
   { shape: "ball", radius: 20, ...PLACE },
   { shape: "bar", length: 60, thickness: 8, ...PLACE },

@@ -1,24 +1,24 @@
-// The link to an own scene: every scene comes back as it was, the links of usual scenes are short, and damaged text is
-// a sentence.
+// The link to a custom scene: every scene comes back as it was, the links of usual scenes are short, and damaged text
+// is a sentence.
 
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { test } from "node:test";
 import { initSync } from "../../www/pkg/pathlight.js";
 import { pathlight } from "../../www/shell/page-api.js";
-import { sceneOfText, textOfScene } from "../../www/workshop/scene-link.js";
+import { sceneOfText, textOfScene } from "../../www/editor/scene-link.js";
 
 initSync({ module: await readFile(new URL("../../www/pkg/pathlight_bg.wasm", import.meta.url)) });
 
 /** A second copy of the module, which has read and written nothing. */
-const fresh = () => import(`../../www/workshop/scene-link.js?${Math.random()}`);
+const fresh = () => import(`../../www/editor/scene-link.js?${Math.random()}`);
 
 test("a scene of each template comes back as it was", async () => {
   const reader = await fresh();
   for (const {
     tasks: [task],
   } of pathlight.templates()) {
-    const scene = pathlight.ownScene(task);
+    const scene = pathlight.customScene(task);
     assert.deepEqual(await reader.sceneOfText(await textOfScene(scene)), scene, task);
   }
 });
@@ -26,7 +26,7 @@ test("a scene of each template comes back as it was", async () => {
 test("the link to a usual scene has a few hundred characters", async () => {
   const lengths = [];
   for (const { tasks } of pathlight.templates()) {
-    for (const task of tasks.slice(0, 4)) lengths.push((await textOfScene(pathlight.ownScene(task))).length);
+    for (const task of tasks.slice(0, 4)) lengths.push((await textOfScene(pathlight.customScene(task))).length);
   }
   lengths.sort((one, other) => one - other);
   const [median, most] = [lengths[lengths.length / 2], lengths[lengths.length - 1]];
@@ -36,7 +36,7 @@ test("the link to a usual scene has a few hundred characters", async () => {
 
 test("the scenes that were met lately are known, and not more", async () => {
   const { knownScene, sceneOfText: read, textOfScene: write } = await fresh();
-  const scene = pathlight.ownScene("00007:008");
+  const scene = pathlight.customScene("00007:008");
   const texts = [];
   for (let index = 0; index < 300; index += 1) {
     texts.push(await write({ ...scene, name: `Step ${index}` }));
@@ -49,7 +49,7 @@ test("the scenes that were met lately are known, and not more", async () => {
 
 test("damaged text is a sentence, wherever it is damaged", async () => {
   const { sceneOfText: read } = await fresh();
-  const text = await textOfScene(pathlight.ownScene("00007:008"));
+  const text = await textOfScene(pathlight.customScene("00007:008"));
   const damaged = ["", "x", "AAAA", text.slice(0, -7), text.slice(5), `${text.slice(0, 40)}!${text.slice(41)}`];
   for (let at = 0; at < text.length; at += 11)
     damaged.push(text.slice(0, at) + (text[at] === "A" ? "B" : "A") + text.slice(at + 1));
@@ -118,7 +118,7 @@ function randomScene(random, limits) {
 }
 
 test("a thousand random scenes come back the same through the link and through a file", async () => {
-  const { readPuzzles } = await import("../../www/workshop/puzzle-file.js");
+  const { readPuzzles } = await import("../../www/editor/puzzle-file.js");
   const reader = await fresh();
   const random = numbers(15);
   const scenes = [];

@@ -58,12 +58,12 @@ test("the result of a new attempt is hidden until it is revealed; a replay's nev
   assert.equal(revealed(START), START);
 });
 
-test("the tool and the draft outlast runs", () => {
-  const drawn = editing(editing(START, { tool: "bodies" }), { draft: true });
+test("the tool and the edited outlast runs", () => {
+  const drawn = editing(editing(START, { tool: "bodies" }), { edited: true });
   const run = running(drawn, attemptRun(attempt("model", 2)));
-  assert.deepEqual([run.tool, run.draft], ["bodies", true]);
-  const back = placing(editing(run, { draft: false }));
-  assert.deepEqual([back.kind, back.tool, back.draft], ["placing", "bodies", false]);
+  assert.deepEqual([run.tool, run.edited], ["bodies", true]);
+  const back = placing(editing(run, { edited: false }));
+  assert.deepEqual([back.kind, back.tool, back.edited], ["placing", "bodies", false]);
 });
 
 test("the nearest moment is worth showing only of a miss that never touched", () => {

@@ -37,6 +37,11 @@ test("a scene takes the place of a task", () => {
   assert.equal(parseFragment("task=00007:008&scene=abc").state.task, null);
 });
 
+test("the panel Make is known by its old name too", () => {
+  const state = { ...INITIAL_STATE, task: "00007:008", panel: "make", hide: ["map", "make"] };
+  assert.deepEqual(parseFragment("task=00007:008&panel=bend&hide=map,bend"), { state, problem: null });
+});
+
 test("what cannot be read is named, and the rest holds", () => {
   for (const part of [
     "task=7:8",

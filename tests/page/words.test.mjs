@@ -7,7 +7,7 @@ import { summary, valueAt } from "../../www/model/map-summary.js";
 import { ballsCsv, otherOutcome, outcomesWords } from "../../www/model/outcomes.js";
 import { toCsv } from "../../www/model/csv.js";
 import { sentence } from "../../www/text/sentence.js";
-import { degreesOf, nameOf, wordsOf } from "../../www/workshop/body-words.js";
+import { degreesOf, nameOf, wordsOf } from "../../www/editor/body-words.js";
 
 /** @returns {import("../../www/pkg/pathlight.js").TriedProposal} */
 const tried = (solved, longest_touch) => ({
@@ -63,7 +63,7 @@ test("a map is told by its peak and its halves", () => {
 
 test("a body is told by colour, shape and numbers", () => {
   const place = { x: 10, y: 20.005, angle: -Math.PI / 2, dynamic: true };
-  /** @type {import("../../www/pkg/pathlight.js").OwnScene} */
+  /** @type {import("../../www/pkg/pathlight.js").CustomScene} */
   const scene = {
     version: 1,
     body1: 0,

@@ -2,7 +2,7 @@
 // figures. Scripts in Node, other pages and the page's own worker all use it. Needs no document, except where a method
 // draws.
 //
-// A task is named by its id, like "00007:008"; an own scene, which is an object, takes the place of any task. Lengths
+// A task is named by its id, like "00007:008"; a custom scene, which is an object, takes the place of any task. Lengths
 // are in px: a scene is 256 x 256, y up. The file is over 300 lines long for its JSDoc.
 
 import * as wasm from "../pkg/pathlight.js";
@@ -25,8 +25,8 @@ import { readWeights } from "./weights.js";
 /** @typedef {import("../pkg/pathlight.js").Luck} Luck */
 /** @typedef {import("../pkg/pathlight.js").Maps} Maps */
 /** @typedef {import("../pkg/pathlight.js").ModelCard} ModelCard */
-/** @typedef {import("../pkg/pathlight.js").OwnScene} OwnScene */
-/** @typedef {import("../pkg/pathlight.js").Played} Played */
+/** @typedef {import("../pkg/pathlight.js").CustomScene} CustomScene */
+/** @typedef {import("../pkg/pathlight.js").Puzzle} Puzzle */
 /** @typedef {import("../pkg/pathlight.js").Proposal} Proposal */
 /** @typedef {import("../pkg/pathlight.js").Rollout} Rollout */
 /** @typedef {import("../pkg/pathlight.js").Scene} Scene */
@@ -136,8 +136,8 @@ export class Pathlight {
   }
 
   /**
-   * Whether the model was trained on this task or its settings were chosen on it; never for an own scene.
-   * @param {Played} task
+   * Whether the model was trained on this task or its settings were chosen on it; never for a custom scene.
+   * @param {Puzzle} task
    * @returns {boolean}
    */
   hasSeen(task) {
@@ -182,21 +182,21 @@ export class Pathlight {
 
   /**
    * Returns a task in words: its name, its goal and a description of its scene.
-   * @param {Played} task
+   * @param {Puzzle} task
    * @returns {About}
    */
   about(task) {
-    const puzzle = new wasm.Puzzle(task);
+    const game = new wasm.Game(task);
     try {
-      return puzzle.about();
+      return game.about();
     } finally {
-      puzzle.free();
+      game.free();
     }
   }
 
   /**
    * Returns the scene of a task.
-   * @param {Played} task
+   * @param {Puzzle} task
    * @returns {Scene}
    */
   scene(task) {
@@ -204,16 +204,16 @@ export class Pathlight {
   }
 
   /**
-   * Returns a task in the form of own scenes, in which it can be changed and played.
-   * @param {Played} task
-   * @returns {OwnScene}
+   * Returns a task in the form of custom scenes, in which it can be changed and played.
+   * @param {Puzzle} task
+   * @returns {CustomScene}
    */
-  ownScene(task) {
-    return wasm.ownScene(task);
+  customScene(task) {
+    return wasm.customScene(task);
   }
 
   /**
-   * Returns all reasons why a value is no own scene that may be played; none if it may. Takes a fraction of a
+   * Returns all reasons why a value is no custom scene that may be played; none if it may. Takes a fraction of a
    * millisecond, and throws for no value.
    * @param {unknown} scene
    * @returns {SceneProblem[]}
@@ -223,8 +223,8 @@ export class Pathlight {
   }
 
   /**
-   * Returns the SHA-256 of an own scene without its name, in hexadecimal: equal for scenes that play alike.
-   * @param {OwnScene} scene
+   * Returns the SHA-256 of a custom scene without its name, in hexadecimal: equal for scenes that play alike.
+   * @param {CustomScene} scene
    * @returns {string}
    */
   sceneDigest(scene) {
@@ -232,7 +232,7 @@ export class Pathlight {
   }
 
   /**
-   * Returns the limits of own scenes.
+   * Returns the limits of custom scenes.
    * @returns {SceneLimits}
    */
   sceneLimits() {
@@ -242,7 +242,7 @@ export class Pathlight {
   /**
    * Returns the image that the four nets see: the channels green object, blue goal, purple goal, gray and black, each
    * of 64 x 64 zeros and ones, row 0 at the bottom.
-   * @param {Played} task
+   * @param {Puzzle} task
    * @returns {Float32Array} `[5, 64, 64]`
    */
   raster(task) {
@@ -251,7 +251,7 @@ export class Pathlight {
 
   /**
    * Returns why a ball is invalid in a task, as a phrase; undefined if it is valid.
-   * @param {Played} task
+   * @param {Puzzle} task
    * @param {Ball} ball
    * @returns {string | undefined}
    */
@@ -262,7 +262,7 @@ export class Pathlight {
   /**
    * Simulates a task with a ball, or alone without one. An invalid ball is no error: the status of its rollout is
    * `invalid`.
-   * @param {Played} task
+   * @param {Puzzle} task
    * @param {Ball | null} [ball]
    * @returns {Rollout}
    */
@@ -273,7 +273,7 @@ export class Pathlight {
   /**
    * Returns what the nets imagine: for each stage a map of 64 x 64 values in 0..1, row 0 at the bottom. It throws
    * `no_weights` if none are loaded, as all methods that need the model do.
-   * @param {Played} task
+   * @param {Puzzle} task
    * @returns {Maps}
    */
   imagine(task) {
@@ -284,7 +284,7 @@ export class Pathlight {
    * Returns what the model imagines for one ball: the paths of the green object and of the ball, how far off they are
    * expected to be, and the probability that the ball solves the task; null if the weights have no dynamics net.
    * Further balls of the same task cost little. Throws `invalid_ball` if the ball may not be placed.
-   * @param {Played} task
+   * @param {Puzzle} task
    * @param {Ball} ball
    * @returns {ImaginedBall | null}
    */
@@ -295,7 +295,7 @@ export class Pathlight {
   /**
    * Returns the balls that the model considers before it chooses, some hundred, each with the path that it imagines for
    * the green object and the probability that the ball solves the task; null if the weights have no dynamics net.
-   * @param {Played} task
+   * @param {Puzzle} task
    * @returns {Candidate[] | null}
    */
   candidates(task) {
@@ -305,7 +305,7 @@ export class Pathlight {
   /**
    * Returns the balls that the model would try, in order. All are valid; fewer than `count` if the scene has no room.
    * A longer list begins with the balls of a shorter one.
-   * @param {Played} task
+   * @param {Puzzle} task
    * @param {{ seed?: number, count?: number }} [options] `seed`: a whole number from 0 to 2^32 - 1; `count`: 1 to
    *   1,000, by default the 100 attempts that count
    * @returns {Proposal[]}
@@ -317,7 +317,7 @@ export class Pathlight {
   /**
    * The model's turn: tries the balls that it proposes, one each time the next value is asked for, until one solves the
    * task or all 100 have been tried.
-   * @param {Played} task
+   * @param {Puzzle} task
    * @param {{ seed?: number }} [options] `seed`: as that of `propose`
    * @returns {Generator<TriedProposal, void, void>}
    */
@@ -334,7 +334,7 @@ export class Pathlight {
    * Maps where a ball of a radius solves a task. Tries one of the 64 x 64 cells each time the next value is asked for;
    * a value is the fraction of the cells that has been tried, and `outcomes`, which returns a copy of the map at the
    * time of the call, also after the last value: for each cell 0 untried, 1 invalid, 2 not solved, 3 solved.
-   * @param {Played} task
+   * @param {Puzzle} task
    * @param {number} radius 2 to 32 px
    * @returns {Generator<{ progress: number, outcomes: () => Uint8Array }, void, void>}
    */
@@ -357,7 +357,7 @@ export class Pathlight {
   /**
    * Searches the whole action space for solutions. Tries one valid ball each time the next value is asked for; `found`
    * returns what is known at the time of the call, also after the last value.
-   * @param {Played} task
+   * @param {Puzzle} task
    * @returns {Generator<{ found: () => FoundSolutions }, void, void>}
    */
   *solutionSearch(task) {
@@ -378,7 +378,7 @@ export class Pathlight {
 
   /**
    * Returns whether a ball solves by luck: of the 27 balls within a pixel in x, y and radius, how many solve.
-   * @param {Played} task
+   * @param {Puzzle} task
    * @param {Ball} ball
    * @returns {Luck}
    */
@@ -389,7 +389,7 @@ export class Pathlight {
   /**
    * Simulates a ball, or the scene alone without one, and returns the line that `pathlight verify` and `verifyAttempt`
    * check.
-   * @param {Played} task
+   * @param {Puzzle} task
    * @param {Ball | null} [ball]
    * @returns {AttemptLine}
    */
@@ -429,7 +429,7 @@ export class Pathlight {
   /**
    * Draws the scene of a task so that it fills a square canvas. In a browser only, as all methods that draw.
    * @param {CanvasRenderingContext2D} context
-   * @param {Played} task
+   * @param {Puzzle} task
    * @param {{ dark?: boolean }} [options]
    */
   paintScene(context, task, { dark = false } = {}) {

@@ -1,7 +1,7 @@
-// Which puzzle a state asks for: a task that exists, or an own scene, whose text has to be unpacked first.
+// Which puzzle a state asks for: a task that exists, or a custom scene, whose text has to be unpacked first.
 
 import { TASKS } from "../puzzles/templates.js";
-import { knownScene, sceneOfText } from "../workshop/scene-link.js";
+import { knownScene, sceneOfText } from "../editor/scene-link.js";
 
 /** @typedef {import("../state/url-state.js").State} State */
 
@@ -10,22 +10,22 @@ const KNOWN_TASKS = new Set(TASKS);
 export class AskedPuzzle {
   #onRead;
   /**
-   * The text of an own scene that could not be read, and why.
+   * The text of a custom scene that could not be read, and why.
    * @type {{ text: string, sentence: string } | null}
    */
   #unreadable = null;
 
-  /** @param {(scene: string) => void} onRead is called when the text of an own scene has been read, or could not be */
+  /** @param {(scene: string) => void} onRead is called when the text of a custom scene was read, or could not be */
   constructor(onRead) {
     this.#onRead = onRead;
   }
 
   /**
-   * What a state plays; null if it is nothing, or an own scene that is still to be read.
+   * What a state plays; null if it is nothing, or a custom scene that is still to be read.
    * @param {State} state
-   * @returns {import("../pkg/pathlight.js").Played | null}
+   * @returns {import("../pkg/pathlight.js").Puzzle | null}
    */
-  playedOf({ task, scene }) {
+  puzzleOf({ task, scene }) {
     if (scene === null) return task;
     const known = knownScene(scene);
     if (!known && this.#unreadable?.text !== scene) this.#read(scene);

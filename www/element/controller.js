@@ -18,7 +18,7 @@ import { ModelStarter } from "./model-starter.js";
 /** @typedef {import("../state/url-state.js").State} State */
 
 /**
- * An attempt of the player's that has run to its end; the task is null for an own scene.
+ * An attempt of the player's that has run to its end; the task is null for a custom scene.
  * @typedef {{ task: string | null, number: number, ball: import("../pkg/pathlight.js").Ball, solved: boolean }}
  *   PlayedAttempt
  */
@@ -137,12 +137,12 @@ export class PuzzleController extends EventTarget {
     else if (modelChanged) this.#session?.clearModelAttempts();
     this.#state = { ...state };
     const { ball } = state;
-    const played = this.#asked.playedOf(state);
+    const puzzle = this.#asked.puzzleOf(state);
     const problem = this.#asked.problemOf(state);
     this.#showProblem(problem);
     find(this.#root, ".puzzle").hidden = !showsPuzzle(state) || problem !== null;
-    if (played !== null && !problem) {
-      const session = (this.#session ??= this.#openPuzzle(played));
+    if (puzzle !== null && !problem) {
+      const session = (this.#session ??= this.#openPuzzle(puzzle));
       if (!sameBall(ball, session.ball)) session.placement.replace(ball);
       if (modelChanged || this.#client.status === "off") this.#startModel();
     }
@@ -190,7 +190,7 @@ export class PuzzleController extends EventTarget {
 
   /** Resolves when the state is that of what is seen. */
   async settle() {
-    await this.#components.panels?.bend.settle();
+    await this.#components.panels?.editor.settle();
   }
 
   /** Leads through the open puzzle, step by step. */
@@ -206,9 +206,9 @@ export class PuzzleController extends EventTarget {
     dialog.querySelector("h2")?.focus();
   }
 
-  /** @param {import("../pkg/pathlight.js").Played} played */
-  #openPuzzle(played) {
-    const session = new Session(played, () => reducedMotion.matches);
+  /** @param {import("../pkg/pathlight.js").Puzzle} puzzle */
+  #openPuzzle(puzzle) {
+    const session = new Session(puzzle, () => reducedMotion.matches);
     find(this.#root, ".puzzle").setAttribute(
       "aria-label",
       `Puzzle ${session.about.name} ${session.about.id ?? ""}`.trim(),

@@ -5,7 +5,7 @@ import { visiblePanels } from "../state/view.js";
 import { onShortcut } from "../widgets/shortcuts.js";
 
 /**
- * @typedef {object} Puzzle
+ * @typedef {object} ShortcutTarget
  * @property {import("./components.js").Components} components
  * @property {import("../play/session.js").Session | null} session
  * @property {import("../state/url-state.js").State} state
@@ -17,7 +17,7 @@ import { onShortcut } from "../widgets/shortcuts.js";
 /**
  * Acts on a shortcut.
  * @param {KeyboardEvent} event
- * @param {Puzzle} puzzle
+ * @param {ShortcutTarget} target
  */
 export function onPuzzleKey(event, { components, session, state, showPanel, showKeys, toggleStageView }) {
   const { canvas, panels } = components;
@@ -26,7 +26,7 @@ export function onPuzzleKey(event, { components, session, state, showPanel, show
   panels?.stageView.onKeydown(event);
   onShortcut(event, {
     session,
-    undoing: state.panel === "bend" ? (panels?.bend ?? null) : (session?.placement ?? null),
+    undoing: state.panel === "make" ? (panels?.editor ?? null) : (session?.placement ?? null),
     scene: canvas,
     showPanel: (index) => {
       const panel = visiblePanels(state)[index];

@@ -1,7 +1,7 @@
 // The shadow tree of a puzzle: scene, transport, panels, their templates and dialogs. It is the only markup that is
 // made from text, and the text is constant. Ids are unique in each shadow tree.
 
-import { BEND_MARKUP } from "../workshop/bend-markup.js";
+import { EDITOR_MARKUP } from "../editor/editor-markup.js";
 import { PANELS_MARKUP } from "./panels-markup.js";
 
 const template = document.createElement("template");
@@ -81,11 +81,11 @@ template.innerHTML = `
       <button type="button" role="tab" id="tab-compare" aria-controls="compare" data-hideable="compare">Compare</button>
       <button type="button" role="tab" id="tab-predict" aria-controls="predict" data-hideable="predict">Predict</button>
       <button type="button" role="tab" id="tab-map" aria-controls="map" data-hideable="map">Map</button>
-      <button type="button" role="tab" id="tab-bend" aria-controls="bend" data-hideable="bend">Bend</button>
+      <button type="button" role="tab" id="tab-make" aria-controls="make" data-hideable="make">Make</button>
     </div>
 
     ${PANELS_MARKUP}
-    ${BEND_MARKUP}
+    ${EDITOR_MARKUP}
   </div>
 </div>
 

@@ -24,11 +24,11 @@ export class ModelStarter extends EventTarget {
   }
 
   /**
-   * Starts the model, unless no panel that needs it is shown; Play and Bend ask for it where they need it.
+   * Starts the model, unless no panel that needs it is shown; Play and Make ask for it where they need it.
    * @param {State} state
    */
   startFor(state) {
-    if (visiblePanels(state).some((panel) => panel !== "play" && panel !== "bend")) this.#client.start(state.model);
+    if (visiblePanels(state).some((panel) => panel !== "play" && panel !== "make")) this.#client.start(state.model);
   }
 
   #onChange() {

@@ -21,12 +21,12 @@ import { Walkthrough } from "../panels/walkthrough.js";
 import { AttemptList } from "../play/attempt-list.js";
 import { About } from "../panels/about.js";
 import { byId } from "../widgets/dom.js";
-import { Bend } from "../workshop/bend.js";
-import { Check } from "../workshop/check.js";
-import { Luck } from "../workshop/luck.js";
-import { Pictures } from "../workshop/pictures.js";
-import { Replays } from "../workshop/replays.js";
-import { ShareOwn } from "../workshop/share-own.js";
+import { Editor } from "../editor/editor.js";
+import { Check } from "../editor/check.js";
+import { Luck } from "../attempts/luck.js";
+import { Pictures } from "../attempts/pictures.js";
+import { Replays } from "../attempts/replays.js";
+import { SharePuzzle } from "../editor/share-puzzle.js";
 
 /** @typedef {import("../widgets/component.js").Component} Component */
 
@@ -36,7 +36,7 @@ import { ShareOwn } from "../workshop/share-own.js";
  * @param {import("../play/canvas.js").SceneCanvas} canvas
  */
 export function createPanelComponents({ root, module, client, progress, hrefOf }, canvas) {
-  const bend = new Bend(root, client);
+  const editor = new Editor(root, client);
   const scenePicture = new ScenePicture(root);
   const imagine = new Imagine(root, client, scenePicture);
   const predict = new Predict(root, imagine, scenePicture);
@@ -67,15 +67,15 @@ export function createPanelComponents({ root, module, client, progress, hrefOf }
     solveMap,
     new ModelBadge(root, client, imagine),
     new ModelPair(root, module, client, scenePicture),
-    bend,
-    new ShareOwn(root, bend, progress.persistent),
+    editor,
+    new SharePuzzle(root, editor, progress.persistent),
     new Pictures(root),
     new StripPicture(root, imagine, scenePicture),
-    new Check(root, client, bend),
+    new Check(root, client, editor),
     new Luck(root, client),
     new Replays(root, client),
     new Scoreboard(root, client, progress, (task) => hrefOf(task, "compare")),
-    new Overlays(root, canvas, { bend, choice, forecast, imagine, predict, proposals, solveMap }),
+    new Overlays(root, canvas, { editor, choice, forecast, imagine, predict, proposals, solveMap }),
   ];
-  return { all, bend, proposals, stageView };
+  return { all, editor, proposals, stageView };
 }

@@ -1,7 +1,7 @@
 // The markup of the panels, as constant text; the tabs that show them are in markup.js. What panel-components.js brings
 // to life is inert until then.
 
-import { LUCK_MARKUP, REPLAYS_MARKUP, SAVE_MARKUP } from "../workshop/play-markup.js";
+import { LUCK_MARKUP, REPLAYS_MARKUP, SAVE_MARKUP } from "../attempts/attempts-markup.js";
 
 export const PANELS_MARKUP = `
 <div role="tabpanel" id="play" aria-labelledby="tab-play" tabindex="0" hidden>

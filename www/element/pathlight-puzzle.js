@@ -161,7 +161,7 @@ export class PathlightPuzzle extends HTMLElement {
   set task(value) {
     this.#setAttribute("task", value);
   }
-  /** An own scene, as the link to it holds it; null for a task. */
+  /** A custom scene, as the link to it holds it; null for a task. */
   get scene() {
     return this.getAttribute("scene");
   }
@@ -175,7 +175,7 @@ export class PathlightPuzzle extends HTMLElement {
   set model(value) {
     this.#setAttribute("model", value);
   }
-  /** "play", "imagine", "compare", "predict", "map" or "bend"; null for "play". */
+  /** "play", "imagine", "compare", "predict", "map" or "make"; null for "play". */
   get panel() {
     return this.getAttribute("panel");
   }
@@ -307,7 +307,8 @@ export class PathlightPuzzle extends HTMLElement {
   }
 
   /**
-   * Resolves when the state is that of what is seen: a scene that is being bent becomes the puzzle only when it rests.
+   * Resolves when the state is that of what is seen: a scene that is being edited becomes the puzzle only when it
+   * rests.
    */
   async settle() {
     await this.#controller?.settle();

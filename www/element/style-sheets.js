@@ -7,7 +7,7 @@ const ADDRESSES = [
   new URL("../base.css", import.meta.url),
   new URL("../element/puzzle.css", import.meta.url),
   new URL("../element/panels.css", import.meta.url),
-  new URL("../workshop/workshop.css", import.meta.url),
+  new URL("../editor/editor.css", import.meta.url),
 ];
 
 /** @type {Promise<CSSStyleSheet[]> | null} */

@@ -5,7 +5,7 @@ import { LatestCall } from "./latest-call.js";
 
 /** @typedef {import("../pkg/pathlight.js").Ball} Ball */
 /** @typedef {import("../pkg/pathlight.js").ImaginedBall} ImaginedBall */
-/** @typedef {import("../pkg/pathlight.js").Played} Played */
+/** @typedef {import("../pkg/pathlight.js").Puzzle} Puzzle */
 
 export class BallImaginer extends EventTarget {
   /**
@@ -19,7 +19,7 @@ export class BallImaginer extends EventTarget {
    */
   failure = null;
   #client;
-  /** @type {LatestCall<{ played: Played, ball: Ball }, BallImaginer["answer"]>} */
+  /** @type {LatestCall<{ puzzle: Puzzle, ball: Ball }, BallImaginer["answer"]>} */
   #asking;
 
   /**
@@ -30,7 +30,7 @@ export class BallImaginer extends EventTarget {
     super();
     this.#client = client;
     this.#asking = new LatestCall(
-      ({ played, ball }, signal) => this.#answerFor(played, ball, signal),
+      ({ puzzle, ball }, signal) => this.#answerFor(puzzle, ball, signal),
       (answer) => answer !== this.answer && this.#set(answer),
       (message) => this.#set(null, message),
     );
@@ -54,21 +54,21 @@ export class BallImaginer extends EventTarget {
 
   /**
    * Asks for a ball, unless there is an answer for it.
-   * @param {Played} played
+   * @param {Puzzle} puzzle
    * @param {Ball} ball
    */
-  imagine(played, ball) {
-    if (this.able) this.#asking.ask({ played, ball });
+  imagine(puzzle, ball) {
+    if (this.able) this.#asking.ask({ puzzle, ball });
   }
 
   /**
-   * @param {Played} played
+   * @param {Puzzle} puzzle
    * @param {Ball} ball
    * @param {AbortSignal} signal
    */
-  async #answerFor(played, ball, signal) {
+  async #answerFor(puzzle, ball, signal) {
     if (sameBall(ball, this.answer?.of)) return this.answer;
-    const imagined = await this.#client.call("imagineBall", [played, ball], signal);
+    const imagined = await this.#client.call("imagineBall", [puzzle, ball], signal);
     return imagined && { of: ball, imagined };
   }
 

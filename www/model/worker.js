@@ -7,7 +7,7 @@
 import { load as loadPathlight } from "../api/index.js";
 
 /** @typedef {import("../pkg/pathlight.js").Ball} Ball */
-/** @typedef {import("../pkg/pathlight.js").Played} Played */
+/** @typedef {import("../pkg/pathlight.js").Puzzle} Puzzle */
 /** @typedef {import("../pkg/pathlight.js").Proposal} Proposal */
 
 /** @typedef {typeof calls} Calls */
@@ -37,56 +37,56 @@ const WATCHED_STEPS = 4;
 const calls = {
   /**
    * The maps of the nets. `seen`: was the model trained on this scene?
-   * @param {Played} played
+   * @param {Puzzle} puzzle
    */
-  imagine(played) {
-    const seen = pathlight.hasSeen(played);
+  imagine(puzzle) {
+    const seen = pathlight.hasSeen(puzzle);
     const begin = performance.now();
-    const maps = pathlight.imagine(played);
+    const maps = pathlight.imagine(puzzle);
     return { maps, seen, milliseconds: performance.now() - begin };
   },
 
   /**
    * What the model imagines for a ball; null if the weights have no dynamics net.
-   * @param {Played} played
+   * @param {Puzzle} puzzle
    * @param {Ball} ball
    */
-  imagineBall: (played, ball) => pathlight.imagineBall(played, ball),
+  imagineBall: (puzzle, ball) => pathlight.imagineBall(puzzle, ball),
 
   /**
    * The balls that the model considers, and the one that it tries first; null if the weights have no dynamics net.
-   * @param {Played} played
+   * @param {Puzzle} puzzle
    */
-  consider(played) {
-    const candidates = pathlight.candidates(played);
-    const [chosen] = candidates ? pathlight.propose(played, { count: 1 }) : [];
+  consider(puzzle) {
+    const candidates = pathlight.candidates(puzzle);
+    const [chosen] = candidates ? pathlight.propose(puzzle, { count: 1 }) : [];
     return candidates && chosen ? { candidates, chosen } : null;
   },
 
   /**
    * Lists the balls of a turn, each with its outcome. A model that learns from its attempts knows the next ball only
    * when the one before has been tried, and its list ends with the ball that solves.
-   * @param {Played} played
+   * @param {Puzzle} puzzle
    */
-  propose: (played) =>
+  propose: (puzzle) =>
     pathlight.card?.dynamics
-      ? eachOf(pathlight.turn(played), (attempt) => attempt)
-      : eachOf(pathlight.propose(played), (proposal) => simulated(played, proposal)),
+      ? eachOf(pathlight.turn(puzzle), (attempt) => attempt)
+      : eachOf(pathlight.propose(puzzle), (proposal) => simulated(puzzle, proposal)),
 
   /**
    * Tries the model's balls in order until one solves; each attempt is an update.
-   * @param {Played} played
+   * @param {Puzzle} puzzle
    */
-  turn: (played) => pathlight.turn(played),
+  turn: (puzzle) => pathlight.turn(puzzle),
 
   /**
    * Runs the scene without a ball. Returns where the green object was, x, y, x, y, … in px, every few steps and at the
    * end, and whether the scene solved itself.
-   * @param {Played} played
+   * @param {Puzzle} puzzle
    */
-  watch(played) {
-    const { steps, bodies, poses, solved } = pathlight.simulate(played);
-    const { body1 } = pathlight.scene(played);
+  watch(puzzle) {
+    const { steps, bodies, poses, solved } = pathlight.simulate(puzzle);
+    const { body1 } = pathlight.scene(puzzle);
     const place = bodies.indexOf(body1);
     const points = [];
     for (let step = 0; ; step = Math.min(step + WATCHED_STEPS, steps)) {
@@ -98,23 +98,23 @@ const calls = {
 
   /**
    * Searches for solutions; what it has found is an update.
-   * @param {Played} played
+   * @param {Puzzle} puzzle
    */
-  search: (played) => inSlices(pathlight.solutionSearch(played), ({ found }) => found()),
+  search: (puzzle) => inSlices(pathlight.solutionSearch(puzzle), ({ found }) => found()),
 
   /**
    * How many of the balls beside a ball solve.
-   * @param {Played} played
+   * @param {Puzzle} puzzle
    * @param {Ball} ball
    */
-  luck: (played, ball) => pathlight.luck(played, ball),
+  luck: (puzzle, ball) => pathlight.luck(puzzle, ball),
 
   /**
    * Simulates balls. Returns a line with a digest for each.
-   * @param {Played} played
+   * @param {Puzzle} puzzle
    * @param {Ball[]} balls
    */
-  attemptLines: (played, balls) => eachOf(balls, (ball) => pathlight.attemptLine(played, ball)),
+  attemptLines: (puzzle, balls) => eachOf(balls, (ball) => pathlight.attemptLine(puzzle, ball)),
 
   /**
    * Simulates the attempts of such lines again.
@@ -125,11 +125,11 @@ const calls = {
   /**
    * Maps where a ball of a radius (px) solves. The map is an update: the outcome of each cell, and the fraction of the
    * cells that has been tried.
-   * @param {Played} played
+   * @param {Puzzle} puzzle
    * @param {number} radius
    */
-  solve: (played, radius) =>
-    inSlices(pathlight.solveMap(played, radius), ({ progress, outcomes }) => ({ outcomes: outcomes(), progress })),
+  solve: (puzzle, radius) =>
+    inSlices(pathlight.solveMap(puzzle, radius), ({ progress, outcomes }) => ({ outcomes: outcomes(), progress })),
 };
 
 /** @type {import("../api/index.js").Pathlight} */
@@ -238,11 +238,11 @@ function* inSlices(steps, updateOf) {
 }
 
 /**
- * @param {Played} played
+ * @param {Puzzle} puzzle
  * @param {Proposal} proposal
  */
-function simulated(played, proposal) {
-  const { solved, steps, longest_touch, final_touch } = pathlight.simulate(played, proposal.ball);
+function simulated(puzzle, proposal) {
+  const { solved, steps, longest_touch, final_touch } = pathlight.simulate(puzzle, proposal.ball);
   return { ...proposal, ending: { solved, steps, longest_touch, final_touch } };
 }
 

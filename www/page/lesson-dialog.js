@@ -23,7 +23,7 @@ const NAMES = {
   compare: "Compare",
   predict: "Predict",
   map: "Map",
-  bend: "Bend",
+  make: "Make",
   story: "The sentence that hints at the solution",
   hint: "How to place the ball",
   fields: "The fields of the ball, undo and redo",

@@ -12,10 +12,10 @@ import { leavesPlainKeys } from "../widgets/shortcuts.js";
 import { TEMPLATES, templateOf } from "../puzzles/templates.js";
 import { INITIAL_STATE, hrefOf, resultsHref, showsPuzzle } from "../state/url-state.js";
 import { sharedProgress } from "../storage/progress.js";
-import { knownScene, sceneOfText } from "../workshop/scene-link.js";
+import { knownScene, sceneOfText } from "../editor/scene-link.js";
 import { Address } from "./address.js";
 import { LessonDialog } from "./lesson-dialog.js";
-import { OwnGallery } from "./own-gallery.js";
+import { CustomGallery } from "./custom-gallery.js";
 import { FIRST_TASK, Picks } from "./picks.js";
 import { ProgressView } from "./progress-view.js";
 
@@ -35,7 +35,7 @@ export class Page {
     (task) => this.#navigate({ task }),
     () => this.#startGuide(),
   );
-  #ownGallery = new OwnGallery(sharedProgress("kept"), (scene) => this.#navigate({ scene }));
+  #customGallery = new CustomGallery(sharedProgress("kept"), (scene) => this.#navigate({ scene }));
   #progressView = new ProgressView(sharedProgress("kept"), TEMPLATES, this.#gallery);
   /** @type {import("./share-dialog.js").ShareDialog | null} */
   #shareDialog = null;
@@ -93,7 +93,7 @@ export class Page {
     for (const [name, colour] of Object.entries(palette(dark)))
       document.documentElement.style.setProperty(`--${name}`, colour);
     this.#gallery.setTheme(dark);
-    this.#ownGallery.setTheme(dark);
+    this.#customGallery.setTheme(dark);
   }
 
   /**
@@ -189,7 +189,7 @@ export class Page {
     const link = byId(document, "results-link", HTMLAnchorElement);
     link.hidden = results === null;
     link.href = results ?? "#";
-    this.#ownGallery.setState(state);
+    this.#customGallery.setState(state);
     const home = byId(document, "home", HTMLAnchorElement);
     const gallery = hrefOf(state, null);
     if (gallery) home.href = gallery;
@@ -215,7 +215,7 @@ export class Page {
 
   /**
    * Goes to another puzzle with a new entry in the history. What belongs to the puzzle alone stays behind.
-   * @param {{ task?: string, scene?: string }} puzzle a task, or an own scene
+   * @param {{ task?: string, scene?: string }} puzzle a task, or a custom scene
    */
   #navigate({ task, scene }) {
     const state = {

@@ -61,9 +61,9 @@ export class ProgressView {
   #update() {
     const { player } = this.#progress;
     const all = player.sum(this.#templates.flatMap(({ tasks }) => tasks));
-    const own = sumOf(this.#progress.ofOwnScenes);
-    byId(document, "progress").hidden = all.tried + own.tried === 0;
-    byId(document, "progress-words").textContent = `${totalWords(all, own)}${unkeptWords(this.#progress.unkept)}`;
+    const custom = sumOf(this.#progress.ofCustomScenes);
+    byId(document, "progress").hidden = all.tried + custom.tried === 0;
+    byId(document, "progress-words").textContent = `${totalWords(all, custom)}${unkeptWords(this.#progress.unkept)}`;
     for (const template of this.#templates)
       this.#gallery.mark(template, templateWords(player.sum(template.tasks), template.tasks.length));
     for (const option of byId(document, "task", HTMLSelectElement).options)
@@ -122,8 +122,8 @@ export class ProgressView {
 const counted = (count, noun) => `${count.toLocaleString("en")} ${noun}${count === 1 ? "" : "s"}`;
 
 /**
- * Of the player's attempts at own scenes: how many scenes were tried, how many are solved, and how many attempts there
- * are.
+ * Of the player's attempts at custom scenes: how many scenes were tried, how many are solved, and how many attempts
+ * there are.
  * @param {import("../storage/attempts.js").KeptAttempt[]} kept
  * @returns {Sum}
  */
@@ -136,17 +136,17 @@ function sumOf(kept) {
 
 /**
  * @param {Sum} all of the templates' puzzles
- * @param {Sum} own of own puzzles
+ * @param {Sum} custom of custom puzzles
  */
-function totalWords(all, own) {
+function totalWords(all, custom) {
   const sentences = [];
   if (all.tried)
     sentences.push(
       `So far you have tried ${counted(all.tried, "puzzle")} and solved ${all.solved}, in ${counted(all.attempts, "attempt")}.`,
     );
-  if (own.tried)
+  if (custom.tried)
     sentences.push(
-      `Of your own puzzles you have tried ${own.tried} and solved ${own.solved}, in ${counted(own.attempts, "attempt")}.`,
+      `Of your own puzzles you have tried ${custom.tried} and solved ${custom.solved}, in ${counted(custom.attempts, "attempt")}.`,
     );
   return sentences.join(" ");
 }
@@ -159,7 +159,7 @@ function readWords({ puzzles, attempts, added, solved, left, unread }) {
   ];
   if (left)
     sentences.push(
-      `${counted(left, "attempt")} stay in the file alone: this browser keeps 100 of one player at a puzzle, 1,000 at own puzzles, and ${MOST_ATTEMPTS.toLocaleString("en")} in all.`,
+      `${counted(left, "attempt")} stay in the file alone: this browser keeps 100 of one player at a puzzle, 1,000 at custom puzzles, and ${MOST_ATTEMPTS.toLocaleString("en")} in all.`,
     );
   if (unread) sentences.push(`Not read: ${counted(unread, "line")} without a valid attempt.`);
   return sentences.join(" ");

@@ -1,7 +1,7 @@
 // Records a result as a short film: the card with the run in the place of its picture.
 
 import { STEPS_PER_SECOND } from "../shell/constants.js";
-import { recorded } from "../workshop/film.js";
+import { recorded } from "../attempts/film.js";
 import { HEIGHT, WIDTH, paintResultCard } from "./result-card.js";
 
 /** Width of the film, pixels: browsers record larger ones with gaps. */

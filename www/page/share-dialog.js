@@ -9,7 +9,7 @@ import { download } from "../widgets/download.js";
 import { puzzleName } from "../puzzles/puzzle-name.js";
 import { INITIAL_STATE, formatFragment } from "../state/url-state.js";
 import { dayWords, taskOfDay } from "./daily.js";
-import { filmFormat } from "../workshop/film.js";
+import { filmFormat } from "../attempts/film.js";
 import { HEIGHT, WIDTH, paintResultCard } from "./result-card.js";
 import { filmCanvas, recordResult } from "./result-film.js";
 

@@ -158,13 +158,13 @@ export class Choice extends Component {
     if (!this.#step || !this.able || this.#call || this.#answered || !this.session) return;
     const call = (this.#call = new AbortController());
     this.#failure = null;
-    const { played } = this.session;
+    const { puzzle } = this.session;
     try {
-      const considered = await this.#client.call("consider", [played], call.signal);
+      const considered = await this.#client.call("consider", [puzzle], call.signal);
       if (call.signal.aborted) return;
       this.#considered = considered;
       this.#answered = true;
-      if (considered) this.#imaginer.imagine(played, considered.chosen.ball);
+      if (considered) this.#imaginer.imagine(puzzle, considered.chosen.ball);
       this.#run();
     } catch (error) {
       if (!call.signal.aborted) this.#failure = /** @type {Error} */ (error).message;
@@ -212,7 +212,7 @@ export class Choice extends Component {
     const { session } = this;
     if (!session?.finished || !session.shown) return "Dotted is what the model imagined, solid is what happens.";
     const ended = `${session.shown.ending.solved ? "Solved" : "Not solved"}: ${sentence(session.shown.words)}`;
-    const real = session.puzzle.sampledPaths();
+    const real = session.game.sampledPaths();
     return answer && real
       ? `The model thought: ${chanceWords(answer.imagined.probability)}. ${ended} ${errorWords(answer.imagined, real)}`
       : ended;

@@ -94,7 +94,7 @@ export class Compare extends Component {
     this.#update();
     try {
       const shown = show.run();
-      const played = this.#client.call("turn", [session.played], turn.signal, (attempt) => show.add(attempt));
+      const played = this.#client.call("turn", [session.puzzle], turn.signal, (attempt) => show.add(attempt));
       await played.finally(() => show.end());
       await shown;
       // Neither a replay that is being watched nor what the person does meanwhile is interrupted.
@@ -143,9 +143,6 @@ export class Compare extends Component {
     this.byId("model-skip").hidden = !this.#show;
     for (const id of ["compare-both", "clear-attempts"])
       this.byId(id, HTMLButtonElement).disabled = player.used + model.used === 0;
-    setText(
-      this.byId("verdict"),
-      this.session.resultHidden ? "Your attempt is running." : this.session.puzzle.verdict(),
-    );
+    setText(this.byId("verdict"), this.session.resultHidden ? "Your attempt is running." : this.session.game.verdict());
   }
 }

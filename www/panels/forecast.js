@@ -70,7 +70,7 @@ export class Forecast extends Component {
   }
 
   #follow() {
-    if (this.session && this.#ball) this.#imaginer.imagine(this.session.played, this.#ball);
+    if (this.session && this.#ball) this.#imaginer.imagine(this.session.puzzle, this.#ball);
     this.#update();
   }
 
@@ -100,7 +100,7 @@ export class Forecast extends Component {
     if (!answer) return "The model imagines it.";
     const chance = chanceWords(answer.imagined.probability);
     const ended = session.finished && sameBall(answer.of, session.shown?.ball);
-    const real = ended ? session.puzzle.sampledPaths() : undefined;
+    const real = ended ? session.game.sampledPaths() : undefined;
     return real
       ? `The model thought: ${chance}. ${errorWords(answer.imagined, real)}`
       : `The model thinks: ${chance}. ${expectedErrorWords(answer.imagined)}`;

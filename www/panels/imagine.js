@@ -108,7 +108,7 @@ export class Imagine extends Component {
    */
   words(stage) {
     const map = this.#imagined?.maps[stage];
-    return map && this.session ? mapWords(map, pathlight.scene(this.session.played)) : "";
+    return map && this.session ? mapWords(map, pathlight.scene(this.session.puzzle)) : "";
   }
 
   /**
@@ -234,7 +234,7 @@ export class Imagine extends Component {
     this.#callFailure = null;
     this.#updateTrouble();
     try {
-      const imagined = await this.#client.call("imagine", [this.session.played], call.signal);
+      const imagined = await this.#client.call("imagine", [this.session.puzzle], call.signal);
       if (!call.signal.aborted) this.#setImagined(imagined);
     } catch (error) {
       if (call.signal.aborted) return;

@@ -80,7 +80,7 @@ export class ImaginedVsReal extends Component {
 
   /** @param {Session} session */
   #update(session) {
-    const { puzzle, state, finished, placing } = session;
+    const { game, state, finished, placing } = session;
     if (placing) this.#lastRead = null;
     let changed = false;
     for (const contender of /** @type {const} */ (["player", "model"])) {
@@ -99,7 +99,7 @@ export class ImaginedVsReal extends Component {
     if (finished && !placing && current !== this.#lastRead) {
       this.#lastRead = current;
       const runs = (state.kind === "compare" ? state.pair : [session.shown]).map(runOf);
-      const paths = puzzle.pathMasks();
+      const paths = game.pathMasks();
       runs.forEach(({ runner, ...run }, index) => this.#runs.set(runner, { ...run, ...paths[index] }));
       changed = true;
     }

@@ -100,7 +100,7 @@ export class ModelPair extends Component {
   async #run() {
     const { loaded } = this.#client;
     if (!this.session || !loaded || this.#call) return;
-    const { played } = this.session;
+    const { puzzle } = this.session;
     const call = (this.#call = new AbortController());
     const names = [loaded.name, this.#name.value];
     this.#asked = loaded.name;
@@ -109,8 +109,8 @@ export class ModelPair extends Component {
       await started(this.#other, names[1], call.signal);
       const ask = async (/** @type {SharedClient} */ client, /** @type {string} */ name) => {
         const [imagined, tried] = await Promise.all([
-          client.call("imagine", [played], call.signal),
-          client.call("propose", [played], call.signal),
+          client.call("imagine", [puzzle], call.signal),
+          client.call("propose", [puzzle], call.signal),
         ]);
         const card = /** @type {LoadedModel} */ (client.loaded).card;
         return { name, card, imagined, tried };
@@ -146,7 +146,7 @@ export class ModelPair extends Component {
     this.#scenePicture.drawOn(find(column, ".scene-layer", HTMLCanvasElement));
     const shade = find(column, ".shade-layer", HTMLCanvasElement);
     if (map) pathlight.paintMap(contextOf(shade), stage, map, { max: Math.max(...map), dark: this.dark });
-    const words = map && this.session ? mapWords(map, pathlight.scene(this.session.played)) : "it has no such map";
+    const words = map && this.session ? mapWords(map, pathlight.scene(this.session.puzzle)) : "it has no such map";
     shade.setAttribute("aria-label", `${STAGE_TEXT[stage].name}: ${words}`);
     find(column, ".pair-place").textContent = sentence(words);
     const strip = new OutcomeStrip(find(column, ".outcome-strip"), (number) => this.#show(tried, number));

@@ -92,7 +92,7 @@ export class ModelShow {
       this.#revision = this.#session.revision;
       await this.#playedToEnd();
       if (this.#stopped) return;
-      const paths = this.#session.puzzle.sampledPaths();
+      const paths = this.#session.game.sampledPaths();
       if (!this.interrupted && paths) ghosts.push({ ball: attempt.ball, object: paths.object });
     }
     this.#clear();

@@ -9,13 +9,13 @@ const GHOST = 0.2;
 /** How many of the latest misses are more opaque than that. */
 const RECENT = 5;
 /**
- * The panel of the workshop, which comes after this folder.
+ * The panel of the editor, which comes after this folder.
  * @typedef {EventTarget & { maps: HTMLCanvasElement[], painter: import("../play/canvas.js").Painter | null, pen:
- *   import("../play/gestures.js").Pen }} Bend
+ *   import("../play/gestures.js").Pen }} Editor
  */
 
 export class Overlays extends Component {
-  #bend;
+  #editor;
   #canvas;
   #choice;
   #forecast;
@@ -30,7 +30,7 @@ export class Overlays extends Component {
    * @param {import("../widgets/dom.js").Root} root
    * @param {import("../play/canvas.js").SceneCanvas} canvas
    * @param {object} panels
-   * @param {Bend} panels.bend
+   * @param {Editor} panels.editor
    * @param {import("./choice.js").Choice} panels.choice
    * @param {import("./forecast.js").Forecast} panels.forecast
    * @param {import("./imagine.js").Imagine} panels.imagine
@@ -38,9 +38,9 @@ export class Overlays extends Component {
    * @param {import("./proposals.js").Proposals} panels.proposals
    * @param {import("./solve-map.js").SolveMapPanel} panels.solveMap
    */
-  constructor(root, canvas, { bend, choice, forecast, imagine, predict, proposals, solveMap }) {
+  constructor(root, canvas, { editor, choice, forecast, imagine, predict, proposals, solveMap }) {
     super(root);
-    this.#bend = bend;
+    this.#editor = editor;
     this.#canvas = canvas;
     this.#choice = choice;
     this.#forecast = forecast;
@@ -48,7 +48,7 @@ export class Overlays extends Component {
     this.#predict = predict;
     this.#proposals = proposals;
     this.#solveMap = solveMap;
-    bend.addEventListener("bend", () => this.#update());
+    editor.addEventListener("edit", () => this.#update());
     choice.addEventListener("choice", () => this.#update());
     forecast.addEventListener("forecast", () => this.#update());
     imagine.addEventListener("maps", () => this.#update());
@@ -66,7 +66,7 @@ export class Overlays extends Component {
   /** @param {import("../state/view.js").View} view */
   setState(view) {
     this.#view = view;
-    this.session?.edit({ tool: view.panel === "predict" ? "line" : view.panel === "bend" ? "bodies" : "ball" });
+    this.session?.edit({ tool: view.panel === "predict" ? "line" : view.panel === "make" ? "bodies" : "ball" });
     this.#update();
   }
 
@@ -78,9 +78,9 @@ export class Overlays extends Component {
     const stages = this.#proposals.active ? source : layers;
     const drawing = panel === "predict";
     const ghosts = this.session?.ghosts ?? [];
-    const bending = panel === "bend";
-    const maps = bending
-      ? this.#bend.maps
+    const editing = panel === "make";
+    const maps = editing
+      ? this.#editor.maps
       : [
           ...this.#solveMap.canvases,
           ...this.#imagine.canvasesOf(/** @type {import("../pkg/pathlight.js").Stage[]} */ (stages)),
@@ -97,10 +97,10 @@ export class Overlays extends Component {
           opacity: Math.max(GHOST, 1 - (ghosts.length - index) / RECENT),
           tried: true,
         })),
-        painter: bending ? this.#bend.painter : null,
+        painter: editing ? this.#editor.painter : null,
         ...this.#choice.overlay,
       },
-      drawing ? this.#predict : bending ? this.#bend.pen : null,
+      drawing ? this.#predict : editing ? this.#editor.pen : null,
     );
   }
 }

@@ -103,7 +103,7 @@ export class Predict extends Component {
     if (!this.session || (!direction && key !== "Backspace")) return false;
     this.#leaveRun();
     if (direction) {
-      const [startX, startY] = this.session.puzzle.objectStart();
+      const [startX, startY] = this.session.game.objectStart();
       const [x, y] = this.sketch.at(-1) ?? [startX, startY];
       const line = this.sketch.length ? this.sketch : [/** @type {Point} */ ([x, y])];
       const distance = shiftKey ? LARGE_KEY_STEP : KEY_STEP;
@@ -150,15 +150,15 @@ export class Predict extends Component {
    * Measures both lines against the real path and says who was closer.
    * @param {Session} session
    */
-  #measure({ puzzle, phase }) {
+  #measure({ game, phase }) {
     const stage = phase === "watch" ? "base" : "target";
-    const real = puzzle.pathMasks()[0].object;
+    const real = game.pathMasks()[0].object;
     const modelMap = this.#imagine.maps?.[stage];
     const shared = { stage: /** @type {import("../pkg/pathlight.js").Stage} */ (stage), real, dark: this.dark };
     const player = this.#playerCard.draw({
       ...shared,
       name: "You",
-      values: puzzle.sketchMask(new Float64Array(this.sketch.flat())),
+      values: game.sketchMask(new Float64Array(this.sketch.flat())),
     });
     this.#modelCard.element.hidden = !modelMap;
     if (!modelMap) return `You were right by ${percent(player)}.`;

@@ -180,7 +180,7 @@ export class Proposals extends Component {
       return;
     const call = (this.#call = new AbortController());
     try {
-      const proposals = await this.#client.call("propose", [this.session.played], call.signal);
+      const proposals = await this.#client.call("propose", [this.session.puzzle], call.signal);
       if (!call.signal.aborted) this.#proposals = proposals;
     } catch (error) {
       if (!call.signal.aborted) this.#callFailure = /** @type {Error} */ (error).message;
@@ -226,7 +226,7 @@ export class Proposals extends Component {
         this.#shown = number;
         const tried = session.attempts.of("model").some(({ ball }) => sameBall(ball, proposal.ball));
         session.preview(number, proposal.ball, tried);
-        this.#imaginer.imagine(session.played, proposal.ball);
+        this.#imaginer.imagine(session.puzzle, proposal.ball);
       } else {
         // The address may ask for more balls than there are.
         this.#forgetRequest(session);
@@ -283,7 +283,7 @@ export class Proposals extends Component {
       `${shown.ending.solved ? "✓" : "×"} ${sentence(shown.words)} ${shown.tried || this.able ? "" : "It was not tried in its turn."}`,
     );
     setText(this.byId("proposal-origin"), originWords(proposal, this.#imagine.maps?.placement));
-    const real = this.session?.puzzle.sampledPaths();
+    const real = this.session?.game.sampledPaths();
     this.byId("proposal-imagined").hidden = this.byId("proposal-imagined-term").hidden = !this.able;
     setText(
       this.byId("proposal-imagined"),

@@ -36,7 +36,7 @@ export class ScenePicture extends Component {
     if (!this.#fresh) {
       const context = contextOf(this.#canvas);
       context.clearRect(0, 0, SCENE_SIZE, SCENE_SIZE);
-      this.session.puzzle.paintThumbnail(context, this.dark);
+      this.session.game.paintThumbnail(context, this.dark);
       this.#fresh = true;
     }
     const context = contextOf(canvas);

@@ -110,7 +110,7 @@ export class SolveMapPanel extends Component {
     this.#outcomes = null;
     this.#progress = 0;
     this.#search.start((signal) =>
-      this.#client.call("solve", [session.played, this.#radius], signal, ({ outcomes, progress }) => {
+      this.#client.call("solve", [session.puzzle, this.#radius], signal, ({ outcomes, progress }) => {
         this.#outcomes = outcomes;
         this.#progress = progress;
         this.#paint();

@@ -97,7 +97,7 @@ export class AfterSolving extends Component {
     if (!session || solvedAt === null) return;
     this.byId("solved-title").textContent =
       solvedAt === 1 ? "Solved at the first attempt!" : `Solved in ${solvedAt} attempts!`;
-    // An own scene has no id: nothing comes after it, and no link leads to it.
+    // A custom scene has no id: nothing comes after it, and no link leads to it.
     const { id } = session.about;
     const reason = `${id} ${solvedAt} ${this.#by.value}`;
     if (reason !== this.#reason) {
@@ -138,7 +138,7 @@ export class AfterSolving extends Component {
     if (!session || !solvedAt) return;
     const { used, solved_at: modelSolvedAt } = session.attempts.standing("model");
     const {
-      puzzle,
+      game,
       about: { id },
     } = session;
     if (id === null) return;
@@ -148,7 +148,7 @@ export class AfterSolving extends Component {
       solvedAt,
       model: used > 0 ? { used, solvedAt: modelSolvedAt } : null,
       paint: (context, dark, ball) =>
-        ball ? puzzle.paintAttempt(context, "player", solvedAt, dark) : puzzle.paintThumbnail(context, dark),
+        ball ? game.paintAttempt(context, "player", solvedAt, dark) : game.paintThumbnail(context, dark),
       isOpen: () => session === this.session,
       openRun: () => this.#openRun(session, solvedAt),
     };

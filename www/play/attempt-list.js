@@ -18,7 +18,7 @@ export class AttemptList extends Component {
   #contender;
   #length = 0;
   #thumbnails = new LazyThumbnails((context, canvas) => {
-    this.session?.puzzle.paintAttempt(context, this.#contender, numberOf(canvas), this.dark);
+    this.session?.game.paintAttempt(context, this.#contender, numberOf(canvas), this.dark);
   });
 
   /**

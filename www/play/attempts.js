@@ -11,22 +11,22 @@ export class Attempts extends EventTarget {
    * @type {string | null}
    */
   modelName = null;
-  #puzzle;
+  #game;
 
-  /** @param {import("../pkg/pathlight.js").Puzzle} puzzle */
-  constructor(puzzle) {
+  /** @param {import("../pkg/pathlight.js").Game} game */
+  constructor(game) {
     super();
-    this.#puzzle = puzzle;
+    this.#game = game;
   }
 
   /** @param {Contender} contender */
   of(contender) {
-    return this.#puzzle.attempts(contender);
+    return this.#game.attempts(contender);
   }
 
   /** @param {Contender} contender */
   standing(contender) {
-    return this.#puzzle.standing(contender);
+    return this.#game.standing(contender);
   }
 
   /**
@@ -37,9 +37,9 @@ export class Attempts extends EventTarget {
     if (balls.length === 0) return;
     for (const ball of balls) {
       // A ball of another version may not fit any more.
-      if (this.#puzzle.whyInvalid(...ball) === undefined) this.#puzzle.attempt(...ball);
+      if (this.#game.whyInvalid(...ball) === undefined) this.#game.attempt(...ball);
     }
-    this.#puzzle.reset();
+    this.#game.reset();
     this.#changed();
   }
 
@@ -51,7 +51,7 @@ export class Attempts extends EventTarget {
   restoreModel(attempts, modelName) {
     if (attempts.length === 0) return;
     for (const attempt of attempts) {
-      if (this.#puzzle.whyInvalid(...attempt.ball) === undefined) this.#add(attempt, modelName);
+      if (this.#game.whyInvalid(...attempt.ball) === undefined) this.#add(attempt, modelName);
     }
     this.#changed();
   }
@@ -72,7 +72,7 @@ export class Attempts extends EventTarget {
    * @param {string} modelName
    */
   #add(attempt, modelName) {
-    const { number } = this.#puzzle.addModelAttempt(attempt);
+    const { number } = this.#game.addModelAttempt(attempt);
     this.modelName = modelName;
     return number;
   }
@@ -83,13 +83,13 @@ export class Attempts extends EventTarget {
    * @param {number} number
    */
   remove(contender, number) {
-    this.#puzzle.remove(contender, number);
+    this.#game.remove(contender, number);
     this.#changed();
   }
 
   /** @param {Contender} contender */
   clear(contender) {
-    this.#puzzle.clear(contender);
+    this.#game.clear(contender);
     if (contender === "model") this.modelName = null;
     this.#changed();
   }

@@ -106,7 +106,7 @@ export class SceneCanvas extends Component {
       dark: this.dark,
     };
     if (painter) painter(this.#context, view, maps);
-    else session.puzzle.paint(this.#context, view, maps);
+    else session.game.paint(this.#context, view, maps);
   }
 
   /**

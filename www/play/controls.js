@@ -91,7 +91,7 @@ export class Controls extends Component {
 
   /** @param {Session} session */
   #update(session) {
-    const { placing, phase, puzzle, ball } = session;
+    const { placing, phase, game, ball } = session;
     const { playing, last, ended } = session.playback;
     const label = placing ? "Run" : playing ? "Pause" : ended ? "Again" : "Go on";
     setText(this.byId("run-label"), label);
@@ -102,7 +102,7 @@ export class Controls extends Component {
     this.byId("reset", HTMLButtonElement).disabled = placing;
     this.byId("undo", HTMLButtonElement).disabled = !session.placement.canUndo;
     this.byId("redo", HTMLButtonElement).disabled = !session.placement.canRedo;
-    this.#touches = placing ? [] : puzzle.touches();
+    this.#touches = placing ? [] : game.touches();
     // Of two rollouts over each other the meter could mean either; of one that never touched it has nothing to say.
     this.#goalMeter.hidden = placing || phase === "compare" || session.approach !== null;
     this.byId("see-closest").hidden = session.approach === null;

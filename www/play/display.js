@@ -1,4 +1,4 @@
-// What one puzzle shows: the state (shown.js), the rollouts that the wasm's Puzzle holds for it, and the clock. Tells
+// What one puzzle shows: the state (shown.js), the rollouts that the wasm's Game holds for it, and the clock. Tells
 // when something changes, by the events "change", "draw" and "attempted" of session.js.
 
 import { Playback } from "./playback.js";
@@ -7,8 +7,8 @@ import * as show from "./shown.js";
 /** @typedef {import("./shown.js").Ghost} Ghost */
 
 export class Display extends EventTarget {
-  /** The wasm's Puzzle; freed by `close`. */
-  puzzle;
+  /** The wasm's Game; freed by `close`. */
+  game;
   playback = new Playback();
   /** Changes whenever something else is shown or the ball is placed elsewhere. */
   revision = 0;
@@ -16,12 +16,12 @@ export class Display extends EventTarget {
   #prefersReducedMotion;
 
   /**
-   * @param {import("../pkg/pathlight.js").Puzzle} puzzle
+   * @param {import("../pkg/pathlight.js").Game} game
    * @param {() => boolean} prefersReducedMotion asked before each run; if so, it goes straight to its end
    */
-  constructor(puzzle, prefersReducedMotion) {
+  constructor(game, prefersReducedMotion) {
     super();
-    this.puzzle = puzzle;
+    this.game = game;
     this.#prefersReducedMotion = prefersReducedMotion;
     this.playback.addEventListener("tick", () => this.#onTick());
   }
@@ -81,9 +81,9 @@ export class Display extends EventTarget {
    * @param {Partial<import("./shown.js").Editing>} editing
    */
   edit(editing) {
-    const { tool = this.#state.tool, draft = this.#state.draft } = editing;
-    if (tool === this.#state.tool && draft === this.#state.draft) return;
-    this.#state = show.editing(this.#state, { tool, draft });
+    const { tool = this.#state.tool, edited = this.#state.edited } = editing;
+    if (tool === this.#state.tool && edited === this.#state.edited) return;
+    this.#state = show.editing(this.#state, { tool, edited });
     this.emit("change");
   }
 
@@ -96,7 +96,7 @@ export class Display extends EventTarget {
   /** Returns to placing, with the ball where it was. */
   reset() {
     this.revealResult();
-    this.puzzle.reset();
+    this.game.reset();
     this.revision += 1;
     this.#state = show.placing(this.#state);
     this.playback.load(0);
@@ -124,7 +124,7 @@ export class Display extends EventTarget {
    */
   close() {
     this.playback.stop();
-    this.puzzle.free();
+    this.game.free();
   }
 
   /**
@@ -137,7 +137,7 @@ export class Display extends EventTarget {
     this.revealResult();
     this.revision += 1;
     this.#state = show.running(this.#state, run);
-    const last = this.puzzle.steps();
+    const last = this.game.steps();
     const atEnd = !play || this.reducedMotion;
     this.playback.load(last, atEnd ? last : 0);
     if (!atEnd) this.playback.play(duration);
@@ -147,7 +147,7 @@ export class Display extends EventTarget {
   #onTick() {
     const { playing, ended } = this.playback;
     if (!this.placing && ended && !playing && !this.finished) {
-      const approach = show.neverTouched(this.#state) ? this.puzzle.closestApproach() : undefined;
+      const approach = show.neverTouched(this.#state) ? this.game.closestApproach() : undefined;
       this.#state = show.ended(this.#state, approach ?? null);
       this.revealResult();
       this.emit("change");

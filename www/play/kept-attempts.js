@@ -36,7 +36,7 @@ export class KeptAttempts extends Component {
   /** @param {Session} session */
   open(session) {
     super.open(session);
-    this.#puzzle = puzzleKey(session.played);
+    this.#puzzle = puzzleKey(session.puzzle);
     session.attempts.restore(
       this.#progress
         .attemptsAt(this.#puzzle)

@@ -4,12 +4,12 @@
 //   change      something to read has changed
 //   draw        only the picture has changed
 //   attempted   a new attempt of the player's has run to its end, or was left; `shown` holds it
-//   draft       what was asked for has to wait until the draft of the scene is the puzzle: a CustomEvent whose detail
-//               is to be called with the session of the draft
+//   wanted      what was asked for has to wait until the edited scene is the puzzle: a CustomEvent whose detail
+//               is to be called with the session of that scene
 //
-// Knows nothing of the document. The page's only way to the Puzzle.
+// Knows nothing of the document. The page's only way to the Game.
 
-import { Puzzle } from "../pkg/pathlight.js";
+import { Game } from "../pkg/pathlight.js";
 import { GOAL_SECONDS } from "../shell/constants.js";
 import { sentence } from "../text/sentence.js";
 import { Attempts } from "./attempts.js";
@@ -29,21 +29,21 @@ const REFUSALS = ["invalid_ball", "attempt_limit"];
 
 export class Session extends Display {
   /** What the worker's calls are about. */
-  played;
+  puzzle;
   about;
   placement;
   attempts;
 
   /**
-   * @param {import("../pkg/pathlight.js").Played} played
+   * @param {import("../pkg/pathlight.js").Puzzle} puzzle
    * @param {() => boolean} prefersReducedMotion asked before each run; if so, it goes straight to its end
    */
-  constructor(played, prefersReducedMotion) {
-    super(new Puzzle(played), prefersReducedMotion);
-    this.played = played;
-    this.about = this.puzzle.about();
-    this.placement = new Placement((ball) => this.puzzle.whyInvalid(...ball));
-    this.attempts = new Attempts(this.puzzle);
+  constructor(puzzle, prefersReducedMotion) {
+    super(new Game(puzzle), prefersReducedMotion);
+    this.puzzle = puzzle;
+    this.about = this.game.about();
+    this.placement = new Placement((ball) => this.game.whyInvalid(...ball));
+    this.attempts = new Attempts(this.game);
     this.placement.addEventListener("change", () => this.#onPlaced());
     this.attempts.addEventListener("change", () => this.emit("change"));
   }
@@ -65,7 +65,7 @@ export class Session extends Display {
 
   /** What the run button does: runs the ball, pauses, or plays on. */
   run() {
-    if (this.#waitsForDraft((session) => session.run())) return;
+    if (this.#waitsForEditor((session) => session.run())) return;
     if (!this.placing) {
       if (this.playback.playing) this.playback.pause();
       else this.playback.play();
@@ -81,7 +81,7 @@ export class Session extends Display {
   #attempt(ball) {
     try {
       const before = this.attempts.standing("player").used;
-      const attempt = this.puzzle.attempt(...ball);
+      const attempt = this.game.attempt(...ball);
       this.show(attemptRun({ contender: "player", ...attempt }, { hidden: attempt.number > before }));
     } catch (caught) {
       const error = /** @type {import("../pkg/pathlight.js").CodedError} */ (caught);
@@ -92,8 +92,8 @@ export class Session extends Display {
 
   /** Shows the scene without a ball. */
   watch() {
-    if (this.#waitsForDraft((session) => session.watch())) return;
-    this.puzzle.watch();
+    if (this.#waitsForEditor((session) => session.watch())) return;
+    this.game.watch();
     this.show({ kind: "watch" });
   }
 
@@ -102,7 +102,7 @@ export class Session extends Display {
    * @param {number} by
    */
   step(by) {
-    if (this.#waitsForDraft((session) => session.step(by))) return;
+    if (this.#waitsForEditor((session) => session.step(by))) return;
     if (this.placing) {
       this.run();
       if (this.placing) return;
@@ -117,7 +117,7 @@ export class Session extends Display {
    * @param {number} number
    */
   replay(contender, number) {
-    const attempt = this.puzzle.replay(contender, number);
+    const attempt = this.game.replay(contender, number);
     if (contender === "player") this.placement.take(attempt.ball);
     this.show(attemptRun({ contender, ...attempt }));
   }
@@ -129,7 +129,7 @@ export class Session extends Display {
    * @param {Ghost[]} ghosts
    */
   flash(number, duration, ghosts) {
-    const attempt = this.puzzle.replay("model", number);
+    const attempt = this.game.replay("model", number);
     this.show(attemptRun({ contender: "model", ...attempt }, { ghosts }), { duration });
   }
 
@@ -142,7 +142,7 @@ export class Session extends Display {
    * @param {boolean} [play]
    */
   preview(number, ball, tried, play = false) {
-    const attempt = this.puzzle.preview(...ball);
+    const attempt = this.game.preview(...ball);
     this.show(attemptRun({ ...attempt, contender: "model", number, tried, preview: true }), { play });
   }
 
@@ -151,7 +151,7 @@ export class Session extends Display {
    * @param {Ball} ball
    */
   playOpened(ball) {
-    const attempt = this.puzzle.preview(...ball);
+    const attempt = this.game.preview(...ball);
     this.show(attemptRun({ ...attempt, contender: "model", preview: true, opened: true }));
   }
 
@@ -160,7 +160,7 @@ export class Session extends Display {
    * @param {boolean} play
    */
   compare(play) {
-    const [player, model] = this.puzzle.compare();
+    const [player, model] = this.game.compare();
     /** @type {ShownAttempt[]} */
     const pair = [];
     if (player) pair.push({ contender: "player", ...player });
@@ -178,7 +178,7 @@ export class Session extends Display {
     const used = { player: this.attempts.standing("player").used, model: this.attempts.standing("model").used };
     const [first, second] = overlaid({ contender, number }, this.state, used);
     if (!second) return this.replay(contender, number);
-    const [below, above] = this.puzzle.overlay(first.contender, first.number, second.contender, second.number);
+    const [below, above] = this.game.overlay(first.contender, first.number, second.contender, second.number);
     const pair = [
       { contender: first.contender, ...below },
       { contender: second.contender, ...above },
@@ -215,13 +215,13 @@ export class Session extends Display {
   }
 
   /**
-   * Returns whether the scene that is seen is a draft, and not this puzzle; whoever edits it is then asked to act.
+   * Returns whether the scene that is seen is being edited, and not this puzzle; whoever edits it is then asked to act.
    * @param {(session: Session) => void} act
    */
-  #waitsForDraft(act) {
-    const { draft } = this.state;
-    if (draft) this.dispatchEvent(new CustomEvent("draft", { detail: act }));
-    return draft;
+  #waitsForEditor(act) {
+    const { edited } = this.state;
+    if (edited) this.dispatchEvent(new CustomEvent("wanted", { detail: act }));
+    return edited;
   }
 
   #onPlaced() {

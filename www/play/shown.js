@@ -21,9 +21,9 @@
 /** @typedef {"ball" | "line" | "bodies"} Tool what a pointer does in the scene: places the ball, draws a line, edits */
 
 /**
- * What every state keeps. `draft`: the scene is being edited and differs from the puzzle, which cannot be run until the
- * draft has become the puzzle.
- * @typedef {{ tool: Tool, draft: boolean }} Editing
+ * What every state keeps. `edited`: the scene is being edited and differs from the puzzle, which cannot be run until
+ * the edited scene has become the puzzle.
+ * @typedef {{ tool: Tool, edited: boolean }} Editing
  */
 
 /** @typedef {{ kind: "placing", refusal: string | null }} Placing `refusal`: why the last request was refused */
@@ -46,15 +46,15 @@
 /** @typedef {Readonly<Editing & (Placing | (Run & { ended: boolean }))>} Shown */
 
 /** @type {Shown} */
-export const START = Object.freeze({ kind: "placing", refusal: null, tool: "ball", draft: false });
+export const START = Object.freeze({ kind: "placing", refusal: null, tool: "ball", edited: false });
 
 /**
  * The ball is being placed; what was shown is left.
  * @param {Shown} shown
  * @returns {Shown}
  */
-export function placing({ tool, draft }) {
-  return { kind: "placing", refusal: null, tool, draft };
+export function placing({ tool, edited }) {
+  return { kind: "placing", refusal: null, tool, edited };
 }
 
 /**
@@ -63,8 +63,8 @@ export function placing({ tool, draft }) {
  * @param {Run} run
  * @returns {Shown}
  */
-export function running({ tool, draft }, run) {
-  return { ...run, ended: false, tool, draft };
+export function running({ tool, edited }, run) {
+  return { ...run, ended: false, tool, edited };
 }
 
 /**

@@ -7,7 +7,7 @@
  * @param {boolean} dark
  */
 export function paintStill(session, context, step, dark) {
-  const { ball, invalidReason, phase, puzzle } = session;
+  const { ball, invalidReason, phase, game } = session;
   const view = { step, ball, valid: invalidReason === null, knob: 0, whole: phase === "compare", opacity: 1, dark };
-  puzzle.paint(context, view, []);
+  game.paint(context, view, []);
 }

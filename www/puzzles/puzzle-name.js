@@ -1,4 +1,4 @@
-// The names that people read: "Funnel, 8 of 100" for a task, and those that people give their own puzzles.
+// The names that people read: "Funnel, 8 of 100" for a task, and those that people give their custom puzzles.
 
 import { TEMPLATES } from "./templates.js";
 
@@ -18,9 +18,9 @@ export function puzzleName(task) {
 }
 
 /**
- * The name of an own puzzle, also of one that has none or is not read yet.
+ * The name of a custom puzzle, also of one that has none or is not read yet.
  * @param {{ name?: string } | null | undefined} scene
  */
 export function sceneName(scene) {
-  return scene?.name ?? "Own puzzle";
+  return scene?.name ?? "Custom puzzle";
 }

@@ -15,7 +15,7 @@ import { ATTEMPT_LIMIT, MAX_RADIUS, MIN_RADIUS, SCENE_SIZE, STAGES } from "../sh
  */
 export const CHOICE_STEPS = /** @type {const} */ (["candidates", "imagined", "chosen", "run", "real"]);
 /** @typedef {typeof CHOICE_STEPS[number]} ChoiceStep */
-export const PANELS = /** @type {const} */ (["play", "imagine", "compare", "predict", "map", "bend"]);
+export const PANELS = /** @type {const} */ (["play", "imagine", "compare", "predict", "map", "make"]);
 /** What a link can hide: the panels, of which one stays, and what the document marks with data-hideable. */
 export const HIDEABLE = /** @type {const} */ ([
   "puzzles",
@@ -33,7 +33,7 @@ export const HIDEABLE = /** @type {const} */ ([
   "compare",
   "predict",
   "map",
-  "bend",
+  "make",
   "save",
 ]);
 /** @typedef {typeof PANELS[number]} Panel */
@@ -41,8 +41,8 @@ export const HIDEABLE = /** @type {const} */ ([
 
 /**
  * @typedef {object} State
- * @property {string | null} task "00007:008", or null for the grid or an own scene
- * @property {string | null} scene an own scene as workshop/scene-link.js packs it, or null
+ * @property {string | null} task "00007:008", or null for the grid or a custom scene
+ * @property {string | null} scene a custom scene as editor/scene-link.js packs it, or null
  * @property {string | null} model a name in assets/model.json, or null for the first
  * @property {Panel} panel as the address names it; it may be hidden, see `viewOf`
  * @property {Stage | ChoiceStep | null} stage the step that the walkthrough is at, or null for all together
@@ -78,6 +78,12 @@ export const INITIAL_STATE = Object.freeze({
 });
 
 /** @typedef {{ format: (value: any) => string, parse: (text: string) => any }} Codec */
+
+/** What old links call otherwise. */
+const RENAMED = new Map([["bend", "make"]]);
+
+/** @param {string} name */
+const renamed = (name) => RENAMED.get(name) ?? name;
 
 const INTEGER = /^\d{1,3}$/;
 /** @type {Codec} */
@@ -125,7 +131,7 @@ const CODECS = {
  * @returns {Codec}
  */
 function oneOf(names) {
-  return { format: String, parse: (text) => (names.includes(text) ? text : undefined) };
+  return { format: String, parse: (text) => names.find((name) => name === renamed(text)) };
 }
 
 /**
@@ -138,7 +144,7 @@ function someOf(names) {
     parse: (text) => {
       const chosen = text
         .split(",")
-        .map((name) => name.trim())
+        .map((name) => renamed(name.trim()))
         .filter(Boolean);
       return chosen.every((name) => names.includes(name)) ? names.filter((name) => chosen.includes(name)) : undefined;
     },
@@ -186,7 +192,7 @@ export function parseState(texts) {
     else parsed[key] = value;
   }
   const state = { ...INITIAL_STATE, ...parsed };
-  // An own scene takes the place of a task.
+  // A custom scene takes the place of a task.
   if (state.scene !== null) state.task = null;
   return { state, unread };
 }
@@ -213,7 +219,7 @@ export function parseFragment(hash) {
 }
 
 /**
- * Whether a state shows a puzzle: a task or an own scene.
+ * Whether a state shows a puzzle: a task or a custom scene.
  * @param {State} state
  */
 export function showsPuzzle({ task, scene }) {

@@ -1,4 +1,4 @@
-// The kept attempts as the browser's store has them: JSON lines, a key (slot) for each task, and one for all own
+// The kept attempts as the browser's store has them: JSON lines, a key (slot) for each task, and one for all custom
 // scenes. Knows nothing of the document.
 
 import { AttemptReader, TASK, formatAttempts, identityOf } from "./attempts.js";
@@ -7,8 +7,8 @@ import { linesOf } from "./slices.js";
 /** @typedef {import("./attempts.js").KeptAttempt} KeptAttempt */
 
 const PREFIX = "attempts.";
-/** The slot of all own scenes: every change to a scene makes another scene. */
-export const OWN = "own";
+/** The slot of all custom scenes: every change to a scene makes another scene. */
+export const CUSTOM = "own";
 
 export class AttemptStore {
   #store;
@@ -52,7 +52,7 @@ export class AttemptStore {
     return attempts;
   }
 
-  /** All attempts, by puzzle; those at own scenes come last. */
+  /** All attempts, by puzzle; those at custom scenes come last. */
   get all() {
     return this.slots.flatMap((slot) => this.in(slot));
   }
@@ -108,5 +108,5 @@ export class AttemptStore {
 
 /** @param {string} puzzle */
 export function slotOf(puzzle) {
-  return TASK.test(puzzle) ? puzzle : OWN;
+  return TASK.test(puzzle) ? puzzle : CUSTOM;
 }

@@ -3,7 +3,7 @@
 //
 // {"task":"00007:008","by":"player","number":2,"ball":[128,200,12],"status":"solved","steps":312,"longest_touch":180,
 //  "final_touch":180,"simulator":3}
-// An own scene has its digest as "scene" instead of the "task"; in files it may be the scene itself. "by" is "player"
+// A custom scene has its digest as "scene" instead of the "task"; in files it may be the scene itself. "by" is "player"
 // or the name of a model, and then "agents" is the version of the agents; "number" counts the attempts of that
 // contender at that puzzle from 1; lengths are in px, times in steps; "simulator" is the version of the simulator.
 
@@ -12,7 +12,7 @@
 /** @typedef {{ simulator: number, agents?: number }} Versions what an attempt depends on; a person's has no agents */
 
 /**
- * An attempt at a puzzle: the id of a task, or the digest of an own scene.
+ * An attempt at a puzzle: the id of a task, or the digest of a custom scene.
  * @typedef {Attempt & Versions & { puzzle: string, by: string, number: number }} KeptAttempt
  */
 
@@ -245,7 +245,7 @@ function taskOf(task) {
 }
 
 /**
- * The digest of an own scene, which is there itself or by its digest; null if it is neither.
+ * The digest of a custom scene, which is there itself or by its digest; null if it is neither.
  * @param {any} scene
  * @param {(scene: any) => string} digestOf
  */

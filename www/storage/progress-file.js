@@ -26,7 +26,7 @@ export function progressJson(progress) {
 /**
  * What a file holds, read step by step. Throws a FileProblem if it holds no progress.
  * @param {string} text
- * @param {(scene: any) => string} digestOf returns the digest of an own scene, or throws
+ * @param {(scene: any) => string} digestOf returns the digest of a custom scene, or throws
  * @returns {Generator<number, { attempts: import("./attempts.js").KeptAttempt[], counts: Counts, unread: number }, void>}
  */
 export function* progressOfText(text, digestOf) {

@@ -12,7 +12,7 @@ import {
   mergeAttempts,
   turnOf,
 } from "./attempts.js";
-import { AttemptStore, OWN, slotOf } from "./attempt-store.js";
+import { AttemptStore, CUSTOM, slotOf } from "./attempt-store.js";
 import { BrowserStore } from "./browser-store.js";
 import { Contender } from "./contender.js";
 import { Counts, StoredCounts, isCountsKey, merge, progressOf } from "./counts.js";
@@ -20,8 +20,8 @@ import { Counts, StoredCounts, isCountsKey, merge, progressOf } from "./counts.j
 /** @typedef {import("./attempts.js").KeptAttempt} KeptAttempt */
 /** @typedef {import("./counts.js").TaskProgress} TaskProgress */
 
-/** So many attempts at own scenes are kept, some 200 kB. */
-const MOST_OWN = 1000;
+/** So many attempts at custom scenes are kept, some 200 kB. */
+const MOST_CUSTOM = 1000;
 /** A file may fill the store up to so many attempts, which leaves room for those that follow. */
 export const MOST_ATTEMPTS = 20_000;
 /** Merged at once. */
@@ -88,7 +88,7 @@ export class Progress extends EventTarget {
    * @param {string} by
    */
   tasksOf(by) {
-    const slots = this.#attempts.slots.filter((slot) => slot !== OWN);
+    const slots = this.#attempts.slots.filter((slot) => slot !== CUSTOM);
     const kept = slots.filter((slot) => this.#attempts.in(slot).some((one) => one.by === by));
     return [...new Set([...kept, ...this.#counts.all.filter((one) => one.by === by).map(({ task }) => task)])].sort();
   }
@@ -104,12 +104,12 @@ export class Progress extends EventTarget {
       .sort(compareAttempts);
   }
 
-  /** All attempts at own scenes. */
-  get ofOwnScenes() {
-    return this.#attempts.in(OWN);
+  /** All attempts at custom scenes. */
+  get ofCustomScenes() {
+    return this.#attempts.in(CUSTOM);
   }
 
-  /** All attempts, by puzzle; those at own scenes come last. */
+  /** All attempts, by puzzle; those at custom scenes come last. */
   get all() {
     return this.#attempts.all;
   }
@@ -158,7 +158,7 @@ export class Progress extends EventTarget {
   }
 
   /**
-   * Deletes the attempts of all at a puzzle. They still count, unless it is an own scene.
+   * Deletes the attempts of all at a puzzle. They still count, unless it is a custom scene.
    * @param {string} puzzle
    */
   forget(puzzle) {
@@ -208,7 +208,11 @@ export class Progress extends EventTarget {
     try {
       for (const { slot, piece } of pieces) {
         const before = this.#attempts.latestIn(slot);
-        const merged = mergeAttempts(before, piece, slot === OWN ? Math.min(room, MOST_OWN - before.length) : room);
+        const merged = mergeAttempts(
+          before,
+          piece,
+          slot === CUSTOM ? Math.min(room, MOST_CUSTOM - before.length) : room,
+        );
         // When the oldest have to go, those that were here go last.
         const after = [...merged.fresh, ...merged.here];
         this.#attempts.write(slot, after);
@@ -238,7 +242,7 @@ export class Progress extends EventTarget {
   /** How many puzzles the player has solved. */
   get #solved() {
     const tasks = this.player.tasks.filter((task) => this.player.of(task).solved !== null);
-    const scenes = this.ofOwnScenes.filter(({ by, ending }) => by === PLAYER && ending.solved);
+    const scenes = this.ofCustomScenes.filter(({ by, ending }) => by === PLAYER && ending.solved);
     return tasks.length + new Set(scenes.map(({ puzzle }) => puzzle)).size;
   }
 
@@ -250,7 +254,7 @@ export class Progress extends EventTarget {
   #change(slot, change) {
     const before = this.#attempts.latestIn(slot);
     const changed = change(before);
-    const after = slot === OWN ? changed.slice(-MOST_OWN) : changed;
+    const after = slot === CUSTOM ? changed.slice(-MOST_CUSTOM) : changed;
     const stays = new Set(after.map(identityOf));
     const gone = before.filter((attempt) => !stays.has(identityOf(attempt)));
     this.#addGone(gone, before);

@@ -1,9 +1,9 @@
-// The puzzles of a person's own that this browser keeps, as JSON: an array of scenes, oldest first. A store that is
-// forbidden, full or damaged keeps nothing but never breaks the page. Knows nothing of the document.
+// The custom puzzles that this browser keeps, as JSON: an array of scenes, oldest first. A store that is forbidden,
+// full or damaged keeps nothing but never breaks the page. Knows nothing of the document.
 
 import { BrowserStore } from "./browser-store.js";
 
-/** @typedef {import("../pkg/pathlight.js").OwnScene} OwnScene */
+/** @typedef {import("../pkg/pathlight.js").CustomScene} CustomScene */
 
 const KEY = "own-puzzles";
 /** So many puzzles are kept, which the grid shows without delay. */
@@ -13,7 +13,7 @@ export class PuzzleStore extends EventTarget {
   #store;
   /** @type {string | null} what was read last */
   #text = null;
-  /** @type {Map<string, OwnScene>} by its JSON */
+  /** @type {Map<string, CustomScene>} by its JSON */
   #scenes = new Map();
 
   /** Fires "change" whenever it holds something else, also when another tab has written it. */
@@ -35,7 +35,7 @@ export class PuzzleStore extends EventTarget {
   /**
    * Keeps puzzles; those that are kept already stay once. Returns how many are new, for how many there was no room, and
    * why no new one could be kept, or null.
-   * @param {OwnScene[]} scenes plain ones
+   * @param {CustomScene[]} scenes plain ones
    */
   add(scenes) {
     this.#read();
@@ -54,7 +54,7 @@ export class PuzzleStore extends EventTarget {
 
   /**
    * Forgets a puzzle. Returns why it could not, or null.
-   * @param {OwnScene} scene
+   * @param {CustomScene} scene
    */
   remove(scene) {
     this.#read();
@@ -71,7 +71,7 @@ export class PuzzleStore extends EventTarget {
     this.#scenes = new Map((Array.isArray(stored) ? stored : []).map((scene) => [JSON.stringify(scene), scene]));
   }
 
-  /** @param {Map<string, OwnScene>} scenes */
+  /** @param {Map<string, CustomScene>} scenes */
   #write(scenes) {
     const text = `[${[...scenes.keys()].join(",")}]`;
     if (!this.#store.set(KEY, text)) {
@@ -98,6 +98,6 @@ function parsed(text) {
 let shared = null;
 
 /** The puzzles that this browser keeps. */
-export function ownPuzzles() {
+export function customPuzzles() {
   return (shared ??= new PuzzleStore());
 }

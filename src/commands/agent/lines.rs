@@ -2,13 +2,13 @@
 
 use anyhow::{Context, bail};
 use pathlight::puzzle::action::Ball;
-use pathlight::puzzle::own_scene::sentences;
+use pathlight::puzzle::custom_scene::sentences;
 use pathlight::puzzle::recorded_paths::RecordedPaths;
 use pathlight::puzzle::rollout::Status;
 use pathlight::puzzle::sampled_paths::SampledPaths;
 use pathlight::puzzle::scene::Scene;
 use pathlight::puzzle::task::TaskId;
-use pathlight::session::played::Played;
+use pathlight::session::puzzle::Puzzle;
 use serde::Deserialize;
 use serde_json::Value;
 
@@ -23,7 +23,7 @@ const EXAMPLES: &str = r#"write a line like {"task":"00007:008"} or {"status":"n
 pub enum Line {
     Task(TaskId),
     Scene(Scene),
-    Own(Box<Played>),
+    Custom(Box<Puzzle>),
     Outcome {
         /// The task and the ball that it is the outcome of, if the line names them, as those of `simulate` do.
         task: Option<TaskId>,
@@ -66,14 +66,14 @@ impl Line {
     }
 }
 
-/// Returns what a scene begins: an own scene has a version, others are as `tasks --json` prints them.
+/// Returns what a scene begins: a custom scene has a version, others are as `tasks --json` prints them.
 fn scene_line(scene: Value) -> anyhow::Result<Line> {
     if scene.get("version").is_none() {
         let scene: Scene = serde_json::from_value(scene).map_err(|error| anyhow::anyhow!("{error}; {EXAMPLES}"))?;
         scene.check_form()?;
         return Ok(Line::Scene(scene));
     }
-    Played::read(scene)
-        .map(|played| Line::Own(Box::new(played)))
+    Puzzle::read(scene)
+        .map(|puzzle| Line::Custom(Box::new(puzzle)))
         .map_err(|problems| anyhow::anyhow!("{}", sentences(&problems)))
 }

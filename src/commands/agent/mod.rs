@@ -32,8 +32,8 @@ const BALLS: usize = 2 * MAX_ATTEMPTS;
 
 /// Play against any simulator: read tasks and outcomes as JSON lines, and answer each with the next ball
 ///
-/// {"task":"00007:008"} begins a puzzle. So does {"scene":{…}}, with a scene as `tasks --json` or `tasks --own` prints
-/// it. The answer is {"line","task","ball":[x,y,r]}: the number of the line, and the first ball in px.
+/// {"task":"00007:008"} begins a puzzle. So does {"scene":{…}}, with a scene as `tasks --json` or `tasks --custom`
+/// prints it. The answer is {"line","task","ball":[x,y,r]}: the number of the line, and the first ball in px.
 ///
 /// {"status":"solved"}, "not_solved" or "invalid" is the outcome of that ball. The line may also have
 /// "paths":{"object":[[x,y,angle],…],"ball":[…]}, the poses of the green object and of the ball at the start and at
@@ -125,10 +125,10 @@ struct Player {
     nets: Option<PathNet>,
     dqn: Option<Dqn>,
     seed: u64,
-    puzzle: Option<Puzzle>,
+    puzzle: Option<OpenPuzzle>,
 }
 
-struct Puzzle {
+struct OpenPuzzle {
     task: Option<TaskId>,
     agent: Box<dyn Agent>,
     /// The ball whose outcome is awaited.
@@ -142,9 +142,9 @@ impl Player {
         let puzzle = match line {
             Line::Task(id) => self.begin(Some(id), id.seed(self.seed), &Task::load(id)?.scene),
             Line::Scene(scene) => self.begin(None, self.seed, &scene),
-            Line::Own(played) => self.begin(None, played.id.seed(self.seed), &played.scene),
+            Line::Custom(puzzle) => self.begin(None, puzzle.id.seed(self.seed), &puzzle.scene),
             Line::Outcome { task, ball, status, paths } => {
-                let Some(Puzzle { task: own, ball: Some(asked), .. }) = &self.puzzle else {
+                let Some(OpenPuzzle { task: own, ball: Some(asked), .. }) = &self.puzzle else {
                     anyhow::bail!("no ball is waiting for its outcome: begin a puzzle with {{\"task\":\"00007:008\"}}");
                 };
                 ensure!(task.is_none() || task == *own, "this is the outcome of another task");
@@ -160,16 +160,16 @@ impl Player {
         Ok(Answer { task: puzzle.task, ball: puzzle.ball })
     }
 
-    fn begin(&mut self, task: Option<TaskId>, seed: u64, scene: &Scene) -> &Puzzle {
+    fn begin(&mut self, task: Option<TaskId>, seed: u64, scene: &Scene) -> &OpenPuzzle {
         let loaded = Loaded { nets: self.nets.as_ref(), dqn: self.dqn.as_ref() };
         let agent = self.agent.start(loaded, scene, seed, BALLS);
-        let mut puzzle = Puzzle { task, agent, ball: None, used: 0 };
+        let mut puzzle = OpenPuzzle { task, agent, ball: None, used: 0 };
         puzzle.propose();
         self.puzzle.insert(puzzle)
     }
 }
 
-impl Puzzle {
+impl OpenPuzzle {
     /// Takes the outcome of the ball that is waiting for it, and proposes the next.
     fn observe(&mut self, status: Status, paths: Option<SampledPaths>) {
         if status != Status::Invalid {

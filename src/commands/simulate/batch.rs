@@ -7,9 +7,9 @@ use std::fs::File;
 use std::io::{self, BufWriter, Read, Write};
 
 use anyhow::Context;
-use pathlight::puzzle::own_scene::sentences;
+use pathlight::puzzle::custom_scene::sentences;
 use pathlight::puzzle::task::Task;
-use pathlight::session::played::Played;
+use pathlight::session::puzzle::Puzzle;
 use pathlight::simulator::Engine;
 use rayon::prelude::*;
 
@@ -88,23 +88,23 @@ fn next_chunk(lines: &mut Lines<impl Read>) -> io::Result<Vec<Line>> {
 /// The answer to a line, or what is wrong with it.
 fn answer(line: Line, format: Format, engine: Engine) -> anyhow::Result<String> {
     let Request { place, start } = parse(&line.text?, EXAMPLE)?;
-    let played = match place {
-        Place::Task(task) => Played::from(Task::load(task)?),
-        Place::Scene(scene) => Played::read(scene).map_err(|problems| anyhow::anyhow!("{}", sentences(&problems)))?,
+    let puzzle = match place {
+        Place::Task(task) => Puzzle::from(Task::load(task)?),
+        Place::Scene(scene) => Puzzle::read(scene).map_err(|problems| anyhow::anyhow!("{}", sentences(&problems)))?,
     };
-    let scene = &played.scene;
+    let scene = &puzzle.scene;
     let ball = start.place(scene);
     let placed = ball.ok().flatten();
     let answer = match format {
-        Format::Verifiable => return Ok(serde_json::to_string(&attempt_line(&played, ball, engine))?),
+        Format::Verifiable => return Ok(serde_json::to_string(&attempt_line(&puzzle, ball, engine))?),
         Format::Answer { paths: true } => {
             let rollout = ball.and_then(|ball| engine.simulate(scene, ball));
-            Answer::of_rollout(&played, start, placed, &rollout, engine, true)
+            Answer::of_rollout(&puzzle, start, placed, &rollout, engine, true)
         }
         // Keeps no poses.
         Format::Answer { paths: false } => {
             let outcome = ball.and_then(|ball| engine.outcome(scene, ball));
-            Answer::new(played.id.task(), start, placed, engine, outcome)
+            Answer::new(puzzle.id.task(), start, placed, engine, outcome)
         }
     };
     Ok(serde_json::to_string(&Numbered { line: line.number, answer })?)

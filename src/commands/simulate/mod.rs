@@ -1,4 +1,4 @@
-//! `pathlight simulate`: the outcome of a ball in a task or an own scene, for one ball or for a file of them.
+//! `pathlight simulate`: the outcome of a ball in a task or a custom scene, for one ball or for a file of them.
 //!
 //! Both ways print the same JSON line: task, action if one was asked for, ball in px, status, reason if it is invalid,
 //! and steps. A batch puts the number of the line before it.
@@ -12,13 +12,13 @@ use pathlight::puzzle::recorded_paths::RecordedPaths;
 use pathlight::puzzle::rollout::{Pose, Rollout, Status};
 use pathlight::puzzle::task::{Task, TaskId};
 use pathlight::search::luck::{Luck, luck};
-use pathlight::session::played::Played;
+use pathlight::session::puzzle::Puzzle;
 use pathlight::simulator::{Engine, Outcome};
 use pathlight::verification::AttemptLine;
 use serde::{Serialize, Serializer};
 
+use super::custom_scene_file;
 use super::engine_arg::EngineArg;
-use super::own_scene_file;
 
 mod batch;
 mod start;
@@ -33,7 +33,7 @@ pub struct Args {
     #[arg(long)]
     task: Option<TaskId>,
 
-    /// Simulate the own scene of this file ("-" is standard input), JSON as `tasks --schema` describes it
+    /// Simulate the custom scene of this file ("-" is standard input), JSON as `tasks --schema` describes it
     #[arg(long, value_name = "FILE")]
     scene: Option<PathBuf>,
 
@@ -65,7 +65,7 @@ pub struct Args {
 
     /// Simulate each line of this file ("-" is standard input) on all cores
     ///
-    /// A line is {"task":"00007:008","ball":[X,Y,R]}. An own scene takes the place of the task as "scene":{…}, and an
+    /// A line is {"task":"00007:008","ball":[X,Y,R]}. A custom scene takes the place of the task as "scene":{…}, and an
     /// action that of the ball as "action":[x,y,r]; "ball":null simulates without a ball. Each line that is not blank
     /// is answered, in order, with the outcome and "line", its number; with --verifiable without the number. A line
     /// that cannot be used is answered with {"line","error"} and named on standard error; if there was one, the exit
@@ -88,18 +88,18 @@ impl Args {
             let format = if self.verifiable { Format::Verifiable } else { Format::Answer { paths: self.paths } };
             return batch::run(&file, format, engine);
         }
-        let played = match (self.scene, self.task) {
-            (Some(file), _) => own_scene_file::read(&file)?,
+        let puzzle = match (self.scene, self.task) {
+            (Some(file), _) => custom_scene_file::read(&file)?,
             (None, task) => Task::load(task.expect("clap requires a task, a scene or a batch"))?.into(),
         };
-        let ball = start.place(&played.scene);
+        let ball = start.place(&puzzle.scene);
         let line = if self.verifiable {
-            serde_json::to_string(&attempt_line(&played, ball, engine))
+            serde_json::to_string(&attempt_line(&puzzle, ball, engine))
         } else {
-            let rollout = ball.and_then(|ball| engine.simulate(&played.scene, ball));
+            let rollout = ball.and_then(|ball| engine.simulate(&puzzle.scene, ball));
             let placed = ball.ok().flatten();
-            let answer = Answer::of_rollout(&played, start, placed, &rollout, engine, self.paths);
-            let luck = placed.filter(|_| self.luck).map(|ball| luck(&played.scene, ball));
+            let answer = Answer::of_rollout(&puzzle, start, placed, &rollout, engine, self.paths);
+            let luck = placed.filter(|_| self.luck).map(|ball| luck(&puzzle.scene, ball));
             let poses = rollout.as_ref().ok().filter(|_| self.poses).map(Poses::of);
             serde_json::to_string(&ResultLine { answer, luck, poses })
         };
@@ -115,17 +115,17 @@ enum Format {
 }
 
 /// Returns the line of an attempt that `verify` simulates again.
-fn attempt_line(played: &Played, ball: Result<Option<Ball>, Invalid>, engine: Engine) -> AttemptLine {
+fn attempt_line(puzzle: &Puzzle, ball: Result<Option<Ball>, Invalid>, engine: Engine) -> AttemptLine {
     match ball {
-        Ok(ball) => AttemptLine::of(played, ball, engine),
-        Err(_) => AttemptLine::placing_no_ball(played, engine),
+        Ok(ball) => AttemptLine::of(puzzle, ball, engine),
+        Err(_) => AttemptLine::placing_no_ball(puzzle, engine),
     }
 }
 
 /// The outcome of one ball.
 #[derive(Serialize)]
 struct Answer {
-    /// Absent for an own scene.
+    /// Absent for a custom scene.
     #[serde(skip_serializing_if = "Option::is_none")]
     task: Option<TaskId>,
     /// Absent if a ball in px was asked for, or none.
@@ -149,7 +149,7 @@ struct Answer {
 
 impl Answer {
     fn of_rollout(
-        played: &Played,
+        puzzle: &Puzzle,
         start: Start,
         ball: Option<Ball>,
         rollout: &Result<Rollout, Invalid>,
@@ -158,8 +158,8 @@ impl Answer {
     ) -> Answer {
         let outcome = rollout.as_ref().map(|rollout| Outcome { solved: rollout.solved, steps: rollout.steps });
         let simulated = rollout.as_ref().ok().filter(|_| with_paths);
-        let paths = simulated.and_then(|rollout| RecordedPaths::of(rollout, &played.scene));
-        Answer { paths, ..Answer::new(played.id.task(), start, ball, engine, outcome.map_err(|invalid| *invalid)) }
+        let paths = simulated.and_then(|rollout| RecordedPaths::of(rollout, &puzzle.scene));
+        Answer { paths, ..Answer::new(puzzle.id.task(), start, ball, engine, outcome.map_err(|invalid| *invalid)) }
     }
 
     fn new(

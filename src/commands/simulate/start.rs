@@ -37,7 +37,7 @@ impl Start {
     }
 }
 
-/// One line of a batch: a task or an own scene, and its start. Other keys are ignored.
+/// One line of a batch: a task or a custom scene, and its start. Other keys are ignored.
 #[derive(Debug, Deserialize, PartialEq)]
 #[serde(try_from = "Keys")]
 pub struct Request {
@@ -49,7 +49,7 @@ pub struct Request {
 #[derive(Debug, PartialEq)]
 pub enum Place {
     Task(TaskId),
-    /// What may be an own scene.
+    /// What may be a custom scene.
     Scene(Value),
 }
 

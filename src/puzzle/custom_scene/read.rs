@@ -1,0 +1,132 @@
+//! Reading custom scenes from JSON that may come from anywhere: each body that cannot be read is named.
+
+use serde_json::{Map, Value};
+
+use super::{CustomBody, CustomScene, Problem, VERSION};
+
+impl CustomScene {
+    /// Reads a scene from JSON. Keys that it does not know are ignored.
+    ///
+    /// # Errors
+    /// All values that do not have the form of the schema; limits are not looked at.
+    pub fn read(value: Value) -> Result<CustomScene, Vec<Problem>> {
+        let Value::Object(mut keys) = value else {
+            return Err(vec![Problem::of_scene(
+                "This is not a scene: it is a JSON object with `version`, `body1`, `body2` and `bodies`.",
+            )]);
+        };
+        match keys.get("version") {
+            Some(version) if version.as_f64() == Some(f64::from(VERSION)) => {}
+            Some(version) => {
+                return Err(vec![Problem::of_scene(format!(
+                    "This is a scene of version {version}, and this Pathlight reads version {VERSION}: use a newer one."
+                ))]);
+            }
+            None if keys.contains_key("id") && keys.contains_key("params") => {
+                return Err(vec![Problem::of_scene(
+                    "This is a task as `pathlight tasks --json` prints it: use `pathlight tasks --custom` to make a scene of it.",
+                )]);
+            }
+            None => {
+                return Err(vec![Problem::of_scene(format!(
+                    "A scene has `\"version\": {VERSION}`, and this one has none: add it if it is a scene."
+                ))]);
+            }
+        }
+        let mut problems = Vec::new();
+        let mut bodies = Vec::new();
+        match keys.remove("bodies") {
+            Some(Value::Array(values)) => {
+                for (index, value) in values.into_iter().enumerate() {
+                    match serde_json::from_value(value) {
+                        Ok(body) => bodies.push(without_negative_zero(body)),
+                        Err(reason) => problems.push(Problem {
+                            body: Some(index),
+                            other: None,
+                            sentence: format!("Body {index} cannot be read: {reason}. Correct it as the schema says."),
+                        }),
+                    }
+                }
+            }
+            _ => problems.push(Problem::of_scene("`bodies` of a scene is a list of bodies: add it.")),
+        }
+        let index = |name: &str, problems: &mut Vec<Problem>| {
+            let index = keys.get(name).and_then(whole_number);
+            if index.is_none() {
+                problems.push(Problem::of_scene(format!(
+                    "`{name}` of a scene is the index of one of its bodies, from 0: correct it."
+                )));
+            }
+            index.unwrap_or_default()
+        };
+        let (body1, body2) = (index("body1", &mut problems), index("body2", &mut problems));
+        let name = name_of(&keys).unwrap_or_else(|problem| {
+            problems.push(problem);
+            None
+        });
+        let scene = CustomScene { version: VERSION, name, body1, body2, bodies };
+        if problems.is_empty() { Ok(scene) } else { Err(problems) }
+    }
+}
+
+/// Returns a body with 0 for each -0, which JavaScript writes as 0: its digest and its poses stay the same.
+fn without_negative_zero(body: CustomBody) -> CustomBody {
+    CustomBody { x: body.x + 0.0, y: body.y + 0.0, angle: body.angle + 0.0, ..body }
+}
+
+/// Returns a number without a fraction, also one that JavaScript has written.
+fn whole_number(value: &Value) -> Option<usize> {
+    let number =
+        value.as_f64().filter(|number| number.fract() == 0.0 && (0.0..=f64::from(u32::MAX)).contains(number))?;
+    Some(number as usize)
+}
+
+fn name_of(keys: &Map<String, Value>) -> Result<Option<String>, Problem> {
+    match keys.get("name") {
+        None | Some(Value::Null) => Ok(None),
+        Some(Value::String(name)) => Ok(Some(name.clone())),
+        Some(_) => Err(Problem::of_scene("`name` of a scene is a text: correct it, or leave it out.")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use super::super::NAME_LENGTH;
+    use super::super::tests::{problem, scene};
+    use super::*;
+
+    #[test]
+    fn negative_zero_is_read_as_zero() {
+        let mut turned = scene();
+        turned["bodies"][0]["angle"] = json!(-0.0);
+        assert!(CustomScene::read(turned).expect("a scene").bodies[0].angle.is_sign_positive());
+    }
+
+    #[test]
+    fn what_is_not_a_scene_is_a_sentence() {
+        for value in [json!(null), json!([1]), json!("scene"), json!({}), json!({"version": 2})] {
+            assert!(CustomScene::read(value.clone()).is_err(), "{value}");
+        }
+        let wrong = [
+            ("/version", json!("1")),
+            ("/name", json!(7)),
+            ("/name", json!("x".repeat(NAME_LENGTH + 1))),
+            ("/body1", json!(1)),
+            ("/body1", json!(-1)),
+            ("/body2", json!(2)),
+            ("/body2", json!(0.5)),
+            ("/bodies", json!({})),
+            ("/bodies", json!([])),
+            ("/bodies/0", json!(null)),
+            ("/bodies/0/shape", json!("blob")),
+            ("/bodies/0/radius", json!(null)),
+            ("/bodies/0/x", json!(1e300)),
+            ("/bodies/1/y", json!(-1e300)),
+        ];
+        for (pointer, value) in wrong {
+            assert!(problem(pointer, value).sentence.ends_with('.'), "{pointer}");
+        }
+    }
+}

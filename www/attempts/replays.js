@@ -1,0 +1,256 @@
+// Attempts as files: saves those at the open puzzle, opens files of anybody, simulates each attempt again in the
+// worker, says whether the same comes out to the bit, and replays it. Also the badge on a run that has ended: the first
+// characters of its digest.
+
+import { Component } from "../widgets/component.js";
+import { AGENTS_VERSION } from "../shell/constants.js";
+import { createButton, setText } from "../widgets/dom.js";
+import { pathlight } from "../shell/page-api.js";
+import { sceneName } from "../puzzles/puzzle-name.js";
+import { readNativeAttempts } from "../model/native-attempts.js";
+import { MOST_ATTEMPTS, readAttempts, saveAttempts } from "./attempt-file.js";
+import { textOfScene } from "../editor/scene-link.js";
+
+/** @typedef {import("../pkg/pathlight.js").AttemptLine} AttemptLine */
+/** @typedef {import("../pkg/pathlight.js").Verification} Verification */
+/** @typedef {import("../pkg/pathlight.js").Ball} Ball */
+
+/** So many characters of a digest tell two runs apart for the eye. */
+const BADGE_LENGTH = 8;
+/** So many attempts go to the worker at once. */
+const BATCH = 50;
+/** So many attempts of a file are listed. */
+const LISTED = 500;
+
+export class Replays extends Component {
+  #client;
+  #input = this.byId("attempts-file", HTMLInputElement);
+  #badge = this.byId("digest", HTMLButtonElement);
+  /**
+   * Runs while the worker is asked.
+   * @type {AbortController | null}
+   */
+  #call = null;
+  /** The sentence about the attempts that are listed. They are a file's, not the puzzle's, and stay when it is left. */
+  #listWords = "";
+  /**
+   * The run whose line is known: simulated once, not at every change.
+   * @type {{ shown: object | null, phase: string, line: AttemptLine } | null}
+   */
+  #known = null;
+
+  /**
+   * @param {import("../widgets/dom.js").Root} root
+   * @param {import("../model/shared-client.js").SharedClient} client
+   */
+  constructor(root, client) {
+    super(root);
+    this.#client = client;
+    this.byId("attempts-save").addEventListener("click", () => this.#save());
+    this.byId("attempts-open").addEventListener("click", () => this.#input.click());
+    this.#input.addEventListener("change", () => this.#open());
+    this.#badge.addEventListener("click", () => this.#explain());
+  }
+
+  /** @param {import("../play/session.js").Session} session */
+  open(session) {
+    super.open(session);
+    this.#known = null;
+    this.listen("change", () => this.#update());
+    this.#update();
+  }
+
+  close() {
+    super.close();
+    this.#call?.abort();
+    setText(this.byId("attempts-words"), this.#listWords);
+  }
+
+  #save() {
+    const { session } = this;
+    if (!session) return;
+    const { name } = session.about;
+    const made = [
+      ...attemptsBy("player", session.attempts.of("player")),
+      ...attemptsBy(session.attempts.modelName ?? "model", session.attempts.of("model")),
+    ];
+    this.#tell(async (signal) => {
+      const balls = made.map(({ ball }) => ball);
+      const lines = await this.#client.call("attemptLines", [session.puzzle, balls], signal);
+      saveAttempts(
+        name,
+        lines.map((line, index) => ({ ...line, ...made[index] })),
+      );
+      return `${lines.length === 1 ? "One attempt is" : `${lines.length} attempts are`} saved: “pathlight verify” simulates them again.`;
+    });
+  }
+
+  #open() {
+    const [file] = this.#input.files ?? [];
+    this.#input.value = "";
+    if (!file) return;
+    this.#tell(async (signal) => {
+      const { attempts, left } = await readAttempts(file, {
+        signal,
+        onProgress: (done) => setText(this.byId("attempts-words"), `${Math.floor(100 * done)} % of the file is read.`),
+      });
+      if (!signal.aborted) this.#say("Each attempt is simulated again.");
+      const { done, same } = await this.#verify(attempts, signal);
+      const sentences = [`${file.name}: ${same} of ${done} attempts come out the same to the bit.`];
+      if (done < attempts.length) sentences.push(`You stopped before the other ${attempts.length - done}.`);
+      if (done > LISTED) sentences.push(`The first ${LISTED} are listed.`);
+      if (left > 0)
+        sentences.push(`${left} more are in the file: the page reads ${MOST_ATTEMPTS}, “pathlight verify” all.`);
+      return (this.#listWords = sentences.join(" "));
+    });
+  }
+
+  /**
+   * Simulates attempts again, some at a time, and lists them, until all are done or the person stops it.
+   * @param {unknown[]} attempts
+   * @param {AbortSignal} signal
+   */
+  async #verify(attempts, signal) {
+    const list = this.byId("attempts-read");
+    const stop = new AbortController();
+    const last = document.createElement("li");
+    last.append(createButton("Stop", () => stop.abort()));
+    list.replaceChildren(last);
+    let [done, same] = [0, 0];
+    while (done < attempts.length && !stop.signal.aborted && !signal.aborted) {
+      const batch = attempts.slice(done, done + BATCH);
+      const verifications = await this.#client
+        .call("verify", [batch], signal)
+        .finally(() => signal.aborted && last.remove());
+      const listed = batch.slice(0, Math.max(0, LISTED - done));
+      last.before(...listed.map((attempt, index) => this.#item(attempt, verifications[index])));
+      same += verifications.filter(({ verdict }) => verdict === "same").length;
+      done += batch.length;
+      setText(this.byId("attempts-words"), `${done} of ${attempts.length} attempts are simulated again.`);
+    }
+    last.remove();
+    return { done, same };
+  }
+
+  /**
+   * Says what the worker is asked for, unless something else is asked for or the puzzle is left meanwhile.
+   * @param {(signal: AbortSignal) => Promise<string>} ask
+   */
+  async #tell(ask) {
+    this.#call?.abort();
+    const call = (this.#call = new AbortController());
+    // A lesson that shows nothing of the model has not started the worker.
+    if (!this.#client.alive) this.requestModel();
+    try {
+      const words = await ask(call.signal);
+      if (!call.signal.aborted) this.#say(words);
+    } catch (error) {
+      if (!call.signal.aborted) this.#say(/** @type {Error} */ (error).message);
+    }
+  }
+
+  /**
+   * @param {unknown} line
+   * @param {Verification} verification
+   */
+  #item(line, verification) {
+    const item = document.createElement("li");
+    if (verification.verdict === "not_valid") {
+      item.textContent = verification.reason;
+      return item;
+    }
+    // What was simulated again has the form of an attempt.
+    const attempt = /** @type {AttemptLine} */ (line);
+    const { task, scene, ball, status, steps } = attempt;
+    const puzzle = task ?? sceneName(scene);
+    const place = ball ? `x ${ball[0]}, y ${ball[1]}, radius ${ball[2]}` : "no ball";
+    if (verification.verdict === "same" && status === "invalid") {
+      item.textContent = `${puzzle}, ${place}: not valid, the same`;
+      return item;
+    }
+    const words =
+      verification.verdict === "same"
+        ? `${status === "solved" ? "solved" : "not solved"} in ${steps} steps, the same to the bit`
+        : verification.reason;
+    item.append(createButton(`${puzzle}, ${place}: ${words}`, () => this.#replay(attempt)));
+    return item;
+  }
+
+  /** @param {AttemptLine} attempt */
+  async #replay({ task, scene, ball }) {
+    const text = scene ? await textOfScene(pathlight.customScene(scene)) : null;
+    this.requestState({
+      task: text === null ? (task ?? null) : null,
+      scene: text,
+      ball: null,
+      proposal: null,
+      challenge: null,
+      panel: "play",
+    });
+    if (ball) this.session?.playOpened(ball);
+    else this.session?.watch();
+  }
+
+  #explain() {
+    const line = this.#line;
+    if (!line) return;
+    this.#tell(async (signal) => {
+      const native = await readNativeAttempts();
+      const [again, ...others] = await this.#client.call("verify", [[line, ...native]], signal);
+      const agrees =
+        again.verdict === "same"
+          ? "A second instance of the simulator has just computed the same, to the bit."
+          : again.reason;
+      const same = others.filter(({ verdict }) => verdict === "same").length;
+      return `${line.digest.slice(0, BADGE_LENGTH)}… is the SHA-256 of all poses of this run. ${agrees} ${native.length ? `Of ${native.length} runs whose digests the native program has shipped, this browser computes ${same} to the bit. ` : ""}Save the attempts, and “pathlight verify” compares this one too.`;
+    });
+  }
+
+  /** The line of the run that is shown and has ended, or null. */
+  get #line() {
+    const { session } = this;
+    if (!session?.finished || session.phase === "compare" || session.placing) return null;
+    if (this.#known?.shown !== session.shown || this.#known.phase !== session.phase) {
+      this.#known = {
+        shown: session.shown,
+        phase: session.phase,
+        line: pathlight.attemptLine(session.puzzle, session.shown?.ball ?? null),
+      };
+    }
+    return this.#known.line;
+  }
+
+  #update() {
+    const { session } = this;
+    if (!session) return;
+    this.byId("attempts-save", HTMLButtonElement).disabled =
+      session.attempts.standing("player").used + session.attempts.standing("model").used === 0;
+    const line = this.#line;
+    this.#badge.hidden = line === null;
+    if (!line) return;
+    setText(this.#badge, `#${line.digest.slice(0, BADGE_LENGTH)}`);
+    this.#badge.setAttribute("aria-label", `Digest of this run: ${line.digest.slice(0, BADGE_LENGTH)}`);
+  }
+
+  /** @param {string} words */
+  #say(words) {
+    setText(this.byId("attempts-words"), words);
+    this.announce(words);
+  }
+}
+
+/**
+ * What the lines of attempts tell beside what verifies them.
+ * @param {string} by
+ * @param {import("../pkg/pathlight.js").Attempt[]} attempts
+ */
+function attemptsBy(by, attempts) {
+  const agents = by === "player" ? undefined : AGENTS_VERSION;
+  return attempts.map(({ ball, ending: { longest_touch, final_touch } }) => ({
+    ball,
+    by,
+    longest_touch,
+    final_touch,
+    agents,
+  }));
+}

@@ -1,0 +1,22 @@
+// A custom scene without anything else that its JSON may hold, with its keys in one order, so that equal scenes have
+// equal JSON.
+
+import { SIZES, sizeOf } from "./body-geometry.js";
+
+/** @typedef {import("../pkg/pathlight.js").CustomScene} CustomScene */
+/** @typedef {import("../pkg/pathlight.js").CustomBody} CustomBody */
+
+/**
+ * @param {CustomScene} scene one that may be played
+ * @returns {CustomScene}
+ */
+export function plainScene({ version, name, body1, body2, bodies }) {
+  return { version, ...(name ? { name } : {}), body1, body2, bodies: bodies.map(plainBody) };
+}
+
+/** @param {CustomBody} body */
+function plainBody(body) {
+  const { shape, x, y, angle, dynamic } = body;
+  const sizes = Object.fromEntries(SIZES[shape].map((size) => [size, sizeOf(body, size)]));
+  return /** @type {CustomBody} */ ({ shape, ...sizes, x, y, angle, dynamic });
+}
