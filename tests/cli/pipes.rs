@@ -36,7 +36,7 @@ fn commands_end_quietly_when_nobody_reads() {
         &["simulate", "--batch", &file("request")],
         &["propose", "--task", "00002:007"],
         &["evaluate", "--agent", "random", "--limit", "1"],
-        &["collect", "--template", "2", "--limit", "1", "--rounds", "1", "--persist", "0", "--out", &solutions],
+        &["collect", "--template", "2", "--limit", "1", "--per-task", "2", "--out", &solutions],
         &["publish", weights, "--assets", &assets],
         &["figures", "--out", &figures],
         &["fidelity", "--reference", &reference],

@@ -110,8 +110,10 @@ impl Args {
     /// Collects solutions and labels balls.
     fn make_data(&self) -> anyhow::Result<()> {
         let solutions = self.solutions.display();
-        say(&format!("$ pathlight collect --out {solutions}"));
-        say(collect::Args { out: self.solutions.clone(), ..defaults() }.search()?.trim_end());
+        if !collect::is_of_earlier_search(&self.solutions)? {
+            say(&format!("$ pathlight collect --out {solutions}"));
+            say(collect::Args { out: self.solutions.clone(), ..defaults() }.search()?.trim_end());
+        }
         let &Hyperparameters { label_rounds, variant_rounds, .. } = &self.hyperparameters;
         for (out, rounds, variants) in [(&self.labels, label_rounds, false), (&self.variants, variant_rounds, true)] {
             let option = if variants { " --variants" } else { "" };

@@ -181,8 +181,7 @@ fn data(text: &mut String, results: &[FoldResult], path: &Path) -> anyhow::Resul
     writeln!(
         text,
         "\n## Data\n\n{} solutions of {} tasks, found in {rollouts} rollouts. {} tasks have {most}, {} have fewer, {} \
-         have none. Solutions of a task differ by at least {MIN_DISTANCE} px in x, y or radius; fewer are known \
-         where few balls solve the task. Tasks without a known solution still count in auccess.\n",
+         have none; fewer are known where few balls solve the task. Tasks without a known solution still count in auccess.\n",
         solutions.len(),
         known.len(),
         count(&|count| count == most),
