@@ -2,7 +2,7 @@
 #                shows when the page is loaded again
 # make test      runs every check and test, natively, in Node, in Chromium, in Firefox and in WebKit
 # make test-cluster   makes small results through a Slurm on this machine, and compares (needs root, and Debian for its packages)
-# make build     builds the wasm package and the binary with all commands
+# make build     builds the wasm package, the player's binary and that of the lab
 # make package   packs the npm package for scripts and other pages: target/pathlight-VERSION.tgz
 # make dist      builds the page as one folder for any static host, and prints its size
 # make bench     compares the speed of nets and simulator with other engines, which it installs into target/bench;
@@ -23,8 +23,9 @@ export PATH := $(TOOLS)/bin:$(PATH)
 export CARGO_TARGET_DIR := $(CURDIR)/target
 
 PACKAGE := www/pkg/pathlight_bg.wasm
-PACKAGED := Cargo.toml Cargo.lock .cargo/config.toml scripts/build-wasm scripts/licences.mjs scripts/optimise-wasm \
-	src/web/types.d.ts $(shell find src -name '*.rs' -not -path 'src/commands/*' -not -path src/main.rs)
+PACKAGED := Cargo.toml Cargo.lock .cargo/config.toml scripts/build-wasm scripts/constants.mjs scripts/licences.mjs \
+	scripts/optimise-wasm src/web/types.d.ts src/benchmark/difficulty.json \
+	$(shell find src -name '*.rs' -not -path 'src/commands/*' -not -path src/main.rs)
 
 BUNDLE := scripts/install-tools js-tools && node scripts/bundle-page.mjs
 
@@ -43,14 +44,16 @@ test:
 
 test-cluster:
 	scripts/install-tools slurm
-	cargo build --release --bin pathlight
+	cargo build --release --package pathlight-lab
 	tests/cluster/run
 
 bench: $(PACKAGE)
 	@BENCH="$(BENCH)" ROUNDS="$(ROUNDS)" benches/run
 
+# Apart from each other: built together, both would have the lab's features, so that the player carried what trains nets.
 build: $(PACKAGE)
-	cargo build --release --bin pathlight
+	cargo build --release --package pathlight
+	cargo build --release --package pathlight-lab
 
 package: $(PACKAGE)
 	scripts/install-tools js-tools
@@ -60,7 +63,8 @@ dist: $(PACKAGE)
 	@scripts/install-tools js-tools
 	@node scripts/build-dist.mjs
 
-timings pictures: build
+timings pictures: $(PACKAGE)
+	cargo build --release --package pathlight
 	scripts/install-tools browser-tests chromium
 	$(BUNDLE)
 	node tests/browser/$@.mjs

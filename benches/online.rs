@@ -13,7 +13,7 @@ use pathlight::agents::online::{Candidate, OnlineAgent, Similarity};
 use pathlight::agents::{Agent, Observation};
 use pathlight::benchmark::auccess::{MAX_ATTEMPTS, auccess, solved_within};
 use pathlight::benchmark::folds::Fold;
-use pathlight::nets::{PathNet, flex};
+use pathlight::nets::PathNet;
 use pathlight::puzzle::task::Task;
 use pathlight::simulator::sampled_paths;
 use rayon::prelude::*;
@@ -31,7 +31,7 @@ fn main() -> io::Result<()> {
         return writeln!(io::stderr(), "name the weights: cargo bench --features ndarray --bench online -- FILE");
     };
     let bytes = std::fs::read(weights)?;
-    let (nets, card) = PathNet::load(&bytes, &flex()).map_err(io::Error::other)?;
+    let (nets, card) = PathNet::load(&bytes).map_err(io::Error::other)?;
     let mut out = io::stdout();
     if !card.dynamics.is_some_and(|dynamics| dynamics.without_dev) {
         writeln!(out, "{weights} was trained on the dev tasks too: the figures are too good")?;

@@ -8,14 +8,14 @@ use std::hint::black_box;
 use criterion::{Criterion, criterion_group, criterion_main};
 use pathlight::agents::{self, ranking};
 use pathlight::benchmark::auccess::MAX_ATTEMPTS;
-use pathlight::nets::{PathNet, flex};
+use pathlight::nets::PathNet;
 use pathlight::puzzle::task::{Task, TaskId, ids};
 use pathlight::puzzle::templates::TEMPLATES;
 use pathlight::raster::{scene_channels, scene_coverage};
 
 fn proposals(criterion: &mut Criterion) {
     let bytes = include_bytes!("../assets/within-0.safetensors");
-    let nets = PathNet::load(bytes, &flex()).expect("our own weights").0;
+    let nets = PathNet::load(bytes).expect("our own weights").0;
     let ids: Vec<TaskId> = TEMPLATES.iter().flat_map(|template| ids(template).step_by(50)).collect();
     let load = |id: &TaskId| Task::load(*id).expect("an id of the template");
     let tasks: Vec<(Task, Vec<f32>)> = ids

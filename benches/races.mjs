@@ -15,18 +15,11 @@ const WEIGHTS = "assets/within-0.safetensors";
 const onnx = (what) => [`target/bench/${what}.onnx`, "target/bench/scene.f32"];
 const ROLLOUTS = "target/bench/rollouts.txt";
 
+const cargoBench = (...args) => ["cargo", "bench", "--quiet", ...args];
 // Built with the features of the tests, so that nothing is built twice.
-const ours = (bench, ...args) => [
-  "cargo",
-  "bench",
-  "--quiet",
-  "--features",
-  "ndarray",
-  "--bench",
-  bench,
-  "--",
-  ...args,
-];
+const ours = (bench, ...args) => cargoBench("--features", "ndarray", "--bench", bench, "--", ...args);
+// They train too.
+const ourNets = (...args) => cargoBench("--package", "pathlight-lab", "--bench", "nets", "--", ...args);
 const python = (script, ...args) => ["target/bench/venv/bin/python", `benches/nets/${script}`, ...args];
 const torch = (...args) => python("torch_step.py", WEIGHTS, "target/bench/batch.f32", "2", ...args);
 const child =
@@ -76,7 +69,7 @@ const web = (where, what) => [
   ["tract", where("nets/web/tract.mjs", what)],
 ];
 const native = (what, bench) => [
-  ["ours", child(ours("nets", bench, TASK))],
+  ["ours", child(ourNets(bench, TASK))],
   ["onnxruntime", child(python("onnxruntime_forward.py", ...onnx(what)))],
   ["tract", child(["target/bench/tract/release/tract-nets", ...onnx(what)])],
 ];
@@ -134,7 +127,7 @@ export const parts = {
       repetitions: 5,
       contenders: [
         ["ours", inNode("nets/web/ours.mjs", "propose")],
-        ["ours natively", child(ours("nets", "propose", TASK))],
+        ["ours natively", child(ourNets("propose", TASK))],
       ],
     },
   ],
@@ -144,7 +137,7 @@ export const parts = {
       agree: within(1e-3),
       repetitions: 2,
       contenders: [
-        ["ours", child(ours("nets", "train"), 2)],
+        ["ours", child(ourNets("train"), 2)],
         ["PyTorch", child(torch(), 2)],
         ["PyTorch with fused Adam", child(torch("fused"), 2)],
       ],

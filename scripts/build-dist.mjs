@@ -1,22 +1,21 @@
 // Builds dist/, a folder for any static host: node scripts/build-dist.mjs (needs www/pkg; `make dist` builds that
 // first).
 //
-//   index.html  manifest.webmanifest  icon.svg  icons/  service-worker.js    their addresses stay, their contents
-// change VERSION/    the bundled code, the wasm and the list of models; VERSION is a hash of the whole page, so that a
-// page that is open while another version is uploaded never gets a file of that one assets/     weights, named by their
-// own hash: most versions share them
+// - index.html, manifest.webmanifest, icon.svg, icons/ and service-worker.js keep their addresses in all versions.
+// - VERSION/ holds the bundled code, the wasm and the list of models. VERSION is a hash of the whole page, so a page
+//   that is open during an update never gets files of the new version.
+// - assets/ holds the weights, named by their own hashes, since most versions share them.
 //
 // All addresses are relative. Beside every file that compresses well are FILE.br and FILE.gz, for hosts that send
-// those. The same sources give the same bytes.
+// them. The same sources give the same bytes.
 
 import { createHash } from "node:crypto";
 import { existsSync } from "node:fs";
 import { mkdir, readFile, readdir, rm, writeFile } from "node:fs/promises";
 import { dirname, extname, join, posix } from "node:path";
 import { fileURLToPath } from "node:url";
-import { promisify } from "node:util";
-import { brotliCompress, constants, gzip } from "node:zlib";
 import { SOURCES, bundledPage } from "./bundle-page.mjs";
+import { isCompressible, writeCompressed } from "./compress.mjs";
 
 const ROOT = join(dirname(fileURLToPath(import.meta.url)), "..");
 const SERVICE_WORKER = "offline/service-worker.js";
@@ -25,19 +24,6 @@ const UNVERSIONED = /^(manifest\.webmanifest|icon\.svg|icons\/.*\.png)$/;
 /** What the page reads of the assets when somebody asks for it. */
 const LAZY_ASSETS = ["results.json", "attempts.jsonl"];
 const VERSIONED = /\.(js|css|wasm|txt)$/;
-/** Pictures do not become smaller. */
-const COMPRESSIBLE = new Set([
-  ".html",
-  ".css",
-  ".js",
-  ".json",
-  ".jsonl",
-  ".svg",
-  ".txt",
-  ".wasm",
-  ".webmanifest",
-  ".safetensors",
-]);
 /** Stands for the version until it is known. */
 const PLACEHOLDER = "VERSION";
 
@@ -46,13 +32,14 @@ const PLACEHOLDER = "VERSION";
 /**
  * Builds the folder and returns its files without the compressed ones.
  * @param {{ page?: string, assets?: string, out?: string, quality?: number }} [options] folders of the page, of the
- *     weights and of the result, whose contents are replaced; brotli's quality, 0 to compress nothing
+ *     weights and of the result, whose contents are replaced; brotli's quality, by default the best, 0 to compress
+ *     nothing
  */
 export async function buildDist({
   page = SOURCES,
   assets = join(ROOT, "assets"),
   out = join(ROOT, "dist"),
-  quality = constants.BROTLI_MAX_QUALITY,
+  quality,
 } = {}) {
   if (existsSync(out) && !existsSync(join(out, "service-worker.js")) && (await readdir(out)).length > 0) {
     throw new Error(`${out} holds files that are not a built page: empty it, or name another folder`);
@@ -63,10 +50,7 @@ export async function buildDist({
     const target = join(out, path);
     await mkdir(dirname(target), { recursive: true });
     await writeFile(target, content);
-    if (!quality || !COMPRESSIBLE.has(extname(path))) return;
-    const { br, gz } = await compressed(content, quality);
-    await writeFile(`${target}.br`, br);
-    await writeFile(`${target}.gz`, gz);
+    if (quality !== 0 && isCompressible(path)) await writeCompressed(target, content, quality);
   });
   await Promise.all(written);
   return files;
@@ -116,7 +100,8 @@ async function modelFiles(assets) {
     const sha256 = createHash("sha256").update(content).digest("hex");
     if (sha256 !== model.sha256)
       throw new Error(
-        `${join(assets, model.file)} is not the file that model.json names: write both again by \`pathlight publish\``,
+        `${join(assets, model.file)} is not the file that model.json names: write both again by ` +
+          "`pathlight-lab publish weights`",
       );
     const path = `assets/${model.name}-${hash(content)}${extname(model.file)}`;
     weights.set(path, content);
@@ -183,19 +168,6 @@ function hash(content) {
 }
 
 /**
- * @param {Buffer} content
- * @param {number} quality
- */
-async function compressed(content, quality) {
-  const params = { [constants.BROTLI_PARAM_QUALITY]: quality, [constants.BROTLI_PARAM_SIZE_HINT]: content.length };
-  const [br, gz] = await Promise.all([
-    promisify(brotliCompress)(content, { params }),
-    promisify(gzip)(content, { level: constants.Z_BEST_COMPRESSION }),
-  ]);
-  return { br, gz };
-}
-
-/**
  * Prints the sizes of a built folder by part, as a browser downloads them.
  * @param {string} out
  * @param {Files} files
@@ -208,7 +180,7 @@ async function printSizes(out, files) {
   const parts = new Map();
   for (const [path, content] of files) {
     const sizeOf = async (/** @type {string} */ suffix) =>
-      COMPRESSIBLE.has(extname(path)) ? (await readFile(join(out, path + suffix))).length : content.length;
+      isCompressible(path) ? (await readFile(join(out, path + suffix))).length : content.length;
     const [gz, br] = [await sizeOf(".gz"), await sizeOf(".br")];
     for (const part of [partOf(path), "all"]) {
       const sum = parts.get(part) ?? { files: 0, raw: 0, gz: 0, br: 0 };

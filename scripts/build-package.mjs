@@ -27,6 +27,47 @@ const place = (from, to) => {
   mkdirSync(dirname(join(stage, to)), { recursive: true });
   copyFileSync(join(root, from), join(stage, to));
 };
+const entry = JSON.parse(read("assets/model.json")).models.find(({ name }) => name === MODEL);
+const sheets = [...read("www/element/style-sheets.js").matchAll(/new URL\("\.\.\/([^"]+\.css)"/g)];
+
+/**
+ * Modules that are others in the package. Bundlers find a file only by a literal address; and small files, which Vite
+ * makes data: addresses of, must not be fetched, because the policy of a page may forbid that.
+ */
+const OWN_MODULES = {
+  "api/model-files.js": `// The model of this package.
+
+const MODELS = [${JSON.stringify(entry)}];
+
+export const readModelList = async () => MODELS;
+
+export const weightsAddress = () => new URL("../assets/${entry.file}", import.meta.url);
+`,
+  "element/style-sheets.js": `// The style sheets of a puzzle; all puzzles of a page adopt the same ones.
+
+const TEXTS = ${JSON.stringify(
+    sheets.map(([, path]) => read(join("www", path))),
+    null,
+    2,
+  )};
+
+/** @type {Promise<CSSStyleSheet[]> | null} */
+let loaded = null;
+
+export const loadStyleSheets = () =>
+  (loaded ??= Promise.all(TEXTS.map((text) => new CSSStyleSheet().replace(text))));
+`,
+};
+
+/**
+ * What a bundler gets of the package. Before version 8, Vite's development server packs modules of packages into a
+ * folder of its own, where their addresses lead nowhere; those that are not called .js it leaves where they are. And
+ * Parcel finds these files by their names, without `exports`.
+ */
+const DOORS = {
+  "pathlight.jsx": 'export * from "./api/index.js";\n',
+  "element.jsx": 'export * from "./element/pathlight-puzzle.js";\n',
+};
 
 rmSync(stage, { recursive: true, force: true });
 execFileSync(join(root, "scripts/node_modules/.bin/tsc"), ["--project", join(root, "package/tsconfig.json")], {
@@ -35,33 +76,18 @@ execFileSync(join(root, "scripts/node_modules/.bin/tsc"), ["--project", join(roo
 const declarations = readdirSync(stage, { recursive: true, encoding: "utf8" }).filter((path) => path.endsWith(".d.ts"));
 for (const path of declarations) {
   const module = path.replace(/\.d\.ts$/, ".js");
-  place(join("www", module), module);
-  for (const [, sheet] of read(join("www", module)).matchAll(/new URL\("([^"]+\.css)", import\.meta\.url\)/g)) {
-    const path = join(dirname(module), sheet);
-    place(join("www", path), path);
-  }
+  if (!(module in OWN_MODULES)) place(join("www", module), module);
 }
+for (const [path, code] of Object.entries({ ...OWN_MODULES, ...DOORS })) writeFileSync(join(stage, path), code);
 for (const file of ["pathlight.js", "pathlight_bg.wasm", "licences.txt"]) place(`www/pkg/${file}`, `pkg/${file}`);
 // Projects for Node alone have no types of the web; without them the declarations do not compile.
 const libraries = ["dom", "esnext.disposable"].map((name) => `/// <reference lib="${name}" />\n`).join("");
 writeFileSync(join(stage, "pkg/pathlight.d.ts"), libraries + read("www/pkg/pathlight.d.ts"));
-// JSDoc cannot say what a tag name stands for.
-appendFileSync(
-  join(stage, "element/pathlight-puzzle.d.ts"),
-  `declare global {
-    interface HTMLElementTagNameMap {
-        "pathlight-puzzle": PathlightPuzzle;
-    }
-}
-`,
-);
+appendFileSync(join(stage, "element/pathlight-puzzle.d.ts"), read("package/element.d.ts"));
 place("package/README.md", "README.md");
 place("LICENSE", "LICENSE");
 place("assets/scene.schema.json", "scene.schema.json");
-
-const entry = JSON.parse(read("assets/model.json")).models.find(({ name }) => name === MODEL);
-place(`assets/${entry.file}`, `assets/${entry.file}`);
-writeFileSync(join(stage, "assets/model.json"), `${JSON.stringify({ models: [entry] }, null, 2)}\n`);
+for (const file of [entry.file, "attempts.jsonl"]) place(`assets/${file}`, `assets/${file}`);
 
 const cargo = (key) => read("Cargo.toml").match(new RegExp(`^${key} = "(.*)"$`, "m"))[1];
 const { name, ...rest } = JSON.parse(read("package/package.json"));
@@ -72,13 +98,7 @@ const answer = execFileSync("npm", ["pack", "--json", "--pack-destination", targ
 const [{ filename, files, size }] = JSON.parse(answer);
 
 const kB = (bytes) => `${(bytes / 1000).toFixed(0)} kB`;
-const parts = {
-  weights: /^assets\//,
-  wasm: /\.wasm$/,
-  declarations: /\.d\.ts$/,
-  "modules and styles": /\.(js|css)$/,
-  "the rest": /./,
-};
+const parts = { weights: /^assets\//, wasm: /\.wasm$/, declarations: /\.d\.ts$/, modules: /\.jsx?$/, "the rest": /./ };
 const sizes = Object.fromEntries(Object.keys(parts).map((part) => [part, 0]));
 for (const { path } of files) {
   const part = Object.keys(parts).find((name) => parts[name].test(path));

@@ -1,4 +1,5 @@
-// Bundles the page: node scripts/bundle-page.mjs writes target/page, which `make play` serves (needs www/pkg).
+// Bundles the page: node scripts/bundle-page.mjs writes target/page, which `make play` serves (needs www/pkg). Beside
+// the files are their compressed forms.
 //
 // A browser spends some 8 ms on every file that it asks for, so that fifty modules would hold up the first puzzle for
 // longer than all the rest. The bundle of an entry takes the entry's own place, and the addresses in it, which are
@@ -9,11 +10,13 @@ import { mkdir, readFile, readdir, rm, writeFile } from "node:fs/promises";
 import { dirname, join, relative } from "node:path";
 import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
+import { isCompressible, writeCompressed } from "./compress.mjs";
 
 const ROOT = join(dirname(fileURLToPath(import.meta.url)), "..");
 export const SOURCES = join(ROOT, "www");
+const ASSETS = join(ROOT, "assets");
 /** What compiles the wasm while the rest is read. */
-const FIRST = "shell/compile-wasm.js";
+const FIRST = "loading/compile-wasm.js";
 /** With it, what the page starts with, and what its worker does. */
 const ENTRIES = [FIRST, "page/main.js", "model/worker.js"];
 /** What a page of dist/ has besides. */
@@ -21,6 +24,8 @@ const OFFLINE = /^offline\//;
 const MODULE = /\.(js|d\.ts)$/;
 /** What the page loads only when it is asked for, as it is. */
 const LAZY = "pkg/lean-qr.js";
+/** Written anew beside the files that are served. */
+const COMPRESSED = /\.(br|gz)$/;
 
 /** @typedef {Map<string, Buffer>} Files contents by path, with `/` */
 
@@ -32,29 +37,44 @@ const LAZY = "pkg/lean-qr.js";
 export async function bundledPage(page) {
   const missing = ["pkg/pathlight.js", "pkg/pathlight_bg.wasm"].find((path) => !existsSync(join(page, path)));
   if (missing) throw new Error(`${join(page, missing)} is missing: scripts/build-wasm builds it`);
-  const entries = await readdir(page, { recursive: true, withFileTypes: true });
-  const paths = entries
-    .filter((entry) => entry.isFile())
-    .map((entry) => pathIn(page, join(entry.parentPath, entry.name)));
-  const kept = paths.filter((path) => OFFLINE.test(path) || path === LAZY || !MODULE.test(path));
-  const read = kept.map(async (path) => /** @type {const} */ ([path, await readFile(join(page, path))]));
-  return new Map(
-    [...(await Promise.all(read)), ...(await bundles(page))].sort(([one], [other]) => (one < other ? -1 : 1)),
+  const files = await filesIn(
+    page,
+    (path) => (OFFLINE.test(path) || path === LAZY || !MODULE.test(path)) && !COMPRESSED.test(path),
   );
+  return new Map([...files, ...(await bundles(page))].sort(([one], [other]) => (one < other ? -1 : 1)));
 }
 
 /**
- * Writes what a server needs of it to a folder, whose contents are replaced.
+ * Writes what a server needs of it, with the assets and all compressed forms, to a folder, whose contents are replaced.
  * @param {string} out
  */
 export async function writeBundledPage(out) {
-  const files = await bundledPage(SOURCES);
+  const page = [...(await bundledPage(SOURCES))].filter(([path]) => !OFFLINE.test(path));
+  const assets = (await filesIn(ASSETS)).map(([path, content]) => /** @type {const} */ ([`assets/${path}`, content]));
   await rm(out, { recursive: true, force: true });
-  for (const [path, content] of files) {
-    if (OFFLINE.test(path)) continue;
-    await mkdir(dirname(join(out, path)), { recursive: true });
-    await writeFile(join(out, path), content);
-  }
+  const written = [...page, ...assets].map(async ([path, content]) => {
+    const target = join(out, path);
+    await mkdir(dirname(target), { recursive: true });
+    await writeFile(target, content);
+    if (isCompressible(path)) await writeCompressed(target, content);
+  });
+  await Promise.all(written);
+}
+
+/**
+ * Reads the files below a folder.
+ * @param {string} folder
+ * @param {(path: string) => boolean} [isRead]
+ */
+async function filesIn(folder, isRead = () => true) {
+  const entries = await readdir(folder, { recursive: true, withFileTypes: true });
+  const paths = entries
+    .filter((entry) => entry.isFile())
+    .map((entry) => pathIn(folder, join(entry.parentPath, entry.name)));
+  const read = paths.filter(isRead).map(async (path) => {
+    return /** @type {[path: string, content: Buffer]} */ ([path, await readFile(join(folder, path))]);
+  });
+  return Promise.all(read);
 }
 
 /**

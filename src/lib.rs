@@ -22,23 +22,25 @@
 //! | --- | --- |
 //! | `puzzle` | plain data: scenes, the action ball and when it is valid, rollouts, the 25 templates and their tasks |
 //! | `colour` | the colours of roles and maps |
-//! | `raster` | scenes and rollouts as 64 x 64 images |
+//! | `raster` | scenes and rollouts as 64 x 64 images, and how well two of them agree (soft IoU) |
 //! | `simulator` | computes the rollout of a scene and a ball: a port of Box2D 2.3's step on rapier2d's geometry |
 //! | `benchmark` | PHYRE's folds and its metric, auccess |
-//! | `dataset` | what nets learn from: solutions, labelled balls, samples |
-//! | `nets` | the four nets that imagine paths, the judge, the dynamics net, DQN, their weights and their training |
+//! | `nets` | the four nets that imagine paths, the judge, the dynamics net, DQN, their weights, and with the feature `training` their training |
 //! | `agents` | who proposes balls: from imagined paths, from maps, at random |
-//! | `play` | one session on one puzzle, an agent's turn, the map of all solutions, soft IoU |
+//! | `session` | one session on one puzzle: what is played, the attempts of player and model, an agent's turn |
+//! | `verification` | attempts that anyone can simulate again |
+//! | `search` | the solutions of a scene, the map of all solutions, luck |
 //! | `web` | the wasm exports; wasm32 only |
 
 pub mod agents;
 pub mod benchmark;
 pub mod colour;
-pub mod dataset;
 pub mod nets;
-pub mod play;
 pub mod puzzle;
 pub mod raster;
+pub mod search;
+pub mod session;
 pub mod simulator;
+pub mod verification;
 #[cfg(target_arch = "wasm32")]
 pub mod web;

@@ -5,7 +5,7 @@
 use std::fs;
 use std::path::Path;
 
-use pathlight::nets::{PathNet, flex};
+use pathlight::nets::PathNet;
 use pathlight::simulator;
 use serde_json::Value;
 use sha2::{Digest, Sha256};
@@ -24,14 +24,14 @@ fn every_model_of_the_list_is_there_whole_and_up_to_date() {
         let text = |key: &str| model[key].as_str().unwrap_or_else(|| panic!("{model} has no {key}"));
         let bytes = fs::read(assets.join(text("file"))).unwrap_or_else(|error| panic!("{}: {error}", text("file")));
         let digest: String = Sha256::digest(&bytes).iter().map(|byte| format!("{byte:02x}")).collect();
-        assert_eq!(digest, text("sha256"), "run `pathlight publish` again");
-        assert_eq!(model["size"], bytes.len(), "run `pathlight publish` again");
-        let (nets, card) = PathNet::load(&bytes, &flex()).expect("weights that fit");
+        assert_eq!(digest, text("sha256"), "run `pathlight-lab publish weights` again");
+        assert_eq!(model["size"], bytes.len(), "run `pathlight-lab publish weights` again");
+        let (nets, card) = PathNet::load(&bytes).expect("weights that fit");
         assert_eq!(text("name"), format!("{}-{}", card.setup, card.fold));
         assert_eq!(card.simulator, simulator::VERSION, "trained on rollouts of another simulator");
         assert!(bytes.len() < MAX_BYTES, "{} is {} bytes", text("name"), bytes.len());
         let rounded = nets.rounded().save(&card).expect("weights that can be saved");
-        assert!(rounded == bytes, "{} is not rounded: run `pathlight publish` on it", text("name"));
+        assert!(rounded == bytes, "{} is not rounded: run `pathlight-lab publish weights` on it", text("name"));
         println!("{}: {} bytes, {card:?}", text("name"), bytes.len());
     }
 }

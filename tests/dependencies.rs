@@ -116,3 +116,13 @@ fn every_crate_comes_from_the_registry_with_a_checksum() {
         }
     }
 }
+
+#[test]
+fn what_trains_nets_is_compiled_for_the_lab_alone() {
+    let trains = |package: &str| {
+        let crates = tree(None, &["--package", package, "--edges", "normal"]);
+        ["burn-autodiff", "burn-optim"].map(|name| crates.iter().any(|found| found.name == name))
+    };
+    assert_eq!(trains("pathlight"), [false, false]);
+    assert_eq!(trains("pathlight-lab"), [true, true]);
+}

@@ -1,4 +1,4 @@
-//! The shipped counts of assets/difficulty.json belong to this simulator and cover the whole benchmark.
+//! The shipped counts of src/benchmark/difficulty.json belong to this simulator and cover the whole benchmark.
 #![cfg(not(target_arch = "wasm32"))]
 
 use pathlight::benchmark::difficulty::Difficulty;
@@ -9,7 +9,11 @@ use pathlight::simulator;
 #[test]
 fn every_task_has_a_count_of_this_simulator() {
     let shipped = Difficulty::shipped();
-    assert_eq!(shipped.simulator, simulator::VERSION, "run `pathlight difficulty > assets/difficulty.json` again");
+    assert_eq!(
+        shipped.simulator,
+        simulator::VERSION,
+        "run `pathlight-lab data difficulty > src/benchmark/difficulty.json` again"
+    );
     for template in TEMPLATES {
         let rates: Vec<f64> = task::ids(template).filter_map(|id| shipped.solve_rate(id)).collect();
         assert_eq!(rates.len(), template.task_numbers.len(), "{}", template.name);

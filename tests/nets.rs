@@ -2,9 +2,8 @@
 //! them to rounding, and so does burn's second backend. Their weights files hold what they should.
 #![cfg(not(target_arch = "wasm32"))]
 
-use burn::tensor::Device;
 use pathlight::benchmark::folds::Setup;
-use pathlight::nets::{Card, Imagined, Judge, PathNet, WeightsError, flex};
+use pathlight::nets::{Card, Imagined, Judge, PathNet, WeightsError};
 use pathlight::puzzle::scene::Scene;
 use pathlight::puzzle::task::Task;
 use pathlight::raster::CELLS;
@@ -33,12 +32,10 @@ fn card() -> Card {
     }
 }
 
-/// Fresh weights of all five nets, as a file: all implementations compute from the same bytes.
+/// Fresh weights of the paper's nets and the judge, as a file: all implementations compute from the same bytes.
 fn weights() -> Vec<u8> {
-    let device = flex();
-    device.seed(7);
-    let mut nets = PathNet::new(&device);
-    nets.judge = Some(Judge::new(&device));
+    let mut nets = PathNet::fresh(7);
+    nets.judge = Some(Judge::fresh(8));
     nets.save(&card()).expect("fresh weights are finite")
 }
 
@@ -46,9 +43,9 @@ fn scene() -> Scene {
     Task::load("00012:002".parse().expect("an id")).expect("a task").scene
 }
 
-/// The four maps and the judge's logits, by name.
-fn maps(bytes: &[u8], device: &Device) -> [(&'static str, Vec<f32>); 5] {
-    let (nets, _) = PathNet::load(bytes, device).expect("our own weights");
+/// The maps of the paper's nets and the judge's logits, by name.
+fn maps(loaded: Result<(PathNet, Card), WeightsError>) -> [(&'static str, Vec<f32>); 5] {
+    let (nets, _) = loaded.expect("our own weights");
     let Imagined { base, target, action, placement } = nets.imagine(&scene());
     let judge = nets.cell_logits(&scene()).expect("the weights have a judge");
     [("base", base), ("target", target), ("action", action), ("placement", placement), ("judge", judge)]
@@ -60,7 +57,7 @@ fn the_nets_agree_with_plain_loops() {
     let file = SafeTensors::deserialize(&bytes).expect("a safetensors file");
     let [base, target, action, placement] = reference_nets::imagine(&file, &scene());
     let references = [base, target, action, placement, reference_nets::cell_logits(&file, "judge", &scene())];
-    for ((name, map), reference) in maps(&bytes, &flex()).iter().zip(&references) {
+    for ((name, map), reference) in maps(PathNet::load(&bytes)).iter().zip(&references) {
         assert_close(name, map, reference);
         let (low, high) = map.iter().fold((f32::MAX, f32::MIN), |(low, high), &x| (low.min(x), high.max(x)));
         assert!(high - low > 1e-4, "{name} is flat, so that nothing was compared");
@@ -71,7 +68,8 @@ fn the_nets_agree_with_plain_loops() {
 #[test]
 fn flex_agrees_with_ndarray() {
     let bytes = weights();
-    for ((name, flex), (_, ndarray)) in maps(&bytes, &flex()).iter().zip(&maps(&bytes, &pathlight::nets::ndarray())) {
+    let reference = maps(PathNet::load_on_ndarray(&bytes));
+    for ((name, flex), (_, ndarray)) in maps(PathNet::load(&bytes)).iter().zip(&reference) {
         assert_close(name, flex, ndarray);
     }
 }
@@ -109,7 +107,7 @@ fn nominal(channels: usize) -> usize {
 #[test]
 fn weights_survive_saving_and_loading() {
     let bytes = weights();
-    let (nets, found) = PathNet::load(&bytes, &flex()).expect("our own weights");
+    let (nets, found) = PathNet::load(&bytes).expect("our own weights");
     assert_eq!(found, card());
     assert_eq!(nets.save(&found).expect("what was loaded is finite"), bytes);
 }
@@ -127,7 +125,7 @@ fn cards_with_the_old_names_are_read() {
 
 #[test]
 fn files_that_do_not_fit_are_refused() {
-    let refusal = |bytes: &[u8]| PathNet::load(bytes, &flex()).expect_err("not weights");
+    let refusal = |bytes: &[u8]| PathNet::load(bytes).expect_err("not weights");
     assert!(matches!(refusal(b"nothing like it"), WeightsError::NotSafetensors(_)));
     let whole = weights();
     assert!(matches!(refusal(&whole[..whole.len() / 2]), WeightsError::NotSafetensors(_)));

@@ -9,11 +9,11 @@
 use std::f64::consts::TAU;
 use std::ops::{Range, RangeInclusive};
 
-use pathlight::play::scene_check::problems;
 use pathlight::puzzle::action::Ball;
 use pathlight::puzzle::dimensions::{BALL_RADIUS, BAR_LENGTH, BAR_THICKNESS, Dimensions, JAR_HEIGHT, STICK_LENGTH};
 use pathlight::puzzle::own_scene::{OwnBody, OwnScene, VERSION};
 use pathlight::puzzle::rollout::{MAX_STEPS, Pose};
+use pathlight::session::scene_check::problems;
 use pathlight::simulator::Engine;
 use rand::{Rng, RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;

@@ -8,7 +8,7 @@
 
 use md5::{Digest, Md5};
 use pathlight::agents::{self, Origin};
-use pathlight::nets::{PathNet, flex};
+use pathlight::nets::PathNet;
 use pathlight::puzzle::task::{Task, ids};
 use pathlight::puzzle::templates::{TEMPLATES, Template};
 
@@ -24,7 +24,7 @@ const FROM_MAP: usize = 20;
 #[cfg_attr(not(target_arch = "wasm32"), test)]
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
 fn every_proposal_is_as_it_was() {
-    let models = WEIGHTS.map(|bytes| PathNet::load(bytes, &flex()).expect("our own weights").0);
+    let models = WEIGHTS.map(|bytes| PathNet::load(bytes).expect("our own weights").0);
     let lines = TEMPLATES.iter().map(|template| format!("{:05} {}\n", template.number, digest(template, &models)));
     let digests = format!("agents version {}\n{}", agents::VERSION, lines.collect::<String>());
     #[cfg(not(target_arch = "wasm32"))]

@@ -4,7 +4,7 @@
 use pathlight::agents::{self, Proposal};
 use pathlight::benchmark::auccess::{MAX_ATTEMPTS, auccess};
 use pathlight::benchmark::folds::Fold;
-use pathlight::nets::{PathNet, flex};
+use pathlight::nets::PathNet;
 use pathlight::puzzle::scene::Scene;
 use pathlight::puzzle::task::{Task, TaskId};
 use pathlight::simulator::outcome;
@@ -16,7 +16,7 @@ const MARGIN: f64 = 40.0;
 
 #[test]
 fn one_test_task_of_each_template_is_solved_much_sooner_than_at_random() {
-    let (nets, card) = PathNet::load(WEIGHTS, &flex()).expect("our own weights");
+    let (nets, card) = PathNet::load(WEIGHTS).expect("our own weights");
     let test = Fold::new(card.setup, card.fold).test;
     let tasks: Vec<TaskId> = test.chunk_by(|a, b| a.template == b.template).map(|tasks| tasks[0]).collect();
     let score = |propose: &dyn Fn(TaskId, &Scene) -> Vec<Proposal>| {

@@ -1,6 +1,6 @@
 //! The shipped weights compute what plain nested loops compute, natively and in Node.
 
-use pathlight::nets::{Imagined, PathNet, flex};
+use pathlight::nets::{Imagined, PathNet};
 use pathlight::puzzle::scene::Scene;
 use pathlight::puzzle::task::Task;
 use safetensors::SafeTensors;
@@ -10,7 +10,7 @@ mod reference_nets;
 const WEIGHTS: &[u8] = include_bytes!("../assets/within-0.safetensors");
 
 fn nets() -> PathNet {
-    PathNet::load(WEIGHTS, &flex()).expect("our own weights").0
+    PathNet::load(WEIGHTS).expect("our own weights").0
 }
 
 fn file() -> SafeTensors<'static> {

@@ -1,7 +1,7 @@
 //! The contract of the simulator: what a rollout holds, the three seconds of the goal, refusal, and PHYRE's outcomes.
 //!
 //! The last test needs PHYRE's recorded outcomes, which are not part of the project: PATHLIGHT_PHYRE names the
-//! folder that has outcomes.jsonl, and `--include-ignored` runs the test. `pathlight fidelity` prints more.
+//! folder that has outcomes.jsonl, and `--include-ignored` runs the test. `pathlight-lab measure fidelity` prints more.
 #![cfg(not(target_arch = "wasm32"))]
 
 use std::collections::BTreeMap;

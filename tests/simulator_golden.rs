@@ -6,7 +6,7 @@
 //! --release --test simulator_golden`.
 
 use md5::{Digest, Md5};
-use pathlight::dataset::sampling::random_ball;
+use pathlight::puzzle::sampling::random_ball;
 use pathlight::puzzle::task::{Task, ids};
 use pathlight::puzzle::templates::{TEMPLATES, Template};
 use pathlight::simulator::Engine;

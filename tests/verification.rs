@@ -4,7 +4,7 @@
 
 use std::collections::BTreeSet;
 
-use pathlight::play::verification::{AttemptLine, Verdict};
+use pathlight::verification::{AttemptLine, Verdict};
 
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;

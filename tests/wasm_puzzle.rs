@@ -2,13 +2,13 @@
 #![cfg(target_arch = "wasm32")]
 
 use js_sys::Reflect;
-use pathlight::nets::{DynamicsNet, PathNet, flex};
-use pathlight::play::game::ATTEMPT_LIMIT;
+use pathlight::nets::{Card, DynamicsCard, DynamicsNet, JudgeCard, PathNet};
+use pathlight::session::game::ATTEMPT_LIMIT;
 use pathlight::web::{
     Model, Puzzle, SolutionSearch, SolveMap, attempt_line, auccess, constants, fold, luck, own_scene, palette, raster,
     scene, scene_problems, simulate, soft_iou, templates, verify_attempt, why_invalid,
 };
-use serde_json::Value;
+use serde_json::{Value, json};
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -187,8 +187,13 @@ fn a_preview_returns_the_ending_and_counts_nothing() {
 fn metrics_refuse_malformed_maps_and_lists() {
     assert_eq!(code(soft_iou(&[0.0; 9], &[0.0; 9]).expect_err("too small")), "bad_map");
     assert_eq!(code(auccess(JsValue::from_str("soup")).expect_err("no list")), "bad_data");
-    let solved = serde_wasm_bindgen::to_value(&[Some(1), None]).expect("a list");
-    assert_eq!(auccess(solved).expect("two tasks"), 50.0);
+    let score = |firsts: Value| auccess(js(&firsts));
+    assert_eq!(score(json!([1, null])).expect("two tasks"), 50.0);
+    for first in [json!(0), json!(-1), json!(1.5), json!("1"), json!([1])] {
+        let refused: js_sys::Error = score(json!([1, first])).expect_err("refused").dyn_into().expect("a real Error");
+        let said = String::from(refused.message());
+        assert!(said.contains("item 1") && said.ends_with(&format!("counted from 1, or null, not {first}")), "{said}");
+    }
 }
 
 #[wasm_bindgen_test]
@@ -223,12 +228,12 @@ fn a_script_simulates_what_the_game_attempts() {
 
 #[wasm_bindgen_test]
 fn the_folds_are_those_of_the_benchmark() {
-    let within = json(fold("within".into(), 0.0).expect("a fold"));
+    let within = json(fold("within".into(), &0.into()).expect("a fold"));
     assert_eq!(["train", "dev", "test"].map(|part| within[part].as_array().expect("a list").len()), [1600, 400, 500]);
     for number in [-1.0, 0.5, 10.0, f64::NAN] {
-        assert_eq!(code(fold("cross".into(), number).expect_err("refused")), "bad_data");
+        assert_eq!(code(fold("cross".into(), &number.into()).expect_err("refused")), "bad_data");
     }
-    assert_eq!(code(fold("both".into(), 0.0).expect_err("refused")), "bad_data");
+    assert_eq!(code(fold("both".into(), &0.into()).expect_err("refused")), "bad_data");
 }
 
 #[wasm_bindgen_test]
@@ -275,7 +280,7 @@ fn values_have_the_fields_that_their_types_declare() {
     assert_eq!(fields(&json(constants().expect("constants"))), declared("Constants"));
     assert_eq!(fields(&json(palette(true).expect("colours"))), declared("Palette"));
     assert_eq!(fields(&json(templates().expect("a list"))[0]), declared("Template"));
-    assert_eq!(fields(&json(fold("within".into(), 0.0).expect("a fold"))), declared("Fold"));
+    assert_eq!(fields(&json(fold("within".into(), &0.into()).expect("a fold"))), declared("Fold"));
     let scene = json(scene(TASK.into()).expect("a scene"));
     assert_eq!(fields(&scene), declared("Scene"));
     assert_eq!(fields(&scene["bodies"][0]), declared("Body"));
@@ -296,13 +301,42 @@ fn values_have_the_fields_that_their_types_declare() {
     expected.retain(|field| field != "judge");
     assert_eq!(fields(&card), expected);
     assert_eq!(fields(&card["dynamics"]), optional("DynamicsCard"));
-    let proposals = json(model.propose(TASK.into(), 0, None).expect("proposals"));
+    let propose = |seed: Value, count: JsValue| model.propose(TASK.into(), &js(&seed), &count);
+    let proposals = json(propose(json!(0), JsValue::UNDEFINED).expect("proposals"));
     assert_eq!(fields(&proposals[0]), declared("Proposal"));
     assert_eq!(proposals[0]["origin"]["kind"], "imagined");
-    assert_eq!(json(model.propose(TASK.into(), 0, Some(3.0)).expect("three")).as_array().expect("a list").len(), 3);
+    assert_eq!(json(propose(json!(u32::MAX), 3.into()).expect("three")).as_array().expect("a list").len(), 3);
     for count in [0.0, 2.5, -1.0, 1001.0, f64::INFINITY, f64::NAN] {
-        assert_eq!(code(model.propose(TASK.into(), 0, Some(count)).expect_err("refused")), "bad_data", "{count}");
+        assert_eq!(code(propose(json!(0), count.into()).expect_err("refused")), "bad_data", "{count}");
     }
+    for seed in [json!(-1), json!(1.5), json!("a"), json!(1_u64 << 32), json!(null)] {
+        assert_eq!(code(propose(seed.clone(), JsValue::UNDEFINED).expect_err("refused")), "bad_data", "{seed}");
+        assert_eq!(code(model.turn(TASK.into(), &js(&seed)).err().expect("refused")), "bad_data", "{seed}");
+    }
+}
+
+/// The fields of a value that has all that it may have, sorted; those that the barest lacks end in `?`.
+fn fields_of_all(fullest: &Value, barest: &Value) -> Vec<String> {
+    let barest = fields(barest);
+    let marked = |field: String| if barest.contains(&field) { field } else { field + "?" };
+    fields(fullest).into_iter().map(marked).collect()
+}
+
+#[wasm_bindgen_test]
+fn cards_have_the_fields_that_their_types_declare() {
+    let (_, shipped) = PathNet::load(include_bytes!("../assets/within-0.safetensors"), &flex()).expect("weights");
+    let judge = JudgeCard { seed: 0, epochs: 1, batch: 1, balls_per_scene: 1, learning_rate: 0.1, balls: 1 };
+    let dynamics = shipped.dynamics.clone().expect("the shipped weights have a dynamics net");
+    let barest = DynamicsCard { without_paths: false, from: None, judge: None, ..dynamics.clone() };
+    let from = Some("0".repeat(64));
+    let fullest = DynamicsCard { without_paths: true, from, judge: Some(judge.clone()), ..dynamics };
+    let json = |card: &Card| serde_json::to_value(card).expect("JSON");
+    let bare = json(&Card { judge: None, dynamics: Some(barest), ..shipped.clone() });
+    let full = json(&Card { judge: Some(judge), dynamics: Some(fullest), ..shipped.clone() });
+    let none = json(&Card { judge: None, dynamics: None, ..shipped });
+    assert_eq!(fields_of_all(&full, &none), declared("ModelCard"));
+    assert_eq!(fields_of_all(&full["dynamics"], &bare["dynamics"]), declared("DynamicsCard"));
+    assert_eq!(fields(&full["judge"]), declared("JudgeCard"));
 }
 
 #[wasm_bindgen_test]
@@ -327,13 +361,13 @@ fn the_model_imagines_a_map_for_each_stage() {
 #[wasm_bindgen_test]
 fn a_ball_is_imagined_by_weights_that_have_a_dynamics_net() {
     let bytes = include_bytes!("../assets/within-0.safetensors");
-    let (mut nets, mut card) = PathNet::load(bytes, &flex()).expect("the shipped weights");
+    let (mut nets, mut card) = PathNet::load(bytes).expect("the shipped weights");
     (nets.dynamics, card.dynamics) = (None, None);
     let without = Model::new(&nets.save(&card).expect("weights")).expect("a model");
     let ball = |x: f64, y: f64, r: f64| serde_wasm_bindgen::to_value(&[x, y, r]).expect("a ball");
     assert!(without.imagine_ball(TASK.into(), ball(128.0, 230.0, 8.0)).expect("no error").is_undefined());
     assert!(without.candidates(TASK.into()).expect("no error").is_undefined());
-    nets.dynamics = Some(DynamicsNet::new(&flex()));
+    nets.dynamics = Some(DynamicsNet::fresh(0));
     let model = Model::new(&nets.save(&card).expect("weights")).expect("a model");
     let imagined = |id: &str, x: f64| model.imagine_ball(id.into(), ball(x, 230.0, 8.0)).expect("a valid ball");
     let first = imagined(TASK, 128.0);
@@ -358,7 +392,7 @@ fn a_ball_is_imagined_by_weights_that_have_a_dynamics_net() {
     let names = js_sys::Object::keys(&candidate.clone().into());
     assert_eq!(names.length() as usize, declared("Candidate").len());
     assert_eq!(values(&candidate, "object").len(), 32);
-    let tried = json(model.turn(TASK.into(), 0).expect("a turn").attempt().expect("an attempt"));
+    let tried = json(model.turn(TASK.into(), &0.into()).expect("a turn").attempt().expect("an attempt"));
     assert_eq!(fields(&tried), ["ball", "ending", "origin", "rejected"]);
     assert_eq!(tried["origin"]["kind"], "imagined");
     let refused = |id: &str, ball: JsValue| code(model.imagine_ball(id.into(), ball).expect_err("refused"));

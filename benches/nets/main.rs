@@ -11,12 +11,12 @@ use std::{env, fs};
 
 use pathlight::agents::{self, ranking};
 use pathlight::benchmark::auccess::MAX_ATTEMPTS;
-use pathlight::dataset::samples::Sample;
-use pathlight::dataset::solutions::Solution;
-use pathlight::nets::training::{Batch, Trainer};
-use pathlight::nets::{Imagined, PathNet, flex};
+use pathlight::nets::training::{Batch, Sample, Trainer};
+use pathlight::nets::{Imagined, PathNet};
 use pathlight::puzzle::task::Task;
 use pathlight::raster::{Bitmap, scene_channels};
+use pathlight_lab::data::samples::sample;
+use pathlight_lab::data::solutions::Solution;
 use repeat::{repeat, stopwatch};
 
 #[path = "../repeat.rs"]
@@ -31,6 +31,8 @@ const LEARNING_RATE: f64 = 3e-3;
 const COMPARED: usize = 3;
 
 fn main() {
+    // Cargo starts it in the folder of the lab.
+    env::set_current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).expect("the repository is there");
     let arguments: Vec<String> = env::args().skip(1).filter(|argument| argument != "--bench").collect();
     match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         ["inputs", task, folder] => {
@@ -78,7 +80,7 @@ fn load(task: &str) -> Task {
 
 fn nets() -> PathNet {
     let bytes = fs::read(WEIGHTS).expect("the weights are in assets");
-    PathNet::load(&bytes, &flex()).expect("the weights fit").0
+    PathNet::load(&bytes).expect("the weights fit").0
 }
 
 /// Writes the scene `[5, 64, 64]` and the batch `[32, 9, 64, 64]`, scenes before targets.
@@ -98,15 +100,15 @@ fn batch() -> Vec<Sample> {
     let chosen = lines.iter().step_by(lines.len() / BATCH).take(BATCH);
     let samples = chosen.map(|line| {
         let Solution { task, ball } = serde_json::from_str(line).expect("a solution");
-        Sample::new(&Task::load(task).expect("a task").scene, ball).expect("a valid ball")
+        sample(&Task::load(task).expect("a task").scene, ball).expect("a valid ball")
     });
     samples.collect()
 }
 
-/// The step of `pathlight train`, on one batch over and over; returns the sum of the losses.
+/// The step of `pathlight-lab train paths`, on one batch over and over; returns the sum of the losses.
 fn training() -> impl FnMut() -> f32 {
     // The shipped weights, because the peers start from the same file.
-    let mut trainer = Trainer::from_nets(nets(), flex());
+    let mut trainer = Trainer::from_nets(nets());
     let samples = batch();
     move || {
         let batch = Batch::new(samples.iter().map(|sample| (sample, false)));

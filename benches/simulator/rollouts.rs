@@ -1,8 +1,8 @@
 //! The rollouts that all contenders of the simulator's bench run: 20 tasks of each template, all with a random valid
 //! ball.
 
-use pathlight::dataset::sampling::random_ball;
 use pathlight::puzzle::action::Ball;
+use pathlight::puzzle::sampling::random_ball;
 use pathlight::puzzle::scene::Scene;
 use pathlight::puzzle::task::Task;
 use pathlight::puzzle::templates::TEMPLATES;

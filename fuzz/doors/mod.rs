@@ -1,26 +1,28 @@
 //! The doors: one function for each kind of input from outside, from its bytes to what becomes of them. None may panic,
 //! hang, or refuse without a word, whatever the bytes are.
 //!
-//! `targets/` feeds them with libFuzzer, `tests/doors.rs` with the corpus and mutations of it. The parsers of the
-//! command line are modules of the binary, so they are included here by their paths.
+//! `targets/` feeds them with libFuzzer, `lab/tests/doors.rs` with the corpus and mutations of it. The parsers of
+//! the player's command line are modules of its binary, so they are included here by their paths.
 
 use std::path::Path;
 use std::str;
 
 use pathlight::agents;
+use pathlight::nets::PathNet;
 use pathlight::nets::judge::logit_index;
-use pathlight::nets::{PathNet, flex};
-use pathlight::play::played::Played;
-use pathlight::play::verification::{AttemptLine, Verdict};
 use pathlight::puzzle::own_scene::{OwnScene, sentences};
 use pathlight::puzzle::rollout::Rollout;
 use pathlight::puzzle::scene::Scene;
 use pathlight::puzzle::task::{Task, TaskId};
 use pathlight::raster;
+use pathlight::session::played::Played;
 use pathlight::simulator::simulate;
+use pathlight::verification::{AttemptLine, Verdict};
+use pathlight_lab::data::collect::CollectEntry;
+use pathlight_lab::data::labels::LabelledBalls;
+use pathlight_lab::files::journal::{self, Entry};
 use serde_json::Value;
 
-use commands::journal::{self, Entry};
 use commands::simulate::start::{Place, Request};
 
 mod any_scene;
@@ -32,15 +34,7 @@ mod commands {
     pub mod agent {
         pub mod lines;
     }
-    pub mod collect {
-        pub mod lines;
-    }
-    pub mod differences;
-    pub mod file_lock;
-    pub mod journal;
-    pub mod label {
-        pub mod lines;
-    }
+    pub mod json_lines;
     pub mod simulate {
         pub mod start;
     }
@@ -123,28 +117,27 @@ pub fn batch(bytes: &[u8]) {
 /// A file of weights: the bytes, and the shipped file with its head changed by the bytes.
 pub fn weights(bytes: &[u8]) {
     for file in [bytes.to_vec(), weights_file::changed(bytes)] {
-        let _ = PathNet::load(&file, &flex()).inspect_err(says_why);
+        let _ = PathNet::load(&file).inspect_err(says_why);
     }
 }
 
-/// A file of `pathlight collect`.
+/// A file of `pathlight-lab data collect`.
 pub fn solutions(bytes: &[u8]) {
-    journal::<commands::collect::lines::CollectEntry>(bytes);
+    journal::<CollectEntry>(bytes);
 }
 
-/// A file of `pathlight label`. What it lets through can be trained on.
+/// A file of `pathlight-lab data label`. What it lets through can be trained on.
 pub fn labels(bytes: &[u8]) {
-    for line in journal::<pathlight::dataset::labels::LabelledBalls>(bytes) {
+    for line in journal::<LabelledBalls>(bytes) {
         assert!(line.solved.iter().chain(&line.failed).all(|&ball| logit_index(ball).is_ok()));
     }
 }
 
 /// Lines that `pathlight agent` is told.
 pub fn agent(bytes: &[u8]) {
-    let mut source = bytes;
-    while let Some(line) = commands::agent::lines::next_line(&mut source).expect("bytes are read") {
-        use commands::agent::lines::Line;
-        match line.and_then(|line| Line::parse(&line)) {
+    use commands::agent::lines::{Line, MAX_LINE};
+    for line in commands::json_lines::Lines::new(bytes, MAX_LINE) {
+        match line.expect("bytes are read").text.and_then(|text| Line::parse(&text)) {
             Ok(Line::Scene(scene)) => look_at(&scene),
             Ok(Line::Own(played)) => look_at(&played.scene),
             Ok(Line::Task(id)) => drop(Task::load(id).inspect_err(says_why)),

@@ -1,7 +1,7 @@
 //! A folder to serve files from, and nothing outside it.
 //!
-//! `ServeDir` refuses `..` in every encoding; a symbolic link could still lead out. So every path is resolved before it
-//! is opened.
+//! `ServeDir` refuses `..` in every encoding but follows symbolic links, which can lead out of the folder. So each path
+//! is resolved before it is opened.
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -36,7 +36,7 @@ impl Folder {
     ///
     /// # Errors
     /// Not found if the result is outside the folder or does not exist.
-    async fn inside(self, path: PathBuf) -> io::Result<PathBuf> {
+    async fn resolve(self, path: PathBuf) -> io::Result<PathBuf> {
         let path = tokio::fs::canonicalize(path).await.ok();
         path.filter(|path| path.starts_with(&self.root)).ok_or(io::ErrorKind::NotFound.into())
     }
@@ -50,11 +50,11 @@ impl Backend for Folder {
 
     fn open(&self, path: PathBuf) -> Self::OpenFuture {
         let folder = self.clone();
-        Box::pin(async move { TokioBackend.open(folder.inside(path).await?).await })
+        Box::pin(async move { TokioBackend.open(folder.resolve(path).await?).await })
     }
 
     fn metadata(&self, path: PathBuf) -> Self::MetadataFuture {
         let folder = self.clone();
-        Box::pin(async move { TokioBackend.metadata(folder.inside(path).await?).await })
+        Box::pin(async move { TokioBackend.metadata(folder.resolve(path).await?).await })
     }
 }

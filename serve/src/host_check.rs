@@ -1,8 +1,8 @@
-//! Which names of this server requests may use.
+//! Checks the host that a request names.
 //!
-//! A page of another site can give its own name the address 127.0.0.1 once it is loaded (DNS rebinding), and its
-//! browser then takes this server for a part of that site. All files here are public; still nobody but this machine is
-//! meant to read them while only this machine can connect.
+//! Without the check, a page of another site could point its own name at 127.0.0.1 after it has loaded (DNS
+//! rebinding), and read this server's files as part of that site. While the server listens on a loopback address, only
+//! this machine should read them.
 
 use std::net::{IpAddr, Ipv6Addr};
 
@@ -11,37 +11,46 @@ use axum::http::{StatusCode, header};
 use axum::middleware::Next;
 use axum::response::{IntoResponse, Response};
 
-/// The names that are answered.
+/// The host names that are answered.
 #[derive(Clone, Debug)]
 pub enum Hosts {
-    /// Other machines connect, by names that only they know.
+    /// All: other machines can connect, and the server does not know the names that they use.
     Any,
-    /// Those of this machine, and these.
+    /// This machine's own, and these.
     Local(Vec<String>),
 }
 
 impl Hosts {
-    /// Whether a `Host` header names this server. The port does not matter: a tunnel may have another.
-    fn holds(&self, host: &str) -> bool {
-        let Hosts::Local(named) = self else { return true };
+    /// Whether a `Host` header names this server. The port is ignored, since a tunnel may use another.
+    fn contains(&self, host: &str) -> bool {
+        let Hosts::Local(allowed) = self else { return true };
         let name = match host.strip_prefix('[').and_then(|rest| rest.split_once(']')) {
             Some((address, _)) => return address.parse::<Ipv6Addr>().is_ok_and(|address| address.is_loopback()),
             None => host.split(':').next().unwrap_or_default(),
         };
         name.eq_ignore_ascii_case("localhost")
             || name.parse::<IpAddr>().is_ok_and(|address| address.is_loopback())
-            || named.iter().any(|one| one.eq_ignore_ascii_case(name))
+            || allowed.iter().any(|host| host.eq_ignore_ascii_case(name))
     }
 }
 
-/// Answers a request that uses another name with the remedy.
+/// Refuses requests that name another host, none, or several.
 pub async fn check(hosts: Hosts, request: Request, next: Next) -> Response {
-    let host = request.headers().get(header::HOST).and_then(|host| host.to_str().ok());
-    if host.is_some_and(|host| hosts.holds(host)) {
-        return next.run(request).await;
+    let mut headers = request.headers().get_all(header::HOST).iter();
+    let (Some(host), None) = (headers.next(), headers.next()) else {
+        return (StatusCode::BAD_REQUEST, "A request needs exactly one Host header.\n").into_response();
+    };
+    let host = host.to_str().unwrap_or_default();
+    // Clients send the host in the request target to proxies, as in `GET http://host/path`.
+    if request.uri().authority().is_some_and(|authority| authority != host) {
+        return (StatusCode::BAD_REQUEST, "The request target and the Host header name different hosts.\n")
+            .into_response();
     }
-    let sentence = "This server answers to the names of its own machine only. Name another with --allow-host.\n";
-    (StatusCode::MISDIRECTED_REQUEST, sentence).into_response()
+    if !hosts.contains(host) {
+        let remedy = "This server answers only to the names of its own machine. Allow others with --allow-host.\n";
+        return (StatusCode::MISDIRECTED_REQUEST, remedy).into_response();
+    }
+    next.run(request).await
 }
 
 #[cfg(test)]
@@ -49,12 +58,12 @@ mod tests {
     use super::*;
 
     #[test]
-    fn names_of_this_machine_are_answered_and_no_others_unless_they_are_named() {
+    fn only_local_and_allowed_names_are_answered() {
         let local = Hosts::Local(vec!["play.example".to_string()]);
         for host in
             ["localhost", "LocalHost:8080", "127.0.0.1", "127.9.9.9:1", "[::1]", "[::1]:8080", "play.example:443"]
         {
-            assert!(local.holds(host), "{host}");
+            assert!(local.contains(host), "{host}");
         }
         let others = [
             "",
@@ -67,7 +76,7 @@ mod tests {
             "::1",
         ];
         for host in others {
-            assert!(!local.holds(host) && Hosts::Any.holds(host), "{host}");
+            assert!(!local.contains(host) && Hosts::Any.contains(host), "{host}");
         }
     }
 }

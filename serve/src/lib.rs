@@ -1,9 +1,9 @@
 //! Serves the page to a browser on this machine: `pathlight serve`, and `pathlight-serve` alone.
 //!
-//! A static file server with what this page needs: media types, compression, a content security policy, and no caching
-//! without revalidation. `/assets/` holds the weights. All files are public; requests only read them.
+//! A static file server with what this page needs: media types, precompressed files, a content security policy, and
+//! caching with revalidation. `/assets/` holds the weights. All files are public and read-only.
 //!
-//! A crate of its own, so that whoever wants to play does not wait for the nets and their training to compile.
+//! It is a separate crate so that `make play` need not compile the nets and their training.
 
 use std::io::{self, Write};
 use std::net::SocketAddr;
@@ -16,15 +16,14 @@ use axum::http::{HeaderName, HeaderValue, header};
 use axum::middleware;
 use axum::routing::any;
 use tokio::net::TcpListener;
-use tower_http::CompressionLevel;
-use tower_http::compression::CompressionLayer;
-use tower_http::compression::predicate::{DefaultPredicate, NotForContentType, Predicate};
 use tower_http::services::ServeDir;
 use tower_http::set_header::SetResponseHeaderLayer;
 
+mod access_log;
 mod connections;
 mod folder;
 mod host_check;
+mod if_range;
 
 use folder::Folder;
 use host_check::Hosts;
@@ -40,47 +39,53 @@ pub struct Args {
     #[arg(long, default_value = "127.0.0.1")]
     host: String,
 
-    /// Folder to serve: the page, with the wasm package in its subfolder pkg, or what `make dist` builds
+    /// Folder to serve: the page with its wasm package in the subfolder pkg, or the output of `make dist`
     #[arg(long, default_value = "www")]
     dir: PathBuf,
 
-    /// Folder to serve as /assets/; by default the subfolder assets of DIR, or if it has none, `assets`
+    /// Folder to serve as /assets/ [default: DIR/assets if it exists, otherwise assets]
     #[arg(long)]
     assets: Option<PathBuf>,
 
-    /// Let pages of these origins show the page in a frame, like `https://school.example`; by default none may
+    /// Allow pages of these origins to show the page in a frame, for example `https://school.example`
     #[arg(long, value_name = "ORIGIN", num_args = 1.., value_parser = origin)]
     frame_ancestors: Vec<String>,
 
-    /// Also answer requests to these names, as those that come through a proxy; while only this machine can connect,
-    /// others than its own are refused
+    /// Answer requests for these host names too, for example behind a proxy; a server on a loopback address refuses all
+    /// but its own names
     #[arg(long, value_name = "NAME", num_args = 1..)]
     allow_host: Vec<String>,
 
-    /// Close connections on which nothing moves for this time, s
+    /// Close connections that make no progress for this time
     #[arg(long, value_name = "SECONDS", default_value_t = 30, value_parser = clap::value_parser!(u16).range(1..))]
     patience: u16,
+
+    /// Write a line for each request to standard output, in the Common Log Format
+    #[arg(long)]
+    log: bool,
 }
 
-/// Allows only the page's own scripts, wasm, styles and data. `frame-ancestors` comes on top.
+/// Allows only the page's own scripts, wasm, styles and data. `policy` adds `frame-ancestors`.
 const POLICY: &str = "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; img-src 'self' data: blob:; \
                       object-src 'none'; base-uri 'none'; form-action 'none'";
 
 /// Further headers of every response.
-const HEADERS: [(HeaderName, &str); 5] = [
+const HEADERS: [(HeaderName, &str); 6] = [
     (header::X_CONTENT_TYPE_OPTIONS, "nosniff"),
     (header::REFERRER_POLICY, "no-referrer"),
     (HeaderName::from_static("cross-origin-opener-policy"), "same-origin"),
     (HeaderName::from_static("cross-origin-resource-policy"), "same-origin"),
     // Cached, but revalidated each time, so that a rebuilt package reaches the page at its next load.
     (header::CACHE_CONTROL, "no-cache"),
+    // `ServeDir` omits it from 304.
+    (header::VARY, "accept-encoding"),
 ];
 
 impl Args {
-    /// Serves until Ctrl+C.
+    /// Serves until Ctrl+C or SIGTERM.
     ///
     /// # Errors
-    /// If a folder is not there, or the address cannot be listened on.
+    /// If a folder does not exist, or the server cannot listen on the address.
     pub fn run(self) -> anyhow::Result<()> {
         let page = Folder::open(&self.dir)
             .with_context(|| format!("cannot serve {}: name the folder of the page with --dir", self.dir.display()))?;
@@ -91,7 +96,7 @@ impl Args {
         let assets = Folder::open(&assets).with_context(|| {
             format!("cannot serve {}: name the folder of the weights with --assets", assets.display())
         })?;
-        // A built page has its wasm in the folder of its version.
+        // The output of `make dist` has its wasm in the folder of its version.
         if !self.dir.join("pkg").is_dir() && !self.dir.join("service-worker.js").is_file() {
             say(&format!(
                 "warning: {} has no wasm package, so the page cannot start: run `make play`",
@@ -104,24 +109,42 @@ impl Args {
             let listener = listen(&self.host, self.port).await?;
             let address = listener.local_addr()?;
             let hosts = if address.ip().is_loopback() { Hosts::Local(self.allow_host) } else { Hosts::Any };
-            let (router, patience) = (router(&page, &assets, policy, hosts), Duration::from_secs(self.patience.into()));
-            tokio::select! {
-                // In this order, so that Ctrl+C is handled before the address is printed.
-                biased;
-                stopped = tokio::signal::ctrl_c() => Ok(stopped?),
-                served = async {
-                    announce(address)?;
-                    connections::serve(listener, router, patience).await;
-                    Ok(())
-                } => served,
-            }
+            let router = router(&page, &assets, policy, hosts, self.log);
+            // Signals are handled before the address is printed, so a script that reads it can stop the server.
+            let stop = stop_signal()?;
+            announce(address)?;
+            connections::serve(listener, router, Duration::from_secs(self.patience.into()), stop).await;
+            Ok(())
         })
     }
 }
 
+/// Starts to listen for Ctrl+C and SIGTERM. The future resolves at the first.
+///
+/// The kernel ignores a SIGTERM that PID 1 does not handle, so without this a container would have to be killed.
+#[cfg(unix)]
+fn stop_signal() -> io::Result<impl Future<Output = ()>> {
+    use tokio::signal::unix::{SignalKind, signal};
+    let mut interrupt = signal(SignalKind::interrupt())?;
+    let mut terminate = signal(SignalKind::terminate())?;
+    Ok(async move {
+        tokio::select! {
+            _ = interrupt.recv() => {}
+            _ = terminate.recv() => {}
+        }
+    })
+}
+
+/// Starts to listen for Ctrl+C.
+#[cfg(windows)]
+fn stop_signal() -> io::Result<impl Future<Output = ()>> {
+    let mut interrupt = tokio::signal::windows::ctrl_c()?;
+    Ok(async move { drop(interrupt.recv().await) })
+}
+
 /// Prints a line on standard error.
 fn say(line: &str) {
-    // `eprintln!` panics if nobody reads any more.
+    // `eprintln!` panics if the reader is gone.
     let _ = writeln!(io::stderr(), "{line}");
 }
 
@@ -129,12 +152,14 @@ fn say(line: &str) {
 fn announce(address: SocketAddr) -> anyhow::Result<()> {
     writeln!(io::stdout(), "Pathlight is at http://{address}/ (Ctrl+C ends it)")?;
     if !address.ip().is_loopback() {
-        say(&format!("warning: every machine that reaches {} can open the page", address.ip()));
+        say(&format!("warning: every machine that can reach {} can open the page", address.ip()));
     }
     Ok(())
 }
 
 async fn listen(host: &str, port: u16) -> anyhow::Result<TcpListener> {
+    // URLs write an IPv6 address in brackets.
+    let host = host.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')).unwrap_or(host);
     match TcpListener::bind((host, port)).await {
         Ok(listener) => Ok(listener),
         Err(error) if error.kind() == io::ErrorKind::AddrInUse => {
@@ -149,8 +174,8 @@ async fn listen(host: &str, port: u16) -> anyhow::Result<TcpListener> {
     }
 }
 
-/// Parses an origin that may frame the page: scheme, host and port. The characters of a host cannot end the policy's
-/// rule.
+/// Parses an origin that may frame the page: scheme, host and port. No allowed character can end the rule in the
+/// policy.
 fn origin(text: &str) -> Result<String, String> {
     let host = text.strip_prefix("https://").or_else(|| text.strip_prefix("http://")).unwrap_or_default();
     if !host.is_empty() && host.bytes().all(|byte| byte.is_ascii_alphanumeric() || b".-:[]*".contains(&byte)) {
@@ -160,31 +185,33 @@ fn origin(text: &str) -> Result<String, String> {
     }
 }
 
-/// Returns the content security policy of a page that these origins may frame.
+/// Returns the content security policy, with the origins that may frame the page.
 fn policy(frame_ancestors: &[String]) -> HeaderValue {
     let ancestors = if frame_ancestors.is_empty() { "'none'".to_string() } else { frame_ancestors.join(" ") };
     let policy = format!("{POLICY}; frame-ancestors {ancestors}");
-    HeaderValue::from_str(&policy).expect("`origin` lets only letters, digits and punctuation through")
+    HeaderValue::from_str(&policy).expect("`origin` accepts only visible ASCII characters")
 }
 
-fn router(page: &Folder, assets: &Folder, policy: HeaderValue, hosts: Hosts) -> Router {
-    // A fast level makes weights hardly smaller; `make dist` writes them compressed.
-    let compressible = DefaultPredicate::new().and(NotForContentType::const_new("application/octet-stream"));
-    // A fast level, because each response is compressed when it is sent.
-    let compression = CompressionLayer::new().quality(CompressionLevel::Fastest).compress_when(compressible);
-    let hosts = middleware::from_fn(move |request, next| host_check::check(hosts.clone(), request, next));
-    let router = files(page).nest("/assets", files(assets)).layer(compression).layer(hosts);
+fn router(page: &Folder, assets: &Folder, policy: HeaderValue, hosts: Hosts, log: bool) -> Router {
+    let check_host = middleware::from_fn(move |request, next| host_check::check(hosts.clone(), request, next));
+    let router =
+        files(page).nest("/assets", files(assets)).layer(middleware::from_fn(if_range::evaluate)).layer(check_host);
     let headers = HEADERS.map(|(name, value)| (name, HeaderValue::from_static(value)));
-    headers
+    let router = headers
         .into_iter()
         .chain([(header::CONTENT_SECURITY_POLICY, policy)])
-        .fold(router, |router, (name, value)| router.layer(SetResponseHeaderLayer::overriding(name, value)))
+        .fold(router, |router, (name, value)| router.layer(SetResponseHeaderLayer::overriding(name, value)));
+    if log { router.layer(middleware::from_fn(access_log::log)) } else { router }
 }
 
+/// Serves a folder. Files with a `.br` or `.gz` beside them are sent compressed; nothing is compressed per request, so
+/// each encoding has its own length, ranges and ETag.
 fn files(folder: &Folder) -> Router {
     let missing = any(|| async { "There is nothing here. The page is at /\n" });
-    // `scripts/build-wasm` writes the wasm beside it, compressed at the highest level.
-    let files =
-        ServeDir::with_backend(folder.root(), folder.clone()).precompressed_br().redirect_to_trailing_slash(false);
-    Router::new().fallback_service(files.not_found_service(missing))
+    let files = ServeDir::with_backend(folder.root(), folder.clone())
+        .precompressed_br()
+        .precompressed_gzip()
+        .redirect_to_trailing_slash(false)
+        .not_found_service(missing);
+    Router::new().fallback_service(files)
 }

@@ -1,5 +1,4 @@
-//! `pathlight-serve`: the command `serve` of `pathlight` alone, without the rest, which takes minutes to compile.
-//! `make play` builds it.
+//! `pathlight-serve`: the command `pathlight serve` as its own binary, which `make play` builds in less time.
 
 use std::io::{self, Write};
 use std::process::ExitCode;
@@ -18,7 +17,7 @@ fn main() -> ExitCode {
     match CommandLine::parse().args.run() {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            // `eprintln!` panics if nobody reads any more.
+            // `eprintln!` panics if the reader is gone.
             let _ = writeln!(io::stderr(), "error: {error:#}");
             ExitCode::from(2)
         }

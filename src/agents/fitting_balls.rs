@@ -1,7 +1,7 @@
 //! Which of the balls that the judge scores fit into a scene, of any of its radii on any of its cells.
 //!
-//! Where a ball fits, every smaller one fits too; so one number for each cell, of the radii that fit there, answers for
-//! all of them, and one clearance for each cell yields it. Used by `ranking`.
+//! Where a ball fits, every smaller one fits too. So it is enough to know how many of the radii fit on each cell, and
+//! one clearance for each cell tells. Used by `ranking`.
 
 use crate::nets::judge::{RADII, ball_at};
 use crate::puzzle::action::{Ball, Obstacles, overlaps};
@@ -21,7 +21,7 @@ pub struct FittingBalls {
 impl FittingBalls {
     pub fn new(scene: &Scene) -> FittingBalls {
         let obstacles = Obstacles::new(scene);
-        // x and y follow the same rule, so the balls on the diagonal of an empty scene are enough for both axes.
+        // x and y follow the same rule, so the balls on the diagonal of an empty scene tell for both axes.
         let nothing = Obstacles::default();
         let placed =
             |index: usize, radius: usize| nothing.place(ball_at(radius * CELLS + index * SIDE + index).action()).ok();
@@ -31,7 +31,8 @@ impl FittingBalls {
         let coordinates: [f64; SIDE] = std::array::from_fn(|index| placed(index, 0).map_or(f64::NAN, |ball| ball.x));
         let radii = all.map(|radius| placed(SIDE / 2, radius).map_or(f64::NAN, |ball| ball.r));
         let count = |cell: usize| {
-            let (column, row) = (cell % SIDE, cell / SIDE);
+            let column = cell % SIDE;
+            let row = cell / SIDE;
             let inside = &radii[..inside[column].min(inside[row])];
             let Some(&largest) = inside.last() else { return 0 };
             let clearance = obstacles.clearance([coordinates[column], coordinates[row]], largest);
@@ -64,7 +65,8 @@ mod tests {
         for (number, template) in TEMPLATES.iter().enumerate() {
             let id = ids(template).nth(4 * number).expect("a hundred tasks");
             let scene = Task::load(id).expect("an id of the template").scene;
-            let (balls, obstacles) = (FittingBalls::new(&scene), Obstacles::new(&scene));
+            let balls = FittingBalls::new(&scene);
+            let obstacles = Obstacles::new(&scene);
             for index in 0..RADII * CELLS {
                 let placed = obstacles.place(ball_at(index).action()).ok();
                 let fits = index / CELLS < balls.count(index % CELLS);

@@ -37,24 +37,21 @@ pub fn ranked(dqn: &Dqn, scene: &Scene, attempts: usize) -> Vec<Proposal> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::nets::flex;
     use crate::puzzle::task::Task;
 
     #[test]
     fn valid_actions_of_the_list_come_in_the_order_of_their_logits() {
         let scene = Task::load("00002:007".parse().expect("an id")).expect("a task").scene;
-        let device = flex();
-        device.seed(3);
-        let dqn = Dqn::new(&device);
+        let dqn = Dqn::fresh(3);
         let found = ranked(&dqn, &scene, 100);
         assert_eq!(found.len(), 100);
         let listed: Vec<Ball> = actions().filter_map(|action| action.place(&scene).ok()).collect();
         assert!((1000..ACTIONS).contains(&listed.len()));
-        let probability = |one: &Proposal| match one.origin {
+        let probability = |proposal: &Proposal| match proposal.origin {
             Origin::Dqn { probability } => probability,
-            other => panic!("{other:?}"),
+            origin => panic!("{origin:?}"),
         };
         assert!(found.is_sorted_by(|a, b| probability(a) >= probability(b)));
-        assert!(found.iter().all(|one| listed.contains(&one.ball)));
+        assert!(found.iter().all(|proposal| listed.contains(&proposal.ball)));
     }
 }

@@ -3,13 +3,14 @@
 //!
 //! The logit of the chance that a ball solves is a latent function of an input, here the ball and the path that is
 //! imagined for it: Gaussian, with the net's logit as its prior mean and a covariance that falls with the distance
-//! between two inputs. So an outcome changes the logits of all balls whose inputs resemble the one that was observed.
-//! Each is taken in by one Laplace step: the mode and the curvature of the posterior along the observed logit make a
-//! rank-one update. Deterministic: libm, and sums in a fixed order. Used by `online`.
+//! between two inputs. So an outcome changes the logits of all balls whose inputs resemble the observed one. Each
+//! outcome is one Laplace step: the mode and the curvature of the posterior along the observed logit make a rank-one
+//! update. Deterministic: libm, and sums in a fixed order. Used by `online`.
 
 use super::sigmoid;
 
-/// Halvings of the interval that holds the mode, which is as wide as the variance: to less than f64 resolves.
+/// How often the interval that holds the mode is halved. It begins as wide as the variance, and ends narrower than f64
+/// can resolve.
 const HALVINGS: usize = 60;
 
 /// The prior covariance of the logits of two inputs.
@@ -60,10 +61,11 @@ impl<K: Kernel> GaussianProcessClassifier<K> {
         &self.means
     }
 
-    /// Takes in the outcome of a candidate, whose input turned out to be `input`. Returns by how much the mean logit of
-    /// each candidate has risen; negative if it has fallen.
+    /// Updates the logits by the outcome of a candidate, whose input turned out to be `input`. Returns by how much the
+    /// mean logit of each candidate has risen; negative if it has fallen.
     pub fn observe(&mut self, candidate: usize, input: K::Input, solved: bool) -> Vec<f64> {
-        let (mut mean, mut variance) = (self.prior[candidate], self.kernel.covariance(&input, &input));
+        let mut mean = self.prior[candidate];
+        let mut variance = self.kernel.covariance(&input, &input);
         let mut with_earlier: Vec<f64> = Vec::with_capacity(self.observations.len());
         for earlier in &self.observations {
             let prior = self.kernel.covariance(&earlier.input, &input);
@@ -90,7 +92,7 @@ impl<K: Kernel> GaussianProcessClassifier<K> {
     /// How much of the covariance of two inputs the first observations explain. `a` and `b` hold the covariances of
     /// each with these observations.
     fn explained(&self, a: &[f64], b: &[f64]) -> f64 {
-        self.observations.iter().zip(a.iter().zip(b)).map(|(one, (a, b))| one.weight * a * b).sum()
+        self.observations.iter().zip(a.iter().zip(b)).map(|(earlier, (a, b))| earlier.weight * a * b).sum()
     }
 }
 
@@ -109,7 +111,8 @@ fn laplace_step(mean: f64, variance: f64, solved: bool) -> (f64, f64) {
     let target = if solved { 1.0 } else { 0.0 };
     // The mode is where logit = mean + variance (target − sigmoid(logit)), of which the right side falls. Newton's
     // method would have to be guarded: from a large logit it jumps back and forth.
-    let (mut low, mut high) = (mean - variance * (1.0 - target), mean + variance * target);
+    let mut low = mean - variance * (1.0 - target);
+    let mut high = mean + variance * target;
     for _ in 0..HALVINGS {
         let middle = (low + high) / 2.0;
         if middle < mean + variance * (target - sigmoid(middle)) { low = middle } else { high = middle }
@@ -175,7 +178,9 @@ mod tests {
             let (gain, weight) = laplace_step(means[candidate], column[candidate], solved);
             for (index, row) in dense.iter_mut().enumerate() {
                 means[index] += gain * column[index];
-                row.iter_mut().zip(&column).for_each(|(value, other)| *value -= weight * column[index] * other);
+                row.iter_mut()
+                    .zip(&column)
+                    .for_each(|(value, covariance)| *value -= weight * column[index] * covariance);
             }
             for (mean, expected) in process.means().iter().zip(&means) {
                 assert!((mean - expected).abs() < 1e-9, "{:?} {means:?}", process.means());

@@ -5,36 +5,59 @@
 //! candidates take one step of steepest-ascent hill climbing: each is replaced by its likeliest neighbour. Further
 //! steps, longer ones and more candidates gain nothing on dev tasks.
 
-use super::online::Candidate;
-use super::ranking;
+use super::online::{Candidate, OnlineAgent, Similarity};
+use super::{Proposal, ranking};
 use crate::nets::{ImaginedBall, PathNet, ReadScene};
 use crate::puzzle::action::{Ball, Obstacles};
 use crate::puzzle::scene::Scene;
 
 /// Candidates of a scene, unless more are asked for: four times as many as there are attempts.
-const CANDIDATES: usize = 400;
+pub(super) const CANDIDATES: usize = 400;
 
-/// Candidates whose neighbours are imagined too: the others are hardly ever tried.
+/// The likeliest candidates, whose neighbours are imagined too. The others are hardly ever tried.
 const CLIMBERS: usize = 100;
 
-/// How far a neighbour is moved, and how much larger or smaller it is, px.
+/// By how much a neighbour differs in x, y or radius, px.
 const STEP: f64 = 1.0;
 
-/// Returns the candidates of a scene, at least `count` if as many balls fit, all different, though some may be much
-/// alike; `None` if the weights have no dynamics net, or damaged weights know no chance.
+/// Returns the candidates of a scene, all different: at least `count`, unless fewer balls fit. `None` if the weights
+/// have no dynamics net, or are damaged so that no chance is a number.
 pub fn imagined_candidates(nets: &PathNet, scene: &Scene, count: usize) -> Option<Vec<Candidate>> {
-    let read = nets.read(scene)?;
+    candidates_of(&nets.read(scene)?, scene, count)
+}
+
+/// Returns the candidates of a scene that the dynamics net has read.
+pub(super) fn candidates_of(read: &ReadScene, scene: &Scene, count: usize) -> Option<Vec<Candidate>> {
     let ranked = ranking::ranked(&read.logits, scene, count.max(CANDIDATES));
     let balls: Vec<Ball> = ranked.into_iter().map(|proposal| proposal.ball).collect();
-    let mut candidates: Vec<Candidate> = imagine(&read, &balls).filter(is_finite).collect();
-    climb(&mut candidates, &read, &Obstacles::new(scene));
+    let mut candidates: Vec<Candidate> = imagine(read, &balls).filter(is_finite).collect();
+    climb(&mut candidates, read, &Obstacles::new(scene));
     (!candidates.is_empty()).then_some(candidates)
+}
+
+/// Returns up to `count` proposals: the candidates in the order in which the online agent tries them if all attempts
+/// fail, then the balls that the net ranks behind the candidates. A longer list begins with the balls of a shorter one.
+pub(super) fn proposals(candidates: Vec<Candidate>, nets: &PathNet, scene: &Scene, count: usize) -> Vec<Proposal> {
+    let mut proposals = OnlineAgent::new(candidates, Similarity::DEFAULT).list(count);
+    if proposals.len() < count
+        && let Some(read) = nets.read(scene)
+    {
+        // More than are missing: some are candidates that have climbed there.
+        let ranked = ranking::ranked(&read.logits, scene, count + CANDIDATES);
+        for proposal in ranked.into_iter().skip(CANDIDATES) {
+            if proposals.iter().all(|before| before.ball != proposal.ball) {
+                proposals.push(proposal);
+            }
+        }
+        proposals.truncate(count);
+    }
+    proposals
 }
 
 /// Replaces each of the likeliest candidates by its likeliest neighbour, if that is likelier and no candidate yet.
 fn climb(candidates: &mut [Candidate], read: &ReadScene, obstacles: &Obstacles) {
     let mut order: Vec<usize> = (0..candidates.len()).collect();
-    order.sort_by(|&one, &other| candidates[other].logit.total_cmp(&candidates[one].logit));
+    order.sort_by(|&a, &b| candidates[b].logit.total_cmp(&candidates[a].logit));
     order.truncate(CLIMBERS);
     let (climbers, neighbours): (Vec<usize>, Vec<Ball>) = order
         .into_iter()
@@ -42,7 +65,7 @@ fn climb(candidates: &mut [Candidate], read: &ReadScene, obstacles: &Obstacles) 
         .unzip();
     for (index, neighbour) in climbers.into_iter().zip(imagine(read, &neighbours)) {
         let likelier = is_finite(&neighbour) && neighbour.logit > candidates[index].logit;
-        if likelier && candidates.iter().all(|other| other.ball != neighbour.ball) {
+        if likelier && candidates.iter().all(|candidate| candidate.ball != neighbour.ball) {
             candidates[index] = neighbour;
         }
     }
@@ -54,35 +77,44 @@ fn neighbours(ball: Ball, obstacles: &Obstacles) -> impl Iterator<Item = Ball> {
     let moved = [-STEP, STEP].into_iter().flat_map(move |step| {
         [Ball { x: x + step, ..ball }, Ball { y: y + step, ..ball }, Ball { r: r + step, ..ball }]
     });
-    moved.filter(|one| obstacles.check(one).is_ok())
+    moved.filter(|neighbour| obstacles.check(neighbour).is_ok())
 }
 
 fn imagine(read: &ReadScene, balls: &[Ball]) -> impl Iterator<Item = Candidate> {
+    #[cfg(test)]
+    tests::IMAGINED.set(tests::IMAGINED.get() + balls.len());
     let imagined = read.imagine(balls).into_iter().zip(balls);
     imagined.map(|(ImaginedBall { logit, paths, .. }, &ball)| Candidate { ball, logit: logit.into(), paths })
 }
 
-/// Whether all that is known of a candidate is a number; damaged weights imagine none.
+/// Whether the logit and all coordinates are finite. With damaged weights they may not be.
 fn is_finite(candidate: &Candidate) -> bool {
     let paths = candidate.paths.object.iter().chain(&candidate.paths.ball).flatten();
     candidate.logit.is_finite() && paths.into_iter().all(|coordinate| coordinate.is_finite())
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
+    use std::cell::Cell;
+
     use super::*;
     use crate::agents::{Origin, propose, start};
-    use crate::nets::{DynamicsNet, flex};
+    use crate::nets::DynamicsNet;
     use crate::puzzle::task::Task;
+
+    thread_local! {
+        /// Balls that this thread has imagined.
+        pub static IMAGINED: Cell<usize> = const { Cell::new(0) };
+    }
 
     #[test]
     fn a_dynamics_net_yields_valid_balls_that_the_model_tries() {
         let scene = Task::load("00002:007".parse().expect("an id")).expect("a task").scene;
-        let mut nets = PathNet::new(&flex());
+        let mut nets = PathNet::fresh(0);
         assert!(imagined_candidates(&nets, &scene, 100).is_none());
         let kind = |nets: &PathNet| start(nets, &scene, 0, 1).propose().expect("a ball").origin;
         assert!(!matches!(kind(&nets), Origin::Imagined { .. }));
-        nets.dynamics = Some(DynamicsNet::new(&flex()));
+        nets.dynamics = Some(DynamicsNet::fresh(0));
         assert!(matches!(kind(&nets), Origin::Imagined { .. }));
         let candidates = imagined_candidates(&nets, &scene, 100).expect("a dynamics net");
         assert_eq!(candidates.len(), CANDIDATES);
@@ -90,16 +122,32 @@ mod tests {
             assert_eq!(ball.check(&scene), Ok(()));
             assert!(candidates[..index].iter().all(|before| before.ball != *ball), "{ball} twice");
         }
-        assert_eq!(propose(&nets, &scene, 0, 100).len(), 100);
+    }
+
+    #[test]
+    fn a_longer_list_begins_with_the_balls_of_a_shorter_one() {
+        let scene = Task::load("00002:007".parse().expect("an id")).expect("a task").scene;
+        let mut nets = PathNet::fresh(0);
+        nets.dynamics = Some(DynamicsNet::fresh(0));
+        let longest = propose(&nets, &scene, 0, 1000);
+        assert_eq!(longest.len(), 1000);
+        for (index, Proposal { ball, .. }) in longest.iter().enumerate() {
+            assert_eq!(ball.check(&scene), Ok(()));
+            assert!(longest[..index].iter().all(|before| before.ball != *ball), "{ball} twice");
+        }
+        for count in [1, 100, CANDIDATES, CANDIDATES + 1, 700] {
+            assert_eq!(propose(&nets, &scene, 0, count), longest[..count], "{count}");
+        }
     }
 
     #[test]
     fn the_likeliest_candidates_climb_one_step_at_most() {
         let scene = Task::load("00002:007".parse().expect("an id")).expect("a task").scene;
-        let mut nets = PathNet::new(&flex());
-        nets.dynamics = Some(DynamicsNet::new(&flex()));
+        let mut nets = PathNet::fresh(0);
+        nets.dynamics = Some(DynamicsNet::fresh(0));
         let read = nets.read(&scene).expect("a dynamics net");
-        let ranked: Vec<Ball> = ranking::ranked(&read.logits, &scene, CANDIDATES).iter().map(|one| one.ball).collect();
+        let ranked: Vec<Ball> =
+            ranking::ranked(&read.logits, &scene, CANDIDATES).iter().map(|proposal| proposal.ball).collect();
         let before: Vec<Candidate> = imagine(&read, &ranked).collect();
         let after = imagined_candidates(&nets, &scene, 100).expect("a dynamics net");
         let mut moved = 0;

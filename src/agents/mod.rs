@@ -1,16 +1,19 @@
 //! The agents that propose balls: the model, which may learn from its attempts, and the random agent.
 //!
-//! The page, `propose` and `evaluate` all call these functions, so the same seed yields the same attempts. The judge's
+//! The page, the command line and the lab all call these functions, so the same seed yields the same attempts. The judge's
 //! logits and probabilities are the same natively and in wasm, bit for bit; the maps of the four nets differ in the
 //! last bits where the exponential functions of the two do, so that the placement map may start from another ball. No
 //! agent calls the simulator. All balls are valid and in the order of the attempts. `seed` is that of one puzzle:
 //! `TaskId::seed`.
 
+#[cfg(not(target_arch = "wasm32"))]
+pub mod agent_name;
 mod fitting_balls;
 #[cfg(not(target_arch = "wasm32"))]
 mod fixed_actions;
 pub mod gaussian_process;
 pub mod imagined_candidates;
+pub mod memoized_model;
 pub mod online;
 pub mod placement;
 pub mod ranking;
@@ -19,23 +22,23 @@ use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
 use serde::Serialize;
 
-use imagined_candidates::imagined_candidates;
-use online::{OnlineAgent, Similarity};
+use imagined_candidates::{CANDIDATES, imagined_candidates};
+use online::{Candidate, OnlineAgent, Similarity};
 
-use crate::dataset::sampling::random_ball;
 #[cfg(not(target_arch = "wasm32"))]
 use crate::nets::Dqn;
 use crate::nets::PathNet;
 use crate::puzzle::action::Ball;
 use crate::puzzle::sampled_paths::SampledPaths;
+use crate::puzzle::sampling::random_ball;
 use crate::puzzle::scene::Scene;
 
-/// An agent at work on one puzzle: it proposes balls one by one, and may learn from what became of them.
+/// An agent at work on one puzzle: it proposes balls one by one, and may learn from their outcomes.
 pub trait Agent: Send {
     /// Returns the next ball; `None` if it has no more.
     fn propose(&mut self) -> Option<Proposal>;
 
-    /// Tells the outcome of the attempt with the ball that it proposed last.
+    /// Tells the agent the outcome of the attempt with the ball that it proposed last.
     fn observe(&mut self, observation: &Observation);
 }
 
@@ -47,7 +50,7 @@ pub struct Observation {
     pub paths: Option<SampledPaths>,
 }
 
-/// A list that was ordered beforehand: it learns nothing.
+/// A list that was ordered beforehand is an agent that learns nothing.
 impl Agent for std::vec::IntoIter<Proposal> {
     fn propose(&mut self) -> Option<Proposal> {
         self.next()
@@ -94,17 +97,39 @@ pub const VERSION: u32 = 3;
 /// Returns the model at work on a scene: the online agent, or, from weights without a dynamics net, the list of up to
 /// `count` proposals.
 pub fn start(nets: &PathNet, scene: &Scene, seed: u64, count: usize) -> Box<dyn Agent> {
-    match imagined_candidates(nets, scene, count) {
-        Some(candidates) => Box::new(OnlineAgent::new(candidates, Similarity::DEFAULT)),
-        None => Box::new(propose(nets, scene, seed, count).into_iter()),
-    }
+    start_from(imagined_candidates(nets, scene, count), nets, scene, seed, count)
 }
 
 /// Returns up to `count` proposals of the model, without learning from attempts: the balls that its dynamics net finds
 /// most probable; from weights without one those of its judge; without a judge those that its placement map suggests.
 pub fn propose(nets: &PathNet, scene: &Scene, seed: u64, count: usize) -> Vec<Proposal> {
-    if let Some(candidates) = imagined_candidates(nets, scene, count) {
-        return OnlineAgent::new(candidates, Similarity::DEFAULT).list(count);
+    propose_from(imagined_candidates(nets, scene, CANDIDATES), nets, scene, seed, count)
+}
+
+/// `start` with candidates that have been imagined.
+fn start_from(
+    candidates: Option<Vec<Candidate>>,
+    nets: &PathNet,
+    scene: &Scene,
+    seed: u64,
+    count: usize,
+) -> Box<dyn Agent> {
+    match candidates {
+        Some(candidates) => Box::new(OnlineAgent::new(candidates, Similarity::DEFAULT)),
+        None => Box::new(propose_from(None, nets, scene, seed, count).into_iter()),
+    }
+}
+
+/// `propose` with candidates that have been imagined.
+fn propose_from(
+    candidates: Option<Vec<Candidate>>,
+    nets: &PathNet,
+    scene: &Scene,
+    seed: u64,
+    count: usize,
+) -> Vec<Proposal> {
+    if let Some(candidates) = candidates {
+        return imagined_candidates::proposals(candidates, nets, scene, count);
     }
     // Damaged weights may have a judge whose logits are NaN; it ranks nothing.
     match from_judge(nets, scene, count) {

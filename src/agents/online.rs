@@ -1,5 +1,5 @@
 //! The online agent: tries the most promising of some candidates, and learns from each attempt that fails. Candidates
-//! that resemble it, and those whose imagined paths resemble what has just failed, become less probable; the others
+//! near the ball that failed, and candidates whose imagined paths resemble its paths, become less probable; the others
 //! stay.
 //!
 //! PHYRE's paper (Bakhtin et al. 2019) calls an agent online that learns at the counted attempts. Here the learning is
@@ -13,7 +13,7 @@ use crate::puzzle::sampled_paths::SampledPaths;
 /// Logits are equal if they round to the same multiple of this: the order must not depend on the last bits.
 const RESOLUTION: f64 = 1.0 / 65536.0;
 
-/// How much an attempt must have lowered a logit to be named as a reason.
+/// How much an attempt must have lowered a logit to be named as the reason.
 const NOTICEABLE: f64 = 0.25;
 
 /// A valid ball that may be tried, and what is expected of it.
@@ -47,7 +47,7 @@ impl Similarity {
         Similarity { paths: SquaredExponential { variance: 0.0, ..Similarity::DEFAULT.paths }, ..Similarity::DEFAULT };
 }
 
-/// What candidates are compared by.
+/// What candidates are compared by: the ball, and what it is imagined to lead to.
 type Idea = (Ball, SampledPaths);
 
 impl Kernel for Similarity {
@@ -91,8 +91,8 @@ impl OnlineAgent {
         }
     }
 
-    /// Returns the `count` balls that it tries if every attempt fails and it is never told the paths: a fixed list,
-    /// which learns nothing from the attempts.
+    /// Returns the `count` balls that it tries if every attempt fails and it is never told the real paths: a
+    /// fixed list, which learns nothing from the attempts.
     pub fn list(mut self, count: usize) -> Vec<Proposal> {
         let next = || {
             let proposal = self.propose()?;
@@ -125,10 +125,10 @@ impl Agent for OnlineAgent {
         let Some(last) = self.last.take() else { return };
         self.attempts += 1;
         let Candidate { ball, paths, .. } = self.candidates[last];
-        // It failed although it was imagined so, and it fails to go as it really went.
+        // The outcome counts twice: for the paths that were imagined, and for those that were then seen.
         let mut rises = self.process.observe(last, (ball, paths), observation.solved);
-        if let Some(paths) = observation.paths {
-            let more = self.process.observe(last, (ball, paths), observation.solved);
+        if let Some(real_paths) = observation.paths {
+            let more = self.process.observe(last, (ball, real_paths), observation.solved);
             rises.iter_mut().zip(more).for_each(|(rise, more)| *rise += more);
         }
         for (lowered, rise) in self.lowered.iter_mut().zip(rises) {
@@ -217,7 +217,7 @@ mod tests {
 
     #[test]
     fn a_list_is_what_it_tries_if_all_fails_as_imagined() {
-        let list: Vec<f64> = agent(two_ideas()).list(3).iter().map(|one| one.ball.x).collect();
+        let list: Vec<f64> = agent(two_ideas()).list(3).iter().map(|proposal| proposal.ball.x).collect();
         assert_eq!(list, places(&mut agent(two_ideas()), FAILED)[..3]);
         assert!(agent(Vec::new()).list(3).is_empty());
     }

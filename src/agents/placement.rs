@@ -8,8 +8,8 @@ use rand::{Rng, RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
 use super::{Origin, Proposal};
-use crate::dataset::sampling::{perturbed, random_ball};
 use crate::puzzle::action::{Action, Ball, Obstacles};
+use crate::puzzle::sampling::{perturbed, random_ball};
 use crate::puzzle::scene::Scene;
 use crate::raster::{ball_image, cell_centre};
 
@@ -109,8 +109,8 @@ fn improved_start(map: &[f32], obstacles: &Obstacles, cells: &[usize], rng: &mut
 const NEIGHBOURS: [(f64, f64, f64); 6] =
     [(-1.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, -1.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, -1.0), (0.0, 0.0, 1.0)];
 
-/// How well a ball fits the map: the sum of the map under it divided by the root of its area. A larger ball gains as
-/// long as it takes in cells that are more than half as high as its mean.
+/// How well a ball fits the map: the sum of the map under it divided by the square root of its area. A larger ball fits
+/// better as long as the cells that it gains are more than half as high as the mean under it.
 fn fit(map: &[f32], ball: Ball) -> f32 {
     let image = ball_image(ball);
     let under: f32 = image.cells().map(|cell| map[cell]).sum();
@@ -182,7 +182,8 @@ mod tests {
 
     #[test]
     fn a_scene_without_room_gets_as_many_balls_as_fit() {
-        let (scene, full) = (walled(12.0, 6.0), walled(3.0, 3.0));
+        let scene = walled(12.0, 6.0);
+        let full = walled(3.0, 3.0);
         let in_the_corner = certain_of(Ball { x: 6.0, y: 3.0, r: 2.0 });
         // 9 x 3 places for a radius of 2 px and 7 for one of 3 px; luck decides how many of them are drawn.
         let found = proposals(&in_the_corner, &scene, 0, 100);

@@ -20,7 +20,7 @@ const SUPPRESSION: f64 = 2.0;
 /// Standard deviation of the Gaussian by which the suppression falls with the distance in x, y and r, px.
 const SUPPRESSION_SIGMA: f64 = 5.0;
 
-/// Distance in x, y and r from which on there is no suppression, px: beyond four deviations it is below 0.001.
+/// Distance in x, y and r from which there is no suppression, px: beyond four deviations it is below 0.001.
 const SUPPRESSION_REACH: usize = 20;
 
 /// Cells to each side of a selected ball that it may reach; rounding moves a ball by less than one px within its cell.
@@ -39,19 +39,19 @@ pub fn ranked(logits: &[f32], scene: &Scene, attempts: usize) -> Vec<Proposal> {
     while found.len() < attempts
         && let Some(Candidate { logit, index }) = queue.pop()
     {
-        // Logits only fall, so one that has fallen since it was queued comes out too early, and is queued again (lazy
+        // Logits only fall. One that has fallen since it was queued comes out too early, and is queued again (lazy
         // evaluation, as in Minoux's accelerated greedy algorithm).
         if logits[index] < logit {
             queue.push(Candidate { logit: logits[index], index });
             continue;
         }
         let ball = balls.ball(index);
-        for other in neighbours(index) {
-            let near = balls.ball(other);
+        for near_index in neighbours(index) {
+            let near = balls.ball(near_index);
             let [dx, dy, dr] = [ball.x - near.x, ball.y - near.y, ball.r - near.r];
             let squared_distance = (dx * dx + dy * dy + dr * dr) as usize;
             if let Some(suppression) = suppression.get(squared_distance) {
-                logits[other] -= suppression;
+                logits[near_index] -= suppression;
             }
         }
         found.push(Proposal { ball, origin: Origin::Judge { probability: sigmoid(logit) }, rejected: 0 });
@@ -97,15 +97,16 @@ fn suppression_by_squared_distance() -> [f64; SUPPRESSION_REACH * SUPPRESSION_RE
 /// The indices of the logits, of any radius, on the cells that a selected ball may reach.
 fn neighbours(index: usize) -> impl Iterator<Item = usize> {
     let around = |at: usize| at.saturating_sub(REACHED_CELLS)..(at + REACHED_CELLS + 1).min(SIDE);
-    let (columns, rows) = (around(index % SIDE), around(index % CELLS / SIDE));
+    let columns = around(index % SIDE);
+    let rows = around(index % CELLS / SIDE);
     (0..RADII).flat_map(move |radius| {
         let columns = columns.clone();
         rows.clone().flat_map(move |row| columns.clone().map(move |column| radius * CELLS + row * SIDE + column))
     })
 }
 
-/// Returns for each of the 64 x 64 cells, row 0 at the bottom, the probability, 0..=1, that the best valid ball there
-/// solves the scene, 0 where no ball is valid; `None` if no logit is finite.
+/// Returns for each of the 64 x 64 cells, row 0 at the bottom, the probability that the best valid ball there solves
+/// the scene, 0 where no ball is valid; `None` if no logit is finite.
 pub fn probability_map(logits: &[f32], scene: &Scene) -> Option<Vec<f32>> {
     let balls = FittingBalls::new(scene);
     let probability = |cell: usize| {
@@ -128,17 +129,20 @@ mod tests {
         let valid = |index: &usize| ball_at(*index).action().place(&scene).ok();
         let free: Vec<usize> = (0..RADII * CELLS).filter(|index| valid(index).is_some()).collect();
         let blocked = (0..RADII * CELLS).find(|index| valid(index).is_none()).expect("an occupied place");
-        let (first, second) = (free[free.len() / 2], free[0]);
+        let first = free[free.len() / 2];
+        let second = free[0];
         let mut logits = vec![-9.0; RADII * CELLS];
-        (logits[blocked], logits[first], logits[first + 1], logits[second]) = (9.0, 4.0, 3.9, 3.0);
+        for (index, logit) in [(blocked, 9.0), (first, 4.0), (first + 1, 3.9), (second, 3.0)] {
+            logits[index] = logit;
+        }
         let found = ranked(&logits, &scene, 100);
         assert_eq!(found.len(), 100);
         assert_eq!(Some(found[0].ball), valid(&first));
         assert_eq!(Some(found[1].ball), valid(&second), "the neighbour of the first ball is suppressed");
         assert!(matches!(found[0].origin, Origin::Judge { probability } if (0.97..0.99).contains(&probability)));
-        for (index, one) in found.iter().enumerate() {
-            assert_eq!(one.ball.check(&scene), Ok(()));
-            assert!(found[..index].iter().all(|before| before.ball != one.ball), "{} twice", one.ball);
+        for (index, Proposal { ball, .. }) in found.iter().enumerate() {
+            assert_eq!(ball.check(&scene), Ok(()));
+            assert!(found[..index].iter().all(|before| before.ball != *ball), "{ball} twice");
         }
         assert!(ranked(&vec![f32::NAN; RADII * CELLS], &scene, 5).is_empty());
 

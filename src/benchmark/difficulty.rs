@@ -1,6 +1,6 @@
 //! How hard the benchmark's tasks are: of uniform valid balls, how many solve each.
 //!
-//! The counts are measured by `pathlight difficulty` and shipped in assets/difficulty.json. Used by the page, which
+//! The counts are measured by `pathlight-lab data difficulty` and shipped in difficulty.json. Used by the page, which
 //! tells players how hard a puzzle is, and wherever a scene is ranked among the benchmark's tasks.
 
 use serde::{Deserialize, Serialize};
@@ -22,9 +22,9 @@ pub struct Difficulty {
 }
 
 impl Difficulty {
-    /// Returns the counts of assets/difficulty.json.
+    /// Returns the counts of difficulty.json.
     pub fn shipped() -> Difficulty {
-        let text = include_str!("../../assets/difficulty.json");
+        let text = include_str!("difficulty.json");
         serde_json::from_str(text).expect("tests/difficulty.rs reads the shipped file")
     }
 

@@ -16,10 +16,11 @@ use crate::puzzle::templates::TEMPLATES;
 pub const FOLDS: u8 = 10;
 
 /// What an agent has to generalise to (PHYRE's evaluation setups).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Setup {
     /// New tasks of templates that it was trained on.
+    #[default]
     Within,
     /// New templates.
     Cross,
@@ -31,6 +32,33 @@ impl fmt::Display for Setup {
             Setup::Within => "within",
             Setup::Cross => "cross",
         })
+    }
+}
+
+/// Which fold of which setup.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct FoldId {
+    pub setup: Setup,
+    /// `0..FOLDS`
+    pub fold: u8,
+}
+
+impl FoldId {
+    /// All folds, within before cross, ascending.
+    pub fn all() -> impl Iterator<Item = FoldId> {
+        [Setup::Within, Setup::Cross].into_iter().flat_map(|setup| (0..FOLDS).map(move |fold| FoldId { setup, fold }))
+    }
+
+    /// Returns its tasks.
+    pub fn tasks(self) -> Fold {
+        Fold::new(self.setup, self.fold)
+    }
+}
+
+/// As files are named: `within-0`.
+impl fmt::Display for FoldId {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}-{}", self.setup, self.fold)
     }
 }
 

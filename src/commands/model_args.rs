@@ -1,39 +1,64 @@
-//! The arguments that name a model's weights, and the check that a fold may use them.
+//! The arguments that name the weights of a model and of DQN.
 
-use std::fs;
 use std::path::PathBuf;
+use std::{fs, path};
 
-use anyhow::{Context, ensure};
-use pathlight::nets::{Card, PathNet, flex};
-
-use super::fold_args::FoldArgs;
+use anyhow::Context;
+use pathlight::benchmark::folds::FoldId;
+use pathlight::nets::{Dqn, PathNet};
 
 /// A file of weights; part of the arguments of other commands.
 #[derive(clap::Args)]
 pub struct ModelArgs {
     /// Weights of the model [default: assets/SETUP-FOLD.safetensors]
     #[arg(long)]
-    pub weights: Option<PathBuf>,
+    weights: Option<PathBuf>,
 }
 
 impl ModelArgs {
-    /// The nets of a fold, and how they were trained.
+    /// Returns the nets of a fold.
     ///
     /// # Errors
     /// If the file cannot be read, or its nets were trained on another fold and so may know the test tasks of this.
-    pub fn load(&self, &FoldArgs { setup, fold }: &FoldArgs) -> anyhow::Result<(PathNet, Card)> {
-        let path = self.weights.clone().unwrap_or_else(|| format!("assets/{setup}-{fold}.safetensors").into());
+    pub fn load(&self, fold: FoldId) -> anyhow::Result<PathNet> {
+        let default = || path::absolute(format!("assets/{fold}.safetensors"));
+        let path = self.weights.clone().map_or_else(default, Ok)?;
         let name = path.display();
         let bytes = fs::read(&path).with_context(|| {
-            format!("cannot read the weights in {name}: run `pathlight train`, or name a file with --weights")
+            format!(
+                "cannot read the weights in {name}: run this in Pathlight's folder, or name a file that \
+                 `pathlight-lab train paths` has written with --weights"
+            )
         })?;
-        let (nets, card) = PathNet::load(&bytes, &flex()).with_context(|| format!("cannot use {name}"))?;
-        ensure!(
-            card.setup == setup && card.fold == fold,
-            "{name} was trained on {} {}, so it may have seen the test tasks of {setup} {fold}: use other weights",
-            card.setup,
-            card.fold
-        );
-        Ok((nets, card))
+        let (nets, card) = PathNet::load(&bytes).with_context(|| format!("cannot use {name}"))?;
+        card.fold_id().check(fold).with_context(|| format!("cannot use {name}"))?;
+        Ok(nets)
+    }
+}
+
+/// A file of DQN's weights; part of the arguments of other commands.
+#[derive(clap::Args)]
+pub struct DqnArgs {
+    /// Weights of DQN, the benchmark's baseline [default for --agent dqn:
+    /// target/train/SETUP-FOLD/dqn/weights.safetensors]
+    #[arg(long, value_name = "FILE")]
+    dqn: Option<PathBuf>,
+}
+
+impl DqnArgs {
+    /// Returns the net of a fold.
+    ///
+    /// # Errors
+    /// As those of `ModelArgs::load`.
+    pub fn load(&self, fold: FoldId) -> anyhow::Result<Dqn> {
+        let path = self.dqn.clone().unwrap_or_else(|| format!("target/train/{fold}/dqn/weights.safetensors").into());
+        let name = path.display();
+        let bytes = fs::read(&path).with_context(|| {
+            format!("cannot read DQN's weights in {name}: run `pathlight-lab train dqn`, or name a file with --dqn")
+        })?;
+        let (net, card) = Dqn::load(&bytes)
+            .with_context(|| format!("cannot use {name} as DQN's weights, which `pathlight-lab train dqn` writes"))?;
+        card.fold_id().check(fold).with_context(|| format!("cannot use {name}"))?;
+        Ok(net)
     }
 }

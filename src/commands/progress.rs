@@ -1,6 +1,7 @@
 //! The progress of a long command on standard error: a bar on a terminal, else a line now and then.
 //!
-//! Never touches standard output. A closed standard error does not stop the work.
+//! The lab's binary shows its progress so too. Never touches standard output. A closed standard error does not stop the
+//! work.
 
 use std::io::{self, Write};
 use std::time::{Duration, Instant};

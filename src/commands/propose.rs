@@ -1,13 +1,16 @@
 //! `pathlight propose`: the model's proposals for a fold's test tasks, as JSON lines, without any simulation, so that
 //! they can be evaluated elsewhere, for example on PHYRE's own engine.
 
+use std::fs;
 use std::io::{self, Write};
 use std::path::PathBuf;
 
+use anyhow::Context;
 use pathlight::agents;
-use pathlight::play::played::Played;
+use pathlight::benchmark::folds::FoldId;
 use pathlight::puzzle::action::Ball;
 use pathlight::puzzle::task::{Task, TaskId};
+use pathlight::session::played::Played;
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -15,7 +18,6 @@ use super::fold_args::FoldArgs;
 use super::model_args::ModelArgs;
 use super::own_scene_file;
 use super::progress::Progress;
-use super::replace_file::replace_file;
 
 /// Write the model's proposals as JSON lines, best first, without simulating
 #[derive(clap::Args)]
@@ -27,7 +29,7 @@ pub struct Args {
     #[arg(long = "task", value_name = "TASK")]
     tasks: Vec<TaskId>,
 
-    /// Propose for the own scene of this file instead, JSON as `tasks --schema` describes it
+    /// Propose for the own scene of this file ("-" is standard input) instead, JSON as `tasks --schema` describes it
     #[arg(long, value_name = "FILE", conflicts_with = "tasks")]
     scene: Option<PathBuf>,
 
@@ -39,7 +41,7 @@ pub struct Args {
     #[arg(long, default_value_t = 0)]
     seed: u64,
 
-    /// File to write; - is standard output
+    /// File to write; "-" is standard output
     #[arg(long, default_value = "-")]
     out: PathBuf,
 
@@ -58,12 +60,13 @@ struct TaskProposals {
 
 impl Args {
     pub fn run(self) -> anyhow::Result<()> {
-        let (nets, _) = self.model.load(&self.fold)?;
+        let fold = FoldId::from(self.fold);
+        let nets = self.model.load(fold)?;
         let own = self.scene.as_deref().map(own_scene_file::read).transpose()?;
         let tasks = if own.is_some() {
             Vec::new()
         } else if self.tasks.is_empty() {
-            self.fold.tasks().test
+            fold.tasks().test
         } else {
             self.tasks
         };
@@ -88,7 +91,9 @@ impl Args {
             progress.advance(tasks.len() as u64, "tasks".to_string());
         }
         if !to_stdout {
-            replace_file(&self.out, &file)?;
+            let folder = self.out.parent().map_or(Ok(()), fs::create_dir_all);
+            let written = folder.and_then(|()| fs::write(&self.out, &file));
+            written.with_context(|| format!("cannot write {}", self.out.display()))?;
         }
         progress.finish(&format!("{} tasks", tasks.len()));
         Ok(())

@@ -1,10 +1,12 @@
-//! `pathlight tasks`: lists the templates or the tasks of one, or prints scenes as JSON.
+//! `pathlight tasks`: lists the templates, the tasks of one or those of a fold, or prints scenes as JSON.
 //!
 //! The JSON of a task is that of `pathlight::puzzle::task::Task`.
 
 use std::io::{self, BufWriter, Write};
 use std::path::PathBuf;
 
+use clap::ValueEnum;
+use pathlight::benchmark::folds::{Fold, Setup};
 use pathlight::puzzle::own_scene::OwnScene;
 use pathlight::puzzle::scene::Scene;
 use pathlight::puzzle::task::{Task, TaskId};
@@ -12,30 +14,55 @@ use pathlight::puzzle::templates::{TEMPLATES, Template};
 use serde::Serialize;
 use serde_json::{Map, Value};
 
-use super::own_scene_file;
+use super::template_arg::template;
+use super::{fold_args, own_scene_file};
 
-/// List the templates, the tasks of one, or scenes as JSON
+/// List the templates, the tasks of a template or of a fold, or print scenes as JSON
 #[derive(clap::Args)]
 pub struct Args {
     /// List the 100 tasks of this template, with their parameters
-    #[arg(long, value_name = "TEMPLATE", value_parser = super::template)]
+    #[arg(long, value_name = "TEMPLATE", value_parser = template)]
     template: Option<&'static Template>,
 
-    /// Print scenes as JSON, one per line: of this task (like 00007:008), or of all tasks if none is named
+    /// List the tasks of this fold of the benchmark, 0 to 9
+    #[arg(long, value_name = "N", value_parser = fold_args::fold, conflicts_with = "template")]
+    fold: Option<u8>,
+
+    /// Setup of the fold: what an agent has to generalise to
+    #[arg(long, value_parser = fold_args::setup(), default_value = "within", requires = "fold")]
+    setup: Setup,
+
+    /// Part of the fold
+    #[arg(long, value_enum, default_value_t = Part::Test, requires = "fold")]
+    part: Part,
+
+    /// Print scenes as JSON, one per line: that of this task, like 00007:008; without a task those of the template or
+    /// the fold, or of all tasks
     #[arg(long, value_name = "TASK", num_args = 0..=1)]
     json: Option<Option<TaskId>>,
 
-    /// Print the own scene of this file as JSON, as it is simulated
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["template", "json"])]
+    /// Print the own scene of this file ("-" is standard input) as JSON, as it is simulated
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["template", "fold", "json"])]
     scene: Option<PathBuf>,
 
-    /// Print this task as an own scene, to be changed and played with --scene
-    #[arg(long, value_name = "TASK", conflicts_with_all = ["template", "json", "scene"])]
+    /// Print this task as an own scene, which can be edited and played with --scene
+    #[arg(long, value_name = "TASK", conflicts_with_all = ["template", "fold", "json", "scene"])]
     own: Option<TaskId>,
 
     /// Print the JSON Schema of own scenes
-    #[arg(long, conflicts_with_all = ["template", "json", "scene", "own"])]
+    #[arg(long, conflicts_with_all = ["template", "fold", "json", "scene", "own"])]
     schema: bool,
+}
+
+/// The parts of a fold.
+#[derive(Clone, Copy, ValueEnum)]
+enum Part {
+    /// The tasks to test on
+    Test,
+    /// The training tasks to choose settings on
+    Dev,
+    /// The other training tasks
+    Train,
 }
 
 impl Args {
@@ -57,15 +84,30 @@ impl Args {
     }
 
     fn print_tasks(&self, out: &mut impl Write) -> anyhow::Result<()> {
-        match (self.json, self.template) {
-            (Some(Some(_)), Some(_)) => anyhow::bail!("a task already names its template: leave --template out"),
-            (Some(Some(id)), None) => print_json(out, &Task::load(id)?)?,
-            (Some(None), Some(template)) => print_all_json(out, template)?,
-            (Some(None), None) => TEMPLATES.iter().try_for_each(|template| print_all_json(out, template))?,
-            (None, Some(template)) => list_tasks(out, template)?,
-            (None, None) => list_templates(out)?,
+        match (self.json, self.template, self.fold) {
+            (Some(Some(id)), None, None) => print_json(out, &Task::load(id)?)?,
+            (Some(Some(_)), ..) => anyhow::bail!("--json names a single task: leave --template and --fold out"),
+            (Some(None), _, Some(fold)) => {
+                for id in self.part_of(fold) {
+                    print_json(out, &Task::load(id)?)?;
+                }
+            }
+            (Some(None), Some(template), None) => print_all_json(out, template)?,
+            (Some(None), None, None) => TEMPLATES.iter().try_for_each(|template| print_all_json(out, template))?,
+            (None, _, Some(fold)) => self.part_of(fold).iter().try_for_each(|id| writeln!(out, "{id}"))?,
+            (None, Some(template), None) => list_tasks(out, template)?,
+            (None, None, None) => list_templates(out)?,
         }
         Ok(())
+    }
+
+    fn part_of(&self, fold: u8) -> Vec<TaskId> {
+        let Fold { train, dev, test } = Fold::new(self.setup, fold);
+        match self.part {
+            Part::Test => test,
+            Part::Dev => dev,
+            Part::Train => train,
+        }
     }
 }
 

@@ -5,33 +5,26 @@ use std::io::{self, Read, Write};
 use std::process::ExitCode;
 
 use anyhow::Context;
-use pathlight::play::verification::{AttemptLine, Verdict};
+use pathlight::verification::{AttemptLine, Verdict};
 use rayon::prelude::*;
-use serde::Serialize;
 
+use super::json_lines::{Numbered, parse};
 use super::progress::say;
 
-/// Simulate the attempts of a file again, and say for each: same, other outcome, or not valid
+/// Simulate the attempts of a file again, and say for each whether it is the same, has another outcome or is not valid
 ///
 /// Each line is an attempt as the page exports it and `simulate --verifiable` writes it: {"task" or "scene", "ball",
-/// "simulator", "status", "steps", "digest"}. The digest is SHA-256, in hexadecimal, of x, y (px) and angle (radians)
-/// of every moving body at the start and after each step, as f32, little-endian. Prints {"line", "verdict", "reason"}
-/// for each; the exit code is 0 if all are the same to the bit, 1 if some have another outcome, 2 if some are not
-/// valid.
+/// "simulator", "status", "steps", "digest"}. The digest is the SHA-256, in lowercase hexadecimal, of x, y (px) and
+/// angle (radians) of every moving body at the start and after each step, as f32, little-endian.
+///
+/// Prints {"line", "verdict", "reason"} for each line that is not blank. The verdict is "same" if all poses are the same
+/// to the bit, "other_outcome", or "not_valid" if the line cannot be simulated. The exit code is 0 if all are the same,
+/// 2 if some are not valid, and 1 otherwise.
 #[derive(clap::Args)]
 pub struct Args {
-    /// Attempts as JSON lines; - is standard input
+    /// Attempts as JSON lines; "-" is standard input
     #[arg(value_name = "FILE")]
     file: String,
-}
-
-/// What is printed for a line.
-#[derive(Serialize)]
-struct Answer<'a> {
-    /// From 1.
-    line: usize,
-    #[serde(flatten)]
-    verdict: &'a Verdict,
 }
 
 impl Args {
@@ -49,7 +42,7 @@ impl Args {
             attempts.into_par_iter().map(|(number, line)| (number, verdict(line))).collect();
         let mut out = io::stdout().lock();
         for (line, verdict) in &verdicts {
-            serde_json::to_writer(&mut out, &Answer { line: *line, verdict })?;
+            serde_json::to_writer(&mut out, &Numbered { line: *line, answer: verdict })?;
             writeln!(out)?;
         }
         let count = |matches: fn(&Verdict) -> bool| verdicts.iter().filter(|(_, verdict)| matches(verdict)).count();
@@ -62,8 +55,8 @@ impl Args {
 }
 
 fn verdict(line: &[u8]) -> Verdict {
-    match serde_json::from_slice::<AttemptLine>(line) {
+    match parse::<AttemptLine>(line, "`simulate --verifiable` writes attempts, and the page exports them") {
         Ok(attempt) => attempt.verify(),
-        Err(reason) => Verdict::NotValid(format!("The line is no attempt: {reason}.")),
+        Err(reason) => Verdict::NotValid(format!("The line is not an attempt: {reason}.")),
     }
 }

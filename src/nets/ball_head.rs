@@ -1,13 +1,15 @@
 //! The perceptron of the dynamics net: from the hypercolumn at a ball to its paths and its chance.
 //!
 //! The chance is read from the imagined paths and from the features that draw them. A second one is read from the paths
-//! alone: it shows how much the paths say.
+//! alone: it shows how much the paths say. `BallHead::predict` is written once, for tensors in training and for plain
+//! slices in `imagined_balls`.
 
 use burn::module::Module;
 use burn::nn::{Linear, LinearConfig};
 use burn::tensor::activation::relu;
-use burn::tensor::{Device, Int, Tensor, TensorData};
+use burn::tensor::{Device, Tensor};
 
+use super::ball_batch::BallTensors;
 use super::dynamics::{CODE, LEVELS, SceneFeatures};
 use super::judge::RADII;
 use crate::puzzle::action::{Ball, RADIUS};
@@ -30,13 +32,16 @@ pub const BALL_NUMBERS: usize = 12 + RADII;
 /// Numbers that describe the two bodies of the goal and the ball, for the chance from the paths alone.
 pub const PLACES: usize = 5;
 
-const SCENE_HIDDEN: usize = 64;
+/// Outputs of the layer `scene`.
+pub const SCENE_HIDDEN: usize = 64;
+
 const HIDDEN: [usize; 2] = [192, 128];
 const CHANCE_HIDDEN: usize = 64;
 
 /// Channels of the hypercolumn.
 const fn hypercolumn() -> usize {
-    let (mut sum, mut level) = (0, 0);
+    let mut sum = 0;
+    let mut level = 0;
     while level < LEVELS.len() {
         sum += LEVELS[level].1;
         level += 1;
@@ -44,20 +49,61 @@ const fn hypercolumn() -> usize {
     sum
 }
 
-/// The perceptron.
+/// The layers of the perceptron: burn's, or `imagined_balls::Layer` for inference.
 #[derive(Module, Debug)]
-pub struct BallHead {
-    pub(super) scene: Linear,
-    pub(super) first: Linear,
-    pub(super) second: Linear,
+pub struct BallHead<L = Linear> {
+    pub(super) scene: L,
+    first: L,
+    second: L,
     /// Displacements of the coordinates from the start, in `UNIT`.
-    pub(super) displacements: Linear,
+    displacements: L,
     /// Expected errors of the positions, in `UNIT`, before softplus.
-    pub(super) errors: Linear,
-    pub(super) chance: Linear,
-    pub(super) logit: Linear,
-    pub(super) path_chance: [Linear; 2],
-    pub(super) path_logit: Linear,
+    errors: L,
+    chance: L,
+    logit: L,
+    path_chance: [L; 2],
+    path_logit: L,
+}
+
+/// Features of some balls, and the operations that the perceptron consists of.
+pub trait Features: Clone {
+    type Layer;
+
+    fn linear(&self, layer: &Self::Layer) -> Self;
+    fn relu(self) -> Self;
+    /// ln(1 + e^x), written so that no x overflows.
+    fn softplus(self) -> Self;
+    fn add(self, other: Self) -> Self;
+    /// The features of all blocks, one block after the other.
+    fn concat(blocks: Vec<Self>) -> Self;
+    /// The same features; no gradient flows back through them.
+    fn detach(self) -> Self;
+}
+
+/// The inputs of the perceptron for some balls.
+pub struct HeadInputs<F> {
+    /// `BALL_NUMBERS` features.
+    pub numbers: F,
+    /// `SCENE_HIDDEN` features: the output of the layer `scene`.
+    pub code: F,
+    /// The features of each level at the ball, in the order of `LEVELS`.
+    pub hypercolumn: Vec<F>,
+    /// `PLACES` features.
+    pub places: F,
+    /// `COORDINATES` features: paths that stay where they start, in `UNIT`.
+    pub starts: F,
+}
+
+/// What balls lead to.
+pub struct Predictions<F> {
+    /// `COORDINATES` features, in `UNIT`.
+    pub coordinates: F,
+    /// Expected distances between imagined and real positions, in `UNIT`: `POSITIONS` features.
+    pub errors: F,
+    /// From the paths and the features that draw them: one feature.
+    pub logits: F,
+    /// From the paths alone: one feature.
+    pub path_logits: F,
 }
 
 /// Where the bodies of the goal start, px.
@@ -127,136 +173,113 @@ pub fn ball_numbers(ball: Ball, starts: Starts) -> [f32; BALL_NUMBERS] {
 /// Returns the numbers that the chance from the paths alone sees beside them.
 pub fn places(ball: Ball, starts: Starts) -> [f32; PLACES] {
     let scale = SIZE as f32;
-    let [x, y, u, v] = [starts.goal[0], starts.goal[1], starts.object[0], starts.object[1]].map(|at| at / scale);
-    [x, y, u, v, ball.r as f32 / 32.0]
+    let Starts { object, goal } = starts;
+    [goal[0] / scale, goal[1] / scale, object[0] / scale, object[1] / scale, ball.r as f32 / 32.0]
 }
 
-/// Balls of a batch of scenes as plain numbers.
-#[derive(Default)]
-pub struct BallBatch {
-    count: usize,
-    /// The scene of each ball.
-    scenes: Vec<i64>,
-    /// For each level and ball the rows of its corners in the flattened level, and their weights.
-    rows: [Vec<i64>; LEVELS.len()],
-    weights: [Vec<f32>; LEVELS.len()],
-    numbers: Vec<f32>,
-    places: Vec<f32>,
-    starts: Vec<f32>,
-}
-
-impl BallBatch {
-    /// Adds a ball of the scene with this number in the batch.
-    pub fn add(&mut self, scene: usize, ball: Ball, starts: Starts) {
-        self.count += 1;
-        self.scenes.push(scene as i64);
-        for (level, (side, _)) in LEVELS.into_iter().enumerate() {
-            for (cell, weight) in corners(side, ball) {
-                self.rows[level].push((scene * side * side + cell) as i64);
-                self.weights[level].push(weight);
-            }
-        }
-        self.numbers.extend(ball_numbers(ball, starts));
-        self.places.extend(places(ball, starts));
-        let [object, start] = [starts.object, [ball.x as f32, ball.y as f32]];
-        self.starts.extend([object, start].iter().flat_map(|start| start.repeat(SAMPLES)).map(|at| at / UNIT));
-    }
-
-    pub fn tensors(self, device: &Device) -> BallTensors {
-        let count = self.count;
-        let floats =
-            |values: Vec<f32>, width: usize| Tensor::<2>::from_data(TensorData::new(values, [count, width]), device);
-        let indices = |values: Vec<i64>| {
-            let len = values.len();
-            Tensor::<1, Int>::from_data(TensorData::new(values, [len]), device)
-        };
-        let corners = self.rows.into_iter().zip(self.weights).map(|(rows, weights)| {
-            let weights = Tensor::<3>::from_data(TensorData::new(weights, [count, 4, 1]), device);
-            (indices(rows), weights)
-        });
-        BallTensors {
-            corners: corners.collect(),
-            scenes: indices(self.scenes),
-            numbers: floats(self.numbers, BALL_NUMBERS),
-            places: floats(self.places, PLACES),
-            starts: floats(self.starts, COORDINATES),
-        }
-    }
-}
-
-/// Balls of a batch of scenes.
-pub struct BallTensors {
-    /// For each level the rows of the corners `[4 balls]` and their weights `[balls, 4, 1]`.
-    corners: Vec<(Tensor<1, Int>, Tensor<3>)>,
-    /// `[balls]`
-    scenes: Tensor<1, Int>,
-    /// `[balls, BALL_NUMBERS]`
-    numbers: Tensor<2>,
-    /// `[balls, PLACES]`
-    places: Tensor<2>,
-    /// The coordinates of a path that stays where it starts, `[balls, COORDINATES]`, in `UNIT`.
-    starts: Tensor<2>,
-}
-
-/// What balls lead to.
-pub struct Predictions {
-    /// `[balls, COORDINATES]`, in `UNIT`.
-    pub coordinates: Tensor<2>,
-    /// Expected distances between imagined and real positions, `[balls, POSITIONS]`, in `UNIT`.
-    pub errors: Tensor<2>,
-    /// From the paths and the features that draw them, `[balls]`.
-    pub logits: Tensor<1>,
-    /// From the paths alone, `[balls]`.
-    pub path_logits: Tensor<1>,
+/// Returns the coordinates of the two paths if both bodies stay where they start, in `UNIT`.
+pub fn paths_at_rest(ball: Ball, starts: Starts) -> [f32; COORDINATES] {
+    let ball = [ball.x as f32, ball.y as f32];
+    std::array::from_fn(|coordinate| {
+        let start = if coordinate < COORDINATES / 2 { starts.object } else { ball };
+        start[coordinate % 2] / UNIT
+    })
 }
 
 impl BallHead {
     pub fn new(device: &Device) -> BallHead {
         let linear = |input, output| LinearConfig::new(input, output).init(device);
-        let paths = COORDINATES + POSITIONS;
+        let paths = COORDINATES + POSITIONS + PLACES;
         BallHead {
             scene: linear(CODE, SCENE_HIDDEN),
-            first: linear(hypercolumn() + SCENE_HIDDEN + BALL_NUMBERS, HIDDEN[0]),
+            first: linear(BALL_NUMBERS + SCENE_HIDDEN + hypercolumn(), HIDDEN[0]),
             second: linear(HIDDEN[0], HIDDEN[1]),
             displacements: linear(HIDDEN[1], COORDINATES),
             errors: linear(HIDDEN[1], POSITIONS),
-            chance: linear(HIDDEN[1] + paths + PLACES, CHANCE_HIDDEN),
+            chance: linear(HIDDEN[1] + paths, CHANCE_HIDDEN),
             logit: linear(CHANCE_HIDDEN, 1),
-            path_chance: [linear(paths + PLACES, CHANCE_HIDDEN), linear(CHANCE_HIDDEN, CHANCE_HIDDEN)],
+            path_chance: [linear(paths, CHANCE_HIDDEN), linear(CHANCE_HIDDEN, CHANCE_HIDDEN)],
             path_logit: linear(CHANCE_HIDDEN, 1),
         }
     }
 
     /// Features of scenes and balls in them, in; what each ball leads to, out.
-    pub fn forward(&self, features: &SceneFeatures, balls: BallTensors) -> Predictions {
+    pub fn forward(&self, features: &SceneFeatures, balls: BallTensors) -> Predictions<Tensor<2>> {
         let BallTensors { corners, scenes, numbers, places, starts } = balls;
         let code = relu(self.scene.forward(features.code.clone())).select(0, scenes); // [balls, SCENE_HIDDEN]
-        let mut columns: Vec<Tensor<2>> = vec![numbers, code];
-        for (level, (rows, weights)) in features.levels.iter().zip(corners) {
+        let hypercolumn = features.levels.iter().zip(corners).map(|(level, (rows, weights))| {
             let [batch, channels, side, _] = level.dims();
             let cells = level.clone().permute([0, 2, 3, 1]).reshape([batch * side * side, channels]);
             let around = cells.select(0, rows).reshape([-1, 4, channels as i32]); // [balls, 4, channels]
-            columns.push((around * weights).sum_dim(1).squeeze_dim(1));
-        }
-        let hidden = relu(self.first.forward(Tensor::cat(columns, 1)));
-        let hidden = relu(self.second.forward(hidden)); // [balls, HIDDEN[1]]
-        let coordinates = starts + self.displacements.forward(hidden.clone());
-        let errors = softplus(self.errors.forward(hidden.clone()));
-        let paths = Tensor::cat(vec![coordinates.clone(), errors.clone(), places], 1);
-        let chance = relu(self.chance.forward(Tensor::cat(vec![hidden, paths.clone()], 1)));
-        // Its loss does not change the paths: it only reads them.
-        let from_paths = relu(self.path_chance[0].forward(paths.detach()));
-        let from_paths = relu(self.path_chance[1].forward(from_paths));
+            (around * weights).sum_dim(1).squeeze_dim::<2>(1)
+        });
+        self.predict(HeadInputs { numbers, code, hypercolumn: hypercolumn.collect(), places, starts })
+    }
+}
+
+impl<L> BallHead<L> {
+    /// The perceptron after its layer `scene`, for training and for inference. The order of the blocks is that of the
+    /// inputs of the layers in weights files.
+    pub fn predict<F: Features<Layer = L>>(&self, inputs: HeadInputs<F>) -> Predictions<F> {
+        let HeadInputs { numbers, code, hypercolumn, places, starts } = inputs;
+        let seen = F::concat([numbers, code].into_iter().chain(hypercolumn).collect());
+        let hidden = seen.linear(&self.first).relu().linear(&self.second).relu();
+        let coordinates = starts.add(hidden.linear(&self.displacements));
+        let errors = hidden.linear(&self.errors).softplus();
+        let paths = F::concat(vec![coordinates.clone(), errors.clone(), places]);
+        let chance = F::concat(vec![hidden, paths.clone()]).linear(&self.chance).relu();
+        let [first, second] = &self.path_chance;
+        // The loss of these logits does not change the paths: it only reads them.
+        let path_chance = paths.detach().linear(first).relu().linear(second).relu();
         Predictions {
             coordinates,
             errors,
-            logits: self.logit.forward(chance).squeeze_dim(1),
-            path_logits: self.path_logit.forward(from_paths).squeeze_dim(1),
+            logits: chance.linear(&self.logit),
+            path_logits: path_chance.linear(&self.path_logit),
+        }
+    }
+
+    /// Returns the same perceptron with layers of another kind.
+    pub fn with_layers<M>(&self, convert: impl Fn(&L) -> M) -> BallHead<M> {
+        BallHead {
+            scene: convert(&self.scene),
+            first: convert(&self.first),
+            second: convert(&self.second),
+            displacements: convert(&self.displacements),
+            errors: convert(&self.errors),
+            chance: convert(&self.chance),
+            logit: convert(&self.logit),
+            path_chance: self.path_chance.each_ref().map(&convert),
+            path_logit: convert(&self.path_logit),
         }
     }
 }
 
-/// ln(1 + e^x), written so that no x overflows.
-fn softplus<const D: usize>(x: Tensor<D>) -> Tensor<D> {
-    relu(x.clone()) + x.abs().neg().exp().log1p()
+/// `[balls, features]`, for training.
+impl Features for Tensor<2> {
+    type Layer = Linear;
+
+    fn linear(&self, layer: &Linear) -> Tensor<2> {
+        layer.forward(self.clone())
+    }
+
+    fn relu(self) -> Tensor<2> {
+        relu(self)
+    }
+
+    fn softplus(self) -> Tensor<2> {
+        relu(self.clone()) + self.abs().neg().exp().log1p()
+    }
+
+    fn add(self, other: Tensor<2>) -> Tensor<2> {
+        self + other
+    }
+
+    fn concat(blocks: Vec<Tensor<2>>) -> Tensor<2> {
+        Tensor::cat(blocks, 1)
+    }
+
+    fn detach(self) -> Tensor<2> {
+        Tensor::detach(self)
+    }
 }

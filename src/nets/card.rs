@@ -2,7 +2,28 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::benchmark::folds::Setup;
+use crate::benchmark::folds::{FoldId, Setup};
+
+/// Weights that were trained on another fold than that whose test tasks they should solve.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error(
+    "the weights were trained on {} {}, so they may have seen the test tasks of {} {}: use other weights",
+    .trained_on.setup, .trained_on.fold, .asked.setup, .asked.fold
+)]
+pub struct OtherFold {
+    trained_on: FoldId,
+    asked: FoldId,
+}
+
+impl FoldId {
+    /// Checks that weights of this fold have not seen the test tasks of the fold that is asked for.
+    ///
+    /// # Errors
+    /// If the folds differ.
+    pub fn check(self, asked: FoldId) -> Result<(), OtherFold> {
+        if self == asked { Ok(()) } else { Err(OtherFold { trained_on: self, asked }) }
+    }
+}
 
 /// The settings that the weights were trained with. Aliases: keys of older files.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -39,6 +60,13 @@ pub struct Card {
     /// The settings of the dynamics net's training, if there is one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub dynamics: Option<DynamicsCard>,
+}
+
+impl Card {
+    /// Returns the fold that the nets were trained on.
+    pub fn fold_id(&self) -> FoldId {
+        FoldId { setup: self.setup, fold: self.fold }
+    }
 }
 
 /// The settings that a judge was trained with. It has seen the same tasks as the nets.
@@ -120,4 +148,11 @@ pub struct DqnCard {
     pub variants: usize,
     /// The fold's dev tasks were left out of training, so that settings may be chosen on them.
     pub without_dev: bool,
+}
+
+impl DqnCard {
+    /// Returns the fold that the net was trained on.
+    pub fn fold_id(&self) -> FoldId {
+        FoldId { setup: self.setup, fold: self.fold }
+    }
 }

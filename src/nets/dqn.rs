@@ -20,6 +20,7 @@ use burn::tensor::activation::relu;
 use burn::tensor::{Device, Tensor, TensorData, s};
 
 use super::conv::{conv_down, fit_tiles, new_conv_down};
+use super::seeded;
 use crate::puzzle::action::Action;
 use crate::puzzle::scene::Scene;
 use crate::raster::{CHANNELS, Coverage, SIDE, scene_coverage};
@@ -99,8 +100,12 @@ impl ResidualBlock {
 }
 
 impl Dqn {
-    /// Returns a fresh net.
-    pub fn new(device: &Device) -> Dqn {
+    /// Returns a fresh net with random weights from this seed.
+    pub fn fresh(seed: u64) -> Dqn {
+        Dqn::new(&seeded(seed))
+    }
+
+    pub(super) fn new(device: &Device) -> Dqn {
         let inputs = [CHANNELS, WIDTHS[0], WIDTHS[1]];
         let linear = |input, output| LinearConfig::new(input, output).init(device);
         Dqn {
@@ -207,7 +212,6 @@ mod tests {
     use burn::tensor::Distribution;
 
     use super::*;
-    use crate::nets::flex;
     use crate::puzzle::task::Task;
 
     fn apart(a: Tensor<2>, b: Tensor<2>) -> f32 {
@@ -216,8 +220,7 @@ mod tests {
 
     #[test]
     fn the_modulation_may_follow_the_layer_that_it_precedes() {
-        let device = flex();
-        device.seed(5);
+        let device = seeded(5);
         let dqn = Dqn::new(&device);
         let random = |shape: [usize; 3]| Tensor::<3>::random(shape, Distribution::Uniform(-1.0, 1.0), &device);
         let scenes = Tensor::random([2, CHANNELS, SIDE, SIDE], Distribution::Uniform(0.0, 1.0), &device);
@@ -235,9 +238,7 @@ mod tests {
     #[test]
     fn a_list_of_actions_has_the_logits_of_its_actions() {
         let scene = Task::load("00002:007".parse().expect("an id")).expect("a task").scene;
-        let device = flex();
-        device.seed(6);
-        let dqn = Dqn::new(&device);
+        let dqn = Dqn::fresh(6);
         let actions: Vec<Action> = (0..BLOCK + 3)
             .map(|index| index as f64 / (BLOCK + 3) as f64)
             .map(|at| Action { x: at, y: 1.0 - at, r: at * at })

@@ -12,8 +12,10 @@ use burn::nn::conv::{Conv2d, ConvTranspose2d};
 use burn::tensor::activation::relu;
 use burn::tensor::{Device, Tensor};
 
-use super::ball_head::{BallHead, BallTensors, Predictions};
+use super::ball_batch::BallTensors;
+use super::ball_head::{BallHead, Predictions};
 use super::judge::{Judge, RADII};
+use super::seeded;
 use super::u_net::{self, Activations, WIDTHS};
 use crate::raster::SIDE;
 
@@ -38,7 +40,7 @@ pub const CODE: usize = 4 * WIDTHS[4];
 pub struct DynamicsNet {
     down: Vec<Conv2d>,
     up: Vec<ConvTranspose2d>,
-    pub head: BallHead,
+    pub(super) head: BallHead,
 }
 
 /// What the U-Net makes of scenes.
@@ -52,8 +54,12 @@ pub struct SceneFeatures {
 }
 
 impl DynamicsNet {
-    /// Returns a fresh net.
-    pub fn new(device: &Device) -> DynamicsNet {
+    /// Returns a fresh net with random weights from this seed.
+    pub fn fresh(seed: u64) -> DynamicsNet {
+        DynamicsNet::new(&seeded(seed))
+    }
+
+    pub(super) fn new(device: &Device) -> DynamicsNet {
         let (down, up) = u_net::new_layers(RADII + FINEST, device);
         DynamicsNet { down, up, head: BallHead::new(device) }
     }
@@ -91,7 +97,7 @@ impl DynamicsNet {
     }
 
     /// Scenes `[batch, 5, 64, 64]` and balls in them, in; the logits of all cells and what each ball leads to, out.
-    pub fn forward(&self, scenes: Tensor<4>, balls: BallTensors) -> (Tensor<4>, Predictions) {
+    pub fn forward(&self, scenes: Tensor<4>, balls: BallTensors) -> (Tensor<4>, Predictions<Tensor<2>>) {
         let features = self.encode(scenes);
         let predictions = self.head.forward(&features, balls);
         (features.logits, predictions)
@@ -103,12 +109,11 @@ mod tests {
     use burn::tensor::Distribution;
 
     use super::*;
-    use crate::nets::flex;
     use crate::raster::CHANNELS;
 
     #[test]
     fn a_net_from_a_judge_scores_cells_as_the_judge_does() {
-        let device = flex();
+        let device = seeded(0);
         let judge = Judge::new(&device);
         let scenes = Tensor::random([2, CHANNELS, SIDE, SIDE], Distribution::Uniform(0.0, 1.0), &device);
         let expected: Vec<f32> = judge.forward(scenes.clone()).into_data().iter().collect();
@@ -116,7 +121,7 @@ mod tests {
         let features = net.encode(scenes.clone());
         for logits in [net.cell_logits(scenes), features.logits] {
             let logits: Vec<f32> = logits.into_data().iter().collect();
-            assert!(logits.iter().zip(&expected).all(|(one, other)| (one - other).abs() < 1e-5));
+            assert!(logits.iter().zip(&expected).all(|(found, expected)| (found - expected).abs() < 1e-5));
         }
         let finest: Vec<f32> = features.levels[0].clone().into_data().iter().collect();
         assert!(finest.iter().any(|&value| value > 0.0), "the features of balls are fresh, not empty");

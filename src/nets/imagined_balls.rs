@@ -1,15 +1,18 @@
-//! The dynamics net's answers for the balls of one scene, on plain slices.
+//! What the dynamics net imagines for the balls of one scene, on plain slices.
 //!
-//! The same computation as `BallHead::forward`, in an order that does not depend on the processor: natively and in wasm
-//! the answers are the same, bit for bit. PHYRE's world is symmetric, so the scene and its mirror image both answer,
+//! `BallHead::predict` with sums in an order that does not depend on the processor: natively and in wasm the answers
+//! are the same, bit for bit. PHYRE's world is symmetric, so the net answers for the scene and for its mirror image,
 //! and the answer is their mean.
 
 use burn::nn::Linear;
 use burn::tensor::Tensor;
 
-use super::ball_head::{BallHead, COORDINATES, PLACES, POSITIONS, Starts, UNIT, ball_numbers, corners, places};
+use super::ball_head::{
+    BALL_NUMBERS, BallHead, COORDINATES, Features, HeadInputs, PLACES, POSITIONS, SCENE_HIDDEN, Starts, UNIT,
+    ball_numbers, corners, paths_at_rest, places,
+};
 use super::conv::{Matrix, matmul};
-use super::dynamics::{DynamicsNet, LEVELS, SceneFeatures};
+use super::dynamics::{CODE, DynamicsNet, LEVELS, SceneFeatures};
 use super::judge::logit_index;
 use super::values;
 use crate::puzzle::action::Ball;
@@ -40,7 +43,7 @@ pub struct ImaginedBall {
 pub struct ReadScene {
     /// Logits of the balls on each cell, `[RADII, 64, 64]`.
     pub logits: Vec<f32>,
-    head: PlainHead,
+    head: BallHead<Layer>,
     /// The scene and its mirror image.
     views: [View; 2],
 }
@@ -50,7 +53,7 @@ struct View {
     starts: Starts,
     /// For each level `[side * side, channels]`: the features of a cell lie together, because a ball needs all of them.
     levels: Vec<Vec<f32>>,
-    /// The output of the head's layer `scene`.
+    /// The output of the head's layer `scene`, `[SCENE_HIDDEN]`.
     code: Vec<f32>,
 }
 
@@ -61,49 +64,84 @@ struct Layer {
     bias: Vec<f32>,
 }
 
-/// The layers of `BallHead`.
-struct PlainHead {
-    first: Layer,
-    second: Layer,
-    displacements: Layer,
-    errors: Layer,
-    chance: Layer,
-    logit: Layer,
-    path_chance: [Layer; 2],
-    path_logit: Layer,
-}
-
 impl Layer {
     fn new(layer: &Linear) -> Layer {
         let bias = layer.bias.as_ref().expect("every layer has a bias").val();
-        let vec = |data: burn::tensor::TensorData| data.try_into_vec().expect("the nets are of f32");
-        Layer { weight: vec(layer.weight.val().into_data()), bias: vec(bias.into_data()) }
+        Layer { weight: values(layer.weight.val()), bias: values(bias) }
+    }
+}
+
+/// Features of up to `BLOCK` balls, `[features, BLOCK]`: each ball has a column. What columns without a ball hold does
+/// not matter.
+#[derive(Clone)]
+struct Columns(Vec<f32>);
+
+impl Columns {
+    /// The features of each ball, or of whatever else is to have a column.
+    fn new<'a, B, F: IntoIterator<Item = f32>>(balls: &'a [B], count: usize, features: impl Fn(&'a B) -> F) -> Columns {
+        let mut columns = vec![0.0; count * BLOCK];
+        for (index, ball) in balls.iter().enumerate() {
+            for (row, feature) in columns.chunks_exact_mut(BLOCK).zip(features(ball)) {
+                row[index] = feature;
+            }
+        }
+        Columns(columns)
     }
 
-    /// `[inputs, BLOCK]` in, `[outputs, BLOCK]` out.
-    fn forward(&self, x: &[f32], relu: bool) -> Vec<f32> {
-        let (inputs, outputs) = (x.len() / BLOCK, self.bias.len());
+    fn get(&self, feature: usize, column: usize) -> f32 {
+        self.0[feature * BLOCK + column]
+    }
+
+    fn map(mut self, of: impl Fn(f32) -> f32) -> Columns {
+        self.0.iter_mut().for_each(|value| *value = of(*value));
+        self
+    }
+}
+
+impl Features for Columns {
+    type Layer = Layer;
+
+    fn linear(&self, Layer { weight, bias }: &Layer) -> Columns {
+        let Columns(x) = self;
+        let (inputs, outputs) = (x.len() / BLOCK, bias.len());
         let mut y = vec![0.0; outputs * BLOCK];
         if outputs == 1 {
             // The kernels multiply whole tiles of rows.
-            for (x, weight) in x.chunks_exact(BLOCK).zip(&self.weight) {
+            for (x, weight) in x.chunks_exact(BLOCK).zip(weight) {
                 for (y, x) in y.iter_mut().zip(x) {
                     *y += weight * x;
                 }
             }
         } else {
-            let weight = Matrix::new(&self.weight, inputs, outputs, outputs).transposed();
+            let weight = Matrix::new(weight, inputs, outputs, outputs).transposed();
             matmul(&mut y, BLOCK, weight, Matrix::new(x, inputs, BLOCK, BLOCK));
         }
-        for (y, bias) in y.chunks_exact_mut(BLOCK).zip(&self.bias) {
-            for y in y {
-                *y += bias;
-                if relu && *y < 0.0 {
-                    *y = 0.0;
-                }
-            }
+        for (y, bias) in y.chunks_exact_mut(BLOCK).zip(bias) {
+            y.iter_mut().for_each(|y| *y += bias);
         }
-        y
+        Columns(y)
+    }
+
+    fn relu(self) -> Columns {
+        self.map(|x| if x < 0.0 { 0.0 } else { x })
+    }
+
+    fn softplus(self) -> Columns {
+        // With libm, so that wasm computes the same.
+        self.map(|x| x.max(0.0) + libm::log1pf(libm::expf(-x.abs())))
+    }
+
+    fn add(mut self, other: Columns) -> Columns {
+        self.0.iter_mut().zip(other.0).for_each(|(value, other)| *value += other);
+        self
+    }
+
+    fn concat(blocks: Vec<Columns>) -> Columns {
+        Columns(blocks.into_iter().map(|Columns(block)| block).collect::<Vec<_>>().concat())
+    }
+
+    fn detach(self) -> Columns {
+        self
     }
 }
 
@@ -111,105 +149,65 @@ impl DynamicsNet {
     /// Reads a scene and its mirror image, `[2, 5, 64, 64]`.
     pub(super) fn read(&self, scene: &Scene, images: Tensor<4>) -> ReadScene {
         let SceneFeatures { logits, levels, code } = self.encode(images);
-        let head = &self.head;
-        let [ours, mirrored]: [Tensor<4>; 2] = logits.chunk(2, 0).try_into().expect("two scenes");
-        let logits = values((ours + mirrored.flip([3])) / 2.0);
-        let starts = Starts::of(scene);
-        let scene_layer = Layer::new(&head.scene);
-        let code: Vec<f32> = code.into_data().try_into_vec().expect("the nets are of f32");
+        let [logits, mirrored]: [Tensor<4>; 2] = logits.chunk(2, 0).try_into().expect("two scenes");
+        let logits = values((logits + mirrored.flip([3])) / 2.0);
+        let head = self.head.with_layers(Layer::new);
         let levels: Vec<Vec<f32>> = levels.into_iter().map(|level| values(level.permute([0, 2, 3, 1]))).collect();
-        let view = |index: usize, starts: Starts| {
-            let half = |all: &Vec<f32>| all[index * all.len() / 2..][..all.len() / 2].to_vec();
-            let mut columns = vec![0.0; code.len() / 2 * BLOCK];
-            for (column, value) in columns.chunks_exact_mut(BLOCK).zip(half(&code)) {
-                column[0] = value;
-            }
-            let code = scene_layer.forward(&columns, true).chunks_exact(BLOCK).map(|row| row[0]).collect();
-            View { starts, levels: levels.iter().map(half).collect(), code }
+        let codes: Vec<Vec<f32>> = values(code).chunks_exact(CODE).map(<[f32]>::to_vec).collect();
+        let codes = Columns::new(&codes, CODE, |code| code.iter().copied()).linear(&head.scene).relu();
+        let view = |index: usize, starts: Starts| View {
+            starts,
+            levels: levels.iter().map(|level| level[index * level.len() / 2..][..level.len() / 2].to_vec()).collect(),
+            code: (0..SCENE_HIDDEN).map(|feature| codes.get(feature, index)).collect(),
         };
-        ReadScene { logits, head: PlainHead::new(head), views: [view(0, starts), view(1, starts.mirrored())] }
+        let starts = Starts::of(scene);
+        let views = [view(0, starts), view(1, starts.mirrored())];
+        ReadScene { logits, head, views }
     }
 }
 
-impl PlainHead {
-    fn new(head: &BallHead) -> PlainHead {
-        PlainHead {
-            first: Layer::new(&head.first),
-            second: Layer::new(&head.second),
-            displacements: Layer::new(&head.displacements),
-            errors: Layer::new(&head.errors),
-            chance: Layer::new(&head.chance),
-            logit: Layer::new(&head.logit),
-            path_chance: [Layer::new(&head.path_chance[0]), Layer::new(&head.path_chance[1])],
-            path_logit: Layer::new(&head.path_logit),
-        }
-    }
-
-    /// The answers for up to `BLOCK` balls.
-    fn forward(&self, view: &View, balls: &[Ball]) -> Vec<ImaginedBall> {
-        let inputs = self.first.weight.len() / self.first.bias.len();
-        let mut column = vec![0.0; inputs * BLOCK];
-        for (index, &ball) in balls.iter().enumerate() {
-            let mut rows = column.chunks_exact_mut(BLOCK).map(|row| &mut row[index]);
-            let mut push = |value: f32| *rows.next().expect("as many rows as features") = value;
-            ball_numbers(ball, view.starts).into_iter().for_each(&mut push);
-            view.code.iter().copied().for_each(&mut push);
-            for (level, (side, channels)) in view.levels.iter().zip(LEVELS) {
+impl View {
+    /// Returns what up to `BLOCK` balls lead to.
+    fn imagine(&self, head: &BallHead<Layer>, balls: &[Ball]) -> Vec<ImaginedBall> {
+        let level_at_balls = |(level, (side, channels)): (&Vec<f32>, (usize, usize))| {
+            Columns::new(balls, channels, |&ball| {
                 let corners = corners(side, ball).map(|(cell, weight)| (&level[cell * channels..][..channels], weight));
-                for channel in 0..channels {
-                    push(corners.iter().map(|&(cell, weight)| cell[channel] * weight).sum());
-                }
-            }
-        }
-        let mut hidden = self.second.forward(&self.first.forward(&column, true), true);
-        let displacements = self.displacements.forward(&hidden, false);
-        let mut errors = self.errors.forward(&hidden, false);
-        errors.iter_mut().for_each(|error| *error = softplus(*error));
-        let mut paths = displacements;
-        for (index, &ball) in balls.iter().enumerate() {
-            for (coordinate, row) in paths.chunks_exact_mut(BLOCK).enumerate() {
-                let start = if coordinate < 2 * SAMPLES { view.starts.object } else { [ball.x as f32, ball.y as f32] };
-                row[index] += start[coordinate % 2] / UNIT;
-            }
-        }
-        paths.extend(&errors);
-        let mut all_places = vec![0.0; PLACES * BLOCK];
-        for (index, &ball) in balls.iter().enumerate() {
-            for (row, place) in all_places.chunks_exact_mut(BLOCK).zip(places(ball, view.starts)) {
-                row[index] = place;
-            }
-        }
-        paths.extend(&all_places);
-        hidden.extend(&paths);
-        let logits = self.logit.forward(&self.chance.forward(&hidden, true), false);
-        let from_paths = self.path_chance[1].forward(&self.path_chance[0].forward(&paths, true), true);
-        let path_logits = self.path_logit.forward(&from_paths, false);
-        let answer = |index: usize| {
-            let at = |row: usize| paths[row * BLOCK + index] * UNIT;
-            let path =
-                |first: usize| std::array::from_fn(|sample| [at(first + 2 * sample), at(first + 2 * sample + 1)]);
+                (0..channels).map(move |channel| corners.iter().map(|&(cell, weight)| cell[channel] * weight).sum())
+            })
+        };
+        let predictions = head.predict(HeadInputs {
+            numbers: Columns::new(balls, BALL_NUMBERS, |&ball| ball_numbers(ball, self.starts)),
+            code: Columns::new(balls, SCENE_HIDDEN, |_| self.code.iter().copied()),
+            hypercolumn: self.levels.iter().zip(LEVELS).map(level_at_balls).collect(),
+            places: Columns::new(balls, PLACES, |&ball| places(ball, self.starts)),
+            starts: Columns::new(balls, COORDINATES, |&ball| paths_at_rest(ball, self.starts)),
+        });
+        let imagined = |column: usize| {
+            let coordinate = |index: usize| predictions.coordinates.get(index, column) * UNIT;
+            let path = |first: usize| {
+                std::array::from_fn(|sample| [coordinate(first + 2 * sample), coordinate(first + 2 * sample + 1)])
+            };
             ImaginedBall {
                 paths: SampledPaths { object: path(0), ball: path(2 * SAMPLES) },
-                errors: std::array::from_fn(|position| at(COORDINATES + position)),
-                logit: logits[index],
-                path_logit: path_logits[index],
+                errors: std::array::from_fn(|position| predictions.errors.get(position, column) * UNIT),
+                logit: predictions.logits.get(0, column),
+                path_logit: predictions.path_logits.get(0, column),
             }
         };
-        (0..balls.len()).map(answer).collect()
+        (0..balls.len()).map(imagined).collect()
     }
 }
 
 impl ReadScene {
     /// Imagines what balls of the scene lead to.
     pub fn imagine(&self, balls: &[Ball]) -> Vec<ImaginedBall> {
-        let mirror = |&ball: &Ball| Ball { x: SIZE - ball.x, ..ball };
+        let [view, mirrored_view] = &self.views;
         let mut imagined = Vec::with_capacity(balls.len());
         for block in balls.chunks(BLOCK) {
-            let mirrored: Vec<Ball> = block.iter().map(mirror).collect();
-            let [views, mirrored_view] = &self.views;
-            let answers = self.head.forward(views, block);
-            let mirrored = self.head.forward(mirrored_view, &mirrored);
-            imagined.extend(answers.into_iter().zip(mirrored).map(|(ours, theirs)| ours.mean(&theirs)));
+            let mirrored_block: Vec<Ball> = block.iter().map(|&ball| Ball { x: SIZE - ball.x, ..ball }).collect();
+            let answers = view.imagine(&self.head, block);
+            let mirrored = mirrored_view.imagine(&self.head, &mirrored_block);
+            imagined.extend(answers.into_iter().zip(mirrored).map(|(answer, mirrored)| answer.mean(&mirrored)));
         }
         for (imagined, &ball) in imagined.iter_mut().zip(balls) {
             // Only a ball that is not valid has no cell.
@@ -221,17 +219,18 @@ impl ReadScene {
 }
 
 impl ImaginedBall {
-    /// The mean of two answers, the other one for the mirror image.
+    /// Returns the mean of the answers for a ball and for its mirror image in the mirrored scene.
     fn mean(mut self, mirrored: &ImaginedBall) -> ImaginedBall {
-        let both = |path: &mut [[f32; 2]], other: &[[f32; 2]]| {
-            for ([x, y], [u, v]) in path.iter_mut().zip(other) {
-                (*x, *y) = ((*x + SIZE as f32 - u) / 2.0, (*y + v) / 2.0);
+        let average = |path: &mut [[f32; 2]], mirrored: &[[f32; 2]]| {
+            for ([x, y], [mirrored_x, mirrored_y]) in path.iter_mut().zip(mirrored) {
+                *x = (*x + SIZE as f32 - mirrored_x) / 2.0;
+                *y = (*y + mirrored_y) / 2.0;
             }
         };
-        both(&mut self.paths.object, &mirrored.paths.object);
-        both(&mut self.paths.ball, &mirrored.paths.ball);
-        for (error, other) in self.errors.iter_mut().zip(&mirrored.errors) {
-            *error = (*error + other) / 2.0;
+        average(&mut self.paths.object, &mirrored.paths.object);
+        average(&mut self.paths.ball, &mirrored.paths.ball);
+        for (error, mirrored) in self.errors.iter_mut().zip(&mirrored.errors) {
+            *error = (*error + mirrored) / 2.0;
         }
         self.logit = (self.logit + mirrored.logit) / 2.0;
         self.path_logit = (self.path_logit + mirrored.path_logit) / 2.0;
@@ -239,16 +238,12 @@ impl ImaginedBall {
     }
 }
 
-/// ln(1 + e^x), with libm, so that wasm computes the same.
-fn softplus(x: f32) -> f32 {
-    x.max(0.0) + libm::log1pf(libm::expf(-x.abs()))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::nets::PathNet;
-    use crate::nets::ball_head::{BallBatch, Predictions};
+    use crate::nets::ball_batch::BallBatch;
+    use crate::nets::ball_head::Predictions;
     use crate::nets::flex;
     use crate::nets::judge::RADII;
     use crate::puzzle::task::Task;
@@ -257,8 +252,8 @@ mod tests {
     #[test]
     fn the_plain_head_answers_as_burns_layers_do() {
         let scene = Task::load("00002:007".parse().expect("an id")).expect("a task").scene;
-        let mut nets = PathNet::new(&flex());
-        nets.dynamics = Some(DynamicsNet::new(&flex()));
+        let mut nets = PathNet::fresh(0);
+        nets.dynamics = Some(DynamicsNet::fresh(0));
         let balls: Vec<Ball> = (0..21)
             .map(|i| Ball { x: 40.0 + 7.0 * f64::from(i), y: 30.0 + 9.5 * f64::from(i), r: 2.0 + f64::from(i) })
             .collect();
@@ -270,11 +265,9 @@ mod tests {
         balls.iter().for_each(|&ball| batch.add(0, ball, Starts::of(&scene)));
         let (_, predictions) = net.forward(nets.encode_coverage(&scene), batch.tensors(&flex()));
         let Predictions { coordinates, errors, logits, path_logits } = predictions;
-        let vec = |data: burn::tensor::TensorData| data.try_into_vec::<f32>().expect("f32");
-        let (coordinates, errors) = (vec(coordinates.into_data()), vec(errors.into_data()));
-        let (logits, path_logits) = (vec(logits.into_data()), vec(path_logits.into_data()));
+        let [coordinates, errors, logits, path_logits] = [coordinates, errors, logits, path_logits].map(values);
         let close = |a: f32, b: f32| assert!((a - b).abs() < 1e-3 * a.abs().max(1.0), "{a} {b}");
-        let plain: Vec<ImaginedBall> = balls.chunks(BLOCK).flat_map(|block| read.head.forward(view, block)).collect();
+        let plain: Vec<ImaginedBall> = balls.chunks(BLOCK).flat_map(|block| view.imagine(&read.head, block)).collect();
         for (index, ball) in plain.iter().enumerate() {
             close(ball.logit, logits[index]);
             close(ball.path_logit, path_logits[index]);

@@ -1,14 +1,13 @@
 //! The judge: scores every action at once, how likely a ball of any radius at any place solves the scene.
 //!
-//! A U-Net (`u_net`) that returns one map of logits for each of a few radii, and learns from balls with their outcome
-//! (`dataset::labels`). The paper has no such net. Agents that order balls by it need fewer
-//! attempts.
+//! A U-Net (`u_net`) that returns one map of logits for each of a few radii, and learns from balls with their outcome.
+//! The paper has no such net. Agents that order balls by it need fewer attempts.
 
 use burn::module::Module;
 use burn::nn::conv::{Conv2d, ConvTranspose2d};
 use burn::tensor::{Device, Tensor};
 
-use super::u_net;
+use super::{seeded, u_net};
 use crate::puzzle::action::{Ball, Invalid, RADIUS};
 use crate::puzzle::scene::SIZE;
 use crate::raster::{self, CELLS, SIDE};
@@ -24,8 +23,12 @@ pub struct Judge {
 }
 
 impl Judge {
-    /// Returns a fresh judge.
-    pub fn new(device: &Device) -> Judge {
+    /// Returns a fresh judge with random weights from this seed.
+    pub fn fresh(seed: u64) -> Judge {
+        Judge::new(&seeded(seed))
+    }
+
+    pub(super) fn new(device: &Device) -> Judge {
         let (down, up) = u_net::new_layers(RADII, device);
         Judge { down, up }
     }

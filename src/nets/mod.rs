@@ -1,17 +1,19 @@
-//! The four nets of Harter et al. (2020): each predicts one map from the scene, the last two also from earlier maps.
+//! The nets of Harter et al. (2020): each predicts one map from the scene, the last two also from earlier maps.
 //!
 //! Base path and target path come from the scene alone; the action path from the scene and both; the placement of the
-//! ball from scene, target path and action path. A fifth net scores balls: the judge from the scene alone, or the
-//! dynamics net, which imagines what a ball leads to. This folder is the only user of burn; it uses neither files nor
-//! agents nor the simulator.
+//! ball from scene, target path and action path. One more net scores balls: the judge from the scene alone, or the
+//! dynamics net, which imagines what a ball leads to. This folder is the only user of burn, none of whose types its
+//! callers need. It uses neither agents nor the simulator, and files only for the checkpoints of a training.
 
 use burn::module::Module;
 use burn::tensor::activation::sigmoid;
 use burn::tensor::{Device, Tensor, TensorData};
 
+use crate::colour::maps::ImaginedMap;
 use crate::puzzle::scene::Scene;
 use crate::raster::{Bitmap, CHANNELS, Coverage, SIDE, scene_channels, scene_coverage};
 
+pub mod ball_batch;
 pub mod ball_head;
 mod card;
 mod conv;
@@ -23,12 +25,12 @@ pub mod imagined_balls;
 pub mod judge;
 #[cfg(not(target_arch = "wasm32"))]
 mod rounding;
-#[cfg(not(target_arch = "wasm32"))]
+#[cfg(feature = "training")]
 pub mod training;
 mod u_net;
 mod weights;
 
-pub use card::{Card, DqnCard, DynamicsCard, JudgeCard};
+pub use card::{Card, DqnCard, DynamicsCard, JudgeCard, OtherFold};
 #[cfg(not(target_arch = "wasm32"))]
 pub use dqn::Dqn;
 pub use dynamics::DynamicsNet;
@@ -37,7 +39,7 @@ pub use imagined_balls::{ImaginedBall, ReadScene};
 pub use judge::Judge;
 pub use weights::{WeightsError, read_card};
 
-/// The four nets together.
+/// The nets together.
 #[derive(Module, Debug)]
 pub struct PathNet {
     base: Hourglass,
@@ -50,15 +52,40 @@ pub struct PathNet {
     pub dynamics: Option<DynamicsNet>,
 }
 
-/// Logits of the four maps, each `[batch, 1, 64, 64]`, in the order base, target, action, placement.
+/// Logits of the paper's maps, each `[batch, 1, 64, 64]`, in the order base, target, action, placement.
 pub type Logits = [Tensor<4>; 4];
 
 impl PathNet {
-    /// Returns fresh nets without a judge.
-    pub fn new(device: &Device) -> PathNet {
+    /// Returns fresh nets with random weights from this seed, without a judge and without a dynamics net.
+    pub fn fresh(seed: u64) -> PathNet {
+        PathNet::new(&seeded(seed))
+    }
+
+    /// Returns the nets of a weights file, and its card.
+    ///
+    /// # Errors
+    /// If the bytes are not a weights file of these nets.
+    pub fn load(bytes: &[u8]) -> Result<(PathNet, Card), WeightsError> {
+        PathNet::load_on(bytes, &flex())
+    }
+
+    /// As `load`, to run on burn's ndarray backend, which it has deprecated: the reference of the differential tests.
+    #[cfg(feature = "ndarray")]
+    #[allow(deprecated)]
+    pub fn load_on_ndarray(bytes: &[u8]) -> Result<(PathNet, Card), WeightsError> {
+        PathNet::load_on(bytes, &Device::ndarray())
+    }
+
+    fn new(device: &Device) -> PathNet {
         let net = |channels| Hourglass::new(channels, device);
-        let (base, target) = (net(CHANNELS), net(CHANNELS));
-        PathNet { base, target, action: net(CHANNELS + 2), placement: net(CHANNELS + 2), judge: None, dynamics: None }
+        PathNet {
+            base: net(CHANNELS),
+            target: net(CHANNELS),
+            action: net(CHANNELS + 2),
+            placement: net(CHANNELS + 2),
+            judge: None,
+            dynamics: None,
+        }
     }
 
     /// Scenes `[batch, 5, 64, 64]` in, logits out; gradients flow through the whole chain.
@@ -70,7 +97,8 @@ impl PathNet {
     fn chain(&self, scene: Tensor<4>) -> (Logits, [Tensor<4>; 3]) {
         let base = self.base.forward(scene.clone());
         let target = self.target.forward(scene.clone());
-        let (base_map, target_map) = (sigmoid(base.clone()), sigmoid(target.clone()));
+        let base_map = sigmoid(base.clone());
+        let target_map = sigmoid(target.clone());
         let scene_and_target = Tensor::cat(vec![scene, target_map.clone()], 1); // [batch, 6, 64, 64]
         let action = self.action.forward(Tensor::cat(vec![scene_and_target.clone(), base_map.clone()], 1));
         let action_map = sigmoid(action.clone());
@@ -106,7 +134,7 @@ impl PathNet {
         Some(dynamics.read(scene, Tensor::cat(vec![images.clone(), images.flip([3])], 0)))
     }
 
-    /// The input of the four nets for a scene, `[1, 5, 64, 64]`.
+    /// The input of the paper's nets for a scene, `[1, 5, 64, 64]`.
     fn encode(&self, scene: &Scene) -> Tensor<4> {
         self.image(scene_channels(scene).iter().flat_map(Bitmap::to_f32).collect())
     }
@@ -122,7 +150,7 @@ impl PathNet {
     }
 }
 
-fn values(tensor: Tensor<4>) -> Vec<f32> {
+fn values<const D: usize>(tensor: Tensor<D>) -> Vec<f32> {
     tensor.into_data().try_into_vec().expect("the nets are of f32")
 }
 
@@ -139,14 +167,27 @@ pub struct Imagined {
     pub placement: Vec<f32>,
 }
 
+impl Imagined {
+    /// Returns a map of the paper's nets; `None` for the others.
+    pub fn map(&self, map: ImaginedMap) -> Option<&[f32]> {
+        match map {
+            ImaginedMap::Base => Some(&self.base),
+            ImaginedMap::Target => Some(&self.target),
+            ImaginedMap::Action => Some(&self.action),
+            ImaginedMap::Placement => Some(&self.placement),
+            ImaginedMap::Judge => None,
+        }
+    }
+}
+
 /// Returns the device that all nets run on: burn's flex backend on the CPU.
-pub fn flex() -> Device {
+fn flex() -> Device {
     Device::flex()
 }
 
-/// Returns burn's ndarray backend, which it has deprecated: the reference backend of the differential tests.
-#[cfg(feature = "ndarray")]
-#[allow(deprecated)]
-pub fn ndarray() -> Device {
-    Device::ndarray()
+/// Returns that device with its random numbers seeded.
+fn seeded(seed: u64) -> Device {
+    let device = flex();
+    device.seed(seed);
+    device
 }

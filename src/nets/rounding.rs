@@ -1,4 +1,4 @@
-//! Rounds weights so that they compress: `pathlight publish` uses this on what the page downloads.
+//! Rounds weights so that they compress: `pathlight-lab publish weights` uses this on what the page downloads.
 //!
 //! Every weight becomes a multiple of its tensor's step, a power of two that depends on the standard deviation of the
 //! tensor. Half precision holds such multiples exactly, so a weights file stays what it is. Most bits that carry only
@@ -29,7 +29,8 @@ impl ModuleMapper for Rounding {
             return param;
         }
         param.map(|tensor| {
-            let (shape, device) = (tensor.dims(), tensor.device());
+            let shape = tensor.dims();
+            let device = tensor.device();
             let mut weights: Vec<f32> = tensor.into_data().iter().collect();
             round(&mut weights);
             Tensor::from_data(TensorData::new(weights, shape), &device)

@@ -17,7 +17,7 @@ use serde::de::DeserializeOwned;
 
 use super::{Card, DynamicsNet, Judge, PathNet};
 #[cfg(not(target_arch = "wasm32"))]
-use super::{Dqn, DqnCard};
+use super::{Dqn, DqnCard, flex};
 
 /// The key of the card in the file's metadata.
 const CARD: &str = "pathlight";
@@ -27,9 +27,9 @@ const CARD: &str = "pathlight";
 pub enum WeightsError {
     #[error("not a safetensors file ({0}): download or train the weights again")]
     NotSafetensors(#[from] safetensors::SafeTensorError),
-    #[error("the file does not record how it was trained: write weights with `pathlight train`")]
+    #[error("the file does not record how it was trained: write weights with `pathlight-lab train paths`")]
     NoCard,
-    #[error("the card of the weights cannot be read ({0}): write weights with `pathlight train`")]
+    #[error("the card of the weights cannot be read ({0}): write weights with `pathlight-lab train paths`")]
     BadCard(#[from] serde_json::Error),
     #[error("the weights lack `{0}`: they belong to other nets")]
     Missing(String),
@@ -38,7 +38,7 @@ pub enum WeightsError {
     )]
     ShapeMismatch { name: String, found: Vec<usize>, expected: Vec<usize>, dtype: Dtype },
     #[error(
-        "the dynamics net of the weights learned from set cells, and is now shown covered shares of cells: train it again with `pathlight train-dynamics`"
+        "the dynamics net of the weights learned from set cells, and is now shown covered shares of cells: train it again with `pathlight-lab train dynamics`"
     )]
     SetCells,
     #[error("`{0}` holds a number that is not finite: download or train the weights again")]
@@ -52,11 +52,7 @@ pub enum WeightsError {
 }
 
 impl PathNet {
-    /// Returns the nets of a weights file, and its card.
-    ///
-    /// # Errors
-    /// If the bytes are not a weights file of these nets.
-    pub fn load(bytes: &[u8], device: &Device) -> Result<(PathNet, Card), WeightsError> {
+    pub(super) fn load_on(bytes: &[u8], device: &Device) -> Result<(PathNet, Card), WeightsError> {
         let card = read_card(bytes)?;
         let file = SafeTensors::deserialize(bytes)?;
         let mut nets = PathNet::new(device);
@@ -88,9 +84,10 @@ impl Dqn {
     ///
     /// # Errors
     /// If the bytes are not a weights file of this net.
-    pub fn load(bytes: &[u8], device: &Device) -> Result<(Dqn, DqnCard), WeightsError> {
+    pub fn load(bytes: &[u8]) -> Result<(Dqn, DqnCard), WeightsError> {
         let card = card_of(bytes)?;
-        Ok((load(Dqn::new(device), &SafeTensors::deserialize(bytes)?, device)?, card))
+        let device = flex();
+        Ok((load(Dqn::new(&device), &SafeTensors::deserialize(bytes)?, &device)?, card))
     }
 
     /// Returns the bytes of a weights file of this net.
@@ -188,8 +185,12 @@ impl Loader<'_> {
         let name = self.path.join(".");
         let view = self.file.tensor(&name).map_err(|_| WeightsError::Missing(name.clone()))?;
         if view.dtype() != Dtype::F16 || view.shape() != expected {
-            let (found, dtype) = (view.shape().to_vec(), view.dtype());
-            return Err(WeightsError::ShapeMismatch { name, found, expected: expected.to_vec(), dtype });
+            return Err(WeightsError::ShapeMismatch {
+                name,
+                found: view.shape().to_vec(),
+                expected: expected.to_vec(),
+                dtype: view.dtype(),
+            });
         }
         let values = view.data().as_chunks().0.iter().map(|&pair| f16::from_le_bytes(pair).to_f32());
         let values: Vec<f32> = values.collect();
@@ -228,7 +229,6 @@ impl ModuleMapper for Loader<'_> {
 mod tests {
     use super::*;
     use crate::benchmark::folds::Setup;
-    use crate::nets::flex;
 
     /// Sets the biases, the parameters of one dimension, to a value.
     struct SetBiases(f32);
@@ -257,7 +257,7 @@ mod tests {
             judge: None,
             dynamics: None,
         };
-        let saved = |value: f32| PathNet::new(&flex()).map(&mut SetBiases(value)).save(&card);
+        let saved = |value: f32| PathNet::fresh(0).map(&mut SetBiases(value)).save(&card);
         assert!(saved(f16::MAX.to_f32()).is_ok());
         for value in [1e5, -1e5, f32::INFINITY, f32::NAN] {
             let error = saved(value).expect_err("half precision has no such number");
@@ -266,10 +266,10 @@ mod tests {
         }
         // The last two bytes of the file are a weight.
         let mut bytes = saved(0.0).expect("weights");
-        assert!(PathNet::load(&bytes, &flex()).is_ok());
+        assert!(PathNet::load(&bytes).is_ok());
         for value in [f16::INFINITY, f16::NAN] {
             bytes.splice(bytes.len() - 2.., value.to_le_bytes());
-            let error = PathNet::load(&bytes, &flex()).map(drop).expect_err("it is no weight");
+            let error = PathNet::load(&bytes).map(drop).expect_err("it is no weight");
             assert!(matches!(error, WeightsError::NotFinite(_)), "{error}");
         }
     }
@@ -289,12 +289,10 @@ mod tests {
             variants: 0,
             without_dev: false,
         };
-        let device = flex();
-        device.seed(2);
-        let bytes = Dqn::new(&device).save(&card).expect("fresh weights are finite");
-        let (loaded, of_file) = Dqn::load(&bytes, &device).expect("our own file");
+        let bytes = Dqn::fresh(2).save(&card).expect("fresh weights are finite");
+        let (loaded, of_file) = Dqn::load(&bytes).expect("our own file");
         assert_eq!(of_file, card);
         assert_eq!(loaded.save(&card).expect("finite weights"), bytes);
-        assert!(matches!(PathNet::load(&bytes, &device), Err(WeightsError::BadCard(_))));
+        assert!(matches!(PathNet::load(&bytes), Err(WeightsError::BadCard(_))));
     }
 }

@@ -25,7 +25,13 @@ pub const JAR_HEIGHT: RangeInclusive<f64> = 10.0..=200.0;
 pub const STICK_LENGTH: RangeInclusive<f64> = 8.0..=200.0;
 
 /// How far standing sticks lean from the horizontal, degrees.
-const LEAN: f64 = 77.5;
+pub const STICK_LEAN: f64 = 77.5;
+/// Half the thickness of a stick, px.
+pub const HALF_STICK: f64 = THICKNESS / 3.0;
+/// Height of a jar in widths of its rim.
+pub const JAR_HEIGHT_PER_WIDTH: f64 = 1.2;
+/// Width of a jar's base in widths of its rim.
+pub const JAR_BASE: f64 = 0.8;
 
 /// How far rounding moves an estimate of a length, units in the last place.
 const ROUNDING: usize = 16;
@@ -81,7 +87,7 @@ impl Dimensions {
             Dimensions::Ball { radius } => vec![Shape::Circle(radius)],
             Dimensions::Bar { length, thickness } => vec![rectangle(length, thickness)],
             Dimensions::Jar { height } => jar(height),
-            Dimensions::StandingSticks { length } => vec![stick(length, -LEAN), stick(length, LEAN)],
+            Dimensions::StandingSticks { length } => vec![stick(length, -STICK_LEAN), stick(length, STICK_LEAN)],
         }
     }
 
@@ -111,7 +117,7 @@ impl Dimensions {
             }
             (ShapeType::Jar, [_, Shape::Polygon(wall), _]) => {
                 let width = -2.0 * wall.first()?[0];
-                near(1.2 * width).map(|height| Dimensions::Jar { height }).find(has_its_shapes)
+                near(JAR_HEIGHT_PER_WIDTH * width).map(|height| Dimensions::Jar { height }).find(has_its_shapes)
             }
             (ShapeType::StandingSticks, [_, Shape::Polygon(stick)]) => {
                 let [[x, y], [u, v]] = [stick.first()?, stick.get(1)?];
@@ -132,8 +138,8 @@ fn near(number: f64) -> impl Iterator<Item = f64> {
 
 /// Returns the base and the two walls of a jar of this height, px. They overlap in the lower corners.
 fn jar(height: f64) -> Vec<Shape> {
-    let width = height / 1.2;
-    let base = 0.8 * width;
+    let width = height / JAR_HEIGHT_PER_WIDTH;
+    let base = JAR_BASE * width;
     let t = THICKNESS * libm::log(height) / libm::log(0.3 * SIZE);
     let lean = (width - base) / 2.0;
     let slant = libm::sqrt(height * height + lean * lean);
@@ -149,7 +155,7 @@ fn jar(height: f64) -> Vec<Shape> {
 }
 
 fn stick(length: f64, degrees: f64) -> Shape {
-    let (a, b) = (length / 2.0, THICKNESS / 3.0);
+    let (a, b) = (length / 2.0, HALF_STICK);
     let (sin, cos) = (libm::sin(radians(degrees)), libm::cos(radians(degrees)));
     let rotated = |a: f64, b: f64| [a * cos - b * sin, a * sin + b * cos];
     Shape::Polygon(vec![rotated(a, b), rotated(-a, b), rotated(-a, -b), rotated(a, -b)])

@@ -9,6 +9,7 @@ pub mod own_scene;
 pub mod recorded_paths;
 pub mod rollout;
 pub mod sampled_paths;
+pub mod sampling;
 pub mod scene;
 pub mod scene_form;
 pub mod stable_shuffle;

@@ -1,9 +1,9 @@
 //! 64 x 64 images for the nets: the five channels of a scene, and the path of a body through a rollout.
 //!
-//! Everything is drawn at 256 x 256 pixels, one per px. For the four nets it is max-pooled to 64 x 64 cells, as in the
-//! data of Harter et al. (2020); for the judge, the dynamics net and DQN it is average-pooled. Row 0 is the bottom of
-//! the scene. Also defines how cells map to scene coordinates. Used by `dataset`, `nets`, `agents`, `play` and the
-//! page. Must not depend on the simulator or on nets.
+//! Everything is drawn at 256 x 256 pixels, one per px. For the paper's nets it is max-pooled to 64 x 64 cells; for the
+//! judge, the dynamics net and DQN it is average-pooled. Row 0 is the bottom of the scene. Also defines how cells map
+//! to scene coordinates. Used by `nets`, `agents`, `search`, the lab and the page. Must not depend on the simulator or
+//! on nets.
 
 use scan_conversion::{Span, body_spans, disc_spans};
 
@@ -12,6 +12,7 @@ use crate::puzzle::rollout::{Pose, Rollout};
 use crate::puzzle::scene::{Body, Role, SIZE, Scene};
 
 mod scan_conversion;
+pub mod soft_iou;
 
 /// Width and height of an image, cells.
 pub const SIDE: usize = 64;
@@ -25,7 +26,7 @@ pub const PX_PER_CELL: usize = SIZE as usize / SIDE;
 /// Channels of a scene: green object, blue goal, purple goal, gray, black (PHYRE's roles without the action ball).
 pub const CHANNELS: usize = 5;
 
-/// A path image shows every tenth step of a rollout, as in the data of Harter et al. (2020).
+/// A path image shows every tenth step of a rollout. The code of Harter et al. (2020) draws every fifth.
 const PATH_STRIDE: usize = 10;
 
 /// Distance between two drawings of a body along a trail, px: half a cell, so that no cell is left out.
@@ -64,7 +65,7 @@ impl Bitmap {
         })
     }
 
-    /// Returns 4,096 values, row by row: 1.0 for a set cell, 0.0 for any other.
+    /// Returns 4,096 values, row by row: 1.0 for a set cell, else 0.0.
     pub fn to_f32(&self) -> impl Iterator<Item = f32> + use<> {
         self.0.into_iter().flat_map(|row| (0..SIDE).map(move |column| (row >> column & 1) as f32))
     }
@@ -87,15 +88,15 @@ impl Bitmap {
 }
 
 impl std::ops::BitOrAssign for Bitmap {
-    fn bitor_assign(&mut self, other: Bitmap) {
-        for (row, more) in self.0.iter_mut().zip(other.0) {
+    fn bitor_assign(&mut self, image: Bitmap) {
+        for (row, more) in self.0.iter_mut().zip(image.0) {
             *row |= more;
         }
     }
 }
 
-/// How much of each cell is covered, row by row: how many of its pixels, `0..=PX_PER_CELL * PX_PER_CELL`. Unlike a
-/// `Bitmap` it tells where within a cell an edge lies.
+/// How much of each cell is covered, row by row: the number of its pixels that are, `0..=PX_PER_CELL * PX_PER_CELL`.
+/// Unlike a `Bitmap` it tells where within a cell an edge lies.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Coverage(Vec<u8>);
 
@@ -154,7 +155,7 @@ pub fn ball_image(ball: Ball) -> Bitmap {
 }
 
 /// Returns the path of a body: the union of its images at every tenth step. `index` is the body's index in the scene
-/// (the action ball has the one after the last); a static body is drawn where it is.
+/// (the action ball has the index after the last); a static body is drawn where it is.
 pub fn path_image(body: &Body, rollout: &Rollout, index: usize) -> Bitmap {
     let mut image = Bitmap::EMPTY;
     for step in (0..=rollout.steps).step_by(PATH_STRIDE) {
@@ -211,7 +212,8 @@ mod tests {
     #[test]
     fn a_disc_covers_about_its_area_and_a_rim_of_half_a_cell() {
         let ball = Ball { x: 100.0, y: 60.0, r: 20.0 };
-        let (inner, outer) = (std::f64::consts::PI * 20.0 * 20.0, std::f64::consts::PI * 24.0 * 24.0);
+        let inner = std::f64::consts::PI * 20.0 * 20.0;
+        let outer = std::f64::consts::PI * 24.0 * 24.0;
         assert!((inner..outer).contains(&area_px(ball)), "{}", area_px(ball));
     }
 

@@ -8,7 +8,7 @@ use crate::puzzle::scene::{Body, SIZE, Shape};
 pub struct Span {
     pub line: usize,
     pub start: usize,
-    /// One more than the last.
+    /// The pixel after the last.
     pub end: usize,
 }
 
@@ -68,7 +68,7 @@ fn first_pixel(coordinate: f64) -> usize {
     (coordinate - 0.5).ceil().clamp(0.0, SIZE) as usize
 }
 
-/// Returns one more than the last pixel whose centre is not after a coordinate (px), within the scene.
+/// Returns the pixel after the last one whose centre is not after a coordinate (px), within the scene.
 fn end_pixel(coordinate: f64) -> usize {
     ((coordinate - 0.5).floor() + 1.0).clamp(0.0, SIZE) as usize
 }

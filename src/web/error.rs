@@ -1,9 +1,12 @@
 //! Errors for JavaScript: an `Error` whose message is a sentence and whose `code` is stable. Conversion of plain data.
 
 use std::fmt::Display;
+use std::ops::RangeInclusive;
 
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
+
+use super::played::written;
 
 /// What went wrong, for code that handles it; people read the sentence.
 #[derive(Clone, Copy)]
@@ -63,4 +66,15 @@ pub fn to_js(value: &impl Serialize) -> Result<JsValue, JsValue> {
 /// `bad_data` if it does not have the form of the type.
 pub fn from_js<T: serde::de::DeserializeOwned>(value: JsValue) -> Result<T, JsValue> {
     serde_wasm_bindgen::from_value(value).map_err(|reason| error(Code::BadData, reason))
+}
+
+/// Returns a whole number. It comes as JavaScript's value, because wasm-bindgen would wrap or truncate others.
+///
+/// # Errors
+/// `bad_data` if it is not a whole number in the range; `rule` says what it has to be.
+pub fn whole_number(value: &JsValue, range: RangeInclusive<u32>, rule: impl Display) -> Result<u32, JsValue> {
+    let range = f64::from(*range.start())..=f64::from(*range.end());
+    let number = value.as_f64().filter(|number| number.fract() == 0.0 && range.contains(number));
+    let refused = || error(Code::BadData, format!("{rule}, not {}", written(value)));
+    number.map(|number| number as u32).ok_or_else(refused)
 }

@@ -10,10 +10,10 @@ use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 use super::imagined_ball::{Hint, ImaginedPaths};
 use super::paint::{LineStyle, Painter, bounding_radius};
 use super::recording::Recording;
-use crate::play::ending::touch_streak;
 use crate::puzzle::action::Ball;
 use crate::puzzle::rollout::GOAL_STEPS;
 use crate::puzzle::scene::{Role, SIZE, Scene};
+use crate::session::ending::touch_streak;
 
 /// Opacity of the static bodies that are drawn again over the maps, 0..=1.
 const STATIC_OPACITY: f64 = 0.6;
@@ -28,6 +28,8 @@ pub struct View {
     step: f64,
     /// The ball being placed.
     ball: Option<Ball>,
+    /// Whether that ball may be placed there.
+    valid: bool,
     /// The radius of the knob on that ball, px; 0 draws none.
     knob: f64,
     /// Draws whole paths and not only up to the step.
@@ -71,20 +73,25 @@ struct Mark {
 impl View {
     /// A view of the end of the current recordings: every body in its last pose, whole paths.
     pub fn ended(dark: bool) -> View {
-        let (marks, sketch, imagined, hints, approach) = (Vec::new(), Vec::new(), None, Vec::new(), None);
         View {
             step: f64::INFINITY,
             ball: None,
+            valid: true,
             knob: 0.0,
             whole: true,
             opacity: 0.0,
             dark,
-            marks,
-            sketch,
-            imagined,
-            hints,
-            approach,
+            marks: Vec::new(),
+            sketch: Vec::new(),
+            imagined: None,
+            hints: Vec::new(),
+            approach: None,
         }
+    }
+
+    /// This view of another scene, in which the ball may or may not be placed.
+    pub fn checked_in(self, scene: &Scene) -> View {
+        View { valid: self.ball.is_none_or(|ball| ball.check(scene).is_ok()), ..self }
     }
 }
 
@@ -144,7 +151,7 @@ pub fn paint(
     }
     match first {
         Some(recording) => draw_ring(&painter, scene, recording, view.step),
-        None => draw_placed_ball(&painter, scene, view),
+        None => draw_placed_ball(&painter, view),
     }
 }
 
@@ -193,8 +200,8 @@ fn draw_ring(painter: &Painter, scene: &Scene, recording: &Recording, step: f64)
 }
 
 /// Draws the ball being placed, with its knob.
-fn draw_placed_ball(painter: &Painter, scene: &Scene, view: &View) -> Result<(), JsValue> {
+fn draw_placed_ball(painter: &Painter, view: &View) -> Result<(), JsValue> {
     let Some(ball) = view.ball else { return Ok(()) };
-    painter.ball(ball, 0.0, ball.check(scene).is_ok())?;
+    painter.ball(ball, 0.0, view.valid)?;
     if view.knob > 0.0 { painter.knob(ball, view.knob) } else { Ok(()) }
 }

@@ -1,4 +1,4 @@
-//! Draws maps on canvases of their own: heatmaps of a stage, their legend, outlines of masks, and maps of outcomes.
+//! Draws maps on canvases of their own: heatmaps, their legends, outlines of masks, and maps of outcomes.
 //!
 //! Row 0 of a map is the bottom. `paint` draws such canvases over the scene; the page shows them beside it too.
 
@@ -6,7 +6,7 @@ use wasm_bindgen::{Clamped, prelude::*};
 use web_sys::{CanvasRenderingContext2d, ImageData};
 
 use super::error::{Code, error};
-use crate::colour::stage::{Dashes, Stage};
+use crate::colour::maps::{Dashes, ImaginedMap};
 use crate::raster::{CELLS, SIDE};
 
 /// Length of one dash in a legend, pixels.
@@ -16,9 +16,9 @@ const DASH: usize = 2;
 const OUTLINE_WIDTH: f64 = 0.4;
 
 /// Draws a heatmap of 64 x 64 values in 0..=max, row 0 at the bottom, into a canvas of 64 x 64 pixels.
-pub fn map(
+pub fn paint(
     context: &CanvasRenderingContext2d,
-    stage: Stage,
+    map: ImaginedMap,
     values: &[f32],
     max: f32,
     dark: bool,
@@ -26,7 +26,7 @@ pub fn map(
     check_size(values.len())?;
     let normalised = |value: f32| if max > 0.0 { value / max } else { 0.0 };
     let rows = values.chunks(SIDE).rev().flatten();
-    let pixels: Vec<u8> = rows.flat_map(|&value| stage.colour(normalised(value), dark)).collect();
+    let pixels: Vec<u8> = rows.flat_map(|&value| map.colour(normalised(value), dark)).collect();
     put_pixels(context, &pixels, SIDE)
 }
 
@@ -89,15 +89,15 @@ fn outcome_colour(outcome: u8, x: usize, y: usize, dark: bool) -> [u8; 4] {
     }
 }
 
-/// Draws the colour scale of a stage, 0 at the left and the maximum at the right; the lowest row of pixels, if there
+/// Draws the colour scale of a map, 0 at the left and the maximum at the right; the lowest row of pixels, if there
 /// are several, has the dashes of its outline.
-pub fn legend(context: &CanvasRenderingContext2d, stage: Stage, dark: bool) -> Result<(), JsValue> {
+pub fn legend(context: &CanvasRenderingContext2d, map: ImaginedMap, dark: bool) -> Result<(), JsValue> {
     let (width, height) = canvas_size(context)?;
     let last = width.max(2) - 1;
-    let mut pixels: Vec<u8> = (0..width).flat_map(|x| stage.colour(x as f32 / last as f32, dark)).collect();
+    let mut pixels: Vec<u8> = (0..width).flat_map(|x| map.colour(x as f32 / last as f32, dark)).collect();
     if height > 1 {
-        let dashes = stage.dashes();
-        let dash = |x: usize| if dashes[x / DASH % dashes.len()] { stage.colour(1.0, dark) } else { [0; 4] };
+        let dashes = map.dashes();
+        let dash = |x: usize| if dashes[x / DASH % dashes.len()] { map.colour(1.0, dark) } else { [0; 4] };
         pixels = pixels.repeat(height - 1);
         pixels.extend((0..width).flat_map(dash));
     }

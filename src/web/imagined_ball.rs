@@ -10,15 +10,13 @@ use super::error::{Code, error, to_js};
 use super::model::Model;
 use super::played::load;
 use super::scripting::ball_from;
-use crate::agents::imagined_candidates::imagined_candidates;
 use crate::agents::online::Candidate;
 use crate::agents::sigmoid;
 use crate::nets::ImaginedBall;
 use crate::nets::ball_head::POSITIONS;
-use crate::play::game::ATTEMPT_LIMIT;
-use crate::play::played::Played;
 use crate::puzzle::action::Ball;
 use crate::puzzle::sampled_paths::{SAMPLED_STEPS, SAMPLES, SampledPath, SampledPaths};
+use crate::session::game::ATTEMPT_LIMIT;
 
 /// The imagined paths of one ball, as a frame draws them.
 #[derive(Deserialize)]
@@ -84,16 +82,10 @@ impl Model {
         #[wasm_bindgen(unchecked_param_type = "Played")] played: JsValue,
         #[wasm_bindgen(unchecked_param_type = "Ball")] ball: JsValue,
     ) -> Result<JsValue, JsValue> {
-        let Played { id, scene, .. } = load(played)?;
+        let scene = load(played)?.scene;
         let ball: Ball = ball_from(ball)?;
         ball.check(&scene).map_err(|why| error(Code::InvalidBall, invalid_reason(why, &scene)))?;
-        let mut last = self.last_read.borrow_mut();
-        if last.as_ref().is_none_or(|(read, _)| *read != id) {
-            *last = self.net.read(&scene).map(|read| (id, read));
-        }
-        let Some((_, read)) = last.as_ref() else { return Ok(JsValue::UNDEFINED) };
-        let imagined = read.imagine(&[ball]);
-        imagined.first().map_or(Ok(JsValue::UNDEFINED), to_object)
+        self.model.imagine(&scene, ball).map_or(Ok(JsValue::UNDEFINED), |imagined| to_object(&imagined))
     }
 
     /// Returns the balls that the model considers in a task before it chooses, some hundred. Undefined if the weights
@@ -106,7 +98,7 @@ impl Model {
         &self,
         #[wasm_bindgen(unchecked_param_type = "Played")] played: JsValue,
     ) -> Result<JsValue, JsValue> {
-        let Some(candidates) = imagined_candidates(&self.net, &load(played)?.scene, ATTEMPT_LIMIT) else {
+        let Some(candidates) = self.model.candidates(&load(played)?.scene, ATTEMPT_LIMIT) else {
             return Ok(JsValue::UNDEFINED);
         };
         candidates.iter().map(candidate_to_js).collect::<Result<Array, _>>().map(Into::into)

@@ -12,15 +12,16 @@ use web_sys::CanvasRenderingContext2d;
 
 use crate::agents;
 use crate::benchmark::difficulty::Difficulty;
+use crate::colour::maps::{ImaginedMap, SOLID};
 use crate::colour::palette::palette as colours;
-use crate::colour::stage::{SOLID, Stage};
-use crate::play::game::ATTEMPT_LIMIT;
 use crate::puzzle::action::RADIUS;
+use crate::puzzle::dimensions;
 use crate::puzzle::rollout::{GOAL_STEPS, STEPS_PER_SECOND};
 use crate::puzzle::scene::{SIZE, Scene};
 use crate::puzzle::task::{self, TaskError, TaskId};
 use crate::puzzle::templates::TEMPLATES;
 use crate::raster::{PX_PER_CELL, SIDE};
+use crate::session::game::ATTEMPT_LIMIT;
 use crate::simulator;
 
 mod describe;
@@ -57,7 +58,8 @@ use error::{Code, error, to_js};
 use paint::Painter;
 use played::load;
 
-/// Returns the constants that the page shares with the Rust code.
+/// Returns the constants that the page shares with the Rust code. `scripts/constants.mjs` writes them to a module, so
+/// that the page need not wait for the wasm.
 #[wasm_bindgen(unchecked_return_type = "Constants")]
 pub fn constants() -> Result<JsValue, JsValue> {
     #[derive(Serialize)]
@@ -70,9 +72,14 @@ pub fn constants() -> Result<JsValue, JsValue> {
         attempt_limit: usize,
         steps_per_second: usize,
         goal_steps: usize,
-        stages: [&'static str; Stage::ALL.len()],
+        stages: [&'static str; ImaginedMap::ALL.len()],
+        paper_stages: Vec<&'static str>,
         simulator_version: u32,
         agents_version: u32,
+        stick_lean: f64,
+        half_stick: f64,
+        jar_height_per_width: f64,
+        jar_base: f64,
     }
     to_js(&Constants {
         scene_size: SIZE,
@@ -83,9 +90,14 @@ pub fn constants() -> Result<JsValue, JsValue> {
         attempt_limit: ATTEMPT_LIMIT,
         steps_per_second: STEPS_PER_SECOND,
         goal_steps: GOAL_STEPS,
-        stages: Stage::ALL.map(Stage::name),
+        stages: ImaginedMap::ALL.map(ImaginedMap::name),
+        paper_stages: ImaginedMap::ALL.into_iter().filter(|map| map.of_paper()).map(ImaginedMap::name).collect(),
         simulator_version: simulator::VERSION,
         agents_version: agents::VERSION,
+        stick_lean: dimensions::STICK_LEAN,
+        half_stick: dimensions::HALF_STICK,
+        jar_height_per_width: dimensions::JAR_HEIGHT_PER_WIDTH,
+        jar_base: dimensions::JAR_BASE,
     })
 }
 
@@ -161,33 +173,33 @@ pub fn paint_thumbnail(
 /// 0, which is transparent, to `max`.
 ///
 /// # Errors
-/// `bad_map` if the stage has no such name or the values are not 64 x 64.
+/// `bad_map` if no map has this name or the values are not 64 x 64.
 #[wasm_bindgen(js_name = paintMap)]
 pub fn paint_map(
     context: &CanvasRenderingContext2d,
-    #[wasm_bindgen(unchecked_param_type = "Stage")] stage: &str,
+    #[wasm_bindgen(unchecked_param_type = "Stage")] map: &str,
     values: &[f32],
     max: f32,
     dark: bool,
 ) -> Result<(), JsValue> {
-    heatmap::map(context, stage_named(stage)?, values, max, dark)
+    heatmap::paint(context, map_named(map)?, values, max, dark)
 }
 
-/// Draws the colour scale of a stage, 0 at the left, over the whole canvas.
+/// Draws the colour scale of a map, 0 at the left, over the whole canvas.
 ///
 /// # Errors
-/// `bad_map` if the stage has no such name.
+/// `bad_map` if no map has this name.
 #[wasm_bindgen(js_name = paintLegend)]
 pub fn paint_legend(
     context: &CanvasRenderingContext2d,
-    #[wasm_bindgen(unchecked_param_type = "Stage")] stage: &str,
+    #[wasm_bindgen(unchecked_param_type = "Stage")] map: &str,
     dark: bool,
 ) -> Result<(), JsValue> {
-    heatmap::legend(context, stage_named(stage)?, dark)
+    heatmap::legend(context, map_named(map)?, dark)
 }
 
 /// Outlines the cells over one half of 64 x 64 values, row 0 at the bottom, on a square canvas of any size. `line` is
-/// `real`, or a stage, which has a colour and dashes of its own, so that stages differ without colour too.
+/// `real`, or a map, each of which has a colour and dashes of its own, so that maps differ without colour too.
 ///
 /// # Errors
 /// `bad_map` if there is no such line or the values are not 64 x 64.
@@ -200,7 +212,7 @@ pub fn paint_outline(
 ) -> Result<(), JsValue> {
     let (colour, dashes) = match line {
         "real" => (colours(dark).ink.to_string(), SOLID),
-        name => stage_named(name).map(|stage| (stage.line_colour(dark), stage.dashes()))?,
+        name => map_named(name).map(|map| (map.line_colour(dark), map.dashes()))?,
     };
     heatmap::outline(context, values, &colour, dashes)
 }
@@ -219,6 +231,6 @@ fn paint_scene(context: &CanvasRenderingContext2d, scene: &Scene, dark: bool) ->
     scene.bodies.iter().enumerate().try_for_each(|(index, body)| painter.body(body, None, index == scene.body2))
 }
 
-fn stage_named(name: &str) -> Result<Stage, JsValue> {
+fn map_named(name: &str) -> Result<ImaginedMap, JsValue> {
     name.parse().map_err(|sentence: String| error(Code::BadMap, sentence))
 }

@@ -4,33 +4,30 @@
 //! a turn simulates up to a hundred rollouts. `Turn` makes one attempt per call, so that the worker can stop in
 //! between.
 
-use std::cell::RefCell;
-
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
-use super::error::{Code, error, to_js};
+use super::error::{Code, error, to_js, whole_number};
 use super::played::load;
+use crate::agents::Proposal;
+use crate::agents::memoized_model::MemoizedModel;
 use crate::agents::ranking::probability_map;
-use crate::agents::{self, Proposal};
 use crate::benchmark::folds::Fold;
-use crate::colour::stage::Stage;
-use crate::nets::{Card, Imagined, PathNet, ReadScene, flex};
-use crate::play::ending::Ending;
-use crate::play::game::ATTEMPT_LIMIT;
-use crate::play::played::{Played, PlayedId};
-use crate::play::turn;
+use crate::colour::maps::ImaginedMap;
+use crate::nets::{Card, PathNet};
 use crate::puzzle::task::TaskId;
+use crate::session::ending::Ending;
+use crate::session::game::ATTEMPT_LIMIT;
+use crate::session::played::Played;
+use crate::session::turn;
 
 /// Most balls of one list of proposals, as on the command line.
-const MAX_PROPOSALS: usize = 1000;
+const MAX_PROPOSALS: u32 = 1000;
 
 /// The nets with their weights.
 #[wasm_bindgen]
 pub struct Model {
-    pub(super) net: PathNet,
-    /// The last scene that the dynamics net has read.
-    pub(super) last_read: RefCell<Option<(PlayedId, ReadScene)>>,
+    pub(super) model: MemoizedModel,
     card: Card,
     /// The tasks that it was trained on or chosen by, ascending.
     seen: Vec<TaskId>,
@@ -56,9 +53,9 @@ impl Model {
     /// `bad_weights` if the file is damaged or belongs to other nets.
     #[wasm_bindgen(constructor)]
     pub fn new(bytes: &[u8]) -> Result<Model, JsValue> {
-        let (net, card) = PathNet::load(bytes, &flex()).map_err(|why| error(Code::BadWeights, why))?;
+        let (nets, card) = PathNet::load(bytes).map_err(|why| error(Code::BadWeights, why))?;
         let seen = Fold::new(card.setup, card.fold).all_train();
-        Ok(Model { net, last_read: RefCell::new(None), card, seen })
+        Ok(Model { model: MemoizedModel::new(nets), card, seen })
     }
 
     /// Returns how the weights were trained.
@@ -76,7 +73,7 @@ impl Model {
         Ok(load(played)?.id.task().is_some_and(|task| self.seen.binary_search(&task).is_ok()))
     }
 
-    /// Returns the maps of a task: for each stage a Float32Array of 64 x 64 values in 0..=1, row 0 at the bottom.
+    /// Returns the maps of a task: for each a Float32Array of 64 x 64 values in 0..=1, row 0 at the bottom.
     /// Weights with neither a judge nor a dynamics net have no map `judge`.
     ///
     /// # Errors
@@ -87,19 +84,17 @@ impl Model {
         #[wasm_bindgen(unchecked_param_type = "Played")] played: JsValue,
     ) -> Result<JsValue, JsValue> {
         let scene = load(played)?.scene;
-        let imagined = self.net.imagine(&scene);
-        let judge = self.net.cell_logits(&scene).and_then(|logits| probability_map(&logits, &scene));
+        let nets = &self.model.nets;
+        let imagined = nets.imagine(&scene);
+        let judge = nets.cell_logits(&scene).and_then(|logits| probability_map(&logits, &scene));
         let maps = js_sys::Object::new();
-        for stage in Stage::ALL {
-            let map = match stage {
-                Stage::Base => Some(&imagined.base),
-                Stage::Target => Some(&imagined.target),
-                Stage::Action => Some(&imagined.action),
-                Stage::Placement => Some(&imagined.placement),
-                Stage::Judge => judge.as_ref(),
+        for map in ImaginedMap::ALL {
+            let values = match map {
+                ImaginedMap::Judge => judge.as_deref(),
+                of_paper => imagined.map(of_paper),
             };
-            if let Some(map) = map {
-                js_sys::Reflect::set(&maps, &stage.name().into(), &js_sys::Float32Array::from(map.as_slice()))?;
+            if let Some(values) = values {
+                js_sys::Reflect::set(&maps, &map.name().into(), &js_sys::Float32Array::from(values))?;
             }
         }
         Ok(maps.into())
@@ -108,36 +103,44 @@ impl Model {
     /// Returns the balls that the model would try, in order, each with its origin: `count` of them, 1 to 1,000; without
     /// a count as many as there are attempts.
     ///
-    /// # Errors `bad_task` if there is no such task, `bad_scene` if the scene may not be played, `bad_data` if the
+    /// # Errors
+    /// `bad_task` if there is no such task, `bad_scene` if the scene may not be played, `bad_data` if the seed or the
     /// count is out of range or not a whole number.
     #[wasm_bindgen(unchecked_return_type = "Proposal[]")]
     pub fn propose(
         &self,
         #[wasm_bindgen(unchecked_param_type = "Played")] played: JsValue,
-        seed: u32,
-        count: Option<f64>,
+        #[wasm_bindgen(unchecked_param_type = "number")] seed: &JsValue,
+        #[wasm_bindgen(unchecked_optional_param_type = "number")] count: &JsValue,
     ) -> Result<JsValue, JsValue> {
         let Played { id, scene, .. } = load(played)?;
-        let count = count.map_or(Ok(ATTEMPT_LIMIT), whole_count)?;
-        to_js(&agents::propose(&self.net, &scene, id.seed(seed.into()), count))
+        let seed = whole_seed(seed)?;
+        let count = if count.is_undefined() || count.is_null() {
+            ATTEMPT_LIMIT
+        } else {
+            whole_number(count, 1..=MAX_PROPOSALS, format_args!("the model proposes 1 to {MAX_PROPOSALS} balls"))?
+                as usize
+        };
+        to_js(&self.model.propose(&scene, id.seed(seed), count))
     }
 
     /// Starts the model's turn on a task. The same seed leads to the same attempts.
     ///
     /// # Errors
-    /// `bad_task` if there is no such task, `bad_scene` if the scene may not be played.
+    /// `bad_task` if there is no such task, `bad_scene` if the scene may not be played, `bad_data` if the seed is out of
+    /// range or not a whole number.
     pub fn turn(
         &self,
         #[wasm_bindgen(unchecked_param_type = "Played")] played: JsValue,
-        seed: u32,
+        #[wasm_bindgen(unchecked_param_type = "number")] seed: &JsValue,
     ) -> Result<Turn, JsValue> {
         let Played { id, scene, .. } = load(played)?;
-        let agent = agents::start(&self.net, &scene, id.seed(seed.into()), ATTEMPT_LIMIT);
+        let agent = self.model.start(&scene, id.seed(whole_seed(seed)?), ATTEMPT_LIMIT);
         Ok(Turn(turn::Turn::new(scene, agent)))
     }
 
-    /// Returns the maps of the paper's four nets alone, without the judge: base, target, action and placement in one
-    /// Float32Array `[4, 64, 64]`. `make bench` compares it with other engines, which run the same four nets.
+    /// Returns the maps of the paper's nets alone: base, target, action and placement in one Float32Array
+    /// `[4, 64, 64]`. `make bench` compares it with other engines, which run the same nets.
     ///
     /// # Errors
     /// `bad_task` if there is no such task, `bad_scene` if the scene may not be played.
@@ -146,8 +149,9 @@ impl Model {
         &self,
         #[wasm_bindgen(unchecked_param_type = "Played")] played: JsValue,
     ) -> Result<Vec<f32>, JsValue> {
-        let Imagined { base, target, action, placement } = self.net.imagine(&load(played)?.scene);
-        Ok([base, target, action, placement].concat())
+        let imagined = self.model.nets.imagine(&load(played)?.scene);
+        let maps: Vec<&[f32]> = ImaginedMap::ALL.into_iter().filter_map(|map| imagined.map(map)).collect();
+        Ok(maps.concat())
     }
 }
 
@@ -166,9 +170,6 @@ impl Turn {
     }
 }
 
-/// Returns a number of proposals. It comes as JavaScript's number, because wasm-bindgen would wrap or truncate others.
-fn whole_count(count: f64) -> Result<usize, JsValue> {
-    let whole = (1.0..=MAX_PROPOSALS as f64).contains(&count) && count.fract() == 0.0;
-    let refused = || error(Code::BadData, format!("the model proposes 1 to {MAX_PROPOSALS} balls, not {count}"));
-    whole.then_some(count as usize).ok_or_else(refused)
+fn whole_seed(seed: &JsValue) -> Result<u64, JsValue> {
+    whole_number(seed, 0..=u32::MAX, "a seed is a whole number from 0 to 2^32 - 1").map(u64::from)
 }

@@ -7,12 +7,12 @@ use wasm_bindgen::prelude::*;
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 
 use super::error::{Code, error, from_js, to_js};
-use super::frame;
+use super::frame::{self, View};
 use super::played::{load, plain_scene};
-use crate::play::played::Played;
-use crate::play::scene_check::problems;
 use crate::puzzle::dimensions::{BALL_RADIUS, BAR_LENGTH, BAR_THICKNESS, JAR_HEIGHT, STICK_LENGTH};
 use crate::puzzle::own_scene::{BODIES, MAX_OVERLAP, NAME_LENGTH, OwnScene, Problem};
+use crate::session::played::Played;
+use crate::session::scene_check::problems;
 
 /// Returns a task in the form of own scenes, in which it can be changed.
 ///
@@ -91,5 +91,7 @@ pub fn paint_draft(
     if let Some((name, length, _)) = lengths.into_iter().find(|(_, length, _)| *length <= 0.0) {
         return Err(error(Code::BadScene, format!("the {name} of a body is {length}, but has to be positive")));
     }
-    frame::paint(context, &own.to_scene(), &[], &from_js(view)?, &maps)
+    let scene = own.to_scene();
+    let view: View = from_js(view)?;
+    frame::paint(context, &scene, &[], &view.checked_in(&scene), &maps)
 }

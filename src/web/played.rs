@@ -7,9 +7,9 @@ use serde_json::{Map, Number, Value};
 use wasm_bindgen::prelude::*;
 
 use super::error::{Code, error};
-use crate::play::played::{Played, PlayedId};
 use crate::puzzle::own_scene::{BODIES, Problem};
 use crate::puzzle::task::{Task, TaskError, TaskId};
+use crate::session::played::{Played, PlayedId};
 
 thread_local! {
     /// The task that was loaded last: a script tries many balls on one task, and loading it may take longer than a
@@ -85,5 +85,9 @@ fn bad_scene(problems: &[Problem]) -> JsValue {
 
 /// Returns a value that is no text as a person would write it, for the error that names it.
 pub fn written(value: &JsValue) -> String {
+    // JSON has no NaN and no infinity.
+    if let Some(number) = value.as_f64().filter(|number| !number.is_finite()) {
+        return number.to_string();
+    }
     js_sys::JSON::stringify(value).ok().and_then(|text| text.as_string()).unwrap_or_else(|| "undefined".to_string())
 }

@@ -9,12 +9,12 @@ use super::error::{Code, error, from_js, to_js};
 use super::paint::LineStyle;
 use super::played::load;
 use super::recording::Recording;
-use crate::play::game::{Attempt, Contender, Game, Refused};
-use crate::play::played::Played;
 use crate::puzzle::action::Ball;
 use crate::puzzle::scene::Body;
 use crate::puzzle::templates::TEMPLATES;
 use crate::raster::trail_image;
+use crate::session::game::{Attempt, Contender, Game, Refused};
+use crate::session::played::Played;
 
 /// The name of an own scene that has none.
 const OWN_NAME: &str = "Own scene";

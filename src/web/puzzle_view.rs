@@ -12,10 +12,10 @@ use super::imagined_ball::paths_to_js;
 use super::paint::LineStyle;
 use super::puzzle::{ListedAttempt, Puzzle, contender_named, no_attempt};
 use super::recording::Recording;
-use crate::play::ending::Ending;
-use crate::play::game::{Attempt, Contender};
 use crate::puzzle::action::Ball;
 use crate::puzzle::sampled_paths::SampledPaths;
+use crate::session::ending::Ending;
+use crate::session::game::{Attempt, Contender};
 use crate::simulator::{closest_approach, simulate};
 
 #[wasm_bindgen]

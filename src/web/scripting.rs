@@ -10,10 +10,10 @@ use wasm_bindgen::prelude::*;
 use super::describe::invalid_reason;
 use super::error::{Code, error, from_js, to_js};
 use super::played::load;
-use crate::play::ending::Ending;
 use crate::puzzle::action::Ball;
 use crate::puzzle::rollout::{Rollout, Status};
 use crate::raster::scene_channels;
+use crate::session::ending::Ending;
 use crate::simulator;
 
 /// Returns the scene of a task as plain data.

@@ -4,7 +4,7 @@ use wasm_bindgen::prelude::*;
 
 use super::error::{Code, error};
 use super::played::load;
-use crate::play::solve_map;
+use crate::search::solve_map;
 
 /// A map of 64 x 64 cells of one task: the outcome of a ball of this radius that starts in the cell.
 #[wasm_bindgen]

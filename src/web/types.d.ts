@@ -133,7 +133,7 @@ export interface Fold {
     test: string[];
 }
 
-/** What the nets imagine: the four maps of the paper in the order in which the nets make them, and the judge's. */
+/** The maps that the nets imagine, in the order in which they make them. */
 export type Stage = "base" | "target" | "action" | "placement" | "judge";
 
 /** A map or a mask: 64 x 64 values in 0..1, row by row, row 0 at the bottom. */
@@ -162,12 +162,22 @@ export interface Constants {
     steps_per_second: number;
     /** Steps for which the green object has to touch its goal. */
     goal_steps: number;
-    /** All stages, in the order in which the nets make them. */
+    /** All maps, in the order in which the nets make them. */
     stages: Stage[];
+    /** Those that the paper's nets make; every model has them. */
+    paper_stages: Stage[];
     /** The version of the simulator: rollouts of another may end otherwise. */
     simulator_version: number;
     /** The version of the agents: the same model proposes other balls with another. */
     agents_version: number;
+    /** How far standing sticks lean from the horizontal, degrees. */
+    stick_lean: number;
+    /** Half the thickness of a stick, px. */
+    half_stick: number;
+    /** Height of a jar in widths of its rim. */
+    jar_height_per_width: number;
+    /** Width of a jar's base in widths of its rim. */
+    jar_base: number;
 }
 
 /** A puzzle template and the ids of its tasks ("00007:000"). */
@@ -339,8 +349,12 @@ export interface DynamicsCard {
     /** Variants of the tasks' scenes among the scenes. */
     variants: number;
     without_dev: boolean;
+    /** The net learned chances alone: what it imagines are no paths. */
+    without_paths?: boolean;
     /** SHA-256 of the weights that it started from. */
     from?: string;
+    /** How the judge that it started from was trained. */
+    judge?: JudgeCard;
 }
 
 /** What a frame shows. */
@@ -349,6 +363,8 @@ export interface View {
     step: number;
     /** The ball being placed. */
     ball: Ball | null;
+    /** Whether that ball may be placed there; `paintDraft` finds out itself. */
+    valid: boolean;
     /** The radius of the knob on that ball, px; 0 draws none. */
     knob: number;
     /** Draws whole paths and not only up to the step. */

@@ -7,12 +7,12 @@ use wasm_bindgen::prelude::*;
 use super::error::{from_js, to_js};
 use super::played::{load, plain_scene, written};
 use super::scripting::ball_from;
-use crate::play::verification::{AttemptLine, Verdict};
-use crate::play::{luck, solution_search};
 use crate::puzzle::action::Ball;
 use crate::puzzle::rollout::Status;
 use crate::puzzle::task::{TaskError, TaskId};
+use crate::search::{luck, solution_search};
 use crate::simulator::{Engine, UnknownEngine};
+use crate::verification::{AttemptLine, Verdict};
 
 /// The search for solutions of a scene over the whole action space, one ball per call.
 #[wasm_bindgen]

@@ -1,11 +1,13 @@
 //! Architecture rules, checked against the source text: the order of the folders, what each may use and why, names,
 //! lengths.
 //!
-//! `rust` has the rules of `src/`, `page` those of `www/`. Comments are left out, so a rule may be named in one.
+//! `rust` has the rules of `src/` and `lab/`, `page` those of `www/`, `docs` those of the texts that people read.
+//! Comments are left out, so a rule may be named in one.
 #![cfg(not(target_arch = "wasm32"))]
 
 use std::process::Command;
 
+mod docs;
 mod files;
 mod page;
 mod rule;
@@ -13,7 +15,7 @@ mod rust;
 
 use files::files;
 
-/// Longest file of `src/` without a reason, lines.
+/// Longest file of `src/` and `lab/` without a reason, lines.
 const MAX_LINES: usize = 300;
 
 /// How the reason for a longer file begins, in a comment of its head.
@@ -27,7 +29,7 @@ const DUMPING_GROUNDS: [&str; 6] = ["utils", "util", "helpers", "helper", "commo
 
 #[test]
 fn no_file_is_a_dumping_ground() {
-    for folder in ["src", "www", "tests", "benches"] {
+    for folder in ["src", "lab", "www", "tests", "benches"] {
         for source in files(folder, &["rs", "js", "mjs"]) {
             let name = source.path.rsplit('/').next().expect("a path ends in a name");
             let stem = name.split('.').next().expect("a name begins with a stem");
@@ -38,9 +40,11 @@ fn no_file_is_a_dumping_ground() {
 
 #[test]
 fn a_long_file_gives_its_reason() {
-    let too_long = files("src", &["rs"]).into_iter().filter(|source| is_too_long(&source.text));
-    let broken: Vec<String> =
-        too_long.map(|source| format!("src/{}: {} lines", source.path, source.text.lines().count())).collect();
+    let too_long = |folder| {
+        let too_long = files(folder, &["rs"]).into_iter().filter(|source| is_too_long(&source.text));
+        too_long.map(move |source| format!("{folder}/{}: {} lines", source.path, source.text.lines().count()))
+    };
+    let broken: Vec<String> = ["src", "lab"].into_iter().flat_map(too_long).collect();
     assert!(broken.is_empty(), "\nsplit these, or say in the head `{LONG}…`:\n{}", broken.join("\n"));
 }
 
@@ -60,7 +64,7 @@ fn is_too_long(text: &str) -> bool {
 #[test]
 fn no_comment_is_too_wide() {
     let mut broken = Vec::new();
-    for folder in ["src", "serve", "www", "tests", "benches", "scripts"] {
+    for folder in ["src", "lab", "serve", "www", "tests", "benches", "scripts"] {
         for source in files(folder, &["rs", "js", "mjs"]) {
             let too_wide = wide_comments(&source.text);
             broken.extend(too_wide.into_iter().map(|line| format!("{folder}/{}:{line}", source.path)));

@@ -6,11 +6,13 @@ use crate::rule::{Never, Only, Rule, unknown_files};
 /// The folders and files of `www/` in the order in which they import each other: each only those before it. `pkg` is
 /// the wasm package, of which all may import what the API does not have. Imports in JSDoc are types only and are not
 /// looked at.
-const LAYERS: [&str; 10] = ["pkg", "api", "shell", "model", "play", "panels", "workshop", "element", "page", "offline"];
+const LAYERS: [&str; 16] = [
+    "pkg", "api", "storage", "shell", "loading", "puzzles", "state", "text", "widgets", "model", "play", "panels",
+    "workshop", "element", "page", "offline",
+];
 
 /// What modules outside of `api/` may import of `pkg`: what the API does not have, because only the player needs it.
-const PLAYER_ONLY: [&str; 7] =
-    ["Puzzle", "constants", "paintDraft", "palette", "paintLegend", "paintOutcomes", "paintOutline"];
+const PLAYER_ONLY: [&str; 6] = ["Puzzle", "paintDraft", "palette", "paintLegend", "paintOutcomes", "paintOutline"];
 
 const RULES: &[Rule] = &[
     Rule {
@@ -31,13 +33,18 @@ const RULES: &[Rule] = &[
     },
     Rule {
         words: &["document", "window", "localStorage"],
-        files: Never(&["api/", "model/", "shell/url-state.js", "shell/constants.js"]),
+        files: Never(&["api/", "model/", "state/", "shell/constants.js"]),
         reason: "it runs in the worker too, or without a page",
     },
     Rule {
         words: &["localStorage", "sessionStorage", "indexedDB", "document.cookie"],
-        files: Only(&["shell/progress-store.js", "shell/attempt-store.js", "workshop/own-puzzles.js"]),
-        reason: "one file each knows what is stored in the browser, and in what form",
+        files: Only(&["storage/browser-store.js"]),
+        reason: "one file knows how the browser stores, and what becomes of the page when it does not",
+    },
+    Rule {
+        words: &["document.", "byId(", "pkg/pathlight.js\";", "api/index.js\";"],
+        files: Never(&["storage/"]),
+        reason: "what is stored is read and merged in Node too, without a page and without the wasm",
     },
     Rule {
         words: &["history.", "location."],
@@ -46,13 +53,13 @@ const RULES: &[Rule] = &[
     },
     Rule {
         words: &["URL(\"./"],
-        files: Never(&["api/", "shell/", "model/", "play/", "panels/", "workshop/", "element/", "page/"]),
+        files: Never(&["api/", "loading/", "widgets/", "model/", "play/", "panels/", "workshop/", "element/", "page/"]),
         reason: "a bundle takes the place of its entry in another folder: addresses begin with that of the folder, \"../\"",
     },
     Rule {
         words: &["new Worker("],
-        files: Only(&["model/worker-client.js"]),
-        reason: "one file starts the worker, and ends it",
+        files: Only(&["model/start-worker.js"]),
+        reason: "one file finds the worker's code",
     },
     Rule {
         words: &["fetch("],
@@ -89,11 +96,11 @@ fn an_import_of_a_later_folder_is_found() {
     let imports = |path, text| later_imports(&Source::new(path, text)).len();
     assert_eq!(imports("model/worker.js", "import { Session } from \"../play/session.js\";"), 1);
     assert_eq!(imports("model/worker.js", "import {\n  Session,\n} from '../play/session.js';"), 1);
-    assert_eq!(imports("shell/load-wasm.js", "const page = await import(\"../page/page.js\");"), 1);
-    assert_eq!(imports("shell/dom.js", "import \"../model/stage-text.js\";"), 1);
-    assert_eq!(imports("panels/compare.js", "import { byId } from \"../shell/dom.js\";"), 0);
+    assert_eq!(imports("loading/load-wasm.js", "const page = await import(\"../page/page.js\");"), 1);
+    assert_eq!(imports("widgets/dom.js", "import \"../model/stage-text.js\";"), 1);
+    assert_eq!(imports("panels/compare.js", "import { byId } from \"../widgets/dom.js\";"), 0);
     assert_eq!(imports("panels/compare.js", "import { TroubleBox } from \"./trouble-box.js\";"), 0);
-    assert_eq!(imports("shell/component.js", "/** @typedef {import(\"../play/session.js\").Session} Session */"), 0);
+    assert_eq!(imports("widgets/component.js", "/** @typedef {import(\"../play/session.js\").Session} Session */"), 0);
     assert_eq!(imports("model/worker.js", "import init from \"../pkg/pathlight.js\";"), 0);
 }
 
@@ -113,7 +120,7 @@ fn imports_of_the_wasm_are_found() {
     assert_eq!(names("import {\n  Puzzle,\n} from './pkg/pathlight.js';"), ["Puzzle"]);
     assert_eq!(names("import * as wasm from \"../pkg/pathlight.js\";"), ["*"]);
     assert_eq!(names("const wasm = await import(\"../pkg/pathlight.js\");"), ["*"]);
-    assert_eq!(names("import { load } from \"../api/pathlight.js\";"), [""; 0]);
+    assert_eq!(names("import { load } from \"../api/index.js\";"), [""; 0]);
 }
 
 #[test]

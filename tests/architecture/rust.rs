@@ -1,17 +1,49 @@
-//! `src/`: the order of its folders, and what each of them may not use, with the reason.
+//! `src/` and `lab/src/`: the order of their folders, and what each of them may not use, with the reason.
 
 use crate::files::{Source, files, holds};
 use crate::rule::{Never, Only, Rule, unknown_files};
 
-/// The folders of `src/` from the data outwards: each uses only those before it.
-const LAYERS: [&str; 11] =
-    ["puzzle", "colour", "raster", "simulator", "benchmark", "dataset", "nets", "agents", "play", "web", "commands"];
+/// The folders of a crate from the data outwards: each uses only those before it.
+struct Layers {
+    /// The folder of the crate's sources.
+    root: &'static str,
+    /// The name of its library.
+    library: &'static str,
+    folders: &'static [&'static str],
+    /// The outermost folders: nothing uses them, not even each other.
+    outermost: &'static [&'static str],
+}
 
-/// The outermost layers: nothing uses them, not even each other.
-const OUTERMOST: [&str; 2] = ["web", "commands"];
+const PLAYER: Layers = Layers {
+    root: "src",
+    library: "pathlight",
+    folders: &[
+        "puzzle",
+        "colour",
+        "raster",
+        "simulator",
+        "benchmark",
+        "nets",
+        "agents",
+        "session",
+        "verification",
+        "search",
+        "web",
+        "commands",
+    ],
+    outermost: &["web", "commands"],
+};
+
+const LAB: Layers = Layers {
+    root: "lab/src",
+    library: "pathlight_lab",
+    folders: &["progress", "files", "data", "training", "measure", "reproduce", "figures", "commands"],
+    outermost: &["commands"],
+};
 
 /// What builds or decides a simulation, draws data or chooses a ball: the same bits natively and in wasm.
-const DETERMINISTIC: &[&str] = &["puzzle/", "raster/", "simulator/", "benchmark/", "dataset/", "agents/", "play/"];
+const DETERMINISTIC: &[&str] =
+    &["puzzle/", "raster/", "simulator/", "benchmark/", "agents/", "session/", "verification.rs", "search/"];
 
 const RULES: &[Rule] = &[
     Rule {
@@ -89,48 +121,89 @@ const RULES: &[Rule] = &[
         files: Only(&["main.rs", "commands/"]),
         reason: "the library's errors are types that a caller can match",
     },
+    Rule { words: &["pathlight_lab"], files: Only(&[]), reason: "the player knows nothing of the research behind it" },
+];
+
+const LAB_RULES: &[Rule] = &[
+    Rule {
+        words: &["clap", "indicatif"],
+        files: Only(&["main.rs", "commands/"]),
+        reason: "the library takes plain settings and reports its progress through a trait",
+    },
+    Rule {
+        words: &["println!", "eprintln!", "print!", "eprint!", "dbg!", "stdout()", "stderr()"],
+        files: Only(&["commands/"]),
+        reason: "the library returns what it has to say, or writes it where it is told to",
+    },
+    Rule {
+        words: &["burn::", "use burn", "rapier2d"],
+        files: Only(&[]),
+        reason: "nets and engine are used through the library of the player",
+    },
+    Rule {
+        words: &[
+            ".sin()", ".cos()", ".tan()", ".sin_cos", ".exp()", ".ln()", ".log(", ".log2()", ".log10()", ".powf(",
+            ".hypot(", ".cbrt()", "f64::exp", "f64::ln", "f64::log", "HashMap", "HashSet",
+        ],
+        files: Never(&["data/"]),
+        reason: "the same seed makes the same data on every machine: use libm, and Vec or BTreeMap",
+    },
 ];
 
 #[test]
 fn a_folder_uses_only_the_folders_before_it() {
-    let broken: Vec<String> = sources().iter().flat_map(|source| upward_imports(&source.path, &source.code)).collect();
-    assert!(broken.is_empty(), "\n{}", broken.join("\n"));
+    for layers in [PLAYER, LAB] {
+        let broken: Vec<String> =
+            layers.sources().iter().flat_map(|source| layers.upward_imports(&source.path, &source.code)).collect();
+        assert!(broken.is_empty(), "\n{}", broken.join("\n"));
+    }
 }
 
 #[test]
 fn every_folder_has_its_place_in_the_order() {
-    let sources = sources();
-    let mut layers: Vec<&str> = sources.iter().filter_map(|source| layer_of(&source.path)).collect();
-    layers.sort_unstable();
-    layers.dedup();
-    let mut expected = LAYERS.to_vec();
-    expected.sort_unstable();
-    assert_eq!(layers, expected, "src/ holds these folders and files beside lib.rs and main.rs");
+    for layers in [PLAYER, LAB] {
+        let sources = layers.sources();
+        let mut found: Vec<&str> = sources.iter().filter_map(|source| layer_of(&source.path)).collect();
+        found.sort_unstable();
+        found.dedup();
+        let mut expected = layers.folders.to_vec();
+        expected.sort_unstable();
+        assert_eq!(found, expected, "{}/ holds these folders and files beside lib.rs and main.rs", layers.root);
+    }
 }
 
 #[test]
 fn an_import_of_a_later_folder_is_found() {
-    assert_eq!(upward_imports("nets/mod.rs", "use crate::agents::Proposal;").len(), 1);
-    assert_eq!(upward_imports("nets/mod.rs", "use crate::{play::game, puzzle::task};").len(), 1);
-    assert_eq!(upward_imports("nets/mod.rs", "use crate::{\n    play::game,\n    puzzle::task,\n};").len(), 1);
-    assert_eq!(upward_imports("nets/mod.rs", "use crate::raster::SIDE;").len(), 0);
-    assert_eq!(upward_imports("commands/tasks.rs", "use pathlight::web::Puzzle;").len(), 1);
-    assert_eq!(upward_imports("commands/tasks.rs", "use pathlight::play::game;").len(), 0);
-    assert_eq!(upward_imports("nets/conv/mod.rs", "use crate::nets::conv;").len(), 0);
+    let player = |file, code| PLAYER.upward_imports(file, code).len();
+    assert_eq!(player("nets/mod.rs", "use crate::agents::Proposal;"), 1);
+    assert_eq!(player("nets/mod.rs", "use crate::{session::game, puzzle::task};"), 1);
+    assert_eq!(player("nets/mod.rs", "use crate::{\n    session::game,\n    puzzle::task,\n};"), 1);
+    assert_eq!(player("nets/mod.rs", "use crate::raster::SIDE;"), 0);
+    assert_eq!(player("commands/tasks.rs", "use pathlight::web::Puzzle;"), 1);
+    assert_eq!(player("commands/tasks.rs", "use pathlight::session::game;"), 0);
+    assert_eq!(player("nets/conv/mod.rs", "use crate::nets::conv;"), 0);
+    let lab = |file, code| LAB.upward_imports(file, code).len();
+    assert_eq!(lab("data/merge.rs", "use crate::training::paths;"), 1);
+    assert_eq!(lab("training/paths.rs", "use crate::data::merge;"), 0);
+    assert_eq!(lab("commands/train.rs", "use pathlight_lab::training::paths;"), 0);
 }
 
 #[test]
 fn no_file_breaks_a_rule() {
-    let sources = sources();
-    assert!(sources.len() > 30, "only {} files found", sources.len());
-    let broken: Vec<String> = RULES.iter().flat_map(|rule| rule.broken_by(&sources)).collect();
-    assert!(broken.is_empty(), "\n{}", broken.join("\n"));
+    for (layers, rules) in [(PLAYER, RULES), (LAB, LAB_RULES)] {
+        let sources = layers.sources();
+        assert!(sources.len() > 30, "only {} files found", sources.len());
+        let broken: Vec<String> = rules.iter().flat_map(|rule| rule.broken_by(&sources)).collect();
+        assert!(broken.is_empty(), "\n{}", broken.join("\n"));
+    }
 }
 
 #[test]
 fn every_rule_names_files_that_exist() {
-    let unknown = unknown_files(RULES, &sources());
-    assert!(unknown.is_empty(), "\n{}", unknown.join("\n"));
+    for (layers, rules) in [(PLAYER, RULES), (LAB, LAB_RULES)] {
+        let unknown = unknown_files(rules, &layers.sources());
+        assert!(unknown.is_empty(), "\n{}", unknown.join("\n"));
+    }
 }
 
 /// The layer that a file below `src/` belongs to; none for lib.rs and main.rs.
@@ -140,32 +213,35 @@ fn layer_of(file: &str) -> Option<&str> {
     (!["lib", "main"].contains(&stem)).then_some(stem)
 }
 
-/// What a file uses of layers that are not before its own.
-fn upward_imports(file: &str, code: &str) -> Vec<String> {
-    let Some(own) = layer_of(file).and_then(|name| LAYERS.iter().position(|layer| *layer == name)) else {
-        return Vec::new();
-    };
-    let uses = |statement: &str, layer: &str| {
-        let root = if LAYERS[own] == "commands" { "pathlight" } else { "crate" };
-        let grouped = statement.contains(&format!("{root}::{{")) && holds(statement, &format!("{layer}::"));
-        grouped || holds(statement, &format!("{root}::{layer}"))
-    };
-    let mut broken = Vec::new();
-    let mut number = 1;
-    // Statement by statement: a grouped import may take several lines.
-    for statement in code.split_inclusive(';') {
-        let start = number + statement.chars().take_while(|c| c.is_whitespace()).filter(|&c| c == '\n').count();
-        number += statement.matches('\n').count();
-        for (index, layer) in LAYERS.iter().enumerate() {
-            let allowed = index <= own && !(OUTERMOST.contains(layer) && index != own);
-            if !allowed && uses(statement, layer) {
-                broken.push(format!("src/{file}:{start}: `{layer}` does not come before `{}`", LAYERS[own]));
+impl Layers {
+    fn sources(&self) -> Vec<Source> {
+        files(self.root, &["rs"])
+    }
+
+    /// What a file uses of folders that are not before its own.
+    fn upward_imports(&self, file: &str, code: &str) -> Vec<String> {
+        let Some(own) = layer_of(file).and_then(|name| self.folders.iter().position(|folder| *folder == name)) else {
+            return Vec::new();
+        };
+        let uses = |statement: &str, folder: &str| {
+            let root = if self.folders[own] == "commands" { self.library } else { "crate" };
+            let grouped = statement.contains(&format!("{root}::{{")) && holds(statement, &format!("{folder}::"));
+            grouped || holds(statement, &format!("{root}::{folder}"))
+        };
+        let mut broken = Vec::new();
+        let mut number = 1;
+        // Statement by statement: a grouped import may take several lines.
+        for statement in code.split_inclusive(';') {
+            let start = number + statement.chars().take_while(|c| c.is_whitespace()).filter(|&c| c == '\n').count();
+            number += statement.matches('\n').count();
+            for (index, folder) in self.folders.iter().enumerate() {
+                let allowed = index <= own && !(self.outermost.contains(folder) && index != own);
+                if !allowed && uses(statement, folder) {
+                    let own = self.folders[own];
+                    broken.push(format!("{}/{file}:{start}: `{folder}` does not come before `{own}`", self.root));
+                }
             }
         }
+        broken
     }
-    broken
-}
-
-fn sources() -> Vec<Source> {
-    files("src", &["rs"])
 }

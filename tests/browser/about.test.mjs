@@ -42,6 +42,16 @@ test("the sheet names the paper, the benchmark and what the model learned from",
   for (const said of ["Solving Physics Puzzles by Reasoning about Paths", "Harter", "2020", "PHYRE"])
     assert.ok(text.includes(said), said);
   await about.locator("#card").filter({ hasText: entry.name }).waitFor();
+  const { dynamics, judge } = await card(entry.file);
+  const saidOfNets = [
+    about.locator("#about-nets"),
+    page.locator("#imagine-intro"),
+    page.locator("[data-stage=judge] .how"),
+  ];
+  for (const said of await Promise.all(saidOfNets.map((element) => element.textContent()))) {
+    assert.equal(/dynamics net/.test(said), Boolean(dynamics), said);
+    assert.equal(/the judge/i.test(said), Boolean(judge), said);
+  }
   const entries = await about.locator("#card-entries").textContent();
   const said = (number) => number.toLocaleString("en");
   assert.ok(entries.includes(`${said(samples)} solutions of ${said(tasks)} puzzles`), entries);
@@ -66,6 +76,7 @@ for (const [what, viewport] of Object.entries({
     const page = await session.open("/", { viewport });
     await page.locator("#templates a").first().waitFor();
     await page.locator("#about-button").click();
+    await page.locator("#about-title:focus").waitFor();
     const box = await page.locator("#about-dialog[open]").boundingBox();
     assert.ok(
       box && box.x >= 0 && box.x + box.width <= viewport.width && box.height <= viewport.height,

@@ -7,7 +7,7 @@ import { after, before, test } from "node:test";
 import { axeFindsNothing } from "./axe.mjs";
 import { start } from "./harness.mjs";
 import { EASY, known, modelLoaded, openPuzzle, says, type } from "./page-actions.mjs";
-import { load } from "../../www/api/pathlight.js";
+import { load } from "../../www/api/index.js";
 
 const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 

@@ -41,7 +41,7 @@ async function linked(page) {
 
 /** The scene of a task as it can be bent. */
 function original(page, task = EASY) {
-  return page.evaluate(async (task) => (await import("/shell/pathlight.js")).pathlight.ownScene(task), task);
+  return page.evaluate(async (task) => (await import("/shell/page-api.js")).pathlight.ownScene(task), task);
 }
 
 /** Waits until the address holds a scene that passes. */

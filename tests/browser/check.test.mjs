@@ -97,7 +97,7 @@ test("a scene that nothing solves says none found, and one that solves itself sa
   await itself.locator("#check-words").filter({ hasText: "The scene solves itself" }).waitFor();
 });
 
-/** The README's example of a lesson that shows nothing of the model, so that nothing has started it. */
+/** The example of docs/teaching.md: a lesson that shows nothing of the model, so that nothing has started it. */
 const WITHOUT_MODEL = "&hide=puzzles,imagine,compare,predict,map,bend";
 
 test("in a lesson without the model: luck, the digest, and attempts are saved", async () => {

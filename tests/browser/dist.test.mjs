@@ -215,11 +215,7 @@ test("another site may show it in a frame", async () => {
   await page.frameLocator("iframe").locator("#scene").waitFor();
   await page.close();
   site.close();
-  // The attribute is for dialogs; a frame does not get the focus by itself.
-  assert.deepEqual(
-    session.takeProblems().filter((problem) => !problem.includes("autofocus")),
-    [],
-  );
+  assert.deepEqual(session.takeProblems(), []);
 });
 
 test("the icons of the manifest are drawn from icon.svg", async () => {

@@ -9,15 +9,6 @@ import fc from "fast-check";
 
 const RUNS = Number(process.env.PATHLIGHT_DOORS ?? 1000);
 
-// What Node 20 lacks of a browser.
-Map.groupBy ??= (items, keyOf) => {
-  const groups = new Map();
-  [...items].forEach((item, index) =>
-    groups.set(keyOf(item, index), [...(groups.get(keyOf(item, index)) ?? []), item]),
-  );
-  return groups;
-};
-
 /** Like localStorage, whose entries are its own properties. */
 class MemoryStorage {
   constructor(entries = {}) {
@@ -58,18 +49,19 @@ Object.defineProperty(FullStorage.prototype, "setItem", {
 let page;
 before(async () => {
   Object.assign(globalThis, { localStorage: new MemoryStorage(), addEventListener() {} });
-  const { load } = await import("../../www/api/pathlight.js");
+  const { load } = await import("../../www/api/index.js");
   await load({ weights: null });
   page = {
-    ...(await import("../../www/shell/url-state.js")),
-    ...(await import("../../www/shell/attempt-store.js")),
-    ...(await import("../../www/shell/progress-store.js")),
-    ...(await import("../../www/shell/progress-file.js")),
+    ...(await import("../../www/state/url-state.js")),
+    ...(await import("../../www/state/view.js")),
+    ...(await import("../../www/storage/progress.js")),
+    ...(await import("../../www/storage/progress-file.js")),
+    ...(await import("../../www/storage/puzzle-store.js")),
+    ...(await import("../../www/storage/slices.js")),
     ...(await import("../../www/workshop/scene-link.js")),
     ...(await import("../../www/workshop/puzzle-file.js")),
     ...(await import("../../www/workshop/attempt-file.js")),
-    ...(await import("../../www/workshop/own-puzzles.js")),
-    ...(await import("../../www/shell/pathlight.js")),
+    ...(await import("../../www/shell/page-api.js")),
   };
 });
 
@@ -220,7 +212,7 @@ test("any file of attempts is read line by line, and each line verified or refus
     fc.asyncProperty(
       damaged([JSON.stringify(line), JSON.stringify({ ...line, task: undefined, scene: SCENE, ball: null })]),
       async (text) => {
-        for (const one of (await orSentence(page.readAttempts(file(text)))) ?? []) {
+        for (const one of (await orSentence(page.readAttempts(file(text))))?.attempts ?? []) {
           const { verdict, reason } = page.pathlight.verifyAttempt(one);
           assert.ok(verdict === "same" || isSentence(reason), `${verdict}: ${reason}`);
         }
@@ -231,15 +223,15 @@ test("any file of attempts is read line by line, and each line verified or refus
 });
 
 test("any file of progress is taken over or refused, and what is kept is read back the same", () => {
-  const { sharedProgress } = page;
   check(
     fc.property(damaged([JSON.stringify(PROGRESS), LINES]), (text) => {
       const progress = fresh(new MemoryStorage());
       const empty = page.progressJson(progress);
       let puzzles;
       try {
-        puzzles = page.takeProgress(progress, text).puzzles;
+        puzzles = readBack(progress, text).puzzles;
       } catch (error) {
+        assert.ok(error instanceof page.FileProblem, "it is a sentence for the person");
         assert.ok(
           isSentence(/** @type {Error} */ (error).message),
           `refused with ${/** @type {Error} */ (error).stack}`,
@@ -255,7 +247,7 @@ test("any file of progress is taken over or refused, and what is kept is read ba
       ]);
       assert.equal(puzzles, kept.size, "as many puzzles as it says");
       const other = fresh(new MemoryStorage());
-      page.takeProgress(other, saved);
+      readBack(other, saved);
       assert.deepEqual(JSON.parse(page.progressJson(other)), JSON.parse(saved));
     }),
   );
@@ -263,14 +255,17 @@ test("any file of progress is taken over or refused, and what is kept is read ba
   /** The progress of a browser with this storage. */
   function fresh(storage) {
     globalThis.localStorage = /** @type {any} */ (storage);
-    return new (sharedProgress("forgotten").constructor)(true);
+    return new page.Progress(true);
+  }
+
+  function readBack(progress, text) {
+    const digestOf = (scene) => page.pathlight.sceneDigest(scene);
+    const { attempts, counts } = page.atOnce(page.progressOfText(text, digestOf));
+    return page.atOnce(progress.merging(attempts, counts));
   }
 });
 
 test("whatever is stored, and whether or not it may be, the page has progress, attempts and puzzles", () => {
-  const { sharedProgress } = page;
-  const Progress = sharedProgress("forgotten").constructor;
-  const OwnPuzzles = page.ownPuzzles().constructor;
   const stored = fc.record(
     {
       "pathlight.progress": damaged([JSON.stringify({ tasks: PROGRESS.tasks })]),
@@ -291,24 +286,19 @@ test("whatever is stored, and whether or not it may be, the page has progress, a
   check(
     fc.property(stored, kinds, (entries, kind) => {
       globalThis.localStorage = kind(entries);
-      const progress = new Progress(true);
+      const progress = new page.Progress(true);
       const before = progress.player.of("00007:008").attempts;
-      progress.player.add("00007:008", true);
+      const ending = { solved: true, steps: 1, longest_touch: 0, final_touch: 0 };
+      progress.add("00007:008", "player", [{ ball: [1, 2, 3], ending }], { simulator: 3 });
       const { attempts, solved } = progress.player.of("00007:008");
       assert.ok(attempts === before + 1 && solved !== null && solved <= attempts);
-      const { ending, ball } = {
-        ball: [1, 2, 3],
-        ending: { solved: true, steps: 1, longest_touch: 0, final_touch: 0 },
-      };
-      progress.attempts.add("00007:008", "player", [{ ball, ending }], 3);
-      if (globalThis.localStorage.constructor === MemoryStorage)
-        assert.ok(progress.attempts.of("00007:008").some((one) => String(one.ball) === "1,2,3"));
-      for (const one of progress.attempts.all) assert.match(one.puzzle, /^(\d{5}:\d{3}|[0-9a-f]{64})$/);
+      assert.ok(progress.attemptsAt("00007:008").some((one) => String(one.ball) === "1,2,3"));
+      for (const one of progress.all) assert.match(one.puzzle, /^(\d{5}:\d{3}|[0-9a-f]{64})$/);
       assert.doesNotThrow(() => JSON.parse(page.progressJson(progress)));
-      const own = new OwnPuzzles();
-      const why = own.add([SCENE]);
+      const own = new page.PuzzleStore();
+      const why = own.add([SCENE]).failure;
       assert.ok(why === null || isSentence(why));
-      assert.ok(own.scenes.every((scene) => page.pathlight.sceneProblems(scene).length === 0));
+      for (const scene of own.scenes) assert.doesNotThrow(() => page.pathlight.sceneProblems(scene));
     }),
   );
 });

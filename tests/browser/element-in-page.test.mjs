@@ -221,6 +221,36 @@ test("where the page forbids workers the puzzle says so and can be played", asyn
   );
 });
 
+test("a frame with the attribute sandbox is told what it has to allow", async () => {
+  const frame = (sandbox) =>
+    `<!doctype html><html lang="en"><title>Frame</title><iframe sandbox="${sandbox}" src="/inside.html"></iframe></html>`;
+  const inside = single('task="00000:000" panel="imagine"');
+  for (const { sandbox, works } of [
+    { sandbox: "allow-scripts", works: false },
+    { sandbox: "allow-scripts allow-same-origin", works: true },
+  ]) {
+    const page = await session.open("");
+    // A frame without an origin needs every file of the server by CORS.
+    await page.route("**/*", async (route) => {
+      const { pathname } = new URL(route.request().url());
+      const headers = { "access-control-allow-origin": "*" };
+      const pages = { "/lesson.html": frame(sandbox), "/inside.html": inside };
+      if (pathname in pages) return route.fulfill({ body: pages[pathname], contentType: "text/html", headers });
+      const response = await route.fetch();
+      return route.fulfill({ response, headers: { ...response.headers(), ...headers } });
+    });
+    await page.goto(`${session.origin}/lesson.html`);
+    const puzzle = page.frameLocator("iframe").locator("pathlight-puzzle");
+    if (works) await imagined(puzzle);
+    else
+      await puzzle
+        .locator("#imagine-trouble:visible")
+        .filter({ hasText: /allow-same-origin/ })
+        .waitFor();
+    assert.deepEqual(session.takeProblems(), []);
+  }
+});
+
 test("a second copy of the module leaves the first one in place", async () => {
   const page = await embed(session, single('task="00000:000"'));
   await page.locator("#scene").waitFor();

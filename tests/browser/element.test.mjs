@@ -140,6 +140,38 @@ test("the puzzle follows its attributes, and the attributes follow the person", 
   assert.equal(await one.locator("[data-stage=target] input").isChecked(), false);
 });
 
+test("a ball does not go on to another puzzle, unless it is set with it", async () => {
+  const page = await embed(session, single('task="00000:000" ball="100,200,20"'));
+  const puzzle = page.locator("pathlight-puzzle");
+  await puzzle.locator("#scene").waitFor();
+  assert.deepEqual(await ballOf(puzzle), [100, 200, 20]);
+  await puzzle.evaluate((element) => (element.task = "00012:002"));
+  await puzzle.getByRole("group", { name: /00012:002/ }).waitFor();
+  assert.deepEqual([await puzzle.getAttribute("ball"), await ballOf(puzzle)], [null, [0, 0, 0]]);
+  await puzzle.locator("#scene").press("ArrowLeft");
+  const placed = await puzzle.getAttribute("ball");
+  await puzzle.evaluate((element, ball) => Object.assign(element, { ball, task: "00000:001" }), placed);
+  await puzzle.getByRole("group", { name: /00000:001/ }).waitFor();
+  assert.equal(await puzzle.getAttribute("ball"), placed);
+});
+
+test("an attribute without a value is off if it is “false”", async () => {
+  const page = await embed(session, single('task="00000:000" fill="false" remember="false"', "height: 400px"));
+  const puzzle = page.locator("pathlight-puzzle");
+  await puzzle.locator("#scene").waitFor();
+  const height = () => puzzle.evaluate((element) => element.clientHeight);
+  assert.notEqual(await height(), 400);
+  const { solving } = await known();
+  await puzzle.evaluate((element, ball) => element.setAttribute("ball", ball), String(solving));
+  await puzzle.locator("#run").click();
+  await status(puzzle, /^Solved!/);
+  assert.equal(await page.evaluate(() => localStorage.length), 0);
+  await puzzle.evaluate((element) => element.setAttribute("fill", "true"));
+  assert.equal(await height(), 400);
+  await puzzle.evaluate((element) => element.setAttribute("fill", "false"));
+  assert.notEqual(await height(), 400);
+});
+
 test("properties that were set before the element was defined take effect", async () => {
   const early = `<!doctype html><html lang="en"><title>Early</title><main><h1>Early</h1></main>
     <script>

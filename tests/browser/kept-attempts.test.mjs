@@ -36,6 +36,10 @@ const titles = (page, list) =>
     .locator(`#${list} [data-act=replay]`)
     .evaluateAll((buttons) => buttons.map((button) => button.title + button.textContent));
 
+/** The player's balls that are listed, in words. */
+const balls = (page) =>
+  page.locator("#player-attempts [data-act=replay]").evaluateAll((buttons) => buttons.map((button) => button.title));
+
 test("the attempts of both come back after a reload and after another puzzle, and are replayed", async () => {
   const page = await played();
   const [player, model] = [await titles(page, "player-attempts"), await titles(page, "model-attempts")];
@@ -170,9 +174,9 @@ test("all is saved to a file and read back whole on another device", async () =>
   await third.locator("#progress-words").filter({ hasText: "solved 1, in 2 attempts" }).waitFor();
 });
 
-test("an older file takes nothing away, and a longer one replaces", async () => {
+test("a file of older attempts, shorter or longer, takes nothing away: they are added", async () => {
   const page = await played();
-  const [player, model] = [await titles(page, "player-attempts"), await titles(page, "model-attempts")];
+  const [player, model] = [await balls(page), await titles(page, "model-attempts")];
   await page.locator("#home").click();
   const line = (x) => ({
     task: EASY,
@@ -184,24 +188,72 @@ test("an older file takes nothing away, and a longer one replaces", async () => 
     final_touch: 0,
     simulator: 1,
   });
-  for (const [balls, kept] of [
-    [1, player.length],
-    [3, 3],
+  for (const [count, added] of [
+    [1, 1],
+    [3, 2],
+    [3, 0],
   ]) {
     const buffer = Buffer.from(
-      JSON.stringify({ tasks: {}, attempts: Array.from({ length: balls }, (_, index) => line(20 + 30 * index)) }),
+      JSON.stringify({ tasks: {}, attempts: Array.from({ length: count }, (_, index) => line(20 + 30 * index)) }),
     );
     await page.locator("#progress-file").setInputFiles({ name: "file.json", mimeType: "application/json", buffer });
     await page
       .locator("#notice-text")
-      .filter({ hasText: `with ${balls} attempt` })
+      .filter({ hasText: `${count} attempt${count === 1 ? "" : "s"}. New here: ${added} attempt` })
       .waitFor();
     await page.goto(`${session.origin}/#task=${EASY}&panel=compare`);
     await page.locator("#model-attempts li").first().waitFor();
-    assert.equal((await titles(page, "player-attempts")).length, kept);
+    const kept = await balls(page);
+    assert.equal(kept.length, player.length + count);
+    for (const ball of player) assert.ok(kept.includes(ball), `${ball} is gone`);
     assert.deepEqual(await titles(page, "model-attempts"), model);
     await page.locator("#home").click();
   }
+});
+
+test("two devices: what one has solved at once stays so when it reads the other’s misses, which can be undone", async () => {
+  const { missing, solving } = await known();
+  const first = await openPuzzle(session, { reducedMotion: true });
+  await run(first, solving, /^Solved/);
+  await first.locator("#home").click();
+  const before = await first.locator("#progress-words").textContent();
+  assert.match(before, /tried 1 puzzle and solved 1, in 1 attempt\./);
+
+  const second = await openPuzzle(session, { reducedMotion: true });
+  for (const ball of [missing, [30, 240, 8]]) {
+    await run(second, ball, /^Not solved/);
+    await second.locator("#reset").click();
+  }
+  await second.locator("#home").click();
+  const [file] = await Promise.all([second.waitForEvent("download"), second.locator("#progress-save").click()]);
+
+  const read = async () => {
+    await first.locator("#progress-file").setInputFiles(await file.path());
+    await first
+      .locator("#notice-text")
+      .filter({ hasText: "Read back: 1 puzzle, with 2 attempts. New here: 2 attempts, 0 solved puzzles." })
+      .waitFor();
+  };
+  await read();
+  await first.locator("#notice button", { hasText: "Undo" }).click();
+  await first.locator("#notice-text").filter({ hasText: "gone again" }).waitFor();
+  assert.equal(await first.locator("#progress-words").textContent(), before);
+  await read();
+  await first.locator("#progress-words").filter({ hasText: "tried 1 puzzle and solved 1, in 3 attempts." }).waitFor();
+  await first.goto(`${session.origin}/#task=${EASY}`);
+  await first.locator("#play-attempts li").nth(2).waitFor();
+  assert.match(await first.locator("#task option:checked").textContent(), /✓ in 1$/);
+  assert.equal(await first.locator("#play-attempts li .mark.solved").count(), 1);
+  await first.locator("#home").click();
+
+  // The other way round the solution comes over.
+  const [other] = await Promise.all([first.waitForEvent("download"), first.locator("#progress-save").click()]);
+  await second.locator("#progress-file").setInputFiles(await other.path());
+  await second.locator("#notice-text").filter({ hasText: "New here: 1 attempt, 1 solved puzzle." }).waitFor();
+  assert.equal(
+    await second.locator("#progress-words").textContent(),
+    await first.locator("#progress-words").textContent(),
+  );
 });
 
 test("a file with a longer turn of other agents takes nothing away", async () => {

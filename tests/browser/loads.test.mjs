@@ -10,9 +10,22 @@ import { writeBundledPage } from "../../scripts/bundle-page.mjs";
 import { start } from "./harness.mjs";
 import { EASY, assertPolicyHolds, known, openImagined, says, type } from "./page-actions.mjs";
 
+/** The sources as they are. */
 let session;
-before(async () => (session = await start()));
-after(() => session.stop());
+/** What `make play` serves. */
+let bundled;
+let folder;
+before(async () => {
+  session = await start();
+  folder = await mkdtemp(join(tmpdir(), "pathlight-"));
+  await writeBundledPage(folder);
+  bundled = await start({ serve: ["--dir", folder] });
+});
+after(async () => {
+  await session.stop();
+  await bundled.stop();
+  await rm(folder, { recursive: true });
+});
 
 test("the page loads and says what it is", async () => {
   const page = await session.open("/");
@@ -28,25 +41,6 @@ test("the wasm package is compiled under the page's own policy", async () => {
   });
   assert.equal(names.length, 25);
   assert.equal(names[7], "00007");
-});
-
-test("wasm and weights are small to download", async (context) => {
-  const size = async (path) => {
-    const { headers } = await new Promise((answer, failed) =>
-      get(new URL(path, session.origin), { headers: { "accept-encoding": "br" } }, answer).on("error", failed),
-    );
-    return { bytes: Number(headers["content-length"]), encoding: headers["content-encoding"] };
-  };
-  const wasm = await size("/pkg/pathlight_bg.wasm");
-  assert.equal(wasm.encoding, "br");
-  context.diagnostic(`wasm: ${wasm.bytes} bytes with brotli`);
-  assert.ok(wasm.bytes > 0 && wasm.bytes <= 700_000, `${wasm.bytes} bytes`);
-  const { models } = await (await fetch(new URL("/assets/model.json", session.origin))).json();
-  for (const { file } of models) {
-    const { bytes } = await size(`/assets/${file}`);
-    context.diagnostic(`${file}: ${bytes} bytes`);
-    assert.ok(bytes > 0 && bytes <= 7_000_000, `${file}: ${bytes} bytes`);
-  }
 });
 
 test("the first picture of a puzzle waits for no panel", async () => {
@@ -79,16 +73,13 @@ test("the first picture of a puzzle waits for no panel", async () => {
 });
 
 test("what make play serves loads two scripts, and one more for the model", async () => {
-  const folder = await mkdtemp(join(tmpdir(), "pathlight-"));
-  await writeBundledPage(folder);
-  const bundled = await start({ serve: ["--dir", folder] });
   const page = await openImagined(bundled, { reducedMotion: true });
   const scripts = () =>
     performance
       .getEntriesByType("resource")
       .map(({ name }) => new URL(name).pathname)
       .filter((path) => path.endsWith(".js"));
-  assert.deepEqual(await page.evaluate(scripts), ["/shell/compile-wasm.js", "/page/main.js", "/model/worker.js"]);
+  assert.deepEqual(await page.evaluate(scripts), ["/loading/compile-wasm.js", "/page/main.js", "/model/worker.js"]);
   const bytes = await page.evaluate(
     () =>
       /** @type {PerformanceResourceTiming[]} */ (performance.getEntriesByType("resource")).find(({ name }) =>
@@ -104,8 +95,29 @@ test("what make play serves loads two scripts, and one more for the model", asyn
   await type(page, (await known()).solving);
   await page.locator("#run").click();
   await says(page, /^Solved!/);
-  await bundled.stop();
-  await rm(folder, { recursive: true });
+});
+
+test("what make play serves is compressed, over plain http too", async (context) => {
+  const sizeOf = async (path, encoding) => {
+    const { headers } = await new Promise((answer, failed) =>
+      get(new URL(path, bundled.origin), { headers: { "accept-encoding": encoding } }, answer).on("error", failed),
+    );
+    return { bytes: Number(headers["content-length"]), encoding: headers["content-encoding"] };
+  };
+  const { models } = await (await fetch(new URL("/assets/model.json", bundled.origin))).json();
+  const limits = {
+    "/": { br: 5_000, gzip: 5_000 },
+    "/page/main.js": { br: 100_000, gzip: 100_000 },
+    "/pkg/pathlight_bg.wasm": { br: 700_000, gzip: 800_000 },
+    ...Object.fromEntries(models.map(({ file }) => [`/assets/${file}`, { br: 3_500_000, gzip: 4_000_000 }])),
+  };
+  for (const [path, forms] of Object.entries(limits))
+    for (const [encoding, limit] of Object.entries(forms)) {
+      const sent = await sizeOf(path, encoding);
+      context.diagnostic(`${path}: ${sent.bytes} bytes with ${encoding}`);
+      assert.equal(sent.encoding, encoding, path);
+      assert.ok(sent.bytes > 0 && sent.bytes <= limit, `${path}: ${sent.bytes} bytes`);
+    }
 });
 
 test("the policy keeps scripts from elsewhere out", async () => {

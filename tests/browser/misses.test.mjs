@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { start } from "./harness.mjs";
 import { EASY, openPuzzle, palette, picture, pixels, says, type, waitForValue } from "./page-actions.mjs";
-import { load } from "../../www/api/pathlight.js";
+import { load } from "../../www/api/index.js";
 
 let session;
 before(async () => (session = await start()));
@@ -12,7 +12,7 @@ after(() => session.stop());
 
 /**
  * A ball that misses: the object never touches, and everything lies still before the time is over.
- * @returns {Promise<{ ball: import('./page-actions.mjs').Ball, rollout: import('../../www/api/pathlight.js').Rollout
+ * @returns {Promise<{ ball: import('./page-actions.mjs').Ball, rollout: import('../../www/api/index.js').Rollout
  *   }>}
  */
 async function stillMiss() {

@@ -5,7 +5,7 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { after, before, test } from "node:test";
 import { start } from "./harness.mjs";
-import { EASY, attempts, known, openPuzzle, says, type } from "./page-actions.mjs";
+import { EASY, attempts, known, modelLoaded, openPuzzle, playModelTurn, says, type } from "./page-actions.mjs";
 
 let session;
 before(async () => (session = await start()));
@@ -85,11 +85,11 @@ test("progress is saved to a file, and forgotten only when the person is sure", 
   assert.ok(await page.locator("#progress").isVisible());
   await page.locator("#progress-forget").click();
   // At once: whoever leaves the page now means it too.
-  const left = await page.locator("#forget-dialog button[value=forget]").evaluate((button, key) => {
+  const left = await page.locator("#forget-dialog button[value=forget]").evaluate((button) => {
     /** @type {HTMLButtonElement} */ (button).click();
-    return localStorage.getItem(key);
-  }, KEY);
-  assert.equal(left, null);
+    return Object.keys(localStorage);
+  });
+  assert.deepEqual(left, []);
   await page.locator("#progress").waitFor({ state: "hidden" });
   assert.equal(await mark(page).textContent(), "");
 
@@ -100,6 +100,34 @@ test("progress is saved to a file, and forgotten only when the person is sure", 
   await page.locator("#progress-forget").click();
   await page.keyboard.press("Escape");
   assert.ok((await page.locator("#forget-dialog").isHidden()) && (await page.locator("#progress").isVisible()));
+});
+
+test("what is forgotten are the models’ attempts too, also what older versions have counted", async () => {
+  const page = await openPuzzle(session, { reducedMotion: true });
+  await page.evaluate(() =>
+    localStorage.setItem("pathlight.model.cross-0", '{"tasks":{"00001:001":{"attempts":3,"solved":3}}}'),
+  );
+  await page.reload();
+  await modelLoaded(page);
+  await type(page, (await known()).missing);
+  await page.locator("#run").click();
+  await says(page, /^Not solved/);
+  await page.locator("#tab-compare").click();
+  await playModelTurn(page);
+  await page.locator("#home").click();
+  const saved = async () => {
+    const [file] = await Promise.all([page.waitForEvent("download"), page.locator("#progress-save").click()]);
+    return JSON.parse(await readFile(await file.path(), "utf8"));
+  };
+  assert.deepEqual(Object.keys((await saved()).models), ["cross-0", "within-0"]);
+  await page.locator("#progress-forget").click();
+  await page.locator("#forget-dialog button[value=forget]").click();
+  assert.deepEqual(await page.evaluate(() => Object.keys(localStorage).filter((key) => !/guide/.test(key))), []);
+  await page.reload();
+  await page.locator("#templates a").first().click();
+  await run(page, (await known()).missing, /^Not solved/);
+  await page.locator("#home").click();
+  assert.deepEqual((await saved()).models, {});
 });
 
 for (const [what, kept, tried] of [
@@ -133,9 +161,10 @@ for (const [what, kept, tried] of [
   });
 }
 
-for (const [what, forbid] of [
+for (const [what, words, forbid] of [
   [
     "asked",
+    "keeps nothing for the page",
     () =>
       Object.defineProperty(globalThis, "localStorage", {
         get: () => {
@@ -145,6 +174,7 @@ for (const [what, forbid] of [
   ],
   [
     "written",
+    "has no room left: 2 attempts are lost when you close the page",
     () => {
       Storage.prototype.setItem = () => {
         throw new DOMException("full", "QuotaExceededError");
@@ -159,7 +189,7 @@ for (const [what, forbid] of [
     await page.locator("#scene").waitFor();
     await played(page);
     await page.locator("#home").click();
-    await page.locator("#progress:visible").filter({ hasText: "keeps nothing for the page" }).waitFor();
+    await page.locator("#progress:visible").filter({ hasText: words }).waitFor();
     assert.equal(await mark(page).textContent(), "✓ 1 of 100 solved, in 2 attempts");
     assert.ok(await page.locator("#notice").isHidden());
   });

@@ -3,7 +3,7 @@
 
 import { spawnSync } from "node:child_process";
 import { createHash } from "node:crypto";
-import { load } from "../../www/api/pathlight.js";
+import { load } from "../../www/api/index.js";
 import { binary } from "./harness.mjs";
 
 /** @typedef {[x: number, y: number, r: number]} Ball */
@@ -130,7 +130,7 @@ export function computeNatively({ attempts, tasks }, { threads, emulator = [] } 
  * @returns {Promise<Computed>}
  */
 export async function computeInPage({ attempts, tasks }) {
-  const { load } = await import("/api/pathlight.js");
+  const { load } = await import("/api/index.js");
   const pathlight = await load(tasks.length ? {} : { weights: null });
   return {
     digests: attempts.map(({ task, ball }) => pathlight.attemptLine(task, ball).digest),

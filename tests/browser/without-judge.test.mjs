@@ -25,7 +25,7 @@ after(async () => {
   rmSync(folder, { recursive: true });
 });
 
-test("four maps are drawn, and the fifth says that there is none", async () => {
+test("the maps of the paper are drawn, and the other says that there is none", async () => {
   const page = await openPuzzle(session, { fragment: "&panel=imagine&layers=placement,judge" });
   await page
     .locator("#imagined-in")
@@ -36,6 +36,10 @@ test("four maps are drawn, and the fifth says that there is none", async () => {
   }
   const judge = page.locator("[data-stage=judge]");
   assert.equal(await judge.locator(".summary").textContent(), "This model has no such map.");
+  assert.doesNotMatch(await page.locator("#imagine-intro").textContent(), /judge|dynamics/);
+  assert.doesNotMatch(await judge.locator(".how").textContent(), /the judge|dynamics/i);
+  // Its name does not tell what it has learned from, its card does.
+  assert.match(await page.locator("#model-words").textContent(), / has learned from other puzzles of all 25 kinds\.$/);
   const box = await page.locator("#scene").boundingBox();
   await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
   assert.match(await page.locator("#probe").textContent(), /Placement \d\.\d\dJudge none/);

@@ -8,7 +8,7 @@ use tempfile::tempdir;
 
 use crate::{assert_refused, output_of, pathlight, run, stderr, stdout, without_dynamics};
 
-/// Those of the example in the README.
+/// Those of the example in docs/command-line.md.
 const TASKS: [&str; 2] = ["00007:008", "00002:007"];
 
 const AGENT: [&str; 1] = ["agent"];
@@ -73,6 +73,31 @@ fn agent_and_simulator_play_several_tasks_by_their_own_lines() {
     }
     agent.ends_well();
     simulator.ends_well();
+}
+
+/// Both commands answer a client that writes a line and waits, whatever the line is.
+#[test]
+fn a_client_is_never_left_waiting() {
+    let good = json!({"task": TASKS[0], "ball": null}).to_string();
+    for args in [&["agent", "--agent", "random"][..], &SIMULATOR] {
+        let mut partner = Partner::new(args);
+        for (number, line, words) in [
+            (1, good.clone(), ""),
+            (2, "nonsense".to_string(), "at column 2; write a line like"),
+            (3, json!({"task": "00007:800", "ball": null}).to_string(), "not in the benchmark"),
+            (4, " ".repeat(1 << 19), "longer than"),
+            (6, format!("\n{good}"), ""),
+        ] {
+            let answer = parsed(&partner.ask(&line));
+            assert_eq!(answer["line"], number, "{answer}");
+            match words {
+                "" => assert_eq!(answer["task"], TASKS[0], "{answer}"),
+                words => assert!(answer["error"].as_str().is_some_and(|said| said.contains(words)), "{answer}"),
+            }
+        }
+        drop(partner.stdin);
+        assert_eq!(partner.process.wait().expect("it ends").code(), Some(2), "{args:?}");
+    }
 }
 
 #[test]
@@ -148,6 +173,7 @@ fn a_bad_line_is_answered_with_an_error_and_changes_nothing() {
     let expected =
         bad.iter().map(|(_, words)| *words).chain([""]).chain(unlike.iter().map(|(_, words)| *words)).chain([""]);
     assert_eq!(said.len(), bad.len() + unlike.len() + 2);
+    assert_eq!(said.last().expect("answers")["line"], lines.len());
     for (said, words) in said.iter().zip(expected) {
         match words {
             "" => assert!(said["ball"].is_array(), "{said}"),
@@ -158,34 +184,53 @@ fn a_bad_line_is_answered_with_an_error_and_changes_nothing() {
     assert!(stderr(&output).contains("error: 12 lines could not be used"), "{}", stderr(&output));
     assert_refused(&["agent", "--weights", "no/such/file"], "cannot read the weights in no/such/file");
     let folder = tempdir().expect("a folder");
+    let elsewhere = pathlight().arg("propose").current_dir(folder.path()).output().expect("the binary starts");
+    let missing = folder.path().canonicalize().expect("a path").join("assets/within-0.safetensors");
+    let words = format!("cannot read the weights in {}: run this in Pathlight's folder", missing.display());
+    assert!(stderr(&elsewhere).contains(&words), "{}", stderr(&elsewhere));
     let without = without_dynamics(folder.path());
     for agent in ["online", "online-by-balls", "dynamics"] {
         let words = format!(
-            "the weights have no dynamics net: train one with `pathlight train-dynamics`, or leave --agent {agent} out"
+            "the weights have no dynamics net: train one with `pathlight-lab train dynamics`, or leave --agent {agent} \
+             out"
         );
         assert_refused(&["agent", "--weights", &without, "--agent", agent], &words);
     }
 }
 
-/// The example of the README runs as it stands there.
+/// What follows the example of docs/command-line.md: bad lines are answered, and good ones after them.
+const BAD_AND_GOOD_LINES: &str = r#"
+for process in [agent, simulator]:
+    try:
+        ask(process, {"task": "00007:999"})
+    except ValueError as error:
+        print("refused:", error)
+    print("answered:", ask(process, {"task": "00007:008", "ball": None})["task"])
+"#;
+
+/// The example of docs/command-line.md runs as it stands there.
 #[test]
 fn the_example_in_python_plays() {
     if Command::new("python3").arg("--version").output().is_err() {
         return;
     }
-    let readme = std::fs::read_to_string("README.md").expect("it is there");
-    let example = readme.split("```python\n").nth(1).and_then(|rest| rest.split("```").next()).expect("an example");
+    let page = std::fs::read_to_string("docs/command-line.md").expect("it is there");
+    let example = page.split("```python\n").nth(1).and_then(|rest| rest.split("```").next()).expect("an example");
     let binary = std::path::Path::new(env!("CARGO_BIN_EXE_pathlight")).parent().expect("a folder");
     let path = std::env::join_paths(
         [binary.to_path_buf()].into_iter().chain(std::env::split_paths(&std::env::var_os("PATH").unwrap_or_default())),
     );
-    let output = Command::new("python3").args(["-c", example]).env("PATH", path.expect("a path")).output();
+    let program = format!("{example}{BAD_AND_GOOD_LINES}");
+    let output = Command::new("python3").args(["-c", &program]).env("PATH", path.expect("a path")).output();
     let output = output.expect("it starts");
     assert!(output.status.success(), "{}", stderr(&output));
     let said = stdout(&output);
     for task in TASKS {
         let line = said.lines().find(|line| line.starts_with(task)).unwrap_or_else(|| panic!("{task}: {said}"));
         assert!(line.contains("solved"), "{line}");
+    }
+    for (words, count) in [("refused: task 00007:999 is not in the benchmark", 2), ("answered: 00007:008", 2)] {
+        assert_eq!(said.matches(words).count(), count, "{said}");
     }
 }
 

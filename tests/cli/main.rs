@@ -8,27 +8,17 @@ use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
-use pathlight::nets::{Card, PathNet, flex};
+use pathlight::nets::PathNet;
+use serde_json::Value;
 
 mod agent;
-mod calibration;
-mod collect;
-mod figures;
-mod forecasts;
-mod killed;
-mod label;
-mod merge;
+mod moved;
 mod own_scenes;
 mod pipes;
-mod reference;
-mod reproduce;
+mod propose;
 mod serve;
 mod simulate;
 mod tasks;
-mod train;
-mod train_dqn;
-mod train_dynamics;
-mod train_judge;
 
 /// The binary, without arguments yet.
 fn pathlight() -> Command {
@@ -56,6 +46,13 @@ fn output_of(args: &[&str]) -> String {
     stdout(&output)
 }
 
+/// Returns an answer to a JSON line without the number of the line, which must be this.
+fn without_line(number: usize, answer: &str) -> Value {
+    let mut answer: Value = serde_json::from_str(answer).unwrap_or_else(|error| panic!("{error}: {answer}"));
+    assert_eq!(answer.as_object_mut().and_then(|keys| keys.remove("line")), Some(number.into()), "{answer}");
+    answer
+}
+
 /// Asserts that a run is refused: nothing on standard output, an error that contains these words, exit code 2.
 fn assert_refused(args: &[&str], words: &str) {
     let output = run(args, "");
@@ -68,17 +65,11 @@ fn assert_refused(args: &[&str], words: &str) {
 
 /// Writes the shipped weights without their dynamics net; returns the file.
 fn without_dynamics(folder: &Path) -> String {
-    changed_weights(&folder.join("without-dynamics.safetensors"), |nets, card| {
-        (nets.dynamics, card.dynamics) = (None, None);
-    })
-}
-
-/// Writes the shipped weights with a change; returns the file.
-fn changed_weights(out: &Path, change: impl FnOnce(&mut PathNet, &mut Card)) -> String {
     let bytes = fs::read("assets/within-0.safetensors").expect("weights");
-    let (mut nets, mut card) = PathNet::load(&bytes, &flex()).expect("our own weights");
-    change(&mut nets, &mut card);
-    fs::write(out, nets.save(&card).expect("weights")).expect("a file");
+    let (mut nets, mut card) = PathNet::load(&bytes).expect("our own weights");
+    (nets.dynamics, card.dynamics) = (None, None);
+    let out = folder.join("without-dynamics.safetensors");
+    fs::write(&out, nets.save(&card).expect("weights")).expect("a file");
     out.display().to_string()
 }
 

@@ -4,7 +4,7 @@ use std::fs;
 
 use serde_json::Value;
 
-use crate::{assert_refused, output_of, run, stderr, stdout};
+use crate::{assert_refused, output_of, run, stderr, stdout, without_line};
 
 const TASK: &str = "00000:002";
 
@@ -57,6 +57,18 @@ fn a_scene_that_may_not_be_played_is_refused_with_all_reasons() {
 }
 
 #[test]
+fn a_scene_comes_from_standard_input_too_and_a_task_is_refused_with_the_remedy() {
+    let simulated = |kind: &str| run(&["simulate", "--scene", "-"], &output_of(&["tasks", kind, TASK]));
+    let own = simulated("--own");
+    assert!(own.status.success(), "{}", stderr(&own));
+    let task = simulated("--json");
+    assert_eq!((task.status.code(), stdout(&task)), (Some(2), String::new()));
+    assert!(stderr(&task).contains("use `pathlight tasks --own`"), "{}", stderr(&task));
+    let endless = run(&["simulate", "--scene", "-"], &" ".repeat(3 << 20));
+    assert!(stderr(&endless).contains("- is larger than 1048576 bytes"), "{}", stderr(&endless));
+}
+
+#[test]
 fn a_batch_takes_own_scenes_beside_tasks() {
     let folder = folder();
     let path = folder.path().join("scene.json");
@@ -77,7 +89,13 @@ fn a_batch_takes_own_scenes_beside_tasks() {
             one(&["--task", TASK, "--ball", "128,240,9"]),
             one(&["--scene", file]),
         ];
-        assert_eq!(stdout(&batch), expected.concat());
+        if flags == ["--verifiable"] {
+            assert_eq!(stdout(&batch), expected.concat());
+            continue;
+        }
+        for (line, (answer, expected)) in (1..).zip(stdout(&batch).lines().zip(&expected)) {
+            assert_eq!(without_line(line, answer), parsed(expected));
+        }
     }
     let bad = run(&["simulate", "--batch", "-"], r#"{"scene":{"version":1},"ball":null}"#);
     assert_eq!(bad.status.code(), Some(2));
@@ -112,6 +130,11 @@ fn verify_tells_same_from_other_and_not_valid() {
     let other = format!("{same}{line}\n");
     assert_eq!(verified(&other), (Some(1), vec!["same".into(), "same".into(), "other_outcome".into()]));
     assert_eq!(verified(&format!("{line}\nsoup\n")), (Some(2), vec!["other_outcome".into(), "not_valid".into()]));
+    for digest in ["0".repeat(63), "A".repeat(64)] {
+        line["digest"] = digest.into();
+        assert_eq!(verified(&line.to_string()), (Some(2), vec!["not_valid".into()]), "{line}");
+    }
+    line["digest"] = "0".repeat(64).into();
     line["ball"] = serde_json::json!([1, 1, 30]);
     assert_eq!(verified(&line.to_string()), (Some(2), vec!["not_valid".into()]));
     assert_refused(&["verify", "-"], "no attempts");

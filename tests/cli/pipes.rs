@@ -1,6 +1,5 @@
 //! A reader that closes the pipe early ends any command quietly: no panic, no error, success.
 
-use std::path::Path;
 use std::process::{Output, Stdio};
 
 use serde_json::json;
@@ -24,23 +23,12 @@ fn run_unread(args: &[&str], both: bool) -> Output {
 fn commands_end_quietly_when_nobody_reads() {
     let folder = tempdir().expect("a folder");
     let file = |name: &str| folder.path().join(name).display().to_string();
-    std::fs::write(file("outcomes.jsonl"), "").expect("written");
-    std::fs::write(file("trajectories.jsonl"), "").expect("written");
-    std::fs::write(file("solve_rates.json"), "{}").expect("written");
     std::fs::write(file("request"), json!({"task": "00000:000", "ball": null}).to_string()).expect("written");
-    let (reference, assets, weights) = (file("."), file("assets"), "assets/within-0.safetensors");
-    let (solutions, figures) = (file("solutions"), file("figures"));
-    let commands: [&[&str]; 10] = [
+    let commands: [&[&str]; 4] = [
         &["tasks"],
         &["simulate", "--task", "00000:000"],
         &["simulate", "--batch", &file("request")],
         &["propose", "--task", "00002:007"],
-        &["evaluate", "--agent", "random", "--limit", "1"],
-        &["collect", "--template", "2", "--limit", "1", "--per-task", "2", "--out", &solutions],
-        &["publish", weights, "--assets", &assets],
-        &["figures", "--out", &figures],
-        &["fidelity", "--reference", &reference],
-        &["solve-rates", "--limit", "0", "--reference", &reference],
     ];
     for args in commands {
         for both in [false, true] {
@@ -50,6 +38,4 @@ fn commands_end_quietly_when_nobody_reads() {
             assert!(!said.contains("panicked") && !said.contains("error"), "{args:?}: {said}");
         }
     }
-    assert!(Path::new(&assets).join("model.json").exists(), "what publish writes does not depend on who reads");
-    assert!(Path::new(&figures).join("README.md").exists(), "nor does what figures draws, of which this is the last");
 }

@@ -6,7 +6,7 @@ use std::process::Stdio;
 
 use serde_json::{Value, json};
 
-use crate::{assert_refused, output_of, pathlight, run, stderr, stdout};
+use crate::{assert_refused, output_of, pathlight, run, stderr, stdout, without_line};
 
 /// Two balls that drop, side by side.
 const TASK: &str = "00000:000";
@@ -23,9 +23,10 @@ fn tells_the_outcome_of_one_ball() {
 
 #[test]
 fn an_action_is_the_ball_that_it_places() {
-    let action = output_of(&["simulate", "--task", TASK, "--action", "0.5,0.9,0.4"]);
-    assert_eq!(parsed(&action)["ball"], json!([127, 229, 14]));
-    assert_eq!(action, output_of(&["simulate", "--task", TASK, "--ball", "127,229,14"]));
+    let mut action = parsed(&output_of(&["simulate", "--task", TASK, "--action", "0.5,0.9,0.4"]));
+    assert_eq!(action["ball"], json!([127, 229, 14]));
+    assert_eq!(action.as_object_mut().and_then(|answer| answer.remove("action")), Some(json!([0.5, 0.9, 0.4])));
+    assert_eq!(action, parsed(&output_of(&["simulate", "--task", TASK, "--ball", "127,229,14"])));
 }
 
 #[test]
@@ -35,7 +36,8 @@ fn the_other_engine_names_itself_in_answers_and_attempts() {
     assert_eq!(first, of(&["--engine", "box2d"]));
     assert_eq!((parsed(&first).get("engine"), &parsed(&other)["engine"]), (None, &json!("rapier")));
     let request = json!({"task": TASK, "ball": [221, 222, 20]}).to_string();
-    assert_eq!(stdout(&run(&["simulate", "--batch", "-", "--engine", "rapier"], &request)), other);
+    let batch = stdout(&run(&["simulate", "--batch", "-", "--engine", "rapier"], &request));
+    assert_eq!(without_line(1, &batch), parsed(&other));
     let lines = of(&["--verifiable", "--engine", "rapier"]) + &of(&["--verifiable"]);
     assert!(lines.contains(r#""engine":"rapier""#), "{lines}");
     assert_eq!(run(&["verify", "-"], &lines).status.code(), Some(0));
@@ -87,7 +89,7 @@ fn refuses_what_is_no_ball_in_words() {
     assert_refused(&["simulate", "--task", TASK, "--ball", "128.5,200,15"], "whole numbers of px");
     assert_refused(&["simulate", "--task", TASK, "--ball", "NaN,200,15"], "whole numbers of px");
     assert_refused(&["simulate", "--task", TASK, "--ball", "1,2"], "three whole numbers");
-    assert_refused(&["simulate", "--task", TASK, "--action", "a,b,c"], "three numbers in 0..1");
+    assert_refused(&["simulate", "--task", TASK, "--action", "a,b,c"], "three numbers from 0 to 1");
     assert_refused(&["simulate", "--task", "00000:999", "--ball", "1,2,3"], "task 00000:999 is not in the benchmark");
     assert_refused(&["simulate", "--batch", "no/such/file"], "cannot read no/such/file");
 }
@@ -107,7 +109,11 @@ fn a_batch_answers_in_order_what_single_runs_answer() {
         .concat();
     singles += &output_of(&["simulate", "--task", TASK]);
     singles += &output_of(&["simulate", "--task", TASK, "--action", "0.5,0.9,0.4"]);
-    assert_eq!(stdout(&output), singles);
+    let answers = stdout(&output);
+    assert_eq!(answers.lines().count(), singles.lines().count());
+    for (line, (answer, single)) in (1..).zip(answers.lines().zip(singles.lines())) {
+        assert_eq!(without_line(line, answer), parsed(single));
+    }
 }
 
 /// More lines than one chunk has: every kind of outcome, in the order asked.
@@ -142,25 +148,40 @@ fn a_bad_line_is_named_and_the_rest_goes_on() {
         r#"{"task":"00000:000","scene":{},"ball":null}"#,
         r#"{"ball":null}"#,
     ];
-    let output = run(&["simulate", "--batch", "-"], &format!("{good}\n\n{}\n{good}\n", bad.join("\n")));
-    assert_eq!(output.status.code(), Some(2));
-    assert_eq!(stdout(&output).lines().count(), 2);
-    let said = stderr(&output);
-    let named: Vec<_> = said.lines().filter(|line| line.starts_with("error: line ")).collect();
-    assert_eq!(named.len(), bad.len(), "{said}");
-    for (number, line) in (3..).zip(named) {
-        assert!(line.starts_with(&format!("error: line {number}: ")), "{line}");
+    for flags in [&[][..], &["--paths"], &["--verifiable"]] {
+        let args = [&["simulate", "--batch", "-"], flags].concat();
+        let output = run(&args, &format!("{good}\n\n{}\n{good}\n", bad.join("\n")));
+        assert_eq!(output.status.code(), Some(2));
+        let answers: Vec<Value> = stdout(&output).lines().map(parsed).collect();
+        let (last, refused) = answers[1..].split_last().expect("answers");
+        assert_eq!((&answers[0]["status"], &last["status"]), (&json!("solved"), &json!("solved")), "{answers:?}");
+        assert_eq!(last["line"], if flags == ["--verifiable"] { Value::Null } else { json!(12) });
+        let said = stderr(&output);
+        let named: Vec<_> = said.lines().filter(|line| line.starts_with("error: line ")).collect();
+        assert_eq!((named.len(), refused.len()), (bad.len(), bad.len()), "{said}");
+        for ((number, line), answer) in (3..).zip(named).zip(refused) {
+            assert_eq!(answer["line"], number);
+            assert_eq!(line, format!("error: line {number}: {}", answer["error"].as_str().expect("a sentence")));
+        }
+        assert!(said.contains("error: 9 lines could not be simulated"), "{said}");
     }
-    assert!(said.contains("error: 9 lines could not be simulated"), "{said}");
 }
 
 #[test]
-fn a_line_without_end_is_refused() {
+fn a_line_that_is_too_long_is_answered_and_the_next_one_simulated() {
     let good = r#"{"task":"00000:000","ball":[221,222,20]}"#;
-    let output = run(&["simulate", "--batch", "-"], &format!("{good}\n{}", " ".repeat(1 << 20)));
+    let endless = " ".repeat(3 << 20);
+    let output = run(&["simulate", "--batch", "-"], &format!("{good}\n{endless}\n{good}\n{endless}"));
     assert_eq!(output.status.code(), Some(2), "{output:?}");
-    assert_eq!(stdout(&output).lines().count(), 1);
-    assert!(stderr(&output).contains("error: line 2 of - is longer than 65536 bytes"), "{}", stderr(&output));
+    let answers: Vec<Value> = stdout(&output).lines().map(parsed).collect();
+    assert_eq!(answers.iter().map(|answer| &answer["line"]).collect::<Vec<_>>(), [1, 2, 3, 4]);
+    for (index, answer) in answers.iter().enumerate() {
+        let error = answer["error"].as_str().unwrap_or_default();
+        assert_eq!(error.contains("longer than 65536 bytes"), index % 2 == 1, "{answer}");
+    }
+    // A line may be exactly as long as the limit.
+    let longest = format!("{good}{}\n", " ".repeat((1 << 16) - good.len()));
+    assert!(run(&["simulate", "--batch", "-"], &longest).status.success());
 }
 
 #[test]
@@ -174,8 +195,11 @@ fn a_batch_answers_a_line_before_the_next_one_comes() {
         .expect("the binary starts");
     let mut stdin = child.stdin.take().expect("piped");
     let mut answers = BufReader::new(child.stdout.take().expect("piped")).lines();
-    for x in [30, 31] {
-        writeln!(stdin, "{}", json!({"task": TASK, "ball": [x, 200, 10]})).expect("it listens");
+    // After the second line comes a blank one, after the third a part of the next.
+    for (x, more) in [(30, ""), (31, "\n"), (32, r#"{"task":"00000:000","ball":"#), (33, "")] {
+        let request = json!({"task": TASK, "ball": [x, 200, 10]}).to_string();
+        let rest = if x == 33 { "[33,200,10]}" } else { &request };
+        write!(stdin, "{rest}\n{more}").expect("it listens");
         let answer = answers.next().expect("an answer").expect("UTF-8");
         assert_eq!(parsed(&answer)["ball"][0], x);
     }

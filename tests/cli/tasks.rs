@@ -5,6 +5,8 @@ use std::io::{BufRead, BufReader, Read};
 use std::path::Path;
 use std::process::Stdio;
 
+use pathlight::benchmark::folds::{Fold, Setup};
+use pathlight::puzzle::task::TaskId;
 use serde_json::Value;
 
 use crate::{assert_refused, output_of, pathlight};
@@ -66,6 +68,23 @@ fn prints_the_scenes_of_one_template_as_json() {
     assert_eq!(output.lines().filter(|line| line.starts_with(r#"{"id":"00024:"#)).count(), 100);
 }
 
+#[test]
+fn lists_the_parts_of_a_fold() {
+    let listed = |args: &[&str]| -> Vec<String> {
+        output_of(&[&["tasks", "--fold"], args].concat()).lines().map(String::from).collect()
+    };
+    let ids = |tasks: Vec<TaskId>| -> Vec<String> { tasks.into_iter().map(String::from).collect() };
+    let within = Fold::new(Setup::Within, 0);
+    assert_eq!(listed(&["0"]), ids(within.test));
+    let Fold { train, dev, test } = Fold::new(Setup::Cross, 9);
+    for (part, tasks) in [("test", test), ("dev", dev), ("train", train)] {
+        assert_eq!(listed(&["9", "--setup", "cross", "--part", part]), ids(tasks), "{part}");
+    }
+    let scenes = listed(&["0", "--json"]);
+    assert_eq!(scenes.len(), 500);
+    assert_eq!(format!("{}\n", scenes[0]), output_of(&["tasks", "--json", &listed(&["0"])[0]]));
+}
+
 /// Compares the meaning of the JSON; `conformance` compares the scenes.
 #[test]
 #[ignore = "needs PATHLIGHT_PHYRE"]
@@ -105,7 +124,12 @@ fn refuses_what_is_no_task_in_words() {
     assert_refused(&["tasks", "--template", "+7"], "there is no template");
     assert_refused(&["tasks", "--json", "7:13"], "write template and number like 00007:008");
     assert_refused(&["tasks", "--json", "00000:999"], "pathlight tasks --template 00000");
-    assert_refused(&["tasks", "--json", "00000:000", "--template", "0"], "leave --template out");
+    assert_refused(&["tasks", "--json", "00000:000", "--template", "0"], "leave --template and --fold out");
+    for fold in ["10", "-1", "1.5", "all"] {
+        assert_refused(&["tasks", &format!("--fold={fold}")], "the folds are 0 to 9");
+        assert_refused(&["propose", &format!("--fold={fold}")], "the folds are 0 to 9");
+    }
+    assert_refused(&["tasks", "--setup", "cross"], "--fold <N>");
 }
 
 #[test]

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { once } from "node:events";
-import { cpSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { cpSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { createServer } from "node:http";
 import { join } from "node:path";
 import { test } from "node:test";
@@ -11,7 +11,7 @@ import { examples, makeProject, root } from "./project.mjs";
 
 const project = makeProject();
 const installed = join(project, "node_modules/pathlight");
-const { load } = await import(join(installed, "api/pathlight.js"));
+const { load } = await import(join(installed, "api/index.js"));
 const TASK = "00007:008";
 
 test("it brings no other packages and one model", () => {
@@ -19,7 +19,7 @@ test("it brings no other packages and one model", () => {
     readdirSync(join(project, "node_modules")).filter((name) => !name.startsWith(".")),
     ["pathlight"],
   );
-  assert.deepEqual(readdirSync(join(installed, "assets")).sort(), ["model.json", "within-0.safetensors"]);
+  assert.deepEqual(readdirSync(join(installed, "assets")).sort(), ["attempts.jsonl", "within-0.safetensors"]);
 });
 
 test("the script of the README prints the auccess that was measured natively", async (context) => {
@@ -143,6 +143,27 @@ test("bad input is refused in a sentence with a code", async () => {
   assert.deepEqual([status, reason, steps], ["invalid", "the ball sticks out of the scene", 0]);
 });
 
+test("numbers that a script gets wrong are refused by name", async () => {
+  const pathlight = await load();
+  for (const first of [0, -1, 1.5, "1"])
+    assert.throws(() => pathlight.auccess([1, /** @type {any} */ (first)]), {
+      code: "bad_data",
+      message: /^item 1 has to be the number of the first attempt .*, counted from 1, or null, not /,
+    });
+  for (const seed of /** @type {any[]} */ ([-1, 1.5, "a", 2 ** 32])) {
+    const refused = { code: "bad_data", message: /^a seed is a whole number from 0 to 2\^32 - 1, not / };
+    assert.throws(() => pathlight.propose(TASK, { seed }), refused);
+    assert.throws(() => pathlight.turn(TASK, { seed }).next(), refused);
+  }
+  for (const count of /** @type {any[]} */ ([0, 1001, "7"]))
+    assert.throws(() => pathlight.propose(TASK, { count }), {
+      code: "bad_data",
+      message: /proposes 1 to 1000 balls, not /,
+    });
+  const digest = pathlight.attemptLine(TASK).digest.toUpperCase();
+  assert.equal(pathlight.verifyAttempt({ ...pathlight.attemptLine(TASK), digest }).verdict, "not_valid");
+});
+
 test("a transfer that breaks off is refused with a code and the address", async (context) => {
   const server = createServer((request, response) => {
     const { pathname, searchParams } = new URL(request.url ?? "", "http://127.0.0.1");
@@ -170,22 +191,46 @@ test("a transfer that breaks off is refused with a code and the address", async 
   }
 });
 
-test("what is wrong with the files of the models is said, with the address", async () => {
+test("missing weights are named by their address", async () => {
   const copy = join(project, "copy");
   cpSync(installed, copy, { recursive: true });
-  const { load } = await import(join(copy, "api/pathlight.js"));
   rmSync(join(copy, "assets/within-0.safetensors"));
+  const { load } = await import(join(copy, "api/index.js"));
   await assert.rejects(load(), {
     code: "no_weights",
     message: /^The model’s weights could not be loaded: ENOENT.* for file:.*\/copy\/assets\/within-0\.safetensors\.$/,
   });
+});
+
+test("what is wrong with the page's list of the models is said", async () => {
+  const copy = join(project, "page");
+  for (const folder of ["api", "pkg"]) cpSync(join(root, "www", folder), join(copy, folder), { recursive: true });
+  const { load } = await import(join(copy, "api/index.js"));
   const list = join(copy, "assets/model.json");
+  await assert.rejects(load(), { code: "no_weights", message: /list of models could not be loaded: ENOENT/ });
+  mkdirSync(join(copy, "assets"));
   writeFileSync(list, "<!doctype html>");
   await assert.rejects(load(), { code: "no_weights", message: /model\.json holds is not JSON/ });
   for (const empty of ["null", '{ "models": [] }']) {
     writeFileSync(list, empty);
     await assert.rejects(load(), { code: "no_weights", message: /names none/ });
   }
+});
+
+test("a page in place of a file, as servers of single-page apps send it, is called so", async (context) => {
+  const server = createServer((_, response) =>
+    response.writeHead(200, { "content-type": "text/html; charset=utf-8" }).end("<!doctype html>"),
+  );
+  server.listen(0, "127.0.0.1");
+  await once(server, "listening");
+  context.after(() => server.close());
+  const { port } = /** @type {import('node:net').AddressInfo} */ (server.address());
+  const address = `http://127.0.0.1:${port}/file`;
+  await assert.rejects(load({ wasm: address, weights: null }), {
+    code: "no_wasm",
+    message: /the server answered with a page \(text\/html\) for .*\/file\. Build or install Pathlight again\./,
+  });
+  await assert.rejects(load({ weights: address }), { code: "no_weights", message: /answered with a page/ });
 });
 
 test("a map of outcomes can be read while it grows, and afterwards", async () => {

@@ -49,10 +49,24 @@ test("its types are complete and strict", () => {
   assert.equal(
     compile(`
     import "pathlight/element";
-    const task: string | null | undefined = document.querySelector("pathlight-puzzle")?.task;
+    import type { PathlightPuzzle } from "pathlight/element";
+    const puzzle: PathlightPuzzle = document.querySelector("pathlight-puzzle")!;
+    const task: string | null = puzzle.task;
+    puzzle.addEventListener("attempt", ({ detail: { number, solved } }) => console.log(number + 1, solved === true));
+    puzzle.addEventListener("statechange", ({ detail }) => detail.ball?.map(Math.round), { once: true });
+    puzzle.addEventListener("modelchange", ({ detail: { status } }) => status === "ready");
+    puzzle.addEventListener("click", (event) => event.clientX);
+    puzzle.addEventListener("soup", (event: Event) => event.type);
     export { task };
   `),
     "",
+  );
+  assert.match(
+    compile(`
+    import "pathlight/element";
+    document.querySelector("pathlight-puzzle")!.addEventListener("attempt", ({ detail }) => detail.soup);
+  `),
+    /'soup' does not exist/,
   );
   assert.match(compile('import { load } from "pathlight"; (await load()).simulate("00007:008", [1, 2]);'), /error TS/);
   assert.match(compile('import { load } from "pathlight"; (await load()).fold("both", 0);'), /error TS/);
@@ -63,7 +77,7 @@ test("they carry the docs", () => {
     readFileSync(join(installed, "element/pathlight-puzzle.d.ts"), "utf8"),
     /\/\*\* The puzzle, "00007:008"/,
   );
-  const declarations = readFileSync(join(installed, "api/pathlight.d.ts"), "utf8");
+  const declarations = readFileSync(join(installed, "api/index.d.ts"), "utf8");
   assert.match(declarations, /\/\*\*(?:(?!\*\/).)*Simulates a task with a ball(?:(?!\*\/).)*\*\/\s*simulate\(/s);
   assert.match(readFileSync(join(installed, "pkg/pathlight.d.ts"), "utf8"), /poses: Float32Array/);
 });

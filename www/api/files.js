@@ -149,6 +149,9 @@ export function addressOf(address) {
 async function answerOf(address, refuse, cache) {
   const response = await orRefuse(fetch(address, { cache }), refuse);
   if (!response.ok) throw refuse(`the server answered ${response.status}`, response.status);
+  // Servers of single-page apps send their page in place of what is missing.
+  if (response.headers.get("content-type")?.startsWith("text/html"))
+    throw refuse("the server answered with a page (text/html)", 404);
   return response;
 }
 

@@ -1,49 +1,21 @@
-// Finds and reads the weights of the models.
-//
-// assets/model.json lists them: { "models": [{ "name", "file", "size", "sha256" }, …] }; the size is in bytes.
+// Reads the weights of the models.
 
 import { failure } from "./failure.js";
 import { readFile } from "./files.js";
+import { weightsAddress } from "./model-files.js";
 import { intact, sha256 } from "./sha256.js";
 
 /** @typedef {import("./files.js").OnProgress} OnProgress */
-/** @typedef {{ name: string, file: string, size?: number, sha256?: string }} ModelEntry */
-
-const LIST = new URL("../assets/model.json", import.meta.url);
-
-/**
- * Returns the list of the models.
- * @returns {Promise<ModelEntry[]>}
- */
-export async function readModelList() {
-  const bytes = await readFile(LIST, (reason, status) =>
-    failure(
-      "no_weights",
-      status === 404
-        ? "The model’s weights are missing here: there is no assets/model.json. If Pathlight has been updated meanwhile, load the page again; if not, the model can neither imagine nor play, but you can."
-        : `The list of models could not be loaded: ${reason} for ${LIST}.`,
-    ),
-  );
-  const list = await new Response(bytes).json().catch(() => {
-    throw failure(
-      "no_weights",
-      `The list of models is damaged: what ${LIST} holds is not JSON. Put the file there again.`,
-    );
-  });
-  if (!Array.isArray(list?.models) || list.models.length === 0) {
-    throw failure("no_weights", `The list of models, ${LIST}, names none. Write it again by “pathlight publish”.`);
-  }
-  return list.models;
-}
+/** @typedef {import("./model-files.js").ModelEntry} ModelEntry */
 
 /**
  * Returns the weights of a model. Refuses those that are not what the list names.
  * @param {ModelEntry} entry
  * @param {OnProgress} [onProgress]
  */
-export async function readWeights({ file, size, sha256: hash }, onProgress) {
-  // In this form bundlers find the files.
-  const address = new URL(`../assets/${file}`, import.meta.url);
+export async function readWeights(entry, onProgress) {
+  const { size, sha256: hash } = entry;
+  const address = weightsAddress(entry);
   /** @type {import("./files.js").Refuse} */
   const refuse = (reason, status) =>
     failure(
@@ -55,6 +27,7 @@ export async function readWeights({ file, size, sha256: hash }, onProgress) {
     const found = hash ? await sha256(read) : null;
     return found && found !== hash ? null : read;
   });
-  if (!bytes) throw failure("bad_weights", `${address} is not the file that ${LIST} names: it is damaged or old.`);
+  if (!bytes)
+    throw failure("bad_weights", `${address} is not the file that the list of models names: it is damaged or old.`);
   return bytes;
 }

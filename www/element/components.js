@@ -1,19 +1,21 @@
-// The components of a puzzle, which all get the same calls of shell/component.js's lifecycle, in the order in which
+// The components of a puzzle, which all get the same calls of widgets/component.js's lifecycle, in the order in which
 // they are made. The scene, the transport and the panel Play are there from the first picture on; panel-components.js
 // has the rest, which may come later: what the others have been told before is told then.
 
+import { palette } from "../pkg/pathlight.js";
+import { afterFrame } from "../loading/after-frame.js";
 import { AfterSolving } from "../play/after-solving.js";
 import { AttemptList } from "../play/attempt-list.js";
 import { SceneCanvas } from "../play/canvas.js";
 import { Controls } from "../play/controls.js";
 import { Guide } from "../play/guide.js";
 import { KeptAttempts } from "../play/kept-attempts.js";
-import { byId } from "../shell/dom.js";
-import { Tabs } from "../shell/tabs.js";
+import { byId, find } from "../widgets/dom.js";
+import { Tabs } from "../widgets/tabs.js";
 
-/** @typedef {import("../shell/component.js").Component} Component */
+/** @typedef {import("../widgets/component.js").Component} Component */
 /** @typedef {import("../play/session.js").Session} Session */
-/** @typedef {import("../shell/url-state.js").View} View */
+/** @typedef {import("../state/view.js").View} View */
 
 /**
  * What components are made of.
@@ -21,8 +23,8 @@ import { Tabs } from "../shell/tabs.js";
  * @property {ShadowRoot} root
  * @property {WebAssembly.Module} module
  * @property {import("../model/shared-client.js").SharedClient} client
- * @property {import("../shell/progress-store.js").SharedProgress} progress
- * @property {(task: string, panel: import("../shell/url-state.js").Panel) => string | null} hrefOf the address of
+ * @property {import("../storage/progress.js").Progress} progress
+ * @property {(task: string, panel: import("../state/url-state.js").Panel) => string | null} hrefOf the address of
  *   another puzzle, or null
  */
 
@@ -35,6 +37,8 @@ export class Components {
    * @type {Omit<ReturnType<typeof import("./panel-components.js").createPanelComponents>, "all"> | null}
    */
   panels = null;
+  /** Are those of the panels on their way, or there? */
+  #panelsAwaited = false;
   #parts;
   #listen;
   /** @type {Component[]} */
@@ -58,20 +62,31 @@ export class Components {
       new Tabs(root),
       this.canvas,
       new Controls(root),
-      new KeptAttempts(root, client, progress.attempts),
+      new KeptAttempts(root, client, progress),
       this.guide,
       this.afterSolving,
       new AttemptList(root, byId(root, "play-attempts"), byId(root, "play-count"), "player"),
     ]);
   }
 
-  /** Makes the others; `setState` has to follow. Rejects if their modules cannot be loaded. */
-  async addPanels() {
-    const { createPanelComponents } = await import("./panel-components.js");
+  /**
+   * Makes the others, unless they are there or on their way. Returns whether it has made them; then `setState` has to
+   * follow. Rejects if their modules cannot be loaded.
+   * @param {boolean} later once the scene is drawn
+   */
+  async addPanels(later) {
+    if (this.#panelsAwaited) return false;
+    this.#panelsAwaited = true;
+    if (later) await afterFrame();
+    const { createPanelComponents } = await import("./panel-components.js").catch((error) => {
+      this.#panelsAwaited = false;
+      throw error;
+    });
     const { all, ...panels } = createPanelComponents(this.#parts, this.canvas);
     this.#add(all);
     this.panels = panels;
     for (const element of this.#parts.root.querySelectorAll("[inert]")) element.removeAttribute("inert");
+    return true;
   }
 
   /** @param {Component[]} components */
@@ -84,9 +99,15 @@ export class Components {
     this.#all.push(...components);
   }
 
-  /** @param {boolean} dark */
+  /**
+   * Applies the colour scheme to what the wasm paints, and its colours to the style sheet.
+   * @param {boolean} dark
+   */
   setTheme(dark) {
+    if (dark === this.#dark) return;
     this.#dark = dark;
+    const { style } = find(this.#parts.root, ".puzzle");
+    for (const [name, colour] of Object.entries(palette(dark))) style.setProperty(`--${name}`, colour);
     for (const component of this.#all) component.setTheme(dark);
   }
 

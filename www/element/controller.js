@@ -1,29 +1,21 @@
 // Joins the components of one puzzle in its shadow tree: opens and closes its session, starts its model, and passes the
 // state to all of them. Each component knows the session and the wasm; only components.js, panel-components.js and this
-// file know all of them. shell/component.js describes their lifecycle. Knows nothing of the page around the shadow
+// file know all of them. widgets/component.js describes their lifecycle. Knows nothing of the page around the shadow
 // tree, nor of its address.
 
-import { palette } from "../pkg/pathlight.js";
-import { afterFrame } from "../shell/after-frame.js";
 import { SharedClient } from "../model/shared-client.js";
 import { Session } from "../play/session.js";
-import { byId, find, setText } from "../shell/dom.js";
-import { hideParts } from "../shell/hidden-parts.js";
-import { onShortcut } from "../shell/shortcuts.js";
-import { TASKS } from "../shell/templates.js";
-import {
-  INITIAL_STATE,
-  formatFragment,
-  formatState,
-  parseState,
-  showsPuzzle,
-  viewOf,
-  visiblePanels,
-} from "../shell/url-state.js";
-import { knownScene, sceneOfText } from "../workshop/scene-link.js";
+import { byId, find, setText } from "../widgets/dom.js";
+import { hideParts } from "../widgets/hidden-parts.js";
+import { sameBall } from "../puzzles/ball.js";
+import { INITIAL_STATE, formatFragment, formatState, parseState, showsPuzzle } from "../state/url-state.js";
+import { viewOf } from "../state/view.js";
+import { AskedPuzzle } from "./asked-puzzle.js";
 import { Components } from "./components.js";
+import { onPuzzleKey } from "./keys.js";
+import { ModelStarter } from "./model-starter.js";
 
-/** @typedef {import("../shell/url-state.js").State} State */
+/** @typedef {import("../state/url-state.js").State} State */
 
 /**
  * An attempt of the player's that has run to its end; the task is null for an own scene.
@@ -31,66 +23,57 @@ import { Components } from "./components.js";
  *   PlayedAttempt
  */
 
-const KNOWN_TASKS = new Set(TASKS);
 const reducedMotion = matchMedia("(prefers-reduced-motion: reduce)");
 
 export class PuzzleController extends EventTarget {
   /** @type {State} */
   #state = { ...INITIAL_STATE };
   #root;
-  #progress;
   #hrefOf;
   #client;
   #components;
-  /** Are the components of the panels on their way, or there? */
-  #panelsAwaited = false;
   /** @type {Session | null} */
   #session = null;
-  /**
-   * The text of an own scene that could not be read, and why.
-   * @type {{ text: string, sentence: string } | null}
-   */
-  #unreadable = null;
-  #lastModel;
-  /** @type {boolean | null} */
-  #dark = null;
+  #asked = new AskedPuzzle((scene) => {
+    if (this.#state.scene === scene) this.apply(this.#state);
+  });
+  #modelStarter;
 
   /**
    * Fires "statechange" when the person has changed the state, "modelchange" when the model's status changes, and
    * "attempt", a CustomEvent with a PlayedAttempt, when an attempt of the player's has run to its end or was left.
    * @param {ShadowRoot} root
    * @param {WebAssembly.Module} module
-   * @param {import("../shell/progress-store.js").SharedProgress} progress
-   * @param {() => ((task: string, panel: import("../shell/url-state.js").Panel) => string | null) | null} hrefOf
+   * @param {import("../storage/progress.js").Progress} progress
+   * @param {() => ((task: string, panel: import("../state/url-state.js").Panel) => string | null) | null} hrefOf
    *   returns the function that knows the addresses of other puzzles, or null if there is no way to them
    */
   constructor(root, module, progress, hrefOf) {
     super();
     this.#root = root;
-    this.#progress = progress;
     this.#hrefOf = hrefOf;
     this.#client = new SharedClient(module);
-    this.#lastModel = this.model;
+    this.#modelStarter = new ModelStarter(this.#client);
+    this.#modelStarter.addEventListener("change", () => this.dispatchEvent(new Event("modelchange")));
     const parts = {
       root,
       module,
       client: this.#client,
       progress,
-      hrefOf: (/** @type {string} */ task, /** @type {import("../shell/url-state.js").Panel} */ panel) =>
+      hrefOf: (/** @type {string} */ task, /** @type {import("../state/url-state.js").Panel} */ panel) =>
         hrefOf()?.(task, panel) ?? null,
     };
     this.#components = new Components(parts, (component) => this.#listenTo(component));
     this.#components.afterSolving.addEventListener("share", (event) =>
       this.dispatchEvent(new CustomEvent("share", { detail: /** @type {CustomEvent} */ (event).detail })),
     );
-    this.#client.addEventListener("change", () => this.#onClientChange());
     for (const button of root.querySelectorAll("button[data-opens]")) {
       button.addEventListener("click", () => this.showDialog(button.getAttribute("data-opens") ?? ""));
     }
     root.addEventListener("keydown", (event) => this.onKeydown(/** @type {KeyboardEvent} */ (event)));
   }
 
-  /** @param {import("../shell/component.js").Component} component */
+  /** @param {import("../widgets/component.js").Component} component */
   #listenTo(component) {
     component.addEventListener("staterequest", (event) =>
       this.#changeState(/** @type {CustomEvent<Partial<State>>} */ (event).detail),
@@ -102,14 +85,10 @@ export class PuzzleController extends EventTarget {
    * Makes the components of the panels: once the scene is drawn, or at once if another panel than Play is asked for.
    */
   async #makePanels() {
-    if (this.#panelsAwaited) return;
-    this.#panelsAwaited = true;
     const { panel, view } = this.#state;
-    if (panel === "play" && view === null) await afterFrame();
     try {
-      await this.#components.addPanels();
+      if (!(await this.#components.addPanels(panel === "play" && view === null))) return;
     } catch (error) {
-      this.#panelsAwaited = false;
       this.#showProblem(
         "The panels of this puzzle could not be loaded. Check the connection, and load the page again.",
       );
@@ -131,8 +110,7 @@ export class PuzzleController extends EventTarget {
 
   /** Returns the name of the model that is loaded, or null, and its status. */
   get model() {
-    const { status, loaded } = this.#client;
-    return { name: loaded?.name ?? null, status };
+    return this.#modelStarter.model;
   }
 
   /**
@@ -145,7 +123,7 @@ export class PuzzleController extends EventTarget {
     const words = unread.map(([key, text]) => `${key}="${text}"`);
     if (words.length)
       this.#showProblem(`This puzzle is asked for with ${words.join(" and ")}, which Pathlight does not understand.`);
-    else this.#showProblem(this.#problemOf(state));
+    else this.#showProblem(this.#asked.problemOf(state));
   }
 
   /**
@@ -159,60 +137,21 @@ export class PuzzleController extends EventTarget {
     else if (modelChanged) this.#session?.clearModelAttempts();
     this.#state = { ...state };
     const { ball } = state;
-    const played = this.#playedOf(state);
-    const problem = this.#problemOf(state);
+    const played = this.#asked.playedOf(state);
+    const problem = this.#asked.problemOf(state);
     this.#showProblem(problem);
     find(this.#root, ".puzzle").hidden = !showsPuzzle(state) || problem !== null;
     if (played !== null && !problem) {
       const session = (this.#session ??= this.#openPuzzle(played));
-      if (String(ball) !== String(session.ball)) session.placement.replace(ball);
+      if (!sameBall(ball, session.ball)) session.placement.replace(ball);
       if (modelChanged || this.#client.status === "off") this.#startModel();
     }
     this.#applyView();
     this.#makePanels();
   }
 
-  /**
-   * What a state plays; null if it is nothing, or an own scene that is still to be read. Then the state is applied
-   * again.
-   * @param {State} state
-   * @returns {import("../model/messages.js").Played | null}
-   */
-  #playedOf({ task, scene }) {
-    if (scene === null) return task;
-    const known = knownScene(scene);
-    if (!known && this.#unreadable?.text !== scene) this.#readScene(scene);
-    return known;
-  }
-
-  /** @param {string} text */
-  async #readScene(text) {
-    try {
-      await sceneOfText(text);
-    } catch (error) {
-      this.#unreadable = { text, sentence: /** @type {Error} */ (error).message };
-    }
-    if (this.#state.scene === text) this.apply(this.#state);
-  }
-
-  /**
-   * Why there is no puzzle for a state; null if there is one, or may be.
-   * @param {State} state
-   */
-  #problemOf({ task, scene }) {
-    if (scene !== null) return this.#unreadable?.text === scene ? this.#unreadable.sentence : null;
-    return task === null || KNOWN_TASKS.has(task) ? null : `There is no puzzle ${task}.`;
-  }
-
-  /**
-   * Applies the colour scheme to what the wasm paints, and its colours to the style sheet.
-   * @param {boolean} dark
-   */
+  /** @param {boolean} dark */
   setTheme(dark) {
-    if (dark === this.#dark) return;
-    this.#dark = dark;
-    const { style } = find(this.#root, ".puzzle");
-    for (const [name, colour] of Object.entries(palette(dark))) style.setProperty(`--${name}`, colour);
     this.#components.setTheme(dark);
   }
 
@@ -228,25 +167,15 @@ export class PuzzleController extends EventTarget {
     this.#state = { ...INITIAL_STATE };
   }
 
-  /**
-   * Acts on a shortcut.
-   * @param {KeyboardEvent} event
-   */
+  /** @param {KeyboardEvent} event */
   onKeydown(event) {
-    this.#components.panels?.stageView.onKeydown(event);
-    onShortcut(event, {
+    onPuzzleKey(event, {
+      components: this.#components,
       session: this.#session,
-      undoing:
-        this.#state.panel === "bend" ? (this.#components.panels?.bend ?? null) : (this.#session?.placement ?? null),
-      scene: this.#components.canvas,
-      showPanel: (index) => {
-        const panel = visiblePanels(this.#state)[index];
-        if (panel) this.#changeState({ panel });
-      },
-      // What a link for a lesson hides has no key either.
-      showKeys: () => !this.#locked && this.showDialog("keys-dialog"),
-      goToOtherOutcome: (by) => this.#components.panels?.proposals.goToOtherOutcome(by),
-      toggleStageView: () => !this.#locked && this.toggleStageView(),
+      state: this.#state,
+      showPanel: (panel) => this.#changeState({ panel }),
+      showKeys: () => this.showDialog("keys-dialog"),
+      toggleStageView: () => this.toggleStageView(),
     });
   }
 
@@ -261,7 +190,7 @@ export class PuzzleController extends EventTarget {
 
   /** Resolves when the state is that of what is seen. */
   async settle() {
-    await this.#session?.settle?.();
+    await this.#components.panels?.bend.settle();
   }
 
   /** Leads through the open puzzle, step by step. */
@@ -271,10 +200,13 @@ export class PuzzleController extends EventTarget {
 
   /** @param {string} id */
   showDialog(id) {
-    byId(this.#root, id, HTMLDialogElement).showModal();
+    const dialog = byId(this.#root, id, HTMLDialogElement);
+    dialog.showModal();
+    // Its heading, so that it is read from the beginning. In frames browsers refuse the attribute autofocus.
+    dialog.querySelector("h2")?.focus();
   }
 
-  /** @param {import("../model/messages.js").Played} played */
+  /** @param {import("../pkg/pathlight.js").Played} played */
   #openPuzzle(played) {
     const session = new Session(played, () => reducedMotion.matches);
     find(this.#root, ".puzzle").setAttribute(
@@ -312,25 +244,15 @@ export class PuzzleController extends EventTarget {
     if (this.#state.model !== this.#client.requestedName) {
       // The attempts of the model that goes, before the new one brings its own back.
       this.#session?.clearModelAttempts();
-      // Unless a component that saw them go has changed the state, and so started it already.
-      if (this.#state.model !== this.#client.requestedName) this.#startModel();
+      this.#startModel();
     }
     this.#applyView();
     this.dispatchEvent(new Event("statechange"));
   }
 
-  /**
-   * Starts the model, unless no panel that needs it is shown; Play and Bend ask for it where they need it. The panels,
-   * which show what comes of it, have to be there.
-   */
+  /** The panels, which show what comes of the model, have to be there. */
   #startModel() {
-    if (this.#components.panels && visiblePanels(this.#state).some((one) => one !== "play" && one !== "bend"))
-      this.#client.start(this.#state.model);
-  }
-
-  /** Does a link leave out the buttons that lead away from what it shows? */
-  get #locked() {
-    return this.#state.hide.includes("tools");
+    if (this.#components.panels) this.#modelStarter.startFor(this.#state);
   }
 
   /**
@@ -341,19 +263,12 @@ export class PuzzleController extends EventTarget {
     else this.#client.start(this.#state.model);
   }
 
-  #onClientChange() {
-    const { name, status } = this.model;
-    if (name === this.#lastModel.name && status === this.#lastModel.status) return;
-    this.#lastModel = { name, status };
-    this.dispatchEvent(new Event("modelchange"));
-  }
-
   /**
    * Takes the ball into the state.
    * @param {Session} session
    */
   #onSessionChange(session) {
-    if (session !== this.#session || String(session.ball) === String(this.#state.ball)) return;
+    if (session !== this.#session || sameBall(session.ball, this.#state.ball)) return;
     this.#state.ball = session.ball;
     this.dispatchEvent(new Event("statechange"));
   }
@@ -362,8 +277,6 @@ export class PuzzleController extends EventTarget {
   #onAttempted({ about, shown }) {
     if (!shown) return;
     const { number, ball, ending } = shown;
-    // The progress is on the benchmark's tasks.
-    if (about.id !== null) this.#progress.player.add(about.id, ending.solved);
     /** @type {PlayedAttempt} */
     const attempt = { task: about.id, number, ball, solved: ending.solved };
     this.dispatchEvent(new CustomEvent("attempt", { detail: attempt }));

@@ -152,11 +152,11 @@ template.innerHTML = `
 </dialog>
 
 <dialog id="about-dialog" lang="en" aria-labelledby="about-title">
-  <h2 id="about-title" tabindex="-1" autofocus>About Pathlight</h2>
+  <h2 id="about-title" tabindex="-1">About Pathlight</h2>
   <p>You choose where one red ball starts. After that nobody touches anything: balls fall and roll, bars tip, and everything bumps into everything else. <span data-hideable="compare">The model plays by the same rules, in the same simulator.</span></p>
   <div data-hideable="imagine">
   <h3>How the model thinks</h3>
-  <p>It is made of four small neural nets. Each is a long list of numbers that turns pictures into a picture: the scene goes in, with what the nets before it have imagined, and out comes a map that says for every place how likely the ball is to pass there. A fifth net judges which balls are likely to solve the puzzle. The panel Imagine shows all their maps, and under “How?” what each net gets to see.</p>
+  <p id="about-nets"></p>
   <h3>How it was trained</h3>
   <p>Nobody told it the laws of motion. It was shown solved puzzles: the scene, the way that the green object takes by itself, the ways that it and the red ball take when the puzzle is solved, and where that ball began. Each time, all its numbers were shifted a little, so that the next maps would come closer.</p>
   <p id="card">No model is loaded.</p>

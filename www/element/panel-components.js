@@ -19,8 +19,8 @@ import { StageView } from "../panels/stage-view.js";
 import { StripPicture } from "../panels/strip-picture.js";
 import { Walkthrough } from "../panels/walkthrough.js";
 import { AttemptList } from "../play/attempt-list.js";
-import { About } from "../shell/about.js";
-import { byId } from "../shell/dom.js";
+import { About } from "../panels/about.js";
+import { byId } from "../widgets/dom.js";
 import { Bend } from "../workshop/bend.js";
 import { Check } from "../workshop/check.js";
 import { Luck } from "../workshop/luck.js";
@@ -28,7 +28,7 @@ import { Pictures } from "../workshop/pictures.js";
 import { Replays } from "../workshop/replays.js";
 import { ShareOwn } from "../workshop/share-own.js";
 
-/** @typedef {import("../shell/component.js").Component} Component */
+/** @typedef {import("../widgets/component.js").Component} Component */
 
 /**
  * Returns these components, and by name those that the controller itself asks for something.
@@ -68,7 +68,7 @@ export function createPanelComponents({ root, module, client, progress, hrefOf }
     new ModelBadge(root, client, imagine),
     new ModelPair(root, module, client, scenePicture),
     bend,
-    new ShareOwn(root, bend, progress.player.persistent),
+    new ShareOwn(root, bend, progress.persistent),
     new Pictures(root),
     new StripPicture(root, imagine, scenePicture),
     new Check(root, client, bend),

@@ -49,7 +49,7 @@ export const PANELS_MARKUP = `
   <div id="imagine-trouble" class="trouble" role="alert" hidden><p></p><button type="button">Try again</button></div>
   <p id="imagine-loading" class="loading" hidden><label>Loading the model <progress max="1"></progress></label></p>
   <div id="imagine-body">
-    <p>Before anything moves, four small nets imagine, one after the other, and a fifth judges:</p>
+    <p id="imagine-intro"></p>
     <p class="model-badge"></p>
     <div class="steps" role="group" aria-labelledby="walkthrough-step">
       <button type="button" id="walkthrough-play"><svg><use id="walkthrough-play-icon" href="#icon-run"/></svg><span id="walkthrough-play-label">Play</span></button>

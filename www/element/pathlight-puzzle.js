@@ -6,24 +6,26 @@
 //
 // The attributes say what is shown, follow the person, and can be changed at any time: `task` or `scene`, `model`,
 // `panel`, `stage`, `view`, `proposal`, `layers`, `opacity`, `forecast`, `ball`, `challenge` and `hide`, as in the
-// links of Pathlight, and `theme`. Besides: fill       takes the height of its container too, which must have one; else
-// it is as high as its content remember   keeps the attempts at each puzzle, their number and the one that solved it in
-// this browser (localStorage); else they are forgotten with the page. Read once, when the puzzle is loaded This file
-// knows only the element; everything else is loaded once the wasm is there.
+// links of Pathlight, and `theme`. Besides:
+//   fill      takes the height of its container too, which must have one; else it is as high as its content
+//   remember  keeps the attempts at each puzzle, their number and the one that solved it, in this browser
+//             (localStorage); else they are forgotten with the page. Read once, when the puzzle is loaded
+//
+// This file knows only the element; everything else is loaded once the wasm is there.
 
-import { afterFrame } from "../shell/after-frame.js";
-import { loadWasm } from "../shell/load-wasm.js";
+import { afterFrame } from "../loading/after-frame.js";
+import { loadWasm } from "../loading/load-wasm.js";
 import { puzzleMarkup } from "./markup.js";
 import { Placeholder, placeholderSheet } from "./placeholder.js";
 import { loadStyleSheets } from "./style-sheets.js";
 
-/** @typedef {import("../shell/url-state.js").State} State */
-/** @typedef {import("../shell/url-state.js").Panel} Panel */
+/** @typedef {import("../state/url-state.js").State} State */
+/** @typedef {import("../state/url-state.js").Panel} Panel */
 /** @typedef {import("./controller.js").PlayedAttempt} PlayedAttempt */
 /** @typedef {import("../play/after-solving.js").Result} Result */
 /** @typedef {(task: string, panel: Panel) => string | null} HrefOf */
 
-/** The attributes that make up the state; shell/url-state.js knows their values. */
+/** The attributes that make up the state; state/url-state.js knows their values. */
 const STATE_ATTRIBUTES = [
   "task",
   "scene",
@@ -39,6 +41,9 @@ const STATE_ATTRIBUTES = [
   "challenge",
   "hide",
 ];
+
+/** The attributes that are on or off. */
+const FLAGS = ["fill", "remember"];
 
 /**
  * So many frames a page has for itself before a puzzle with nothing to show is made: its first pictures are in the
@@ -56,7 +61,7 @@ const darkScheme = matchMedia("(prefers-color-scheme: dark)");
  *   "modelchange"  the model's status changes; `detail` is { name, status: "off" | "loading" | "ready" | "failed" }
  */
 export class PathlightPuzzle extends HTMLElement {
-  static observedAttributes = [...STATE_ATTRIBUTES, "theme"];
+  static observedAttributes = [...STATE_ATTRIBUTES, "theme", ...FLAGS];
 
   /** @type {HrefOf | null} */
   #hrefOf = null;
@@ -78,6 +83,8 @@ export class PathlightPuzzle extends HTMLElement {
   #begun = false;
   #failed = false;
   #updating = false;
+  /** Has the ball been set since the last update? */
+  #ballGiven = false;
   /** Ends what the element listens to while it is connected. */
   #disconnected = new AbortController();
 
@@ -122,7 +129,15 @@ export class PathlightPuzzle extends HTMLElement {
     });
   }
 
-  attributeChangedCallback() {
+  /**
+   * @param {string} name
+   * @param {string | null} _
+   * @param {string | null} value
+   */
+  attributeChangedCallback(name, _, value) {
+    // React 18 writes `remember={false}` so.
+    if (value === "false" && FLAGS.includes(name)) this.removeAttribute(name);
+    if (name === "ball") this.#ballGiven = true;
     this.#scheduleUpdate();
   }
 
@@ -168,8 +183,8 @@ export class PathlightPuzzle extends HTMLElement {
     this.#setAttribute("panel", value);
   }
   /**
-   * The stage that the walkthrough is at: "base", "target", "action", "placement" or "judge", or "candidates",
-   * "imagined", "chosen", "run" or "real"; null for all together.
+   * The step that the walkthrough is at: the name of a map, or "candidates", "imagined", "chosen", "run" or "real";
+   * null for all together.
    */
   get stage() {
     return this.getAttribute("stage");
@@ -217,6 +232,7 @@ export class PathlightPuzzle extends HTMLElement {
     return this.getAttribute("ball");
   }
   set ball(value) {
+    this.#ballGiven = true;
     this.#setAttribute("ball", value);
   }
   /** The attempt at which somebody solved the puzzle, whom the player is to beat; null for none. */
@@ -330,7 +346,7 @@ export class PathlightPuzzle extends HTMLElement {
       const [module, sheets] = await Promise.all([loadWasm(), loadStyleSheets()]);
       const [{ PuzzleController }, { sharedProgress }] = await Promise.all([
         import("./controller.js"),
-        import("../shell/progress-store.js"),
+        import("../storage/progress.js"),
       ]);
       this.#root.adoptedStyleSheets = [placeholderSheet, ...sheets];
       this.#root.append(puzzleMarkup());
@@ -395,6 +411,8 @@ export class PathlightPuzzle extends HTMLElement {
   #update() {
     const controller = this.#controller;
     if (!this.isConnected) return;
+    const ballGiven = this.#ballGiven;
+    this.#ballGiven = false;
     if (!controller) {
       const { task, scene } = this.#awaited ?? this;
       if (task !== null || scene !== null) this.#loadOnce();
@@ -402,11 +420,14 @@ export class PathlightPuzzle extends HTMLElement {
     }
     const { theme } = this;
     controller.setTheme(theme === "dark" || (theme !== "light" && darkScheme.matches));
-    if (this.#awaited) this.#applyAwaited(controller);
-    else
-      controller.applyTexts(
-        STATE_ATTRIBUTES.filter((name) => this.hasAttribute(name)).map((name) => [name, this.getAttribute(name) ?? ""]),
-      );
+    if (this.#awaited) return this.#applyAwaited(controller);
+    // The ball that was placed in one puzzle does not go on to the next.
+    const { task, scene } = controller.texts;
+    const shown = task ?? scene;
+    if (shown && !ballGiven && (task !== this.task || scene !== this.scene)) this.ball = null;
+    controller.applyTexts(
+      STATE_ATTRIBUTES.filter((name) => this.hasAttribute(name)).map((name) => [name, this.getAttribute(name) ?? ""]),
+    );
   }
 
   /** @param {import("./controller.js").PuzzleController} controller */

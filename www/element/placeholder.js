@@ -1,7 +1,7 @@
 // What stands in for a puzzle that is on its way, in the size that it is going to have, or says why there is none.
 // Nothing is inherited from the page around it.
 
-import { createButton } from "../shell/dom.js";
+import { createButton } from "../widgets/dom.js";
 
 export const placeholderSheet = new CSSStyleSheet();
 placeholderSheet.replaceSync(`

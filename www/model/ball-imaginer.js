@@ -1,10 +1,11 @@
 // Asks the worker what the model imagines for a ball that may change all the time. Knows nothing of the document.
 
+import { sameBall } from "../puzzles/ball.js";
 import { LatestCall } from "./latest-call.js";
 
-/** @typedef {import("./messages.js").Ball} Ball */
-/** @typedef {import("./messages.js").ImaginedBall} ImaginedBall */
-/** @typedef {import("./messages.js").Played} Played */
+/** @typedef {import("../pkg/pathlight.js").Ball} Ball */
+/** @typedef {import("../pkg/pathlight.js").ImaginedBall} ImaginedBall */
+/** @typedef {import("../pkg/pathlight.js").Played} Played */
 
 export class BallImaginer extends EventTarget {
   /**
@@ -66,8 +67,8 @@ export class BallImaginer extends EventTarget {
    * @param {AbortSignal} signal
    */
   async #answerFor(played, ball, signal) {
-    if (String(ball) === String(this.answer?.of)) return this.answer;
-    const imagined = await this.#client.imagineBall(played, ball, signal);
+    if (sameBall(ball, this.answer?.of)) return this.answer;
+    const imagined = await this.#client.call("imagineBall", [played, ball], signal);
     return imagined && { of: ball, imagined };
   }
 

@@ -33,17 +33,17 @@ export class LatestCall {
     this.#next = { question };
     if (this.#call) return;
     const call = (this.#call = new AbortController());
-    try {
-      for (let next = this.#take(); next; next = this.#take()) {
+    for (let next = this.#take(); next; next = this.#take()) {
+      try {
         const answer = await this.#ask(next.question, call.signal);
-        if (call.signal.aborted) return;
-        this.#onAnswer(answer, next.question);
+        if (!call.signal.aborted) this.#onAnswer(answer, next.question);
+      } catch (error) {
+        // A newer question is asked all the same.
+        if (!call.signal.aborted && !this.#next) this.#onFailure(/** @type {Error} */ (error).message);
       }
-    } catch (error) {
-      if (!call.signal.aborted) this.#onFailure(/** @type {Error} */ (error).message);
-    } finally {
-      if (this.#call === call) this.#call = null;
+      if (call.signal.aborted) return;
     }
+    this.#call = null;
   }
 
   /** Forgets the question; its answer never comes. */

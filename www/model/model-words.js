@@ -1,4 +1,4 @@
-// What the shipped models are, in words, and whether a model has seen a puzzle. Knows nothing of the document.
+// What models are, in words, and whether a model has seen a puzzle. Knows nothing of the document.
 
 /** What agents are called where their results stand. */
 export const AGENT_NAMES = /** @type {Record<string, string>} */ ({
@@ -10,13 +10,13 @@ export const AGENT_NAMES = /** @type {Record<string, string>} */ ({
 });
 
 /**
- * What kind of puzzles a model knows, by its name.
- * @param {string} name like "within-0"
+ * What kind of puzzles a model knows.
+ * @param {{ setup: import("../pkg/pathlight.js").Setup }} card
  */
-export function modelWords(name) {
-  if (name.startsWith("within-")) return "has learned from other puzzles of all 25 kinds";
-  if (name.startsWith("cross-")) return "has learned from 20 of the 25 kinds of puzzles";
-  return "";
+export function modelWords({ setup }) {
+  return setup === "within"
+    ? "has learned from other puzzles of all 25 kinds"
+    : "has learned from 20 of the 25 kinds of puzzles";
 }
 
 /**

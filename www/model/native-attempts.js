@@ -4,9 +4,7 @@
 import { failure } from "../api/failure.js";
 import { readFile } from "../api/files.js";
 
-const FILE = "attempts.jsonl";
-/** Not as one text, which bundlers would look for: the npm package comes without the file. */
-const ADDRESS = new URL(`../assets/${FILE}`, import.meta.url);
+const ADDRESS = new URL("../assets/attempts.jsonl", import.meta.url);
 
 /**
  * Returns their lines; none where Pathlight comes without them.

@@ -2,7 +2,7 @@
 // nothing of the document.
 
 import { STEPS_PER_SECOND } from "../shell/constants.js";
-import { toCsv } from "../shell/csv.js";
+import { toCsv } from "./csv.js";
 
 /** @typedef {import("../pkg/pathlight.js").TriedProposal} TriedProposal */
 /** @typedef {"solved" | "touched" | "missed"} Outcome */

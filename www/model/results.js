@@ -1,11 +1,11 @@
 // The measurements of the shipped models: which test tasks each agent solves, and how often its chances come true. Read
 // only when somebody asks for them. Knows nothing of the document.
 //
-// assets/results.json, which `pathlight publish-results` writes.
+// assets/results.json, which `pathlight-lab publish results` writes.
 
 import { failure } from "../api/failure.js";
 import { readFile } from "../api/files.js";
-import { toCsv } from "../shell/csv.js";
+import { toCsv } from "./csv.js";
 
 /**
  * The balls to which a model gives a chance in one tenth of 0..1: their number, the mean of the chances, and how many
@@ -18,6 +18,7 @@ import { toCsv } from "../shell/csv.js";
  * from 1, null if none of a hundred did; and its auccess, 0 to 100.
  * @typedef {object} ModelResults
  * @property {string} name
+ * @property {import("../pkg/pathlight.js").Setup} setup
  * @property {number} simulator
  * @property {number} agents_version
  * @property {string[]} tasks
@@ -54,7 +55,7 @@ async function load() {
   const { models } = await new Response(bytes).json().catch(() => {
     throw failure(
       "bad_data",
-      `The results are damaged: what ${ADDRESS} holds is not JSON. Write it again by “pathlight publish-results”.`,
+      `The results are damaged: what ${ADDRESS} holds is not JSON. Write it again by “pathlight-lab publish results”.`,
     );
   });
   return models;

@@ -1,6 +1,7 @@
 // The model of one puzzle. Puzzles of a page that ask for the same model share its worker: each worker holds the
 // weights and an instance of the wasm, and a lesson may show many puzzles. Has the calls and the events of a
-// WorkerClient, and follows the one that it uses at present.
+// WorkerClient, and follows the one that it uses at present. Whoever takes a model sees it "loading" first, even if it
+// has been loaded for another puzzle, and so forgets what came from the model before.
 
 import { WorkerClient } from "./worker-client.js";
 
@@ -19,8 +20,8 @@ export class SharedClient extends EventTarget {
   #module;
   /** @type {WorkerClient | null} */
   #client = null;
-  /** True while switching to another worker; the getters then report no model. */
-  #changing = false;
+  /** Has a worker just been taken that may be ready? */
+  #taking = false;
   #onChange = () => this.dispatchEvent(new Event("change"));
 
   /**
@@ -34,7 +35,7 @@ export class SharedClient extends EventTarget {
 
   /** See WorkerClient. */
   get status() {
-    return this.#changing ? "loading" : (this.#client?.status ?? "off");
+    return this.#taking ? "loading" : (this.#client?.status ?? "off");
   }
 
   /** See WorkerClient. */
@@ -49,7 +50,7 @@ export class SharedClient extends EventTarget {
 
   /** See WorkerClient. */
   get loaded() {
-    return this.#changing ? null : (this.#client?.loaded ?? null);
+    return this.#taking ? null : (this.#client?.loaded ?? null);
   }
 
   /** Is there a worker that can be called? */
@@ -67,11 +68,12 @@ export class SharedClient extends EventTarget {
       client.start(name);
       return;
     }
-    // What came from another model goes, as it would while this one was loading.
-    this.#changing = true;
+    this.#taking = true;
     this.#onChange();
-    this.#changing = false;
-    this.#onChange();
+    queueMicrotask(() => {
+      this.#taking = false;
+      this.#onChange();
+    });
   }
 
   /** Leaves the worker; the last puzzle that leaves it ends it. */
@@ -80,64 +82,13 @@ export class SharedClient extends EventTarget {
     this.#onChange();
   }
 
-  /** @param {Parameters<WorkerClient["imagine"]>} args */
-  imagine(...args) {
-    return this.#taken.imagine(...args);
-  }
-
-  /** @param {Parameters<WorkerClient["imagineBall"]>} args */
-  imagineBall(...args) {
-    return this.#taken.imagineBall(...args);
-  }
-
-  /** @param {Parameters<WorkerClient["consider"]>} args */
-  consider(...args) {
-    return this.#taken.consider(...args);
-  }
-
-  /** @param {Parameters<WorkerClient["turn"]>} args */
-  turn(...args) {
-    return this.#taken.turn(...args);
-  }
-
-  /** @param {Parameters<WorkerClient["propose"]>} args */
-  propose(...args) {
-    return this.#taken.propose(...args);
-  }
-
-  /** @param {Parameters<WorkerClient["watch"]>} args */
-  watch(...args) {
-    return this.#taken.watch(...args);
-  }
-
-  /** @param {Parameters<WorkerClient["search"]>} args */
-  search(...args) {
-    return this.#taken.search(...args);
-  }
-
-  /** @param {Parameters<WorkerClient["luck"]>} args */
-  luck(...args) {
-    return this.#taken.luck(...args);
-  }
-
-  /** @param {Parameters<WorkerClient["attemptLines"]>} args */
-  attemptLines(...args) {
-    return this.#taken.attemptLines(...args);
-  }
-
-  /** @param {Parameters<WorkerClient["verify"]>} args */
-  verify(...args) {
-    return this.#taken.verify(...args);
-  }
-
-  /** @param {Parameters<WorkerClient["solve"]>} args */
-  solve(...args) {
-    return this.#taken.solve(...args);
-  }
-
-  get #taken() {
+  /**
+   * See WorkerClient.
+   * @type {WorkerClient["call"]}
+   */
+  call(name, args, signal, onUpdate) {
     if (!this.#client) throw new Error("The model has not been started.");
-    return this.#client;
+    return this.#client.call(name, args, signal, onUpdate);
   }
 
   /** @param {string | null} name */
@@ -156,6 +107,7 @@ export class SharedClient extends EventTarget {
     if (!client) return;
     client.removeEventListener("change", this.#onChange);
     this.#client = null;
+    this.#taking = false;
     this.requestedName = null;
     const others = (userCounts.get(client) ?? 1) - 1;
     if (others > 0) {

@@ -1,14 +1,18 @@
 // The page's side of the worker: each call is a promise, and takes an AbortSignal as its token. Once the signal is
 // aborted the promise rejects with its reason and no update of the call arrives any more, however late the worker
-// answers. A worker that crashes rejects every open call with a sentence, and can be started again.
+// answers. A worker that crashes rejects every open call with a sentence, and can be started again. The calls are
+// declared in worker.js.
 
-/** @typedef {import("./messages.js").Calls} Calls */
-/** @typedef {import("./messages.js").Failure} Failure */
-/** @typedef {import("./messages.js").Played} Played */
-/** @typedef {import("./messages.js").Update} Update */
+import { createWorker, whyNoWorker } from "./start-worker.js";
 
-/** A fixed seed, so that the model's turn on a puzzle is the same each time. */
-const SEED = 0;
+/** @typedef {import("./worker.js").Calls} Calls */
+/** @typedef {import("./worker.js").Failure} Failure */
+/**
+ * What a call sends before its answer, and its answer.
+ * @template {keyof Calls} Name
+ * @typedef {ReturnType<Calls[Name]> extends Generator<infer Update, infer Value> ? { update: Update, value: Value }
+ *   : { update: never, value: ReturnType<Calls[Name]> }} Answer
+ */
 
 export class WorkerClient extends EventTarget {
   /**
@@ -33,14 +37,14 @@ export class WorkerClient extends EventTarget {
   requestedName = null;
   /**
    * Once ready.
-   * @type {import("./messages.js").LoadedModel | null}
+   * @type {import("./worker.js").LoadedModel | null}
    */
   loaded = null;
   #module;
   /** @type {Worker | null} */
   #worker = null;
   /**
-   * @type {Map<number, { resolve: (value: any) => void, reject: (reason: any) => void, onUpdate: (update: Update) =>
+   * @type {Map<number, { resolve: (value: any) => void, reject: (reason: any) => void, onUpdate: (update: any) =>
    *   void }>}
    */
   #pending = new Map();
@@ -73,10 +77,8 @@ export class WorkerClient extends EventTarget {
     let worker = null;
     try {
       worker = this.#worker = this.#listened(createWorker());
-      await this.#call("start", { module: this.#module });
-      const loaded = await this.#call("load", { name }, undefined, ({ progress }) =>
-        this.#set({ status: "loading", progress }),
-      );
+      const onProgress = (/** @type {number | null} */ progress) => this.#set({ status: "loading", progress });
+      const loaded = await this.#request("load", [this.#module, name], undefined, onProgress);
       this.#set({ status: "ready", loaded });
     } catch (error) {
       const { code = "broken", message } = /** @type {Error & { code?: string }} */ (error);
@@ -96,140 +98,53 @@ export class WorkerClient extends EventTarget {
   }
 
   /**
-   * @param {Played} played
-   * @param {AbortSignal} signal
-   */
-  imagine(played, signal) {
-    return this.#call("imagine", { played }, signal);
-  }
-
-  /**
-   * What the model imagines for a ball; null if its weights have no dynamics net.
-   * @param {Played} played
-   * @param {import("./messages.js").Ball} ball
-   * @param {AbortSignal} signal
-   */
-  imagineBall(played, ball, signal) {
-    return this.#call("imagineBall", { played, ball }, signal);
-  }
-
-  /**
-   * The balls that the model considers, and the first that it tries; null if its weights have no dynamics net.
-   * @param {Played} played
-   * @param {AbortSignal} signal
-   */
-  consider(played, signal) {
-    return this.#call("consider", { played, seed: SEED }, signal);
-  }
-
-  /**
-   * Plays the model's turn: tries its balls in order until one solves it.
-   * @param {Played} played
-   * @param {AbortSignal} signal
-   * @param {(attempt: import("./messages.js").Attempt) => void} onAttempt
-   */
-  turn(played, signal, onAttempt) {
-    return this.#call("turn", { played, seed: SEED }, signal, ({ attempt }) => attempt && onAttempt(attempt));
-  }
-
-  /**
-   * The balls of that turn, each with what becomes of it.
-   * @param {Played} played
-   * @param {AbortSignal} signal
-   */
-  propose(played, signal) {
-    return this.#call("propose", { played, seed: SEED }, signal);
-  }
-
-  /**
-   * Runs the scene without a ball. Needs a worker, but no weights.
-   * @param {Played} played
-   * @param {AbortSignal} signal
-   */
-  watch(played, signal) {
-    return this.#call("watch", { played }, signal);
-  }
-
-  /**
-   * Searches for solutions. Needs a worker, but no weights.
-   * @param {Played} played
-   * @param {AbortSignal} signal
-   * @param {(found: import("./messages.js").FoundSolutions) => void} onFound
-   */
-  search(played, signal, onFound) {
-    return this.#call("search", { played }, signal, ({ found }) => found && onFound(found));
-  }
-
-  /**
-   * How many of the balls beside a ball solve. Needs a worker, but no weights.
-   * @param {Played} played
-   * @param {import("./messages.js").Ball} ball
-   * @param {AbortSignal} signal
-   */
-  luck(played, ball, signal) {
-    return this.#call("luck", { played, ball }, signal);
-  }
-
-  /**
-   * Simulates balls and returns a line for each, with its digest. Needs a worker, but no weights.
-   * @param {Played} played
-   * @param {import("./messages.js").Ball[]} balls
-   * @param {AbortSignal} signal
-   */
-  attemptLines(played, balls, signal) {
-    return this.#call("attemptLines", { played, balls }, signal);
-  }
-
-  /**
-   * Simulates the attempts of lines again. Needs a worker, but no weights.
-   * @param {unknown[]} lines
-   * @param {AbortSignal} signal
-   */
-  verify(lines, signal) {
-    return this.#call("verify", { lines }, signal);
-  }
-
-  /**
-   * Maps where a ball of a radius (px) solves. Needs a worker, but no weights.
-   * @param {Played} played
-   * @param {number} radius
-   * @param {AbortSignal} signal
-   * @param {(map: import("./messages.js").SolveMapUpdate) => void} onMap
-   */
-  solve(played, radius, signal, onMap) {
-    return this.#call("solve", { played, radius }, signal, ({ map }) => map && onMap(map));
-  }
-
-  /**
+   * Calls the worker.
    * @template {keyof Calls} Name
-   * @param {Name} call
-   * @param {Calls[Name]["args"]} args
-   * @param {AbortSignal} [signal]
-   * @param {(update: Update) => void} [onUpdate]
-   * @returns {Promise<Calls[Name]["value"]>}
+   * @param {Name} name
+   * @param {Parameters<Calls[Name]>} args
+   * @param {AbortSignal} signal
+   * @param {(update: Answer<Name>["update"]) => void} [onUpdate]
+   * @returns {Promise<Answer<Name>["value"]>}
    */
-  #call(call, args, signal, onUpdate = () => {}) {
+  call(name, args, signal, onUpdate) {
+    return this.#request(name, args, signal, onUpdate);
+  }
+
+  /**
+   * @param {string} call
+   * @param {unknown[]} args
+   * @param {AbortSignal} [signal]
+   * @param {(update: any) => void} [onUpdate]
+   * @returns {Promise<any>}
+   */
+  #request(call, args, signal, onUpdate = () => {}) {
     const worker = this.#worker;
     if (signal?.aborted) return Promise.reject(signal.reason);
     if (!worker) return Promise.reject(new Error(this.failure?.message ?? "The model has not been started."));
     const id = this.#nextId++;
     worker.postMessage({ id, call, args });
-    return new Promise((resolve, reject) => {
+    let onAbort = () => {};
+    const answer = new Promise((resolve, reject) => {
       this.#pending.set(id, { resolve, reject, onUpdate });
-      signal?.addEventListener("abort", () => {
+      onAbort = () => {
         if (!this.#pending.delete(id)) return;
         worker.postMessage({ cancel: id });
-        reject(signal.reason);
-      });
+        reject(signal?.reason);
+      };
     });
+    signal?.addEventListener("abort", onAbort);
+    // One signal may serve many calls in turn.
+    return answer.finally(() => signal?.removeEventListener("abort", onAbort));
   }
 
-  /** @param {import("./messages.js").Response} response */
+  /**
+   * @param {{ id: number, value?: unknown, error?: Failure, update?: unknown }} response
+   */
   #onMessage({ id, value, error, update }) {
     if (error?.code === "crashed") return this.#onCrash(error.message);
     const call = this.#pending.get(id);
     if (!call) return;
-    if (update) return call.onUpdate(update);
+    if (update !== undefined) return call.onUpdate(update);
     this.#pending.delete(id);
     if (error) call.reject(Object.assign(new Error(error.message), { code: error.code }));
     else call.resolve(value);
@@ -238,9 +153,7 @@ export class WorkerClient extends EventTarget {
   /** @param {string | undefined} reason none if not even its code could be loaded */
   #onCrash(reason) {
     const message =
-      reason === undefined
-        ? "The model’s worker could not be loaded. If Pathlight has been updated meanwhile, load the page again. A page with a Content Security Policy has to allow workers (worker-src)."
-        : `The model’s worker has stopped${reason ? ` (${reason})` : ""}.`;
+      reason === undefined ? whyNoWorker() : `The model’s worker has stopped${reason ? ` (${reason})` : ""}.`;
     this.#terminate(message);
     this.#set({ status: "failed", failure: { code: "crashed", message } });
   }
@@ -266,25 +179,4 @@ export class WorkerClient extends EventTarget {
     Object.assign(this, { status, progress, failure, loaded });
     this.dispatchEvent(new Event("change"));
   }
-}
-
-/**
- * A worker of a page has to come from the page's own origin. If the modules come from another, a worker of the page's
- * own imports theirs.
- */
-function createWorker() {
-  // In this form bundlers find the worker.
-  if (new URL(import.meta.url).origin === globalThis.origin)
-    return new Worker(new URL("../model/worker.js", import.meta.url), { type: "module" });
-  return new Worker(importingScript(), { type: "module" });
-}
-
-/** @type {string | undefined} */
-let scriptAddress;
-
-function importingScript() {
-  const address = import.meta.url.replace(/[^/]*\/[^/]*$/, "model/worker.js");
-  return (scriptAddress ??= URL.createObjectURL(
-    new Blob([`import ${JSON.stringify(address)};`], { type: "text/javascript" }),
-  ));
 }

@@ -1,60 +1,167 @@
-// The worker: fetches the weights, imagines, plays the model's turn, and searches for all solutions, off the page's
-// thread, by the API. messages.js describes what it is sent and what it answers.
+// The worker: fetches the weights, imagines, plays the model's turn and searches for solutions by the API, off the
+// page's thread. `calls` declares each call once; WorkerClient takes its name, arguments, updates and answer from here.
+//
+// The page sends { id, call, args }, and the worker answers with any number of { id, update }, then with one
+// { id, value } or { id, error }. { cancel: id } ends a call that is still running; nobody waits for its answer.
 
-import { load as loadPathlight } from "../api/pathlight.js";
+import { load as loadPathlight } from "../api/index.js";
 
-/** @typedef {import("./messages.js").Calls} Calls */
-/** @typedef {(update: import("./messages.js").Update) => void} SendUpdate */
-/** @typedef {() => boolean} IsCancelled */
+/** @typedef {import("../pkg/pathlight.js").Ball} Ball */
+/** @typedef {import("../pkg/pathlight.js").Played} Played */
+/** @typedef {import("../pkg/pathlight.js").Proposal} Proposal */
+
+/** @typedef {typeof calls} Calls */
+/**
+ * The model that is loaded: its name, the names of all models, and how it was trained.
+ * @typedef {{ name: string, names: string[], card: import("../pkg/pathlight.js").ModelCard }} LoadedModel
+ */
+/**
+ * An error for the person. Codes that the page knows: "no_model" (no model of this name), "crashed" (the wasm trapped,
+ * so the worker must not be used again). Others come from the wasm exports and are only shown.
+ * @typedef {{ code: string, message: string }} Failure
+ */
+
+/** @typedef {ReturnType<Calls["imagine"]>} Imagined */
+/** @typedef {NonNullable<ReturnType<Calls["consider"]>>} Considered */
+/** @typedef {ReturnType<Calls["watch"]>} Watched */
 
 /** How long a search runs before it sends what it has found and lets messages in, ms. */
 const SLICE = 100;
-/** A path of a scene alone has a point each so many steps. */
+/** A path of a scene alone has a point every this many steps. */
 const WATCHED_STEPS = 4;
 
 /**
- * @type {{ [Name in keyof Calls]: (args: Calls[Name]["args"], sendUpdate: SendUpdate, isCancelled: IsCancelled) =>
- *   Calls[Name]["value"] | Promise<Calls[Name]["value"]> }}
+ * A call takes its arguments and returns its answer. A long one is a generator: each value that it yields is sent as an
+ * update, then messages are let in, and a cancel ends it. Only the first five need weights.
  */
 const calls = {
-  start,
-  load,
-  imagine,
-  imagineBall,
-  consider,
-  propose,
-  turn,
-  watch,
-  search,
-  luck,
-  attemptLines,
-  verify,
-  solve,
+  /**
+   * The maps of the nets. `seen`: was the model trained on this scene?
+   * @param {Played} played
+   */
+  imagine(played) {
+    const seen = pathlight.hasSeen(played);
+    const begin = performance.now();
+    const maps = pathlight.imagine(played);
+    return { maps, seen, milliseconds: performance.now() - begin };
+  },
+
+  /**
+   * What the model imagines for a ball; null if the weights have no dynamics net.
+   * @param {Played} played
+   * @param {Ball} ball
+   */
+  imagineBall: (played, ball) => pathlight.imagineBall(played, ball),
+
+  /**
+   * The balls that the model considers, and the one that it tries first; null if the weights have no dynamics net.
+   * @param {Played} played
+   */
+  consider(played) {
+    const candidates = pathlight.candidates(played);
+    const [chosen] = candidates ? pathlight.propose(played, { count: 1 }) : [];
+    return candidates && chosen ? { candidates, chosen } : null;
+  },
+
+  /**
+   * Lists the balls of a turn, each with its outcome. A model that learns from its attempts knows the next ball only
+   * when the one before has been tried, and its list ends with the ball that solves.
+   * @param {Played} played
+   */
+  propose: (played) =>
+    pathlight.card?.dynamics
+      ? eachOf(pathlight.turn(played), (attempt) => attempt)
+      : eachOf(pathlight.propose(played), (proposal) => simulated(played, proposal)),
+
+  /**
+   * Tries the model's balls in order until one solves; each attempt is an update.
+   * @param {Played} played
+   */
+  turn: (played) => pathlight.turn(played),
+
+  /**
+   * Runs the scene without a ball. Returns where the green object was, x, y, x, y, … in px, every few steps and at the
+   * end, and whether the scene solved itself.
+   * @param {Played} played
+   */
+  watch(played) {
+    const { steps, bodies, poses, solved } = pathlight.simulate(played);
+    const { body1 } = pathlight.scene(played);
+    const place = bodies.indexOf(body1);
+    const points = [];
+    for (let step = 0; ; step = Math.min(step + WATCHED_STEPS, steps)) {
+      const at = (step * bodies.length + place) * 3;
+      points.push(poses[at], poses[at + 1]);
+      if (step === steps) return { path: Float32Array.from(points), solved };
+    }
+  },
+
+  /**
+   * Searches for solutions; what it has found is an update.
+   * @param {Played} played
+   */
+  search: (played) => inSlices(pathlight.solutionSearch(played), ({ found }) => found()),
+
+  /**
+   * How many of the balls beside a ball solve.
+   * @param {Played} played
+   * @param {Ball} ball
+   */
+  luck: (played, ball) => pathlight.luck(played, ball),
+
+  /**
+   * Simulates balls. Returns a line with a digest for each.
+   * @param {Played} played
+   * @param {Ball[]} balls
+   */
+  attemptLines: (played, balls) => eachOf(balls, (ball) => pathlight.attemptLine(played, ball)),
+
+  /**
+   * Simulates the attempts of such lines again.
+   * @param {unknown[]} lines
+   */
+  verify: (lines) => eachOf(lines, (line) => pathlight.verifyAttempt(line)),
+
+  /**
+   * Maps where a ball of a radius (px) solves. The map is an update: the outcome of each cell, and the fraction of the
+   * cells that has been tried.
+   * @param {Played} played
+   * @param {number} radius
+   */
+  solve: (played, radius) =>
+    inSlices(pathlight.solveMap(played, radius), ({ progress, outcomes }) => ({ outcomes: outcomes(), progress })),
 };
 
-/** @type {import("../api/pathlight.js").Pathlight} */
+/** @type {import("../api/index.js").Pathlight} */
 let pathlight;
-/** @type {Promise<void>} */
+/** @type {Promise<import("../api/index.js").Pathlight>} */
 let started;
 /** The requests that run and have not been cancelled. */
 const running = new Set();
 
-addEventListener("message", async ({ data }) => {
-  const { id, call, args, cancel } = /** @type {import("./messages.js").Request & import("./messages.js").Cancel} */ (
-    data
-  );
+/**
+ * Starts the wasm, then loads the weights of a name in assets/model.json; null stands for the first.
+ * @param {WebAssembly.Module} module
+ * @param {string | null} name
+ * @param {import("../api/files.js").OnProgress} onProgress
+ * @returns {Promise<LoadedModel>}
+ */
+async function load(module, name, onProgress) {
+  started = loadPathlight({ wasm: module, weights: null });
+  pathlight = await started;
+  const loaded = await pathlight.loadModel(name, onProgress);
+  return { ...loaded, card: /** @type {import("../api/index.js").ModelCard} */ (pathlight.card) };
+}
+
+addEventListener("message", async ({ data: { id, call, args, cancel } }) => {
   if (cancel !== undefined) {
     running.delete(cancel);
     return;
   }
+  const sendUpdate = (/** @type {unknown} */ update) => postMessage({ id, update });
   running.add(id);
   try {
-    if (call !== "start") await started;
-    const value = await calls[call](
-      args,
-      (update) => postMessage({ id, update }),
-      () => !running.has(id),
-    );
+    const value = call === "load" ? await load(args[0], args[1], sendUpdate) : await answer(id, call, args, sendUpdate);
     postMessage({ id, value });
   } catch (error) {
     postMessage({ id, error: failureOf(error) });
@@ -64,8 +171,28 @@ addEventListener("message", async ({ data }) => {
 });
 
 /**
+ * @param {number} id
+ * @param {keyof Calls} call
+ * @param {any} args
+ * @param {(update: unknown) => void} sendUpdate
+ */
+async function answer(id, call, args, sendUpdate) {
+  // Some calls need no weights, but all need the wasm.
+  await started;
+  const answer = /** @type {(...args: any) => any} */ (calls[call])(...args);
+  if (typeof answer?.next !== "function") return answer;
+  while (running.has(id)) {
+    const { done, value } = answer.next();
+    if (done) return value;
+    if (value !== undefined) sendUpdate(value);
+    await yieldToMessages();
+  }
+  answer.return();
+}
+
+/**
  * @param {any} error
- * @returns {import("./messages.js").Failure}
+ * @returns {Failure}
  */
 function failureOf(error) {
   // After a panic in Rust or a trap the memory of the instance is in no known state.
@@ -74,169 +201,49 @@ function failureOf(error) {
   return { code, message: error?.message ?? String(error) };
 }
 
-/** @param {Calls["start"]["args"]} args */
-function start({ module }) {
-  started = loadPathlight({ wasm: module, weights: null }).then((loaded) => void (pathlight = loaded));
-  return started;
-}
-
 /**
- * @param {Calls["load"]["args"]} args
- * @param {SendUpdate} sendUpdate
+ * Returns what a function makes of each item; may be left after each.
+ * @template Item, Result
+ * @param {Iterable<Item>} items
+ * @param {(item: Item) => Result} map
+ * @returns {Generator<undefined, Result[]>}
  */
-async function load({ name }, sendUpdate) {
-  const loaded = await pathlight.loadModel(name, (progress) => sendUpdate({ progress }));
-  return { ...loaded, card: /** @type {import("../api/pathlight.js").ModelCard} */ (pathlight.card) };
-}
-
-/** @param {Calls["imagine"]["args"]} args */
-function imagine({ played }) {
-  const seen = pathlight.hasSeen(played);
-  const begin = performance.now();
-  const maps = pathlight.imagine(played);
-  return { maps, seen, milliseconds: performance.now() - begin };
-}
-
-/** @param {Calls["imagineBall"]["args"]} args */
-function imagineBall({ played, ball }) {
-  return pathlight.imagineBall(played, ball);
-}
-
-/** @param {Calls["consider"]["args"]} args */
-function consider({ played, seed }) {
-  const candidates = pathlight.candidates(played);
-  const [chosen] = candidates ? pathlight.propose(played, { seed, count: 1 }) : [];
-  return candidates && chosen ? { candidates, chosen } : null;
-}
-
-/**
- * Lists the balls of a turn, each with what becomes of it. A model that learns from its attempts knows the next ball
- * only when the one before has been tried, and its list ends with the ball that solves.
- * @param {Calls["propose"]["args"]} args
- * @param {SendUpdate} _
- * @param {IsCancelled} isCancelled
- */
-async function propose({ played, seed }, _, isCancelled) {
-  const proposals = [];
-  for (const proposal of pathlight.card?.dynamics
-    ? pathlight.turn(played, { seed })
-    : simulated(played, pathlight.propose(played, { seed }))) {
-    proposals.push(proposal);
-    await yieldToMessages();
-    if (isCancelled()) break;
+function* eachOf(items, map) {
+  const results = [];
+  for (const item of items) {
+    results.push(map(item));
+    yield undefined;
   }
-  return proposals;
+  return results;
 }
 
 /**
- * @param {import("./messages.js").Played} played
- * @param {import("./messages.js").Proposal[]} proposals
+ * Takes the steps of a search, and yields what a function makes of the latest once in a while, and of the last.
+ * @template Step, Update
+ * @param {Iterable<Step>} steps
+ * @param {(step: Step) => Update} updateOf
+ * @returns {Generator<Update, void>}
  */
-function* simulated(played, proposals) {
-  for (const proposal of proposals) {
-    const { solved, steps, longest_touch, final_touch } = pathlight.simulate(played, proposal.ball);
-    yield { ...proposal, ending: { solved, steps, longest_touch, final_touch } };
-  }
-}
-
-/**
- * Tries the model's balls in order, and sends each attempt.
- * @param {Calls["turn"]["args"]} args
- * @param {SendUpdate} sendUpdate
- * @param {IsCancelled} isCancelled
- */
-async function turn({ played, seed }, sendUpdate, isCancelled) {
-  for (const attempt of pathlight.turn(played, { seed })) {
-    sendUpdate({ attempt });
-    await yieldToMessages();
-    if (isCancelled()) return;
-  }
-}
-
-/** @param {Calls["watch"]["args"]} args */
-function watch({ played }) {
-  const { steps, bodies, poses, solved } = pathlight.simulate(played);
-  const { body1 } = pathlight.scene(played);
-  const place = bodies.indexOf(body1);
-  const points = [];
-  for (let step = 0; ; step = Math.min(step + WATCHED_STEPS, steps)) {
-    const at = (step * bodies.length + place) * 3;
-    points.push(poses[at], poses[at + 1]);
-    if (step === steps) return { path: Float32Array.from(points), solved };
-  }
-}
-
-/**
- * Searches for solutions, and sends what it has found.
- * @param {Calls["search"]["args"]} args
- * @param {SendUpdate} sendUpdate
- * @param {IsCancelled} isCancelled
- */
-async function search({ played }, sendUpdate, isCancelled) {
+function* inSlices(steps, updateOf) {
   let end = performance.now() + SLICE;
-  /** @type {() => import("./messages.js").FoundSolutions | undefined} */
-  let latest = () => undefined;
-  for (const { found } of pathlight.solutionSearch(played)) {
-    latest = found;
+  /** @type {Step | undefined} */
+  let latest;
+  for (const step of steps) {
+    latest = step;
     if (performance.now() < end) continue;
-    sendUpdate({ found: found() });
-    await yieldToMessages();
-    if (isCancelled()) return;
+    yield updateOf(step);
     end = performance.now() + SLICE;
   }
-  sendUpdate({ found: latest() });
-}
-
-/** @param {Calls["luck"]["args"]} args */
-function luck({ played, ball }) {
-  return pathlight.luck(played, ball);
+  if (latest !== undefined) yield updateOf(latest);
 }
 
 /**
- * @param {Calls["attemptLines"]["args"]} args
- * @param {SendUpdate} _
- * @param {IsCancelled} isCancelled
+ * @param {Played} played
+ * @param {Proposal} proposal
  */
-async function attemptLines({ played, balls }, _, isCancelled) {
-  const lines = [];
-  for (const ball of balls) {
-    lines.push(pathlight.attemptLine(played, ball));
-    await yieldToMessages();
-    if (isCancelled()) break;
-  }
-  return lines;
-}
-
-/**
- * @param {Calls["verify"]["args"]} args
- * @param {SendUpdate} _
- * @param {IsCancelled} isCancelled
- */
-async function verify({ lines }, _, isCancelled) {
-  const verifications = [];
-  for (const line of lines) {
-    verifications.push(pathlight.verifyAttempt(line));
-    await yieldToMessages();
-    if (isCancelled()) break;
-  }
-  return verifications;
-}
-
-/**
- * Maps where a ball of a radius solves, and sends the map as it grows.
- * @param {Calls["solve"]["args"]} args
- * @param {SendUpdate} sendUpdate
- * @param {IsCancelled} isCancelled
- */
-async function solve({ played, radius }, sendUpdate, isCancelled) {
-  let end = performance.now() + SLICE;
-  for (const { progress, outcomes } of pathlight.solveMap(played, radius)) {
-    if (progress < 1 && performance.now() < end) continue;
-    sendUpdate({ map: { outcomes: outcomes(), progress } });
-    await yieldToMessages();
-    if (isCancelled()) return;
-    end = performance.now() + SLICE;
-  }
+function simulated(played, proposal) {
+  const { solved, steps, longest_touch, final_touch } = pathlight.simulate(played, proposal.ball);
+  return { ...proposal, ending: { solved, steps, longest_touch, final_touch } };
 }
 
 const channel = new MessageChannel();

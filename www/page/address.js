@@ -1,9 +1,9 @@
 // The address of the page and its history: another puzzle, a tab and a step are entries of their own; anything else, a
 // place of the ball say, changes the present one a little later.
 
-import { formatFragment, parseFragment, showsPuzzle } from "../shell/url-state.js";
+import { formatFragment, parseFragment, showsPuzzle } from "../state/url-state.js";
 
-/** @typedef {import("../shell/url-state.js").State} State */
+/** @typedef {import("../state/url-state.js").State} State */
 
 /**
  * Browsers refuse to change the address at every step of a drag, or of a key that is held; so long lies between two

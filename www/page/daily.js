@@ -1,6 +1,6 @@
 // The puzzle of the day: from the date alone, the same for everybody, without a server.
 
-import { solveRateOf } from "../shell/difficulty.js";
+import { solveRateOf } from "../puzzles/difficulty.js";
 
 /** A puzzle of the day is solved by at least this share of the valid balls, so that nobody despairs. */
 const LEAST_SOLVE_RATE = 0.01;

@@ -2,11 +2,12 @@
 // code.
 
 import { PathlightPuzzle } from "../element/pathlight-puzzle.js";
-import { byId } from "../shell/dom.js";
-import { HIDEABLE, PANELS, formatFragment, visiblePanels } from "../shell/url-state.js";
+import { byId } from "../widgets/dom.js";
+import { HIDEABLE, PANELS, formatFragment } from "../state/url-state.js";
+import { visiblePanels } from "../state/view.js";
 
-/** @typedef {import("../shell/url-state.js").State} State */
-/** @typedef {import("../shell/url-state.js").Hideable} Hideable */
+/** @typedef {import("../state/url-state.js").State} State */
+/** @typedef {import("../state/url-state.js").Hideable} Hideable */
 /**
  * @typedef {{ generate: (text: string) => { toCanvas: (canvas: HTMLCanvasElement, colours: { on: number[], off:
  *   number[] }) => void } }} QrLibrary

@@ -1,10 +1,10 @@
-// The entry: waits for the wasm, then loads the page, whose modules may call its exports from their first line on.
-// Unhandled errors are shown here.
+// The entry: loads the wasm and starts the page. Unhandled errors are shown here.
 
 import "../element/pathlight-puzzle.js";
-import { byId } from "../shell/dom.js";
-import { showNotice } from "../shell/notice.js";
-import { loadWasm } from "../shell/load-wasm.js";
+import { byId } from "../widgets/dom.js";
+import { showNotice } from "../widgets/notice.js";
+import { loadWasm } from "../loading/load-wasm.js";
+import { Page } from "./page.js";
 
 const reload = () => location.reload();
 
@@ -19,16 +19,11 @@ function showCrash(error) {
 addEventListener("error", ({ error, message }) => showCrash(error ?? message));
 addEventListener("unhandledrejection", ({ reason }) => showCrash(reason));
 
-let loaded = false;
-try {
-  await loadWasm();
-  loaded = true;
-} catch (error) {
-  // The notice says it once for the page and its puzzle. Loads the same address again, with what follows # in it.
-  byId(document, "puzzle").hidden = true;
-  showNotice(/** @type {Error} */ (error).message, [["Try again", reload]]);
-}
-if (loaded) {
-  const { Page } = await import("./page.js");
-  new Page().start();
-}
+loadWasm().then(
+  () => new Page().start(),
+  (error) => {
+    // The notice says it once for the page and its puzzle. Loads the same address again, with what follows # in it.
+    byId(document, "puzzle").hidden = true;
+    showNotice(/** @type {Error} */ (error).message, [["Try again", reload]]);
+  },
+);

@@ -2,19 +2,22 @@
 // that deletes it with its attempts; files are opened by a button or dropped anywhere in the page, and all puzzles are
 // saved in one.
 
-import { puzzleKey } from "../shell/attempt-store.js";
-import { LazyThumbnails } from "../shell/lazy-thumbnails.js";
-import { byId, createButton } from "../shell/dom.js";
-import { showNotice } from "../shell/notice.js";
-import { pathlight } from "../shell/pathlight.js";
-import { sceneName } from "../shell/puzzle-name.js";
-import { INITIAL_STATE, formatFragment } from "../shell/url-state.js";
-import { ownPuzzles } from "../workshop/own-puzzles.js";
+import { LazyThumbnails } from "../widgets/lazy-thumbnails.js";
+import { byId, createButton } from "../widgets/dom.js";
+import { showNotice } from "../widgets/notice.js";
+import { pathlight } from "../shell/page-api.js";
+import { puzzleKey } from "../shell/puzzle-key.js";
+import { sceneName } from "../puzzles/puzzle-name.js";
+import { INITIAL_STATE, formatFragment } from "../state/url-state.js";
+import { PLAYER, grouped } from "../storage/attempts.js";
+import { MOST_PUZZLES, ownPuzzles } from "../storage/puzzle-store.js";
+import { atOnce, inSlices } from "../storage/slices.js";
 import { readPuzzles, savePuzzles } from "../workshop/puzzle-file.js";
 import { textOfScene } from "../workshop/scene-link.js";
+import { readChosen } from "./file-reading.js";
 
 /** @typedef {import("../pkg/pathlight.js").OwnScene} OwnScene */
-/** @typedef {import("../shell/url-state.js").State} State */
+/** @typedef {import("../state/url-state.js").State} State */
 
 /** Width of a picture, CSS px. */
 const SIDE = 176;
@@ -22,7 +25,7 @@ const SIDE = 176;
 export class OwnGallery {
   #store = ownPuzzles();
   #list = byId(document, "own-puzzles");
-  #attempts;
+  #progress;
   #navigate;
   #dark = false;
   /** @type {Pick<State, "model" | "hide">} */
@@ -30,25 +33,29 @@ export class OwnGallery {
   /** @type {WeakMap<HTMLCanvasElement, OwnScene>} */
   #sceneOf = new WeakMap();
   /**
-   * What says how a puzzle went, with what its attempts are kept under.
-   * @type {{ mark: HTMLElement, key: string }[]}
+   * What is shown of each puzzle, by its JSON, with what its attempts are kept under.
+   * @type {Map<string, { scene: OwnScene, item: HTMLElement, canvas: HTMLCanvasElement, mark: HTMLElement, key: string }>}
    */
-  #marks = [];
+  #shown = new Map();
+  /** Ends the showing of what was kept before. */
+  #stop = new AbortController();
   #thumbnails = new LazyThumbnails((context, canvas) => {
     const scene = this.#sceneOf.get(canvas);
     if (scene) pathlight.paintScene(context, scene, { dark: this.#dark });
   });
 
   /**
-   * @param {import("../shell/attempt-store.js").AttemptStore} attempts
+   * @param {import("../storage/progress.js").Progress} progress
    * @param {(scene: string) => void} navigate shows the own puzzle of a link's text
    */
-  constructor(attempts, navigate) {
-    this.#attempts = attempts;
+  constructor(progress, navigate) {
+    this.#progress = progress;
     this.#navigate = navigate;
     const input = byId(document, "own-file", HTMLInputElement);
     byId(document, "own-open").addEventListener("click", () => input.click());
-    byId(document, "own-save").addEventListener("click", () => savePuzzles(this.#store.scenes));
+    byId(document, "own-save").addEventListener("click", () =>
+      savePuzzles([...this.#shown.values()].map(({ scene }) => scene)),
+    );
     input.addEventListener("change", () => {
       this.#open(Array.from(input.files ?? []));
       input.value = "";
@@ -60,7 +67,7 @@ export class OwnGallery {
       this.#open(Array.from(event.dataTransfer?.files ?? []));
     });
     this.#store.addEventListener("change", () => this.#update());
-    attempts.addEventListener("change", () => this.#mark());
+    progress.addEventListener("change", () => this.#mark());
     this.#update();
   }
 
@@ -83,35 +90,56 @@ export class OwnGallery {
   async #open(files) {
     if (this.#state.hide.includes("puzzles"))
       return showNotice("This link shows one puzzle alone, so no file is opened here.");
+    const name = files.length === 1 ? files[0].name : `${files.length} files`;
+    const read = await readChosen(name, async (slices) => {
+      const scenes = [];
+      for (const file of files) scenes.push(await readPuzzles(file, slices));
+      return scenes.flat();
+    });
+    if (!read) return;
+    if (read.length === 1) return this.#navigate(await textOfScene(read[0]));
+    const { added, left, failure } = this.#store.add(read);
+    showNotice(failure ?? keptWords(added, read.length - added - left, left));
+  }
+
+  /** Shows the puzzles that are kept; those that are new in slices, as many may have come from a file. */
+  async #update() {
+    this.#stop.abort();
+    const { signal } = (this.#stop = new AbortController());
+    const kept = new Map(this.#store.scenes.map((scene) => [JSON.stringify(scene), scene]));
+    for (const [text, { item, canvas }] of this.#shown) {
+      if (kept.has(text)) continue;
+      item.remove();
+      this.#thumbnails.remove(canvas);
+      this.#shown.delete(text);
+    }
+    byId(document, "own-empty").hidden = kept.size > 0;
+    byId(document, "own-save").hidden = kept.size === 0;
     try {
-      const scenes = (await Promise.all(files.map(readPuzzles))).flat();
-      const [first, ...others] = scenes;
-      if (first && others.length === 0) return this.#navigate(await textOfScene(first));
-      const failure = this.#store.add(scenes);
-      showNotice(failure ?? `${scenes.length} puzzles are kept: they are in the grid, after the benchmark’s.`);
+      await inSlices(this.#showing(kept), { signal });
     } catch (error) {
-      showNotice(/** @type {Error} */ (error).message);
+      if (!signal.aborted) throw error;
     }
   }
 
-  #update() {
-    this.#thumbnails.clear();
-    const { scenes } = this.#store;
-    this.#marks = [];
-    this.#list.replaceChildren(...scenes.map((scene) => this.#item(scene)));
-    byId(document, "own-empty").hidden = scenes.length > 0;
-    byId(document, "own-save").hidden = scenes.length === 0;
+  /** @param {Map<string, OwnScene>} kept */
+  *#showing(kept) {
+    for (const [text, scene] of kept) {
+      if (!this.#shown.has(text) && pathlight.sceneProblems(scene).length === 0)
+        this.#shown.set(text, this.#show(scene));
+      yield this.#shown.size / kept.size;
+    }
     this.#mark();
   }
 
   /** Says under each puzzle how it went. */
   #mark() {
-    if (this.#marks.length === 0) return;
-    const made = Map.groupBy(
-      this.#attempts.ofOwnScenes.filter(({ by }) => by === "player"),
+    if (this.#shown.size === 0) return;
+    const made = grouped(
+      this.#progress.ofOwnScenes.filter(({ by }) => by === PLAYER),
       ({ puzzle }) => puzzle,
     );
-    for (const { mark, key } of this.#marks) mark.textContent = wordsOf(made.get(key) ?? []);
+    for (const { mark, key } of this.#shown.values()) mark.textContent = wordsOf(made.get(key) ?? []);
   }
 
   /** @param {HTMLAnchorElement} link whose scene's text is known */
@@ -119,14 +147,16 @@ export class OwnGallery {
     link.href = `#${formatFragment({ ...INITIAL_STATE, ...this.#state, scene: link.dataset.scene ?? null })}`;
   }
 
-  /** @param {OwnScene} scene */
-  #item(scene) {
+  /**
+   * Adds a puzzle to the grid.
+   * @param {OwnScene} scene
+   */
+  #show(scene) {
     const canvas = this.#thumbnails.add(SIDE);
     this.#sceneOf.set(canvas, scene);
     const title = document.createElement("strong");
     title.textContent = sceneName(scene);
     const mark = document.createElement("em");
-    this.#marks.push({ mark, key: puzzleKey(scene) });
     const link = document.createElement("a");
     link.append(canvas, title, mark);
     textOfScene(scene).then((text) => {
@@ -137,7 +167,8 @@ export class OwnGallery {
     remove.setAttribute("aria-label", `Delete ${sceneName(scene)}`);
     const item = document.createElement("li");
     item.append(link, remove);
-    return item;
+    this.#list.append(item);
+    return { scene, item, canvas, mark, key: puzzleKey(scene) };
   }
 
   /** @param {OwnScene} scene */
@@ -145,27 +176,45 @@ export class OwnGallery {
     const failure = this.#store.remove(scene);
     if (failure) return showNotice(failure);
     const key = puzzleKey(scene);
-    const attempts = this.#attempts.of(key);
+    const attempts = this.#progress.attemptsAt(key);
     // One that is the same but for its name has the same attempts.
-    if (!this.#store.scenes.some((one) => puzzleKey(one) === key)) this.#attempts.forget(key);
+    if (![...this.#shown.values()].some((shown) => shown.key === key)) this.#progress.forget(key);
     showNotice(`“${sceneName(scene)}” is deleted.`, [["Undo", () => this.#bringBack(scene, attempts)]]);
   }
 
   /**
    * @param {OwnScene} scene
-   * @param {import("../shell/attempt-store.js").KeptAttempt[]} attempts
+   * @param {import("../storage/attempts.js").KeptAttempt[]} attempts
    */
   #bringBack(scene, attempts) {
-    const failure = this.#store.add([scene]);
+    const { failure } = this.#store.add([scene]);
     if (failure) return showNotice(failure);
-    this.#attempts.take(attempts);
+    atOnce(this.#progress.merging(attempts));
     showNotice(`“${sceneName(scene)}” is back.`);
   }
 }
 
 /**
+ * What became of the puzzles of a file.
+ * @param {number} added
+ * @param {number} known those that were there already
+ * @param {number} left those for which there is no room
+ */
+function keptWords(added, known, left) {
+  const sentences = [];
+  if (added === 1) sentences.push("One puzzle is kept: it is in the grid, after the benchmark’s.");
+  if (added > 1) sentences.push(`${added} puzzles are kept: they are in the grid, after the benchmark’s.`);
+  if (known > 0) sentences.push(`${known === 1 ? "One is" : `${known} are`} there already.`);
+  if (left > 0)
+    sentences.push(
+      `No room for ${left}: the page keeps ${MOST_PUZZLES} puzzles. They stay in the file; delete some first.`,
+    );
+  return sentences.join(" ");
+}
+
+/**
  * How a puzzle went for the player; nothing if it was not tried.
- * @param {import("../shell/attempt-store.js").KeptAttempt[]} attempts
+ * @param {import("../storage/attempts.js").KeptAttempt[]} attempts
  */
 function wordsOf(attempts) {
   if (attempts.length === 0) return "";

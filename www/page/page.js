@@ -3,23 +3,23 @@
 
 import { palette } from "../pkg/pathlight.js";
 import { PathlightPuzzle } from "../element/pathlight-puzzle.js";
-import { byId, find } from "../shell/dom.js";
-import { Gallery } from "../shell/gallery.js";
-import { hideParts } from "../shell/hidden-parts.js";
-import { dismissNotice, showDone, showNotice } from "../shell/notice.js";
-import { sharedProgress } from "../shell/progress-store.js";
-import { sceneName } from "../shell/puzzle-name.js";
-import { ProgressView } from "../shell/progress-view.js";
-import { LessonDialog } from "./lesson-dialog.js";
-import { leavesPlainKeys } from "../shell/shortcuts.js";
-import { TEMPLATES, templateOf } from "../shell/templates.js";
-import { INITIAL_STATE, hrefOf, resultsHref, showsPuzzle } from "../shell/url-state.js";
+import { byId, find } from "../widgets/dom.js";
+import { Gallery } from "../widgets/gallery.js";
+import { hideParts } from "../widgets/hidden-parts.js";
+import { dismissNotice, showDone, showNotice } from "../widgets/notice.js";
+import { sceneName } from "../puzzles/puzzle-name.js";
+import { leavesPlainKeys } from "../widgets/shortcuts.js";
+import { TEMPLATES, templateOf } from "../puzzles/templates.js";
+import { INITIAL_STATE, hrefOf, resultsHref, showsPuzzle } from "../state/url-state.js";
+import { sharedProgress } from "../storage/progress.js";
 import { knownScene, sceneOfText } from "../workshop/scene-link.js";
 import { Address } from "./address.js";
+import { LessonDialog } from "./lesson-dialog.js";
 import { OwnGallery } from "./own-gallery.js";
 import { FIRST_TASK, Picks } from "./picks.js";
+import { ProgressView } from "./progress-view.js";
 
-/** @typedef {import("../shell/url-state.js").State} State */
+/** @typedef {import("../state/url-state.js").State} State */
 
 const darkScheme = matchMedia("(prefers-color-scheme: dark)");
 const gallerySection = byId(document, "gallery");
@@ -35,7 +35,7 @@ export class Page {
     (task) => this.#navigate({ task }),
     () => this.#startGuide(),
   );
-  #ownGallery = new OwnGallery(sharedProgress("kept").attempts, (scene) => this.#navigate({ scene }));
+  #ownGallery = new OwnGallery(sharedProgress("kept"), (scene) => this.#navigate({ scene }));
   #progressView = new ProgressView(sharedProgress("kept"), TEMPLATES, this.#gallery);
   /** @type {import("./share-dialog.js").ShareDialog | null} */
   #shareDialog = null;

@@ -2,14 +2,14 @@
 // that the model does not solve.
 
 import { readResults } from "../model/results.js";
-import { byId, createButton } from "../shell/dom.js";
-import { difficultyName, solveRateOf } from "../shell/difficulty.js";
-import { showNotice } from "../shell/notice.js";
-import { guideOffered, rememberGuide } from "../shell/progress-store.js";
-import { puzzleName } from "../shell/puzzle-name.js";
+import { byId, createButton } from "../widgets/dom.js";
+import { difficultyName, solveRateOf } from "../puzzles/difficulty.js";
+import { showNotice } from "../widgets/notice.js";
+import { puzzleName } from "../puzzles/puzzle-name.js";
+import { guideOffered, rememberGuide } from "../storage/guide.js";
 import { dayWords, taskOfDay } from "./daily.js";
 
-/** @typedef {import("../shell/gallery.js").Template} Template */
+/** @typedef {import("../widgets/gallery.js").Template} Template */
 
 /** The puzzle of the introduction: of all, the one that most balls solve and that does not solve itself. */
 export const FIRST_TASK = "00000:088";
@@ -24,7 +24,7 @@ export class Picks {
 
   /**
    * @param {Template[]} templates
-   * @param {import("../shell/progress-store.js").ProgressStore} progress the person’s
+   * @param {import("../storage/contender.js").Contender} progress the person’s
    * @param {(task: string) => void} open goes to a puzzle
    * @param {() => void} startGuide
    */

@@ -1,7 +1,7 @@
 // Paints a result as a picture, or as a frame of a film: 1200 x 630 pixels, the size that messengers and networks show
 // whole, or in that ratio.
 
-import { contextOf } from "../shell/dom.js";
+import { contextOf } from "../widgets/dom.js";
 
 export const WIDTH = 1200;
 export const HEIGHT = 630;

@@ -5,8 +5,8 @@ import { auccessWords, outcomeCount } from "./results-words.js";
 import { calibrationChart, calibrationTable } from "./calibration-chart.js";
 import { AGENT_NAMES, modelWords } from "../model/model-words.js";
 import { readResults, resultsCsv } from "../model/results.js";
-import { byId } from "../shell/dom.js";
-import { download } from "../shell/download.js";
+import { byId } from "../widgets/dom.js";
+import { download } from "../widgets/download.js";
 
 /** @typedef {import("../model/results.js").ModelResults} ModelResults */
 /** @typedef {import("../pkg/pathlight.js").Template} Template */
@@ -90,7 +90,7 @@ export class ResultsView {
     const firsts = model.first_solved[this.#agent.value];
     const passes = FILTERS[this.#filter.value];
     byId(document, "results-about").textContent =
-      `${model.name} ${modelWords(model.name)}; it has never seen these ${model.tasks.length} puzzles.`;
+      `${model.name} ${modelWords(model)}; it has never seen these ${model.tasks.length} puzzles.`;
     byId(document, "results-summary").textContent =
       `${outcomeCount(firsts)} ${auccessWords(model.auccess[this.#agent.value])}`;
     const rows = this.#templates.flatMap((template) => this.#row(template, model, firsts, passes) ?? []);

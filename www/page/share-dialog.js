@@ -3,18 +3,18 @@
 // clipboard or a file.
 
 import { palette } from "../pkg/pathlight.js";
-import { byId } from "../shell/dom.js";
-import { difficultyWords } from "../shell/difficulty.js";
-import { download } from "../shell/download.js";
-import { puzzleName } from "../shell/puzzle-name.js";
-import { INITIAL_STATE, formatFragment } from "../shell/url-state.js";
+import { byId } from "../widgets/dom.js";
+import { difficultyWords } from "../puzzles/difficulty.js";
+import { download } from "../widgets/download.js";
+import { puzzleName } from "../puzzles/puzzle-name.js";
+import { INITIAL_STATE, formatFragment } from "../state/url-state.js";
 import { dayWords, taskOfDay } from "./daily.js";
 import { filmFormat } from "../workshop/film.js";
 import { HEIGHT, WIDTH, paintResultCard } from "./result-card.js";
 import { filmCanvas, recordResult } from "./result-film.js";
 
 /** @typedef {import("../play/after-solving.js").Result} Result */
-/** @typedef {import("../shell/gallery.js").Template} Template */
+/** @typedef {import("../widgets/gallery.js").Template} Template */
 
 /** More misses than these are counted, not drawn. */
 const MOST_MARKS = 20;

@@ -2,15 +2,16 @@
 // them, which one it tries first, and what comes of that one. Nothing of it is shown for another model, which does not
 // choose so. Fires "choice" when there is something else to lay over the scene.
 
-import { Component } from "../shell/component.js";
-import { setText } from "../shell/dom.js";
+import { Component } from "../widgets/component.js";
+import { setText } from "../widgets/dom.js";
 import { BallImaginer } from "../model/ball-imaginer.js";
 import { chanceWords, errorWords } from "../model/chance-words.js";
-import { sentence } from "../shell/sentence.js";
+import { sameBall } from "../puzzles/ball.js";
+import { sentence } from "../text/sentence.js";
 import { CHOICE_TEXT } from "../model/stage-text.js";
 
-/** @typedef {import("../shell/url-state.js").ChoiceStep} ChoiceStep */
-/** @typedef {import("../model/messages.js").Considered} Considered */
+/** @typedef {import("../state/url-state.js").ChoiceStep} ChoiceStep */
+/** @typedef {import("../model/worker.js").Considered} Considered */
 
 /** The imagined paths of so many of the likeliest balls are hinted at: more would cover each other. */
 const HINTS = 40;
@@ -38,12 +39,12 @@ export class Choice extends Component {
   #failure = null;
   /**
    * The chosen ball as the session shows it, and the step that shows it so; null while it does not.
-   * @type {{ shown: import("../play/session.js").ShownAttempt | null, step: ChoiceStep } | null}
+   * @type {{ shown: import("../play/shown.js").ShownAttempt | null, step: ChoiceStep } | null}
    */
   #running = null;
 
   /**
-   * @param {import("../shell/dom.js").Root} root
+   * @param {import("../widgets/dom.js").Root} root
    * @param {import("../model/shared-client.js").SharedClient} client
    */
   constructor(root, client) {
@@ -116,7 +117,7 @@ export class Choice extends Component {
     const ball = this.#considered?.chosen.ball;
     const step = this.#step === "run" || this.#step === "real" ? this.#step : null;
     if (!session || step === (this.#running?.step ?? null)) return;
-    const tried = session.attempts.of("model").some((attempt) => String(attempt.ball) === String(ball));
+    const tried = session.attempts.of("model").some((attempt) => sameBall(attempt.ball, ball));
     // First, because the session tells at once that it shows something else.
     this.#running = null;
     if (!step) {
@@ -159,7 +160,7 @@ export class Choice extends Component {
     this.#failure = null;
     const { played } = this.session;
     try {
-      const considered = await this.#client.consider(played, call.signal);
+      const considered = await this.#client.call("consider", [played], call.signal);
       if (call.signal.aborted) return;
       this.#considered = considered;
       this.#answered = true;

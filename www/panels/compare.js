@@ -1,8 +1,8 @@
 // The Compare panel: the model's turn, and the attempts of player and model side by side.
 
-import { Component } from "../shell/component.js";
+import { Component } from "../widgets/component.js";
 import { ATTEMPT_LIMIT } from "../shell/constants.js";
-import { setText } from "../shell/dom.js";
+import { setText } from "../widgets/dom.js";
 import { ModelShow } from "./model-show.js";
 import { TroubleBox } from "./trouble-box.js";
 
@@ -12,7 +12,7 @@ export class Compare extends Component {
   #client;
   #turnButton = this.byId("model-turn", HTMLButtonElement);
   #trouble = new TroubleBox(this.byId("compare-trouble"));
-  /** @type {import("../shell/url-state.js").Panel | null} */
+  /** @type {import("../state/url-state.js").Panel | null} */
   #panel = null;
   /**
    * The turn that the model is playing.
@@ -28,7 +28,7 @@ export class Compare extends Component {
   #callFailure = null;
 
   /**
-   * @param {import("../shell/dom.js").Root} root
+   * @param {import("../widgets/dom.js").Root} root
    * @param {import("../model/shared-client.js").SharedClient} client
    */
   constructor(root, client) {
@@ -60,7 +60,7 @@ export class Compare extends Component {
 
   /**
    * When the person comes to this panel, both paths are shown over each other if there is something to show.
-   * @param {import("../shell/url-state.js").View} view
+   * @param {import("../state/view.js").View} view
    */
   setState({ panel, proposal }) {
     const arrived = panel === "compare" && this.#panel !== null && this.#panel !== "compare";
@@ -89,12 +89,13 @@ export class Compare extends Component {
     const name = this.#client.loaded?.name;
     if (!session || name === undefined) return;
     const turn = (this.#turn = new AbortController());
-    const show = (this.#show = new ModelShow(session, (attempt) => session.recordModelAttempt(attempt, name)));
+    const show = (this.#show = new ModelShow(session, (attempt) => session.attempts.add(attempt, name)));
     this.#callFailure = null;
     this.#update();
     try {
       const shown = show.run();
-      await this.#client.turn(session.played, turn.signal, (attempt) => show.add(attempt)).finally(() => show.end());
+      const played = this.#client.call("turn", [session.played], turn.signal, (attempt) => show.add(attempt));
+      await played.finally(() => show.end());
       await shown;
       // Neither a replay that is being watched nor what the person does meanwhile is interrupted.
       if (!turn.signal.aborted && !show.interrupted && !session.playback.playing && !session.shown?.preview)

@@ -2,8 +2,9 @@
 // over the scene, and its chance stands in the panel Play. After a run they stay beside the real paths until the ball
 // changes. Fires "forecast" when what lies over the scene may have changed.
 
-import { Component } from "../shell/component.js";
-import { setText } from "../shell/dom.js";
+import { Component } from "../widgets/component.js";
+import { sameBall } from "../puzzles/ball.js";
+import { setText } from "../widgets/dom.js";
 import { BallImaginer } from "../model/ball-imaginer.js";
 import { chanceWords, errorWords, expectedErrorWords } from "../model/chance-words.js";
 
@@ -22,7 +23,7 @@ export class Forecast extends Component {
   #timer;
 
   /**
-   * @param {import("../shell/dom.js").Root} root
+   * @param {import("../widgets/dom.js").Root} root
    * @param {import("../model/shared-client.js").SharedClient} client
    */
   constructor(root, client) {
@@ -47,7 +48,7 @@ export class Forecast extends Component {
     clearTimeout(this.#timer);
   }
 
-  /** @param {import("../shell/url-state.js").View} view */
+  /** @param {import("../state/view.js").View} view */
   setState({ forecast }) {
     this.#on = this.#box.checked = forecast;
     this.#follow();
@@ -64,7 +65,7 @@ export class Forecast extends Component {
   get #ball() {
     if (!this.session || !this.#on) return null;
     const { ball, placing, invalidReason, shown } = this.session;
-    const isRun = shown?.contender === "player" && String(shown.ball) === String(ball);
+    const isRun = shown?.contender === "player" && sameBall(shown.ball, ball);
     return (placing && invalidReason === null) || isRun ? ball : null;
   }
 
@@ -98,7 +99,7 @@ export class Forecast extends Component {
         : "Place the ball: the model imagines what it would do.";
     if (!answer) return "The model imagines it.";
     const chance = chanceWords(answer.imagined.probability);
-    const ended = session.finished && String(answer.of) === String(session.shown?.ball);
+    const ended = session.finished && sameBall(answer.of, session.shown?.ball);
     const real = ended ? session.puzzle.sampledPaths() : undefined;
     return real
       ? `The model thought: ${chance}. ${errorWords(answer.imagined, real)}`

@@ -2,21 +2,21 @@
 // scene. Other components read the maps here; "maps" is fired when they have come or gone.
 
 import { paintLegend, paintOutline } from "../pkg/pathlight.js";
-import { Component } from "../shell/component.js";
-import { GRID_SIDE, STAGES } from "../shell/constants.js";
-import { contextOf, find, setText } from "../shell/dom.js";
-import { pathlight } from "../shell/pathlight.js";
+import { Component } from "../widgets/component.js";
+import { GRID_SIDE, PAPER_STAGES, STAGES } from "../shell/constants.js";
+import { contextOf, find, setText } from "../widgets/dom.js";
+import { pathlight } from "../shell/page-api.js";
 import { summary } from "../model/map-summary.js";
 import { modelWords } from "../model/model-words.js";
 import { mapWords } from "../model/place-words.js";
-import { STAGE_TEXT } from "../model/stage-text.js";
-import { sentence } from "../shell/sentence.js";
+import { STAGE_TEXT, netWords } from "../model/stage-text.js";
+import { sentence } from "../text/sentence.js";
 import { TroubleBox } from "./trouble-box.js";
 
 /** @typedef {import("../pkg/pathlight.js").Stage} Stage */
-/** @typedef {import("../model/messages.js").Imagined} Imagined */
+/** @typedef {import("../model/worker.js").Imagined} Imagined */
 
-/** So many maps are shaded over the scene; of more only the outlines can be told apart. */
+/** How many maps are shaded over the scene; of more only the outlines can be told apart. */
 const MAX_SHADED = 2;
 /** Width of the canvas of an outline, which is laid over the whole scene. */
 const OUTLINE_SIDE = 1024;
@@ -44,7 +44,7 @@ export class Imagine extends Component {
   #scenesDrawn = false;
 
   /**
-   * @param {import("../shell/dom.js").Root} root
+   * @param {import("../widgets/dom.js").Root} root
    * @param {import("../model/shared-client.js").SharedClient} client
    * @param {import("./scene-picture.js").ScenePicture} scenePicture
    */
@@ -74,7 +74,7 @@ export class Imagine extends Component {
     this.#setImagined(null);
   }
 
-  /** @param {import("../shell/url-state.js").View} view */
+  /** @param {import("../state/view.js").View} view */
   setState(view) {
     this.#shown = view.panel === "imagine";
     this.#paintScenes();
@@ -103,7 +103,7 @@ export class Imagine extends Component {
   }
 
   /**
-   * What the map of a stage shows, in words of the scene; empty if there is no such map.
+   * What a map shows, in words of the scene; empty if there is no such map.
    * @param {Stage} stage
    */
   words(stage) {
@@ -112,7 +112,7 @@ export class Imagine extends Component {
   }
 
   /**
-   * The canvases to lay over the scene for some stages: the first maps, and outlines of what is strong in all.
+   * The canvases to lay over the scene for some maps: the first ones shaded, and outlines of what is strong in all.
    * @param {Stage[]} stages
    */
   canvasesOf(stages) {
@@ -123,7 +123,7 @@ export class Imagine extends Component {
   }
 
   /**
-   * The outline of a stage, which is made when it is first asked for, because it is large and most are not.
+   * The outline of a map. It is made when it is first asked for, because it is large and most are not asked for.
    * @param {Stage} stage
    */
   #outlineOf(stage) {
@@ -154,27 +154,30 @@ export class Imagine extends Component {
   }
 
   /**
-   * Shows one stage alone; for null all, or none.
+   * Shows one map alone; for null all, or none.
    * @param {Stage | null} stage
    * @param {boolean} none
    */
   showOnly(stage, none) {
     this.byId("stages").hidden = none;
     this.byId("stages").classList.toggle("alone", stage !== null || none);
-    for (const one of STAGES) this.#rows[one].element.hidden = none || (stage !== null && one !== stage);
+    for (const shown of STAGES) {
+      this.#rows[shown].element.hidden = none || (stage !== null && shown !== stage);
+    }
   }
 
   /** @param {Stage} stage */
   createRow(stage) {
-    const { name, meaning, how } = STAGE_TEXT[stage];
+    const text = STAGE_TEXT[stage];
     const element = this.fromTemplate("stage-row");
     element.dataset.stage = stage;
-    find(element, "b").textContent = name;
-    find(element, ".meaning").textContent = meaning;
-    find(element, ".how").textContent = how;
+    find(element, "b").textContent = text.name;
+    find(element, ".meaning").textContent = text.meaning;
+    const how = find(element, ".how");
+    how.textContent = text.how;
     const box = find(element, "input", HTMLInputElement);
     box.addEventListener("change", () =>
-      this.requestState({ layers: STAGES.filter((one) => this.#rows[one].box.checked) }),
+      this.requestState({ layers: STAGES.filter((checked) => this.#rows[checked].box.checked) }),
     );
     return {
       element,
@@ -183,6 +186,7 @@ export class Imagine extends Component {
       map: contextOf(find(element, ".shade-layer", HTMLCanvasElement)),
       outline: /** @type {CanvasRenderingContext2D | null} */ (null),
       legend: contextOf(find(element, ".legend", HTMLCanvasElement)),
+      how,
       peak: find(element, ".peak"),
       summary: find(element, ".summary"),
       numbers: find(element, ".numbers"),
@@ -197,7 +201,7 @@ export class Imagine extends Component {
     if (progress === null) bar.removeAttribute("value");
     else bar.value = progress;
     if (status === "ready") {
-      if (loaded) this.#offerModels(loaded);
+      if (loaded) this.#onLoaded(loaded);
       this.#request();
     } else {
       this.#call?.abort();
@@ -208,13 +212,19 @@ export class Imagine extends Component {
   }
 
   /**
-   * The models to choose from, where there are several.
-   * @param {import("../model/messages.js").LoadedModel} loaded
+   * Says what the model is and how it makes its maps, and offers the others, where there are several.
+   * @param {import("../model/worker.js").LoadedModel} loaded
    */
-  #offerModels({ name, names }) {
-    setText(this.byId("model-words"), modelWords(name) && `${name} ${modelWords(name)}.`);
+  #onLoaded({ name, names, card }) {
+    setText(this.byId("model-words"), `${name} ${modelWords(card)}.`);
     this.byId("model-choice").hidden = names.length < 2;
-    this.#modelSelect.replaceChildren(...names.map((one) => new Option(one, one, one === name, one === name)));
+    this.#modelSelect.replaceChildren(
+      ...names.map((model) => new Option(model, model, model === name, model === name)),
+    );
+    for (const stage of STAGES) {
+      if (PAPER_STAGES.includes(stage)) continue;
+      setText(this.#rows[stage].how, `${STAGE_TEXT[stage].how} ${netWords(card, PAPER_STAGES.length).how}`.trim());
+    }
   }
 
   async #request() {
@@ -224,7 +234,7 @@ export class Imagine extends Component {
     this.#callFailure = null;
     this.#updateTrouble();
     try {
-      const imagined = await this.#client.imagine(this.session.played, call.signal);
+      const imagined = await this.#client.call("imagine", [this.session.played], call.signal);
       if (!call.signal.aborted) this.#setImagined(imagined);
     } catch (error) {
       if (call.signal.aborted) return;
@@ -266,7 +276,7 @@ export class Imagine extends Component {
       if (values) pathlight.paintMap(map, stage, values, { max: most, dark: this.dark });
       this.#paintOutline(stage);
       setText(peak, values ? most.toFixed(2) : "");
-      // Weights may come without a judge.
+      // Weights may come without a net that scores balls.
       const words = this.words(stage) || (imagined ? "this model has no such map" : "not imagined yet");
       map.canvas.setAttribute("aria-label", `${STAGE_TEXT[stage].name}: ${words}`);
       setText(said, sentence(words));

@@ -2,16 +2,18 @@
 // imagined, with their overlap. The last run of the player, of the model and of the scene alone stay beside each other,
 // so that their numbers can be compared.
 
-import { Component } from "../shell/component.js";
-import { find, setText } from "../shell/dom.js";
+import { Component } from "../widgets/component.js";
+import { sameBall } from "../puzzles/ball.js";
+import { find, setText } from "../widgets/dom.js";
 import { OverlapCard, percent } from "./overlap-card.js";
 
+/** @typedef {import("../pkg/pathlight.js").Ball} Ball */
 /** @typedef {import("../pkg/pathlight.js").Stage} Stage */
 /** @typedef {import("../play/session.js").Session} Session */
 /** @typedef {"player" | "model" | "alone"} Runner */
 /**
- * @typedef {import("../pkg/pathlight.js").PathMasks & { title: string, number?: number, placed?: string }} Run `number`
- *   and `placed`: of the attempt and of its ball, if it is one
+ * `number` and `placed`: of the attempt and its ball, if it is one.
+ * @typedef {import("../pkg/pathlight.js").PathMasks & { title: string, number?: number, placed?: Ball }} Run
  */
 
 /**
@@ -41,7 +43,7 @@ export class ImaginedVsReal extends Component {
   #used = new Map();
 
   /**
-   * @param {import("../shell/dom.js").Root} root
+   * @param {import("../widgets/dom.js").Root} root
    * @param {import("./imagine.js").Imagine} imagine
    * @param {import("./scene-picture.js").ScenePicture} scenePicture
    */
@@ -78,7 +80,7 @@ export class ImaginedVsReal extends Component {
 
   /** @param {Session} session */
   #update(session) {
-    const { puzzle, phase, finished, placing, shown, pair } = session;
+    const { puzzle, state, finished, placing } = session;
     if (placing) this.#lastRead = null;
     let changed = false;
     for (const contender of /** @type {const} */ (["player", "model"])) {
@@ -87,16 +89,16 @@ export class ImaginedVsReal extends Component {
       const { used } = session.attempts.standing(contender);
       if (run?.number === undefined || used === this.#used.get(contender)) continue;
       this.#used.set(contender, used);
-      const number = 1 + session.attempts.of(contender).findIndex(({ ball }) => String(ball) === run.placed);
+      const number = 1 + session.attempts.of(contender).findIndex(({ ball }) => sameBall(ball, run.placed));
       if (number === run.number) continue;
       changed = true;
       if (number === 0) this.#runs.delete(contender);
       else this.#runs.set(contender, { ...run, number, title: titleOf(contender, number) });
     }
-    const current = phase === "compare" ? pair : (shown ?? phase);
+    const current = state.kind === "compare" ? state.pair : (session.shown ?? state.kind);
     if (finished && !placing && current !== this.#lastRead) {
       this.#lastRead = current;
-      const runs = phase === "watch" ? [watchedRun] : (phase === "compare" ? pair : [shown]).map(runOf);
+      const runs = (state.kind === "compare" ? state.pair : [session.shown]).map(runOf);
       const paths = puzzle.pathMasks();
       runs.forEach(({ runner, ...run }, index) => this.#runs.set(runner, { ...run, ...paths[index] }));
       changed = true;
@@ -146,15 +148,15 @@ export class ImaginedVsReal extends Component {
 const watchedRun = { runner: "alone", title: "Without a ball" };
 
 /**
- * @param {import("../play/session.js").ShownAttempt | null} attempt
- * @returns {{ runner: Runner, title: string, number?: number, placed?: string }}
+ * @param {import("../play/shown.js").ShownAttempt | null} attempt
+ * @returns {{ runner: Runner, title: string, number?: number, placed?: Ball }}
  */
 function runOf(attempt) {
   if (!attempt) return watchedRun;
   const { contender, number, ball, preview, opened } = attempt;
   if (opened) return { runner: contender, title: "The opened attempt" };
   if (preview) return { runner: contender, title: `The model’s ball ${number}` };
-  return { runner: contender, title: titleOf(contender, number), number, placed: String(ball) };
+  return { runner: contender, title: titleOf(contender, number), number, placed: ball };
 }
 
 /**

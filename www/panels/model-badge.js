@@ -1,9 +1,11 @@
 // Says which model it is wherever a result of it stands, and whether it has seen the puzzle in training, which decides
-// what the result is worth.
+// what the result is worth. Also says which nets the model has.
 
-import { Component } from "../shell/component.js";
-import { setText } from "../shell/dom.js";
+import { Component } from "../widgets/component.js";
+import { PAPER_STAGES } from "../shell/constants.js";
+import { setText } from "../widgets/dom.js";
 import { modelWords, seenWords } from "../model/model-words.js";
+import { netWords } from "../model/stage-text.js";
 
 export class ModelBadge extends Component {
   #client;
@@ -11,7 +13,7 @@ export class ModelBadge extends Component {
   #badges;
 
   /**
-   * @param {import("../shell/dom.js").Root} root
+   * @param {import("../widgets/dom.js").Root} root
    * @param {import("../model/shared-client.js").SharedClient} client
    * @param {import("./imagine.js").Imagine} imagine
    */
@@ -32,11 +34,14 @@ export class ModelBadge extends Component {
   #update() {
     const { loaded } = this.#client;
     const known = this.#imagine.seen;
+    const { intro, about } = netWords(loaded?.card, PAPER_STAGES.length);
+    setText(this.byId("imagine-intro"), intro);
+    setText(this.byId("about-nets"), `${about} The panel Imagine shows all maps, and under “How?” what each net sees.`);
     for (const { element, name, seen } of this.#badges) {
       element.hidden = !loaded;
       if (!loaded) continue;
       setText(name, loaded.name);
-      element.title = modelWords(loaded.name);
+      element.title = modelWords(loaded.card);
       seen.hidden = known === null;
       seen.dataset.seen = String(known);
       setText(seen, known === null ? "" : seenWords(known));

@@ -1,22 +1,26 @@
 // Two models side by side on the open puzzle: for each whether it has seen the puzzle, a map, the balls that it tries
 // by their outcome, and when it solves. The second model has a worker of its own while they are shown.
 
-import { Component } from "../shell/component.js";
+import { Component } from "../widgets/component.js";
 import { STAGES } from "../shell/constants.js";
-import { contextOf, find, setText } from "../shell/dom.js";
-import { pathlight } from "../shell/pathlight.js";
+import { contextOf, find, setText } from "../widgets/dom.js";
+import { pathlight } from "../shell/page-api.js";
 import { chanceWords } from "../model/chance-words.js";
 import { modelWords, seenWords } from "../model/model-words.js";
 import { mapWords } from "../model/place-words.js";
 import { STAGE_TEXT } from "../model/stage-text.js";
 import { SharedClient } from "../model/shared-client.js";
-import { sentence } from "../shell/sentence.js";
+import { sentence } from "../text/sentence.js";
 import { OutcomeStrip } from "./outcome-strip.js";
 
 /** @typedef {import("../pkg/pathlight.js").Stage} Stage */
 /** @typedef {import("../pkg/pathlight.js").TriedProposal} TriedProposal */
-/** @typedef {import("../model/messages.js").Imagined} Imagined */
-/** @typedef {{ name: string, imagined: Imagined, tried: TriedProposal[] }} Side what one model imagines and tries */
+/** @typedef {import("../model/worker.js").Imagined} Imagined */
+/** @typedef {import("../model/worker.js").LoadedModel} LoadedModel */
+/**
+ * What one model imagines and tries.
+ * @typedef {{ name: string, card: LoadedModel["card"], imagined: Imagined, tried: TriedProposal[] }} Side
+ */
 
 export class ModelPair extends Component {
   #client;
@@ -38,7 +42,7 @@ export class ModelPair extends Component {
   #asked = null;
 
   /**
-   * @param {import("../shell/dom.js").Root} root
+   * @param {import("../widgets/dom.js").Root} root
    * @param {WebAssembly.Module} module
    * @param {SharedClient} client of the model that is chosen
    * @param {import("./scene-picture.js").ScenePicture} scenePicture
@@ -105,10 +109,11 @@ export class ModelPair extends Component {
       await started(this.#other, names[1], call.signal);
       const ask = async (/** @type {SharedClient} */ client, /** @type {string} */ name) => {
         const [imagined, tried] = await Promise.all([
-          client.imagine(played, call.signal),
-          client.propose(played, call.signal),
+          client.call("imagine", [played], call.signal),
+          client.call("propose", [played], call.signal),
         ]);
-        return { name, imagined, tried };
+        const card = /** @type {LoadedModel} */ (client.loaded).card;
+        return { name, card, imagined, tried };
       };
       const sides = await Promise.all([ask(this.#client, names[0]), ask(this.#other, names[1])]);
       if (call.signal.aborted) return;
@@ -129,10 +134,10 @@ export class ModelPair extends Component {
   }
 
   /** @param {Side} side */
-  #column({ name, imagined: { maps, seen }, tried }) {
+  #column({ name, card, imagined: { maps, seen }, tried }) {
     const column = this.fromTemplate("pair-column");
     find(column, "h3").textContent = name;
-    find(column, ".model-words").textContent = sentence(modelWords(name) || name);
+    find(column, ".model-words").textContent = sentence(modelWords(card));
     const badge = find(column, ".model-badge span");
     badge.dataset.seen = String(seen);
     badge.textContent = seenWords(seen);

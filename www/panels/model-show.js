@@ -77,7 +77,7 @@ export class ModelShow {
 
   /** Shows the misses. Resolves when all that came is recorded and the misses are shown, or when it is stopped. */
   async run() {
-    /** @type {import("../play/session.js").Ghost[]} */
+    /** @type {import("../play/shown.js").Ghost[]} */
     const ghosts = [];
     for (let duration = FIRST; ; duration = Math.max(SHORTEST, duration * FASTER)) {
       while (this.#waiting.length === 0 && !this.#ended && !this.#stopped)
@@ -88,19 +88,29 @@ export class ModelShow {
       const number = this.#record(attempt);
       // A turn that was stopped goes on after what has been shown of it.
       if (this.#skipping || this.interrupted || attempt.ending.solved || number <= used) continue;
-      const flash = this.#session.flash(number, duration, ghosts.slice());
+      this.#session.flash(number, duration, ghosts.slice());
       this.#revision = this.#session.revision;
-      const watched = await flash;
+      await this.#playedToEnd();
       if (this.#stopped) return;
-      const { ghost } = this.#session;
-      if (watched && ghost) ghosts.push(ghost);
+      const paths = this.#session.puzzle.sampledPaths();
+      if (!this.interrupted && paths) ghosts.push({ ball: attempt.ball, object: paths.object });
     }
     this.#clear();
   }
 
+  /** Resolves once the miss that is shown has played to its end, or something else is shown. */
+  async #playedToEnd() {
+    const { promise, resolve } = Promise.withResolvers();
+    const check = () => (this.interrupted || this.#session.finished) && resolve(null);
+    this.#session.addEventListener("change", check);
+    check();
+    await promise;
+    this.#session.removeEventListener("change", check);
+  }
+
   /** Takes the miss that is shown away. */
   #clear() {
-    if (!this.#session.ghosting) return;
+    if (!this.#session.ghosts) return;
     this.#session.reset();
     this.#revision = this.#session.revision;
   }

@@ -2,8 +2,8 @@
 // it is and how well the two overlap.
 
 import { paintOutline } from "../pkg/pathlight.js";
-import { contextOf, find } from "../shell/dom.js";
-import { pathlight } from "../shell/pathlight.js";
+import { contextOf, find } from "../widgets/dom.js";
+import { pathlight } from "../shell/page-api.js";
 
 /** @param {number} fraction */
 export const percent = (fraction) => `${Math.round(100 * fraction)} %`;

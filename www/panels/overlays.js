@@ -2,16 +2,16 @@
 // proposals, the paths that it imagines for a ball, and the line of a prediction. Collects them from the panels and
 // hands them to the canvas of the scene.
 
-import { Component } from "../shell/component.js";
+import { Component } from "../widgets/component.js";
 
 /** The opacity of the paths of old misses. */
 const GHOST = 0.2;
-/** So many of the latest misses are more than that. */
+/** How many of the latest misses are more opaque than that. */
 const RECENT = 5;
 /**
  * The panel of the workshop, which comes after this folder.
  * @typedef {EventTarget & { maps: HTMLCanvasElement[], painter: import("../play/canvas.js").Painter | null, pen:
- *   import("../play/canvas.js").Pen }} Bend
+ *   import("../play/gestures.js").Pen }} Bend
  */
 
 export class Overlays extends Component {
@@ -23,11 +23,11 @@ export class Overlays extends Component {
   #predict;
   #proposals;
   #solveMap;
-  /** @type {import("../shell/url-state.js").View | null} */
+  /** @type {import("../state/view.js").View | null} */
   #view = null;
 
   /**
-   * @param {import("../shell/dom.js").Root} root
+   * @param {import("../widgets/dom.js").Root} root
    * @param {import("../play/canvas.js").SceneCanvas} canvas
    * @param {object} panels
    * @param {Bend} panels.bend
@@ -63,9 +63,10 @@ export class Overlays extends Component {
     this.listen("change", () => this.#update());
   }
 
-  /** @param {import("../shell/url-state.js").View} view */
+  /** @param {import("../state/view.js").View} view */
   setState(view) {
     this.#view = view;
+    this.session?.edit({ tool: view.panel === "predict" ? "line" : view.panel === "bend" ? "bodies" : "ball" });
     this.#update();
   }
 

@@ -2,9 +2,9 @@
 // the net, both against the real path. Without a ball the net's prediction is its base path, with the ball its target
 // path. The canvas of the scene passes pointer and keys on while this panel is shown.
 
-import { Component } from "../shell/component.js";
+import { Component } from "../widgets/component.js";
 import { SCENE_SIZE } from "../shell/constants.js";
-import { ARROW_KEYS } from "../play/canvas.js";
+import { ARROW_KEYS } from "../play/gestures.js";
 import { OverlapCard, percent } from "./overlap-card.js";
 
 /** @typedef {import("../play/canvas.js").Point} Point */
@@ -30,7 +30,7 @@ export class Predict extends Component {
   #modelCard;
 
   /**
-   * @param {import("../shell/dom.js").Root} root
+   * @param {import("../widgets/dom.js").Root} root
    * @param {import("./imagine.js").Imagine} imagine
    * @param {import("./scene-picture.js").ScenePicture} scenePicture
    */
@@ -53,7 +53,6 @@ export class Predict extends Component {
   open(session) {
     super.open(session);
     this.listen("change", () => this.#update());
-    session.drawing = this.#visible;
     this.#update();
   }
 
@@ -62,10 +61,9 @@ export class Predict extends Component {
     this.#setSketch([]);
   }
 
-  /** @param {import("../shell/url-state.js").View} view */
+  /** @param {import("../state/view.js").View} view */
   setState({ panel }) {
     this.#visible = panel === "predict";
-    if (this.session) this.session.drawing = this.#visible;
   }
 
   /** @param {boolean} dark */

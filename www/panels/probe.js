@@ -2,12 +2,12 @@
 // small map, or from the arrow keys on a small map. Each small map marks it and shows its value; a note in the corner
 // of the scene shows the values of the maps that lie over it.
 
-import { Component } from "../shell/component.js";
+import { Component } from "../widgets/component.js";
 import { CELL_SIZE, SCENE_SIZE, STAGES } from "../shell/constants.js";
-import { find, setText } from "../shell/dom.js";
+import { find, setText } from "../widgets/dom.js";
 import { valueAt } from "../model/map-summary.js";
 import { STAGE_TEXT } from "../model/stage-text.js";
-import { ARROW_KEYS } from "../play/canvas.js";
+import { ARROW_KEYS } from "../play/gestures.js";
 
 /** @typedef {import("../pkg/pathlight.js").Stage} Stage */
 
@@ -21,7 +21,7 @@ export class Probe extends Component {
   #imagine;
   /** @type {Stage[]} */
   #layers = [];
-  /** @type {import("../shell/url-state.js").Panel | null} */
+  /** @type {import("../state/url-state.js").Panel | null} */
   #panel = null;
   /**
    * px of the scene, or null.
@@ -31,7 +31,7 @@ export class Probe extends Component {
   #rows;
 
   /**
-   * @param {import("../shell/dom.js").Root} root
+   * @param {import("../widgets/dom.js").Root} root
    * @param {import("./imagine.js").Imagine} imagine
    */
   constructor(root, imagine) {
@@ -61,7 +61,7 @@ export class Probe extends Component {
     this.#clear();
   }
 
-  /** @param {import("../shell/url-state.js").View} view */
+  /** @param {import("../state/view.js").View} view */
   setState({ layers, panel }) {
     this.#layers = layers;
     if (panel !== this.#panel) this.#point = null;

@@ -3,15 +3,16 @@
 // its paths, imagined and real, over the scene and the balls before it marked. Its number is in the address. Fires
 // "imagined" when there are other imagined paths to show.
 
-import { Component } from "../shell/component.js";
-import { setText } from "../shell/dom.js";
-import { download, fileName } from "../shell/download.js";
+import { Component } from "../widgets/component.js";
+import { setText } from "../widgets/dom.js";
+import { download, fileName } from "../widgets/download.js";
 import { BallImaginer } from "../model/ball-imaginer.js";
-import { chanceWords, errorWords, percent } from "../model/chance-words.js";
-import { valueAt } from "../model/map-summary.js";
+import { chanceWords, errorWords } from "../model/chance-words.js";
 import { ballsCsv, otherOutcome, outcomesWords } from "../model/outcomes.js";
-import { sentence } from "../shell/sentence.js";
+import { sameBall } from "../puzzles/ball.js";
+import { sentence } from "../text/sentence.js";
 import { OutcomeStrip } from "./outcome-strip.js";
+import { originWords, rejectedWords } from "./proposal-words.js";
 import { TroubleBox } from "./trouble-box.js";
 
 /** @typedef {import("../pkg/pathlight.js").TriedProposal} Proposal */
@@ -49,7 +50,7 @@ export class Proposals extends Component {
   #callFailure = null;
 
   /**
-   * @param {import("../shell/dom.js").Root} root
+   * @param {import("../widgets/dom.js").Root} root
    * @param {import("../model/shared-client.js").SharedClient} client
    * @param {import("./imagine.js").Imagine} imagine
    */
@@ -79,7 +80,7 @@ export class Proposals extends Component {
   open(session) {
     super.open(session);
     this.listen("change", () => this.#onSessionChange(session));
-    this.#update();
+    this.#show();
   }
 
   close() {
@@ -89,12 +90,12 @@ export class Proposals extends Component {
     this.#shown = null;
   }
 
-  /** @param {import("../shell/url-state.js").View} view */
+  /** @param {import("../state/view.js").View} view */
   setState({ panel, proposal }) {
     this.#visible = panel === "compare";
     this.#requested = proposal;
     this.#load();
-    this.#update();
+    this.#show();
   }
 
   /** Is one of the balls being looked at? */
@@ -127,7 +128,7 @@ export class Proposals extends Component {
   /** What the model imagines for the ball that is looked at; null until it has come. */
   get #answer() {
     const { answer } = this.#imaginer;
-    return String(answer?.of) === String(this.session?.shown?.ball) ? answer : null;
+    return sameBall(answer?.of, this.session?.shown?.ball) ? answer : null;
   }
 
   /** @param {number} number */
@@ -179,14 +180,14 @@ export class Proposals extends Component {
       return;
     const call = (this.#call = new AbortController());
     try {
-      const proposals = await this.#client.propose(this.session.played, call.signal);
+      const proposals = await this.#client.call("propose", [this.session.played], call.signal);
       if (!call.signal.aborted) this.#proposals = proposals;
     } catch (error) {
       if (!call.signal.aborted) this.#callFailure = /** @type {Error} */ (error).message;
     } finally {
       if (this.#call === call) {
         this.#call = null;
-        this.#update();
+        this.#show();
       }
     }
   }
@@ -211,31 +212,54 @@ export class Proposals extends Component {
     if (!session || !proposals?.length) return this.#updateFacts([]);
     setText(this.byId("proposal-outcomes"), outcomesWords(proposals));
     this.#slider.max = String(proposals.length);
-    const number = this.#visible ? this.#requested : null;
-    // The address may ask for more balls than there are.
-    if (number !== null && number > proposals.length) return this.requestState({ proposal: null });
-    const proposal = number === null ? null : proposals[number - 1];
-    if (number !== null && proposal && this.#shown !== number) {
-      this.#shown = number;
-      const tried = session.attempts.of("model").some(({ ball }) => String(ball) === String(proposal.ball));
-      session.preview(number, proposal.ball, tried);
-      this.#imaginer.imagine(session.played, proposal.ball);
-    }
     this.#updateFacts(proposals);
   }
 
+  /** Shows the ball that the address asks for. */
+  #show() {
+    const { session } = this;
+    const number = this.#visible ? this.#requested : null;
+    if (session && this.#proposals?.length && number !== null && number !== this.#shown) {
+      const proposal = this.#proposals[number - 1];
+      if (proposal) {
+        // First, because the session tells at once what it shows.
+        this.#shown = number;
+        const tried = session.attempts.of("model").some(({ ball }) => sameBall(ball, proposal.ball));
+        session.preview(number, proposal.ball, tried);
+        this.#imaginer.imagine(session.played, proposal.ball);
+      } else {
+        // The address may ask for more balls than there are.
+        this.#forgetRequest(session);
+      }
+    }
+    this.#update();
+  }
+
   /**
-   * Something else is shown than the ball that was looked at: the address forgets it.
+   * Something else may be shown than the ball that was looked at.
    * @param {Session} session
    */
-  #onSessionChange({ shown }) {
+  #onSessionChange(session) {
+    const { shown } = session;
     const ball = this.#shown === null ? null : this.#proposals?.[this.#shown - 1]?.ball;
     // A ball of another model may have the same number.
-    if (this.#shown === null || (shown?.preview && shown.number === this.#shown && String(shown.ball) === String(ball)))
-      return;
+    if (this.#shown === null || (shown?.preview && shown.number === this.#shown && sameBall(shown.ball, ball))) return;
     this.#shown = null;
+    this.#requested = null;
     if (this.#proposals) this.#updateFacts(this.#proposals);
-    this.requestState({ proposal: null });
+    this.#forgetRequest(session);
+  }
+
+  /**
+   * The address forgets the ball. Not at once: the state that is being applied, or the change that is being told of,
+   * reaches all components first. The address may ask for another ball by then.
+   * @param {Session} session
+   */
+  #forgetRequest(session) {
+    queueMicrotask(() => {
+      const isShown = this.#shown !== null && this.#shown === this.#requested;
+      if (session === this.session && !isShown) this.requestState({ proposal: null });
+    });
   }
 
   /** @param {Proposal[]} proposals */
@@ -258,7 +282,7 @@ export class Proposals extends Component {
       this.byId("proposal-outcome"),
       `${shown.ending.solved ? "✓" : "×"} ${sentence(shown.words)} ${shown.tried || this.able ? "" : "It was not tried in its turn."}`,
     );
-    setText(this.byId("proposal-origin"), this.#originWords(proposal));
+    setText(this.byId("proposal-origin"), originWords(proposal, this.#imagine.maps?.placement));
     const real = this.session?.puzzle.sampledPaths();
     this.byId("proposal-imagined").hidden = this.byId("proposal-imagined-term").hidden = !this.able;
     setText(
@@ -267,28 +291,6 @@ export class Proposals extends Component {
         ? `${sentence(chanceWords(this.#answer.imagined.probability))} ${errorWords(this.#answer.imagined, real)}`
         : "",
     );
-  }
-
-  /** @param {Proposal} proposal */
-  #originWords({ origin }) {
-    if (origin.kind === "perturbed") return `Ball ${origin.number}, moved at random.`;
-    if (origin.kind === "imagined") return this.#imaginedWords(origin);
-    if (origin.kind === "judge")
-      return `The judge, a fifth net: after what was tried before, this ball has the highest probability of solving, ${Math.round(100 * origin.probability)} %.`;
-    if (origin.kind === "uniform") return "Random: the placement map shows no place where a ball may be.";
-    const map = this.#imagine.maps?.placement;
-    const value = map ? ` it is ${valueAt(map, [origin.x, origin.y]).toFixed(2)} at x ${origin.x}, y ${origin.y}.` : "";
-    return `The placement map:${value} From there the ball was moved to cover more of the map.`;
-  }
-
-  /**
-   * Why a ball that was imagined is next.
-   * @param {Extract<Proposal["origin"], { kind: "imagined" }>} origin
-   */
-  #imaginedWords({ prior, probability, lowered_by: number }) {
-    if (number === null)
-      return `By what the model imagines it was the likeliest to solve the puzzle of all balls not tried yet: ${chanceWords(probability)}.`;
-    return `By what the model imagines its chance was ${percent(prior)} before the first attempt. Then ball ${number} failed, and it resembles this one, by where it starts or by what happened: ${percent(probability)}, but still the likeliest of those left.`;
   }
 
   /**
@@ -302,10 +304,4 @@ export class Proposals extends Component {
     const [x, y] = this.#proposals[origin.number - 1].ball;
     return [x, y];
   }
-}
-
-/** @param {Proposal} proposal */
-function rejectedWords({ rejected }) {
-  if (rejected === 0) return "Yes.";
-  return `Yes. ${rejected} ${rejected === 1 ? "draw" : "draws"} before it ${rejected === 1 ? "was" : "were"} passed over: not allowed, or a ball that it had already. They do not count.`;
 }

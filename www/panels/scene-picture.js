@@ -1,15 +1,15 @@
 // The scene of the open puzzle as a small picture, which lies under the maps. It is drawn once for each puzzle and
 // theme, and copied from there.
 
-import { Component } from "../shell/component.js";
+import { Component } from "../widgets/component.js";
 import { SCENE_SIZE } from "../shell/constants.js";
-import { contextOf } from "../shell/dom.js";
+import { contextOf } from "../widgets/dom.js";
 
 export class ScenePicture extends Component {
   #canvas = document.createElement("canvas");
   #fresh = false;
 
-  /** @param {import("../shell/dom.js").Root} root */
+  /** @param {import("../widgets/dom.js").Root} root */
   constructor(root) {
     super(root);
     this.#canvas.width = this.#canvas.height = SCENE_SIZE;

@@ -2,12 +2,12 @@
 // valid attempts count, up to the limit; a puzzle that one has not solved counts nothing for it. The model's progress
 // is kept beside the player's, for each model by its name.
 
-import { Component } from "../shell/component.js";
+import { Component } from "../widgets/component.js";
 import { ATTEMPT_LIMIT } from "../shell/constants.js";
-import { pathlight } from "../shell/pathlight.js";
-import { puzzleName } from "../shell/puzzle-name.js";
+import { pathlight } from "../shell/page-api.js";
+import { puzzleName } from "../puzzles/puzzle-name.js";
 
-/** @typedef {import("../shell/progress-store.js").ProgressStore} ProgressStore */
+/** @typedef {import("../storage/contender.js").Contender} Contender */
 
 export class Scoreboard extends Component {
   #client;
@@ -15,9 +15,9 @@ export class Scoreboard extends Component {
   #hrefOf;
 
   /**
-   * @param {import("../shell/dom.js").Root} root
+   * @param {import("../widgets/dom.js").Root} root
    * @param {import("../model/shared-client.js").SharedClient} client
-   * @param {import("../shell/progress-store.js").SharedProgress} progress
+   * @param {import("../storage/progress.js").Progress} progress
    * @param {(task: string) => string | null} hrefOf the address of a puzzle, or null if there is no way to it
    */
   constructor(root, client, progress, hrefOf) {
@@ -31,7 +31,6 @@ export class Scoreboard extends Component {
   /** @param {import("../play/session.js").Session} session */
   open(session) {
     super.open(session);
-    this.listen("change", () => this.#recordTurn(session));
     this.listenTo(this.#progress, "change", () => this.#update());
   }
 
@@ -39,45 +38,27 @@ export class Scoreboard extends Component {
     this.#update();
   }
 
-  /**
-   * Stores how far the model has come in its turn on this puzzle, under the name of the model that made the attempts.
-   * @param {import("../play/session.js").Session} session
-   */
-  #recordTurn(session) {
-    if (session.attempts.modelName === null) return;
-    const store = this.#progress.ofModel(session.attempts.modelName);
-    const { id } = session.about;
-    if (id === null) return;
-    const { used, solved_at: solved } = session.attempts.standing("model");
-    const stored = store.of(id);
-    // The turn is the same each time, so the longer one holds the shorter; but one that has ended may be that of newer
-    // agents.
-    const over = solved !== null || used === ATTEMPT_LIMIT;
-    if (used > stored.attempts || (over && (used !== stored.attempts || solved !== stored.solved)))
-      store.set(id, { attempts: used, solved });
-  }
-
   #update() {
     const name = this.#client.loaded?.name;
     const { player } = this.#progress;
-    const modelStore = name === undefined ? null : this.#progress.ofModel(name);
-    const tasks = modelStore ? player.tasks.filter((task) => modelStore.of(task).attempts > 0) : [];
+    const model = name === undefined ? null : this.#progress.ofModel(name);
+    const tasks = model ? player.tasks.filter((task) => model.of(task).attempts > 0) : [];
     this.byId("score-empty").hidden = tasks.length > 0;
     this.byId("score-table").hidden = tasks.length === 0;
-    if (!modelStore || tasks.length === 0) return;
-    /** @param {ProgressStore} store */
-    const score = (store) => pathlight.auccess(tasks.map((task) => store.of(task).solved)).toFixed(1);
+    if (!model || tasks.length === 0) return;
+    /** @param {Contender} contender */
+    const score = (contender) => pathlight.auccess(tasks.map((task) => contender.of(task).solved)).toFixed(1);
     this.byId("score-player").textContent = score(player);
-    this.byId("score-model").textContent = score(modelStore);
+    this.byId("score-model").textContent = score(model);
     this.byId("score-count").textContent = tasks.length === 1 ? "over one puzzle" : `over ${tasks.length} puzzles`;
-    this.byId("score-rows").replaceChildren(...tasks.map((task) => this.#row(task, [player, modelStore])));
+    this.byId("score-rows").replaceChildren(...tasks.map((task) => this.#row(task, [player, model])));
   }
 
   /**
    * @param {string} task
-   * @param {ProgressStore[]} stores
+   * @param {Contender[]} contenders
    */
-  #row(task, stores) {
+  #row(task, contenders) {
     const head = document.createElement("th");
     head.scope = "row";
     head.title = `Puzzle ${task}`;
@@ -91,12 +72,12 @@ export class Scoreboard extends Component {
       head.textContent = puzzleName(task);
     }
     const row = document.createElement("tr");
-    row.append(head, ...stores.map((store) => resultCell(store.of(task))));
+    row.append(head, ...contenders.map((contender) => resultCell(contender.of(task))));
     return row;
   }
 }
 
-/** @param {import("../shell/progress-store.js").TaskProgress} progress */
+/** @param {import("../storage/counts.js").TaskProgress} progress */
 function resultCell({ attempts, solved }) {
   const cell = document.createElement("td");
   cell.textContent =

@@ -3,9 +3,9 @@
 // laid over it.
 
 import { paintOutcomes } from "../pkg/pathlight.js";
-import { Component } from "../shell/component.js";
+import { Component } from "../widgets/component.js";
 import { FIRST_RADIUS, GRID_SIDE, SCENE_SIZE } from "../shell/constants.js";
-import { contextOf, find, setText } from "../shell/dom.js";
+import { contextOf, find, setText } from "../widgets/dom.js";
 import { sides } from "../model/map-summary.js";
 import { Search } from "../model/search.js";
 import { percent } from "./overlap-card.js";
@@ -36,7 +36,7 @@ export class SolveMapPanel extends Component {
 
   /**
    * Fires "map" when there is more to see.
-   * @param {import("../shell/dom.js").Root} root
+   * @param {import("../widgets/dom.js").Root} root
    * @param {import("../model/shared-client.js").SharedClient} client
    * @param {import("./imagine.js").Imagine} imagine
    */
@@ -70,7 +70,7 @@ export class SolveMapPanel extends Component {
     this.#outcomes = null;
   }
 
-  /** @param {import("../shell/url-state.js").View} view */
+  /** @param {import("../state/view.js").View} view */
   setState({ panel, checkedLayers, hide }) {
     this.#hidesModel = hide.includes("imagine");
     this.#visible = panel === "map";
@@ -110,7 +110,7 @@ export class SolveMapPanel extends Component {
     this.#outcomes = null;
     this.#progress = 0;
     this.#search.start((signal) =>
-      this.#client.solve(session.played, this.#radius, signal, ({ outcomes, progress }) => {
+      this.#client.call("solve", [session.played, this.#radius], signal, ({ outcomes, progress }) => {
         this.#outcomes = outcomes;
         this.#progress = progress;
         this.#paint();

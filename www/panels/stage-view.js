@@ -2,8 +2,8 @@
 // story's, at the viewer's pace: by buttons, arrow keys or the keys of a clicker, or by itself. Everything else of the
 // puzzle is out of sight.
 
-import { Component } from "../shell/component.js";
-import { setText } from "../shell/dom.js";
+import { Component } from "../widgets/component.js";
+import { setText } from "../widgets/dom.js";
 
 /**
  * The keys of the story; a clicker sends those of a page.
@@ -22,7 +22,7 @@ export class StageView extends Component {
   #leaves = true;
 
   /**
-   * @param {import("../shell/dom.js").Root} root
+   * @param {import("../widgets/dom.js").Root} root
    * @param {import("./walkthrough.js").Walkthrough} walkthrough
    */
   constructor(root, walkthrough) {
@@ -45,7 +45,7 @@ export class StageView extends Component {
     this.#update();
   }
 
-  /** @param {import("../shell/url-state.js").View} view */
+  /** @param {import("../state/view.js").View} view */
   setState({ view, hide }) {
     const on = view === "stage";
     const arrived = on && !this.#on;

@@ -1,11 +1,11 @@
 // Saves the strip of a puzzle as a picture: the task, what the nets imagine, and what the scene shows, side by side.
 
 import { palette } from "../pkg/pathlight.js";
-import { Component } from "../shell/component.js";
+import { Component } from "../widgets/component.js";
 import { GRID_SIDE, STAGES } from "../shell/constants.js";
-import { contextOf } from "../shell/dom.js";
-import { download, fileName } from "../shell/download.js";
-import { pathlight } from "../shell/pathlight.js";
+import { contextOf } from "../widgets/dom.js";
+import { download, fileName } from "../widgets/download.js";
+import { pathlight } from "../shell/page-api.js";
 import { STAGE_TEXT } from "../model/stage-text.js";
 import { paintStill } from "../play/still.js";
 
@@ -26,7 +26,7 @@ export class StripPicture extends Component {
   #button = this.byId("save-strip", HTMLButtonElement);
 
   /**
-   * @param {import("../shell/dom.js").Root} root
+   * @param {import("../widgets/dom.js").Root} root
    * @param {import("./imagine.js").Imagine} imagine
    * @param {import("./scene-picture.js").ScenePicture} scenePicture
    */
@@ -65,7 +65,7 @@ export class StripPicture extends Component {
    */
   #cells(session) {
     const { maps } = this.#imagine;
-    // Weights may come without a judge.
+    // Weights may come without a net that scores balls.
     const imagined = STAGES.flatMap((stage) => {
       const values = maps?.[stage];
       return values

@@ -1,7 +1,7 @@
 // The box in a panel that says what went wrong with the model, with a button that tries again. Used by all panels that
 // call the worker.
 
-import { find, setText } from "../shell/dom.js";
+import { find, setText } from "../widgets/dom.js";
 
 /** @typedef {import("../model/shared-client.js").SharedClient} SharedClient */
 

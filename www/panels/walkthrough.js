@@ -3,14 +3,14 @@
 // and ends with what comes of it. The step it is at is in the address. Fires "step" when the step, or what is said of
 // it, has changed.
 
-import { Component } from "../shell/component.js";
+import { Component } from "../widgets/component.js";
 import { STAGES } from "../shell/constants.js";
-import { CHOICE_STEPS } from "../shell/url-state.js";
-import { createButton, setText } from "../shell/dom.js";
+import { CHOICE_STEPS } from "../state/url-state.js";
+import { createButton, setText } from "../widgets/dom.js";
 import { CHOICE_TEXT, STAGE_TEXT } from "../model/stage-text.js";
 
 /** @typedef {import("../pkg/pathlight.js").Stage} Stage */
-/** @typedef {Stage | import("../shell/url-state.js").ChoiceStep} Step */
+/** @typedef {Stage | import("../state/url-state.js").ChoiceStep} Step */
 
 /** How long a step stays while the walkthrough plays, ms: time to read a sentence and look. */
 const STEP_TIME = 4500;
@@ -39,7 +39,7 @@ export class Walkthrough extends Component {
   #dots;
 
   /**
-   * @param {import("../shell/dom.js").Root} root
+   * @param {import("../widgets/dom.js").Root} root
    * @param {import("./imagine.js").Imagine} imagine
    * @param {import("./choice.js").Choice} choice
    */
@@ -66,7 +66,7 @@ export class Walkthrough extends Component {
     this.#pause();
   }
 
-  /** @param {import("../shell/url-state.js").View} view */
+  /** @param {import("../state/view.js").View} view */
   setState({ stage, panel }) {
     this.#visible = panel === "imagine";
     this.#requested = stage;

@@ -1,10 +1,10 @@
 // After the player has solved a puzzle: a small celebration over the scene, and in the panel Play what to do next; and
 // before, what a challenge asks for. Fires "share", a CustomEvent with a Result, when the person wants to share it.
 
-import { Component } from "../shell/component.js";
-import { setText } from "../shell/dom.js";
-import { kindOf, nextByDifficulty } from "../shell/difficulty.js";
-import { TASKS } from "../shell/templates.js";
+import { Component } from "../widgets/component.js";
+import { setText } from "../widgets/dom.js";
+import { kindOf, nextByDifficulty } from "../puzzles/difficulty.js";
+import { TASKS } from "../puzzles/templates.js";
 import { paintStill } from "./still.js";
 
 /** @typedef {import("./session.js").Session} Session */
@@ -49,8 +49,8 @@ export class AfterSolving extends Component {
   #timer;
 
   /**
-   * @param {import("../shell/dom.js").Root} root
-   * @param {import("../shell/progress-store.js").SharedProgress} progress
+   * @param {import("../widgets/dom.js").Root} root
+   * @param {import("../storage/progress.js").Progress} progress
    * @param {(task: string) => string | null} hrefOf the address of a puzzle, or null if there is no way to it
    */
   constructor(root, progress, hrefOf) {
@@ -77,7 +77,7 @@ export class AfterSolving extends Component {
     this.#endCelebration();
   }
 
-  /** @param {import("../shell/url-state.js").View} view */
+  /** @param {import("../state/view.js").View} view */
   setState({ challenge }) {
     this.#challenge = challenge;
     // The model that the address names is kept on the way.

@@ -1,10 +1,11 @@
 // A list of one contender's attempts: for each a small picture and its result in words, a button that replays it, one
 // that shows it over another, and, for the player's own, one that deletes it.
 
-import { Component } from "../shell/component.js";
+import { Component } from "../widgets/component.js";
 import { ATTEMPT_LIMIT } from "../shell/constants.js";
-import { find, setText } from "../shell/dom.js";
-import { LazyThumbnails } from "../shell/lazy-thumbnails.js";
+import { find, setText } from "../widgets/dom.js";
+import { LazyThumbnails } from "../widgets/lazy-thumbnails.js";
+import { visibleAttempts } from "./shown.js";
 
 /** @typedef {import("./session.js").Session} Session */
 
@@ -21,7 +22,7 @@ export class AttemptList extends Component {
   });
 
   /**
-   * @param {import("../shell/dom.js").Root} root
+   * @param {import("../widgets/dom.js").Root} root
    * @param {HTMLElement} list an <ol>
    * @param {HTMLElement} count where the score is shown
    * @param {import("./session.js").Contender} contender
@@ -99,7 +100,7 @@ export class AttemptList extends Component {
       this.#count,
       used === 0 ? "" : solvedAt ? `solved on attempt ${solvedAt}` : `${used} of ${ATTEMPT_LIMIT}, not solved`,
     );
-    const current = session.visibleAttempts
+    const current = visibleAttempts(session.state)
       .filter(({ contender }) => contender === this.#contender)
       .map(({ number }) => number);
     for (const button of this.#list.querySelectorAll("[data-act=replay]")) {

@@ -1,11 +1,11 @@
-// The attempts of player and model at one puzzle, and which model made its own. Says nothing when they change: that is
-// up to the session, which knows what of them is shown. Knows nothing of the document.
+// The attempts of player and model at one puzzle, and which model made its own. Fires "change". Knows nothing of what
+// is shown, nor of the document.
 
 /** @typedef {import("../pkg/pathlight.js").Ball} Ball */
 /** @typedef {import("../pkg/pathlight.js").Contender} Contender */
 /** @typedef {import("../pkg/pathlight.js").Attempt} Attempt */
 
-export class Attempts {
+export class Attempts extends EventTarget {
   /**
    * The name of the model that made the model's attempts, or null while there are none.
    * @type {string | null}
@@ -15,6 +15,7 @@ export class Attempts {
 
   /** @param {import("../pkg/pathlight.js").Puzzle} puzzle */
   constructor(puzzle) {
+    super();
     this.#puzzle = puzzle;
   }
 
@@ -29,15 +30,17 @@ export class Attempts {
   }
 
   /**
-   * Makes attempts of the player's again that were made before.
+   * Makes attempts of the player's again that were made before; nothing of them is shown.
    * @param {Ball[]} balls
    */
   restore(balls) {
+    if (balls.length === 0) return;
     for (const ball of balls) {
       // A ball of another version may not fit any more.
       if (this.#puzzle.whyInvalid(...ball) === undefined) this.#puzzle.attempt(...ball);
     }
     this.#puzzle.reset();
+    this.#changed();
   }
 
   /**
@@ -46,9 +49,11 @@ export class Attempts {
    * @param {string} modelName
    */
   restoreModel(attempts, modelName) {
+    if (attempts.length === 0) return;
     for (const attempt of attempts) {
-      if (this.#puzzle.whyInvalid(...attempt.ball) === undefined) this.add(attempt, modelName);
+      if (this.#puzzle.whyInvalid(...attempt.ball) === undefined) this.#add(attempt, modelName);
     }
+    this.#changed();
   }
 
   /**
@@ -57,6 +62,16 @@ export class Attempts {
    * @param {string} modelName
    */
   add(attempt, modelName) {
+    const number = this.#add(attempt, modelName);
+    this.#changed();
+    return number;
+  }
+
+  /**
+   * @param {Attempt} attempt
+   * @param {string} modelName
+   */
+  #add(attempt, modelName) {
     const { number } = this.#puzzle.addModelAttempt(attempt);
     this.modelName = modelName;
     return number;
@@ -69,11 +84,17 @@ export class Attempts {
    */
   remove(contender, number) {
     this.#puzzle.remove(contender, number);
+    this.#changed();
   }
 
   /** @param {Contender} contender */
   clear(contender) {
     this.#puzzle.clear(contender);
     if (contender === "model") this.modelName = null;
+    this.#changed();
+  }
+
+  #changed() {
+    this.dispatchEvent(new Event("change"));
   }
 }

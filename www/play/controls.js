@@ -1,6 +1,6 @@
 // The controls round the scene: the transport below it, the status line, and the fields of the ball being placed.
 
-import { Component } from "../shell/component.js";
+import { Component } from "../widgets/component.js";
 import {
   FIRST_RADIUS,
   GOAL_SECONDS,
@@ -9,13 +9,13 @@ import {
   SCENE_SIZE,
   STEPS_PER_SECOND,
 } from "../shell/constants.js";
-import { afterFrame } from "../shell/after-frame.js";
-import { difficultyWords } from "../shell/difficulty.js";
-import { find, setText } from "../shell/dom.js";
-import { sentence } from "../shell/sentence.js";
+import { afterFrame } from "../loading/after-frame.js";
+import { difficultyWords } from "../puzzles/difficulty.js";
+import { find, setText } from "../widgets/dom.js";
+import { sentence } from "../text/sentence.js";
 
 /** @typedef {import("./session.js").Session} Session */
-/** @typedef {import("./session.js").ShownAttempt} ShownAttempt */
+/** @typedef {import("./shown.js").ShownAttempt} ShownAttempt */
 
 /** Half of the width of the mark where the object came nearest, as a fraction of the time line. */
 const CLOSEST_WIDTH = 0.004;
@@ -31,7 +31,7 @@ export class Controls extends Component {
    */
   #touches = [];
 
-  /** @param {import("../shell/dom.js").Root} root */
+  /** @param {import("../widgets/dom.js").Root} root */
   constructor(root) {
     super(root);
     for (const input of [this.#radius, this.#fields[2]])
@@ -114,7 +114,7 @@ export class Controls extends Component {
     if (status.textContent !== words) {
       status.textContent = words;
       // The misses of the model's turn go by faster than they can be read out.
-      if (!session.ghosting || session.shown?.number === 1) this.announce(words);
+      if (!session.ghosts || session.shown?.number === 1) this.announce(words);
     }
     status.dataset.kind = kind;
     this.#updateTime(session);
@@ -183,31 +183,37 @@ function setValue(input, value) {
  * @returns {{ kind: "hint" | "wrong" | "ready" | "running" | "trying" | "solved" | "missed", words: string }}
  */
 function statusOf(session) {
-  const { phase, shown, finished } = session;
-  if (phase === "placing") return placingStatus(session);
-  if (phase === "watch")
-    return { kind: "hint", words: finished ? "That was the scene without a ball." : "The scene without a ball." };
-  if (phase === "compare" || !shown)
-    return finished ? comparedStatus(session.pair) : { kind: "hint", words: compareStatus(session.pair) };
-  if (session.ghosting) return { kind: "trying", words: `The model tries: attempt ${shown.number}.` };
-  const what = shown.opened
-    ? "The opened attempt"
-    : `${shown.contender === "player" ? "Your" : "The model’s"} ${shown.preview ? "ball" : "attempt"} ${shown.number}`;
-  if (!finished) return { kind: "running", words: `${what} is running.` };
-  if (shown.ending.solved) return { kind: "solved", words: `Solved! ${what}: ${shown.words}.` };
-  return { kind: "missed", words: `Not solved. ${what}: ${missWords(session, shown)}.` };
+  const { state } = session;
+  switch (state.kind) {
+    case "placing":
+      return placingStatus(session, state);
+    case "watch":
+      return { kind: "hint", words: state.ended ? "That was the scene without a ball." : "The scene without a ball." };
+    case "compare":
+      return state.ended ? comparedStatus(state.pair) : { kind: "hint", words: compareStatus(state.pair) };
+    case "attempt":
+      return attemptStatus(state, session.playback.last);
+  }
 }
 
 /**
- * How near a miss came, and whether it ended early.
- * @param {Session} session
- * @param {ShownAttempt} shown
+ * @param {import("./shown.js").AttemptRun & { ended: boolean }} state
+ * @param {number} last the last step at which anything moves
+ * @returns {{ kind: "running" | "trying" | "solved" | "missed", words: string }}
  */
-function missWords({ approach, still }, { words }) {
+function attemptStatus({ attempt, ended, ghosts, approach }, last) {
+  const { contender, number, opened, preview, ending, words } = attempt;
+  if (ghosts) return { kind: "trying", words: `The model tries: attempt ${number}.` };
+  const what = opened
+    ? "The opened attempt"
+    : `${contender === "player" ? "Your" : "The model’s"} ${preview ? "ball" : "attempt"} ${number}`;
+  if (!ended) return { kind: "running", words: `${what} is running.` };
+  if (ending.solved) return { kind: "solved", words: `Solved! ${what}: ${words}.` };
   const near = approach
     ? `closest ${gapWords(approach.gap)}, at ${(approach.step / STEPS_PER_SECOND).toFixed(1)} s`
     : words;
-  return still ? `${near}; everything lies still` : near;
+  const still = last < ending.steps ? "; everything lies still" : "";
+  return { kind: "missed", words: `Not solved. ${what}: ${near}${still}.` };
 }
 
 /** @param {number} gap px */
@@ -217,12 +223,13 @@ function gapWords(gap) {
 
 /**
  * @param {Session} session
+ * @param {import("./shown.js").Placing & import("./shown.js").Editing} state
  * @returns {{ kind: "hint" | "wrong" | "ready", words: string }}
  */
-function placingStatus({ ball, invalidReason, refusal, drawing, bending }) {
+function placingStatus({ ball, invalidReason }, { refusal, tool }) {
   if (refusal) return { kind: "wrong", words: refusal };
-  if (drawing) return { kind: "hint", words: "Draw in the scene the path that the green object will take." };
-  if (bending) return { kind: "hint", words: "Drag a body, or a knob of the selected one." };
+  if (tool === "line") return { kind: "hint", words: "Draw in the scene the path that the green object will take." };
+  if (tool === "bodies") return { kind: "hint", words: "Drag a body, or a knob of the selected one." };
   if (!ball) return { kind: "hint", words: "Click or tap the scene to place the red ball." };
   if (invalidReason) return { kind: "wrong", words: `Not here: ${sentence(invalidReason)}` };
   return { kind: "ready", words: "The ball may start here. Press Run." };

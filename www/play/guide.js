@@ -1,9 +1,9 @@
 // The introduction on a first visit, half a minute long: watch without a ball, guess, place, run, and see what the
 // model imagined. It follows what the person does on the scene, says the next step, and can be skipped at any time.
 
-import { Component } from "../shell/component.js";
+import { Component } from "../widgets/component.js";
 import { GOAL_SECONDS } from "../shell/constants.js";
-import { setText } from "../shell/dom.js";
+import { setText } from "../widgets/dom.js";
 
 /** @typedef {import("./session.js").Session} Session */
 /** @typedef {"watch" | "watching" | "guess" | "run" | "running" | "missed" | "solved" | "imagined"} Step */
@@ -47,7 +47,7 @@ export class Guide extends Component {
   #step = null;
   #act = this.byId("guide-act", HTMLButtonElement);
 
-  /** @param {import("../shell/dom.js").Root} root */
+  /** @param {import("../widgets/dom.js").Root} root */
   constructor(root) {
     super(root);
     this.#act.addEventListener("click", () => this.#onAct());

@@ -2,15 +2,16 @@
 // again: the player's are simulated once more; the model's come with its turn, if it was made by the model that is
 // loaded, with the same agents.
 
-import { puzzleKey } from "../shell/attempt-store.js";
-import { Component } from "../shell/component.js";
+import { Component } from "../widgets/component.js";
 import { AGENTS_VERSION, SIMULATOR_VERSION } from "../shell/constants.js";
+import { puzzleKey } from "../shell/puzzle-key.js";
+import { PLAYER } from "../storage/attempts.js";
 
 /** @typedef {import("./session.js").Session} Session */
 
 export class KeptAttempts extends Component {
   #client;
-  #store;
+  #progress;
   /** What the attempts at the open puzzle are kept under. */
   #puzzle = "";
   /**
@@ -20,26 +21,26 @@ export class KeptAttempts extends Component {
   #kept = { player: [], model: [] };
 
   /**
-   * @param {import("../shell/dom.js").Root} root
+   * @param {import("../widgets/dom.js").Root} root
    * @param {import("../model/shared-client.js").SharedClient} client
-   * @param {import("../shell/attempt-store.js").AttemptStore} store
+   * @param {import("../storage/progress.js").Progress} progress
    */
-  constructor(root, client, store) {
+  constructor(root, client, progress) {
     super(root);
     this.#client = client;
-    this.#store = store;
+    this.#progress = progress;
     client.addEventListener("change", () => this.#bringBackModel());
-    this.byId("clear-attempts").addEventListener("click", () => this.session && store.forget(this.#puzzle));
+    this.byId("clear-attempts").addEventListener("click", () => this.session && progress.forget(this.#puzzle));
   }
 
   /** @param {Session} session */
   open(session) {
     super.open(session);
     this.#puzzle = puzzleKey(session.played);
-    session.restore(
-      this.#store
-        .of(this.#puzzle)
-        .filter(({ by }) => by === "player")
+    session.attempts.restore(
+      this.#progress
+        .attemptsAt(this.#puzzle)
+        .filter(({ by }) => by === PLAYER)
         .map(({ ball }) => ball),
     );
     this.#kept = { player: ballsOf(session.attempts.of("player")), model: [] };
@@ -52,12 +53,12 @@ export class KeptAttempts extends Component {
     const { session } = this;
     const name = this.#client.loaded?.name;
     if (!session || name === undefined || session.attempts.modelName !== null) return;
-    const attempts = this.#store
-      .of(this.#puzzle)
+    const attempts = this.#progress
+      .attemptsAt(this.#puzzle)
       .filter(
         ({ by, simulator, agents }) => by === name && simulator === SIMULATOR_VERSION && agents === AGENTS_VERSION,
       );
-    session.restoreModel(attempts, name);
+    session.attempts.restoreModel(attempts, name);
     this.#kept.model = ballsOf(session.attempts.of("model"));
   }
 
@@ -70,19 +71,19 @@ export class KeptAttempts extends Component {
       if (session.attempts.standing(contender).used === kept.length) continue;
       const attempts = session.attempts.of(contender);
       const balls = (this.#kept[contender] = ballsOf(attempts));
-      const by = contender === "player" ? contender : session.attempts.modelName;
+      const by = contender === "player" ? PLAYER : session.attempts.modelName;
       // The attempts of a model that goes are not deleted.
       if (by === null) continue;
       const versions =
         contender === "player"
           ? { simulator: SIMULATOR_VERSION }
           : { simulator: SIMULATOR_VERSION, agents: AGENTS_VERSION };
-      this.#store.remove(
+      this.#progress.remove(
         this.#puzzle,
         by,
         kept.filter((ball) => !balls.includes(ball)),
       );
-      this.#store.add(
+      this.#progress.add(
         this.#puzzle,
         by,
         attempts.filter(({ ball }) => !kept.includes(String(ball))),

@@ -7,6 +7,7 @@
  * @param {boolean} dark
  */
 export function paintStill(session, context, step, dark) {
-  const whole = session.phase === "compare";
-  session.puzzle.paint(context, { step, ball: session.ball, knob: 0, whole, opacity: 1, dark }, []);
+  const { ball, invalidReason, phase, puzzle } = session;
+  const view = { step, ball, valid: invalidReason === null, knob: 0, whole: phase === "compare", opacity: 1, dark };
+  puzzle.paint(context, view, []);
 }

@@ -1,15 +1,22 @@
 // Attempts as a file: JSON lines, one attempt each, with the digest of all its poses, so that anybody can simulate it
 // again and see whether the same comes out (`pathlight verify`).
 
-import { download, fileName } from "../shell/download.js";
+import { download, fileName } from "../widgets/download.js";
+import { FileProblem, inSlices, linesOf } from "../storage/slices.js";
 
 /** @typedef {import("../pkg/pathlight.js").AttemptLine} AttemptLine */
 
 /** More than the attempts of a person at all puzzles, bytes. */
 const MAX_SIZE = 2e7;
+/** So many are simulated again, which takes a quarter of a minute; `pathlight verify` takes more. */
+export const MOST_ATTEMPTS = 20_000;
+/** A longer line is no attempt, characters. */
+const MAX_LINE = 65_536;
+/** An attempt at an own scene has objects in four levels. */
+const MAX_DEPTH = 8;
 
 /**
- * Saves attempts, so that they can be verified and also be read back as progress (shell/attempt-store.js).
+ * Saves attempts, so that they can be verified and also be read back as progress (storage/attempts.js).
  * @param {string} name of the puzzle
  * @param {(AttemptLine & { by: string, longest_touch: number, final_touch: number, agents?: number })[]} lines
  */
@@ -19,25 +26,66 @@ export function saveAttempts(name, lines) {
 }
 
 /**
- * Returns the lines of a file of attempts, as they are. Rejects with a sentence if it is none.
+ * Returns the lines of a file of attempts, as they are, and how many more it has than are read. Rejects with a
+ * FileProblem if it is none.
  * @param {File} file
- * @returns {Promise<unknown[]>}
+ * @param {Parameters<typeof inSlices>[1]} [slices]
  */
-export async function readAttempts(file) {
-  const foreign = (/** @type {string} */ why) =>
-    new Error(`${file.name} is not a file of attempts from Pathlight: ${why}. Nothing was changed.`);
-  if (file.size > MAX_SIZE) throw foreign("it is too large");
-  const lines = (await file.text()).split("\n");
+export async function readAttempts(file, slices) {
+  if (file.size > MAX_SIZE) throw foreign(file.name, `it is larger than ${MAX_SIZE / 1e6} MB`);
+  return inSlices(attemptsOfText(file.name, await file.text()), slices);
+}
+
+/**
+ * @param {string} name of the file
+ * @param {string} text
+ * @returns {Generator<number, { attempts: unknown[], left: number }, void>}
+ */
+function* attemptsOfText(name, text) {
   /** @type {unknown[]} */
   const attempts = [];
-  lines.forEach((line, index) => {
-    if (!line.trim()) return;
-    try {
-      attempts.push(JSON.parse(line));
-    } catch {
-      throw foreign(`line ${index + 1} is not JSON`);
-    }
-  });
-  if (attempts.length === 0) throw foreign("it is empty");
-  return attempts;
+  let left = 0;
+  for (const { line, number, done } of linesOf(text)) {
+    if (attempts.length < MOST_ATTEMPTS) attempts.push(parsedLine(name, line, number));
+    else left += 1;
+    yield done;
+  }
+  if (attempts.length === 0) throw foreign(name, "it is empty");
+  return { attempts, left };
+}
+
+/**
+ * @param {string} name of the file
+ * @param {string} line
+ * @param {number} number
+ */
+function parsedLine(name, line, number) {
+  if (line.length > MAX_LINE) throw foreign(name, `line ${number} is too long`);
+  /** @type {unknown} */
+  let value;
+  try {
+    value = JSON.parse(line);
+  } catch {
+    throw foreign(name, `line ${number} is not JSON`);
+  }
+  if (isDeeper(value, MAX_DEPTH)) throw foreign(name, `line ${number} is nested too deeply`);
+  return value;
+}
+
+/**
+ * @param {unknown} value
+ * @param {number} depth
+ * @returns {boolean}
+ */
+function isDeeper(value, depth) {
+  if (typeof value !== "object" || value === null) return false;
+  return depth === 0 || Object.values(value).some((inner) => isDeeper(inner, depth - 1));
+}
+
+/**
+ * @param {string} name of the file
+ * @param {string} why
+ */
+function foreign(name, why) {
+  return new FileProblem(`${name} is not a file of attempts from Pathlight: ${why}. Nothing was changed.`);
 }

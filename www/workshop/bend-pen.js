@@ -1,13 +1,13 @@
 // The pointer and the keys of a scene that is being bent: dragging a body moves it, its knobs resize and turn it. Turns
 // gestures into calls of the draft; decides nothing about the scene.
 
-import { ARROW_KEYS } from "../play/canvas.js";
+import { ARROW_KEYS } from "../play/gestures.js";
 import { SCENE_SIZE } from "../shell/constants.js";
 import { SIZES, bodyAt, directionTo, distanceTo, knobsOf, sizeOf, sizeTo } from "./body-geometry.js";
 import { degreesOf } from "./body-words.js";
 
 /** @typedef {import("../play/canvas.js").Point} Point */
-/** @typedef {import("../play/canvas.js").Pen} Pen */
+/** @typedef {import("../play/gestures.js").Pen} Pen */
 
 /**
  * What the pointer does between down and up. Moving keeps the offset of the body's origin from the pointer; turning the

@@ -4,9 +4,9 @@
 // frame waits for them. Fires "bend" when what the scene shows may have changed.
 
 import { paintDraft, palette } from "../pkg/pathlight.js";
-import { Component } from "../shell/component.js";
-import { setText } from "../shell/dom.js";
-import { pathlight } from "../shell/pathlight.js";
+import { Component } from "../widgets/component.js";
+import { setText } from "../widgets/dom.js";
+import { pathlight } from "../shell/page-api.js";
 import { SCENE_SIZE } from "../shell/constants.js";
 import { BendPen } from "./bend-pen.js";
 import { BodyFields } from "./body-fields.js";
@@ -43,7 +43,7 @@ export class Bend extends Component {
   #committing = false;
 
   /**
-   * @param {import("../shell/dom.js").Root} root
+   * @param {import("../widgets/dom.js").Root} root
    * @param {import("../model/shared-client.js").SharedClient} client
    */
   constructor(root, client) {
@@ -66,7 +66,7 @@ export class Bend extends Component {
   open(session) {
     super.open(session);
     if (this.#draft && JSON.stringify(this.#draft.scene) !== JSON.stringify(sceneOf(session))) this.#setDraft(null);
-    session.bending = this.#visible;
+    this.listenTo(session, "draft", (event) => this.#onWanted(/** @type {CustomEvent} */ (event).detail));
     this.listen("change", () => this.dispatchEvent(new Event("bend")));
   }
 
@@ -76,14 +76,13 @@ export class Bend extends Component {
     if (!this.#committing) this.#setDraft(null);
   }
 
-  /** @param {import("../shell/url-state.js").View} view */
+  /** @param {import("../state/view.js").View} view */
   setState({ panel, hide }) {
     const left = this.#visible && panel !== "bend";
     this.#visible = panel === "bend";
     this.#live.imagines = !hide.includes("imagine");
     if (!this.session) return;
-    this.session.bending = this.#visible;
-    this.#applySettle();
+    this.#tellSession();
     if (left) this.#commit();
     if (this.#visible && !this.#draft) this.#begin(this.session);
   }
@@ -191,21 +190,27 @@ export class Bend extends Component {
     clearTimeout(this.#timer);
     if (!this.pen.dragging) this.#timer = setTimeout(() => this.#commit(), REST);
     if (this.session?.refusal) this.session.refuse(null);
-    this.#applySettle();
+    this.#tellSession();
   }
 
-  /** Tells the session what is seen in its place. What may not be played is seen on this panel alone. */
-  #applySettle() {
-    const { session } = this;
-    if (!session) return;
-    const isSeen = this.#problems.length > 0 ? this.#visible : !this.#isPuzzle;
-    session.settle = isSeen ? () => this.#settled() : null;
+  /** Tells the session whether the draft is seen in its place. What may not be played is seen on this panel alone. */
+  #tellSession() {
+    this.session?.edit({ draft: this.#problems.length > 0 ? this.#visible : !this.#isPuzzle });
+  }
+
+  /**
+   * The person wants the draft to run.
+   * @param {(session: import("../play/session.js").Session) => void} act
+   */
+  async #onWanted(act) {
+    const session = await this.settle();
+    if (session) act(session);
   }
 
   async #commit() {
     const draft = this.#draft;
     // Last: a puzzle that is opened announces its state.
-    if (draft && (await this.settle()))
+    if (draft && (await this.#becomePuzzle()))
       this.announce(
         [wordsOf(draft.scene, draft.selected), ...this.#problems.map(({ sentence }) => sentence)].join(" "),
       );
@@ -215,7 +220,7 @@ export class Bend extends Component {
    * Makes the draft the puzzle of all panels, if it may be played and is another. Returns false if it has been bent
    * further or was left meanwhile.
    */
-  async settle() {
+  async #becomePuzzle() {
     clearTimeout(this.#timer);
     const draft = this.#draft;
     if (!draft || !this.session) return false;
@@ -242,15 +247,14 @@ export class Bend extends Component {
   }
 
   /**
-   * The session of the scene as it has been bent; null if it may not be played, or was bent further or left meanwhile.
+   * Makes what is seen the puzzle, and returns its session; null if it may not be played, or was bent further or left
+   * meanwhile.
    */
-  async #settled() {
+  async settle() {
     const [problem] = this.#problems;
-    if (problem) {
-      this.session?.refuse(problem.sentence);
-      return null;
-    }
-    return (await this.settle()) ? this.session : null;
+    if (problem && this.#visible) this.session?.refuse(problem.sentence);
+    else if (await this.#becomePuzzle()) return this.session;
+    return null;
   }
 
   /** Updates the panel before the next frame, once however often the draft changes. */

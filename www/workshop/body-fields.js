@@ -1,7 +1,7 @@
 // The bodies of a draft as a list to select from, and the numbers of the selected one as fields.
 
-import { Component } from "../shell/component.js";
-import { createButton, setText } from "../shell/dom.js";
+import { Component } from "../widgets/component.js";
+import { createButton, setText } from "../widgets/dom.js";
 import { SIZES, sizeOf } from "./body-geometry.js";
 import { degreesOf, nameOf, rounded } from "./body-words.js";
 
@@ -23,7 +23,7 @@ export class BodyFields extends Component {
   };
   #dynamic = this.byId("bend-dynamic", HTMLInputElement);
 
-  /** @param {import("../shell/dom.js").Root} root */
+  /** @param {import("../widgets/dom.js").Root} root */
   constructor(root) {
     super(root);
     this.byId("bend-fields").addEventListener("submit", (event) => event.preventDefault());

@@ -1,18 +1,17 @@
 // The bodies of an own scene as a person handles them: where a pointer meets one, where its knobs are, and what
 // dragging a knob makes of it. Lengths in px, y up, angles in radians counter-clockwise. Draws nothing.
 
+import { HALF_STICK, JAR_BASE, JAR_HEIGHT_PER_WIDTH, STICK_LEAN } from "../shell/constants.js";
+
 /** @typedef {import("../pkg/pathlight.js").OwnBody} OwnBody */
 /** @typedef {OwnBody["shape"]} ShapeType */
 /** @typedef {"radius" | "length" | "thickness" | "height"} Size */
 /** @typedef {[x: number, y: number]} Point px of the scene, from its lower left corner */
 
-/** What standing sticks lean from the horizontal, radians; `layout.rs` makes them so. */
-const STICK_ANGLE = (77.5 / 180) * Math.PI;
-/** Half the thickness of a stick, and about that of the wall of a jar, px. */
-const HALF_STICK = 1.7;
-/** A jar is this much narrower than high at its rim, and narrower still at its base. */
-const JAR_WIDTH = 1 / 1.2;
-const JAR_BASE = 0.8;
+/** How far standing sticks lean from the horizontal, radians. */
+const STICK_ANGLE = (STICK_LEAN / 180) * Math.PI;
+/** Width of a jar's rim in heights of the jar. */
+const JAR_WIDTH = 1 / JAR_HEIGHT_PER_WIDTH;
 /** How far the knob that turns a body is from it, px. */
 const TURN_DISTANCE = 14;
 /** The least distance of a knob from the edge of the scene, px. */

@@ -2,8 +2,8 @@
 // compares with the benchmark. The easiest ball stays hidden until it is asked for. It can be stopped, and ends when
 // the puzzle is left. What is bent so that it may not be played is not searched.
 
-import { Component } from "../shell/component.js";
-import { find, setText } from "../shell/dom.js";
+import { Component } from "../widgets/component.js";
+import { find, setText } from "../widgets/dom.js";
 import { Search } from "../model/search.js";
 
 /** @typedef {import("../pkg/pathlight.js").FoundSolutions} FoundSolutions */
@@ -18,7 +18,7 @@ export class Check extends Component {
   #revealed = false;
 
   /**
-   * @param {import("../shell/dom.js").Root} root
+   * @param {import("../widgets/dom.js").Root} root
    * @param {import("../model/shared-client.js").SharedClient} client
    * @param {import("./bend.js").Bend} bend
    */
@@ -68,7 +68,7 @@ export class Check extends Component {
     this.#found = null;
     this.#revealed = false;
     this.#search.start((signal) =>
-      this.#client.search(session.played, signal, (found) => {
+      this.#client.call("search", [session.played], signal, (found) => {
         this.#found = found;
         this.#update();
       }),

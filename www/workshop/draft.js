@@ -3,7 +3,7 @@
 // changed. Knows nothing of the document.
 
 import { SCENE_SIZE } from "../shell/constants.js";
-import { pathlight } from "../shell/pathlight.js";
+import { pathlight } from "../shell/page-api.js";
 import { UndoStack } from "../play/undo-stack.js";
 import { SIZES } from "./body-geometry.js";
 import { rounded, wrapped } from "./body-words.js";

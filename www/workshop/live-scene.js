@@ -2,17 +2,17 @@
 // The worker answers the newest scene and leaves out those in between. Fires "live" when there is something else to
 // show.
 
-import { Component } from "../shell/component.js";
+import { Component } from "../widgets/component.js";
 import { GRID_SIDE, STAGES } from "../shell/constants.js";
-import { contextOf, setText } from "../shell/dom.js";
-import { pathlight } from "../shell/pathlight.js";
+import { contextOf, setText } from "../widgets/dom.js";
+import { pathlight } from "../shell/page-api.js";
 import { LatestCall } from "../model/latest-call.js";
 import { summary } from "../model/map-summary.js";
 import { STAGE_TEXT } from "../model/stage-text.js";
 
 /** @typedef {import("../pkg/pathlight.js").OwnScene} OwnScene */
 /** @typedef {import("../pkg/pathlight.js").Stage} Stage */
-/** @typedef {import("../model/messages.js").Watched} Watched */
+/** @typedef {import("../model/worker.js").Watched} Watched */
 
 export class LiveScene extends Component {
   /** May what the nets imagine be shown? */
@@ -34,7 +34,7 @@ export class LiveScene extends Component {
   #watching;
 
   /**
-   * @param {import("../shell/dom.js").Root} root
+   * @param {import("../widgets/dom.js").Root} root
    * @param {import("../model/shared-client.js").SharedClient} client
    */
   constructor(root, client) {
@@ -48,7 +48,7 @@ export class LiveScene extends Component {
       this.#show();
     };
     this.#imagining = new LatestCall(
-      (/** @type {OwnScene} */ scene, signal) => client.imagine(scene, signal),
+      (/** @type {OwnScene} */ scene, signal) => client.call("imagine", [scene], signal),
       ({ maps }) => {
         this.#maps = maps;
         this.#failure = null;
@@ -57,7 +57,7 @@ export class LiveScene extends Component {
       onFailure,
     );
     this.#watching = new LatestCall(
-      (/** @type {OwnScene} */ scene, signal) => client.watch(scene, signal),
+      (/** @type {OwnScene} */ scene, signal) => client.call("watch", [scene], signal),
       (watched) => {
         this.#showWatched(watched);
       },

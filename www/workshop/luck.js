@@ -1,7 +1,8 @@
 // "Luck or plan?", for a ball of the player's that solved: how many of the balls within a pixel of it solve too.
 
-import { Component } from "../shell/component.js";
-import { setText } from "../shell/dom.js";
+import { Component } from "../widgets/component.js";
+import { sameBall } from "../puzzles/ball.js";
+import { setText } from "../widgets/dom.js";
 
 /** At least this share of the balls beside it solves: a plan. At most the other: luck. */
 const PLAN = 2 / 3;
@@ -14,11 +15,14 @@ export class Luck extends Component {
    * @type {AbortController | null}
    */
   #call = null;
-  /** The ball that the sentence is about. */
-  #asked = "";
+  /**
+   * The ball that the sentence is about, or null.
+   * @type {import("../pkg/pathlight.js").Ball | null}
+   */
+  #asked = null;
 
   /**
-   * @param {import("../shell/dom.js").Root} root
+   * @param {import("../widgets/dom.js").Root} root
    * @param {import("../model/shared-client.js").SharedClient} client
    */
   constructor(root, client) {
@@ -38,7 +42,7 @@ export class Luck extends Component {
     super.close();
     this.#call?.abort();
     this.#call = null;
-    this.#asked = "";
+    this.#asked = null;
   }
 
   /** The ball of the attempt that is shown, if it is the player's and solved. */
@@ -54,10 +58,10 @@ export class Luck extends Component {
     if (!this.#client.alive) this.requestModel();
     this.#call?.abort();
     const call = (this.#call = new AbortController());
-    this.#asked = String(ball);
+    this.#asked = ball;
     this.#say("The computer tries the balls beside yours.");
     try {
-      const found = await this.#client.luck(session.played, ball, call.signal);
+      const found = await this.#client.call("luck", [session.played, ball], call.signal);
       if (!call.signal.aborted) this.#say(words(found));
     } catch (error) {
       if (!call.signal.aborted) this.#say(/** @type {Error} */ (error).message);
@@ -73,9 +77,9 @@ export class Luck extends Component {
   #update() {
     const ball = this.#ball;
     this.byId("luck").hidden = ball === null;
-    if (ball && String(ball) !== this.#asked) {
+    if (ball && !sameBall(ball, this.#asked)) {
       this.#call?.abort();
-      this.#asked = "";
+      this.#asked = null;
       setText(this.byId("luck-words"), "");
     }
   }

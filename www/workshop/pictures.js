@@ -1,10 +1,10 @@
 // Saves what the scene shows: as a picture, or a run as a film, for which the run is drawn once more. Everything
 // happens in this browser.
 
-import { Component } from "../shell/component.js";
+import { Component } from "../widgets/component.js";
 import { STEPS_PER_SECOND } from "../shell/constants.js";
-import { contextOf, setText } from "../shell/dom.js";
-import { download, fileName } from "../shell/download.js";
+import { contextOf, setText } from "../widgets/dom.js";
+import { download, fileName } from "../widgets/download.js";
 import { paintStill } from "../play/still.js";
 import { filmFormat, recorded } from "./film.js";
 
@@ -22,7 +22,7 @@ export class Pictures extends Component {
    */
   #recording = null;
 
-  /** @param {import("../shell/dom.js").Root} root */
+  /** @param {import("../widgets/dom.js").Root} root */
   constructor(root) {
     super(root);
     this.byId("save-picture").addEventListener("click", () => this.#savePicture());

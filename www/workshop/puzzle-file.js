@@ -1,14 +1,15 @@
 // Puzzles as files: the JSON of one scene, or an array of several. What is read is checked whole before anything is
 // made of it.
 
-import { download, fileName } from "../shell/download.js";
-import { pathlight } from "../shell/pathlight.js";
-import { sceneName } from "../shell/puzzle-name.js";
+import { download, fileName } from "../widgets/download.js";
+import { pathlight } from "../shell/page-api.js";
+import { sceneName } from "../puzzles/puzzle-name.js";
+import { FileProblem, inSlices } from "../storage/slices.js";
 import { plainScene } from "./plain-scene.js";
 
 /** @typedef {import("../pkg/pathlight.js").OwnScene} OwnScene */
 
-/** More than a browser keeps, bytes. */
+/** Parsed at once; more would freeze the page, bytes. */
 const MAX_SIZE = 8e6;
 
 /**
@@ -33,32 +34,46 @@ function jsonBlob(value) {
 }
 
 /**
- * Returns the puzzles of a file. Rejects with a sentence if it holds none, or one that may not be played.
+ * Returns the puzzles of a file. Rejects with a FileProblem if it holds none, or one that may not be played.
  * @param {File} file
+ * @param {Parameters<typeof inSlices>[1]} [slices]
  * @returns {Promise<OwnScene[]>}
  */
-export async function readPuzzles(file) {
+export async function readPuzzles(file, slices) {
   if (/\.jsonl$/i.test(file.name)) {
-    throw new Error(
+    throw new FileProblem(
       `${file.name} is a file of attempts, not of puzzles: open a puzzle, and then the file by “Open attempts”. Nothing was changed.`,
     );
   }
   const foreign = `${file.name} is not a file of puzzles from Pathlight. Nothing was changed.`;
-  if (file.size > MAX_SIZE) throw new Error(foreign);
+  if (file.size > MAX_SIZE)
+    throw new FileProblem(`${file.name} is larger than ${MAX_SIZE / 1e6} MB. Split it. Nothing was changed.`);
   /** @type {unknown} */
   let value;
   try {
     value = JSON.parse(await file.text());
   } catch {
-    throw new Error(foreign);
+    throw new FileProblem(foreign);
   }
   const scenes = Array.isArray(value) ? value : [value];
-  if (scenes.length === 0) throw new Error(`${file.name} holds no puzzle.`);
-  scenes.forEach((scene, index) => {
+  if (scenes.length === 0) throw new FileProblem(`${file.name} holds no puzzle.`);
+  return inSlices(playable(file.name, scenes), slices);
+}
+
+/**
+ * @param {string} name of the file
+ * @param {any[]} scenes
+ */
+function* playable(name, scenes) {
+  /** @type {OwnScene[]} */
+  const plain = [];
+  for (const scene of scenes) {
     const [problem] = pathlight.sceneProblems(scene);
-    if (!problem) return;
-    const which = scenes.length > 1 ? `Puzzle ${index + 1} of ${file.name}` : file.name;
-    throw new Error(`${which} cannot be played: ${problem.sentence} Nothing was changed.`);
-  });
-  return scenes.map(plainScene);
+    if (problem) {
+      const which = scenes.length > 1 ? `Puzzle ${plain.length + 1} of ${name}` : name;
+      throw new FileProblem(`${which} cannot be played: ${problem.sentence} Nothing was changed.`);
+    }
+    yield plain.push(plainScene(scene)) / scenes.length;
+  }
+  return plain;
 }

@@ -2,13 +2,13 @@
 // worker, says whether the same comes out to the bit, and replays it. Also the badge on a run that has ended: the first
 // characters of its digest.
 
-import { Component } from "../shell/component.js";
+import { Component } from "../widgets/component.js";
 import { AGENTS_VERSION } from "../shell/constants.js";
-import { createButton, setText } from "../shell/dom.js";
-import { pathlight } from "../shell/pathlight.js";
-import { sceneName } from "../shell/puzzle-name.js";
+import { createButton, setText } from "../widgets/dom.js";
+import { pathlight } from "../shell/page-api.js";
+import { sceneName } from "../puzzles/puzzle-name.js";
 import { readNativeAttempts } from "../model/native-attempts.js";
-import { readAttempts, saveAttempts } from "./attempt-file.js";
+import { MOST_ATTEMPTS, readAttempts, saveAttempts } from "./attempt-file.js";
 import { textOfScene } from "./scene-link.js";
 
 /** @typedef {import("../pkg/pathlight.js").AttemptLine} AttemptLine */
@@ -17,6 +17,10 @@ import { textOfScene } from "./scene-link.js";
 
 /** So many characters of a digest tell two runs apart for the eye. */
 const BADGE_LENGTH = 8;
+/** So many attempts go to the worker at once. */
+const BATCH = 50;
+/** So many attempts of a file are listed. */
+const LISTED = 500;
 
 export class Replays extends Component {
   #client;
@@ -36,7 +40,7 @@ export class Replays extends Component {
   #known = null;
 
   /**
-   * @param {import("../shell/dom.js").Root} root
+   * @param {import("../widgets/dom.js").Root} root
    * @param {import("../model/shared-client.js").SharedClient} client
    */
   constructor(root, client) {
@@ -71,11 +75,8 @@ export class Replays extends Component {
       ...attemptsBy(session.attempts.modelName ?? "model", session.attempts.of("model")),
     ];
     this.#tell(async (signal) => {
-      const lines = await this.#client.attemptLines(
-        session.played,
-        made.map(({ ball }) => ball),
-        signal,
-      );
+      const balls = made.map(({ ball }) => ball);
+      const lines = await this.#client.call("attemptLines", [session.played, balls], signal);
       saveAttempts(
         name,
         lines.map((line, index) => ({ ...line, ...made[index] })),
@@ -89,13 +90,46 @@ export class Replays extends Component {
     this.#input.value = "";
     if (!file) return;
     this.#tell(async (signal) => {
-      const lines = await readAttempts(file);
+      const { attempts, left } = await readAttempts(file, {
+        signal,
+        onProgress: (done) => setText(this.byId("attempts-words"), `${Math.floor(100 * done)} % of the file is read.`),
+      });
       if (!signal.aborted) this.#say("Each attempt is simulated again.");
-      const verifications = await this.#client.verify(lines, signal);
-      this.byId("attempts-read").replaceChildren(...lines.map((line, index) => this.#item(line, verifications[index])));
-      const same = verifications.filter(({ verdict }) => verdict === "same").length;
-      return (this.#listWords = `${file.name}: ${same} of ${lines.length} attempts come out the same to the bit.`);
+      const { done, same } = await this.#verify(attempts, signal);
+      const sentences = [`${file.name}: ${same} of ${done} attempts come out the same to the bit.`];
+      if (done < attempts.length) sentences.push(`You stopped before the other ${attempts.length - done}.`);
+      if (done > LISTED) sentences.push(`The first ${LISTED} are listed.`);
+      if (left > 0)
+        sentences.push(`${left} more are in the file: the page reads ${MOST_ATTEMPTS}, “pathlight verify” all.`);
+      return (this.#listWords = sentences.join(" "));
     });
+  }
+
+  /**
+   * Simulates attempts again, some at a time, and lists them, until all are done or the person stops it.
+   * @param {unknown[]} attempts
+   * @param {AbortSignal} signal
+   */
+  async #verify(attempts, signal) {
+    const list = this.byId("attempts-read");
+    const stop = new AbortController();
+    const last = document.createElement("li");
+    last.append(createButton("Stop", () => stop.abort()));
+    list.replaceChildren(last);
+    let [done, same] = [0, 0];
+    while (done < attempts.length && !stop.signal.aborted && !signal.aborted) {
+      const batch = attempts.slice(done, done + BATCH);
+      const verifications = await this.#client
+        .call("verify", [batch], signal)
+        .finally(() => signal.aborted && last.remove());
+      const listed = batch.slice(0, Math.max(0, LISTED - done));
+      last.before(...listed.map((attempt, index) => this.#item(attempt, verifications[index])));
+      same += verifications.filter(({ verdict }) => verdict === "same").length;
+      done += batch.length;
+      setText(this.byId("attempts-words"), `${done} of ${attempts.length} attempts are simulated again.`);
+    }
+    last.remove();
+    return { done, same };
   }
 
   /**
@@ -162,7 +196,7 @@ export class Replays extends Component {
     if (!line) return;
     this.#tell(async (signal) => {
       const native = await readNativeAttempts();
-      const [again, ...others] = await this.#client.verify([line, ...native], signal);
+      const [again, ...others] = await this.#client.call("verify", [[line, ...native]], signal);
       const agrees =
         again.verdict === "same"
           ? "A second instance of the simulator has just computed the same, to the bit."

@@ -2,7 +2,7 @@
 // sentence, and nothing larger than a scene may be is unpacked. Knows nothing of the document.
 
 import { failure } from "../api/failure.js";
-import { pathlight } from "../shell/pathlight.js";
+import { pathlight } from "../shell/page-api.js";
 import { plainScene } from "./plain-scene.js";
 
 /** @typedef {import("../pkg/pathlight.js").OwnScene} OwnScene */

@@ -1,9 +1,10 @@
 // What can be done with the puzzle that has been made: name it, keep it in this browser, save it as a file.
 
-import { Component } from "../shell/component.js";
-import { setText } from "../shell/dom.js";
-import { sceneName } from "../shell/puzzle-name.js";
-import { ownPuzzles } from "./own-puzzles.js";
+import { Component } from "../widgets/component.js";
+import { setText } from "../widgets/dom.js";
+import { sceneName } from "../puzzles/puzzle-name.js";
+import { ownPuzzles } from "../storage/puzzle-store.js";
+import { plainScene } from "./plain-scene.js";
 import { savePuzzle } from "./puzzle-file.js";
 
 export class ShareOwn extends Component {
@@ -16,7 +17,7 @@ export class ShareOwn extends Component {
   #kept = null;
 
   /**
-   * @param {import("../shell/dom.js").Root} root
+   * @param {import("../widgets/dom.js").Root} root
    * @param {import("./bend.js").Bend} bend
    * @param {boolean} keeps whether this browser may keep puzzles for the page
    */
@@ -34,7 +35,7 @@ export class ShareOwn extends Component {
   #keep() {
     const scene = this.#bend.playable;
     if (!scene) return;
-    const failure = ownPuzzles().add([scene]);
+    const { failure } = ownPuzzles().add([plainScene(scene)]);
     this.#kept = scene;
     this.#say(
       failure ?? `“${sceneName(scene)}” is kept in this browser: it is in the grid, after the benchmark’s puzzles.`,

@@ -1,9 +1,6 @@
 //! The lines that an agent is told: a task or a scene to begin with, and what became of a ball.
 
-use std::io::{self, BufRead, Read};
-
 use anyhow::{Context, bail};
-use pathlight::play::played::Played;
 use pathlight::puzzle::action::Ball;
 use pathlight::puzzle::own_scene::sentences;
 use pathlight::puzzle::recorded_paths::RecordedPaths;
@@ -11,11 +8,14 @@ use pathlight::puzzle::rollout::Status;
 use pathlight::puzzle::sampled_paths::SampledPaths;
 use pathlight::puzzle::scene::Scene;
 use pathlight::puzzle::task::TaskId;
+use pathlight::session::played::Played;
 use serde::Deserialize;
 use serde_json::Value;
 
+use super::super::json_lines;
+
 /// Longest line, bytes. The paths of a rollout need about 10,000, a scene less.
-const MAX_LINE: u64 = 1 << 18;
+pub const MAX_LINE: usize = 1 << 18;
 
 const EXAMPLES: &str = r#"write a line like {"task":"00007:008"} or {"status":"not_solved"}"#;
 
@@ -47,11 +47,7 @@ impl Line {
     /// # Errors
     /// Says what is wrong with the line, and how to write it.
     pub fn parse(line: &[u8]) -> anyhow::Result<Line> {
-        let keys: Keys = serde_json::from_slice(line).map_err(|error| {
-            // The parser sees a single line and calls it line 1.
-            anyhow::anyhow!("{}; {EXAMPLES}", error.to_string().replace(" at line 1 column", " at column"))
-        })?;
-        match keys {
+        match json_lines::parse::<Keys>(line, EXAMPLES)? {
             Keys { task, scene: None, ball, status: Some(status), paths } => {
                 let sampled = |paths: RecordedPaths| {
                     paths.sampled().context(
@@ -80,20 +76,4 @@ fn scene_line(scene: Value) -> anyhow::Result<Line> {
     Played::read(scene)
         .map(|played| Line::Own(Box::new(played)))
         .map_err(|problems| anyhow::anyhow!("{}", sentences(&problems)))
-}
-
-/// Returns the next line, or why it cannot be used; `None` at the end.
-///
-/// # Errors
-/// If the input cannot be read.
-pub fn next_line(source: &mut impl BufRead) -> io::Result<Option<anyhow::Result<Vec<u8>>>> {
-    let mut line = Vec::new();
-    if (&mut *source).take(MAX_LINE).read_until(b'\n', &mut line)? == 0 {
-        return Ok(None);
-    }
-    if line.len() as u64 == MAX_LINE && !line.ends_with(b"\n") {
-        source.skip_until(b'\n')?;
-        return Ok(Some(Err(anyhow::anyhow!("the line is longer than {MAX_LINE} bytes; {EXAMPLES}"))));
-    }
-    Ok(Some(Ok(line)))
 }

@@ -1,12 +1,12 @@
 //! `pathlight agent`: an agent that plays against any simulator, over JSON lines. `simulate --batch - --paths` is the
 //! other side: it reads the agent's lines and writes the lines that the agent reads.
 //!
-//! Each line that is not blank gets exactly one line as its answer, at once, so that a driver that writes one and reads
-//! one never waits in vain. A line that cannot be used is answered with an error and changes nothing.
+//! `json_lines` has the protocol. A line that cannot be used changes nothing.
 
 use std::io::{self, Write};
 
 use anyhow::ensure;
+use pathlight::agents::agent_name::{AgentName, Loaded};
 use pathlight::agents::{Agent, Observation};
 use pathlight::benchmark::auccess::MAX_ATTEMPTS;
 use pathlight::nets::{Dqn, PathNet};
@@ -17,12 +17,12 @@ use pathlight::puzzle::scene::Scene;
 use pathlight::puzzle::task::{Task, TaskId};
 use serde::Serialize;
 
-use super::agent_name::{AgentName, Loaded};
-use super::dqn_args::DqnArgs;
+use super::agent_arg::agent;
 use super::fold_args::FoldArgs;
-use super::model_args::ModelArgs;
+use super::json_lines::{Lines, Numbered, Refusal};
+use super::model_args::{DqnArgs, ModelArgs};
 use super::simulate::whole_numbers;
-use lines::{Line, next_line};
+use lines::{Line, MAX_LINE};
 
 mod lines;
 
@@ -30,22 +30,25 @@ mod lines;
 /// attempts.
 const BALLS: usize = 2 * MAX_ATTEMPTS;
 
-/// Play against any simulator: reads tasks and outcomes as JSON lines, answers each with the next ball
+/// Play against any simulator: read tasks and outcomes as JSON lines, and answer each with the next ball
 ///
-/// {"task":"00007:008"} begins a puzzle; so does {"scene":{"body1","body2","bodies"}} with a scene as `tasks --json`
-/// prints it or an own scene as `tasks --own` prints it. The answer is {"task","ball":[x,y,r]}, px.
-/// {"status":"solved"|"not_solved"|"invalid"} tells what became of the ball;
-/// "paths":{"object":[[x,y,angle],…],"ball":[…]} beside it, the poses at every tenth step from the start in px and
-/// radians, tell what happened and may be missing. The answer is the next ball, or "ball":null once the puzzle is
-/// solved, 100 attempts are made or no ball is left. A line that cannot be used is answered with {"error"} and changes
-/// nothing; if there was one, the command ends with exit code 2.
+/// {"task":"00007:008"} begins a puzzle. So does {"scene":{…}}, with a scene as `tasks --json` or `tasks --own` prints
+/// it. The answer is {"line","task","ball":[x,y,r]}: the number of the line, and the first ball in px.
+///
+/// {"status":"solved"}, "not_solved" or "invalid" is the outcome of that ball. The line may also have
+/// "paths":{"object":[[x,y,angle],…],"ball":[…]}, the poses of the green object and of the ball at the start and at
+/// every tenth step, in px and radians. The answer is the next ball, or "ball":null once the puzzle is solved, 100
+/// attempts are made or no ball is left.
+///
+/// A line that cannot be used changes nothing and is answered with {"line","error"}; if there was one, the exit code is
+/// 2. Blank lines are not answered.
 #[derive(clap::Args)]
 pub struct Args {
     #[command(flatten)]
     fold: FoldArgs,
 
     /// Agent that plays [default: online; from weights without a dynamics net judge, without a judge paper]
-    #[arg(long, value_enum)]
+    #[arg(long, value_parser = agent())]
     agent: Option<AgentName>,
 
     /// Seed of all random draws
@@ -59,31 +62,26 @@ pub struct Args {
     dqn: DqnArgs,
 }
 
-/// An answer to a line.
+/// The answer to a line.
 #[derive(Serialize)]
-#[serde(untagged)]
-enum Answer {
-    Next {
-        /// Absent if the puzzle was given as a scene.
-        #[serde(skip_serializing_if = "Option::is_none")]
-        task: Option<TaskId>,
-        /// Null if there is nothing more to try.
-        #[serde(serialize_with = "whole_numbers")]
-        ball: Option<Ball>,
-    },
-    Error {
-        error: String,
-    },
+struct Answer {
+    /// Absent if the puzzle was given as a scene.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    task: Option<TaskId>,
+    /// Null if there is nothing more to try.
+    #[serde(serialize_with = "whole_numbers")]
+    ball: Option<Ball>,
 }
 
 impl Args {
     pub fn run(self) -> anyhow::Result<()> {
+        let fold = self.fold.into();
         let (agent, nets, dqn) = if self.agent == Some(AgentName::Random) {
             (AgentName::Random, None, None)
         } else if self.agent == Some(AgentName::Dqn) {
-            (AgentName::Dqn, None, Some(self.dqn.load(&self.fold)?.0))
+            (AgentName::Dqn, None, Some(self.dqn.load(fold)?))
         } else {
-            let (nets, _) = self.model.load(&self.fold)?;
+            let nets = self.model.load(fold)?;
             let default = match (&nets.dynamics, &nets.judge) {
                 (Some(_), _) => AgentName::Online,
                 (None, Some(_)) => AgentName::Judge,
@@ -94,17 +92,21 @@ impl Args {
             (agent, Some(nets), None)
         };
         let mut player = Player { agent, nets, dqn, seed: self.seed, puzzle: None };
-        let (mut source, mut out) = (io::stdin().lock(), io::stdout().lock());
+        let mut out = io::stdout().lock();
         let mut refused = 0;
-        while let Some(line) = next_line(&mut source)? {
-            if line.as_ref().is_ok_and(|line| line.trim_ascii().is_empty()) {
+        for read in Lines::new(io::stdin().lock(), MAX_LINE) {
+            let read = read?;
+            if read.is_blank() {
                 continue;
             }
-            let answer = line.and_then(|line| player.answer(Line::parse(&line)?)).unwrap_or_else(|error| {
-                refused += 1;
-                Answer::Error { error: format!("{error:#}") }
-            });
-            serde_json::to_writer(&mut out, &answer)?;
+            let line = read.number;
+            match read.text.and_then(|text| player.answer(Line::parse(&text)?)) {
+                Ok(answer) => serde_json::to_writer(&mut out, &Numbered { line, answer })?,
+                Err(error) => {
+                    refused += 1;
+                    serde_json::to_writer(&mut out, &Numbered { line, answer: Refusal::from(&error) })?;
+                }
+            }
             writeln!(out)?;
             out.flush()?;
         }
@@ -155,7 +157,7 @@ impl Player {
                 puzzle
             }
         };
-        Ok(Answer::Next { task: puzzle.task, ball: puzzle.ball })
+        Ok(Answer { task: puzzle.task, ball: puzzle.ball })
     }
 
     fn begin(&mut self, task: Option<TaskId>, seed: u64, scene: &Scene) -> &Puzzle {

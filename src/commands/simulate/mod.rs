@@ -1,19 +1,20 @@
 //! `pathlight simulate`: the outcome of a ball in a task or an own scene, for one ball or for a file of them.
 //!
-//! Both ways print the same JSON line: task, ball in px, status, reason if it is invalid, and steps.
+//! Both ways print the same JSON line: task, action if one was asked for, ball in px, status, reason if it is invalid,
+//! and steps. A batch puts the number of the line before it.
 
 use std::io::{self, Write};
 use std::path::PathBuf;
 
 use clap::ArgGroup;
-use pathlight::play::luck::{Luck, luck};
-use pathlight::play::played::Played;
-use pathlight::play::verification::AttemptLine;
 use pathlight::puzzle::action::{Action, Ball, Invalid};
 use pathlight::puzzle::recorded_paths::RecordedPaths;
 use pathlight::puzzle::rollout::{Pose, Rollout, Status};
 use pathlight::puzzle::task::{Task, TaskId};
+use pathlight::search::luck::{Luck, luck};
+use pathlight::session::played::Played;
 use pathlight::simulator::{Engine, Outcome};
+use pathlight::verification::AttemptLine;
 use serde::{Serialize, Serializer};
 
 use super::engine_arg::EngineArg;
@@ -24,7 +25,7 @@ mod start;
 
 use start::Start;
 
-/// Simulate one ball in a task, or a batch of them, and print the outcome as JSON
+/// Simulate one ball in a task, or a batch of balls, and print the outcome as JSON
 #[derive(clap::Args)]
 #[command(group(ArgGroup::new("what").args(["task", "scene", "batch"]).required(true)))]
 pub struct Args {
@@ -32,11 +33,11 @@ pub struct Args {
     #[arg(long)]
     task: Option<TaskId>,
 
-    /// Simulate the own scene of this file, JSON as `tasks --schema` describes it
+    /// Simulate the own scene of this file ("-" is standard input), JSON as `tasks --schema` describes it
     #[arg(long, value_name = "FILE")]
     scene: Option<PathBuf>,
 
-    /// Place the ball by an action: three numbers in 0..1
+    /// Place the ball by an action: three numbers from 0 to 1
     #[arg(long, value_name = "x,y,r", value_parser = start::parse_action, allow_hyphen_values = true, conflicts_with = "ball")]
     action: Option<Action>,
 
@@ -48,8 +49,8 @@ pub struct Args {
     #[arg(long)]
     poses: bool,
 
-    /// Also print the poses of the green object and of the ball at every tenth step, for an agent that observes its
-    /// attempts; without a ball there are none
+    /// Also print the poses of the green object and of the ball at every tenth step, if there is a ball, for an agent
+    /// that observes its attempts
     #[arg(long)]
     paths: bool,
 
@@ -57,14 +58,18 @@ pub struct Args {
     #[arg(long, conflicts_with_all = ["poses", "paths"])]
     verifiable: bool,
 
-    /// Also print, of the balls within a pixel in x, y and radius, how many may be placed and how many solve, and
-    /// whether the ball itself solves with --engine rapier: luck or a plan?
+    /// Also print whether the ball solves by luck: how many of the 27 balls within a pixel in x, y and radius may be
+    /// placed and how many of these solve, and whether the ball itself solves with --engine rapier
     #[arg(long, conflicts_with_all = ["verifiable", "batch", "engine"])]
     luck: bool,
 
-    /// Simulate each line of this file ("-" is standard input) on all cores: {"task":"00007:008","ball":[X,Y,R]}, with
-    /// "scene":{…}, an own scene, instead of "task"; with "action":[x,y,r] instead of "ball", or with "ball":null for
-    /// no ball
+    /// Simulate each line of this file ("-" is standard input) on all cores
+    ///
+    /// A line is {"task":"00007:008","ball":[X,Y,R]}. An own scene takes the place of the task as "scene":{…}, and an
+    /// action that of the ball as "action":[x,y,r]; "ball":null simulates without a ball. Each line that is not blank
+    /// is answered, in order, with the outcome and "line", its number; with --verifiable without the number. A line
+    /// that cannot be used is answered with {"line","error"} and named on standard error; if there was one, the exit
+    /// code is 2.
     #[arg(long, value_name = "FILE", conflicts_with_all = ["task", "scene", "action", "ball", "poses"])]
     batch: Option<String>,
 
@@ -93,7 +98,7 @@ impl Args {
         } else {
             let rollout = ball.and_then(|ball| engine.simulate(&played.scene, ball));
             let placed = ball.ok().flatten();
-            let answer = Answer::of_rollout(&played, placed, &rollout, engine, self.paths);
+            let answer = Answer::of_rollout(&played, start, placed, &rollout, engine, self.paths);
             let luck = placed.filter(|_| self.luck).map(|ball| luck(&played.scene, ball));
             let poses = rollout.as_ref().ok().filter(|_| self.poses).map(Poses::of);
             serde_json::to_string(&ResultLine { answer, luck, poses })
@@ -123,6 +128,9 @@ struct Answer {
     /// Absent for an own scene.
     #[serde(skip_serializing_if = "Option::is_none")]
     task: Option<TaskId>,
+    /// Absent if a ball in px was asked for, or none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    action: Option<Action>,
     /// px; null if there is none: none was asked for, or the action places none.
     #[serde(serialize_with = "whole_numbers")]
     ball: Option<Ball>,
@@ -142,6 +150,7 @@ struct Answer {
 impl Answer {
     fn of_rollout(
         played: &Played,
+        start: Start,
         ball: Option<Ball>,
         rollout: &Result<Rollout, Invalid>,
         engine: Engine,
@@ -150,16 +159,22 @@ impl Answer {
         let outcome = rollout.as_ref().map(|rollout| Outcome { solved: rollout.solved, steps: rollout.steps });
         let simulated = rollout.as_ref().ok().filter(|_| with_paths);
         let paths = simulated.and_then(|rollout| RecordedPaths::of(rollout, &played.scene));
-        Answer { paths, ..Answer::new(played.id.task(), ball, engine, outcome.map_err(|invalid| *invalid)) }
+        Answer { paths, ..Answer::new(played.id.task(), start, ball, engine, outcome.map_err(|invalid| *invalid)) }
     }
 
-    fn new(task: Option<TaskId>, ball: Option<Ball>, engine: Engine, outcome: Result<Outcome, Invalid>) -> Answer {
+    fn new(
+        task: Option<TaskId>,
+        start: Start,
+        ball: Option<Ball>,
+        engine: Engine,
+        outcome: Result<Outcome, Invalid>,
+    ) -> Answer {
         let (status, reason, steps) = match outcome {
             Ok(Outcome { solved: true, steps }) => (Status::Solved, None, steps),
             Ok(Outcome { solved: false, steps }) => (Status::NotSolved, None, steps),
             Err(invalid) => (Status::Invalid, Some(invalid.to_string()), 0),
         };
-        Answer { task, ball, engine, status, reason, steps, paths: None }
+        Answer { task, action: start.action(), ball, engine, status, reason, steps, paths: None }
     }
 }
 

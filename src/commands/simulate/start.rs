@@ -17,6 +17,14 @@ pub enum Start {
 }
 
 impl Start {
+    /// The action, if it is one.
+    pub fn action(self) -> Option<Action> {
+        match self {
+            Start::Ball(_) => None,
+            Start::Action(action) => Some(action),
+        }
+    }
+
     /// The ball to simulate, if any. A ball in px is left for the simulator to check.
     ///
     /// # Errors
@@ -91,7 +99,7 @@ fn whole(ball: Ball) -> Result<Ball, &'static str> {
 
 /// Parses `x,y,r` of an action.
 pub fn parse_action(text: &str) -> Result<Action, &'static str> {
-    three_numbers(text).map(Action::from).ok_or("an action is three numbers in 0..1, like 0.5,0.8,0.4")
+    three_numbers(text).map(Action::from).ok_or("an action is three numbers from 0 to 1, like 0.5,0.8,0.4")
 }
 
 /// Parses `X,Y,R` of a ball.

@@ -58,7 +58,8 @@ impl Layer<'_> {
     /// output.
     pub fn conv_up_backward(&self, x: &[f32], y: Option<&[f32]>, dy: &[f32]) -> Gradients {
         let geometry = &self.geometry;
-        let (channels, cells) = (geometry.coarse_channels, geometry.coarse_cells());
+        let channels = geometry.coarse_channels;
+        let cells = geometry.coarse_cells();
         let mut dx = vec![0.0; x.len()];
         let zeros = vec![0.0; geometry.coarse_channels];
         let ParameterGradients { weight, bias } =
@@ -67,7 +68,8 @@ impl Layer<'_> {
                 let dy = relu_backward(&dy[range.clone()], y.map(|y| &y[range]));
                 add_channel_sums(&mut gradients.bias, &dy, geometry.fine_cells());
                 if DirectConv::fits(geometry) {
-                    let (x, gradient) = (&x[group.coarse(geometry)], &mut gradients.weight);
+                    let x = &x[group.coarse(geometry)];
+                    let gradient = &mut gradients.weight;
                     WeightGradient { geometry, coarse: x, fine: &dy, gradient }.compute();
                     DirectConv { geometry, weight: self.weight, bias: &zeros, relu: false, x: &dy, y: dx }.conv_down();
                     return;

@@ -76,10 +76,11 @@ impl WithSimd for ConvDown<'_> {
             for (block, y) in y.chunks_exact_mut(CHANNELS * geometry.coarse_cells()).enumerate() {
                 let channels = block * CHANNELS..(block + 1) * CHANNELS;
                 for (index, weight) in weight[channels.start * taps..].chunks_exact(taps).take(CHANNELS).enumerate() {
-                    for (pairs, kernel) in packed.iter_mut().zip(weight.as_chunks::<16>().0) {
+                    for (pairs, kernel) in packed.iter_mut().zip(kernels(weight)) {
                         for (pair, [left, right]) in pairs.iter_mut().enumerate() {
-                            let tap = pair / 2 * 4 + pair % 2;
-                            (left[index], right[index]) = (kernel[tap], kernel[tap + 2]);
+                            let (row, phase) = (pair / 2, pair % 2);
+                            left[index] = kernel[row][phase];
+                            right[index] = kernel[row][phase + 2];
                         }
                     }
                 }
@@ -130,18 +131,20 @@ fn conv_up<S: Simd, const REGISTERS: usize, const CHANNELS: usize>(simd: S, laye
         for (block, y) in y.chunks_exact_mut(CHANNELS * geometry.fine_cells()).enumerate() {
             let channels = block * CHANNELS..(block + 1) * CHANNELS;
             for (phase, packed) in packed.iter_mut().enumerate() {
-                for (pairs, kernels) in packed.iter_mut().zip(weight.chunks_exact(16 * geometry.fine_channels)) {
-                    for (index, kernel) in kernels.as_chunks::<16>().0[channels.clone()].iter().enumerate() {
-                        // The farthest coarse cell up and left meets the last tap of the phase.
-                        let last = (3 - phase / 2) * 4 + 3 - phase % 2;
-                        for (pair, [left, right]) in pairs.iter_mut().enumerate() {
-                            (left[index], right[index]) = (kernel[last - 8 * pair], kernel[last - 8 * pair - 2]);
+                let rows = taps_of_phase(phase / 2);
+                let columns = taps_of_phase(phase % 2);
+                for (pairs, weight) in packed.iter_mut().zip(weight.chunks_exact(16 * geometry.fine_channels)) {
+                    for (index, kernel) in kernels(weight)[channels.clone()].iter().enumerate() {
+                        for ([left, right], row) in pairs.iter_mut().zip(rows) {
+                            left[index] = kernel[row][columns[0]];
+                            right[index] = kernel[row][columns[1]];
                         }
                     }
                 }
             }
             for fine_row in 0..2 * side {
-                let (row, phase) = (fine_row / 2, fine_row % 2);
+                let row = fine_row / 2;
+                let phase = fine_row % 2;
                 for column in (0..side).step_by(REGISTERS * S::F32_LANES) {
                     let at = (row + phase) * planes.row + column;
                     let even = tile::<S, REGISTERS, CHANNELS, 2>(simd, &planes, at, &offsets, &packed[2 * phase]);
@@ -160,6 +163,30 @@ fn conv_up<S: Simd, const REGISTERS: usize, const CHANNELS: usize>(simd: S, laye
             }
         }
     }
+}
+
+/// The 4 x 4 kernels of some weights, row by row.
+#[inline(always)]
+fn kernels(weight: &[f32]) -> &[[[f32; 4]; 4]] {
+    weight.as_chunks::<4>().0.as_chunks::<4>().0
+}
+
+/// The taps of `conv_up` that reach the even fine cells (phase 0) or the odd ones (phase 1) of a row or of a column, in
+/// the order of the coarse cells that they are multiplied with. A coarse cell spreads over four fine cells, from the
+/// one before its own two to the one after them:
+///
+/// ```text
+/// fine cells            2i-1   2i   2i+1  2i+2
+/// tap of coarse i-1      2      3
+/// tap of coarse i        0      1     2     3
+/// tap of coarse i+1                   0     1
+/// ```
+///
+/// So the even cell 2i is coarse i-1 by tap 3 and coarse i by tap 1; the odd cell 2i+1 is coarse i by tap 2 and coarse
+/// i+1 by tap 0.
+#[inline(always)]
+fn taps_of_phase(phase: usize) -> [usize; 2] {
+    [3 - phase, 1 - phase]
 }
 
 #[inline(always)]

@@ -30,7 +30,8 @@ impl Layer<'_> {
     /// Convolution, bias and ReLU: `[batch, fine_channels, 2 n, 2 n]` to `[batch, coarse_channels, n, n]`.
     pub fn conv_down(&self, x: &[f32], bias: &[f32]) -> Vec<f32> {
         let geometry = &self.geometry;
-        let (channels, cells) = (geometry.coarse_channels, geometry.coarse_cells());
+        let channels = geometry.coarse_channels;
+        let cells = geometry.coarse_cells();
         let batch = x.len() / geometry.fine_len();
         let mut y = vec![0.0; batch * geometry.coarse_len()];
         self.for_each_group(&mut y, geometry.coarse_len(), |group, y| {
@@ -71,7 +72,8 @@ impl Layer<'_> {
             matmul(&mut columns.data, columns.stride, self.matrix().transposed(), x);
             columns.col2im(geometry, y);
             for (index, y) in y.chunks_exact_mut(geometry.fine_cells()).enumerate() {
-                let (bias, least) = (bias[index % geometry.fine_channels], if relu { 0.0 } else { f32::NEG_INFINITY });
+                let bias = bias[index % geometry.fine_channels];
+                let least = if relu { 0.0 } else { f32::NEG_INFINITY };
                 for y in y {
                     *y = at_least(*y + bias, least);
                 }

@@ -238,7 +238,8 @@ mod tests {
             let (a, b) = (values(rows * depth), values(depth * (columns + 16)));
             let b = Matrix::new(&b, depth, columns, columns + 16);
             for a in [Matrix::new(&a, rows, depth, depth), Matrix::new(&a, depth, rows, rows).transposed()] {
-                let (mut ours, mut gemm) = (vec![0.0; rows * columns], vec![0.0; rows * columns]);
+                let mut ours = vec![0.0; rows * columns];
+                let mut gemm = ours.clone();
                 few_columns(&mut ours, columns, a, b);
                 super::gemm(&mut gemm, columns, a, b);
                 let worst = ours.iter().zip(&gemm).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);

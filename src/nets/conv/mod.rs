@@ -7,8 +7,8 @@
 //! fine image that its kernel covers. With weights `W` `[coarse channels, fine channels * kernel^2]`, `conv_down` is `W
 //! * im2col(x)` and `conv_up` is `col2im(W^T * x)`. Bias and ReLU follow in the same pass.
 //!
-//! burn's general layers also support the strides, dilations and groups that no net of ours has. Used by `hourglass`
-//! and `judge`.
+//! burn's layers also support other strides, dilations and groups, which our nets do not use. Used by `hourglass`,
+//! `u_net` and `dqn`.
 
 // burn has deprecated its ndarray backend; it is kept as the reference backend of the differential tests.
 #![allow(deprecated)]
@@ -20,9 +20,9 @@ use burn::nn::PaddingConfig2d;
 use burn::nn::conv::{Conv2d, Conv2dConfig, ConvTranspose2d, ConvTranspose2dConfig};
 use burn::tensor::{Device, Tensor, TensorData};
 
-#[cfg(not(target_arch = "wasm32"))]
+#[cfg(feature = "training")]
 mod autodiff;
-#[cfg(not(target_arch = "wasm32"))]
+#[cfg(feature = "training")]
 mod backward;
 mod direct;
 mod forward;
@@ -30,7 +30,7 @@ mod im2col;
 mod matmul;
 mod planes;
 mod simd;
-#[cfg(not(target_arch = "wasm32"))]
+#[cfg(feature = "training")]
 mod weight_gradient;
 
 use forward::Layer;
@@ -89,7 +89,7 @@ pub fn conv_up(layer: &ConvTranspose2d, x: Tensor<4>, relu: bool) -> Tensor<4> {
 
 /// The two layers on the tensors of a backend. Stride 2; kernel 4 with padding 1, or kernel 2 without padding.
 /// Weights: `[coarse channels, fine channels, kernel, kernel]`.
-#[backend_extension(Flex, NdArray: cfg(feature = "ndarray"), Autodiff: cfg(not(target_arch = "wasm32")))]
+#[backend_extension(Flex, NdArray: cfg(feature = "ndarray"), Autodiff: cfg(feature = "training"))]
 pub trait StridedConv: Backend {
     /// See `conv_down`.
     fn conv_down(x: FloatTensor<Self>, weight: FloatTensor<Self>, bias: FloatTensor<Self>) -> FloatTensor<Self> {

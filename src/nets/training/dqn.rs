@@ -1,6 +1,6 @@
 //! One optimiser step of DQN: the mean binary cross-entropy of labelled balls.
 
-use burn::tensor::{Device, Tensor, TensorData};
+use burn::tensor::{Tensor, TensorData};
 
 use super::trainer::{Trainer, binary_cross_entropy_with_logits};
 use crate::nets::dqn::{Dqn, inputs};
@@ -38,8 +38,8 @@ impl DqnBatch {
 
 impl Trainer<Dqn> {
     /// Returns a trainer of a fresh net, whose weights depend only on the seed.
-    pub fn new(device: Device, seed: u64) -> Trainer<Dqn> {
-        Trainer::fresh(device, seed, Dqn::new)
+    pub fn new(seed: u64) -> Trainer<Dqn> {
+        Trainer::fresh(seed, Dqn::new)
     }
 
     /// One optimiser step on a batch; returns the mean loss of a ball.
@@ -75,7 +75,7 @@ mod tests {
 
     #[test]
     fn steps_lower_the_loss() {
-        let mut trainer = Trainer::<Dqn>::new(crate::nets::flex(), 1);
+        let mut trainer = Trainer::<Dqn>::new(1);
         let losses: Vec<f32> = (0..40).map(|_| trainer.step(batch(false), 3e-3)).collect();
         assert!((0.5..1.0).contains(&losses[0]), "{losses:?}");
         assert!(losses[39] < losses[0] / 2.0, "{losses:?}");

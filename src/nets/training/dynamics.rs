@@ -4,11 +4,12 @@
 //! its paths alone), and the mean distances of the coordinates and of the expected errors, weighted. Without the last
 //! two, what the net calls paths is whatever helps the chances: an ablation.
 
-use burn::tensor::{Device, Tensor, TensorData};
+use burn::tensor::{Tensor, TensorData};
 
 use super::trainer::{JudgeBatch, Trainer, binary_cross_entropy_with_logits};
-use crate::nets::ball_head::{BallBatch, COORDINATES, POSITIONS, Starts, UNIT};
-use crate::nets::{DynamicsNet, Judge};
+use crate::nets::ball_batch::BallBatch;
+use crate::nets::ball_head::{COORDINATES, POSITIONS, Starts, UNIT};
+use crate::nets::{DynamicsNet, Judge, seeded};
 use crate::puzzle::action::{Ball, Invalid};
 use crate::puzzle::scene::SIZE;
 use crate::raster::{CHANNELS, Coverage};
@@ -68,15 +69,13 @@ impl DynamicsBatch {
 
 impl Trainer<DynamicsNet> {
     /// Returns a trainer of a fresh net, whose weights depend only on the seed.
-    pub fn new(device: Device, seed: u64) -> Trainer<DynamicsNet> {
-        Trainer::fresh(device, seed, DynamicsNet::new)
+    pub fn new(seed: u64) -> Trainer<DynamicsNet> {
+        Trainer::fresh(seed, DynamicsNet::new)
     }
 
     /// Returns a trainer of a net that starts from a judge; what that lacks depends only on the seed.
-    pub fn from_judge(judge: Judge, device: Device, seed: u64) -> Trainer<DynamicsNet> {
-        device.seed(seed);
-        let nets = DynamicsNet::from_judge(judge, &device);
-        Trainer::from_nets(nets, device)
+    pub fn from_judge(judge: Judge, seed: u64) -> Trainer<DynamicsNet> {
+        Trainer::from_nets(DynamicsNet::from_judge(judge, &seeded(seed)))
     }
 
     /// One optimiser step on a batch; returns the losses: of the logits of the cells, of the balls, of the paths alone,
@@ -98,8 +97,8 @@ impl Trainer<DynamicsNet> {
         let [path_weight, error_weight] = if paths { [PATH_WEIGHT, ERROR_WEIGHT] } else { [0.0; 2] };
         let losses = vec![
             batch.cells.loss(logits, &device),
-            binary_cross_entropy_with_logits(predictions.logits, labels.clone()),
-            binary_cross_entropy_with_logits(predictions.path_logits, labels),
+            binary_cross_entropy_with_logits(predictions.logits.squeeze_dim::<1>(1), labels.clone()),
+            binary_cross_entropy_with_logits(predictions.path_logits.squeeze_dim::<1>(1), labels),
             apart.abs().mean() * path_weight,
             (predictions.errors - distance).abs().mean() * error_weight,
         ];

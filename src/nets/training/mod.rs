@@ -1,12 +1,14 @@
-//! Training of the nets; native only. Used by the commands that train and by the benches.
+//! Training of the nets, with the feature `training`; native only. Used by the lab.
 
 mod adam;
 mod dqn;
 mod dynamics;
+mod sample;
 mod schedule;
 mod trainer;
 
 pub use dqn::DqnBatch;
 pub use dynamics::DynamicsBatch;
+pub use sample::Sample;
 pub use schedule::{Schedule, WARMUP_STEPS};
-pub use trainer::{Batch, JudgeBatch, Module, Trainer};
+pub use trainer::{Batch, CheckpointError, JudgeBatch, Trainable, Trainer};

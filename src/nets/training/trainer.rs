@@ -2,26 +2,35 @@
 //!
 //! The loss of the four nets is the sum of the per-pixel binary cross-entropies of their maps, with gradients through
 //! the whole chain (Harter et al. 2020). The judge's is the mean binary cross-entropy of the balls. A trainer can be
-//! saved between two batches and resumed with the same result. Used by the commands that train and by the benches;
+//! saved between two batches and resumed with the same result. Used by the lab;
 //! native only. The learning rate of each step is the caller's.
 
 use std::mem::take;
 use std::path::Path;
 
-/// What a trainer trains: `PathNet`, `Judge`, `DynamicsNet`, `Dqn`.
-pub use burn::module::Module;
+use burn::module::Module;
 use burn::optim::{GradientsParams, ModuleOptimizer};
 use burn::store::RecordError;
 use burn::tensor::activation::relu;
 use burn::tensor::{Device, Int, Tensor, TensorData};
 
 use super::adam::FusedAdam;
-use crate::dataset::samples::Sample;
+use super::sample::Sample;
 use crate::nets::judge::{RADII, logit_index};
-use crate::nets::{Judge, PathNet};
+use crate::nets::{Judge, PathNet, flex};
 use crate::puzzle::action::{Ball, Invalid};
 use crate::puzzle::scene::SIZE;
 use crate::raster::{Bitmap, CELLS, CHANNELS, Coverage, SIDE};
+
+/// What a trainer trains: `PathNet`, `Judge`, `DynamicsNet`, `Dqn`.
+pub trait Trainable: Module {}
+
+impl<M: Module> Trainable for M {}
+
+/// Why a checkpoint cannot be written or read.
+#[derive(Debug, thiserror::Error)]
+#[error(transparent)]
+pub struct CheckpointError(#[from] RecordError);
 
 /// What is trained, and its optimiser.
 pub struct Trainer<M> {
@@ -108,8 +117,8 @@ pub(super) fn extend(values: &mut Vec<f32>, images: &[Bitmap], mirrored: bool) {
 
 impl Trainer<PathNet> {
     /// Returns a trainer of fresh nets, whose weights depend only on the seed.
-    pub fn new(device: Device, seed: u64) -> Trainer<PathNet> {
-        Trainer::fresh(device, seed, PathNet::new)
+    pub fn new(seed: u64) -> Trainer<PathNet> {
+        Trainer::fresh(seed, PathNet::new)
     }
 
     /// One optimiser step on a batch; returns the losses of the four maps.
@@ -130,8 +139,8 @@ impl Trainer<PathNet> {
 
 impl Trainer<Judge> {
     /// Returns a trainer of a fresh judge, whose weights depend only on the seed.
-    pub fn new(device: Device, seed: u64) -> Trainer<Judge> {
-        Trainer::fresh(device, seed, Judge::new)
+    pub fn new(seed: u64) -> Trainer<Judge> {
+        Trainer::fresh(seed, Judge::new)
     }
 
     /// One optimiser step on a batch; returns the mean loss of a ball.
@@ -141,14 +150,14 @@ impl Trainer<Judge> {
     }
 }
 
-impl<M: Module> Trainer<M> {
+impl<M: Trainable> Trainer<M> {
     /// Returns a trainer that starts from these nets, with a fresh optimiser.
-    pub fn from_nets(nets: M, device: Device) -> Trainer<M> {
-        Trainer { nets: nets.train(), optimiser: FusedAdam.into(), device: device.autodiff() }
+    pub fn from_nets(nets: M) -> Trainer<M> {
+        Trainer { nets: nets.train(), optimiser: FusedAdam.into(), device: flex().autodiff() }
     }
 
-    pub(super) fn fresh(device: Device, seed: u64, new: impl FnOnce(&Device) -> M) -> Trainer<M> {
-        let device = device.autodiff();
+    pub(super) fn fresh(seed: u64, new: impl FnOnce(&Device) -> M) -> Trainer<M> {
+        let device = flex().autodiff();
         device.seed(seed);
         Trainer { nets: new(&device), optimiser: FusedAdam.into(), device }
     }
@@ -169,16 +178,16 @@ impl<M: Module> Trainer<M> {
     ///
     /// # Errors
     /// If a file cannot be written.
-    pub fn save(&self, nets: &Path, optimiser: &Path) -> Result<(), RecordError> {
+    pub fn save(&self, nets: &Path, optimiser: &Path) -> Result<(), CheckpointError> {
         self.nets.clone().save_file(nets)?;
-        self.optimiser.save(optimiser)
+        Ok(self.optimiser.save(optimiser)?)
     }
 
     /// Replaces nets and optimiser by those that `save` wrote.
     ///
     /// # Errors
     /// If a file cannot be read or does not fit.
-    pub fn restore(self, nets: &Path, optimiser: &Path) -> Result<Trainer<M>, RecordError> {
+    pub fn restore(self, nets: &Path, optimiser: &Path) -> Result<Trainer<M>, CheckpointError> {
         let Trainer { nets: fresh, optimiser: idle, device } = self;
         Ok(Trainer { nets: fresh.try_load_file(nets)?, optimiser: idle.load(optimiser)?, device })
     }
@@ -247,7 +256,7 @@ mod tests {
 
     #[test]
     fn the_loss_is_the_binary_cross_entropy() {
-        let device = crate::nets::flex();
+        let device = flex();
         let (logits, targets) = ([0.0_f32, 2.0, -3.0, 100.0, -100.0], [1.0_f32, 0.0, 0.0, 0.0, 1.0]);
         let loss = binary_cross_entropy_with_logits(
             Tensor::<1>::from_floats(logits, &device),

@@ -2,7 +2,7 @@
 //! `assets/scene.schema.json` is the schema (`pathlight tasks --schema`).
 //!
 //! A body is a shape with its lengths, a place, and whether it moves; colours follow from the goal. `read` takes JSON
-//! from anywhere and `limit_problems` names what the limits refuse; `play::scene_check` adds what only the simulator
+//! from anywhere and `limit_problems` names what the limits refuse; `session::scene_check` adds what only the simulator
 //! knows, and is the way to a scene that may be played.
 
 use std::f64::consts::{FRAC_1_SQRT_2, TAU};

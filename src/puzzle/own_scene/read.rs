@@ -22,6 +22,11 @@ impl OwnScene {
                     "This is a scene of version {version}, and this Pathlight reads version {VERSION}: use a newer one."
                 ))]);
             }
+            None if keys.contains_key("id") && keys.contains_key("params") => {
+                return Err(vec![Problem::of_scene(
+                    "This is a task as `pathlight tasks --json` prints it: use `pathlight tasks --own` to make a scene of it.",
+                )]);
+            }
             None => {
                 return Err(vec![Problem::of_scene(format!(
                     "A scene has `\"version\": {VERSION}`, and this one has none: add it if it is a scene."

@@ -1,0 +1,222 @@
+//! `pathlight-lab data …`
+
+use std::io::{self, Write};
+use std::path::PathBuf;
+
+use pathlight::benchmark::folds::{FoldId, Setup};
+use pathlight::puzzle::templates::Template;
+use pathlight_lab::data::collect::{self, SOLUTIONS};
+use pathlight_lab::data::label::{self, LABELS};
+use pathlight_lab::data::task_selection::TaskSelection;
+use pathlight_lab::data::{difficulty, merge, solve_rates};
+use pathlight_lab::progress::Progress;
+
+use super::fold_args::{fold, setup};
+use super::template_arg::template;
+
+#[derive(clap::Subcommand)]
+pub enum Command {
+    Collect(Collect),
+    Label(Label),
+    Merge(Merge),
+    Difficulty(Difficulty),
+    SolveRates(SolveRates),
+}
+
+impl Command {
+    pub fn run(self, progress: &mut dyn Progress) -> anyhow::Result<()> {
+        match self {
+            Command::Collect(args) => args.run(progress),
+            Command::Label(args) => args.run(progress),
+            Command::Merge(args) => args.run(progress),
+            Command::Difficulty(args) => args.run(progress),
+            Command::SolveRates(args) => args.run(progress),
+        }
+    }
+}
+
+/// Tasks of the benchmark.
+#[derive(clap::Args)]
+struct SelectionArgs {
+    /// Use only the tasks of this template, like 00007
+    #[arg(long, value_name = "TEMPLATE", value_parser = template)]
+    template: Option<&'static Template>,
+
+    /// Use at most the first N tasks of each template
+    #[arg(long, value_name = "N", default_value_t = TaskSelection::default().limit)]
+    limit: usize,
+}
+
+impl From<SelectionArgs> for TaskSelection {
+    fn from(SelectionArgs { template, limit }: SelectionArgs) -> TaskSelection {
+        TaskSelection { template, limit }
+    }
+}
+
+/// Find balls that solve the tasks among uniform random ones, to train on
+#[derive(clap::Args)]
+pub struct Collect {
+    /// File to write, or to continue
+    #[arg(long, default_value = SOLUTIONS)]
+    out: PathBuf,
+
+    /// Solutions to find per task
+    #[arg(long, value_name = "N", default_value_t = collect::Settings::default().per_task)]
+    per_task: usize,
+
+    /// Most balls to simulate per task
+    #[arg(long, value_name = "N", default_value_t = collect::Settings::default().max_rollouts)]
+    max_rollouts: usize,
+
+    #[command(flatten)]
+    selection: SelectionArgs,
+
+    /// Seed of all random draws
+    #[arg(long, default_value_t = 0)]
+    seed: u64,
+}
+
+impl Collect {
+    fn run(self, progress: &mut dyn Progress) -> anyhow::Result<()> {
+        let Collect { out, per_task, max_rollouts, selection, seed } = self;
+        let settings = collect::Settings { out, per_task, max_rollouts, selection: selection.into(), seed };
+        Ok(io::stdout().write_all(settings.search(progress)?.as_bytes())?)
+    }
+}
+
+/// Try balls on all tasks and keep their outcomes, to train a judge, a dynamics net or DQN on
+#[derive(clap::Args)]
+pub struct Label {
+    /// File to write, or to continue
+    #[arg(long, default_value = LABELS)]
+    out: PathBuf,
+
+    /// Solutions to sample balls around, from `data collect`
+    #[arg(long, default_value = SOLUTIONS)]
+    solutions: PathBuf,
+
+    /// Rounds; every task tries 64 balls per round
+    #[arg(long, default_value_t = label::Settings::default().rounds)]
+    rounds: usize,
+
+    #[command(flatten)]
+    selection: SelectionArgs,
+
+    /// Label the balls that the dynamics net of these weights finds most probable, instead of sampled ones: hard
+    /// negatives. Every round takes the next 64. They have to be of the fold of --setup
+    #[arg(long, value_name = "FILE", requires = "setup")]
+    weights: Option<PathBuf>,
+
+    /// Label balls in variants of the tasks' scenes, another variant in every round. Balls are sampled around the
+    /// solutions of the task alone
+    #[arg(long, conflicts_with = "weights")]
+    variants: bool,
+
+    /// Use only the training tasks of one fold of this setup: only they are labelled, and only their solutions are
+    /// sampled around
+    #[arg(long, value_parser = setup(), requires = "fold")]
+    setup: Option<Setup>,
+
+    /// The fold of --setup
+    #[arg(long, requires = "setup", value_parser = fold)]
+    fold: Option<u8>,
+
+    /// Seed of all random draws
+    #[arg(long, default_value_t = 0)]
+    seed: u64,
+}
+
+impl Label {
+    fn run(self, progress: &mut dyn Progress) -> anyhow::Result<()> {
+        let settings = label::Settings {
+            out: self.out,
+            solutions: self.solutions,
+            rounds: self.rounds,
+            selection: self.selection.into(),
+            weights: self.weights,
+            variants: self.variants,
+            training_tasks_of: self.setup.zip(self.fold).map(|(setup, fold)| FoldId { setup, fold }),
+            seed: self.seed,
+        };
+        settings.label(progress)
+    }
+}
+
+/// Merge files of `data collect` or of `data label`, one for each template, into the file of all templates
+#[derive(clap::Args)]
+pub struct Merge {
+    /// Files of `data collect --template` or of `data label --template`, all with the same other settings
+    #[arg(required = true)]
+    files: Vec<PathBuf>,
+
+    /// File to write
+    #[arg(long)]
+    out: PathBuf,
+}
+
+impl Merge {
+    fn run(self, progress: &mut dyn Progress) -> anyhow::Result<()> {
+        let name = self.out.display();
+        match merge::merge(&self.files, &self.out)? {
+            true => progress.say(&format!("wrote {name}")),
+            false => progress.say(&format!("{name} exists")),
+        }
+        Ok(())
+    }
+}
+
+/// Measure how hard the tasks are: how many of uniform valid balls solve each, as JSON
+#[derive(clap::Args)]
+pub struct Difficulty {
+    /// Valid balls per task
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = difficulty::Settings::default().balls,
+        value_parser = clap::value_parser!(u32).range(1..)
+    )]
+    balls: u32,
+
+    /// Use only the first N tasks of each template, for a quick look
+    #[arg(long, value_name = "N", default_value_t = difficulty::Settings::default().limit)]
+    limit: usize,
+
+    /// Seed of the balls
+    #[arg(long, default_value_t = 0)]
+    seed: u64,
+}
+
+impl Difficulty {
+    fn run(self, progress: &mut dyn Progress) -> anyhow::Result<()> {
+        let Difficulty { balls, limit, seed } = self;
+        let counts = difficulty::Settings { balls, limit, seed }.measure(progress);
+        Ok(writeln!(io::stdout(), "{}", serde_json::to_string(&counts)?)?)
+    }
+}
+
+/// Compare how often random actions are valid and solve with PHYRE's figures
+#[derive(clap::Args)]
+pub struct SolveRates {
+    /// Folder with solve_rates.json
+    #[arg(long, value_name = "DIR")]
+    reference: PathBuf,
+
+    /// Random actions inside the scene per task
+    #[arg(long, value_name = "N", default_value_t = 100)]
+    actions: u32,
+
+    /// Use only the first N tasks of each template, for a quick look
+    #[arg(long, value_name = "N", default_value_t = 100)]
+    limit: usize,
+
+    /// Seed of the random actions
+    #[arg(long, default_value_t = 0)]
+    seed: u64,
+}
+
+impl SolveRates {
+    fn run(self, progress: &mut dyn Progress) -> anyhow::Result<()> {
+        let SolveRates { reference, actions, limit, seed } = self;
+        solve_rates::Settings { reference, actions, limit, seed }.compare(&mut io::stdout().lock(), progress)
+    }
+}

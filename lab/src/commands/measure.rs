@@ -1,0 +1,191 @@
+//! `pathlight-lab measure …`
+
+use std::io::{self, Write};
+use std::path::PathBuf;
+
+use pathlight::agents::agent_name::AgentName;
+use pathlight_lab::data::collect::SOLUTIONS;
+use pathlight_lab::files::json_file;
+use pathlight_lab::measure::{calibration, evaluate, fidelity, forecasts};
+use pathlight_lab::progress::Progress;
+
+use super::agent_arg::agent;
+use super::engine_arg::EngineArg;
+use super::fold_args::FoldArgs;
+
+#[derive(clap::Subcommand)]
+pub enum Command {
+    Evaluate(Evaluate),
+    Forecasts(Forecasts),
+    Calibration(Calibration),
+    Fidelity(Fidelity),
+}
+
+impl Command {
+    pub fn run(self, progress: &mut dyn Progress) -> anyhow::Result<()> {
+        let text = match self {
+            Command::Evaluate(args) => args.run(progress)?,
+            Command::Forecasts(args) => args.run()?,
+            Command::Calibration(args) => args.run()?,
+            Command::Fidelity(Fidelity { reference, limit, engine: EngineArg { engine } }) => {
+                let settings = fidelity::Settings { reference, limit, engine };
+                return settings.compare(&mut io::stdout().lock(), progress);
+            }
+        };
+        Ok(io::stdout().write_all(text.as_bytes())?)
+    }
+}
+
+/// Measure agents on the test tasks of a fold
+#[derive(clap::Args)]
+pub struct Evaluate {
+    /// Agent to measure; can be repeated. The random agent is always measured too [default: all that the weights allow
+    /// but online-by-balls; DQN with --dqn]
+    #[arg(long = "agent", value_parser = agent())]
+    agents: Vec<AgentName>,
+
+    #[command(flatten)]
+    fold: FoldArgs,
+
+    /// Use the dev tasks, to choose settings on, instead of the test tasks
+    #[arg(long)]
+    dev: bool,
+
+    /// Use at most the first N of these tasks of each template
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    limit: Option<u16>,
+
+    /// Seed of all random draws
+    #[arg(long, default_value_t = 0)]
+    seed: u64,
+
+    /// Write the settings and the first solving attempt of every task to this file, as JSON
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+
+    #[command(flatten)]
+    engine: EngineArg,
+
+    /// Weights of the model [default: assets/SETUP-FOLD.safetensors]
+    #[arg(long)]
+    weights: Option<PathBuf>,
+
+    /// Weights of DQN, the benchmark's baseline [default for --agent dqn:
+    /// target/train/SETUP-FOLD/dqn/weights.safetensors]
+    #[arg(long, value_name = "FILE")]
+    dqn: Option<PathBuf>,
+}
+
+impl Evaluate {
+    fn run(self, progress: &mut dyn Progress) -> anyhow::Result<String> {
+        let Evaluate { agents, fold, dev, limit, seed, json, engine: EngineArg { engine }, weights, dqn } = self;
+        let settings = evaluate::Settings { agents, fold: fold.into(), dev, limit, seed, engine, weights, dqn };
+        let report = settings.measure(progress)?;
+        // The file comes first, so that a closed pipe does not lose it.
+        if let Some(path) = &json {
+            json_file::write(path, &report)?;
+        }
+        Ok(report.table()?)
+    }
+}
+
+/// Measure how well the dynamics net imagines what balls lead to, on the test tasks of a fold
+#[derive(clap::Args)]
+pub struct Forecasts {
+    #[command(flatten)]
+    fold: FoldArgs,
+
+    /// Random balls for each task; its known solutions come on top
+    #[arg(long, value_name = "N", default_value_t = forecasts::Settings::default().balls)]
+    balls: usize,
+
+    /// Solutions, from `data collect`
+    #[arg(long, default_value = SOLUTIONS)]
+    solutions: PathBuf,
+
+    /// Use at most the first N test tasks of each template
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    limit: Option<u16>,
+
+    /// Seed of the random balls
+    #[arg(long, default_value_t = 0)]
+    seed: u64,
+
+    /// Write the soft IoU of imagined and real paths, by template, to this file, as JSON
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+
+    /// Weights of the model [default: assets/SETUP-FOLD.safetensors]
+    #[arg(long)]
+    weights: Option<PathBuf>,
+}
+
+impl Forecasts {
+    fn run(self) -> anyhow::Result<String> {
+        let Forecasts { fold, balls, solutions, limit, seed, json, weights } = self;
+        let settings = forecasts::Settings { fold: fold.into(), balls, solutions, limit, seed, weights };
+        let (forecasts, table) = settings.measure()?;
+        if let Some(path) = &json {
+            json_file::write(path, &forecasts)?;
+        }
+        Ok(table)
+    }
+}
+
+/// Measure how often balls solve to which the model gives a chance, on the test tasks of a fold
+#[derive(clap::Args)]
+pub struct Calibration {
+    #[command(flatten)]
+    fold: FoldArgs,
+
+    /// Random balls for each task, and as many of the model's candidates
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = calibration::Settings::default().balls,
+        value_parser = clap::value_parser!(u16).range(1..)
+    )]
+    balls: u16,
+
+    /// Use at most the first N test tasks of each template
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    limit: Option<u16>,
+
+    /// Seed of the random balls
+    #[arg(long, default_value_t = 0)]
+    seed: u64,
+
+    /// Write the bins to this file, as JSON
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+
+    /// Weights of the model [default: assets/SETUP-FOLD.safetensors]
+    #[arg(long)]
+    weights: Option<PathBuf>,
+}
+
+impl Calibration {
+    fn run(self) -> anyhow::Result<String> {
+        let Calibration { fold, balls, limit, seed, json, weights } = self;
+        let calibration = calibration::Settings { fold: fold.into(), balls, limit, seed, weights }.measure()?;
+        if let Some(path) = &json {
+            json_file::write(path, &calibration)?;
+        }
+        Ok(calibration.table()?)
+    }
+}
+
+/// Compare the simulator with PHYRE's outcomes and trajectories
+#[derive(clap::Args)]
+pub struct Fidelity {
+    /// Folder with outcomes.jsonl and trajectories.jsonl
+    #[arg(long, value_name = "DIR")]
+    reference: PathBuf,
+
+    /// Use only the first N tasks of each template, for a quick look
+    #[arg(long, value_name = "N", default_value_t = 100)]
+    limit: usize,
+
+    #[command(flatten)]
+    engine: EngineArg,
+}

@@ -1,0 +1,83 @@
+//! The command line of the lab: a module for each group of commands.
+//!
+//! A command makes the settings of a function of the library from its arguments, calls it, and prints what it returns.
+//! The rules of `pathlight` hold here too: results go to standard output, progress and messages to standard error, bad
+//! input is an error with exit code 2, and a closed pipe ends a command quietly.
+
+use std::io::{self, Write};
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+#[path = "../../../src/commands/agent_arg.rs"]
+mod agent_arg;
+mod data;
+#[path = "../../../src/commands/engine_arg.rs"]
+mod engine_arg;
+#[path = "../../../src/commands/exit.rs"]
+mod exit;
+mod figures;
+#[path = "../../../src/commands/fold_args.rs"]
+mod fold_args;
+mod measure;
+#[path = "../../../src/commands/progress.rs"]
+mod progress;
+mod publish;
+mod reproduce;
+mod shown_progress;
+#[path = "../../../src/commands/template_arg.rs"]
+mod template_arg;
+mod train;
+
+use shown_progress::ShownProgress;
+
+/// The research behind Pathlight: data, training, measurements, the paper's table and its figures.
+#[derive(Parser)]
+#[command(version, arg_required_else_help = true)]
+struct CommandLine {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Make what nets learn from, and measure how hard the tasks are
+    #[command(subcommand)]
+    Data(data::Command),
+    /// Train nets on a fold
+    #[command(subcommand)]
+    Train(train::Command),
+    /// Measure agents and nets on test tasks, and the simulator beside PHYRE's
+    #[command(subcommand)]
+    Measure(measure::Command),
+    Reproduce(reproduce::Args),
+    Figures(figures::Args),
+    /// Write the files that the page loads
+    #[command(subcommand)]
+    Publish(publish::Command),
+}
+
+/// Runs the command that the process was started with.
+pub fn run() -> ExitCode {
+    let progress = &mut ShownProgress::default();
+    let result = match CommandLine::parse().command {
+        Command::Data(command) => command.run(progress),
+        Command::Train(command) => command.run(progress),
+        Command::Measure(command) => command.run(progress),
+        Command::Reproduce(args) => args.run(progress),
+        Command::Figures(args) => args.run(),
+        Command::Publish(command) => command.run(),
+    };
+    exit::code(result.map(|()| ExitCode::SUCCESS))
+}
+
+/// Prints the files that were written. All are there before anything is printed, so that a closed pipe does not stop
+/// halfway.
+fn print_paths(paths: &[PathBuf]) -> anyhow::Result<()> {
+    let mut out = io::stdout().lock();
+    for path in paths {
+        writeln!(out, "{}", path.display())?;
+    }
+    Ok(())
+}

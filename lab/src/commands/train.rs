@@ -1,0 +1,285 @@
+//! `pathlight-lab train …`
+
+use std::path::PathBuf;
+
+use clap::builder::{RangedU64ValueParser, TypedValueParser};
+use pathlight_lab::data::collect::SOLUTIONS;
+use pathlight_lab::data::label::LABELS;
+use pathlight_lab::progress::Progress;
+use pathlight_lab::training::dynamics::DynamicsRecipe;
+use pathlight_lab::training::settings::{LabelsRecipe, PathsRecipe, RunSettings};
+use pathlight_lab::training::{dqn, dynamics, paths, success};
+
+use super::fold_args::FoldArgs;
+
+#[derive(clap::Subcommand)]
+pub enum Command {
+    Paths(Paths),
+    Success(Success),
+    Dynamics(Dynamics),
+    Dqn(Dqn),
+}
+
+impl Command {
+    pub fn run(self, progress: &mut dyn Progress) -> anyhow::Result<()> {
+        let (weights, of) = match self {
+            Command::Paths(args) => (paths::Settings::from(args).train(progress)?, "of the four nets "),
+            Command::Success(args) => (success::Settings::from(args).train(progress)?, "of all five nets "),
+            Command::Dynamics(args) => (dynamics::Settings::from(args).train(progress)?, "of all nets "),
+            Command::Dqn(args) => (dqn::Settings::from(args).train(progress)?, ""),
+        };
+        if let Some(weights) = weights {
+            progress.say(&format!("the weights {of}are in {}", weights.display()));
+        }
+        Ok(())
+    }
+}
+
+/// How to train, and where the run is kept.
+#[derive(clap::Args)]
+struct RunArgs {
+    /// Folder of the run: checkpoint, losses.csv, weights.safetensors [default: target/train/SETUP-FOLD for the four
+    /// nets, and judge, dynamics or dqn in it for the others]
+    #[arg(long)]
+    out: Option<PathBuf>,
+
+    /// Samples per batch for the four nets, scenes per batch for the others
+    #[arg(long, default_value_t = LabelsRecipe::default().batch, value_parser = at_least_one())]
+    batch: u16,
+
+    /// Highest learning rate of Adam
+    #[arg(long, default_value_t = LabelsRecipe::default().learning_rate)]
+    learning_rate: f64,
+
+    /// Batches between two checkpoints, and between two lines of losses.csv
+    #[arg(
+        long,
+        value_name = "BATCHES",
+        default_value_t = RunSettings::default().checkpoint,
+        value_parser = at_least_one()
+    )]
+    checkpoint: u16,
+
+    /// Stop at the first checkpoint after this many batches; the same command continues from there
+    #[arg(long, value_name = "BATCHES")]
+    stop_after: Option<usize>,
+
+    /// Seed of the initial weights, and of the order of the samples or scenes
+    #[arg(long, default_value_t = 0)]
+    seed: u64,
+}
+
+impl RunArgs {
+    fn labels_recipe(&self, balls_per_scene: u16) -> LabelsRecipe {
+        LabelsRecipe { batch: self.batch, learning_rate: self.learning_rate, balls_per_scene }
+    }
+}
+
+impl From<RunArgs> for RunSettings {
+    fn from(RunArgs { out, checkpoint, stop_after, seed, .. }: RunArgs) -> RunSettings {
+        RunSettings { out, checkpoint, stop_after, seed }
+    }
+}
+
+fn at_least_one() -> impl TypedValueParser<Value = u16> {
+    clap::value_parser!(u16).range(1..)
+}
+
+/// Numbers of epochs: without an epoch nothing would be trained.
+fn epochs() -> impl TypedValueParser<Value = usize> {
+    RangedU64ValueParser::new().range(1..)
+}
+
+/// Train the four nets on the training tasks of a fold
+#[derive(clap::Args)]
+pub struct Paths {
+    #[command(flatten)]
+    fold: FoldArgs,
+
+    /// Solutions to train on, from `data collect`
+    #[arg(long, default_value = SOLUTIONS)]
+    solutions: PathBuf,
+
+    /// Passes over the samples
+    #[arg(long, default_value_t = paths::Settings::default().epochs, value_parser = epochs())]
+    epochs: usize,
+
+    /// Number of final epochs over which the learning rate decays linearly to zero
+    #[arg(long, value_name = "EPOCHS", default_value_t = PathsRecipe::default().decay_epochs)]
+    decay_epochs: usize,
+
+    /// Show half of the samples mirrored left to right: PHYRE's world is symmetric
+    #[arg(long)]
+    mirror: bool,
+
+    /// Leave the dev tasks out of training, so that settings can be chosen on them with `measure evaluate --dev`
+    #[arg(long)]
+    without_dev: bool,
+
+    #[command(flatten)]
+    run: RunArgs,
+}
+
+impl From<Paths> for paths::Settings {
+    fn from(args: Paths) -> paths::Settings {
+        let recipe = PathsRecipe {
+            batch: args.run.batch,
+            learning_rate: args.run.learning_rate,
+            decay_epochs: args.decay_epochs,
+            mirror: args.mirror,
+            without_dev: args.without_dev,
+        };
+        let Paths { fold, solutions, epochs, run, .. } = args;
+        paths::Settings { fold: fold.into(), solutions, epochs, recipe, run: run.into() }
+    }
+}
+
+/// Train the net that judges balls, and add it to the weights of the four nets, in place of a dynamics net
+#[derive(clap::Args)]
+pub struct Success {
+    #[command(flatten)]
+    fold: FoldArgs,
+
+    /// Weights of the model [default: assets/SETUP-FOLD.safetensors]
+    #[arg(long)]
+    weights: Option<PathBuf>,
+
+    /// Balls with their outcome, from `data label`
+    #[arg(long, default_value = LABELS)]
+    labels: PathBuf,
+
+    /// Passes over the scenes
+    #[arg(long, default_value_t = success::Settings::default().epochs, value_parser = epochs())]
+    epochs: usize,
+
+    /// Balls of each scene in a batch, sampled anew each time
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = success::Settings::default().recipe.balls_per_scene,
+        value_parser = at_least_one()
+    )]
+    balls_per_scene: u16,
+
+    #[command(flatten)]
+    run: RunArgs,
+}
+
+impl From<Success> for success::Settings {
+    fn from(Success { fold, weights, labels, epochs, balls_per_scene, run }: Success) -> success::Settings {
+        let recipe = run.labels_recipe(balls_per_scene);
+        success::Settings { fold: fold.into(), weights, labels, epochs, recipe, run: run.into() }
+    }
+}
+
+/// Train the net that imagines what balls lead to, and add it to the weights of the four nets; it starts from their
+/// judge, if they have one
+#[derive(clap::Args)]
+pub struct Dynamics {
+    #[command(flatten)]
+    fold: FoldArgs,
+
+    /// Weights of the model [default: assets/SETUP-FOLD.safetensors]
+    #[arg(long)]
+    weights: Option<PathBuf>,
+
+    /// Balls with their outcomes and paths, from `data label`; can be repeated
+    #[arg(long, default_value = LABELS)]
+    labels: Vec<PathBuf>,
+
+    /// Passes over the scenes
+    #[arg(long, default_value_t = dynamics::Settings::default().epochs, value_parser = epochs())]
+    epochs: usize,
+
+    /// Balls of each scene in a batch, sampled anew each time
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = DynamicsRecipe::default().balls_per_scene,
+        value_parser = at_least_one()
+    )]
+    balls_per_scene: u16,
+
+    /// Of these, balls whose paths are learned
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = DynamicsRecipe::default().imagined_per_scene,
+        value_parser = at_least_one()
+    )]
+    imagined_per_scene: u16,
+
+    /// Leave the fold's dev tasks out, so that settings may be chosen on them
+    #[arg(long)]
+    without_dev: bool,
+
+    /// Learn chances alone, not the paths, to measure what these bring; such weights cannot be published
+    #[arg(long)]
+    without_paths: bool,
+
+    /// Start from the dynamics net of these weights instead
+    #[arg(long, value_name = "FILE")]
+    from: Option<PathBuf>,
+
+    #[command(flatten)]
+    run: RunArgs,
+}
+
+impl From<Dynamics> for dynamics::Settings {
+    fn from(args: Dynamics) -> dynamics::Settings {
+        dynamics::Settings {
+            fold: args.fold.into(),
+            weights: args.weights,
+            labels: args.labels,
+            epochs: args.epochs,
+            recipe: DynamicsRecipe {
+                batch: args.run.batch,
+                learning_rate: args.run.learning_rate,
+                balls_per_scene: args.balls_per_scene,
+                imagined_per_scene: args.imagined_per_scene,
+            },
+            without_dev: args.without_dev,
+            without_paths: args.without_paths,
+            from: args.from,
+            run: args.run.into(),
+        }
+    }
+}
+
+/// Train DQN, the benchmark's baseline: a net that says how likely an action solves a scene
+#[derive(clap::Args)]
+pub struct Dqn {
+    #[command(flatten)]
+    fold: FoldArgs,
+
+    /// Balls with their outcome, from `data label`; can be repeated
+    #[arg(long, default_value = LABELS)]
+    labels: Vec<PathBuf>,
+
+    /// Passes over the scenes
+    #[arg(long, default_value_t = dqn::Settings::default().epochs, value_parser = epochs())]
+    epochs: usize,
+
+    /// Balls of each scene in a batch, half of them solutions, sampled anew each time
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = dqn::Settings::default().recipe.balls_per_scene,
+        value_parser = at_least_one()
+    )]
+    balls_per_scene: u16,
+
+    /// Leave the fold's dev tasks out, so that settings may be chosen on them
+    #[arg(long)]
+    without_dev: bool,
+
+    #[command(flatten)]
+    run: RunArgs,
+}
+
+impl From<Dqn> for dqn::Settings {
+    fn from(Dqn { fold, labels, epochs, balls_per_scene, without_dev, run }: Dqn) -> dqn::Settings {
+        let recipe = run.labels_recipe(balls_per_scene);
+        dqn::Settings { fold: fold.into(), labels, epochs, recipe, without_dev, run: run.into() }
+    }
+}

@@ -1,0 +1,97 @@
+//! The lines of a file of `data collect`, and reading them.
+
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+
+use crate::data::solutions::{Solution, TaskSolutions};
+use crate::files::journal::{self, check_ball, check_task};
+
+/// What determines the content of a file. Absent fields take their defaults.
+#[derive(Serialize, Deserialize)]
+pub struct CollectSettings {
+    pub seed: u64,
+    #[serde(alias = "wanted")]
+    pub per_task: usize,
+    /// 0 in files of the search in rounds.
+    #[serde(default)]
+    pub max_rollouts: usize,
+    /// `simulator::VERSION`
+    pub simulator: u32,
+    #[serde(default)]
+    pub template: Option<usize>,
+    #[serde(default = "default_limit")]
+    pub limit: usize,
+}
+
+fn default_limit() -> usize {
+    100
+}
+
+/// A line after the settings.
+#[derive(Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum CollectEntry {
+    Task(TaskSolutions),
+    /// A line of an earlier version, which searched around known solutions, in rounds.
+    Solution(Solution),
+    /// The end of such a round, and the rollouts so far.
+    Round {
+        round: usize,
+        rollouts: usize,
+    },
+}
+
+impl journal::Entry for CollectEntry {
+    type Settings = CollectSettings;
+    const COMMAND: &'static str = "data collect";
+
+    fn check(&self) -> Result<(), String> {
+        match self {
+            CollectEntry::Task(TaskSolutions { task, balls, .. }) => {
+                check_task(*task)?;
+                balls.iter().try_for_each(|ball| check_ball(*task, ball))
+            }
+            CollectEntry::Solution(Solution { task, ball }) => check_task(*task).and_then(|()| check_ball(*task, ball)),
+            CollectEntry::Round { .. } => Ok(()),
+        }
+    }
+}
+
+/// What a file of `data collect` holds.
+pub struct Collected {
+    pub solutions: Vec<Solution>,
+    /// Version of the simulator that found them.
+    pub simulator: u32,
+    /// Balls simulated in the search.
+    pub rollouts: usize,
+}
+
+/// Reads a file of `data collect`.
+///
+/// # Errors
+/// Says what is wrong with the file.
+pub fn read_solutions(path: &Path) -> anyhow::Result<Collected> {
+    let (settings, lines) = journal::read::<CollectEntry>(path)?;
+    let mut collected = Collected { solutions: Vec::new(), simulator: settings.simulator, rollouts: 0 };
+    for line in lines {
+        match line {
+            CollectEntry::Task(task) => {
+                collected.solutions.extend(task.solutions());
+                collected.rollouts += task.rollouts;
+            }
+            CollectEntry::Solution(solution) => collected.solutions.push(solution),
+            CollectEntry::Round { rollouts, .. } => collected.rollouts = rollouts,
+        }
+    }
+    Ok(collected)
+}
+
+/// Whether a file is of the earlier search around known solutions, which cannot be continued. The nets of the results
+/// were trained on such a file.
+///
+/// # Errors
+/// Says what is wrong with the file.
+pub fn is_of_earlier_search(path: &Path) -> anyhow::Result<bool> {
+    Ok(path.exists() && journal::read::<CollectEntry>(path)?.0.max_rollouts == 0)
+}

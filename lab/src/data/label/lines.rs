@@ -1,0 +1,101 @@
+//! The lines of a file of `data label`, and reading them.
+
+use std::num::NonZeroUsize;
+use std::path::Path;
+
+use anyhow::ensure;
+use pathlight::benchmark::folds::Setup;
+use pathlight::simulator;
+use serde::{Deserialize, Serialize};
+
+use crate::data::labels::{LabelledBalls, PATHS_LEN};
+use crate::files::journal::{self, check_ball, check_task};
+
+/// What determines the content of a file. Absent fields take their defaults.
+#[derive(Serialize, Deserialize)]
+pub struct LabelSettings {
+    pub seed: u64,
+    pub tasks: NonZeroUsize,
+    #[serde(default)]
+    pub template: Option<usize>,
+    #[serde(default = "default_limit")]
+    pub limit: usize,
+    /// `simulator::VERSION`
+    pub simulator: u32,
+    /// SHA-256 of the file of solutions.
+    pub solutions: String,
+    /// SHA-256 of the weights whose most probable balls are labelled; absent if balls were sampled.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub weights: Option<String>,
+    /// Whether the net of these weights has not learned from the fold's dev tasks.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub net_without_dev: bool,
+    /// Whether balls were tried in variants of the scenes.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub variants: bool,
+    /// Setup and fold if only the fold's training tasks were used; absent if all tasks were.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub training_tasks_of: Option<(Setup, u8)>,
+}
+
+fn default_limit() -> usize {
+    100
+}
+
+impl journal::Entry for LabelledBalls {
+    type Settings = LabelSettings;
+    const COMMAND: &'static str = "data label";
+
+    fn check(&self) -> Result<(), String> {
+        check_task(self.task)?;
+        let (paths, balls) = (self.paths.0.len(), self.solved.len() + self.failed.len());
+        if paths != 0 && paths != balls * PATHS_LEN {
+            return Err(format!("{} has {balls} balls, but {paths} bytes of paths", self.task));
+        }
+        if !self.siblings.is_empty() && self.siblings.len() != balls {
+            return Err(format!("{} has {balls} balls, but {} siblings", self.task, self.siblings.len()));
+        }
+        self.siblings.iter().flatten().try_for_each(|&sibling| check_task(sibling))?;
+        self.solved.iter().chain(&self.failed).try_for_each(|ball| check_ball(self.task, ball))
+    }
+}
+
+/// What a file of `data label` holds.
+pub struct Labelled {
+    /// A line per task and round.
+    pub lines: Vec<LabelledBalls>,
+    /// Setup and fold if only the fold's training tasks were used.
+    pub training_tasks_of: Option<(Setup, u8)>,
+    /// The balls are those that a net proposed.
+    pub proposed: bool,
+    /// And that net has not learned from the fold's dev tasks.
+    pub net_without_dev: bool,
+    /// The balls are in variants of the scenes.
+    pub variants: bool,
+    tasks: NonZeroUsize,
+}
+
+impl Labelled {
+    /// Number of rounds; `None` if the last round is not complete.
+    pub fn rounds(&self) -> Option<usize> {
+        let (lines, tasks) = (self.lines.len(), self.tasks.get());
+        lines.is_multiple_of(tasks).then(|| lines / tasks)
+    }
+}
+
+/// Reads a file of `data label`.
+///
+/// # Errors
+/// If the file is missing or damaged, or was made with another version of the simulator.
+pub fn read_labels(path: &Path) -> anyhow::Result<Labelled> {
+    let (settings, lines) = journal::read::<LabelledBalls>(path)?;
+    let LabelSettings { simulator: version, tasks, training_tasks_of, weights, net_without_dev, variants, .. } =
+        settings;
+    ensure!(
+        version == simulator::VERSION,
+        "{} was labelled by simulator {version}, this is simulator {}: label the balls again",
+        path.display(),
+        simulator::VERSION
+    );
+    Ok(Labelled { lines, training_tasks_of, proposed: weights.is_some(), net_without_dev, variants, tasks })
+}

@@ -1,0 +1,186 @@
+//! The success curves: how many of the test tasks each agent solves within so many attempts.
+//!
+//! The axis of the attempts is that of AUCCESS: attempt k takes the width ln(k + 1) - ln(k), its weight. So AUCCESS is
+//! the area under a curve, in percent of the panel.
+
+use pathlight::benchmark::auccess::MAX_ATTEMPTS;
+use pathlight::benchmark::folds::Setup;
+use svg::node::element::path::Data;
+use svg::node::element::{Definitions, Group, Path};
+
+use super::measured::{self, Measured};
+use super::picture::{Anchor, FAINT, Figure, MUTED, line, px, words};
+use crate::measure::agents::row;
+use crate::reproduce::report::REPORTED;
+
+/// The part of a panel that is plotted on, px: its place in the panel and its size.
+const PLOT: [f64; 4] = [58.0, 38.0, 330.0, 230.0];
+
+/// Width and height of a panel with its axes and labels, px.
+const PANEL: [f64; 2] = [520.0, 322.0];
+
+/// Height of the words below the panels, px.
+const FOOT: f64 = 26.0;
+
+/// Distance between two labels of curves, px.
+const LABEL: f64 = 16.0;
+
+const TICKS: [usize; 7] = [1, 2, 5, 10, 20, 50, 100];
+
+/// Draws the figure.
+pub fn draw(groups: &[measured::Group]) -> Figure {
+    let mut content = Group::new();
+    let mut used = [0.0, 0.0];
+    let mut height: f64 = 0.0;
+    for group in groups {
+        let column = usize::from(group.setup == Setup::Cross);
+        let corner = [column as f64 * PANEL[0], used[column]];
+        used[column] += PANEL[1];
+        height = height.max(used[column]);
+        content = content.add(panel(group).set("transform", format!("translate({} {})", px(corner[0]), px(corner[1]))));
+    }
+    let published = REPORTED.map(|(name, [within, cross])| format!("{name} {within} within and {cross} cross"));
+    let published = format!("Published auccess, all ten folds, on PHYRE's engine: {}.", published.join("; "));
+    content = content.add(words(published.as_str(), [PLOT[0], height + 6.0], 11.0, Anchor::Start).set("fill", MUTED));
+    let numbers: Vec<String> = groups
+        .iter()
+        .map(|group| {
+            let agents: Vec<String> = group.agents.iter().map(sentence).collect();
+            format!("{}, {}: {}.", group.setup, group.of, agents.join("; "))
+        })
+        .collect();
+    Figure {
+        name: "curves",
+        title: "Tasks solved within so many attempts",
+        caption:
+            "The share of the test tasks that each agent solves within so many attempts. Attempts are as wide as they \
+                  weigh in AUCCESS, which is the area under a curve and stands beside it."
+                .to_string(),
+        numbers: format!("{} {published}", numbers.join(" ")),
+        size: [2.0 * PANEL[0], height + FOOT],
+        definitions: Definitions::new(),
+        content,
+    }
+}
+
+/// What a curve shows, in words.
+fn sentence(agent: &Measured) -> String {
+    let [first, ten, hundred] = [1, 10, MAX_ATTEMPTS].map(|attempts| 100.0 * agent.solved_within(attempts));
+    format!(
+        "{} {first:.0} % at the first attempt, {ten:.0} % within 10, {hundred:.0} % within {MAX_ATTEMPTS}",
+        label(agent)
+    )
+}
+
+/// The name of an agent, and its auccess.
+fn label(agent: &Measured) -> String {
+    format!("{} {:.1}", agent.agent, agent.auccess(None).unwrap_or_default())
+}
+
+/// Where the bar of an attempt begins, px.
+fn x(attempt: usize) -> f64 {
+    let [left, _, width, _] = PLOT;
+    left + width * (attempt as f64).ln() / ((MAX_ATTEMPTS + 1) as f64).ln()
+}
+
+/// Height of a share, 0..=1, px.
+fn y(share: f64) -> f64 {
+    let [_, top, _, height] = PLOT;
+    top + height * (1.0 - share)
+}
+
+fn panel(group: &measured::Group) -> Group {
+    let [left, top, width, height] = PLOT;
+    let mut panel = Group::new().add(
+        words(format!("{}: {}", group.setup, group.of), [left, top - 14.0], 13.0, Anchor::Start)
+            .set("font-weight", "bold"),
+    );
+    for percent in [0, 20, 40, 60, 80, 100] {
+        let at = y(f64::from(percent) / 100.0);
+        panel = panel
+            .add(line([left, at], [left + width, at], FAINT))
+            .add(words(percent.to_string(), [left - 7.0, at + 4.0], 11.0, Anchor::End).set("fill", MUTED));
+    }
+    for attempt in TICKS {
+        panel = panel.add(line([x(attempt), top + height], [x(attempt), top + height + 4.0], MUTED)).add(
+            words(attempt.to_string(), [x(attempt), top + height + 17.0], 11.0, Anchor::Middle).set("fill", MUTED),
+        );
+    }
+    let middle = top + height / 2.0;
+    let upwards = words("tasks solved, %", [0.0, 0.0], 11.0, Anchor::Middle).set("fill", MUTED);
+    panel = panel
+        .add(words("attempts", [left + width / 2.0, top + height + 34.0], 11.0, Anchor::Middle).set("fill", MUTED))
+        .add(upwards.set("transform", format!("translate({} {}) rotate(-90)", px(left - 38.0), px(middle))));
+    // Drawn first what lies below: the first agents are the best ones.
+    for agent in group.agents.iter().rev() {
+        panel = panel.add(curve(agent));
+    }
+    let ends: Vec<f64> = group.agents.iter().map(|agent| y(agent.solved_within(MAX_ATTEMPTS))).collect();
+    for (agent, at) in group.agents.iter().zip(apart(&ends)) {
+        let (colour, _) = row(agent.agent).style;
+        let end = left + width;
+        let leader = line([end + 2.0, y(agent.solved_within(MAX_ATTEMPTS))], [end + 16.0, at], colour);
+        panel = panel.add(leader.set("stroke-width", 2)).add(words(
+            label(agent),
+            [end + 20.0, at + 4.0],
+            12.0,
+            Anchor::Start,
+        ));
+    }
+    panel
+}
+
+fn curve(agent: &Measured) -> Group {
+    let mut share = agent.solved_within(1);
+    let mut data = Data::new().move_to((px(x(1)), px(y(share))));
+    for attempt in 2..=MAX_ATTEMPTS {
+        let next = agent.solved_within(attempt);
+        if next != share {
+            data = data.horizontal_line_to(px(x(attempt))).vertical_line_to(px(y(next)));
+            share = next;
+        }
+    }
+    let (colour, dashes) = row(agent.agent).style;
+    let path =
+        Path::new().set("d", data.horizontal_line_to(px(x(MAX_ATTEMPTS + 1)))).set("class", agent.agent.to_string());
+    Group::new()
+        .add(path.set("fill", "none").set("stroke", colour).set("stroke-width", 2).set("stroke-dasharray", dashes))
+}
+
+/// Returns places of labels, px: as near to those asked for as `LABEL` between them allows, in the same order from top
+/// to bottom.
+fn apart(places: &[f64]) -> Vec<f64> {
+    let mut order: Vec<usize> = (0..places.len()).collect();
+    order.sort_by(|&a, &b| places[a].total_cmp(&places[b]));
+    let mut moved = places.to_vec();
+    // Down first; then the lowest ones, which may have left the plot, up again.
+    for pair in 1..order.len() {
+        moved[order[pair]] = moved[order[pair]].max(moved[order[pair - 1]] + LABEL);
+    }
+    let mut limit = PLOT[1] + PLOT[3];
+    for &index in order.iter().rev() {
+        moved[index] = moved[index].min(limit);
+        limit = moved[index] - LABEL;
+    }
+    moved
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn labels_keep_their_order_and_lie_apart() {
+        let bottom = PLOT[1] + PLOT[3];
+        for places in [vec![], vec![50.0], vec![60.0, 50.0, 55.0], vec![bottom, bottom - 1.0, bottom, 40.0]] {
+            let moved = apart(&places);
+            let mut sorted = moved.clone();
+            sorted.sort_by(f64::total_cmp);
+            assert!(sorted.windows(2).all(|pair| pair[1] - pair[0] > LABEL - 1e-9), "{moved:?}");
+            assert!(moved.iter().all(|&place| place <= bottom), "{moved:?}");
+            for (a, b) in (1..places.len()).map(|index| (index - 1, index)) {
+                assert!(places[a] == places[b] || (places[a] < places[b]) == (moved[a] < moved[b]));
+            }
+        }
+    }
+}

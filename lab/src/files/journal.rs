@@ -1,0 +1,218 @@
+//! Append-only files of JSON lines that can be continued after an interruption; used by `data collect` and `data
+//! label`.
+//!
+//! The first line holds the settings, and a file is continued only with the same settings. Every further line is an
+//! entry. A process that was killed may leave a last line that is cut off: readers skip it, and it is removed when
+//! the file is continued. Any other line that cannot be read is an error, so that nobody trains on part of a
+//! file without noticing.
+
+use std::fs::File;
+use std::io::{BufRead, BufReader, Read, Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, bail, ensure};
+use pathlight::puzzle::action::{Ball, RADIUS};
+use pathlight::puzzle::scene::SIZE;
+use pathlight::puzzle::task::{TaskId, ids};
+use pathlight::puzzle::templates::TEMPLATES;
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+
+use super::differences::differences;
+use super::file_lock::lock;
+
+/// Longest line, bytes. Those of `label` have some 8,000.
+const MAX_LINE: u64 = 1 << 20;
+
+/// A line after the first.
+pub trait Entry: Serialize + DeserializeOwned {
+    /// What the first line holds.
+    type Settings: Serialize + DeserializeOwned;
+
+    /// The command of the lab that writes these files.
+    const COMMAND: &'static str;
+
+    /// Checks what the JSON format alone does not ensure.
+    ///
+    /// # Errors
+    /// Says what is wrong.
+    fn check(&self) -> Result<(), String>;
+}
+
+/// A file that only this process appends to.
+pub struct Journal {
+    path: PathBuf,
+    file: File,
+    /// Length of the file up to the end of the settings and of each entry found at opening, bytes.
+    ends: Vec<u64>,
+}
+
+impl Journal {
+    /// Opens a file to append to, and returns the entries it holds. A new file begins with the settings.
+    ///
+    /// # Errors
+    /// If the file has other settings, is damaged, is used by another process, or cannot be written.
+    pub fn open<E: Entry>(path: &Path, settings: &E::Settings) -> anyhow::Result<(Journal, Vec<E>)> {
+        let name = path.display();
+        let mut journal = Journal { path: path.to_path_buf(), file: lock(path)?, ends: Vec::new() };
+        if is_cut_off_in_the_settings(&journal.file, &serde_json::to_vec(settings)?)? {
+            journal.file.set_len(0).and_then(|()| journal.file.rewind()).with_context(|| journal.cannot_write())?;
+            journal.append(std::slice::from_ref(settings))?;
+            journal.ends.push(journal.file.stream_position()?);
+            return Ok((journal, Vec::new()));
+        }
+        let contents = parse::<E>(&journal.file, path)?;
+        let other = differences(&contents.settings, settings);
+        ensure!(other.is_empty(), "{name} has other settings ({other}): write to another file with --out");
+        journal.ends = contents.ends;
+        journal.keep(contents.entries.len())?;
+        if !contents.ends_with_newline {
+            journal.write(b"\n")?;
+            *journal.ends.last_mut().expect("the settings end somewhere") += 1;
+        }
+        Ok((journal, contents.entries))
+    }
+
+    /// Removes all but the first entries. To be called before anything is appended.
+    ///
+    /// # Errors
+    /// If the file cannot be written.
+    pub fn keep(&mut self, entries: usize) -> anyhow::Result<()> {
+        self.ends.truncate(entries + 1);
+        let end = *self.ends.last().expect("the settings end somewhere");
+        self.file.set_len(end).and_then(|()| self.file.seek(SeekFrom::End(0))).with_context(|| self.cannot_write())?;
+        Ok(())
+    }
+
+    /// Appends lines in one write.
+    ///
+    /// # Errors
+    /// If the file cannot be written.
+    pub fn append(&mut self, lines: &[impl Serialize]) -> anyhow::Result<()> {
+        let mut bytes = Vec::new();
+        for line in lines {
+            serde_json::to_writer(&mut bytes, line)?;
+            bytes.push(b'\n');
+        }
+        self.write(&bytes)
+    }
+
+    fn write(&mut self, bytes: &[u8]) -> anyhow::Result<()> {
+        self.file.write_all(bytes).with_context(|| self.cannot_write())
+    }
+
+    fn cannot_write(&self) -> String {
+        format!("cannot write {}", self.path.display())
+    }
+}
+
+/// Reads a file: its settings and its entries.
+///
+/// # Errors
+/// If it cannot be read, a line is damaged, or it is not a file of the entries' command.
+pub fn read<E: Entry>(path: &Path) -> anyhow::Result<(E::Settings, Vec<E>)> {
+    let file = File::open(path)
+        .with_context(|| format!("cannot read {}: run `pathlight-lab {}` first", path.display(), E::COMMAND))?;
+    let contents = parse(&file, path)?;
+    Ok((contents.settings, contents.entries))
+}
+
+/// Whether a file begins with the settings of such entries.
+///
+/// # Errors
+/// If it cannot be read.
+pub fn is_file_of<E: Entry>(path: &Path) -> anyhow::Result<bool> {
+    let cannot_read = || format!("cannot read {}", path.display());
+    let mut line = Vec::new();
+    BufReader::new(File::open(path).with_context(cannot_read)?)
+        .read_until(b'\n', &mut line)
+        .with_context(cannot_read)?;
+    Ok(serde_json::from_slice::<E::Settings>(&line).is_ok())
+}
+
+/// Whether the file is empty or ends within the settings that this process would write: nothing is lost with it, and no
+/// file of other contents is taken for one.
+fn is_cut_off_in_the_settings(mut file: &File, settings: &[u8]) -> anyhow::Result<bool> {
+    let mut start = Vec::new();
+    file.take(settings.len() as u64).read_to_end(&mut start)?;
+    file.rewind()?;
+    Ok(start.len() < settings.len() && settings.starts_with(&start))
+}
+
+/// What a file holds.
+pub struct Contents<E: Entry> {
+    pub settings: E::Settings,
+    pub entries: Vec<E>,
+    /// As in `Journal`.
+    ends: Vec<u64>,
+    /// Does the last line that was read have its newline?
+    ends_with_newline: bool,
+}
+
+/// Reads lines up to the end; errors name the file.
+///
+/// # Errors
+/// As those of `read`.
+pub fn parse<E: Entry>(file: impl Read, path: &Path) -> anyhow::Result<Contents<E>> {
+    let (name, command) = (path.display(), E::COMMAND);
+    let cannot_read = || format!("cannot read {name}");
+    let mut reader = BufReader::new(file);
+    let mut line = Vec::new();
+    let mut next = |number: usize, line: &mut Vec<u8>| {
+        line.clear();
+        let length = (&mut reader).take(MAX_LINE).read_until(b'\n', line).with_context(cannot_read)? as u64;
+        let is_whole = length < MAX_LINE || line.ends_with(b"\n");
+        ensure!(
+            is_whole,
+            "line {number} of {name} has more than {MAX_LINE} bytes: choose a file of `pathlight-lab {command}`"
+        );
+        anyhow::Ok(length)
+    };
+    let length = next(1, &mut line)?;
+    let settings = serde_json::from_slice(&line);
+    let settings =
+        settings.with_context(|| format!("{name} is not a file of `pathlight-lab {command}`: choose another file"))?;
+    let ends_with_newline = line.ends_with(b"\n");
+    let mut contents = Contents { settings, entries: Vec::new(), ends: vec![length], ends_with_newline };
+    for number in 2.. {
+        let length = next(number, &mut line)?;
+        if length == 0 {
+            break;
+        }
+        let ends_with_newline = line.ends_with(b"\n");
+        let entry = match serde_json::from_slice::<E>(&line) {
+            Ok(entry) => entry,
+            Err(_) if !ends_with_newline => break,
+            Err(error) => bail!("line {number} of {name} is damaged ({error}): restore the file or make it again"),
+        };
+        if let Err(why) = entry.check() {
+            bail!("line {number} of {name} is wrong: {why}");
+        }
+        contents.entries.push(entry);
+        contents.ends.push(contents.ends.last().expect("the settings end somewhere") + length);
+        contents.ends_with_newline = ends_with_newline;
+    }
+    Ok(contents)
+}
+
+/// Checks that the benchmark has a task; for `Entry::check`.
+///
+/// # Errors
+/// Names the task if not.
+pub fn check_task(task: TaskId) -> Result<(), String> {
+    let known = TEMPLATES.get(task.template).is_some_and(|template| ids(template).any(|id| id == task));
+    if known { Ok(()) } else { Err(format!("the benchmark has no task {task}")) }
+}
+
+/// Checks that a ball of a task has a radius of the benchmark's and is inside the scene; for `Entry::check`.
+///
+/// # Errors
+/// Names ball and task if not.
+pub fn check_ball(task: TaskId, ball: &Ball) -> Result<(), String> {
+    let span = ball.r..=SIZE - ball.r;
+    if RADIUS.contains(&ball.r) && span.contains(&ball.x) && span.contains(&ball.y) {
+        Ok(())
+    } else {
+        Err(format!("the ball {ball} of {task} has a wrong radius or is not inside the scene"))
+    }
+}

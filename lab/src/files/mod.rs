@@ -1,0 +1,23 @@
+//! Files: journals that can be continued, JSON, weights, and writing completely or not at all.
+
+use std::fs;
+use std::path::Path;
+
+use anyhow::Context;
+use sha2::{Digest, Sha256};
+
+pub mod differences;
+pub mod file_lock;
+pub mod journal;
+pub mod json_file;
+pub mod replace_file;
+pub mod weights_file;
+
+/// Returns the SHA-256 of a file, in hexadecimal.
+///
+/// # Errors
+/// If it cannot be read.
+pub fn digest(path: &Path) -> anyhow::Result<String> {
+    let bytes = fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
+    Ok(Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect())
+}

@@ -1,0 +1,70 @@
+//! Files that are written completely or not at all.
+
+use std::fs;
+use std::io::{self, Write};
+use std::path::Path;
+
+use anyhow::Context;
+use tempfile::Builder;
+
+/// Writes a file, and its folder if that is missing. A file that is there already stays as it is until the new one is
+/// complete and on disk. A device, a pipe or a link, which are not to be replaced, is written to.
+///
+/// # Errors
+/// If it cannot be written; then nothing has changed.
+pub fn replace_file(path: &Path, bytes: &[u8]) -> anyhow::Result<()> {
+    let is_special = fs::symlink_metadata(path).is_ok_and(|found| !found.is_file() && !found.is_dir());
+    let written = if is_special { fs::write(path, bytes) } else { replace(path, bytes) };
+    written.with_context(|| format!("cannot write {}", path.display()))
+}
+
+fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    fs::create_dir_all(folder)?;
+    let mut builder = Builder::new();
+    // As other programs create files; a temporary file is its owner's alone otherwise.
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    let mut part = builder.prefix(".part-").tempfile_in(folder)?;
+    part.write_all(bytes)?;
+    part.as_file().sync_all()?;
+    part.persist(path)?;
+    Ok(())
+}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use std::os::unix::fs::MetadataExt;
+
+    use super::*;
+
+    #[test]
+    fn links_and_devices_are_written_to_and_a_file_replaced() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let [device, link, file] = ["device", "link", "new/file"].map(|name| folder.path().join(name));
+        std::os::unix::fs::symlink("/dev/null", &device).expect("a link");
+        std::os::unix::fs::symlink(&file, &link).expect("a link");
+        replace_file(&device, b"lost").expect("written");
+        assert!(device.is_symlink() && !device.is_file());
+        for bytes in [b"first".as_slice(), b"second"] {
+            replace_file(&file, bytes).expect("written");
+            assert_eq!(fs::read(&file).expect("a file"), bytes);
+        }
+        replace_file(&link, b"through the link").expect("written");
+        assert!(link.is_symlink());
+        assert_eq!(fs::read(&file).expect("a file"), b"through the link");
+    }
+
+    #[test]
+    fn a_file_has_the_mode_of_other_new_files_and_nothing_is_left_beside_it() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let [ours, other] = ["ours", "other"].map(|name| folder.path().join(name));
+        fs::write(&other, b"").expect("written");
+        replace_file(&ours, b"").expect("written");
+        let mode = |path: &Path| fs::metadata(path).expect("a file").mode();
+        assert_eq!(mode(&ours), mode(&other));
+        fs::create_dir(folder.path().join("taken")).expect("a folder");
+        replace_file(&folder.path().join("taken"), b"").expect_err("a folder is not replaced");
+        assert_eq!(fs::read_dir(folder.path()).expect("a folder").count(), 3);
+    }
+}

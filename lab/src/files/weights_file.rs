@@ -1,0 +1,44 @@
+//! Files of weights, which are loaded only for the fold that they were trained on.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use anyhow::Context;
+use pathlight::benchmark::folds::FoldId;
+use pathlight::nets::{Card, Dqn, DqnCard, PathNet};
+
+/// Returns the default folder of the training runs of a fold.
+pub fn training_folder(fold: FoldId) -> PathBuf {
+    format!("target/train/{fold}").into()
+}
+
+/// Reads the nets of a fold, and how they were trained; without a path, the shipped ones.
+///
+/// # Errors
+/// If the file cannot be read, or its nets were trained on another fold and so may know the test tasks of this.
+pub fn load_nets(path: Option<&Path>, fold: FoldId) -> anyhow::Result<(PathNet, Card)> {
+    let path = path.map_or_else(|| format!("assets/{fold}.safetensors").into(), Path::to_path_buf);
+    let name = path.display();
+    let bytes = fs::read(&path).with_context(|| {
+        format!("cannot read the weights in {name}: run `pathlight-lab train paths`, or name a file with --weights")
+    })?;
+    let (nets, card) = PathNet::load(&bytes).with_context(|| format!("cannot use {name}"))?;
+    card.fold_id().check(fold).with_context(|| format!("cannot use {name}"))?;
+    Ok((nets, card))
+}
+
+/// Reads DQN of a fold, and how it was trained; without a path, that of the default folder.
+///
+/// # Errors
+/// As those of `load_nets`.
+pub fn load_dqn(path: Option<&Path>, fold: FoldId) -> anyhow::Result<(Dqn, DqnCard)> {
+    let path = path.map_or_else(|| training_folder(fold).join("dqn/weights.safetensors"), Path::to_path_buf);
+    let name = path.display();
+    let bytes = fs::read(&path).with_context(|| {
+        format!("cannot read DQN's weights in {name}: run `pathlight-lab train dqn`, or name a file with --dqn")
+    })?;
+    let (net, card) = Dqn::load(&bytes)
+        .with_context(|| format!("cannot use {name} as DQN's weights, which `pathlight-lab train dqn` writes"))?;
+    card.fold_id().check(fold).with_context(|| format!("cannot use {name}"))?;
+    Ok((net, card))
+}

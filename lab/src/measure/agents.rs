@@ -1,0 +1,105 @@
+//! The agents as they are measured and shown: one table, in the order of reports. `pathlight::agents::agent_name` has
+//! their names and starts them.
+
+use pathlight::agents::agent_name::AgentName;
+
+/// An agent.
+pub struct MeasuredAgent {
+    pub agent: AgentName,
+    /// Its name in reports.
+    pub label: &'static str,
+    /// The weights of a fold that it is measured with.
+    pub weights: Weights,
+    /// Whether it is measured only if it is named.
+    pub on_request: bool,
+    /// Colour and dashes in figures. The colours are those of Okabe and Ito, which colour-blind people can tell apart;
+    /// neighbours differ in lightness too. The random agent is the ground that the others stand out from.
+    pub style: (&'static str, &'static str),
+}
+
+/// Weights that training a fold leaves behind.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Weights {
+    Judge,
+    Dynamics,
+    Dqn,
+    None,
+}
+
+/// All agents.
+pub const AGENTS: [MeasuredAgent; AgentName::ALL.len()] = [
+    MeasuredAgent {
+        agent: AgentName::Online,
+        label: "online",
+        weights: Weights::Dynamics,
+        on_request: false,
+        style: ("#0072b2", "none"),
+    },
+    MeasuredAgent {
+        agent: AgentName::OnlineByBalls,
+        label: "online, by balls",
+        weights: Weights::Dynamics,
+        on_request: true,
+        style: ("#8e5ab5", "2 3"),
+    },
+    MeasuredAgent {
+        agent: AgentName::Dynamics,
+        label: "dynamics",
+        weights: Weights::Dynamics,
+        on_request: false,
+        style: ("#56b4e9", "7 3"),
+    },
+    MeasuredAgent {
+        agent: AgentName::Judge,
+        label: "judge",
+        weights: Weights::Judge,
+        on_request: false,
+        style: ("#009e73", "none"),
+    },
+    MeasuredAgent {
+        agent: AgentName::Dqn,
+        label: "DQN, smaller",
+        weights: Weights::Dqn,
+        on_request: false,
+        style: ("#b8860b", "4 2"),
+    },
+    MeasuredAgent {
+        agent: AgentName::Paper,
+        label: "the paper's four nets",
+        weights: Weights::Judge,
+        on_request: false,
+        style: ("#d55e00", "8 3 2 3"),
+    },
+    MeasuredAgent {
+        agent: AgentName::Random,
+        label: "random",
+        weights: Weights::None,
+        on_request: false,
+        style: ("#7a8089", "3 2"),
+    },
+];
+
+/// Returns the row of an agent.
+pub fn row(agent: AgentName) -> &'static MeasuredAgent {
+    AGENTS.iter().find(|row| row.agent == agent).expect("every agent has a row, as a test checks")
+}
+
+/// Returns the agents that are measured with these weights.
+pub fn measured_with(weights: Weights) -> impl Iterator<Item = AgentName> {
+    AGENTS.iter().filter(move |row| row.weights == weights).map(|row| row.agent)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_agent_has_a_row_and_a_look_of_its_own() {
+        for agent in AgentName::ALL {
+            let MeasuredAgent { label, style, weights, .. } = row(agent);
+            assert_eq!(AGENTS.iter().filter(|other| other.style.0 == style.0).count(), 1, "{agent}: its colour");
+            assert_eq!(AGENTS.iter().filter(|other| other.label == *label).count(), 1, "{agent}: its label");
+            assert_eq!(matches!(weights, Weights::Judge | Weights::Dynamics), agent.is_of_model(), "{agent}");
+        }
+    }
+}

@@ -1,0 +1,243 @@
+//! Auccess of agents on a fold's test tasks, beside the random agent, as a table and as JSON.
+//!
+//! Only counted attempts are simulated: an agent proposes one ball at a time and observes what became of it, until one
+//! solves the task.
+
+use std::fmt::{self, Write as _};
+use std::path::PathBuf;
+
+use anyhow::ensure;
+use pathlight::agents::agent_name::{AgentName, Loaded};
+use pathlight::agents::{self, Agent};
+use pathlight::benchmark::auccess::{MAX_ATTEMPTS, auccess, solved_within};
+use pathlight::benchmark::folds::{FoldId, Setup};
+use pathlight::nets::{Card, DqnCard};
+use pathlight::puzzle::scene::Scene;
+use pathlight::puzzle::task::{Task, TaskId};
+use pathlight::puzzle::templates::TEMPLATES;
+use pathlight::session::turn::Turn;
+use pathlight::simulator::Engine;
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+
+use super::agents::row;
+use super::first_of_each_template;
+use crate::files::weights_file::{load_dqn, load_nets};
+use crate::progress::Progress;
+
+/// What to measure.
+#[derive(Default)]
+pub struct Settings {
+    /// The random agent is always measured too; empty are all that the weights allow, but for those that are measured
+    /// only if they are named, and DQN only if `dqn` names its weights.
+    pub agents: Vec<AgentName>,
+    pub fold: FoldId,
+    /// Use the dev tasks, to choose settings on, instead of the test tasks.
+    pub dev: bool,
+    /// At most the first of these tasks of each template.
+    pub limit: Option<u16>,
+    /// Seed of all random draws.
+    pub seed: u64,
+    pub engine: Engine,
+    /// Weights of the model; `None` are the shipped ones.
+    pub weights: Option<PathBuf>,
+    /// Weights of DQN; `None` are those of the default folder, if the agent is named.
+    pub dqn: Option<PathBuf>,
+}
+
+/// What was measured, and how. The `--json` file.
+#[derive(Serialize, Deserialize)]
+pub struct Report {
+    pub setup: Setup,
+    pub fold: u8,
+    /// `test` or `dev`.
+    pub tasks_of: String,
+    pub seed: u64,
+    /// What simulated the attempts; absent if that is the first engine.
+    #[serde(default, skip_serializing_if = "Engine::is_first")]
+    pub engine: Engine,
+    /// The version of the engine.
+    pub simulator: u32,
+    /// `agents::VERSION`; 0 in a file that does not record it.
+    #[serde(default)]
+    pub agents_version: u32,
+    /// How the model was trained, if it was measured.
+    pub card: Option<Card>,
+    /// How DQN was trained, if it was measured.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub dqn: Option<DqnCard>,
+    pub agents: Vec<Score>,
+}
+
+/// The results of an agent.
+#[derive(Serialize, Deserialize)]
+pub struct Score {
+    pub agent: AgentName,
+    /// 0..=100
+    pub auccess: f64,
+    /// Fraction of the tasks solved at the first attempt.
+    pub solved_at_once: f64,
+    pub solved_within_10: f64,
+    pub solved_within_100: f64,
+    /// The first attempt that solved each task, counted from 1; null if none did.
+    pub first_solved: Vec<(TaskId, Option<usize>)>,
+}
+
+impl Settings {
+    /// Measures the agents.
+    ///
+    /// # Errors
+    /// If the weights cannot be used for it.
+    pub fn measure(&self, progress: &mut dyn Progress) -> anyhow::Result<Report> {
+        let fold = self.fold.tasks();
+        let (tasks, tasks_of) = if self.dev { (fold.dev, "dev") } else { (fold.test, "test") };
+        let tasks = first_of_each_template(&tasks, self.limit);
+        let mut report = Report {
+            setup: self.fold.setup,
+            fold: self.fold.fold,
+            tasks_of: tasks_of.to_string(),
+            seed: self.seed,
+            engine: self.engine,
+            simulator: self.engine.version(),
+            agents_version: agents::VERSION,
+            card: None,
+            dqn: None,
+            agents: Vec::new(),
+        };
+        let mut nets = None;
+        if AgentName::ALL.into_iter().any(|agent| agent.is_of_model() && self.measures(agent)) {
+            let (loaded, mut card) = load_nets(self.weights.as_deref(), self.fold)?;
+            self.check_dev(card.without_dev, "paths")?;
+            for agent in &self.agents {
+                agent.check(&loaded)?;
+            }
+            if !self.measures(AgentName::Judge) {
+                card.judge = None;
+            }
+            report.card = Some(card);
+            nets = Some(loaded);
+        }
+        let mut dqn = None;
+        if self.agents.contains(&AgentName::Dqn) || self.dqn.is_some() {
+            let (loaded, card) = load_dqn(self.dqn.as_deref(), self.fold)?;
+            self.check_dev(card.without_dev, "dqn")?;
+            report.dqn = Some(card);
+            dqn = Some(loaded);
+        }
+        let loaded = Loaded { nets: nets.as_ref(), dqn: dqn.as_ref() };
+        for agent in AgentName::ALL {
+            let is_measured = match agent {
+                AgentName::Random => true,
+                AgentName::Dqn => loaded.dqn.is_some(),
+                of_model => self.measures(of_model) && loaded.nets.is_some_and(|nets| of_model.check(nets).is_ok()),
+            };
+            if is_measured {
+                let start =
+                    |task: TaskId, scene: &Scene| agent.start(loaded, scene, task.seed(self.seed), MAX_ATTEMPTS);
+                report.agents.push(score(agent, start, self.engine, &tasks, progress)?);
+            }
+        }
+        Ok(report)
+    }
+
+    /// Whether an agent of a model is asked for.
+    fn measures(&self, agent: AgentName) -> bool {
+        if self.agents.is_empty() { !row(agent).on_request } else { self.agents.contains(&agent) }
+    }
+
+    /// Checks that the dev tasks, if they are attempted, were not trained on.
+    fn check_dev(&self, without_dev: bool, net: &str) -> anyhow::Result<()> {
+        ensure!(
+            !self.dev || without_dev,
+            "these weights were trained on the dev tasks too, so --dev would measure nothing new: train with \
+             `pathlight-lab train {net} --without-dev`"
+        );
+        Ok(())
+    }
+}
+
+/// Measures an agent on some tasks in an engine.
+fn score(
+    agent: AgentName,
+    start: impl Fn(TaskId, &Scene) -> Box<dyn Agent> + Sync,
+    engine: Engine,
+    tasks: &[TaskId],
+    progress: &mut dyn Progress,
+) -> anyhow::Result<Score> {
+    progress.begin(tasks.len() as u64);
+    let mut first_solved = Vec::with_capacity(tasks.len());
+    for chunk in tasks.chunks(20) {
+        let played = chunk.par_iter().map(|&task| {
+            let scene = Task::load(task)?.scene;
+            let agent = start(task, &scene);
+            Ok((task, Turn::in_engine(scene, agent, engine).first_solved().expect("agents propose valid balls")))
+        });
+        first_solved.extend(played.collect::<anyhow::Result<Vec<_>>>()?);
+        progress.advance(chunk.len() as u64, format!("tasks attempted by {agent}"));
+    }
+    progress.finish(&format!("{} tasks attempted by {agent}", tasks.len()));
+    let firsts: Vec<_> = first_solved.iter().map(|&(_, first)| first).collect();
+    Ok(Score {
+        agent,
+        auccess: auccess(&firsts),
+        solved_at_once: solved_within(&firsts, 1),
+        solved_within_10: solved_within(&firsts, 10),
+        solved_within_100: solved_within(&firsts, MAX_ATTEMPTS),
+        first_solved,
+    })
+}
+
+impl Report {
+    /// The results as a table for people: a row per template and one for all.
+    pub fn table(&self) -> Result<String, fmt::Error> {
+        // All agents attempt the same tasks.
+        let attempted = self.agents.first().map_or(&[][..], |score| &score.first_solved);
+        let tasks: Vec<TaskId> = attempted.iter().map(|&(task, _)| task).collect();
+        let Report { setup, fold, tasks_of, seed, engine, simulator, .. } = self;
+        let mut text = String::new();
+        write!(text, "{setup}, fold {fold}, {} {tasks_of} tasks, seed {seed}, ", tasks.len())?;
+        if !engine.is_first() {
+            write!(text, "engine {engine}, ")?;
+        }
+        writeln!(text, "simulator {simulator}")?;
+        if let Some(card @ Card { samples, tasks, epochs, seed, .. }) = self.card.as_ref() {
+            write!(text, "model: {samples} solutions of {tasks} tasks, {epochs} epochs, seed {seed}")?;
+            if let Some(judge) = &card.judge {
+                write!(text, "; judge: {} balls, {} epochs", judge.balls, judge.epochs)?;
+            }
+            if let Some(dynamics) = &card.dynamics {
+                write!(text, "; dynamics net: {} balls, {} epochs", dynamics.balls, dynamics.epochs)?;
+            }
+            writeln!(text)?;
+        }
+        if let Some(DqnCard { balls, epochs, seed, .. }) = &self.dqn {
+            writeln!(text, "DQN: {balls} balls, {epochs} epochs, seed {seed}")?;
+        }
+        write!(text, "{:30} {:>5}", "template", "tasks")?;
+        for Score { agent, .. } in &self.agents {
+            write!(text, "  {:>15} {:>6} {:>6} {:>6}", format!("{agent}: auccess"), "1st", "<= 10", "<= 100")?;
+        }
+        writeln!(text)?;
+        for of_template in tasks.chunk_by(|a, b| a.template == b.template) {
+            let template = TEMPLATES[of_template[0].template];
+            let name = format!("{:05} {}", template.number, template.name);
+            self.row(&mut text, &name, |task| task.template == template.number)?;
+        }
+        self.row(&mut text, "all", |_| true)?;
+        Ok(text)
+    }
+
+    fn row(&self, text: &mut String, name: &str, of: impl Fn(&TaskId) -> bool) -> fmt::Result {
+        write!(text, "{name:30}")?;
+        for (column, score) in self.agents.iter().enumerate() {
+            let firsts: Vec<_> =
+                score.first_solved.iter().filter(|(task, _)| of(task)).map(|&(_, first)| first).collect();
+            if column == 0 {
+                write!(text, " {:>5}", firsts.len())?;
+            }
+            let [first, ten, hundred] = [1, 10, MAX_ATTEMPTS].map(|attempts| 100.0 * solved_within(&firsts, attempts));
+            write!(text, "  {:>15.1} {first:>4.0} % {ten:>4.0} % {hundred:>4.0} %", auccess(&firsts))?;
+        }
+        writeln!(text)
+    }
+}

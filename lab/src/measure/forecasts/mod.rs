@@ -1,0 +1,225 @@
+//! How well the dynamics net imagines what balls lead to, on test tasks of a fold.
+//!
+//! Uniformly random balls, and the known solutions of the tasks, because few random balls solve. The path of a body is
+//! drawn along its sampled positions, the imagined one like the real one, and compared by soft IoU. Half of the image
+//! of a path may be the body at its start; so the path of a body that stays where it is is compared too.
+//!
+//! `Forecasts` has the soft IoUs by template, for `figures`, and beside them those of the maps of the four nets.
+
+use std::collections::BTreeMap;
+use std::fmt::{self, Write as _};
+use std::path::PathBuf;
+
+use anyhow::Context;
+use pathlight::agents::sigmoid;
+use pathlight::benchmark::folds::FoldId;
+use pathlight::nets::{Card, PathNet};
+use pathlight::puzzle::action::{Ball, Invalid};
+use pathlight::puzzle::rollout::Rollout;
+use pathlight::puzzle::sampled_paths::{SAMPLED_STEPS, SAMPLES, SampledPath};
+use pathlight::puzzle::sampling::random_ball;
+use pathlight::puzzle::scene::{Body, Scene};
+use pathlight::puzzle::task::{Task, TaskId};
+use pathlight::raster::soft_iou::soft_iou;
+use pathlight::raster::{Bitmap, path_image, trail_image};
+use pathlight::simulator::{self, sampled_paths, simulate};
+use rand::SeedableRng;
+use rand_pcg::Pcg64Mcg;
+use rayon::prelude::*;
+
+use super::test_tasks;
+use crate::data::collect::{SOLUTIONS, read_solutions};
+use crate::files::weights_file::load_nets;
+pub use path_iou::{Forecasts, PathIous};
+use path_iou::{MapIous, TemplateIous, mean};
+
+mod path_iou;
+
+/// Samples whose distances are printed: after 1, 3 and 6.7 s, and at the end.
+const PRINTED: [usize; 4] = [3, 8, 12, SAMPLES - 1];
+
+/// What to measure.
+pub struct Settings {
+    pub fold: FoldId,
+    /// Random balls for each task; its known solutions come on top.
+    pub balls: usize,
+    /// Known solutions.
+    pub solutions: PathBuf,
+    /// At most the first test tasks of each template.
+    pub limit: Option<u16>,
+    /// Seed of the random balls.
+    pub seed: u64,
+    /// Weights of the model; `None` are the shipped ones.
+    pub weights: Option<PathBuf>,
+}
+
+impl Default for Settings {
+    fn default() -> Settings {
+        let solutions = SOLUTIONS.into();
+        Settings { fold: FoldId::default(), balls: 20, solutions, limit: None, seed: 0, weights: None }
+    }
+}
+
+/// What came of a ball beside what was imagined.
+pub struct Forecast {
+    solved: bool,
+    /// 0..=1
+    chance: f64,
+    /// From the imagined paths alone, 0..=1.
+    path_chance: f64,
+    /// Of the path of the green object, imagined and real.
+    object_iou: f64,
+    /// Of an object that stays where it starts.
+    resting_iou: f64,
+    /// Of the path of the action ball.
+    ball_iou: f64,
+    /// Between imagined and real positions of the object at each of `PRINTED`, px.
+    distances: [f64; PRINTED.len()],
+}
+
+impl Settings {
+    /// Measures; returns the soft IoUs by template, and a table of all for people.
+    ///
+    /// # Errors
+    /// If the weights or the solutions cannot be used for it.
+    pub fn measure(&self) -> anyhow::Result<(Forecasts, String)> {
+        let (nets, card) = load_nets(self.weights.as_deref(), self.fold)?;
+        nets.dynamics
+            .as_ref()
+            .context("the weights have no dynamics net: train one with `pathlight-lab train dynamics`")?;
+        let mut solutions: BTreeMap<TaskId, Vec<Ball>> = BTreeMap::new();
+        for solution in read_solutions(&self.solutions)?.solutions {
+            solutions.entry(solution.task).or_default().push(solution.ball);
+        }
+        let tasks = test_tasks(self.fold, self.limit);
+        let known = |id: &TaskId| solutions.get(id).map_or(&[][..], Vec::as_slice);
+        let of_tasks: Vec<(MapIous, Vec<Forecast>)> =
+            tasks.par_iter().map(|id| self.forecasts(&nets, *id, known(id))).collect::<anyhow::Result<_>>()?;
+        let forecasts: Vec<&Forecast> = of_tasks.iter().flat_map(|(_, forecasts)| forecasts).collect();
+        let table = self.table(tasks.len(), &forecasts)?;
+        Ok((self.by_template(card, &tasks, &of_tasks), table))
+    }
+
+    /// Means over the balls that solve, and over the others.
+    fn table(&self, tasks: usize, forecasts: &[&Forecast]) -> Result<String, fmt::Error> {
+        let mut text = format!(
+            "{} {}, {} test tasks, {} random balls each and known solutions, seed {}, simulator {}\n",
+            self.fold.setup,
+            self.fold.fold,
+            tasks,
+            self.balls,
+            self.seed,
+            simulator::VERSION
+        );
+        let steps = PRINTED.map(|sample| format!("{:>7}", format!("{:.1} s", SAMPLED_STEPS[sample] as f64 / 60.0)));
+        writeln!(
+            text,
+            "{:21}{:^22}{:^28}  distance of the object, px, after",
+            "", "mean chance", "soft IoU of the paths"
+        )?;
+        writeln!(
+            text,
+            "{:12}{:>9}{:>9}{:>13}{:>8}{:>13}{:>7}{}",
+            "",
+            "balls",
+            "all",
+            "paths alone",
+            "object",
+            "(at rest)",
+            "ball",
+            steps.concat()
+        )?;
+        for (name, solved) in [("solved", true), ("not solved", false)] {
+            let of: Vec<&Forecast> = forecasts.iter().copied().filter(|forecast| forecast.solved == solved).collect();
+            let mean = |value: &dyn Fn(&Forecast) -> f64| {
+                of.iter().map(|forecast| value(forecast)).sum::<f64>() / of.len().max(1) as f64
+            };
+            let distances: Vec<String> = (0..PRINTED.len())
+                .map(|index| format!("{:>7.1}", mean(&|forecast| forecast.distances[index])))
+                .collect();
+            writeln!(
+                text,
+                "{name:12}{:>9}{:>7.1} %{:>11.1} %{:>8.2}{:>13}{:>7.2}{}",
+                of.len(),
+                100.0 * mean(&|forecast| forecast.chance),
+                100.0 * mean(&|forecast| forecast.path_chance),
+                mean(&|forecast| forecast.object_iou),
+                format!("({:.2})", mean(&|forecast| forecast.resting_iou)),
+                mean(&|forecast| forecast.ball_iou),
+                distances.concat()
+            )?;
+        }
+        Ok(text)
+    }
+
+    fn by_template(&self, card: Card, tasks: &[TaskId], of_tasks: &[(MapIous, Vec<Forecast>)]) -> Forecasts {
+        let pairs: Vec<(TaskId, &(MapIous, Vec<Forecast>))> = tasks.iter().copied().zip(of_tasks).collect();
+        let of_template = |chunk: &[(TaskId, &(MapIous, Vec<Forecast>))]| {
+            let overlap = PathIous::mean(chunk.iter().map(|(_, of_task)| *of_task));
+            TemplateIous { template: chunk[0].0.template, overlap }
+        };
+        Forecasts {
+            setup: self.fold.setup,
+            fold: self.fold.fold,
+            seed: self.seed,
+            simulator: simulator::VERSION,
+            card,
+            tasks: tasks.len(),
+            balls: self.balls,
+            all: PathIous::mean(of_tasks.iter()),
+            templates: pairs.chunk_by(|a, b| a.0.template == b.0.template).map(of_template).collect(),
+        }
+    }
+
+    /// The maps of a task, and forecasts for random balls and its solutions.
+    fn forecasts(&self, nets: &PathNet, id: TaskId, solutions: &[Ball]) -> anyhow::Result<(MapIous, Vec<Forecast>)> {
+        let scene = Task::load(id)?.scene;
+        let mut rng = Pcg64Mcg::seed_from_u64(id.seed(self.seed));
+        let random = std::iter::repeat_with(|| random_ball(&scene, &mut rng)).map_while(|ball| ball).take(self.balls);
+        let balls: Vec<Ball> = random.chain(solutions.iter().copied()).collect();
+        let read = nets.read(&scene).context("the weights have no dynamics net")?;
+        let object = &scene.bodies[scene.body1];
+        let simulated = |ball: Ball| sampled_paths(&scene, ball).map_err(|why| anyhow::anyhow!("{id}, {ball}: {why}"));
+        let forecasts = balls.iter().zip(read.imagine(&balls)).map(|(&ball, imagined)| {
+            let (outcome, real) = simulated(ball)?;
+            let path_of_object = image(object, &real.object);
+            let iou = |body: &Body, imagined: &SampledPath, real: &SampledPath| {
+                soft_iou(&image(body, imagined), &image(body, real))
+            };
+            Ok(Forecast {
+                solved: outcome.solved,
+                chance: sigmoid(imagined.logit.into()),
+                path_chance: sigmoid(imagined.path_logit.into()),
+                object_iou: iou(object, &imagined.paths.object, &real.object),
+                resting_iou: soft_iou(&image(object, &[]), &path_of_object),
+                ball_iou: iou(&ball.body(), &imagined.paths.ball, &real.ball),
+                distances: PRINTED.map(|sample| {
+                    let ([x, y], [u, v]) = (imagined.paths.object[sample], real.object[sample]);
+                    f64::from((x - u).hypot(y - v))
+                }),
+            })
+        });
+        Ok((maps(nets, &scene, solutions)?, forecasts.collect::<anyhow::Result<_>>()?))
+    }
+}
+
+/// How well the maps of the four nets overlap what happens without a ball and with the known solutions.
+fn maps(nets: &PathNet, scene: &Scene, solutions: &[Ball]) -> anyhow::Result<MapIous> {
+    let imagined = nets.imagine(scene);
+    let iou = |map: &[f32], path: Bitmap| soft_iou(map, &path.to_f32().collect::<Vec<f32>>());
+    let object = |rollout: &Rollout| path_image(&scene.bodies[scene.body1], rollout, scene.body1);
+    let solved: Vec<(Ball, Rollout)> =
+        solutions.iter().map(|&ball| Ok((ball, simulate(scene, Some(ball))?))).collect::<Result<_, Invalid>>()?;
+    let ball = |(ball, rollout): &(Ball, Rollout)| path_image(&ball.body(), rollout, scene.bodies.len());
+    Ok(MapIous {
+        base: iou(&imagined.base, object(&simulate(scene, None)?)),
+        target: mean(solved.iter().map(|(_, rollout)| iou(&imagined.target, object(rollout)))),
+        action: mean(solved.iter().map(|one| iou(&imagined.action, ball(one)))),
+    })
+}
+
+/// The image of a path, `CELLS` values.
+fn image(body: &Body, path: &[[f32; 2]]) -> Vec<f32> {
+    let points: Vec<[f64; 2]> = path.iter().map(|point| point.map(f64::from)).collect();
+    trail_image(body, &points).to_f32().collect()
+}

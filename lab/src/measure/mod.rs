@@ -1,0 +1,24 @@
+//! Measurements: agents, forecasts and chances on the test tasks of a fold, and the simulator beside PHYRE's.
+
+use pathlight::benchmark::folds::FoldId;
+use pathlight::puzzle::task::TaskId;
+
+pub mod agents;
+pub mod calibration;
+pub mod evaluate;
+pub mod fidelity;
+pub mod forecasts;
+pub mod publish_results;
+pub mod shipped;
+
+/// Returns the test tasks of a fold, at most the first `limit` of each template.
+fn test_tasks(fold: FoldId, limit: Option<u16>) -> Vec<TaskId> {
+    first_of_each_template(&fold.tasks().test, limit)
+}
+
+/// Returns at most the first `limit` tasks of each template, of tasks in ascending order.
+fn first_of_each_template(tasks: &[TaskId], limit: Option<u16>) -> Vec<TaskId> {
+    let limit = limit.map_or(usize::MAX, usize::from);
+    let templates = tasks.chunk_by(|a, b| a.template == b.template);
+    templates.flat_map(|tasks| tasks.iter().copied().take(limit)).collect()
+}

@@ -1,0 +1,75 @@
+//! Collects the measurements of the shipped models into the small file from which the page
+//! shows them.
+//!
+//! For each model the first solving attempt of every agent on every test task of its fold, and the calibration of its
+//! chances.
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+
+use pathlight::agents::agent_name::AgentName;
+use pathlight::puzzle::task::TaskId;
+use serde::Serialize;
+
+use super::calibration::{Bin, Calibration};
+use super::evaluate::Report;
+use super::shipped::Shipped;
+use crate::files::json_file;
+use crate::files::replace_file::replace_file;
+use crate::training::publish::{ModelEntry, ModelList};
+
+/// `results.json`.
+#[derive(Serialize)]
+struct Results {
+    models: Vec<ModelResults>,
+}
+
+#[derive(Serialize)]
+struct ModelResults {
+    name: String,
+    simulator: u32,
+    agents_version: u32,
+    /// All test tasks of the model's fold, ascending.
+    tasks: Vec<TaskId>,
+    /// For each agent its auccess, 0..=100.
+    auccess: BTreeMap<String, f64>,
+    /// For each agent the first attempt that solved each task, from 1; null if none of a hundred did.
+    first_solved: BTreeMap<String, Vec<Option<usize>>>,
+    /// How often balls solve to which the model gives a chance, in ten bins of chances: uniformly random balls, and the
+    /// model's own candidates.
+    calibration: BTreeMap<&'static str, Vec<Bin>>,
+}
+
+/// Writes `results.json` beside the weights of the models; returns its path.
+///
+/// # Errors
+/// If a measurement is missing or does not belong to the weights, or the file cannot be written.
+pub fn publish(shipped: &Shipped) -> anyhow::Result<PathBuf> {
+    let list = shipped.assets.join("model.json");
+    let list: ModelList = json_file::read(&list, "pathlight-lab publish weights")?;
+    let models = list.models.into_iter().map(|entry| results_of(shipped, entry)).collect::<anyhow::Result<_>>()?;
+    let path = shipped.assets.join("results.json");
+    let mut json = serde_json::to_vec(&Results { models })?;
+    json.push(b'\n');
+    replace_file(&path, &json)?;
+    Ok(path)
+}
+
+fn results_of(shipped: &Shipped, ModelEntry { name, .. }: ModelEntry) -> anyhow::Result<ModelResults> {
+    let (report, fold) = shipped.read::<Report>(&name)?;
+    let (calibration, _) = shipped.read::<Calibration>(&name)?;
+    let label = |agent: AgentName| agent.to_string();
+    let first_solved = report
+        .agents
+        .iter()
+        .map(|score| (label(score.agent), score.first_solved.iter().map(|&(_, first)| first).collect()));
+    Ok(ModelResults {
+        simulator: report.simulator,
+        agents_version: report.agents_version,
+        tasks: fold.tasks().test,
+        auccess: report.agents.iter().map(|score| (label(score.agent), score.auccess)).collect(),
+        first_solved: first_solved.collect(),
+        calibration: [("random", calibration.random), ("candidates", calibration.candidates)].into(),
+        name,
+    })
+}

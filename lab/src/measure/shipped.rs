@@ -1,0 +1,115 @@
+//! The measurements of the models on the page, which belong to weights trained as those that the page has: a
+//! measurement knows its model by its card, so it must be made again whenever weights are published.
+
+use std::fs;
+use std::path::Path;
+
+use anyhow::{Context, ensure};
+use pathlight::agents;
+use pathlight::benchmark::folds::FoldId;
+use pathlight::nets::{Card, read_card};
+use pathlight::puzzle::task::TaskId;
+use pathlight::simulator;
+use serde::de::DeserializeOwned;
+
+use super::calibration::Calibration;
+use super::evaluate::Report;
+use super::forecasts::Forecasts;
+use crate::files::json_file;
+
+/// What a command measures of a model, as its `--json` file has it.
+pub trait Measurement: DeserializeOwned {
+    /// What follows `measure`.
+    const COMMAND: &'static str;
+    /// What follows the name of the model in that of the file.
+    const SUFFIX: &'static str;
+
+    /// How the model was trained, if one was measured.
+    fn card(&self) -> Option<&Card>;
+
+    /// Whether it is of all these test tasks, and of today's agents and simulator.
+    fn is_whole(&self, test: &[TaskId]) -> bool;
+}
+
+impl Measurement for Report {
+    const COMMAND: &'static str = "evaluate";
+    const SUFFIX: &'static str = "";
+
+    fn card(&self) -> Option<&Card> {
+        self.card.as_ref()
+    }
+
+    fn is_whole(&self, test: &[TaskId]) -> bool {
+        self.engine.is_first()
+            && (self.simulator, self.agents_version) == (simulator::VERSION, agents::VERSION)
+            && self.agents.iter().all(|score| score.first_solved.iter().map(|(task, _)| task).eq(test))
+    }
+}
+
+impl Measurement for Calibration {
+    const COMMAND: &'static str = "calibration";
+    const SUFFIX: &'static str = "-calibration";
+
+    fn card(&self) -> Option<&Card> {
+        Some(&self.card)
+    }
+
+    fn is_whole(&self, test: &[TaskId]) -> bool {
+        (self.simulator, self.agents_version, self.tasks) == (simulator::VERSION, agents::VERSION, test.len())
+    }
+}
+
+impl Measurement for Forecasts {
+    const COMMAND: &'static str = "forecasts";
+    const SUFFIX: &'static str = "-forecasts";
+
+    fn card(&self) -> Option<&Card> {
+        Some(&self.card)
+    }
+
+    fn is_whole(&self, test: &[TaskId]) -> bool {
+        (self.simulator, self.tasks) == (simulator::VERSION, test.len())
+    }
+}
+
+/// The folders of the measurements, and of the weights that they are of.
+pub struct Shipped<'a> {
+    pub measurements: &'a Path,
+    pub assets: &'a Path,
+}
+
+impl Shipped<'_> {
+    /// Reads a measurement of a model, and the fold that the model belongs to.
+    ///
+    /// # Errors
+    /// If it or the weights are missing or damaged, or it is not that of a model with their card on all test tasks of
+    /// their fold, with these agents and this simulator.
+    pub fn read<M: Measurement>(&self, name: &str) -> anyhow::Result<(M, FoldId)> {
+        let weights = self.assets.join(format!("{name}.safetensors"));
+        let weights_name = weights.display();
+        let bytes = fs::read(&weights).with_context(|| {
+            format!("cannot read the weights in {weights_name}: write them with `pathlight-lab publish weights`")
+        })?;
+        let card = read_card(&bytes).with_context(|| format!("cannot use {weights_name}"))?;
+        let fold = card.fold_id();
+        let path = self.measurements.join(format!("{name}{}.json", M::SUFFIX));
+        let file = path.display();
+        let command = format!(
+            "pathlight-lab measure {} --setup {} --fold {} --weights {weights_name} --json {file}",
+            M::COMMAND,
+            fold.setup,
+            fold.fold
+        );
+        let measured: M = json_file::read(&path, &command)?;
+        ensure!(
+            measured.card() == Some(&card),
+            "{file} does not belong to the weights in {weights_name}: measure them again with `{command}`"
+        );
+        ensure!(
+            measured.is_whole(&fold.tasks().test),
+            "{file} is not of all test tasks of its fold, or of another version: measure the model again with \
+             `{command}`"
+        );
+        Ok((measured, fold))
+    }
+}

@@ -1,0 +1,114 @@
+//! Reproduces the paper's table over setups and folds, and reports on it.
+//!
+//! Three parts: the data that all folds share; a result per setup and fold, as a JSON file each; a report on the
+//! existing results. Each part continues where it was interrupted. Results do not depend on each other, so they can be
+//! made in parallel, on several machines.
+
+use std::path::PathBuf;
+
+use anyhow::{Context, ensure};
+use pathlight::benchmark::folds::FoldId;
+
+use crate::data::collect::{self, SOLUTIONS};
+use crate::data::label::{self, LABELS};
+use crate::progress::Progress;
+use fold_result::{DataFiles, FoldResult, Hyperparameters, ResultSettings};
+
+mod costs;
+pub mod fold_result;
+mod fold_run;
+pub mod report;
+mod training_report;
+
+/// The folder of the results in the repository.
+pub const RESULTS: &str = "results";
+
+/// What to reproduce, and where it is kept.
+pub struct Settings {
+    /// Folder of the results and of the report.
+    pub results: PathBuf,
+    /// Data that are made until they are complete, and trained on.
+    pub data: DataFiles,
+    /// Folder of the training runs, each in its own subfolder SETUP-FOLD.
+    pub train_dir: PathBuf,
+    pub hyperparameters: Hyperparameters,
+}
+
+impl Default for Settings {
+    fn default() -> Settings {
+        let data =
+            DataFiles { solutions: SOLUTIONS.into(), labels: LABELS.into(), variants: "target/variants.jsonl".into() };
+        let hyperparameters = Hyperparameters::default();
+        Settings { results: RESULTS.into(), data, train_dir: "target/train".into(), hyperparameters }
+    }
+}
+
+impl Settings {
+    /// Collects solutions and labels balls, or continues with it.
+    ///
+    /// # Errors
+    /// If a file cannot be continued or written.
+    pub fn make_data(&self, progress: &mut dyn Progress) -> anyhow::Result<()> {
+        let DataFiles { solutions, labels, variants } = &self.data;
+        if !collect::is_of_earlier_search(solutions)? {
+            progress.say(&format!("$ pathlight-lab data collect --out {}", solutions.display()));
+            let search = collect::Settings { out: solutions.clone(), ..collect::Settings::default() };
+            let found = search.search(progress)?;
+            progress.say(found.trim_end());
+        }
+        let &Hyperparameters { label_rounds, variant_rounds, .. } = &self.hyperparameters;
+        for (out, rounds, variants) in [(labels, label_rounds, false), (variants, variant_rounds, true)] {
+            let option = if variants { " --variants" } else { "" };
+            progress.say(&format!(
+                "$ pathlight-lab data label --solutions {} --out {} --rounds {rounds}{option}",
+                solutions.display(),
+                out.display()
+            ));
+            let settings = label::Settings {
+                out: out.clone(),
+                solutions: solutions.clone(),
+                rounds: rounds.into(),
+                variants,
+                ..label::Settings::default()
+            };
+            settings.label(progress)?;
+        }
+        Ok(())
+    }
+
+    /// Makes the result of a fold, unless its file exists.
+    ///
+    /// # Errors
+    /// If the file was made with other settings, or the result cannot be made.
+    pub fn make_result(&self, fold: FoldId, progress: &mut dyn Progress) -> anyhow::Result<()> {
+        let path = self.results.join(format!("{fold}.json"));
+        let name = path.display();
+        if let Some(result) = FoldResult::load(&path, fold)? {
+            let expected = ResultSettings::expected(&self.hyperparameters, &self.data)?;
+            let other = result.settings().differences(&expected);
+            ensure!(
+                other.is_empty(),
+                "{name} was made with other settings ({other}): choose other folders with --results and --train-dir, \
+                 or remove it"
+            );
+            progress.say(&format!("{name} exists"));
+            return Ok(());
+        }
+        let folder = self.train_dir.join(fold.to_string());
+        let result = fold_run::run(fold, &self.hyperparameters, &self.data, &folder, progress);
+        result.with_context(|| format!("cannot make {name}"))?.save(&path)?;
+        progress.say(&format!("wrote {name}"));
+        Ok(())
+    }
+
+    /// Writes README.md and costs.md of the existing results; returns the first.
+    ///
+    /// # Errors
+    /// If results or solutions cannot be used, or the folder cannot be written.
+    pub fn report(&self) -> anyhow::Result<String> {
+        let results = fold_result::read(&self.results)?;
+        let text = report::write(&results, &self.data.solutions, &self.results)?;
+        costs::write(&results, &self.data.solutions, &self.results)?;
+        Ok(text)
+    }
+}

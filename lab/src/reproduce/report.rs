@@ -1,0 +1,255 @@
+//! The report on the existing results: `README.md` beside them.
+
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+use std::path::Path;
+
+use anyhow::ensure;
+use pathlight::agents::agent_name::AgentName;
+use pathlight::benchmark::auccess::MAX_ATTEMPTS;
+use pathlight::benchmark::folds::{FOLDS, Setup};
+use pathlight::puzzle::task::{TaskId, ids};
+use pathlight::puzzle::templates::TEMPLATES;
+
+use super::fold_result::FoldResult;
+use super::training_report;
+use crate::data::collect::{Collected, read_solutions};
+use crate::data::label::BALLS;
+use crate::files::digest;
+use crate::files::replace_file::replace_file;
+use crate::measure::agents::{AGENTS, row};
+
+/// Published auccess, mean over the ten folds, within and cross, on PHYRE's own engine: Harter et al. (2020), Table 1,
+/// for their nets and for DQN; the benchmark (PHYRE 0.2.2) for the random agent.
+pub const REPORTED: [(&str, [&str; 2]); 3] =
+    [("DQN", ["77", "37"]), ("the paper's nets", ["62", "31"]), ("random", ["13.7", "13.0"])];
+
+/// An agent, one that lacks a part of it, and the part.
+const ABLATIONS: [(AgentName, AgentName, &str); 3] = [
+    (AgentName::Dynamics, AgentName::Judge, "it imagines what a ball leads to, and is trained further"),
+    (AgentName::Online, AgentName::Dynamics, "it is told how each attempt ended"),
+    (AgentName::Online, AgentName::OnlineByBalls, "balls are compared by imagined paths too"),
+];
+
+/// Writes the report to a folder, and returns it.
+///
+/// # Errors
+/// If the solutions cannot be read, or are not those of the results, or the folder cannot be written.
+pub fn write(results: &[FoldResult], solutions: &Path, folder: &Path) -> anyhow::Result<String> {
+    let mut text = String::new();
+    head(&mut text, results)?;
+    table(&mut text, results)?;
+    ablations(&mut text, results)?;
+    folds(&mut text, results)?;
+    training_report::write(&mut text, results)?;
+    data(&mut text, results, solutions)?;
+    text.push_str(REPRODUCING);
+    let path = folder.join("README.md");
+    replace_file(&path, text.as_bytes())?;
+    Ok(text)
+}
+
+fn head(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
+    let Some(FoldResult { hyperparameters, report, .. }) = results.first() else { return Ok(()) };
+    writeln!(
+        text,
+        "# Results\n\n\
+         `pathlight-lab reproduce` printed this from the files beside it, one per setup and fold; {} of {} exist. Seed \
+         {}, simulator {}, agents {}, at most {} test tasks per template.\n\n\
+         Auccess is measured with at most {MAX_ATTEMPTS} attempts per task, and only these attempts are simulated. \
+         Nets learn only from rollouts on training tasks, and from none whose ball was sampled around a solution of a \
+         test task; but in the setup within, the search that found the training tasks' solutions also started from \
+         known solutions of test tasks of the same template.\n\n\
+         - **online**: the dynamics net imagines candidates, and a Gaussian process learns from each attempt, by the \
+         likeness of imagined paths and of balls; **by balls**: by that of balls alone.\n\
+         - **dynamics**: the same candidates in the order that the net gives them, as if each attempt ended as \
+         imagined.\n\
+         - **judge**: a net that sees the scene alone orders the balls. The dynamics net is trained from it.\n\
+         - **DQN, smaller**: the benchmark's baseline (Bakhtin et al. 2019), made smaller.\n\
+         - **the paper's four nets**: those of Harter et al. (2020), trained jointly, with balls from their placement \
+         map.\n",
+        results.len(),
+        2 * FOLDS,
+        hyperparameters.seed,
+        report.simulator,
+        report.agents_version,
+        hyperparameters.limit,
+    )?;
+    Ok(())
+}
+
+/// The paper's table, with our results beside it.
+fn table(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
+    writeln!(text, "## Auccess, mean over folds ± standard deviation\n")?;
+    writeln!(text, "| agent | engine | within | cross |\n| --- | --- | ---: | ---: |")?;
+    for agent in &AGENTS {
+        let cells = [Setup::Within, Setup::Cross].map(|setup| {
+            let scores = of(results, setup).filter_map(|result| result.score(agent.agent)).map(|[auccess, ..]| auccess);
+            mean_and_deviation(&scores.collect::<Vec<_>>())
+        });
+        writeln!(text, "| **{}** | ours | {} | {} |", agent.label, cells[0], cells[1])?;
+    }
+    for (name, [within, cross]) in REPORTED {
+        writeln!(text, "| {name} | PHYRE's | {within} | {cross} |")?;
+    }
+    let folds = [Setup::Within, Setup::Cross].map(|setup| numbers(setup, &mut of(results, setup)));
+    writeln!(
+        text,
+        "\nOur folds: {}. The published means are over all ten: the paper's nets and DQN by Harter et al. (2020), \
+         random by the benchmark.",
+        folds.join("; ")
+    )?;
+    Ok(())
+}
+
+/// What each part of the agent brings, by paired differences: two agents meet the same tasks in a fold, so that their
+/// difference varies less over the folds than their scores.
+fn ablations(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
+    writeln!(
+        text,
+        "\n## Ablations\n\nThe paired difference of two agents' auccess, which is that on the same fold: mean ± \
+         standard deviation, and the folds on which it is positive.\n"
+    )?;
+    writeln!(
+        text,
+        "| paired difference | what the first has and the second lacks | within | cross |\n| --- | --- | ---: | ---: |"
+    )?;
+    for (agent, without, part) in ABLATIONS {
+        let cells = [Setup::Within, Setup::Cross].map(|setup| {
+            let score = |result: &FoldResult, agent| result.score(agent).map(|[auccess, ..]| auccess);
+            let of_fold = |result| Some(score(result, agent)? - score(result, without)?);
+            let differences: Vec<f64> = of(results, setup).filter_map(of_fold).collect();
+            let positive = differences.iter().filter(|&&difference| difference > 0.0).count();
+            format!("{}, {positive} of {}", mean_and_deviation(&differences), differences.len())
+        });
+        writeln!(text, "| {} – {} | {part} | {} | {} |", row(agent).label, row(without).label, cells[0], cells[1])?;
+    }
+    Ok(())
+}
+
+/// Names the folds of some results of a setup.
+fn numbers(setup: Setup, results: &mut dyn Iterator<Item = &FoldResult>) -> String {
+    let numbers: Vec<String> = results.map(|result| result.report.fold.to_string()).collect();
+    format!("{setup} {}", if numbers.is_empty() { "none".to_string() } else { numbers.join(", ") })
+}
+
+fn folds(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
+    writeln!(
+        text,
+        "\n## Each fold\n\nAuccess, and the percentage solved at the first attempt / within 10 / within 100.\n"
+    )?;
+    let names = AGENTS.iter().map(|agent| agent.label).collect::<Vec<_>>().join(" | ");
+    writeln!(text, "| setup | fold | test tasks | {names} |\n| --- |{}", " ---: |".repeat(2 + AGENTS.len()))?;
+    for result in results {
+        let cells = AGENTS.iter().map(|agent| {
+            result.score(agent.agent).map_or("–".to_string(), |[auccess, first, ten, hundred]| {
+                format!("**{auccess:.1}** {first:.0} / {ten:.0} / {hundred:.0} %")
+            })
+        });
+        let cells: Vec<String> = cells.collect();
+        let tasks = result.first_solved(AgentName::Random, None).len();
+        writeln!(text, "| {} | {} | {tasks} | {} |", result.report.setup, result.report.fold, cells.join(" | "))?;
+    }
+    Ok(())
+}
+
+/// How many solutions of the tasks are known, and the files that the results were made from.
+fn data(text: &mut String, results: &[FoldResult], path: &Path) -> anyhow::Result<()> {
+    if let Some(FoldResult { nets, .. }) = results.first() {
+        ensure!(
+            digest(path)? == nets.data,
+            "the results were made from other solutions than those in {}: name their file with --solutions",
+            path.display()
+        );
+    }
+    let mut known: BTreeMap<TaskId, usize> =
+        TEMPLATES.iter().flat_map(|&template| ids(template)).map(|id| (id, 0)).collect();
+    let Collected { solutions, rollouts, .. } = read_solutions(path)?;
+    for solution in &solutions {
+        *known.entry(solution.task).or_default() += 1;
+    }
+    let most = known.values().max().copied().unwrap_or_default();
+    let count = |of: &dyn Fn(usize) -> bool| known.values().filter(|&&count| of(count)).count();
+    writeln!(
+        text,
+        "\n## Data\n\n{} solutions of {} tasks, found in {rollouts} rollouts. {} tasks have {most}, {} have fewer, {} \
+         have none; fewer are known where few balls solve the task. Tasks without a known solution still count in \
+         auccess.\n",
+        solutions.len(),
+        known.len(),
+        count(&|count| count == most),
+        count(&|count| count < most),
+        count(&|count| count == 0),
+    )?;
+    writeln!(text, "| template | tasks with fewer | solutions | without any |\n| --- | ---: | ---: | --- |")?;
+    for template in TEMPLATES {
+        let of_template: Vec<(TaskId, usize)> = ids(template).map(|id| (id, known[&id])).collect();
+        let fewer = of_template.iter().filter(|(_, count)| *count < most).count();
+        let total: usize = of_template.iter().map(|(_, count)| count).sum();
+        let none: Vec<String> =
+            of_template.iter().filter(|(_, count)| *count == 0).map(|(id, _)| id.to_string()).collect();
+        if fewer > 0 {
+            writeln!(text, "| {:05} {} | {fewer} | {total} | {} |", template.number, template.name, none.join(", "))?;
+        }
+    }
+    let Some(FoldResult { hyperparameters, nets, dynamics, .. }) = results.first() else { return Ok(()) };
+    writeln!(
+        text,
+        "\nBalls were labelled in {} rounds, {BALLS} per task and round, and in variants of the scenes in {} rounds. \
+         SHA-256 of the file of solutions: `{}`, of the files of balls: `{}`.",
+        hyperparameters.label_rounds,
+        hyperparameters.variant_rounds,
+        nets.data,
+        dynamics.data.replace(' ', "`, `"),
+    )?;
+    Ok(())
+}
+
+const REPRODUCING: &str = "
+## Reproducing
+
+Run `make build` first. Each command continues where it was interrupted; settings other than the defaults (`--help`)
+need other folders.
+
+```
+pathlight-lab reproduce                             # data, all twenty folds, report
+pathlight-lab reproduce --setup within --fold 3     # data if missing, one fold, report
+pathlight-lab reproduce --only report               # this file and costs.md
+```
+
+Folds only read the shared data files, so up to twenty processes can run in parallel, on all machines that share
+the folder. `scripts/cluster/submit FOLDER` submits the whole chain to Slurm, from the search for solutions \
+to the report, as
+arrays of jobs that each wait for the one before. `costs.md` says what that takes.
+";
+
+/// The results of a setup.
+pub fn of(results: &[FoldResult], setup: Setup) -> impl Iterator<Item = &FoldResult> {
+    results.iter().filter(move |result| result.report.setup == setup)
+}
+
+/// Formats the mean, and the sample standard deviation if there are several numbers.
+fn mean_and_deviation(numbers: &[f64]) -> String {
+    let count = numbers.len() as f64;
+    let mean = numbers.iter().sum::<f64>() / count;
+    match numbers.len() {
+        0 => "–".to_string(),
+        1 => format!("{mean:.1}"),
+        _ => {
+            let variance = numbers.iter().map(|number| (number - mean).powi(2)).sum::<f64>() / (count - 1.0);
+            format!("{mean:.1} ± {:.1}", variance.sqrt())
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn means_are_printed_with_their_deviation() {
+        assert_eq!(mean_and_deviation(&[]), "–");
+        assert_eq!(mean_and_deviation(&[50.0]), "50.0");
+        assert_eq!(mean_and_deviation(&[1.0, 3.0]), "2.0 ± 1.4");
+    }
+}

@@ -1,0 +1,165 @@
+//! Trains the net that imagines what balls lead to, and adds it to the weights of the four nets, where it takes the
+//! place of a judge.
+//!
+//! It learns from labelled balls of the tasks that the four nets were trained on, so that the weights as a whole have
+//! seen no other tasks. It starts from the judge of these weights, if they have one: the U-Net of both is the same.
+
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, ensure};
+use pathlight::benchmark::folds::FoldId;
+use pathlight::nets::training::{DynamicsBatch, Trainer};
+use pathlight::nets::{DynamicsCard, DynamicsNet};
+use pathlight::raster::scene_coverage;
+use serde::{Deserialize, Serialize};
+
+use super::labelled_scenes::{Drawn, LabelledScenes, Sampling};
+use super::settings::RunSettings;
+use super::training_run::{TrainingRun, digests};
+use crate::data::label::LABELS;
+use crate::files::digest;
+use crate::files::weights_file::{load_nets, training_folder};
+use crate::progress::Progress;
+
+/// What to train.
+pub struct Settings {
+    pub fold: FoldId,
+    /// Weights of the four nets; `None` are the shipped ones.
+    pub weights: Option<PathBuf>,
+    /// Balls with their outcomes and paths.
+    pub labels: Vec<PathBuf>,
+    /// Passes over the scenes.
+    pub epochs: usize,
+    pub recipe: DynamicsRecipe,
+    /// Leave the fold's dev tasks out, so that settings may be chosen on them.
+    pub without_dev: bool,
+    /// Learn chances alone, not the paths, to measure what these bring; such weights cannot be published.
+    pub without_paths: bool,
+    /// Start from the dynamics net of these weights instead.
+    pub from: Option<PathBuf>,
+    pub run: RunSettings,
+}
+
+/// How it is trained.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct DynamicsRecipe {
+    /// Scenes per batch.
+    pub batch: u16,
+    /// Highest learning rate of Adam.
+    pub learning_rate: f64,
+    /// Balls of each scene in a batch, sampled anew each time.
+    pub balls_per_scene: u16,
+    /// Of these, balls whose paths are learned.
+    pub imagined_per_scene: u16,
+}
+
+impl Default for DynamicsRecipe {
+    fn default() -> DynamicsRecipe {
+        DynamicsRecipe { batch: 32, learning_rate: 3e-3, balls_per_scene: 256, imagined_per_scene: 96 }
+    }
+}
+
+impl Default for Settings {
+    fn default() -> Settings {
+        Settings {
+            fold: FoldId::default(),
+            weights: None,
+            labels: vec![LABELS.into()],
+            epochs: 100,
+            recipe: DynamicsRecipe::default(),
+            without_dev: false,
+            without_paths: false,
+            from: None,
+            run: RunSettings::default(),
+        }
+    }
+}
+
+impl Settings {
+    /// Trains, or continues with it. Returns the file of the weights of all nets if the run is complete.
+    ///
+    /// # Errors
+    /// If the weights or the labels cannot be used, or the folder cannot be continued or written.
+    pub fn train(&self, progress: &mut dyn Progress) -> anyhow::Result<Option<PathBuf>> {
+        let DynamicsRecipe { batch, learning_rate, balls_per_scene, imagined_per_scene } = self.recipe;
+        let (mut nets, mut card) = load_nets(self.weights.as_deref(), self.fold)?;
+        let without_dev = self.without_dev || card.without_dev;
+        ensure!(
+            card.without_dev || !self.without_dev || self.from.is_some() || nets.judge.is_none(),
+            "the judge that the dynamics net would start from was trained on dev tasks: name the weights of \
+             `pathlight-lab train paths`, or train these with --without-dev too"
+        );
+        let scenes = LabelledScenes::read(&self.labels, self.fold, without_dev)?;
+        ensure!(scenes.have_paths(), "the labels hold balls without their paths: label them again");
+        let judge = if self.from.is_none() { nets.judge.take().zip(card.judge.take()) } else { None };
+        card.judge = None;
+        card.dynamics = Some(DynamicsCard {
+            seed: self.run.seed,
+            epochs: self.epochs,
+            batch,
+            balls_per_scene,
+            imagined_per_scene,
+            learning_rate,
+            balls: scenes.balls(),
+            coverage: true,
+            variants: scenes.variants(),
+            without_dev,
+            without_paths: self.without_paths,
+            from: self.from.as_deref().map(digest).transpose()?,
+            judge: judge.as_ref().map(|(_, card)| card.clone()),
+        });
+        let folder = self.run.out.clone().unwrap_or_else(|| training_folder(self.fold).join("dynamics"));
+        let trainer = match (&self.from, judge) {
+            (Some(path), _) => Trainer::from_nets(self.dynamics_of(path, without_dev)?),
+            (None, Some((judge, _))) => Trainer::from_judge(judge, self.run.seed),
+            (None, None) => Trainer::<DynamicsNet>::new(self.run.seed),
+        };
+        let losses = ["cell", "ball", "from paths", "paths", "errors"];
+        let mut run = TrainingRun::open(folder, card, digests(&self.labels)?, &losses, trainer)?;
+        let complete = run.train(
+            &scenes.plan(self.epochs, batch, learning_rate),
+            &self.run,
+            |number| self.batch(&scenes, number),
+            |trainer, batch, learning_rate| trainer.step(batch, !self.without_paths, learning_rate),
+            progress,
+        )?;
+        if !complete {
+            return Ok(None);
+        }
+        // Its own logits of the cells take the place of the judge's.
+        (nets.judge, nets.dynamics) = (None, Some(run.trainer.nets()));
+        run.write_weights(|card| nets.save(card)).map(Some)
+    }
+
+    /// The dynamics net of a weights file of this fold; `without_dev`: it must not have learned from the dev tasks.
+    fn dynamics_of(&self, path: &Path, without_dev: bool) -> anyhow::Result<DynamicsNet> {
+        let name = path.display();
+        let (nets, card) = load_nets(Some(path), self.fold)?;
+        let trained = nets.dynamics.zip(card.dynamics);
+        let (net, trained) = trained
+            .with_context(|| format!("{name} has no dynamics net: name weights of `pathlight-lab train dynamics`"))?;
+        ensure!(
+            trained.without_dev || !without_dev,
+            "{name} was trained on dev tasks: name weights that were trained with --without-dev, or train all nets on \
+             dev tasks"
+        );
+        Ok(net)
+    }
+
+    /// A batch of the run, by its number.
+    fn batch(&self, scenes: &LabelledScenes, number: usize) -> DynamicsBatch {
+        let mut batch = DynamicsBatch::default();
+        let sampling = Sampling::Uniform(self.recipe.balls_per_scene);
+        for Drawn { scene, balls, mirrored } in scenes.draw(self.recipe.batch, self.run.seed, sampling, number) {
+            let balls = balls.into_iter().map(|ball| {
+                let (placed, solved) = scene.balls[ball];
+                (placed, solved, scene.paths(ball))
+            });
+            let coverage = scene_coverage(&scene.scene);
+            let imagined = self.recipe.imagined_per_scene.into();
+            let added = batch.add(&coverage, scene.starts, balls, imagined, mirrored);
+            added.expect("the balls were checked when they were read");
+        }
+        batch
+    }
+}

@@ -1,0 +1,215 @@
+//! The labelled balls of a fold's training tasks, by scene, and those of them that make a batch; used by the
+//! trainings of judge, dynamics net and DQN.
+
+use std::collections::btree_map::{BTreeMap, Entry};
+use std::path::PathBuf;
+
+use anyhow::{Context, anyhow, ensure};
+use pathlight::benchmark::folds::FoldId;
+use pathlight::nets::ball_head::Starts;
+use pathlight::nets::training::{Schedule, WARMUP_STEPS};
+use pathlight::puzzle::action::Ball;
+use pathlight::puzzle::scene::Scene;
+use pathlight::puzzle::task::{Task, TaskId};
+use rand::seq::{SliceRandom, index};
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64Mcg;
+
+use super::training_run::Plan;
+use crate::data::label::{Labelled, read_labels};
+use crate::data::label_use::{Choice, LabelOrigin, may_learn};
+use crate::data::labels::{LabelledBalls, PATHS_LEN};
+use crate::data::scene_variants::scene_variant;
+
+/// The scenes of a fold's training tasks with their labelled balls; at least one.
+pub struct LabelledScenes(Vec<LabelledScene>);
+
+/// A scene and its labelled balls.
+pub struct LabelledScene {
+    /// Whether it is a variant of a task's scene.
+    variant: bool,
+    pub scene: Scene,
+    pub starts: Starts,
+    /// Each with whether it solves the task.
+    pub balls: Vec<(Ball, bool)>,
+    /// `PATHS_LEN` bytes for each ball; fewer if balls came without their paths.
+    paths: Vec<u8>,
+}
+
+/// Which balls of a scene a batch takes.
+#[derive(Clone, Copy)]
+pub enum Sampling {
+    /// Up to so many different ones.
+    Uniform(u16),
+    /// So many, of which half solve if the scene has both kinds; the same ball may be drawn again.
+    Balanced(u16),
+}
+
+/// What a batch takes of a scene.
+pub struct Drawn<'a> {
+    pub scene: &'a LabelledScene,
+    /// Indices of balls.
+    pub balls: Vec<usize>,
+    /// Whether scene and balls are mirrored left to right.
+    pub mirrored: bool,
+}
+
+impl LabelledScene {
+    /// Loads the scene of a task or of a variant of it, without balls yet.
+    fn load(task: TaskId, variant: Option<u32>) -> anyhow::Result<LabelledScene> {
+        let loaded = Task::load(task)?;
+        let scene = match variant {
+            None => loaded.scene,
+            Some(number) => scene_variant(&loaded, number).with_context(|| {
+                format!("variant {number} of {task} is not made any more: label the variants again")
+            })?,
+        };
+        let starts = Starts::of(&scene);
+        Ok(LabelledScene { variant: variant.is_some(), scene, starts, balls: Vec::new(), paths: Vec::new() })
+    }
+
+    /// Adds balls, but for those that were sampled around a solution of a task that is not one of these.
+    fn add(&mut self, LabelledBalls { solved, failed, siblings, paths, .. }: LabelledBalls, tasks: &[TaskId]) {
+        let balls = solved.into_iter().map(|ball| (ball, true)).chain(failed.into_iter().map(|ball| (ball, false)));
+        for (index, ball) in balls.enumerate() {
+            let sibling = siblings.get(index).copied().flatten();
+            if sibling.is_none_or(|task| tasks.binary_search(&task).is_ok()) {
+                self.balls.push(ball);
+                self.paths.extend(paths.0.chunks_exact(PATHS_LEN).nth(index).into_iter().flatten());
+            }
+        }
+    }
+
+    /// Draws the indices of balls.
+    fn draw(&self, sampling: Sampling, rng: &mut Pcg64Mcg) -> Vec<usize> {
+        match sampling {
+            Sampling::Uniform(count) => {
+                index::sample(rng, self.balls.len(), self.balls.len().min(count.into())).into_vec()
+            }
+            Sampling::Balanced(count) => {
+                let (solved, failed): (Vec<usize>, Vec<usize>) =
+                    (0..self.balls.len()).partition(|&ball| self.balls[ball].1);
+                let kinds = [&solved, &failed].into_iter().filter(|kind| !kind.is_empty()).cycle().take(count.into());
+                kinds.map(|kind| kind[rng.random_range(0..kind.len())]).collect()
+            }
+        }
+    }
+
+    /// The paths of a ball, by its index.
+    pub fn paths(&self, ball: usize) -> &[u8] {
+        &self.paths[ball * PATHS_LEN..][..PATHS_LEN]
+    }
+}
+
+/// Returns the tasks to train on, ascending: PHYRE's training tasks, with or without its dev tasks.
+pub fn training_tasks(fold: FoldId, without_dev: bool) -> Vec<TaskId> {
+    let tasks = fold.tasks();
+    if without_dev { tasks.train } else { tasks.all_train() }
+}
+
+/// Returns where the balls of a file come from.
+fn origin(labelled: &Labelled) -> LabelOrigin {
+    let tells_siblings = |line: &LabelledBalls| line.siblings.len() == line.solved.len() + line.failed.len();
+    let choice = match labelled.proposed {
+        true => Choice::Proposed { without_dev: labelled.net_without_dev },
+        false => Choice::Sampled { tells_siblings: labelled.lines.iter().all(tells_siblings) },
+    };
+    let training_tasks_of = labelled.training_tasks_of.map(|(setup, fold)| FoldId { setup, fold });
+    LabelOrigin { training_tasks_of, choice }
+}
+
+impl LabelledScenes {
+    /// Reads files of `data label`.
+    ///
+    /// # Errors
+    /// If a file cannot be used, may tell of the fold's test tasks, or none has balls of its training tasks.
+    pub fn read(files: &[PathBuf], fold: FoldId, without_dev: bool) -> anyhow::Result<LabelledScenes> {
+        let tasks = training_tasks(fold, without_dev);
+        let mut scenes: BTreeMap<(TaskId, Option<u32>), LabelledScene> = BTreeMap::new();
+        for path in files {
+            let labelled = read_labels(path)?;
+            may_learn(origin(&labelled), fold, without_dev).map_err(|why| anyhow!("{} {why}", path.display()))?;
+            for line in labelled.lines {
+                if tasks.binary_search(&line.task).is_ok() {
+                    let scene = match scenes.entry((line.task, line.variant)) {
+                        Entry::Occupied(entry) => entry.into_mut(),
+                        Entry::Vacant(entry) => entry.insert(LabelledScene::load(line.task, line.variant)?),
+                    };
+                    scene.add(line, &tasks);
+                }
+            }
+        }
+        ensure!(!scenes.is_empty(), "the labels hold no balls of the training tasks of {fold}: label all templates");
+        Ok(LabelledScenes(scenes.into_values().collect()))
+    }
+
+    /// The number of balls.
+    pub fn balls(&self) -> usize {
+        self.0.iter().map(|scene| scene.balls.len()).sum()
+    }
+
+    /// How many of the scenes are variants of tasks' scenes.
+    pub fn variants(&self) -> usize {
+        self.0.iter().filter(|scene| scene.variant).count()
+    }
+
+    /// Whether every ball has its paths.
+    pub fn have_paths(&self) -> bool {
+        self.0.iter().all(|scene| scene.paths.len() == scene.balls.len() * PATHS_LEN)
+    }
+
+    /// The number of batches that take every scene once.
+    fn batches_per_epoch(&self, batch: u16) -> usize {
+        self.0.len().div_ceil(batch.into())
+    }
+
+    /// The plan of a run on these scenes: the learning rate rises to its peak, and decays linearly to zero.
+    pub fn plan(&self, epochs: usize, batch: u16, learning_rate: f64) -> Plan {
+        let schedule = Schedule::WarmupLinear { peak: learning_rate, warmup_steps: WARMUP_STEPS };
+        Plan { epochs, batches_per_epoch: self.batches_per_epoch(batch), schedule }
+    }
+
+    /// Draws a batch of this many scenes; it depends only on the seed of the run and its number.
+    pub fn draw(
+        &self,
+        batch: u16,
+        seed: u64,
+        sampling: Sampling,
+        number: usize,
+    ) -> impl Iterator<Item = Drawn<'_>> + use<'_> {
+        let batches_per_epoch = self.batches_per_epoch(batch);
+        let (epoch, place) = (number / batches_per_epoch, number % batches_per_epoch);
+        let seed = seed.wrapping_mul(1_000_000);
+        let mut order: Vec<&LabelledScene> = self.0.iter().collect();
+        order.shuffle(&mut Pcg64Mcg::seed_from_u64(seed.wrapping_add(epoch as u64)));
+        let mut rng = Pcg64Mcg::seed_from_u64(!seed.wrapping_add(number as u64));
+        let size = usize::from(batch);
+        order.into_iter().skip(place * size).take(size).map(move |scene| {
+            let balls = scene.draw(sampling, &mut rng);
+            Drawn { scene, balls, mirrored: rng.random() }
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn half_of_a_balanced_draw_solves() {
+        let scene = Task::load("00002:007".parse().expect("an id")).expect("a task").scene;
+        let ball = Ball { x: 100.0, y: 100.0, r: 5.0 };
+        let starts = Starts::of(&scene);
+        let scene = |balls| LabelledScene { variant: false, scene: scene.clone(), starts, balls, paths: Vec::new() };
+        let mixed = scene((0..30).map(|index| (ball, index == 7)).collect());
+        let mut rng = Pcg64Mcg::seed_from_u64(1);
+        let drawn = mixed.draw(Sampling::Balanced(10), &mut rng);
+        assert_eq!(drawn.iter().filter(|&&index| index == 7).count(), 5);
+        assert_eq!(drawn.len(), 10);
+        let failed = scene(vec![(ball, false); 3]);
+        assert_eq!(failed.draw(Sampling::Balanced(10), &mut rng).len(), 10, "of one kind, all are of that kind");
+        let mut all = failed.draw(Sampling::Uniform(10), &mut rng);
+        all.sort_unstable();
+        assert_eq!(all, [0, 1, 2], "a uniform draw takes no ball twice");
+    }
+}

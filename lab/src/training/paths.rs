@@ -1,0 +1,132 @@
+//! Trains the four nets jointly on the solutions of a fold's training tasks.
+
+use std::path::PathBuf;
+
+use anyhow::ensure;
+use pathlight::benchmark::folds::FoldId;
+use pathlight::nets::training::{Batch, Sample, Schedule, Trainer};
+use pathlight::nets::{Card, PathNet};
+use pathlight::puzzle::task::Task;
+use pathlight::simulator;
+use rand::seq::SliceRandom;
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64Mcg;
+use rayon::prelude::*;
+
+use super::labelled_scenes::training_tasks;
+use super::settings::{PathsRecipe, RunSettings};
+use super::training_run::{Plan, TrainingRun};
+use crate::data::collect::{Collected, SOLUTIONS, read_solutions};
+use crate::data::samples::sample;
+use crate::data::solutions::Solution;
+use crate::files::digest;
+use crate::files::weights_file::training_folder;
+use crate::progress::Progress;
+
+/// What to train.
+pub struct Settings {
+    pub fold: FoldId,
+    /// Solutions to train on.
+    pub solutions: PathBuf,
+    /// Passes over the samples.
+    pub epochs: usize,
+    pub recipe: PathsRecipe,
+    pub run: RunSettings,
+}
+
+impl Default for Settings {
+    fn default() -> Settings {
+        Settings {
+            fold: FoldId::default(),
+            solutions: SOLUTIONS.into(),
+            epochs: 10,
+            recipe: PathsRecipe::default(),
+            run: RunSettings::default(),
+        }
+    }
+}
+
+impl Settings {
+    /// Trains, or continues with it. Returns the file of the weights if the run is complete.
+    ///
+    /// # Errors
+    /// If the solutions cannot be used, or the folder cannot be continued or written.
+    pub fn train(&self, progress: &mut dyn Progress) -> anyhow::Result<Option<PathBuf>> {
+        let folder = self.run.out.clone().unwrap_or_else(|| training_folder(self.fold));
+        let (samples, card) = self.samples(progress)?;
+        let trainer = Trainer::<PathNet>::new(self.run.seed);
+        let data = digest(&self.solutions)?;
+        let mut run = TrainingRun::open(folder, card, data, &["base", "target", "action", "placement"], trainer)?;
+        let batches_per_epoch = samples.len().div_ceil(self.recipe.batch.into());
+        let decay_steps = batches_per_epoch * self.recipe.decay_epochs;
+        let schedule = Schedule::LinearDecay { peak: self.recipe.learning_rate, decay_steps };
+        let plan = Plan { epochs: self.epochs, batches_per_epoch, schedule };
+        let complete = run.train(
+            &plan,
+            &self.run,
+            |number| self.batch(&samples, number),
+            |trainer, batch, learning_rate| trainer.step(batch, learning_rate).to_vec(),
+            progress,
+        )?;
+        if !complete {
+            return Ok(None);
+        }
+        run.write_weights(|card| run.trainer.nets().save(card)).map(Some)
+    }
+
+    /// A batch of the run; it depends only on the seed and its number.
+    fn batch(&self, samples: &[Sample], number: usize) -> Batch {
+        let size = usize::from(self.recipe.batch);
+        let batches_per_epoch = samples.len().div_ceil(size);
+        let order = self.order(samples.len(), number / batches_per_epoch);
+        let chosen = order.chunks(size).nth(number % batches_per_epoch).unwrap_or_default();
+        Batch::new(chosen.iter().map(|&(sample, mirrored)| (&samples[sample], mirrored)))
+    }
+
+    /// The order of the samples in an epoch, and whether each is mirrored.
+    fn order(&self, samples: usize, epoch: usize) -> Vec<(usize, bool)> {
+        let mut rng = Pcg64Mcg::seed_from_u64(self.run.seed.wrapping_mul(1000).wrapping_add(epoch as u64));
+        let mut order: Vec<_> = (0..samples).map(|sample| (sample, self.recipe.mirror && rng.random())).collect();
+        order.shuffle(&mut rng);
+        order
+    }
+
+    /// The samples of the fold's training tasks, and the card of nets trained on them.
+    fn samples(&self, progress: &mut dyn Progress) -> anyhow::Result<(Vec<Sample>, Card)> {
+        let PathsRecipe { batch, learning_rate, decay_epochs, mirror, without_dev } = self.recipe;
+        let tasks = training_tasks(self.fold, without_dev);
+        let Collected { solutions, simulator: version, .. } = read_solutions(&self.solutions)?;
+        let name = self.solutions.display();
+        ensure!(
+            version == simulator::VERSION,
+            "the solutions in {name} were found by simulator {version}, this is simulator {}: collect them again",
+            simulator::VERSION
+        );
+        let mut chosen: Vec<Solution> =
+            solutions.into_iter().filter(|solution| tasks.binary_search(&solution.task).is_ok()).collect();
+        ensure!(!chosen.is_empty(), "{name} holds no solutions of the training tasks of {}", self.fold);
+        chosen.sort_by_key(|solution| solution.task);
+        progress.say(&format!("making training images of {} solutions", chosen.len()));
+        let samples = chosen
+            .par_iter()
+            .map(|solution| Ok(sample(&Task::load(solution.task)?.scene, solution.ball)?))
+            .collect::<anyhow::Result<Vec<Sample>>>()?;
+        let card = Card {
+            setup: self.fold.setup,
+            fold: self.fold.fold,
+            seed: self.run.seed,
+            epochs: self.epochs,
+            batch,
+            learning_rate,
+            decay_epochs,
+            mirror,
+            without_dev,
+            samples: samples.len(),
+            tasks: chosen.chunk_by(|a, b| a.task == b.task).count(),
+            simulator: version,
+            judge: None,
+            dynamics: None,
+        };
+        Ok((samples, card))
+    }
+}

@@ -1,0 +1,77 @@
+//! Copies trained weights to where the page loads them from.
+//!
+//! They are rounded there, so that a compressed download is about half as large, and named by their setup and fold. The
+//! list of all weights beside them has the hash by which the page checks a download, and the size that tells its
+//! progress.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, ensure};
+use pathlight::nets::PathNet;
+use serde::{Deserialize, Serialize};
+
+use crate::files::digest;
+use crate::files::replace_file::replace_file;
+
+/// `model.json`.
+#[derive(Serialize, Deserialize)]
+pub struct ModelList {
+    pub models: Vec<ModelEntry>,
+}
+
+#[derive(Serialize, Deserialize)]
+pub struct ModelEntry {
+    pub name: String,
+    file: String,
+    /// Bytes.
+    size: u64,
+    sha256: String,
+}
+
+/// Copies weights, rounded, to the folder that the page loads them from, and writes the list of all that are there.
+/// Returns the files that were written.
+///
+/// # Errors
+/// If weights cannot be used, or the folder cannot be written.
+pub fn publish(weights: &[PathBuf], assets: &Path) -> anyhow::Result<Vec<PathBuf>> {
+    fs::create_dir_all(assets).with_context(|| format!("cannot create {}", assets.display()))?;
+    let mut written = Vec::new();
+    for path in weights {
+        let bytes = fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
+        let (nets, card) = PathNet::load(&bytes).with_context(|| format!("cannot use {}", path.display()))?;
+        ensure!(
+            !card.dynamics.as_ref().is_some_and(|dynamics| dynamics.without_paths),
+            "{} was trained with --without-paths, so the page would show paths that mean nothing: train it without \
+             that option",
+            path.display()
+        );
+        let copy = assets.join(format!("{}-{}.safetensors", card.setup, card.fold));
+        let rounded = nets.rounded().save(&card).with_context(|| format!("cannot use {}", path.display()))?;
+        replace_file(&copy, &rounded)?;
+        written.push(copy);
+    }
+    let list = ModelList { models: entries(assets)? };
+    ensure!(!list.models.is_empty(), "{} holds no weights: name a file to publish", assets.display());
+    let path = assets.join("model.json");
+    let mut json = serde_json::to_vec_pretty(&list)?;
+    json.push(b'\n');
+    replace_file(&path, &json)?;
+    written.push(path);
+    Ok(written)
+}
+
+/// Lists all weights in a folder, within before cross, folds ascending.
+fn entries(folder: &Path) -> anyhow::Result<Vec<ModelEntry>> {
+    let mut entries = Vec::new();
+    for file in fs::read_dir(folder)? {
+        let file = file?.file_name().to_string_lossy().into_owned();
+        if let Some(name) = file.strip_suffix(".safetensors") {
+            let path = folder.join(&file);
+            let (size, sha256) = (fs::metadata(&path)?.len(), digest(&path)?);
+            entries.push(ModelEntry { name: name.to_string(), size, sha256, file });
+        }
+    }
+    entries.sort_by(|a, b| (a.name.starts_with("cross"), &a.name).cmp(&(b.name.starts_with("cross"), &b.name)));
+    Ok(entries)
+}

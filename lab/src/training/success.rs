@@ -1,0 +1,96 @@
+//! Trains the judge, which says of every ball how likely it succeeds, and adds it to the weights of the four nets.
+//!
+//! It learns from labelled balls of the tasks that the four nets were trained on, so that the weights as a whole have
+//! seen no other tasks.
+
+use std::path::PathBuf;
+use std::slice;
+
+use pathlight::benchmark::folds::FoldId;
+use pathlight::nets::training::{JudgeBatch, Trainer};
+use pathlight::nets::{Judge, JudgeCard};
+use pathlight::raster::scene_coverage;
+
+use super::labelled_scenes::{Drawn, LabelledScenes, Sampling};
+use super::settings::{LabelsRecipe, RunSettings};
+use super::training_run::TrainingRun;
+use crate::data::label::LABELS;
+use crate::files::digest;
+use crate::files::weights_file::{load_nets, training_folder};
+use crate::progress::Progress;
+
+/// What to train.
+pub struct Settings {
+    pub fold: FoldId,
+    /// Weights of the four nets; `None` are the shipped ones.
+    pub weights: Option<PathBuf>,
+    /// Balls with their outcome.
+    pub labels: PathBuf,
+    /// Passes over the scenes.
+    pub epochs: usize,
+    pub recipe: LabelsRecipe,
+    pub run: RunSettings,
+}
+
+impl Default for Settings {
+    fn default() -> Settings {
+        Settings {
+            fold: FoldId::default(),
+            weights: None,
+            labels: LABELS.into(),
+            epochs: 100,
+            recipe: LabelsRecipe::default(),
+            run: RunSettings::default(),
+        }
+    }
+}
+
+impl Settings {
+    /// Trains, or continues with it. Returns the file of the weights of all five nets if the run is complete; a
+    /// dynamics net that the weights had is left out.
+    ///
+    /// # Errors
+    /// If the weights or the labels cannot be used, or the folder cannot be continued or written.
+    pub fn train(&self, progress: &mut dyn Progress) -> anyhow::Result<Option<PathBuf>> {
+        let LabelsRecipe { batch, learning_rate, balls_per_scene } = self.recipe;
+        let (mut nets, mut card) = load_nets(self.weights.as_deref(), self.fold)?;
+        let scenes = LabelledScenes::read(slice::from_ref(&self.labels), self.fold, card.without_dev)?;
+        card.dynamics = None;
+        card.judge = Some(JudgeCard {
+            seed: self.run.seed,
+            epochs: self.epochs,
+            batch,
+            balls_per_scene,
+            learning_rate,
+            balls: scenes.balls(),
+        });
+        let folder = self.run.out.clone().unwrap_or_else(|| training_folder(self.fold).join("judge"));
+        let trainer = Trainer::<Judge>::new(self.run.seed);
+        let mut run = TrainingRun::open(folder, card, digest(&self.labels)?, &["judge"], trainer)?;
+        let complete = run.train(
+            &scenes.plan(self.epochs, batch, learning_rate),
+            &self.run,
+            |number| self.batch(&scenes, number),
+            |trainer, batch, learning_rate| vec![trainer.step(batch, learning_rate)],
+            progress,
+        )?;
+        if !complete {
+            return Ok(None);
+        }
+        // Agents would prefer a dynamics net.
+        (nets.judge, nets.dynamics) = (Some(run.trainer.nets()), None);
+        run.write_weights(|card| nets.save(card)).map(Some)
+    }
+
+    /// A batch of the run, by its number.
+    fn batch(&self, scenes: &LabelledScenes, number: usize) -> JudgeBatch {
+        let mut batch = JudgeBatch::default();
+        let sampling = Sampling::Uniform(self.recipe.balls_per_scene);
+        for Drawn { scene, balls, mirrored } in scenes.draw(self.recipe.batch, self.run.seed, sampling, number) {
+            let balls = balls.into_iter().map(|ball| scene.balls[ball]);
+            let added = batch.add(&scene_coverage(&scene.scene), balls, mirrored);
+            added.expect("the balls were checked when they were read");
+        }
+        batch
+    }
+}

@@ -1,0 +1,32 @@
+//! `pathlight-lab measure forecasts`: what the dynamics net imagines beside what happens.
+
+use tempfile::tempdir;
+
+use super::{assert_refused, output_of, without_dynamics};
+
+#[test]
+fn solved_and_missed_balls_are_counted_and_imagined_better_than_at_rest() {
+    let table = output_of(&["measure", "forecasts", "--limit", "1", "--balls", "4"]);
+    let row = |name: &str| -> Vec<f64> {
+        let line = table.lines().find_map(|line| line.strip_prefix(name)).expect("a row");
+        assert_eq!(line.matches('(').count(), line.matches(')').count(), "{line}");
+        let numbers = line.split_whitespace().filter_map(|word| word.trim_matches(['(', ')']).parse().ok());
+        numbers.collect()
+    };
+    let (solved, missed) = (row("solved "), row("not solved"));
+    assert_eq!((solved.len(), missed.len()), (10, 10), "{table}");
+    assert!(solved[0] > 25.0 && solved[0] + missed[0] <= 25.0 * (4.0 + 10.0), "{table}");
+    assert!(solved[1] > missed[1] + 10.0, "the chance tells them apart: {table}");
+    assert!(solved[2] > missed[2] + 10.0, "and the paths alone do: {table}");
+    for [_, _, _, object, at_rest, ball, first, .., last] in
+        [solved, missed].map(|row| <[f64; 10]>::try_from(row).expect("ten"))
+    {
+        assert!(at_rest < object && object < 1.0 && object < ball && first < last, "{table}");
+    }
+}
+
+#[test]
+fn weights_that_imagine_no_balls_are_refused() {
+    let folder = tempdir().expect("a folder");
+    assert_refused(&["measure", "forecasts", "--weights", &without_dynamics(folder.path())], "have no dynamics net");
+}

@@ -1,0 +1,155 @@
+//! `pathlight-lab data label`: true outcomes, the same file whether interrupted or not, and no use of test tasks if
+//! asked.
+
+use std::fs;
+use std::path::Path;
+
+use pathlight::benchmark::folds::{Fold, Setup};
+use pathlight::puzzle::sampled_paths::SampledPaths;
+use pathlight::puzzle::task::{Task, TaskId};
+use pathlight::simulator::{self, outcome, simulate};
+use pathlight_lab::data::labels::{LabelledBalls, PATHS_LEN};
+use pathlight_lab::data::scene_variants::scene_variant;
+use pathlight_lab::data::solutions::Solution;
+use tempfile::tempdir;
+
+use super::{assert_refused, output_of, root};
+
+/// Labels balls of the first tasks of a template; returns the file.
+pub fn label(folder: &Path, rounds: &str) -> String {
+    let out = folder.join("labels.jsonl").display().to_string();
+    output_of(&["data", "label", "--template", "2", "--limit", "6", "--rounds", rounds, "--out", &out]);
+    out
+}
+
+/// The number of balls in a file of labels that nets may learn from who know only these tasks: those in the tasks that
+/// were not sampled around solutions of others.
+pub fn usable_balls(labels: &str, tasks: &[TaskId]) -> usize {
+    let text = fs::read_to_string(labels).expect("labels");
+    let lines = text.lines().skip(1).map(|line| serde_json::from_str::<LabelledBalls>(line).expect("a line of labels"));
+    let of_tasks = lines.filter(|line| tasks.contains(&line.task)).flat_map(|line| line.siblings);
+    of_tasks.filter(|sibling| sibling.is_none_or(|task| tasks.contains(&task))).count()
+}
+
+#[test]
+fn labels_are_true_and_the_same_after_a_cut() {
+    let (whole, cut) = (tempdir().expect("a folder"), tempdir().expect("a folder"));
+    let whole = fs::read_to_string(label(whole.path(), "2")).expect("labels");
+    let half = label(cut.path(), "1");
+    let text = fs::read_to_string(&half).expect("labels");
+    fs::write(&half, &text[..text.len() - 20]).expect("a file");
+    assert_eq!(fs::read_to_string(label(cut.path(), "2")).expect("labels"), whole);
+
+    let (mut solved, mut failed) = (0, 0);
+    for line in whole.lines().skip(1).take(3) {
+        let labels: LabelledBalls = serde_json::from_str(line).expect("a line of labels");
+        let scene = Task::load(labels.task).expect("a task").scene;
+        let solves = |ball| outcome(&scene, Some(ball)).expect("a valid ball").solved;
+        assert!(labels.solved.iter().all(|&ball| solves(ball)));
+        assert!(!labels.failed.iter().any(|&ball| solves(ball)));
+        let ball = labels.solved.iter().chain(&labels.failed).next().expect("a ball");
+        let rollout = simulate(&scene, Some(*ball)).expect("a valid ball");
+        let paths = SampledPaths::of(&rollout, scene.body1, scene.bodies.len()).expect("both move");
+        let positions = paths.object.iter().chain(&paths.ball).flatten();
+        let expected: Vec<u8> = positions.map(|at| at.round().clamp(0.0, 255.0) as u8).collect();
+        assert_eq!(labels.paths.0[..PATHS_LEN], expected, "the paths of its rollout");
+        (solved, failed) = (solved + labels.solved.len(), failed + labels.failed.len());
+    }
+    assert!(solved > 0 && failed > 0 && solved + failed == 3 * 64);
+    assert_refused(&["data", "label", "--out", &half], "write to another file with --out");
+}
+
+#[test]
+fn labels_of_variants_are_true_in_the_scene_of_their_variant() {
+    let folder = tempdir().expect("a folder");
+    let out = folder.path().join("variants.jsonl").display().to_string();
+    output_of(&["data", "label", "--variants", "--template", "2", "--limit", "3", "--rounds", "2", "--out", &out]);
+    let text = fs::read_to_string(&out).expect("labels");
+    let lines: Vec<LabelledBalls> =
+        text.lines().skip(1).map(|line| serde_json::from_str(line).expect("a line of labels")).collect();
+    assert_eq!(lines.iter().map(|line| line.variant).collect::<Vec<_>>(), [0, 0, 0, 1, 1, 1].map(Some));
+    let mut differs = false;
+    for LabelledBalls { task, variant, solved, failed, .. } in lines {
+        let task = Task::load(task).expect("a task");
+        let scene = scene_variant(&task, variant.expect("a variant")).expect("it was made before");
+        let solves = |scene, ball| outcome(scene, Some(ball)).is_ok_and(|outcome| outcome.solved);
+        assert!(solved.iter().all(|&ball| solves(&scene, ball)));
+        assert!(!failed.iter().any(|&ball| solves(&scene, ball)));
+        differs |= solved.iter().any(|&ball| !solves(&task.scene, ball));
+    }
+    assert!(differs, "all balls do the same in the scenes of the tasks");
+    assert_refused(
+        &["data", "label", "--template", "2", "--limit", "3", "--out", &out],
+        "write to another file with --out",
+    );
+}
+
+#[test]
+fn labels_of_a_fold_use_its_training_tasks_and_their_solutions_only() {
+    let folder = tempdir().expect("a folder");
+    let file = |name: &str| folder.path().join(name).display().to_string();
+    let solutions = fs::read_to_string(root("assets/solutions.jsonl")).expect("solutions");
+    let fold = Fold::new(Setup::Within, 0);
+    // The same solutions without those of test tasks.
+    let known = |line: &str| serde_json::from_str::<Solution>(line).ok();
+    let of_training: Vec<&str> = solutions
+        .lines()
+        .filter(|line| known(line).is_none_or(|known| fold.test.binary_search(&known.task).is_err()))
+        .collect();
+    fs::write(file("training.jsonl"), of_training.join("\n") + "\n").expect("a file");
+    let label = |solutions: &str, out: &str, more: &[&str]| {
+        let words = ["data", "label", "--template", "2", "--limit", "12", "--rounds", "1"];
+        output_of(&[&words[..], &["--solutions", solutions, "--out", &file(out)], more].concat());
+        let text = fs::read_to_string(file(out)).expect("labels");
+        text.lines().skip(1).map(|line| serde_json::from_str(line).expect("labels")).collect::<Vec<LabelledBalls>>()
+    };
+    let of_fold = label("assets/solutions.jsonl", "fold", &["--setup", "within", "--fold", "0"]);
+    assert!(of_fold.len() > 3 && of_fold.len() < 12, "{} of 12 tasks", of_fold.len());
+    assert!(of_fold.iter().all(|labels| fold.all_train().contains(&labels.task)));
+    let all = label(&file("training.jsonl"), "all", &[]);
+    let same: Vec<&LabelledBalls> =
+        all.iter().filter(|labels| fold.test.binary_search(&labels.task).is_err()).collect();
+    assert_eq!(of_fold.iter().collect::<Vec<_>>(), same, "solutions of test tasks were used");
+    assert_refused(&["data", "label", "--out", &file("fold")], "write to another file with --out");
+    assert_refused(&["data", "label", "--fold", "0", "--out", &file("half")], "--setup");
+}
+
+#[test]
+fn files_that_name_unknown_tasks_or_impossible_balls_are_refused() {
+    let folder = tempdir().expect("a folder");
+    let write = |name: &str, lines: &[&str]| {
+        let path = folder.path().join(name);
+        fs::write(&path, lines.join("\n") + "\n").expect("written");
+        path.display().to_string()
+    };
+    let settings = format!(r#"{{"seed":0,"per_task":1,"simulator":{}}}"#, simulator::VERSION);
+    let solutions = write("solutions", &[&settings, r#"{"task":"00099:000","ball":[100,100,10]}"#]);
+    let out = folder.path().join("out").display().to_string();
+    let label = ["data", "label", "--solutions", &solutions, "--out", &out];
+    assert_refused(&label, "line 2 of ");
+    assert_refused(&label, "the benchmark has no task 00099:000");
+
+    let labels = fs::read_to_string(label_file(folder.path())).expect("labels");
+    let (settings, line) = labels.split_once('\n').expect("two lines");
+    let judge = |labels: &str, words: &str| {
+        assert_refused(&["train", "success", "--weights", "assets/within-0.safetensors", "--labels", labels], words);
+    };
+    let task = serde_json::from_str::<LabelledBalls>(line.lines().next().expect("a line")).expect("labels").task;
+    let ball = format!(r#"{{"task":"{task}","solved":[[100,100,64]],"failed":[]}}"#);
+    judge(&write("ball", &[settings, line.trim_end(), &ball]), "has a wrong radius or is not inside the scene");
+    judge(
+        &write("none", &[&settings.replace("\"tasks\":2", "\"tasks\":0")]),
+        "is not a file of `pathlight-lab data label`",
+    );
+    let older = settings.replace(&format!("\"simulator\":{}", simulator::VERSION), "\"simulator\":0");
+    judge(&write("older", &[&older, line.trim_end()]), "was labelled by simulator 0");
+    let of_fold = settings.replace("\"tasks\"", "\"training_tasks_of\":[\"cross\",1],\"tasks\"");
+    judge(&write("fold", &[&of_fold, line.trim_end()]), "holds balls of the training tasks of cross 1");
+}
+
+/// Balls of two tasks.
+fn label_file(folder: &Path) -> String {
+    let out = folder.join("two").display().to_string();
+    output_of(&["data", "label", "--template", "2", "--limit", "2", "--rounds", "1", "--out", &out]);
+    out
+}

@@ -1,0 +1,122 @@
+//! `pathlight-lab measure fidelity` and `solve-rates`: comparisons with reference data, here of a few lines made on the
+//! spot.
+
+use std::fs;
+use std::path::Path;
+
+use pathlight::puzzle::action::Ball;
+use pathlight::puzzle::task::{Task, ids};
+use pathlight::puzzle::templates::TEMPLATES;
+use pathlight::simulator::{outcome, simulate};
+use serde_json::{Value, json};
+use tempfile::tempdir;
+
+use super::{assert_refused, output_of, root};
+
+/// A reference folder with an outcome per kind of ball and a trajectory, all of this simulator.
+fn reference(folder: &Path) -> String {
+    let task = Task::load(ids(TEMPLATES[0]).next().expect("a task")).expect("a task");
+    // A grid of balls has some that solve and some that do not.
+    let balls = (0..400).map(|index| Ball {
+        x: f64::from(10 * (index % 20) + 30),
+        y: f64::from(10 * (index / 20) + 30),
+        r: 12.0,
+    });
+    let tried: Vec<(Ball, bool)> =
+        balls.filter_map(|ball| Some((ball, outcome(&task.scene, Some(ball)).ok()?.solved))).collect();
+    let first = |solved| tried.iter().find(|(_, found)| *found == solved).expect("both outcomes").0;
+    let line = |ball: Ball, kind: &str, solved: bool| {
+        json!({"task": task.id, "ball": ball, "kind": kind, "solved": solved}).to_string()
+    };
+    let outcomes = [
+        line(first(true), "stable", true),
+        line(first(false), "random", false),
+        // A false claim, so that not everything agrees.
+        line(first(false), "unstable", true),
+    ];
+    fs::write(folder.join("outcomes.jsonl"), outcomes.join("\n")).expect("written");
+    let rollout = simulate(&task.scene, None).expect("no ball is valid");
+    // The reference is 3 px to the side of ours.
+    let poses: Vec<Vec<[f32; 3]>> = (0..=rollout.steps)
+        .step_by(15)
+        .map(|step| rollout.row(step).iter().map(|&[x, y, angle]| [x + 3.0, y, angle]).collect())
+        .collect();
+    let trajectory = json!({"task": task.id, "ball": null, "every": 15, "first_step": 0, "poses": poses});
+    fs::write(folder.join("trajectories.jsonl"), trajectory.to_string()).expect("written");
+    folder.display().to_string()
+}
+
+#[test]
+fn agreement_and_distances_are_counted() {
+    let folder = tempdir().expect("a folder");
+    let text = output_of(&["measure", "fidelity", "--reference", &reference(folder.path())]);
+    let row = |name: &str| -> Vec<String> {
+        let line = text.lines().find(|line| line.starts_with(name)).unwrap_or_else(|| panic!("{name}: {text}"));
+        line[name.len()..].split_whitespace().map(String::from).collect()
+    };
+    // Even, odd and both task numbers, of how many: stable, unstable, random that fail, random that solve.
+    let all = row("all ").join(" ");
+    let of_number = |percent: &str, odd: bool| match odd {
+        false => format!("{percent} - {percent} (1)"),
+        true => format!("- {percent} {percent} (1)"),
+    };
+    let odd = ids(TEMPLATES[0]).next().expect("a task").number % 2 == 1;
+    let expected = ["100.0", "0.0", "100.0"].map(|percent| of_number(percent, odd)).join(" ") + " - - - (0)";
+    assert_eq!(all, expected);
+    assert_eq!(row("without a ball")[..2], ["3.00", "3.00"]);
+
+    // The other engine stands beside the first.
+    let both =
+        output_of(&["measure", "fidelity", "--engine", "rapier", "--reference", &folder.path().display().to_string()]);
+    let (first, other) = both.split_once("Engine rapier").expect("a heading");
+    assert_eq!(first.trim(), format!("Engine box2d\n\n{}", text.trim()));
+    assert_eq!(other.lines().filter(|line| line.starts_with("all ")).count(), 1);
+
+    fs::write(folder.path().join("outcomes.jsonl"), "{}").expect("written");
+    assert_refused(
+        &["measure", "fidelity", "--reference", &folder.path().display().to_string()],
+        "outcomes.jsonl, line 1",
+    );
+    assert_refused(&["measure", "fidelity", "--reference", "no/such/folder"], "--reference names the folder");
+}
+
+#[test]
+fn rates_of_random_actions_stand_beside_the_reference() {
+    let folder = tempdir().expect("a folder");
+    let counts = json!({"valid": 50, "invalid": 150, "solved": 10});
+    let all: Value =
+        TEMPLATES.iter().flat_map(|template| ids(template)).map(|id| (id.to_string(), counts.clone())).collect();
+    fs::write(folder.path().join("solve_rates.json"), all.to_string()).expect("written");
+    let words = ["data", "solve-rates", "--actions", "40", "--limit", "1", "--reference"];
+    let text = output_of(&[&words[..], &[&folder.path().display().to_string()]].concat());
+    let last: Vec<f64> = text
+        .lines()
+        .last()
+        .expect("a row")
+        .split_whitespace()
+        .skip(1)
+        .map(|number| number.parse().expect("a number"))
+        .collect();
+    let [valid, their_valid, solving, their_solving] = last[..] else { panic!("{text}") };
+    assert_eq!((their_valid, their_solving), (25.0, 20.0));
+    assert!((10.0..90.0).contains(&valid) && (0.1..50.0).contains(&solving), "{text}");
+    assert_refused(&["data", "solve-rates", "--reference", "no/such/folder"], "--reference names the folder");
+}
+
+#[test]
+fn the_shipped_counts_of_solving_balls_are_those_that_are_counted() {
+    let counted: Value = serde_json::from_str(&output_of(&["data", "difficulty", "--limit", "1"])).expect("JSON");
+    let shipped: Value =
+        serde_json::from_str(&fs::read_to_string(root("src/benchmark/difficulty.json")).expect("shipped"))
+            .expect("JSON");
+    for key in ["simulator", "seed", "balls"] {
+        assert_eq!(counted[key], shipped[key], "{key}");
+    }
+    let firsts = |difficulty: &Value| {
+        let templates = difficulty["solved"].as_array().expect("a list of templates");
+        templates.iter().map(|tasks| tasks[0].as_u64().expect("a count")).collect::<Vec<_>>()
+    };
+    assert_eq!(firsts(&counted), firsts(&shipped), "the first task of each template");
+    assert_eq!(firsts(&shipped).len(), 25);
+    assert_refused(&["data", "difficulty", "--balls", "0"], "0 is not in");
+}

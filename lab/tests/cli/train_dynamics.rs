@@ -1,0 +1,137 @@
+//! `pathlight-lab train dynamics`: the net that learns from labelled balls what a ball leads to.
+
+use std::fs;
+
+use pathlight::benchmark::folds::{Fold, Setup};
+use pathlight::nets::PathNet;
+use pathlight::puzzle::action::Ball;
+use pathlight::puzzle::task::Task;
+use pathlight::puzzle::templates::TEMPLATES;
+use tempfile::tempdir;
+
+use super::label::label;
+use super::{assert_refused, changed_weights, output_of, without_dynamics};
+
+const WEIGHTS: &str = "assets/within-0.safetensors";
+
+#[test]
+fn a_dynamics_net_joins_the_weights_and_can_be_trained_further() {
+    let folder = tempdir().expect("a folder");
+    let file = |name: &str| folder.path().join(name).display().to_string();
+    let labels = label(folder.path(), "1");
+    let train = |run: &str, more: &[&str]| {
+        let words = ["train", "dynamics", "--labels", &labels, "--epochs", "4", "--batch", "3", "--checkpoint", "2"];
+        let sizes = ["--balls-per-scene", "32", "--imagined-per-scene", "8", "--out", &file(run)];
+        let weights = if more.contains(&"--weights") { &[][..] } else { &["--weights", WEIGHTS] };
+        output_of(&[&words[..], &sizes, weights, more].concat());
+        folder.path().join(run).join("weights.safetensors")
+    };
+    let whole = train("whole", &[]);
+    let bytes = fs::read(&whole).expect("weights");
+    let (nets, card) = PathNet::load(&bytes).expect("weights that fit");
+    assert!(card.judge.is_none() && card.dynamics.expect("a card").balls > 64);
+    let scene = Task::load("00002:007".parse().expect("an id")).expect("a task").scene;
+    let read = nets.read(&scene).expect("a dynamics net");
+    assert_eq!(nets.cell_logits(&scene).as_ref(), Some(&read.logits), "it takes the place of the judge");
+    let balls = [Ball { x: 60.0, y: 200.0, r: 5.0 }, Ball { x: 200.0, y: 200.0, r: 25.0 }];
+    let [left, right] = read.imagine(&balls).try_into().expect("two balls");
+    assert!(left.paths.ball[0][0] < right.paths.ball[0][0], "a path begins where its ball starts");
+
+    let judge = file("judge");
+    output_of(&["train", "success", "--weights", WEIGHTS, "--labels", &labels, "--epochs", "1", "--out", &judge]);
+    let from_judge = train("from-judge", &["--weights", &format!("{judge}/weights.safetensors")]);
+    let (nets, card) = PathNet::load(&fs::read(from_judge).expect("weights")).expect("weights that fit");
+    assert!(nets.judge.is_none() && card.judge.is_none(), "it takes the place of the judge that it started from");
+    assert_eq!(card.dynamics.expect("a card").judge.expect("its judge").epochs, 1);
+
+    let without_paths = train("without-paths", &["--without-paths"]);
+    let losses = |run: &str| {
+        let text = fs::read_to_string(folder.path().join(run).join("losses.csv")).expect("losses");
+        let last = text.lines().last().expect("a line").to_string();
+        last.split(',').skip(2).map(|loss| loss.parse().expect("a number")).collect::<Vec<f32>>()
+    };
+    assert!(losses("whole").iter().all(|&loss| loss > 0.0));
+    assert_eq!(losses("without-paths")[3..], [0.0, 0.0], "it learns no paths");
+    let published = file("published");
+    assert_refused(
+        &["publish", "weights", &without_paths.display().to_string(), "--assets", &published],
+        "paths that mean nothing",
+    );
+
+    let cut = train("cut", &["--stop-after", "3"]);
+    assert!(!cut.exists(), "it should have stopped before the end");
+    assert_eq!(fs::read(train("cut", &[])).expect("weights"), bytes, "cut off or not, the same net");
+
+    let from = whole.display().to_string();
+    let proposed = file("proposed.jsonl");
+    let words =
+        ["data", "label", "--template", "2", "--limit", "6", "--rounds", "1", "--setup", "within", "--fold", "0"];
+    output_of(&[&words[..], &["--weights", &from, "--out", &proposed]].concat());
+    let variants = file("variants.jsonl");
+    output_of(&["data", "label", "--variants", "--template", "2", "--limit", "6", "--rounds", "2", "--out", &variants]);
+    let further = fs::read(train("further", &["--from", &from, "--labels", &proposed, "--labels", &variants]));
+    let further = further.expect("weights");
+    assert_ne!(further, bytes);
+    let counted = |bytes: &[u8]| {
+        let (_, card) = PathNet::load(bytes).expect("weights that fit");
+        card.dynamics.expect("a card").variants
+    };
+    let training = Fold::new(Setup::Within, 0).all_train();
+    let scenes = Task::of(TEMPLATES[2]).take(6).filter(|task| training.contains(&task.id)).count();
+    assert_eq!((counted(&bytes), counted(&further)), (0, 2 * scenes), "variants of training tasks alone");
+    assert_refused(
+        &["train", "dynamics", "--weights", WEIGHTS, "--labels", "Cargo.toml"],
+        "not a file of `pathlight-lab data label`",
+    );
+    for net in ["paths", "success", "dynamics", "dqn"] {
+        assert_refused(&["train", net, "--epochs", "0"], "--epochs");
+    }
+    let without = without_dynamics(folder.path());
+    assert_refused(&["train", "dynamics", "--from", &without, "--labels", &labels], "has no dynamics net");
+    let label = ["data", "label", "--out", &file("refused.jsonl"), "--fold", "0", "--weights"];
+    assert_refused(&[&label[..], &[&without, "--setup", "within"]].concat(), "has no dynamics net");
+    assert_refused(&[&label[..], &[&from, "--setup", "cross"]].concat(), "was trained on within 0");
+    let cross = ["train", "dynamics", "--setup", "cross", "--labels", &proposed];
+    assert_refused(&cross, "holds balls of the training tasks of within 0 only");
+}
+
+#[test]
+fn weights_without_dev_tasks_learn_from_nothing_that_knows_them() {
+    let folder = tempdir().expect("a folder");
+    let file = |name: &str| folder.path().join(name).display().to_string();
+    let labels = label(folder.path(), "1");
+    let train = |words: &[&str]| {
+        let (command, out) = (["train", "dynamics", "--epochs", "1", "--labels", &labels, "--out"], file("run"));
+        [&command[..], &[&out], words].concat().into_iter().map(str::to_string).collect::<Vec<_>>()
+    };
+    let refused = |words: &[&str], why: &str| {
+        assert_refused(&train(words).iter().map(String::as_str).collect::<Vec<_>>(), why);
+    };
+    let four = changed_weights(&folder.path().join("four"), |nets, card| {
+        (nets.dynamics, card.dynamics, card.without_dev) = (None, None, true);
+    });
+    // Without the option too, because the four nets have not seen dev tasks.
+    refused(&["--weights", &four, "--from", WEIGHTS], "was trained on dev tasks");
+
+    let judge = file("judge");
+    output_of(&["train", "success", "--weights", WEIGHTS, "--labels", &labels, "--epochs", "1", "--out", &judge]);
+    let judge = format!("{judge}/weights.safetensors");
+    refused(&["--weights", &judge, "--without-dev"], "the judge that the dynamics net would start from");
+
+    let proposed = |weights: &str, out: &str| {
+        let words =
+            ["data", "label", "--template", "2", "--limit", "6", "--rounds", "1", "--setup", "within", "--fold", "0"];
+        output_of(&[&words[..], &["--weights", weights, "--out", out]].concat());
+    };
+    proposed(WEIGHTS, &file("of-dev"));
+    refused(
+        &["--weights", &four, "--labels", &file("of-dev")],
+        "does not say that the net that proposed its balls has not learned from the fold's dev tasks",
+    );
+    let honest = changed_weights(&folder.path().join("honest"), |_, card| {
+        card.dynamics.as_mut().expect("a dynamics net").without_dev = true;
+    });
+    proposed(&honest, &file("without-dev"));
+    let allowed = train(&["--weights", &four, "--from", &honest, "--labels", &file("without-dev")]);
+    output_of(&allowed.iter().map(String::as_str).collect::<Vec<_>>());
+}

@@ -1,0 +1,158 @@
+//! The agents by the names that the command line and the results give them. Native only.
+
+use std::fmt;
+use std::str::FromStr;
+
+use serde::{Deserialize, Serialize};
+
+use super::imagined_candidates::imagined_candidates;
+use super::online::{OnlineAgent, Similarity};
+use super::{Agent, from_dqn, from_judge, from_map, random};
+use crate::nets::{Dqn, PathNet};
+use crate::puzzle::scene::Scene;
+
+/// What proposes balls, in the order of reports.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum AgentName {
+    Online,
+    OnlineByBalls,
+    Dynamics,
+    Judge,
+    Paper,
+    Dqn,
+    Random,
+}
+
+/// The nets that were loaded.
+#[derive(Clone, Copy)]
+pub struct Loaded<'a> {
+    /// Those of a model.
+    pub nets: Option<&'a PathNet>,
+    pub dqn: Option<&'a Dqn>,
+}
+
+/// What the weights of a model lack for an agent.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("the weights have no {net}: train one with `pathlight-lab train {command}`, or leave --agent {agent} out")]
+pub struct LacksNet {
+    agent: AgentName,
+    net: &'static str,
+    command: &'static str,
+}
+
+/// A name that no agent has.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("there is no agent {0}")]
+pub struct UnknownAgent(String);
+
+impl AgentName {
+    pub const ALL: [AgentName; 7] = [
+        AgentName::Online,
+        AgentName::OnlineByBalls,
+        AgentName::Dynamics,
+        AgentName::Judge,
+        AgentName::Paper,
+        AgentName::Dqn,
+        AgentName::Random,
+    ];
+
+    /// Returns its name on the command line and in results.
+    pub fn name(self) -> &'static str {
+        match self {
+            AgentName::Online => "online",
+            AgentName::OnlineByBalls => "online-by-balls",
+            AgentName::Dynamics => "dynamics",
+            AgentName::Judge => "judge",
+            AgentName::Paper => "paper",
+            AgentName::Dqn => "dqn",
+            AgentName::Random => "random",
+        }
+    }
+
+    /// Returns what it is, in a line of help.
+    pub fn about(self) -> &'static str {
+        match self {
+            AgentName::Online => "The dynamics net, which imagines what balls lead to, and learns from its attempts",
+            AgentName::OnlineByBalls => {
+                "The same with balls compared by place and radius, not by the paths that they lead to; measured only if \
+                 it is named"
+            }
+            AgentName::Dynamics => "The dynamics net without learning from attempts",
+            AgentName::Judge => "The judge, which orders the balls",
+            AgentName::Paper => "The paper's four nets: balls from the placement map",
+            AgentName::Dqn => "DQN, the benchmark's baseline, which ranks a fixed list of actions",
+            AgentName::Random => "Uniformly random balls",
+        }
+    }
+
+    /// Returns whether it plays with the weights of a model, not with DQN's or without any.
+    pub fn is_of_model(self) -> bool {
+        !matches!(self, AgentName::Dqn | AgentName::Random)
+    }
+
+    /// Checks that the weights of a model have what this agent needs of them.
+    ///
+    /// # Errors
+    /// Says what they lack.
+    pub fn check(self, nets: &PathNet) -> Result<(), LacksNet> {
+        let (has, net, command) = match self {
+            AgentName::Judge => (nets.judge.is_some(), "judge", "success"),
+            AgentName::Online | AgentName::OnlineByBalls | AgentName::Dynamics => {
+                (nets.dynamics.is_some(), "dynamics net", "dynamics")
+            }
+            AgentName::Dqn | AgentName::Paper | AgentName::Random => return Ok(()),
+        };
+        if has { Ok(()) } else { Err(LacksNet { agent: self, net, command }) }
+    }
+
+    /// Returns this agent at work on a scene, with up to `count` balls. `seed` is that of the puzzle.
+    ///
+    /// # Panics
+    /// If the nets that it needs were not loaded; only the random agent goes without nets.
+    pub fn start(self, loaded: Loaded, scene: &Scene, seed: u64, count: usize) -> Box<dyn Agent> {
+        let nets = || loaded.nets.expect("the weights of a model are loaded first");
+        // Damaged weights know no candidates; another agent must not be measured in the place of this one.
+        let online =
+            |similarity| OnlineAgent::new(imagined_candidates(nets(), scene, count).unwrap_or_default(), similarity);
+        let proposals = match self {
+            AgentName::Online => return Box::new(online(Similarity::DEFAULT)),
+            AgentName::OnlineByBalls => return Box::new(online(Similarity::OF_BALLS)),
+            AgentName::Dynamics => online(Similarity::DEFAULT).list(count),
+            AgentName::Judge => from_judge(nets(), scene, count).unwrap_or_default(),
+            AgentName::Dqn => from_dqn(loaded.dqn.expect("its weights are loaded first"), scene, count),
+            AgentName::Paper => from_map(nets(), scene, seed, count),
+            AgentName::Random => random(scene, seed, count),
+        };
+        Box::new(proposals.into_iter())
+    }
+}
+
+impl fmt::Display for AgentName {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+impl FromStr for AgentName {
+    type Err = UnknownAgent;
+
+    fn from_str(text: &str) -> Result<AgentName, UnknownAgent> {
+        let named = AgentName::ALL.into_iter().find(|agent| agent.name() == text);
+        named.ok_or_else(|| UnknownAgent(text.to_string()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn files_and_command_line_name_the_agents_alike() {
+        for (place, agent) in AgentName::ALL.into_iter().enumerate() {
+            assert_eq!(agent as usize, place, "ALL is in the order of the variants");
+            assert_eq!(serde_json::to_value(agent).expect("a name"), agent.name());
+            assert_eq!(agent.name().parse(), Ok(agent));
+        }
+    }
+}

@@ -1,0 +1,10 @@
+//! The names of the agents on the command line; the lab's binary takes them too.
+
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use pathlight::agents::agent_name::AgentName;
+
+/// Parses the name of an agent.
+pub fn agent() -> impl TypedValueParser<Value = AgentName> {
+    let names = AgentName::ALL.map(|agent| PossibleValue::new(agent.name()).help(agent.about()));
+    PossibleValuesParser::new(names).try_map(|name| name.parse())
+}

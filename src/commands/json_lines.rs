@@ -1,0 +1,96 @@
+//! JSON lines in and JSON lines out: the protocol that `simulate --batch` and `agent` share.
+//!
+//! Each line that is not blank gets exactly one answer, in order. An answer has the number of its line; a line that
+//! cannot be used is answered with `{"line":N,"error":"…"}`. So a client that writes a line and waits for its answer
+//! never waits in vain.
+
+use std::io::{self, BufRead, BufReader, Read};
+
+use anyhow::anyhow;
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+
+/// Bytes read at once: some hundred lines, so that a batch keeps all cores busy.
+const BUFFER: usize = 1 << 20;
+
+/// A line, and its number from 1.
+pub struct Line {
+    pub number: usize,
+    /// What it says, or why it cannot be used.
+    pub text: anyhow::Result<Vec<u8>>,
+}
+
+impl Line {
+    pub fn is_blank(&self) -> bool {
+        self.text.as_ref().is_ok_and(|text| text.trim_ascii().is_empty())
+    }
+}
+
+/// The lines of a source. A line that is too long is skipped without being kept, so memory stays bounded.
+pub struct Lines<R> {
+    source: BufReader<R>,
+    /// Most bytes of a line.
+    longest: usize,
+    /// Lines read so far.
+    count: usize,
+}
+
+impl<R: Read> Lines<R> {
+    pub fn new(source: R, longest: usize) -> Lines<R> {
+        Lines { source: BufReader::with_capacity(BUFFER, source), longest, count: 0 }
+    }
+
+    /// Whether another line has arrived already, so that reading it does not wait.
+    pub fn has_arrived(&self) -> bool {
+        self.source.buffer().contains(&b'\n')
+    }
+}
+
+impl<R: Read> Iterator for Lines<R> {
+    type Item = io::Result<Line>;
+
+    /// Returns the next line, or an error if the source cannot be read.
+    fn next(&mut self) -> Option<io::Result<Line>> {
+        let mut text = Vec::new();
+        let read = self.source.by_ref().take(self.longest as u64 + 1).read_until(b'\n', &mut text);
+        self.count += 1;
+        let skipped = match read {
+            Ok(0) => return None,
+            Ok(read) if read > self.longest && !text.ends_with(b"\n") => self.source.skip_until(b'\n').map(|_| true),
+            read => read.map(|_| false),
+        };
+        let too_long = || anyhow!("the line is longer than {} bytes: write one request per line", self.longest);
+        Some(skipped.map(|too| Line { number: self.count, text: if too { Err(too_long()) } else { Ok(text) } }))
+    }
+}
+
+/// Reads a line as JSON.
+///
+/// # Errors
+/// Says what is wrong with it, and then the remedy.
+pub fn parse<T: DeserializeOwned>(line: &[u8], remedy: &str) -> anyhow::Result<T> {
+    serde_json::from_slice(line).map_err(|error| {
+        // The parser sees a single line and calls it line 1.
+        anyhow!("{}; {remedy}", error.to_string().replace(" at line 1 column", " at column"))
+    })
+}
+
+/// An answer with the number of its line.
+#[derive(Serialize)]
+pub struct Numbered<A> {
+    pub line: usize,
+    #[serde(flatten)]
+    pub answer: A,
+}
+
+/// The answer to a line that cannot be used.
+#[derive(Serialize)]
+pub struct Refusal {
+    error: String,
+}
+
+impl From<&anyhow::Error> for Refusal {
+    fn from(error: &anyhow::Error) -> Refusal {
+        Refusal { error: format!("{error:#}") }
+    }
+}

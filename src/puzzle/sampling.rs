@@ -1,0 +1,36 @@
+//! Random balls: uniform over the action space, and with Gaussian noise around a known one.
+//!
+//! All draws come from the caller's generator, so that they depend only on its seed.
+
+use rand::{Rng, RngExt};
+
+use super::action::{Action, Ball, Obstacles};
+use super::scene::Scene;
+
+/// Most draws for one ball. In the benchmark's tasks more than four actions in ten are valid; the limit ends the search
+/// in a scene that has no room.
+const MAX_DRAWS: usize = 100_000;
+
+/// Returns a valid ball drawn uniformly from the action space; `None` if the scene has no room for one.
+pub fn random_ball(scene: &Scene, rng: &mut impl Rng) -> Option<Ball> {
+    uniform_ball(&Obstacles::new(scene), rng)
+}
+
+/// Draws like `random_ball`, in a scene whose obstacles are prepared: for many draws.
+pub fn uniform_ball(obstacles: &Obstacles, rng: &mut impl Rng) -> Option<Ball> {
+    let mut action = || Action { x: rng.random(), y: rng.random(), r: rng.random() };
+    (0..MAX_DRAWS).find_map(|_| obstacles.place(action()).ok())
+}
+
+/// Returns the action with Gaussian noise of this standard deviation on x, y and radius; the radius is clamped to
+/// 0..=1.
+pub fn perturbed(start: Action, deviation: f64, rng: &mut impl Rng) -> Action {
+    let mut noisy = |value: f64| value + deviation * gaussian(rng);
+    Action { x: noisy(start.x), y: noisy(start.y), r: noisy(start.r).clamp(0.0, 1.0) }
+}
+
+/// One draw from the standard normal distribution (Box and Muller 1958), with libm, so that wasm draws the same.
+pub fn gaussian(rng: &mut impl Rng) -> f64 {
+    let (u, v): (f64, f64) = (1.0 - rng.random::<f64>(), rng.random());
+    libm::sqrt(-2.0 * libm::log(u)) * libm::cos(std::f64::consts::TAU * v)
+}

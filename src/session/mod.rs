@@ -1,0 +1,8 @@
+//! One session on one puzzle: what is played and whether it may be, the attempts of player and model, and an agent's
+//! turn.
+
+pub mod ending;
+pub mod game;
+pub mod played;
+pub mod scene_check;
+pub mod turn;

@@ -1,0 +1,58 @@
+//! Whether an own scene may be played: the limits of its form, and that nothing overlaps at the start deeper than the
+//! engine separates. The page asks this for every frame of a drag.
+
+use crate::puzzle::own_scene::{MAX_OVERLAP, OwnScene, Problem};
+use crate::puzzle::scene::Scene;
+use crate::simulator::penetration::overlaps;
+
+/// Returns why a scene may not be played, all reasons; none if it may.
+pub fn problems(own: &OwnScene) -> Vec<Problem> {
+    let mut problems = own.limit_problems();
+    // What is out of the limits has no shapes to compare.
+    if problems.is_empty() {
+        let deep = overlaps(&own.to_scene()).into_iter().filter(|overlap| overlap.depth > MAX_OVERLAP);
+        problems.extend(deep.map(|overlap| {
+            let [first, second] = overlap.bodies.map(|body| own.body_name(body));
+            let depth = overlap.depth;
+            let sentence = format!(
+                "The {first} and the {second} overlap by {depth:.1} px, more than {MAX_OVERLAP}: move them apart."
+            );
+            Problem { body: Some(overlap.bodies[0]), other: Some(overlap.bodies[1]), sentence }
+        }));
+    }
+    problems
+}
+
+/// Returns the scene to simulate.
+///
+/// # Errors
+/// Why it may not be played.
+pub fn checked(own: &OwnScene) -> Result<Scene, Vec<Problem>> {
+    let problems = problems(own);
+    if problems.is_empty() { Ok(own.to_scene()) } else { Err(problems) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::puzzle::task::Task;
+    use crate::puzzle::templates::TEMPLATES;
+
+    #[test]
+    fn no_bodies_of_the_benchmark_overlap_too_deep() {
+        for task in TEMPLATES.into_iter().flat_map(Task::of) {
+            let own = OwnScene::of(&task.scene).expect("the four shapes");
+            assert_eq!(problems(&own), own.limit_problems(), "{}", task.id);
+        }
+    }
+
+    #[test]
+    fn a_body_in_another_is_named() {
+        let task = Task::load("00000:000".parse().expect("an id")).expect("a task");
+        let mut own = OwnScene::of(&task.scene).expect("the four shapes");
+        (own.bodies[1].x, own.bodies[1].y) = (own.bodies[0].x + 1.0, own.bodies[0].y);
+        let problems = problems(&own);
+        assert_eq!((problems.len(), problems[0].body, problems[0].other), (1, Some(0), Some(1)));
+        assert!(problems[0].sentence.starts_with("The green ball (body 0) and the blue ball (body 1) overlap by "));
+    }
+}

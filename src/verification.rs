@@ -1,0 +1,189 @@
+//! Attempts that anyone can verify: what was played, the ball, and the digest of the whole rollout, one JSON line for
+//! each.
+//!
+//! The page exports such lines and reads them back; `pathlight verify` simulates each again.
+
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+
+use crate::puzzle::action::Ball;
+use crate::puzzle::own_scene::sentences;
+use crate::puzzle::rollout::{Status, digest_of};
+use crate::puzzle::task::{Task, TaskId};
+use crate::session::played::Played;
+use crate::simulator::Engine;
+
+/// An attempt, and what came of it. Exactly one of `task` and `scene` is there.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct AttemptLine {
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub task: Option<TaskId>,
+    /// An own scene.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub scene: Option<Value>,
+    /// px; null if the scene ran without a ball, or, with the status `invalid`, if an action placed none.
+    pub ball: Option<Ball>,
+    /// What simulated it; absent if that is the first engine.
+    #[serde(default, skip_serializing_if = "Engine::is_first")]
+    pub engine: Engine,
+    /// The version of the engine.
+    pub simulator: u32,
+    pub status: Status,
+    /// Simulated steps; 0 if the ball is invalid.
+    pub steps: usize,
+    /// `Rollout::digest`; that of no poses if the ball is invalid.
+    pub digest: String,
+}
+
+/// What became of an attempt that was simulated again.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[serde(tag = "verdict", content = "reason", rename_all = "snake_case")]
+pub enum Verdict {
+    /// Status, steps and every bit of every pose.
+    Same,
+    /// In which it differs.
+    OtherOutcome(String),
+    /// Why it cannot be simulated.
+    NotValid(String),
+}
+
+impl AttemptLine {
+    /// Simulates a ball, or the scene alone without one, and returns the line of it.
+    pub fn of(played: &Played, ball: Option<Ball>, engine: Engine) -> AttemptLine {
+        let nothing = AttemptLine { ball, ..AttemptLine::placing_no_ball(played, engine) };
+        match engine.simulate(&played.scene, ball) {
+            Ok(rollout) => {
+                AttemptLine { status: rollout.status(), steps: rollout.steps, digest: rollout.digest(), ..nothing }
+            }
+            Err(_) => nothing,
+        }
+    }
+
+    /// Returns the line of an action that places no ball.
+    pub fn placing_no_ball(played: &Played, engine: Engine) -> AttemptLine {
+        AttemptLine {
+            task: played.id.task(),
+            scene: played.own.as_ref().map(|own| serde_json::to_value(own).expect("plain data")),
+            ball: None,
+            engine,
+            simulator: engine.version(),
+            status: Status::Invalid,
+            steps: 0,
+            digest: digest_of(&[]),
+        }
+    }
+
+    /// Returns what was played.
+    ///
+    /// # Errors
+    /// Why it cannot be played, in a sentence.
+    fn played(&self) -> Result<Played, String> {
+        match (self.task, &self.scene) {
+            (Some(task), None) => Task::load(task).map(Played::from).map_err(|why| why.to_string()),
+            (None, Some(scene)) => Played::read(scene.clone()).map_err(|problems| sentences(&problems)),
+            _ => Err("An attempt names either a `task` or a `scene`: write one of them.".to_string()),
+        }
+    }
+
+    /// Simulates the attempt again and compares.
+    pub fn verify(&self) -> Verdict {
+        if self.digest.len() != 64 || !self.digest.bytes().all(|byte| matches!(byte, b'0'..=b'9' | b'a'..=b'f')) {
+            return Verdict::NotValid("`digest` is not a SHA-256: it has 64 hexadecimal digits, in lower case.".into());
+        }
+        let again = match (self.played(), self.ball, self.status) {
+            (Err(why), ..) => return Verdict::NotValid(why),
+            (Ok(played), None, Status::Invalid) => AttemptLine::placing_no_ball(&played, self.engine),
+            (Ok(played), ball, _) => AttemptLine::of(&played, ball, self.engine),
+        };
+        if again.status == Status::Invalid && self.status != Status::Invalid {
+            return Verdict::NotValid("The ball may not be placed there.".to_string());
+        }
+        let version = match (self.simulator, again.simulator) {
+            (one, other) if one == other => String::new(),
+            (one, other) => format!(" It was made by version {one} of the simulator, and this is version {other}."),
+        };
+        let name = |status| match status {
+            Status::Solved => "solved",
+            Status::NotSolved => "not solved",
+            Status::Invalid => "invalid",
+        };
+        if (again.status, again.steps) != (self.status, self.steps) {
+            let [said, found] = [self, &again].map(|line| format!("{} after {} steps", name(line.status), line.steps));
+            return Verdict::OtherOutcome(format!("The line says {said}, but it is {found}.{version}"));
+        }
+        if again.digest != self.digest {
+            return Verdict::OtherOutcome(format!("The outcome is the same, but the poses differ.{version}"));
+        }
+        Verdict::Same
+    }
+}
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::*;
+    use crate::puzzle::own_scene::OwnScene;
+
+    fn line() -> AttemptLine {
+        in_engine(Engine::default())
+    }
+
+    fn in_engine(engine: Engine) -> AttemptLine {
+        let task = Task::load("00000:000".parse().expect("an id")).expect("a task");
+        AttemptLine::of(&task.into(), Some(Ball { x: 128.0, y: 250.0, r: 4.0 }), engine)
+    }
+
+    #[test]
+    fn an_attempt_is_the_same_until_a_part_of_it_changes() {
+        assert_eq!(line().verify(), Verdict::Same);
+        let other = |line: AttemptLine| matches!(line.verify(), Verdict::OtherOutcome(_));
+        assert!(other(AttemptLine { steps: 3, ..line() }));
+        assert!(other(AttemptLine { status: Status::Solved, ..line() }));
+        assert!(other(AttemptLine { digest: "0".repeat(64), ..line() }));
+        assert!(other(AttemptLine { ball: Some(Ball { x: 129.0, y: 250.0, r: 4.0 }), ..line() }));
+        for digest in [line().digest.to_uppercase(), line().digest[1..].to_string(), "g".repeat(64), "é".repeat(32)] {
+            let verdict = AttemptLine { digest, ..line() }.verify();
+            assert!(matches!(&verdict, Verdict::NotValid(why) if why.contains("64 hexadecimal digits")), "{verdict:?}");
+        }
+        let outside = Some(Ball { x: 1.0, y: 250.0, r: 4.0 });
+        assert!(matches!(AttemptLine { ball: outside, ..line() }.verify(), Verdict::NotValid(_)));
+        assert!(matches!(AttemptLine { task: None, ..line() }.verify(), Verdict::NotValid(_)));
+    }
+
+    #[test]
+    fn an_own_scene_is_verified_like_its_task() {
+        let task = Task::load(line().task.expect("a task")).expect("a task");
+        let own = Played::own(&OwnScene::of(&task.scene).expect("the four shapes")).expect("a scene");
+        let own = AttemptLine::of(&own, line().ball, Engine::default());
+        assert_eq!((&own.digest, own.verify()), (&line().digest, Verdict::Same));
+        assert!(matches!(AttemptLine { scene: Some(Value::Null), ..own }.verify(), Verdict::NotValid(_)));
+    }
+
+    #[test]
+    fn an_action_that_places_no_ball_is_verified_as_nothing_simulated() {
+        let played = line().played().expect("a task");
+        let nothing = AttemptLine::placing_no_ball(&played, Engine::default());
+        assert_eq!((nothing.verify(), nothing.steps), (Verdict::Same, 0));
+        let alone = AttemptLine::of(&played, None, Engine::default());
+        assert_eq!(alone.verify(), Verdict::Same);
+        for claim in [AttemptLine { steps: 3, ..nothing.clone() }, AttemptLine { digest: alone.digest, ..nothing }] {
+            assert!(matches!(claim.verify(), Verdict::OtherOutcome(_)));
+        }
+    }
+
+    #[test]
+    fn the_other_engine_is_named_and_verified_by_itself() {
+        let (first, second) = (line(), in_engine(Engine::Rapier));
+        assert_eq!(second.verify(), Verdict::Same);
+        assert_ne!(first.digest, second.digest);
+        assert!(matches!(AttemptLine { engine: Engine::Box2d, ..second.clone() }.verify(), Verdict::OtherOutcome(_)));
+        let [first, second] = [first, second].map(|line| serde_json::to_value(line).expect("plain data"));
+        assert_eq!((first.get("engine"), &second["engine"]), (None, &Value::from("rapier")));
+    }
+
+    #[test]
+    fn a_digest_is_that_of_the_bytes() {
+        // SHA-256 of nothing, and of 00 00 80 3f 00 00 00 00 00 00 00 80.
+        assert_eq!(digest_of(&[]), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+        assert_eq!(digest_of(&[[1.0, 0.0, -0.0]]), "fda6afb17305e3f22d8b12a768b492354e971796f0496516bc2a54d5a05e4432");
+    }
+}

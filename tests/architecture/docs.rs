@@ -1,0 +1,127 @@
+//! The texts that people read: the README stays one screen, and what the texts link to and name exists.
+
+use std::fs;
+use std::path::Path;
+
+use crate::files::files;
+
+/// Most lines and words of the README.
+const README_LINES: usize = 120;
+const README_WORDS: usize = 1100;
+
+/// Beside those of `docs/`.
+const PAGES: [&str; 4] = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "SECURITY.md"];
+
+/// The folders of the repository whose files the texts name.
+const FOLDERS: [&str; 12] = [
+    "assets/", "benches/", "docs/", "fuzz/", "lab/", "package/", "results/", "scripts/", "serve/", "src/", "tests/",
+    "www/",
+];
+
+/// Stands for a name that the reader chooses.
+const PLACEHOLDER: &str = "NAME";
+
+struct Page {
+    /// Below the root of the repository.
+    path: String,
+    text: String,
+}
+
+impl Page {
+    fn new(path: &str) -> Page {
+        Page { path: path.to_string(), text: fs::read_to_string(root().join(path)).expect("a page") }
+    }
+}
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+fn pages() -> Vec<Page> {
+    let docs = files("docs", &["md"]).into_iter().map(|source| Page::new(&format!("docs/{}", source.path)));
+    PAGES.iter().map(|path| Page::new(path)).chain(docs).collect()
+}
+
+#[test]
+fn the_readme_is_one_screen() {
+    let text = Page::new("README.md").text;
+    let lines = text.lines().count();
+    let words = text.split_whitespace().count();
+    assert!(lines <= README_LINES, "README.md has {lines} lines, more than {README_LINES}: move some into docs/");
+    assert!(words <= README_WORDS, "README.md has {words} words, more than {README_WORDS}: move some into docs/");
+}
+
+#[test]
+fn no_link_leads_nowhere() {
+    let mut broken = Vec::new();
+    for page in pages() {
+        let folder = Path::new(&page.path).parent().expect("a file is in a folder");
+        for link in links(&page.text).into_iter().filter(|link| !link.starts_with("https://")) {
+            let (file, section) = link.split_once('#').unwrap_or((link, ""));
+            let target = if file.is_empty() { root().join(&page.path) } else { root().join(folder).join(file) };
+            let has_section =
+                || fs::read_to_string(&target).is_ok_and(|text| sections(&text).contains(&section.into()));
+            if !target.exists() || !section.is_empty() && !has_section() {
+                broken.push(format!("{}: {link}", page.path));
+            }
+        }
+    }
+    assert!(broken.is_empty(), "\nthese links lead nowhere:\n{}", broken.join("\n"));
+}
+
+#[test]
+fn every_file_that_is_named_exists() {
+    let mut missing = Vec::new();
+    for page in pages() {
+        let gone = named_files(&page.text).into_iter().filter(|path| !root().join(path).exists());
+        missing.extend(gone.map(|path| format!("{}: {path}", page.path)));
+    }
+    assert!(missing.is_empty(), "\nthese files are named, and do not exist:\n{}", missing.join("\n"));
+}
+
+#[test]
+fn links_sections_and_files_are_found() {
+    let text = "## A title, and `more`\n[one](a.md#b) ![two\nlines](c.svg) `src/lib.rs` `lab/NAME.rs` `a/b`\n\
+                ```sh\n[no](link) `src/gone.rs`\n```\n[last](#c)\n";
+    assert_eq!(links(text), ["a.md#b", "c.svg", "#c"]);
+    assert_eq!(sections(text), ["a-title-and-more"]);
+    assert_eq!(named_files(text), ["src/lib.rs"]);
+}
+
+/// The lines outside of blocks of code.
+fn prose(text: &str) -> Vec<&str> {
+    let mut in_code = false;
+    let is_prose = |line: &&str| {
+        let fence = line.starts_with("```");
+        in_code ^= fence;
+        !in_code && !fence
+    };
+    text.lines().filter(is_prose).collect()
+}
+
+/// The targets of links and pictures.
+fn links(text: &str) -> Vec<&str> {
+    prose(text)
+        .into_iter()
+        .flat_map(|line| line.split("](").skip(1))
+        .filter_map(|rest| rest.split(')').next())
+        .collect()
+}
+
+/// The names by which headings are linked to.
+fn sections(text: &str) -> Vec<String> {
+    let headings = prose(text).into_iter().filter(|line| line.starts_with('#'));
+    let name = |heading: &str| -> String {
+        let words = heading.trim_start_matches('#').trim().to_lowercase();
+        let kept = words.chars().filter(|&letter| letter.is_alphanumeric() || " -_".contains(letter));
+        kept.map(|letter| if letter == ' ' { '-' } else { letter }).collect()
+    };
+    headings.map(name).collect()
+}
+
+/// The files and folders of the repository in code spans.
+fn named_files(text: &str) -> Vec<&str> {
+    let spans = prose(text).into_iter().flat_map(|line| line.split('`').skip(1).step_by(2));
+    let paths = spans.filter_map(|span| span.split_whitespace().next());
+    paths.filter(|path| FOLDERS.iter().any(|folder| path.starts_with(folder)) && !path.contains(PLACEHOLDER)).collect()
+}

@@ -1,0 +1,131 @@
+// The installed package as bundlers take it: each builds one page out of the README's examples, in which puzzles are
+// played and a picture is drawn, under a policy that allows nothing but the page's own files.
+
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdirSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { startOn } from "../browser/harness.mjs";
+import { serveStatic } from "../browser/static-server.mjs";
+import { drawn, open, playBoth } from "./playing.mjs";
+import { examples, makeProject, root } from "./project.mjs";
+
+const POLICY = "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'";
+const tools = join(root, "tests/package/node_modules");
+const project = makeProject();
+const installed = join(project, "node_modules/pathlight");
+const { load } = await import(join(installed, "api/index.js"));
+const pathlight = await load();
+
+/** The page, with a script at an address. */
+const pageOf = (script) => `<!doctype html>
+<html lang="en">
+<meta charset="utf-8">
+<meta http-equiv="Content-Security-Policy" content="${POLICY}">
+<title>Bundled</title>
+${markup}
+<script type="module" src="${script}"></script>
+`;
+const [puzzles, drawing] = examples(project, "html");
+const markup = puzzles.slice(puzzles.indexOf("<h1>")) + '<canvas id="picture" width="512" height="512"></canvas>';
+const [, script] = /<script type="module">(.*)<\/script>/s.exec(drawing) ?? [];
+const [, ...lines] = script?.trim().split("\n") ?? [];
+// In a function: by default Vite 5 refuses to await outside of one.
+const main = `import "pathlight/element";
+import { load } from "pathlight";
+async function draw() {
+${lines.join("\n")}
+}
+draw();
+`;
+assert.doesNotMatch(main + markup, /node_modules/);
+writeFileSync(join(project, "main.js"), main);
+writeFileSync(join(project, "index.html"), pageOf("./main.js"));
+
+let session;
+before(async () => (session = await startOn(await serveStatic(project))));
+after(() => session.stop());
+
+/** Plays a page of the project, or of another server. */
+async function play(path) {
+  const page = await open(session, new URL(path, `${session.origin}/`).href);
+  await playBoth(page, pathlight);
+  await drawn(page);
+  await page.close();
+}
+
+/** Makes a folder for a bundle whose page and bundle lie beside each other. */
+function folderOf(name, script) {
+  mkdirSync(join(project, name));
+  writeFileSync(join(project, name, "index.html"), pageOf(script));
+  return join(project, name);
+}
+
+for (const version of ["vite", "vite-5"]) {
+  test(`${version} builds it`, async () => {
+    const { build } = await import(version);
+    const outDir = `${version}-built`;
+    await build({ root: project, configFile: false, base: "./", logLevel: "warn", build: { outDir } });
+    await play(`${outDir}/index.html`);
+  });
+
+  test(`${version} serves it while it is developed`, async () => {
+    const { createServer } = await import(version);
+    const cacheDir = `${version}-cache`;
+    const server = await createServer({
+      root: project,
+      configFile: false,
+      cacheDir,
+      logLevel: "warn",
+      server: { host: "127.0.0.1" },
+    });
+    await server.listen();
+    await play(server.resolvedUrls.local[0]);
+    await server.close();
+  });
+}
+
+test("webpack builds it", async () => {
+  const { default: webpack } = await import("webpack");
+  const path = folderOf("webpack", "./main.js");
+  // Minified it takes twice as long.
+  const optimization = { minimize: false };
+  /** @type {import("webpack").Configuration} */
+  const options = { mode: "production", context: project, entry: "./main.js", output: { path }, optimization };
+  const stats = await new Promise((resolve, reject) =>
+    webpack(options, (error, stats) => (error ? reject(error) : resolve(stats))),
+  );
+  assert.ok(!stats.hasErrors(), stats.toString("errors-only"));
+  await play("webpack/index.html");
+});
+
+test("Parcel builds it", async () => {
+  const options = ["--dist-dir", "parcel", "--public-url", "./", "--no-cache", "--no-source-maps", "--no-autoinstall"];
+  execFileSync(join(tools, ".bin/parcel"), ["build", "index.html", ...options], { cwd: project, stdio: "inherit" });
+  await play("parcel/index.html");
+});
+
+/** Puts the files of the package where bundles look for them that leave addresses as they are. */
+function copyFiles(folder) {
+  const [command] = examples(project, "sh");
+  execFileSync("sh", ["-euc", command.replaceAll("dist", folder)], { cwd: project });
+}
+
+test("esbuild builds it, with the files of the package beside it", async () => {
+  const { build } = await import("esbuild");
+  const out = folderOf("esbuild", "./js/main.js");
+  await build({ entryPoints: [join(project, "main.js")], bundle: true, format: "esm", outdir: join(out, "js") });
+  copyFiles("esbuild");
+  await play("esbuild/index.html");
+});
+
+test("Rollup builds it, with the files of the package beside it", async () => {
+  const [{ rollup }, { nodeResolve }] = await Promise.all([import("rollup"), import("@rollup/plugin-node-resolve")]);
+  const out = folderOf("rollup", "./js/main.js");
+  const bundle = await rollup({ input: join(project, "main.js"), plugins: [nodeResolve({ browser: true })] });
+  await bundle.write({ dir: join(out, "js"), format: "es" });
+  await bundle.close();
+  copyFiles("rollup");
+  await play("rollup/index.html");
+});

@@ -1,0 +1,73 @@
+// The state of a puzzle as the text of a link: what is written is read again, and what makes no sense is named.
+
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { INITIAL_STATE, formatFragment, hrefOf, parseFragment } from "../../www/state/url-state.js";
+import { viewOf } from "../../www/state/view.js";
+
+/** @type {import("../../www/state/url-state.js").State} */
+const FULL = {
+  ...INITIAL_STATE,
+  task: "00007:008",
+  model: "cross-0",
+  panel: "compare",
+  stage: "chosen",
+  view: "stage",
+  proposal: 7,
+  layers: ["target", "judge"],
+  opacity: 0.5,
+  forecast: true,
+  ball: [128, 200, 12],
+  challenge: 3,
+  hide: ["story", "map"],
+};
+
+test("the initial state has an empty link", () => {
+  assert.equal(formatFragment({ ...INITIAL_STATE }), "");
+  assert.deepEqual(parseFragment(""), { state: { ...INITIAL_STATE }, problem: null });
+});
+
+test("every part of a state comes back from its link", () => {
+  assert.deepEqual(parseFragment(`#${formatFragment(FULL)}`), { state: FULL, problem: null });
+  const scene = { ...INITIAL_STATE, scene: "q1YqS8wpTlWyUjLQUQJyMnOUrKIV" };
+  assert.deepEqual(parseFragment(formatFragment(scene)).state, scene);
+});
+
+test("a scene takes the place of a task", () => {
+  assert.equal(parseFragment("task=00007:008&scene=abc").state.task, null);
+});
+
+test("what cannot be read is named, and the rest holds", () => {
+  for (const part of [
+    "task=7:8",
+    "panel=nowhere",
+    "ball=1,2",
+    "ball=256,0,12",
+    "ball=100,100,1",
+    "ball=100,100,33",
+    "proposal=0",
+    "proposal=101",
+    "opacity=2",
+    "layers=base,nothing",
+    "forecast=maybe",
+    "__proto__=x",
+    "colour=red",
+  ]) {
+    const { state, problem } = parseFragment(`model=cross-0&${part}`);
+    assert.deepEqual(state, { ...INITIAL_STATE, model: "cross-0" }, part);
+    assert.ok(problem?.includes(`“${part}”`), `${part}: ${problem}`);
+  }
+  assert.match(parseFragment("a=1&b=2&c=3&d=4").problem ?? "", /“a=1” and “b=2” and “c=3” and more/);
+  assert.match(parseFragment("%E0%A4%A=x").problem ?? "", /%E0%A4%A/);
+});
+
+test("a link to another puzzle keeps the model and what is hidden", () => {
+  assert.equal(hrefOf(FULL, "00001:002"), "#task=00001:002&model=cross-0&hide=story,map");
+  assert.equal(hrefOf({ ...FULL, hide: ["puzzles"] }, "00001:002"), null);
+});
+
+test("a hidden panel is not shown, and no map lies over the scene in Predict", () => {
+  assert.equal(viewOf({ ...FULL, view: null, panel: "map" }).panel, "play");
+  assert.deepEqual(viewOf({ ...FULL, view: null, stage: null, panel: "predict" }).layers, []);
+  assert.deepEqual(viewOf({ ...FULL, view: null, stage: null, panel: "imagine" }).layers, ["target", "judge"]);
+});

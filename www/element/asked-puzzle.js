@@ -1,0 +1,53 @@
+// Which puzzle a state asks for: a task that exists, or an own scene, whose text has to be unpacked first.
+
+import { TASKS } from "../puzzles/templates.js";
+import { knownScene, sceneOfText } from "../workshop/scene-link.js";
+
+/** @typedef {import("../state/url-state.js").State} State */
+
+const KNOWN_TASKS = new Set(TASKS);
+
+export class AskedPuzzle {
+  #onRead;
+  /**
+   * The text of an own scene that could not be read, and why.
+   * @type {{ text: string, sentence: string } | null}
+   */
+  #unreadable = null;
+
+  /** @param {(scene: string) => void} onRead is called when the text of an own scene has been read, or could not be */
+  constructor(onRead) {
+    this.#onRead = onRead;
+  }
+
+  /**
+   * What a state plays; null if it is nothing, or an own scene that is still to be read.
+   * @param {State} state
+   * @returns {import("../pkg/pathlight.js").Played | null}
+   */
+  playedOf({ task, scene }) {
+    if (scene === null) return task;
+    const known = knownScene(scene);
+    if (!known && this.#unreadable?.text !== scene) this.#read(scene);
+    return known;
+  }
+
+  /**
+   * Why there is no puzzle for a state; null if there is one, or may be.
+   * @param {State} state
+   */
+  problemOf({ task, scene }) {
+    if (scene !== null) return this.#unreadable?.text === scene ? this.#unreadable.sentence : null;
+    return task === null || KNOWN_TASKS.has(task) ? null : `There is no puzzle ${task}.`;
+  }
+
+  /** @param {string} text */
+  async #read(text) {
+    try {
+      await sceneOfText(text);
+    } catch (error) {
+      this.#unreadable = { text, sentence: /** @type {Error} */ (error).message };
+    }
+    this.#onRead(text);
+  }
+}

@@ -1,0 +1,39 @@
+// What the keyboard shortcuts of a puzzle act on. Those in the scene are in play/gestures.js, what the keys are is in
+// widgets/shortcuts.js.
+
+import { visiblePanels } from "../state/view.js";
+import { onShortcut } from "../widgets/shortcuts.js";
+
+/**
+ * @typedef {object} Puzzle
+ * @property {import("./components.js").Components} components
+ * @property {import("../play/session.js").Session | null} session
+ * @property {import("../state/url-state.js").State} state
+ * @property {(panel: import("../state/url-state.js").Panel) => void} showPanel
+ * @property {() => void} showKeys
+ * @property {() => void} toggleStageView
+ */
+
+/**
+ * Acts on a shortcut.
+ * @param {KeyboardEvent} event
+ * @param {Puzzle} puzzle
+ */
+export function onPuzzleKey(event, { components, session, state, showPanel, showKeys, toggleStageView }) {
+  const { canvas, panels } = components;
+  // What a link for a lesson hides has no key either: no button leads away from what it shows.
+  const locked = state.hide.includes("tools");
+  panels?.stageView.onKeydown(event);
+  onShortcut(event, {
+    session,
+    undoing: state.panel === "bend" ? (panels?.bend ?? null) : (session?.placement ?? null),
+    scene: canvas,
+    showPanel: (index) => {
+      const panel = visiblePanels(state)[index];
+      if (panel) showPanel(panel);
+    },
+    showKeys: () => !locked && showKeys(),
+    goToOtherOutcome: (by) => panels?.proposals.goToOtherOutcome(by),
+    toggleStageView: () => !locked && toggleStageView(),
+  });
+}

@@ -1,0 +1,162 @@
+// What the scene of a puzzle shows, as one state: the ball being placed, or a run of an attempt, of the scene without a
+// ball, or of attempts over each other. Each function takes a state and returns the next one; none is changed in place.
+// Pure: no wasm, no document, no clock.
+
+/** @typedef {import("../pkg/pathlight.js").Ball} Ball */
+/** @typedef {import("../pkg/pathlight.js").Contender} Contender */
+/** @typedef {import("../pkg/pathlight.js").ListedAttempt} ListedAttempt */
+
+/**
+ * An attempt that is shown. `preview`: it is a proposal of the model's that is only looked at, and `tried` says whether
+ * the model has tried it too; or, if `opened`, somebody's attempt from a file.
+ * @typedef {ListedAttempt & { contender: Contender, preview?: boolean, tried?: boolean, opened?: boolean }}
+ *   ShownAttempt
+ */
+
+/**
+ * What stays in sight of a miss: its ball, and the path of the green object as in `ImaginedBall`.
+ * @typedef {{ ball: Ball, object: Float32Array }} Ghost
+ */
+
+/** @typedef {"ball" | "line" | "bodies"} Tool what a pointer does in the scene: places the ball, draws a line, edits */
+
+/**
+ * What every state keeps. `draft`: the scene is being edited and differs from the puzzle, which cannot be run until the
+ * draft has become the puzzle.
+ * @typedef {{ tool: Tool, draft: boolean }} Editing
+ */
+
+/** @typedef {{ kind: "placing", refusal: string | null }} Placing `refusal`: why the last request was refused */
+
+/**
+ * `hidden`: it is a new attempt of the player's that plays for the first time, whose result is not told before its end.
+ * `ghosts`: the misses before it, if it is a miss in the show of the model's turn. `approach`: when it came nearest to
+ * the goal, once it has ended as a miss that never touched.
+ * @typedef {object} AttemptRun
+ * @property {"attempt"} kind
+ * @property {ShownAttempt} attempt
+ * @property {boolean} hidden
+ * @property {Ghost[] | null} ghosts
+ * @property {import("../pkg/pathlight.js").ClosestApproach | null} approach
+ */
+
+/** @typedef {{ kind: "watch" }} Watch */
+/** @typedef {{ kind: "compare", pair: ShownAttempt[] }} Comparison one or two attempts, the player's first */
+/** @typedef {Watch | AttemptRun | Comparison} Run */
+/** @typedef {Readonly<Editing & (Placing | (Run & { ended: boolean }))>} Shown */
+
+/** @type {Shown} */
+export const START = Object.freeze({ kind: "placing", refusal: null, tool: "ball", draft: false });
+
+/**
+ * The ball is being placed; what was shown is left.
+ * @param {Shown} shown
+ * @returns {Shown}
+ */
+export function placing({ tool, draft }) {
+  return { kind: "placing", refusal: null, tool, draft };
+}
+
+/**
+ * A run begins.
+ * @param {Shown} shown
+ * @param {Run} run
+ * @returns {Shown}
+ */
+export function running({ tool, draft }, run) {
+  return { ...run, ended: false, tool, draft };
+}
+
+/**
+ * An attempt as a run.
+ * @param {ShownAttempt} attempt
+ * @param {{ hidden?: boolean, ghosts?: Ghost[] | null }} [how]
+ * @returns {AttemptRun}
+ */
+export function attemptRun(attempt, { hidden = false, ghosts = null } = {}) {
+  return { kind: "attempt", attempt, hidden, ghosts, approach: null };
+}
+
+/**
+ * The run has played to its end. It may be played again from there; that changes nothing here.
+ * @param {Shown} shown
+ * @param {AttemptRun["approach"]} approach of an attempt
+ * @returns {Shown}
+ */
+export function ended(shown, approach) {
+  if (shown.kind === "placing") return shown;
+  return shown.kind === "attempt" ? { ...shown, ended: true, approach } : { ...shown, ended: true };
+}
+
+/**
+ * Is the run a miss that never touched its goal, of which the nearest moment is worth showing?
+ * @param {Shown} shown
+ */
+export function neverTouched(shown) {
+  if (shown.kind !== "attempt" || shown.ghosts) return false;
+  const { solved, longest_touch } = shown.attempt.ending;
+  return !solved && longest_touch === 0;
+}
+
+/**
+ * The result of a new attempt may be told.
+ * @param {Shown} shown
+ * @returns {Shown}
+ */
+export function revealed(shown) {
+  return shown.kind === "attempt" ? { ...shown, hidden: false } : shown;
+}
+
+/**
+ * What was asked for does not happen, and why; null takes that back. A run that is shown says nothing of it.
+ * @param {Shown} shown
+ * @param {string | null} refusal
+ * @returns {Shown}
+ */
+export function refused(shown, refusal) {
+  return shown.kind === "placing" ? { ...shown, refusal } : shown;
+}
+
+/**
+ * The person takes up another tool, or the scene being edited departs from the puzzle or becomes it.
+ * @param {Shown} shown
+ * @param {Partial<Editing>} editing
+ * @returns {Shown}
+ */
+export function editing(shown, editing) {
+  return { ...shown, ...editing };
+}
+
+/**
+ * The attempts of player and model that are shown; a preview is none.
+ * @param {Shown} shown
+ * @returns {ShownAttempt[]}
+ */
+export function visibleAttempts(shown) {
+  if (shown.kind === "compare") return shown.pair;
+  return shown.kind === "attempt" && !shown.attempt.preview ? [shown.attempt] : [];
+}
+
+/** @typedef {{ contender: Contender, number: number }} AttemptId */
+
+/**
+ * The attempts to show over each other if one is chosen, the player's first: it and the only one that is shown, else
+ * the other contender's last, else its neighbour. Only itself if there is no other.
+ * @param {AttemptId} chosen
+ * @param {Shown} shown
+ * @param {Record<Contender, number>} used how many attempts each contender has made
+ * @returns {AttemptId[]}
+ */
+export function overlaid(chosen, shown, used) {
+  const { contender, number } = chosen;
+  const visible = visibleAttempts(shown);
+  const opponent = contender === "player" ? "model" : "player";
+  const neighbour = number > 1 ? number - 1 : 2;
+  /** @type {AttemptId | null} */
+  let partner = null;
+  if (visible.length === 1 && (visible[0].contender !== contender || visible[0].number !== number)) [partner] = visible;
+  else if (used[opponent] > 0) partner = { contender: opponent, number: used[opponent] };
+  else if (neighbour <= used[contender]) partner = { contender, number: neighbour };
+  if (!partner) return [chosen];
+  return contender === "model" && partner.contender === "player" ? [partner, chosen] : [chosen, partner];
+}

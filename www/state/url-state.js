@@ -1,0 +1,261 @@
+// The state of a puzzle as one object, and its two-way translation to texts: the attributes of its element, and the
+// fragment of the page's address (what follows `#`). A link carries the task, the model, the panel, the layers and the
+// ball, so that it opens the same view elsewhere; for teaching it may hide parts of the page. Knows nothing of the
+// document.
+
+import { NAME } from "../storage/attempts.js";
+import { ATTEMPT_LIMIT, MAX_RADIUS, MIN_RADIUS, SCENE_SIZE, STAGES } from "../shell/constants.js";
+
+/** @typedef {import("../pkg/pathlight.js").Ball} Ball */
+/** @typedef {import("../pkg/pathlight.js").Stage} Stage */
+
+/**
+ * The steps by which a model that imagines balls chooses one and sees what comes of it; in the story they follow the
+ * stages.
+ */
+export const CHOICE_STEPS = /** @type {const} */ (["candidates", "imagined", "chosen", "run", "real"]);
+/** @typedef {typeof CHOICE_STEPS[number]} ChoiceStep */
+export const PANELS = /** @type {const} */ (["play", "imagine", "compare", "predict", "map", "bend"]);
+/** What a link can hide: the panels, of which one stays, and what the document marks with data-hideable. */
+export const HIDEABLE = /** @type {const} */ ([
+  "puzzles",
+  "tools",
+  "story",
+  "hint",
+  "fields",
+  "watch",
+  "attempts",
+  "forecast",
+  "transport",
+  "speed",
+  "play",
+  "imagine",
+  "compare",
+  "predict",
+  "map",
+  "bend",
+  "save",
+]);
+/** @typedef {typeof PANELS[number]} Panel */
+/** @typedef {typeof HIDEABLE[number]} Hideable */
+
+/**
+ * @typedef {object} State
+ * @property {string | null} task "00007:008", or null for the grid or an own scene
+ * @property {string | null} scene an own scene as workshop/scene-link.js packs it, or null
+ * @property {string | null} model a name in assets/model.json, or null for the first
+ * @property {Panel} panel as the address names it; it may be hidden, see `viewOf`
+ * @property {Stage | ChoiceStep | null} stage the step that the walkthrough is at, or null for all together
+ * @property {"stage" | "results" | null} view "stage" for the scene and one sentence, in large type; "results", with no
+ *   task, for the results of the models in the place of the grid; null for all panels
+ * @property {number | null} proposal the number of the model's ball that is looked at, from 1, or null
+ * @property {Stage[]} layers the maps to lay over the scene, in the order of STAGES
+ * @property {number} opacity how much the maps cover, 0..1
+ * @property {boolean} forecast whether the model imagines what the ball being placed would do; see `viewOf`
+ * @property {Ball | null} ball the ball being placed
+ * @property {number | null} challenge the attempt at which whoever sent the link solved the puzzle, or null
+ * @property {Hideable[]} hide the parts of the page that are hidden, in the order of HIDEABLE
+ */
+
+/**
+ * What is shown when the address says nothing: the grid of templates.
+ * @type {Readonly<State>}
+ */
+export const INITIAL_STATE = Object.freeze({
+  task: null,
+  scene: null,
+  model: null,
+  panel: "play",
+  stage: null,
+  view: null,
+  proposal: null,
+  layers: [],
+  opacity: 0.8,
+  forecast: false,
+  ball: null,
+  challenge: null,
+  hide: [],
+});
+
+/** @typedef {{ format: (value: any) => string, parse: (text: string) => any }} Codec */
+
+const INTEGER = /^\d{1,3}$/;
+/** @type {Codec} */
+const ATTEMPT = {
+  format: String,
+  parse: (text) =>
+    INTEGER.test(text) && !text.startsWith("0") && Number(text) <= ATTEMPT_LIMIT ? Number(text) : undefined,
+};
+/** A packed scene; only unpacking it tells whether it is one. */
+const PACKED = /^[\w-]{1,32000}$/;
+
+/**
+ * The keys of a link. `parse` returns undefined for text that it does not understand.
+ * @type {Record<string, Codec>}
+ */
+const CODECS = {
+  task: { format: String, parse: (text) => (/^\d{5}:\d{3}$/.test(text) ? text : undefined) },
+  scene: { format: String, parse: (text) => (PACKED.test(text) ? text : undefined) },
+  model: { format: String, parse: (text) => (NAME.test(text) ? text : undefined) },
+  panel: oneOf(PANELS),
+  stage: oneOf([...STAGES, ...CHOICE_STEPS]),
+  view: oneOf(["stage", "results"]),
+  proposal: ATTEMPT,
+  layers: someOf(STAGES),
+  opacity: { format: String, parse: (text) => (/^(0|1|0?\.\d+)$/.test(text) ? Number(text) : undefined) },
+  forecast: {
+    format: (on) => (on ? "on" : "off"),
+    parse: (text) => (text === "on" ? true : text === "off" ? false : undefined),
+  },
+  ball: {
+    format: (ball) => ball.join(","),
+    parse: (text) => {
+      const parts = text.split(",");
+      if (parts.length !== 3 || !parts.every((part) => INTEGER.test(part))) return undefined;
+      const [x, y, r] = parts.map(Number);
+      return x < SCENE_SIZE && y < SCENE_SIZE && r >= MIN_RADIUS && r <= MAX_RADIUS ? [x, y, r] : undefined;
+    },
+  },
+  challenge: ATTEMPT,
+  hide: someOf(HIDEABLE),
+};
+
+/**
+ * @param {readonly string[]} names
+ * @returns {Codec}
+ */
+function oneOf(names) {
+  return { format: String, parse: (text) => (names.includes(text) ? text : undefined) };
+}
+
+/**
+ * @param {readonly string[]} names
+ * @returns {Codec}
+ */
+function someOf(names) {
+  return {
+    format: (chosen) => chosen.join(","),
+    parse: (text) => {
+      const chosen = text
+        .split(",")
+        .map((name) => name.trim())
+        .filter(Boolean);
+      return chosen.every((name) => names.includes(name)) ? names.filter((name) => chosen.includes(name)) : undefined;
+    },
+  };
+}
+
+/**
+ * The fragment for a state, without `#`; what equals the initial state is left out.
+ * @param {State} state
+ */
+export function formatFragment(state) {
+  const texts = Object.entries(formatState(state)).filter(([, text]) => text !== null);
+  return texts.map(([key, text]) => `${key}=${text}`).join("&");
+}
+
+/**
+ * Each part of a state as text; null where it equals the initial state.
+ * @param {State} state
+ * @returns {Record<string, string | null>}
+ */
+export function formatState(state) {
+  /** @type {Record<string, unknown>} */
+  const values = { ...state };
+  /** @type {Record<string, unknown>} */
+  const initial = { ...INITIAL_STATE };
+  const isInitial = (/** @type {string} */ key) => JSON.stringify(values[key]) === JSON.stringify(initial[key]);
+  return Object.fromEntries(
+    Object.entries(CODECS).map(([key, { format }]) => [key, isInitial(key) ? null : format(values[key])]),
+  );
+}
+
+/**
+ * The state that texts by key ask for, and those that cannot be read.
+ * @param {[key: string, text: string][]} texts
+ * @returns {{ state: State, unread: [key: string, text: string][] }}
+ */
+export function parseState(texts) {
+  /** @type {Record<string, unknown>} */
+  const parsed = {};
+  /** @type {[key: string, text: string][]} */
+  const unread = [];
+  for (const [key, text] of texts) {
+    const value = Object.hasOwn(CODECS, key) ? CODECS[key].parse(text) : undefined;
+    if (value === undefined) unread.push([key, text]);
+    else parsed[key] = value;
+  }
+  const state = { ...INITIAL_STATE, ...parsed };
+  // An own scene takes the place of a task.
+  if (state.scene !== null) state.task = null;
+  return { state, unread };
+}
+
+/**
+ * The state that a link asks for, and a sentence about what in it cannot be read (or null).
+ * @param {string} hash
+ * @returns {{ state: State, problem: string | null }}
+ */
+export function parseFragment(hash) {
+  const parts = hash.replace(/^#/, "").split("&").filter(Boolean);
+  const { state, unread } = parseState(
+    parts.map((part) => {
+      const [key, ...rest] = part.split("=");
+      return [decoded(key), decoded(rest.join("="))];
+    }),
+  );
+  const words = unread.slice(0, NAMED).map(([key, text]) => `“${shortened(text ? `${key}=${text}` : key)}”`);
+  if (unread.length > NAMED) words.push("more");
+  return {
+    state,
+    problem: words.length ? `This link says ${words.join(" and ")}, which Pathlight does not understand.` : null,
+  };
+}
+
+/**
+ * Whether a state shows a puzzle: a task or an own scene.
+ * @param {State} state
+ */
+export function showsPuzzle({ task, scene }) {
+  return task !== null || scene !== null;
+}
+
+/** How many parts of a link that cannot be read are named. */
+const NAMED = 3;
+
+/**
+ * A text for a sentence: a damaged scene alone may have thousands of characters.
+ * @param {string} text
+ */
+function shortened(text) {
+  return text.length > 40 ? `${text.slice(0, 39)}…` : text;
+}
+
+/** @param {string} text */
+function decoded(text) {
+  try {
+    return decodeURIComponent(text);
+  } catch {
+    return text;
+  }
+}
+
+/**
+ * The address of the results of the models. Null if the link that the person came by hides the puzzles or the model.
+ * @param {State} state
+ */
+export function resultsHref({ model, hide }) {
+  if (hide.some((part) => part === "puzzles" || part === "imagine" || part === "compare")) return null;
+  return `#${formatFragment({ ...INITIAL_STATE, view: "results", model, hide })}`;
+}
+
+/**
+ * The address of another puzzle (null: the grid) that keeps the model and what is hidden. Null if the link that the
+ * person came by hides the ways to other puzzles.
+ * @param {State} state
+ * @param {string | null} task
+ * @param {Panel} [panel]
+ */
+export function hrefOf({ model, hide }, task, panel = "play") {
+  return hide.includes("puzzles") ? null : `#${formatFragment({ ...INITIAL_STATE, task, panel, model, hide })}`;
+}

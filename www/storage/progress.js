@@ -1,0 +1,298 @@
+// What this device remembers: the attempts of the player and of each model. Progress follows from them; what they do
+// not tell, because they were deleted or an older version did not keep them, is kept as counts. A store that is
+// forbidden, full or damaged loses attempts but never breaks the page. Knows nothing of the document.
+
+import {
+  ATTEMPT_LIMIT,
+  MAX_NUMBER,
+  PLAYER,
+  compareAttempts,
+  grouped,
+  identityOf,
+  mergeAttempts,
+  turnOf,
+} from "./attempts.js";
+import { AttemptStore, OWN, slotOf } from "./attempt-store.js";
+import { BrowserStore } from "./browser-store.js";
+import { Contender } from "./contender.js";
+import { Counts, StoredCounts, isCountsKey, merge, progressOf } from "./counts.js";
+
+/** @typedef {import("./attempts.js").KeptAttempt} KeptAttempt */
+/** @typedef {import("./counts.js").TaskProgress} TaskProgress */
+
+/** So many attempts at own scenes are kept, some 200 kB. */
+const MOST_OWN = 1000;
+/** A file may fill the store up to so many attempts, which leaves room for those that follow. */
+export const MOST_ATTEMPTS = 20_000;
+/** Merged at once. */
+const PIECE = 1000;
+
+/**
+ * What merging has changed: the puzzles and attempts that were given, and of these the new attempts, the puzzles that
+ * the player had not solved before, and the attempts for which there was no room.
+ * @typedef {{ puzzles: number, attempts: number, added: number, solved: number, left: number, undo: () => void }}
+ *   Merged
+ */
+
+/** Fires "change" whenever it holds something else, also when another tab has written it. */
+export class Progress extends EventTarget {
+  player = new Contender(this, PLAYER);
+  #store;
+  #isKept;
+  #attempts;
+  #counts;
+
+  /** @param {boolean} persistent does it outlast the page? */
+  constructor(persistent) {
+    super();
+    this.#isKept = persistent;
+    this.#store = new BrowserStore(persistent, (key) => this.#onStored(key));
+    this.#counts = new StoredCounts(this.#store);
+    this.#attempts = new AttemptStore(this.#store, (by, task) => this.#counts.of(by, task).solved);
+  }
+
+  /** Does it outlast the page? */
+  get persistent() {
+    return this.#isKept && this.#store.failure === null;
+  }
+
+  /** @param {string} name */
+  ofModel(name) {
+    return new Contender(this, name);
+  }
+
+  /** The names of the models that have played. */
+  get modelNames() {
+    const names = new Set([...this.#counts.all, ...this.all].map(({ by }) => by));
+    names.delete(PLAYER);
+    return [...names].sort();
+  }
+
+  /**
+   * A contender's progress on a task.
+   * @param {string} by
+   * @param {string} task
+   * @returns {TaskProgress}
+   */
+  of(by, task) {
+    const kept = this.#attempts.in(slotOf(task)).filter((attempt) => isOf(attempt, task, by));
+    const turns = [...grouped(kept, turnOf).values()].sort(([a], [b]) => compareVersions(a, b));
+    // A model's turn of newer versions counts once it has ended.
+    const last = progressOf(turns.at(-1) ?? []);
+    if (by !== PLAYER && (last.solved !== null || last.attempts >= ATTEMPT_LIMIT)) return last;
+    return turns.map(progressOf).reduce(merge, this.#counts.of(by, task));
+  }
+
+  /**
+   * The tasks that a contender has tried, sorted.
+   * @param {string} by
+   */
+  tasksOf(by) {
+    const slots = this.#attempts.slots.filter((slot) => slot !== OWN);
+    const kept = slots.filter((slot) => this.#attempts.in(slot).some((one) => one.by === by));
+    return [...new Set([...kept, ...this.#counts.all.filter((one) => one.by === by).map(({ task }) => task)])].sort();
+  }
+
+  /**
+   * The attempts at a puzzle, in the order in which they were made.
+   * @param {string} puzzle
+   */
+  attemptsAt(puzzle) {
+    return this.#attempts
+      .in(slotOf(puzzle))
+      .filter((attempt) => attempt.puzzle === puzzle)
+      .sort(compareAttempts);
+  }
+
+  /** All attempts at own scenes. */
+  get ofOwnScenes() {
+    return this.#attempts.in(OWN);
+  }
+
+  /** All attempts, by puzzle; those at own scenes come last. */
+  get all() {
+    return this.#attempts.all;
+  }
+
+  /** Why the browser does not keep everything, or null; and how many attempts it does not keep. */
+  get unkept() {
+    return { failure: this.#store.failure, attempts: this.#attempts.unwritten };
+  }
+
+  /**
+   * Adds attempts that a contender has just made, beside those that another tab has kept. The turn of a model by other
+   * versions goes, for it is not brought back.
+   * @param {string} puzzle
+   * @param {string} by
+   * @param {import("./attempts.js").Attempt[]} attempts
+   * @param {import("./attempts.js").Versions} versions
+   */
+  add(puzzle, by, attempts, { simulator, agents }) {
+    if (attempts.length === 0) return;
+    this.#change(slotOf(puzzle), (all) => {
+      const isOutdated = (/** @type {KeptAttempt} */ one) =>
+        isOf(one, puzzle, by) && by !== PLAYER && (one.simulator !== simulator || one.agents !== agents);
+      const stays = all.filter((one) => !isOutdated(one));
+      const before = by === PLAYER ? this.of(by, puzzle).attempts : stays.filter((one) => isOf(one, puzzle, by)).length;
+      const made = attempts.map(({ ball, ending }, index) => {
+        const number = Math.min(before + index + 1, MAX_NUMBER);
+        return { puzzle, by, number, ball, ending, simulator, agents };
+      });
+      const { here, fresh, left } = mergeAttempts(stays, made);
+      this.#addGone(left, [...here, ...fresh, ...left]);
+      return [...here, ...fresh];
+    });
+  }
+
+  /**
+   * Deletes the attempts of one contender at a puzzle with these balls. They still count.
+   * @param {string} puzzle
+   * @param {string} by
+   * @param {string[]} balls as text
+   */
+  remove(puzzle, by, balls) {
+    if (balls.length > 0)
+      this.#change(slotOf(puzzle), (all) =>
+        all.filter((attempt) => !isOf(attempt, puzzle, by) || !balls.includes(String(attempt.ball))),
+      );
+  }
+
+  /**
+   * Deletes the attempts of all at a puzzle. They still count, unless it is an own scene.
+   * @param {string} puzzle
+   */
+  forget(puzzle) {
+    this.#change(slotOf(puzzle), (all) => all.filter((attempt) => attempt.puzzle !== puzzle));
+  }
+
+  /** Forgets everything. */
+  clear() {
+    this.#attempts.clear();
+    this.#counts.clear();
+    this.#changed();
+  }
+
+  /**
+   * Merges in what was kept elsewhere, step by step. Nothing that is here goes: the earlier solution stays, and so does
+   * each attempt.
+   * @param {KeptAttempt[]} attempts
+   * @param {Counts} [counts]
+   * @returns {Generator<number, Merged, void>} yields how much is done, 0..1
+   */
+  *merging(attempts, counts = new Counts()) {
+    const puzzles = new Set(counts.all.map(({ task }) => task));
+    /** @type {Map<string, KeptAttempt[]>} */
+    const slots = new Map();
+    for (const [index, attempt] of attempts.entries()) {
+      puzzles.add(attempt.puzzle);
+      const slot = slotOf(attempt.puzzle);
+      const before = slots.get(slot);
+      if (before) before.push(attempt);
+      else slots.set(slot, [attempt]);
+      if (index % PIECE === 0) yield 0;
+    }
+    const pieces = [...slots].flatMap(([slot, all]) =>
+      Array.from({ length: Math.ceil(all.length / PIECE) }, (_, index) => ({
+        slot,
+        piece: all.slice(index * PIECE, (index + 1) * PIECE),
+      })),
+    );
+    const solvedBefore = this.#solved;
+    const counted = new Counts();
+    counted.merge(counts);
+    let room = Math.max(0, MOST_ATTEMPTS - this.all.length);
+    let [added, left, done] = [0, 0, 0];
+    /** @type {(() => void)[]} */
+    const undos = [];
+    let complete = false;
+    try {
+      for (const { slot, piece } of pieces) {
+        const before = this.#attempts.latestIn(slot);
+        const merged = mergeAttempts(before, piece, slot === OWN ? Math.min(room, MOST_OWN - before.length) : room);
+        // When the oldest have to go, those that were here go last.
+        const after = [...merged.fresh, ...merged.here];
+        this.#attempts.write(slot, after);
+        counted.addGone(merged.left, [...after, ...merged.left]);
+        undos.unshift(() => this.#attempts.undo(slot, before, merged.fresh));
+        room -= merged.fresh.length;
+        added += merged.fresh.length;
+        left += merged.left.length;
+        done += piece.length;
+        yield done / attempts.length;
+      }
+      complete = true;
+    } finally {
+      // The person has stopped it.
+      if (!complete) for (const undo of undos) undo();
+    }
+    undos.push(this.#counts.add(counted));
+    const solved = this.#solved - solvedBefore;
+    this.#changed();
+    const undo = () => {
+      for (const step of undos) step();
+      this.#changed();
+    };
+    return { puzzles: puzzles.size, attempts: attempts.length, added, solved, left, undo };
+  }
+
+  /** How many puzzles the player has solved. */
+  get #solved() {
+    const tasks = this.player.tasks.filter((task) => this.player.of(task).solved !== null);
+    const scenes = this.ofOwnScenes.filter(({ by, ending }) => by === PLAYER && ending.solved);
+    return tasks.length + new Set(scenes.map(({ puzzle }) => puzzle)).size;
+  }
+
+  /**
+   * Changes a slot. What goes still counts.
+   * @param {string} slot
+   * @param {(all: KeptAttempt[]) => KeptAttempt[]} change
+   */
+  #change(slot, change) {
+    const before = this.#attempts.latestIn(slot);
+    const changed = change(before);
+    const after = slot === OWN ? changed.slice(-MOST_OWN) : changed;
+    const stays = new Set(after.map(identityOf));
+    const gone = before.filter((attempt) => !stays.has(identityOf(attempt)));
+    this.#addGone(gone, before);
+    this.#attempts.write(slot, after);
+    this.#changed();
+  }
+
+  /**
+   * @param {KeptAttempt[]} gone
+   * @param {KeptAttempt[]} all
+   */
+  #addGone(gone, all) {
+    const counts = new Counts();
+    counts.addGone(gone, all);
+    this.#counts.add(counts);
+  }
+
+  /** @param {string | null} key */
+  #onStored(key) {
+    const isCounts = key === null || isCountsKey(key);
+    if (isCounts) this.#counts.refresh();
+    if (this.#attempts.refresh(key) || isCounts) this.#changed();
+  }
+
+  #changed() {
+    this.dispatchEvent(new Event("change"));
+  }
+}
+
+/** @type {(attempt: KeptAttempt, puzzle: string, by: string) => boolean} */
+const isOf = (attempt, puzzle, by) => attempt.puzzle === puzzle && attempt.by === by;
+
+/** @type {(a: KeptAttempt, b: KeptAttempt) => number} */
+const compareVersions = (a, b) => a.simulator - b.simulator || (a.agents ?? 0) - (b.agents ?? 0);
+
+/** @type {Partial<Record<"kept" | "forgotten", Progress>>} */
+const shared = {};
+
+/**
+ * The progress that is kept in this browser, or the one that is forgotten with the page.
+ * @param {"kept" | "forgotten"} which
+ */
+export function sharedProgress(which) {
+  return (shared[which] ??= new Progress(which === "kept"));
+}

@@ -1,0 +1,103 @@
+// The puzzles of a person's own that this browser keeps, as JSON: an array of scenes, oldest first. A store that is
+// forbidden, full or damaged keeps nothing but never breaks the page. Knows nothing of the document.
+
+import { BrowserStore } from "./browser-store.js";
+
+/** @typedef {import("../pkg/pathlight.js").OwnScene} OwnScene */
+
+const KEY = "own-puzzles";
+/** So many puzzles are kept, which the grid shows without delay. */
+export const MOST_PUZZLES = 500;
+
+export class PuzzleStore extends EventTarget {
+  #store;
+  /** @type {string | null} what was read last */
+  #text = null;
+  /** @type {Map<string, OwnScene>} by its JSON */
+  #scenes = new Map();
+
+  /** Fires "change" whenever it holds something else, also when another tab has written it. */
+  constructor() {
+    super();
+    this.#store = new BrowserStore(true, (key) => {
+      if (key !== KEY && key !== null) return;
+      this.#read();
+      this.dispatchEvent(new Event("change"));
+    });
+    this.#read();
+  }
+
+  /** All puzzles, oldest first. Some may not be playable, as another version may have written them. */
+  get scenes() {
+    return [...this.#scenes.values()];
+  }
+
+  /**
+   * Keeps puzzles; those that are kept already stay once. Returns how many are new, for how many there was no room, and
+   * why no new one could be kept, or null.
+   * @param {OwnScene[]} scenes plain ones
+   */
+  add(scenes) {
+    this.#read();
+    const all = new Map(this.#scenes);
+    let left = 0;
+    for (const scene of scenes) {
+      const text = JSON.stringify(scene);
+      if (all.has(text)) continue;
+      if (all.size < MOST_PUZZLES) all.set(text, scene);
+      else left += 1;
+    }
+    const added = all.size - this.#scenes.size;
+    const full = `The page keeps ${MOST_PUZZLES} puzzles: delete some in the grid first. What is in a file stays there.`;
+    return { added, left, failure: added > 0 ? this.#write(all) : left > 0 ? full : null };
+  }
+
+  /**
+   * Forgets a puzzle. Returns why it could not, or null.
+   * @param {OwnScene} scene
+   */
+  remove(scene) {
+    this.#read();
+    const all = new Map(this.#scenes);
+    all.delete(JSON.stringify(scene));
+    return this.#write(all);
+  }
+
+  #read() {
+    const text = this.#store.get(KEY);
+    if (text === this.#text) return;
+    this.#text = text;
+    const stored = parsed(text);
+    this.#scenes = new Map((Array.isArray(stored) ? stored : []).map((scene) => [JSON.stringify(scene), scene]));
+  }
+
+  /** @param {Map<string, OwnScene>} scenes */
+  #write(scenes) {
+    const text = `[${[...scenes.keys()].join(",")}]`;
+    if (!this.#store.set(KEY, text)) {
+      this.#store.revert(KEY);
+      return "This browser keeps nothing for the page, or has no room left: save the puzzle as a file, or copy its link.";
+    }
+    this.#text = text;
+    this.#scenes = scenes;
+    this.dispatchEvent(new Event("change"));
+    return null;
+  }
+}
+
+/** @param {string | null} text */
+function parsed(text) {
+  try {
+    return JSON.parse(text ?? "[]");
+  } catch {
+    return [];
+  }
+}
+
+/** @type {PuzzleStore | null} */
+let shared = null;
+
+/** The puzzles that this browser keeps. */
+export function ownPuzzles() {
+  return (shared ??= new PuzzleStore());
+}

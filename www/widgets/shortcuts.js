@@ -1,0 +1,84 @@
+// The keyboard shortcuts of a puzzle; those of its scene are in play/gestures.js. A field that is typed in, a list and
+// a dialog keep their own keys.
+
+/** @typedef {import("../play/session.js").Session} Session */
+
+/**
+ * What the shortcuts act on. The session is null while no puzzle is open.
+ * @typedef {object} ShortcutTarget
+ * @property {Session | null} session
+ * @property {{ undo(): void, redo(): void } | null} undoing what undo and redo act on
+ * @property {{ onKeydown(event: KeyboardEvent): void }} scene
+ * @property {(index: number) => void} showPanel
+ * @property {() => void} showKeys
+ * @property {() => void} toggleStageView
+ * @property {(by: 1 | -1) => void} goToOtherOutcome
+ */
+
+const OWN_KEYS = "input:not([type=range], [type=checkbox], [type=radio]), select, dialog";
+
+/**
+ * Acts on a key that was pressed in the puzzle, or in the page with the focus nowhere.
+ * @param {KeyboardEvent} event
+ * @param {ShortcutTarget} puzzle
+ */
+export function onShortcut(event, puzzle) {
+  const { ctrlKey, metaKey, altKey, target } = event;
+  if (event.defaultPrevented || altKey || !(target instanceof Element)) return;
+  const act = ctrlKey || metaKey ? undoAction(event, target, puzzle.undoing) : plainAction(event, target, puzzle);
+  if (act) {
+    event.preventDefault();
+    act();
+  } else if (target === document.body && puzzle.session) {
+    // Nothing has the focus, as after a button that is disabled now: the arrows mean the ball.
+    puzzle.scene.onKeydown(event);
+  }
+}
+
+/**
+ * Does the element where a key was pressed leave the plain keys to shortcuts?
+ * @param {EventTarget | undefined} target
+ */
+export function leavesPlainKeys(target) {
+  return target instanceof Element && !target.closest(OWN_KEYS);
+}
+
+/**
+ * Ctrl+Z, Ctrl+Y and Ctrl+Shift+Z, with Cmd too. In a field as well: there the browser would undo what was typed in
+ * another field, and the page would not hear of it.
+ * @param {KeyboardEvent} event
+ * @param {Element} target
+ * @param {ShortcutTarget["undoing"]} undoing
+ * @returns {(() => void) | undefined}
+ */
+function undoAction({ key, shiftKey }, target, undoing) {
+  if (!undoing || target.closest("dialog")) return undefined;
+  /** @type {Record<string, () => void>} */
+  const actions = { z: () => (shiftKey ? undoing.redo() : undoing.undo()), y: () => undoing.redo() };
+  return actions[key.toLowerCase()];
+}
+
+/**
+ * @param {KeyboardEvent} event
+ * @param {Element} target
+ * @param {ShortcutTarget} puzzle
+ * @returns {(() => void) | undefined}
+ */
+function plainAction({ key, shiftKey }, target, puzzle) {
+  if (!leavesPlainKeys(target)) return undefined;
+  if (key === "?") return () => puzzle.showKeys();
+  const { session } = puzzle;
+  // Space keeps its meaning where it has one.
+  if (!session || (key === " " && target.closest("button, a, input, summary"))) return undefined;
+  if (/^[1-9]$/.test(key)) return () => puzzle.showPanel(Number(key) - 1);
+  /** @type {Record<string, () => void>} */
+  const actions = {
+    " ": () => session.run(),
+    ".": () => session.step(1),
+    ",": () => session.step(-1),
+    r: () => session.reset(),
+    v: () => puzzle.toggleStageView(),
+    n: () => puzzle.goToOtherOutcome(shiftKey ? -1 : 1),
+  };
+  return actions[key.toLowerCase()];
+}
