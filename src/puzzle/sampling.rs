@@ -13,7 +13,11 @@ const MAX_DRAWS: usize = 100_000;
 
 /// Returns a valid ball drawn uniformly from the action space; `None` if the scene has no room for one.
 pub fn random_ball(scene: &Scene, rng: &mut impl Rng) -> Option<Ball> {
-    let obstacles = Obstacles::new(scene);
+    uniform_ball(&Obstacles::new(scene), rng)
+}
+
+/// Draws like `random_ball`, in a scene whose obstacles are prepared: for many draws.
+pub fn uniform_ball(obstacles: &Obstacles, rng: &mut impl Rng) -> Option<Ball> {
     let mut action = || Action { x: rng.random(), y: rng.random(), r: rng.random() };
     (0..MAX_DRAWS).find_map(|_| obstacles.place(action()).ok())
 }

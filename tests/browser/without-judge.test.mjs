@@ -15,7 +15,7 @@ before(async () => {
   folder = mkdtempSync(join(tmpdir(), "pathlight-"));
   const at = (name) => join(folder, name);
   const run = (...words) => execFileSync(binary, words, { stdio: "pipe" });
-  run("collect", "--template", "2", "--limit", "4", "--rounds", "1", "--out", at("solutions.jsonl"));
+  run("collect", "--template", "2", "--limit", "4", "--per-task", "2", "--out", at("solutions.jsonl"));
   run("train", "--solutions", at("solutions.jsonl"), "--epochs", "1", "--batch", "4", "--out", at("run"));
   run("publish", at("run/weights.safetensors"), "--assets", at("assets"));
   session = await start({ serve: ["--assets", at("assets")] });

@@ -53,7 +53,7 @@ impl From<SelectionArgs> for TaskSelection {
     }
 }
 
-/// Find balls that solve the tasks, by simulation, to train on
+/// Find balls that solve the tasks among uniform random ones, to train on
 #[derive(clap::Args)]
 pub struct Collect {
     /// File to write, or to continue
@@ -64,21 +64,12 @@ pub struct Collect {
     #[arg(long, value_name = "N", default_value_t = collect::Settings::default().per_task)]
     per_task: usize,
 
-    /// Rounds in which all unfinished tasks are searched; a task tries 32 balls per round
-    #[arg(long, default_value_t = collect::Settings::default().rounds)]
-    rounds: usize,
-
-    /// Extra rounds for tasks still unsolved; in these, a task stops at its first solution
-    #[arg(long, value_name = "ROUNDS", default_value_t = collect::Settings::default().persist)]
-    persist: usize,
+    /// Most balls to simulate per task
+    #[arg(long, value_name = "N", default_value_t = collect::Settings::default().max_rollouts)]
+    max_rollouts: usize,
 
     #[command(flatten)]
     selection: SelectionArgs,
-
-    /// Begin a new file with those solutions of another file that still solve their tasks, for example of an older
-    /// simulator
-    #[arg(long, value_name = "FILE")]
-    from: Option<PathBuf>,
 
     /// Seed of all random draws
     #[arg(long, default_value_t = 0)]
@@ -87,8 +78,8 @@ pub struct Collect {
 
 impl Collect {
     fn run(self, progress: &mut dyn Progress) -> anyhow::Result<()> {
-        let Collect { out, per_task, rounds, persist, selection, from, seed } = self;
-        let settings = collect::Settings { out, per_task, rounds, persist, selection: selection.into(), from, seed };
+        let Collect { out, per_task, max_rollouts, selection, seed } = self;
+        let settings = collect::Settings { out, per_task, max_rollouts, selection: selection.into(), seed };
         Ok(io::stdout().write_all(settings.search(progress)?.as_bytes())?)
     }
 }

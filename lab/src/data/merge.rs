@@ -2,8 +2,7 @@
 //! run over all templates writes, byte for byte. So the data are made in as many jobs as there are templates, or in
 //! fewer.
 //!
-//! That works because tasks of different templates share nothing: a search also starts from solutions of its siblings,
-//! which are tasks of the same template.
+//! That works because tasks of different templates share nothing.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -16,7 +15,7 @@ use pathlight::puzzle::task::{TaskId, ids};
 use pathlight::puzzle::templates::TEMPLATES;
 use serde::Serialize;
 
-use crate::data::collect::{CollectEntry, CollectSettings};
+use crate::data::collect::CollectEntry;
 use crate::data::labels::LabelledBalls;
 use crate::files::differences::differences;
 use crate::files::journal::{self, Entry, is_file_of};
@@ -97,50 +96,17 @@ fn tasks(limit: usize) -> Vec<TaskId> {
 fn merged_solutions(files: &[PathBuf]) -> anyhow::Result<Vec<u8>> {
     let shards = read::<CollectEntry>(files, |settings| &mut settings.template)?;
     let settings = &shards[0].settings;
-    let tasks = tasks(settings.limit);
-    check(&shards, &tasks)?;
-    let rounds: Vec<Vec<&[CollectEntry]>> = shards.iter().map(|shard| closed_rounds(&shard.entries)).collect();
-    let most = rounds.iter().map(Vec::len).max().unwrap_or_default();
-    for (shard, rounds) in shards.iter().zip(&rounds) {
-        let of_shard = tasks.iter().filter(|task| task.template == shard.template);
-        // After all rounds, the extra ones of `--persist` may have been in vain; how many were asked for is not
-        // recorded.
-        let in_vain = rounds.len() == most && most >= settings.rounds;
-        let complete = in_vain || of_shard.clone().all(|&task| is_complete(task, rounds, settings));
-        let name = shard.path.display();
-        let template = shard.template;
+    check(&shards, &tasks(settings.limit))?;
+    let mut lines = Lines::new(settings)?;
+    for Shard { path, template, entries, .. } in &shards {
+        let name = path.display();
         ensure!(
-            complete,
+            entries.len() == ids(TEMPLATES[*template]).take(settings.limit).count(),
             "{name} is not complete: continue it with `pathlight-lab data collect --template {template} --out {name}`"
         );
-    }
-    let mut lines = Lines::new(settings)?;
-    let mut rollouts = vec![0; shards.len()];
-    for round in 0..most {
-        for (rollouts, rounds) in rollouts.iter_mut().zip(&rounds) {
-            for entry in rounds.get(round).into_iter().copied().flatten() {
-                match entry {
-                    CollectEntry::Solution(_) => lines.push(entry)?,
-                    CollectEntry::Round { rollouts: so_far, .. } => *rollouts = *so_far,
-                }
-            }
-        }
-        lines.push(&CollectEntry::Round { round, rollouts: rollouts.iter().sum() })?;
+        entries.iter().try_for_each(|entry| lines.push(entry))?;
     }
     Ok(lines.0)
-}
-
-/// The entries of each closed round, its last line included.
-fn closed_rounds(entries: &[CollectEntry]) -> Vec<&[CollectEntry]> {
-    let closes = |entry: &CollectEntry| matches!(entry, CollectEntry::Round { .. });
-    entries.split_inclusive(closes).filter(|round| round.last().is_some_and(closes)).collect()
-}
-
-/// Whether a search of a task ends after some rounds.
-fn is_complete(task: TaskId, rounds: &[&[CollectEntry]], settings: &CollectSettings) -> bool {
-    let of_task = |entry: &&CollectEntry| matches!(entry, CollectEntry::Solution(one) if one.task == task);
-    let found = rounds.iter().copied().flatten().filter(of_task).count();
-    found >= if rounds.len() < settings.rounds { settings.per_task } else { settings.per_task.min(1) }
 }
 
 fn merged_labels(files: &[PathBuf]) -> anyhow::Result<Vec<u8>> {

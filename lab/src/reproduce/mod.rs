@@ -50,10 +50,12 @@ impl Settings {
     /// If a file cannot be continued or written.
     pub fn make_data(&self, progress: &mut dyn Progress) -> anyhow::Result<()> {
         let DataFiles { solutions, labels, variants } = &self.data;
-        progress.say(&format!("$ pathlight-lab data collect --out {}", solutions.display()));
-        let search = collect::Settings { out: solutions.clone(), ..collect::Settings::default() };
-        let found = search.search(progress)?;
-        progress.say(found.trim_end());
+        if !collect::is_of_earlier_search(solutions)? {
+            progress.say(&format!("$ pathlight-lab data collect --out {}", solutions.display()));
+            let search = collect::Settings { out: solutions.clone(), ..collect::Settings::default() };
+            let found = search.search(progress)?;
+            progress.say(found.trim_end());
+        }
         let &Hyperparameters { label_rounds, variant_rounds, .. } = &self.hyperparameters;
         for (out, rounds, variants) in [(labels, label_rounds, false), (variants, variant_rounds, true)] {
             let option = if variants { " --variants" } else { "" };

@@ -15,7 +15,6 @@ use super::fold_result::FoldResult;
 use super::training_report;
 use crate::data::collect::{Collected, read_solutions};
 use crate::data::label::BALLS;
-use crate::data::solutions::MIN_DISTANCE;
 use crate::files::digest;
 use crate::files::replace_file::replace_file;
 use crate::measure::agents::{AGENTS, row};
@@ -174,8 +173,8 @@ fn data(text: &mut String, results: &[FoldResult], path: &Path) -> anyhow::Resul
     writeln!(
         text,
         "\n## Data\n\n{} solutions of {} tasks, found in {rollouts} rollouts. {} tasks have {most}, {} have fewer, {} \
-         have none. Solutions of a task differ by at least {MIN_DISTANCE} px in x, y or radius; fewer are known \
-         where few balls solve the task. Tasks without a known solution still count in auccess.\n",
+         have none; fewer are known where few balls solve the task. Tasks without a known solution still count in \
+         auccess.\n",
         solutions.len(),
         known.len(),
         count(&|count| count == most),

@@ -1,28 +1,21 @@
-//! `pathlight-lab data collect`: the same file on any number of cores, interrupted or not, holding only balls that
-//! solve.
+//! `pathlight-lab data collect`: the same file on any number of cores, interrupted or not, holding only balls that solve.
 
 use std::fs;
 use std::path::Path;
 
-use pathlight::puzzle::action::Ball;
-use pathlight::puzzle::task::{Task, TaskId};
+use pathlight::puzzle::task::Task;
 use pathlight::simulator::outcome;
-use serde_json::Value;
+use pathlight_lab::data::solutions::TaskSolutions;
 use tempfile::tempdir;
 
 use super::{assert_refused, output_of, pathlight_lab};
 
 /// A small search on this many cores; returns the text of the file.
 fn collect(out: &Path, cores: &str, more: &[&str]) -> String {
-    let few = ["--template", "2", "--limit", "6", "--rounds", "3", "--per-task", "4"];
-    let run = pathlight_lab()
-        .args(["data", "collect"])
-        .args(few)
-        .args(more)
-        .arg("--out")
-        .arg(out)
-        .env("RAYON_NUM_THREADS", cores)
-        .output();
+    let few = ["--template", "2", "--limit", "20", "--per-task", "2"];
+    let mut command = pathlight_lab();
+    command.args(["data", "collect"]).args(few).args(more).arg("--out").arg(out);
+    let run = command.env("RAYON_NUM_THREADS", cores).output();
     let run = run.expect("the binary runs");
     assert!(run.status.success(), "{run:?}");
     fs::read_to_string(out).expect("the file is there")
@@ -36,68 +29,31 @@ fn the_file_depends_only_on_the_seed_and_every_ball_in_it_solves() {
     assert_eq!(one, collect(&file("two"), "2", &[]), "two cores");
     assert_ne!(one, collect(&file("seed"), "2", &["--seed", "1"]), "another seed");
 
-    let solutions: Vec<Value> = one
-        .lines()
-        .map(|line| serde_json::from_str::<Value>(line).expect("JSON"))
-        .filter(|line| line.get("ball").is_some())
-        .collect();
-    assert!(solutions.len() >= 10, "only {} solutions to look at", solutions.len());
-    for line in solutions {
-        let task: TaskId = serde_json::from_value(line["task"].clone()).expect("a task");
-        let ball: Ball = serde_json::from_value(line["ball"].clone()).expect("a ball");
+    let tasks: Vec<TaskSolutions> =
+        one.lines().skip(1).map(|line| serde_json::from_str(line).expect("a line of a task")).collect();
+    assert_eq!(tasks.len(), 20);
+    for TaskSolutions { task, balls, .. } in tasks {
         let scene = Task::load(task).expect("a task").scene;
-        assert!(outcome(&scene, Some(ball)).expect("valid").solved, "{line}");
+        assert_eq!(balls.len(), 2, "{task}");
+        for ball in balls {
+            assert!(outcome(&scene, Some(ball)).expect("valid").solved, "{task}: {ball}");
+        }
     }
 
-    // Cut off in the middle of a line of the last round.
+    // Cut off in the middle of a line.
     let cut = file("cut");
     fs::write(&cut, &one[..one.len() - 60]).expect("written");
     assert_eq!(one, collect(&cut, "2", &[]), "interrupted and continued");
 }
 
 #[test]
-fn a_new_file_takes_over_what_still_solves() {
-    let folder = tempdir().expect("a folder");
-    let file = |name: &str| folder.path().join(name);
-    let known = |text: &str| {
-        let mut lines: Vec<String> = text.lines().filter(|line| line.contains("ball")).map(String::from).collect();
-        lines.sort();
-        lines
-    };
-    let one = collect(&file("one"), "2", &[]);
-    // A ball that solves nothing, before those that do.
-    let (settings, lines) = one.split_once('\n').expect("settings and more");
-    let task = lines.lines().next().and_then(|line| line.split('"').nth(3)).expect("a task");
-    let bad = format!(r#"{{"task":"{task}","ball":[3.0,3.0,2.0]}}"#);
-    fs::write(file("bad"), format!("{settings}\n{bad}\n{lines}")).expect("written");
-    let from = file("bad").display().to_string();
-    let out = file("again").display().to_string();
-    let take_over =
-        ["data", "collect", "--template", "2", "--limit", "6", "--rounds", "1", "--persist", "0", "--from", &from];
-    output_of(&[&take_over[..], &["--out", &out]].concat());
-    // In the only round nothing is searched, so all solutions are those of the other file.
-    let again = fs::read_to_string(&out).expect("the file is there");
-    assert!(!known(&again).contains(&bad));
-    assert_eq!(known(&again), known(&one));
-    assert_refused(&[&take_over[..], &["--out", &out]].concat(), "--from is only for a new file");
-}
-
-#[test]
 fn a_missing_last_newline_loses_nothing() {
     let folder = tempdir().expect("a folder");
-    let file = |name: &str| folder.path().join(name);
-    // Of one round of the search for first solutions, and of many.
-    let search = |out: &Path, persist: &str| {
-        let few = ["--template", "2", "--limit", "6", "--rounds", "0", "--persist", persist];
-        let out = out.display().to_string();
-        output_of(&[&["data", "collect", "--out", &out], &few[..]].concat());
-        fs::read_to_string(out).expect("the file is there")
-    };
-    let whole = search(&file("whole"), "500");
-    let begun = search(&file("cut"), "1");
-    assert!(whole.len() > begun.len());
-    fs::write(file("cut"), begun.trim_end()).expect("written");
-    assert_eq!(search(&file("cut"), "500"), whole);
+    let whole = collect(&folder.path().join("whole"), "2", &[]);
+    let cut = folder.path().join("cut");
+    let begun: Vec<&str> = whole.lines().take(9).collect();
+    fs::write(&cut, begun.join("\n")).expect("written");
+    assert_eq!(collect(&cut, "2", &[]), whole);
 }
 
 #[test]
@@ -120,7 +76,7 @@ fn a_damaged_line_is_named_and_nothing_is_changed() {
     let damaged = damaged.join("\n") + "\n";
     fs::write(&path, &damaged).expect("written");
     let name = path.display().to_string();
-    let few = ["--template", "2", "--limit", "6", "--rounds", "3", "--per-task", "4"];
+    let few = ["--template", "2", "--limit", "20", "--per-task", "2"];
     assert_refused(&[&["data", "collect", "--out", &name], &few[..]].concat(), "line 5 of ");
     let run = folder.path().join("run").display().to_string();
     assert_refused(&["train", "paths", "--solutions", &name, "--out", &run], "line 5 of ");
@@ -129,31 +85,46 @@ fn a_damaged_line_is_named_and_nothing_is_changed() {
 }
 
 #[test]
-fn tasks_without_a_solution_are_searched_until_they_have_one() {
+fn tasks_without_enough_solutions_are_named() {
     let folder = tempdir().expect("a folder");
-    let out = folder.path().join("solutions.jsonl");
-    let few = ["--template", "2", "--limit", "6", "--rounds", "0", "--per-task", "4"];
-    let search = |persist: &str| {
-        let run = pathlight_lab()
-            .args(["data", "collect"])
-            .args(few)
-            .args(["--persist", persist])
-            .arg("--out")
-            .arg(&out)
-            .output();
-        let text = fs::read_to_string(&out).expect("the file is there");
-        let lines = text.lines().map(|line| serde_json::from_str::<Value>(line).expect("JSON"));
-        let mut tasks: Vec<String> = lines.filter_map(|line| line["task"].as_str().map(String::from)).collect();
-        tasks.sort();
-        (String::from_utf8(run.expect("the binary runs").stdout).expect("UTF-8"), tasks)
-    };
-    let (said, tasks) = search("0");
-    assert!(tasks.is_empty() && said.contains("6 have none"), "{said}");
-    let (said, tasks) = search("500");
-    assert!(said.contains("0 have none"), "{said}");
-    let mut once = tasks.clone();
-    once.dedup();
-    assert_eq!((tasks.len(), once.len()), (6, 6), "each task stops at its first solution");
+    let out = folder.path().join("solutions.jsonl").display().to_string();
+    let said =
+        output_of(&["data", "collect", "--template", "24", "--limit", "3", "--max-rollouts", "1", "--out", &out]);
+    assert!(said.contains("3 of 3 tasks have fewer than 10 solutions, 3 have none"), "{said}");
+    assert!(said.contains("00024: 3 without a solution, the first is 00024:000"), "{said}");
+}
+
+#[test]
+fn a_file_of_the_earlier_search_is_read_and_not_continued() {
+    let folder = tempdir().expect("a folder");
+    let path = folder.path().join("old.jsonl");
+    let text = concat!(
+        r#"{"seed":0,"wanted":10,"simulator":3}"#,
+        "\n",
+        r#"{"task":"00000:000","ball":[207.0,127.0,29.0]}"#,
+        "\n",
+        r#"{"round":0,"rollouts":80000}"#,
+        "\n"
+    );
+    fs::write(&path, text).expect("written");
+    let name = path.display().to_string();
+    let labels = folder.path().join("labels.jsonl").display().to_string();
+    output_of(&[
+        "data",
+        "label",
+        "--solutions",
+        &name,
+        "--template",
+        "0",
+        "--limit",
+        "1",
+        "--rounds",
+        "1",
+        "--out",
+        &labels,
+    ]);
+    assert_refused(&["data", "collect", "--out", &name], "`max_rollouts` is 0 instead of 1000000");
+    assert_eq!(fs::read_to_string(&path).expect("still there"), text);
 }
 
 #[test]
@@ -169,11 +140,10 @@ fn files_that_are_not_its_own_are_refused_and_left_alone() {
     collect(&folder.path().join("own"), "2", &[]);
     let own = folder.path().join("own").display().to_string();
     let refused = |more: &[&str], words: &str| {
-        let few =
-            ["data", "collect", "--template", "2", "--limit", "6", "--rounds", "3", "--per-task", "4", "--out", &own];
+        let few = ["data", "collect", "--template", "2", "--limit", "20", "--per-task", "2", "--out", &own];
         assert_refused(&[&few[..], more].concat(), words);
     };
     refused(&["--seed", "5"], "`seed` is 0 instead of 5): write to another file with --out");
-    let other = ["data", "collect", "--rounds", "3", "--per-task", "4", "--out", &own];
-    assert_refused(&other, "`limit` is 6 instead of 100, `template` is 2 instead of none");
+    let other = ["data", "collect", "--per-task", "2", "--out", &own];
+    assert_refused(&other, "`limit` is 20 instead of 100, `template` is 2 instead of none");
 }

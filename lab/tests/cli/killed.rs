@@ -68,7 +68,7 @@ fn assert_same_when_killed(words: &[&str], read: impl Fn(&Path) -> Vec<Vec<u8>>)
 
 #[test]
 fn collect_continues_after_any_kill() {
-    let few = ["--template", "2", "--limit", "10", "--rounds", "6", "--per-task", "8"];
+    let few = ["--template", "2", "--limit", "60", "--per-task", "2"];
     assert_survives(&[&["data", "collect", "--out", "%/solutions.jsonl"], &few[..]].concat(), &["solutions.jsonl"]);
 }
 
@@ -81,20 +81,7 @@ fn label_continues_after_any_kill() {
 /// A few solutions and labelled balls in a folder: their files.
 fn data(folder: &Path) -> [String; 2] {
     let solutions = folder.join("solutions.jsonl").display().to_string();
-    output_of(&[
-        "data",
-        "collect",
-        "--template",
-        "2",
-        "--limit",
-        "8",
-        "--rounds",
-        "2",
-        "--per-task",
-        "2",
-        "--out",
-        &solutions,
-    ]);
+    output_of(&["data", "collect", "--template", "2", "--limit", "8", "--per-task", "2", "--out", &solutions]);
     [solutions, label(folder, "1")]
 }
 
@@ -149,14 +136,14 @@ fn a_full_disk_is_said_and_loses_nothing() {
     }
     let data = tempdir().expect("a folder");
     let few_solutions = data.path().join("solutions.jsonl").display().to_string();
-    output_of(&["data", "collect", "--template", "2", "--limit", "4", "--rounds", "1", "--out", &few_solutions]);
+    output_of(&["data", "collect", "--template", "2", "--limit", "4", "--per-task", "2", "--out", &few_solutions]);
     let out = disk.path().join("labels.jsonl").display().to_string();
     let words = ["data", "label", "--template", "2", "--limit", "40", "--rounds", "4", "--out", &out];
     let full = std::panic::catch_unwind(|| {
         assert_refused(&words, "cannot write");
         assert!(fs::metadata(&out).expect("its lines").len() > 0);
         let solutions = disk.path().join("solutions.jsonl").display().to_string();
-        let few = ["--template", "2", "--limit", "20", "--rounds", "3"];
+        let few = ["--template", "2", "--limit", "20", "--per-task", "2"];
         assert_refused(&[&["data", "collect", "--out", &solutions], &few[..]].concat(), "cannot write");
         let run = disk.path().join("run").display().to_string();
         assert_refused(
@@ -194,7 +181,7 @@ fn a_folder_that_cannot_be_written_is_said() {
         "cannot create the folder of",
     );
     let solutions = folder.path().join("solutions.jsonl").display().to_string();
-    output_of(&["data", "collect", "--template", "2", "--limit", "4", "--rounds", "1", "--out", &solutions]);
+    output_of(&["data", "collect", "--template", "2", "--limit", "4", "--per-task", "2", "--out", &solutions]);
     assert_refused(&["train", "paths", "--solutions", &solutions, "--out", &inside], "cannot create the folder of");
     let labels = label(folder.path(), "1");
     for net in ["success", "dynamics"] {

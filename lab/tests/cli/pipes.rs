@@ -31,7 +31,7 @@ fn commands_end_quietly_when_nobody_reads() {
     let weights = "assets/within-0.safetensors";
     let commands: [&[&str]; 6] = [
         &["measure", "evaluate", "--agent", "random", "--limit", "1"],
-        &["data", "collect", "--template", "2", "--limit", "1", "--rounds", "1", "--persist", "0", "--out", &solutions],
+        &["data", "collect", "--template", "2", "--limit", "1", "--per-task", "2", "--out", &solutions],
         &["publish", "weights", weights, "--assets", &assets],
         &["figures", "--out", &figures],
         &["measure", "fidelity", "--reference", &reference],

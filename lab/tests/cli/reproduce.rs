@@ -59,20 +59,7 @@ fn jobs_make_results_and_the_report_reads_them() {
     let folder = tempdir().expect("a folder");
     let words = small(folder.path());
     let (solutions, labels, variants) = (words[5].as_str(), words[7].as_str(), words[9].as_str());
-    output_of(&[
-        "data",
-        "collect",
-        "--template",
-        "2",
-        "--limit",
-        "10",
-        "--rounds",
-        "2",
-        "--per-task",
-        "3",
-        "--out",
-        solutions,
-    ]);
+    output_of(&["data", "collect", "--template", "2", "--limit", "10", "--per-task", "3", "--out", solutions]);
     let few = ["--template", "2", "--limit", "6", "--rounds", "1", "--solutions", solutions];
     output_of(&[&["data", "label", "--out", labels], &few[..]].concat());
     output_of(&[&["data", "label", "--variants", "--out", variants], &few[..]].concat());
@@ -213,7 +200,7 @@ fn a_file_that_another_process_uses_is_left_alone() {
     assert_eq!(fs::metadata(&path).expect("a file").len(), 0);
     fs::rename(&path, folder.path().join("lock")).expect("renamed");
     let few = folder.path().join("few.jsonl").display().to_string();
-    output_of(&["data", "collect", "--template", "2", "--limit", "4", "--rounds", "1", "--out", &few]);
+    output_of(&["data", "collect", "--template", "2", "--limit", "4", "--per-task", "2", "--out", &few]);
     let train = ["train", "paths", "--solutions", &few, "--out", &folder.path().display().to_string()];
     assert_refused(&train, "another process uses");
 }

@@ -21,20 +21,7 @@ fn solutions() -> &'static str {
     let (_, file) = FILE.get_or_init(|| {
         let folder = tempdir().expect("a folder");
         let file = text(&folder.path().join("solutions.jsonl"));
-        output_of(&[
-            "data",
-            "collect",
-            "--template",
-            "2",
-            "--limit",
-            "10",
-            "--rounds",
-            "2",
-            "--per-task",
-            "3",
-            "--out",
-            &file,
-        ]);
+        output_of(&["data", "collect", "--template", "2", "--limit", "10", "--per-task", "3", "--out", &file]);
         (folder, file)
     });
     file

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
-use crate::data::solutions::Solution;
+use crate::data::solutions::{Solution, TaskSolutions};
 use crate::files::journal::{self, check_ball, check_task};
 
 /// What determines the content of a file. Absent fields take their defaults.
@@ -13,30 +13,29 @@ pub struct CollectSettings {
     pub seed: u64,
     #[serde(alias = "wanted")]
     pub per_task: usize,
+    /// 0 in files of the search in rounds.
+    #[serde(default)]
+    pub max_rollouts: usize,
     /// `simulator::VERSION`
     pub simulator: u32,
     #[serde(default)]
     pub template: Option<usize>,
     #[serde(default = "default_limit")]
     pub limit: usize,
-    #[serde(default = "default_rounds")]
-    pub rounds: usize,
 }
 
 fn default_limit() -> usize {
     100
 }
 
-fn default_rounds() -> usize {
-    200
-}
-
 /// A line after the settings.
 #[derive(Serialize, Deserialize)]
 #[serde(untagged)]
 pub enum CollectEntry {
+    Task(TaskSolutions),
+    /// A line of an earlier version, which searched around known solutions, in rounds.
     Solution(Solution),
-    /// The end of a round, and the rollouts so far.
+    /// The end of such a round, and the rollouts so far.
     Round {
         round: usize,
         rollouts: usize,
@@ -49,6 +48,10 @@ impl journal::Entry for CollectEntry {
 
     fn check(&self) -> Result<(), String> {
         match self {
+            CollectEntry::Task(TaskSolutions { task, balls, .. }) => {
+                check_task(*task)?;
+                balls.iter().try_for_each(|ball| check_ball(*task, ball))
+            }
             CollectEntry::Solution(Solution { task, ball }) => check_task(*task).and_then(|()| check_ball(*task, ball)),
             CollectEntry::Round { .. } => Ok(()),
         }
@@ -73,9 +76,22 @@ pub fn read_solutions(path: &Path) -> anyhow::Result<Collected> {
     let mut collected = Collected { solutions: Vec::new(), simulator: settings.simulator, rollouts: 0 };
     for line in lines {
         match line {
+            CollectEntry::Task(task) => {
+                collected.solutions.extend(task.solutions());
+                collected.rollouts += task.rollouts;
+            }
             CollectEntry::Solution(solution) => collected.solutions.push(solution),
             CollectEntry::Round { rollouts, .. } => collected.rollouts = rollouts,
         }
     }
     Ok(collected)
+}
+
+/// Whether a file is of the earlier search around known solutions, which cannot be continued. The nets of the results
+/// were trained on such a file.
+///
+/// # Errors
+/// Says what is wrong with the file.
+pub fn is_of_earlier_search(path: &Path) -> anyhow::Result<bool> {
+    Ok(path.exists() && journal::read::<CollectEntry>(path)?.0.max_rollouts == 0)
 }
