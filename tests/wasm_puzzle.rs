@@ -324,7 +324,7 @@ fn fields_of_all(fullest: &Value, barest: &Value) -> Vec<String> {
 
 #[wasm_bindgen_test]
 fn cards_have_the_fields_that_their_types_declare() {
-    let (_, shipped) = PathNet::load(include_bytes!("../assets/within-0.safetensors"), &flex()).expect("weights");
+    let (_, shipped) = PathNet::load(include_bytes!("../assets/within-0.safetensors")).expect("weights");
     let judge = JudgeCard { seed: 0, epochs: 1, batch: 1, balls_per_scene: 1, learning_rate: 0.1, balls: 1 };
     let dynamics = shipped.dynamics.clone().expect("the shipped weights have a dynamics net");
     let barest = DynamicsCard { without_paths: false, from: None, judge: None, ..dynamics.clone() };
