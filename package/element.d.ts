@@ -37,8 +37,11 @@ export interface PuzzleAttributes {
   scene?: string | null;
   model?: string | null;
   panel?: Panel;
+  step?: string | null;
+  /** @deprecated The old name of `step`. */
   stage?: string | null;
-  view?: "stage" | null;
+  /** "stage" is the old name of "presentation". */
+  view?: "presentation" | "stage" | null;
   layers?: string | null;
   opacity?: number | string;
   proposal?: number | string | null;

@@ -340,22 +340,23 @@ fn cards_have_the_fields_that_their_types_declare() {
 }
 
 #[wasm_bindgen_test]
-fn the_model_imagines_a_map_for_each_stage() {
+fn the_model_imagines_each_map() {
     let model = Model::new(include_bytes!("../assets/within-0.safetensors")).expect("the shipped weights");
     let maps = model.imagine(TASK.into()).expect("maps");
-    let stages = json(constants().expect("constants"))["stages"].clone();
-    let stages: Vec<&str> = stages.as_array().expect("a list").iter().filter_map(Value::as_str).collect();
+    let map_names = json(constants().expect("constants"))["maps"].clone();
+    let map_names: Vec<&str> = map_names.as_array().expect("a list").iter().filter_map(Value::as_str).collect();
     let names: Vec<String> =
         js_sys::Object::keys(&maps.clone().into()).iter().filter_map(|key| key.as_string()).collect();
-    assert_eq!(names, stages, "in the order of the stages");
+    assert_eq!(names, map_names, "in the order of the constants");
     for name in names {
         let map: js_sys::Float32Array =
             Reflect::get(&maps, &name.into()).expect("an object").dyn_into().expect("a map");
         assert_eq!(map.length(), 64 * 64);
     }
-    let declared = include_str!("../src/web/types.d.ts").split("export type Stage = ").nth(1).expect("the type Stage");
+    let declared =
+        include_str!("../src/web/types.d.ts").split("export type MapName = ").nth(1).expect("the type MapName");
     let declared = declared.split(';').next().expect("its end");
-    assert_eq!(declared, stages.iter().map(|stage| format!("\"{stage}\"")).collect::<Vec<_>>().join(" | "));
+    assert_eq!(declared, map_names.iter().map(|name| format!("\"{name}\"")).collect::<Vec<_>>().join(" | "));
 }
 
 #[wasm_bindgen_test]

@@ -20,7 +20,7 @@ pub enum ImaginedMap {
     Judge,
 }
 
-/// What there is to say of a map; its texts for the page are in `www/model/stage-text.js`.
+/// What there is to say of a map; its texts for the page are in `www/model/map-text.js`.
 struct Declaration {
     name: &'static str,
     /// Whether a net of Harter et al. (2020) makes it. Weights may come without the others.

@@ -72,8 +72,8 @@ pub fn constants() -> Result<JsValue, JsValue> {
         attempt_limit: usize,
         steps_per_second: usize,
         goal_steps: usize,
-        stages: [&'static str; ImaginedMap::ALL.len()],
-        paper_stages: Vec<&'static str>,
+        maps: [&'static str; ImaginedMap::ALL.len()],
+        paper_maps: Vec<&'static str>,
         simulator_version: u32,
         agents_version: u32,
         stick_lean: f64,
@@ -90,8 +90,8 @@ pub fn constants() -> Result<JsValue, JsValue> {
         attempt_limit: ATTEMPT_LIMIT,
         steps_per_second: STEPS_PER_SECOND,
         goal_steps: GOAL_STEPS,
-        stages: ImaginedMap::ALL.map(ImaginedMap::name),
-        paper_stages: ImaginedMap::ALL.into_iter().filter(|map| map.of_paper()).map(ImaginedMap::name).collect(),
+        maps: ImaginedMap::ALL.map(ImaginedMap::name),
+        paper_maps: ImaginedMap::ALL.into_iter().filter(|map| map.of_paper()).map(ImaginedMap::name).collect(),
         simulator_version: simulator::VERSION,
         agents_version: agents::VERSION,
         stick_lean: dimensions::STICK_LEAN,
@@ -177,7 +177,7 @@ pub fn paint_thumbnail(
 #[wasm_bindgen(js_name = paintMap)]
 pub fn paint_map(
     context: &CanvasRenderingContext2d,
-    #[wasm_bindgen(unchecked_param_type = "Stage")] map: &str,
+    #[wasm_bindgen(unchecked_param_type = "MapName")] map: &str,
     values: &[f32],
     max: f32,
     dark: bool,
@@ -192,7 +192,7 @@ pub fn paint_map(
 #[wasm_bindgen(js_name = paintLegend)]
 pub fn paint_legend(
     context: &CanvasRenderingContext2d,
-    #[wasm_bindgen(unchecked_param_type = "Stage")] map: &str,
+    #[wasm_bindgen(unchecked_param_type = "MapName")] map: &str,
     dark: bool,
 ) -> Result<(), JsValue> {
     heatmap::legend(context, map_named(map)?, dark)
@@ -206,7 +206,7 @@ pub fn paint_legend(
 #[wasm_bindgen(js_name = paintOutline)]
 pub fn paint_outline(
     context: &CanvasRenderingContext2d,
-    #[wasm_bindgen(unchecked_param_type = "Stage | \"real\"")] line: &str,
+    #[wasm_bindgen(unchecked_param_type = "MapName | \"real\"")] line: &str,
     values: &[f32],
     dark: bool,
 ) -> Result<(), JsValue> {

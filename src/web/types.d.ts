@@ -134,13 +134,13 @@ export interface Fold {
 }
 
 /** The maps that the nets imagine, in the order in which they make them. */
-export type Stage = "base" | "target" | "action" | "placement" | "judge";
+export type MapName = "base" | "target" | "action" | "placement" | "judge";
 
 /** A map or a mask: 64 x 64 values in 0..1, row by row, row 0 at the bottom. */
 export type GridMap = Float32Array;
 
 /** The maps of a task; weights may have no judge. */
-export type Maps = Record<Exclude<Stage, "judge">, GridMap> & { judge?: GridMap };
+export type Maps = Record<Exclude<MapName, "judge">, GridMap> & { judge?: GridMap };
 
 /** Who places the ball. */
 export type Contender = "player" | "model";
@@ -163,9 +163,9 @@ export interface Constants {
     /** Steps for which the green object has to touch its goal. */
     goal_steps: number;
     /** All maps, in the order in which the nets make them. */
-    stages: Stage[];
+    maps: MapName[];
     /** Those that the paper's nets make; every model has them. */
-    paper_stages: Stage[];
+    paper_maps: MapName[];
     /** The version of the simulator: rollouts of another may end otherwise. */
     simulator_version: number;
     /** The version of the agents: the same model proposes other balls with another. */

@@ -46,7 +46,7 @@ test("the sheet names the paper, the benchmark and what the model learned from",
   const saidOfNets = [
     about.locator("#about-nets"),
     page.locator("#imagine-intro"),
-    page.locator("[data-stage=judge] .how"),
+    page.locator("[data-map=judge] .how"),
   ];
   for (const said of await Promise.all(saidOfNets.map((element) => element.textContent()))) {
     assert.equal(/dynamics net/.test(said), Boolean(dynamics), said);

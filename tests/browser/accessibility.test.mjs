@@ -87,7 +87,7 @@ for (const [screen, size] of Object.entries(SCREENS)) {
       await page.locator("#imagined-in").filter({ hasText: "Imagined" }).waitFor();
       const tab = (name) => page.locator(`#tab-${name}`).click();
       await page.locator("#walkthrough-next").click();
-      await page.locator("[data-stage=base] .map").press("ArrowUp");
+      await page.locator("[data-map=base] .map").press("ArrowUp");
       for (const sum of await page.locator("#imagine summary:visible").all()) await sum.click();
       await axeFindsNothing(page, "a step of the story, read");
       await page.locator("#walkthrough-dots button:visible").last().click();

@@ -146,7 +146,7 @@ const LINES = `${JSON.stringify(ATTEMPT)}\n${JSON.stringify({ ...ATTEMPT, task: 
 
 test("any link is a state of the page that its own link leads back to", async () => {
   const links = [
-    "task=00007:008&model=within-0&panel=imagine&stage=target&view=stage&layers=base,target&opacity=0.5",
+    "task=00007:008&model=within-0&panel=imagine&step=target&view=presentation&layers=base,target&opacity=0.5",
     "scene=q1YqSy0qzszPU7Iy0lFKyk_JTC0GsgxqAQ&ball=100,200,10&challenge=7&hide=puzzles,imagine&forecast=on&proposal=3",
     "view=results",
   ];
@@ -159,7 +159,7 @@ test("any link is a state of the page that its own link leads back to", async ()
       const { panel, layers } = page.viewOf(state);
       assert.ok(
         page.visiblePanels(state).includes(panel) &&
-          layers.every((one) => state.layers.includes(one) || one === state.stage),
+          layers.every((one) => state.layers.includes(one) || one === state.step),
       );
       assert.ok(!page.showsPuzzle(state) || state.task === null || state.scene === null);
     }),

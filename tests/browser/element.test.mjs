@@ -122,7 +122,7 @@ test("the puzzle follows its attributes, and the attributes follow the person", 
     document.addEventListener("statechange", (/** @type {any} */ { detail }) => globalThis.heard.push(detail.panel));
   });
   await one.locator("#tab-imagine").click();
-  await one.locator("[data-stage=target] input").check();
+  await one.locator("[data-map=target] input").check();
   assert.equal(await one.getAttribute("panel"), "imagine");
   assert.equal(await one.getAttribute("layers"), "target");
   assert.deepEqual(await page.evaluate(() => globalThis.heard), ["imagine", "imagine"]);
@@ -137,7 +137,19 @@ test("the puzzle follows its attributes, and the attributes follow the person", 
     async () => (await one.locator(".puzzle").evaluate((puzzle) => getComputedStyle(puzzle).colorScheme)) === "dark",
     "dark",
   );
-  assert.equal(await one.locator("[data-stage=target] input").isChecked(), false);
+  assert.equal(await one.locator("[data-map=target] input").isChecked(), false);
+});
+
+test("the attribute stage, the old name of step, and the old name of the presentation are read", async () => {
+  const page = await embed(session, single('task="00000:000" stage="target" view="stage"'));
+  const puzzle = page.locator("pathlight-puzzle");
+  await puzzle.locator("#presentation:visible").waitFor();
+  const step = () => puzzle.evaluate((/** @type {any} */ element) => [element.step, element.state.step]);
+  assert.deepEqual(await step(), ["target", "target"]);
+  await puzzle.evaluate((element) => element.setAttribute("stage", "base"));
+  assert.deepEqual(await step(), ["base", "base"]);
+  await puzzle.evaluate((/** @type {any} */ element) => (element.stage = null));
+  assert.deepEqual(await step(), [null, null]);
 });
 
 test("a ball does not go on to another puzzle, unless it is set with it", async () => {

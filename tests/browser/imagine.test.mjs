@@ -5,7 +5,7 @@ import { after, before, test } from "node:test";
 import { start } from "./harness.mjs";
 import { openImagined, picture, watchFrames } from "./page-actions.mjs";
 
-const STAGES = ["base", "target", "action", "placement", "judge"];
+const MAPS = ["base", "target", "action", "placement", "judge"];
 
 let session;
 before(async () => (session = await start()));
@@ -16,14 +16,14 @@ const imagine = (options) => openImagined(session, options);
 test("five different maps, each with a sentence, a summary and a legend", async () => {
   const page = await imagine();
   const seen = new Set();
-  for (const stage of STAGES) {
-    const row = page.locator(`[data-stage=${stage}]`);
+  for (const map of MAPS) {
+    const row = page.locator(`[data-map=${map}]`);
     assert.match(await row.locator(".meaning").textContent(), /^Where .+\.$/);
     assert.match(await row.locator(".map canvas[role=img]").getAttribute("aria-label"), /: most sure [a-z ]+/);
     const peak = Number(await row.locator(".scale span").last().textContent());
-    assert.ok(peak > 0 && peak <= 1, `${stage}: ${peak}`);
-    seen.add(await picture(page, `[data-stage=${stage}] .map canvas[role=img]`));
-    seen.add(await picture(page, `[data-stage=${stage}] .legend`));
+    assert.ok(peak > 0 && peak <= 1, `${map}: ${peak}`);
+    seen.add(await picture(page, `[data-map=${map}] .map canvas[role=img]`));
+    seen.add(await picture(page, `[data-map=${map}] .legend`));
   }
   assert.equal(seen.size, 10, "no two maps and no two legends are alike");
 });
@@ -31,14 +31,14 @@ test("five different maps, each with a sentence, a summary and a legend", async 
 test("a layer lies over the scene while it is on, as strongly as its opacity", async () => {
   const page = await imagine();
   const bare = await picture(page);
-  for (const stage of STAGES) {
-    const box = page.locator(`[data-stage=${stage}] input`);
+  for (const map of MAPS) {
+    const box = page.locator(`[data-map=${map}] input`);
     await box.check();
-    assert.notEqual(await picture(page), bare, `${stage} shows`);
+    assert.notEqual(await picture(page), bare, `${map} shows`);
     await box.uncheck();
-    assert.equal(await picture(page), bare, `${stage} is gone`);
+    assert.equal(await picture(page), bare, `${map} is gone`);
   }
-  await page.locator("[data-stage=target] input").check();
+  await page.locator("[data-map=target] input").check();
   const strong = await picture(page);
   await page.locator("#opacity").fill("0.3");
   assert.notEqual(await picture(page), strong);
@@ -47,18 +47,18 @@ test("a layer lies over the scene while it is on, as strongly as its opacity", a
 
 test("another puzzle is imagined afresh, and the page stays alive meanwhile", async () => {
   const page = await imagine();
-  const before = await picture(page, "[data-stage=base] .map canvas[role=img]");
+  const before = await picture(page, "[data-map=base] .map canvas[role=img]");
   const longestGap = await watchFrames(page);
   await page.locator("#next").click();
   await page.locator("#imagined-in").filter({ hasText: "Imagined" }).waitFor();
-  assert.notEqual(await picture(page, "[data-stage=base] .map canvas[role=img]"), before);
+  assert.notEqual(await picture(page, "[data-map=base] .map canvas[role=img]"), before);
   assert.ok((await longestGap()) < 1000, "the page does not freeze");
 });
 
 test("maps that are switched on stay over the scene while a ball is placed, but not while a path is predicted", async () => {
   const page = await imagine();
   const bare = await picture(page);
-  await page.locator("[data-stage=target] input").check();
+  await page.locator("[data-map=target] input").check();
   await page.locator("#tab-play").click();
   const laid = await picture(page);
   assert.notEqual(laid, bare);
@@ -76,9 +76,9 @@ test("of more than two maps over the scene two are shaded, and the others outlin
   const page = await openImagined(session);
   const note = page.locator("#outlines-note");
   const pictures = [];
-  for (const stage of ["base", "target", "action"]) {
-    await page.locator(`[data-stage=${stage}] input`).check();
-    assert.equal(await note.isVisible(), stage === "action");
+  for (const map of ["base", "target", "action"]) {
+    await page.locator(`[data-map=${map}] input`).check();
+    assert.equal(await note.isVisible(), map === "action");
     pictures.push(await picture(page));
   }
   // A shade covers a good part of the scene, an outline little of it.

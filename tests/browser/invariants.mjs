@@ -96,7 +96,7 @@ function viewInPage() {
     seen: [
       document.getElementById("gallery"),
       document.getElementById("results"),
-      ...inside.querySelectorAll("[role=tabpanel], #stage-view"),
+      ...inside.querySelectorAll("[role=tabpanel], #presentation"),
     ]
       .filter(isSeen)
       .map(({ id }) => id),
@@ -128,7 +128,7 @@ function contradictionsInPage() {
   check(!shown || !isUnread || text("problem") !== "", "there is no puzzle, and no sentence why");
   if (!shown || isUnread) return found;
 
-  // Tabs, panels and the stage view.
+  // Tabs, panels and the presentation.
   const panels = [...inside.querySelectorAll("[role=tabpanel]")].filter((one) => !one.hidden).map(({ id }) => id);
   const selected = [...inside.querySelectorAll("[role=tab][aria-selected=true]")].map(({ id }) =>
     id.slice("tab-".length),
@@ -138,12 +138,12 @@ function contradictionsInPage() {
     `panels ${panels} are shown and tabs ${selected} are selected`,
   );
   check(
-    state.view === "stage" || state.hide.includes(state.panel) || panels[0] === state.panel,
+    state.view === "presentation" || state.hide.includes(state.panel) || panels[0] === state.panel,
     `panel ${panels} is shown, the state says ${state.panel}`,
   );
   check(
-    inside.getElementById("stage-view").hidden === (state.view !== "stage"),
-    "the stage view is not as the state says",
+    inside.getElementById("presentation").hidden === (state.view !== "presentation"),
+    "the presentation is not as the state says",
   );
   const dialogs = [...inside.querySelectorAll("dialog[open]"), ...document.querySelectorAll("dialog[open]")];
   check(dialogs.length <= 1, `dialogs ${dialogs.map(({ id }) => id)} are open together`);

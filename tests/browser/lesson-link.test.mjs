@@ -82,7 +82,7 @@ test("boxes by keys make the link, the preview and the code; the link opens just
   for (const hidden of [
     "#tabs",
     "#copy",
-    "#stage-button",
+    "#presentation-button",
     "#lesson-button",
     "#about-button",
     "#keys-button",
@@ -120,22 +120,22 @@ test("what is hidden is nowhere told, in the sheets neither", async () => {
   assert.doesNotMatch(await page.locator(".intro").innerText(), /imagine|nets/);
 });
 
-test("in the stage view, locked there, with the ball", async () => {
+test("in the presentation, locked there, with the ball", async () => {
   const page = await openPuzzle(session);
   await type(page, [90, 190, 7]);
   await page.locator("#lesson-button").click();
-  await page.locator("#lesson-stage").check();
+  await page.locator("#lesson-presentation").check();
   await page.locator("#lesson-ball").check();
   await page.locator("[name=tools]").uncheck();
   const link = await address(page);
-  assert.equal(link, `${session.origin}/#task=${EASY}&view=stage&ball=90,190,7&hide=tools`);
+  assert.equal(link, `${session.origin}/#task=${EASY}&view=presentation&ball=90,190,7&hide=tools`);
   const pupil = await session.open(link.slice(session.origin.length));
-  await pupil.locator("#stage-view:visible").waitFor();
+  await pupil.locator("#presentation:visible").waitFor();
   await says(pupil, /Press Run|Not here/);
-  assert.ok(await pupil.locator("#stage-leave").isHidden());
+  assert.ok(await pupil.locator("#presentation-leave").isHidden());
   await pupil.keyboard.press("Escape");
   await pupil.locator("#scene").press("v");
-  assert.ok(await pupil.locator("#stage-view").isVisible());
+  assert.ok(await pupil.locator("#presentation").isVisible());
 });
 
 test("it is copied, or selected where the browser does not let the page copy", async () => {

@@ -20,8 +20,8 @@ test("a link opens the same puzzle, panel, layers and ball", async () => {
   });
   assert.equal(await page.locator("#task").inputValue(), EASY);
   assert.equal(await page.locator("#tab-imagine").getAttribute("aria-selected"), "true");
-  for (const [stage, on] of Object.entries({ base: false, target: true, action: false, placement: true })) {
-    assert.equal(await page.locator(`[data-stage=${stage}] input`).isChecked(), on, stage);
+  for (const [map, on] of Object.entries({ base: false, target: true, action: false, placement: true })) {
+    assert.equal(await page.locator(`[data-map=${map}] input`).isChecked(), on, map);
   }
   assert.equal(await page.locator("#opacity").inputValue(), "0.5");
   assert.deepEqual(await ball(page), [100, 200, 10]);
@@ -56,8 +56,8 @@ test("of a custom puzzle that cannot be read nothing is shown but why", async ()
   const page = await openPuzzle(session);
   await page.evaluate(() => void (location.hash = "#scene=soup"));
   await page.locator("#problem").filter({ hasText: "damaged" }).waitFor();
-  await page.locator("#stage-button").click();
-  await page.waitForFunction(() => /view=stage/.test(location.hash));
+  await page.locator("#presentation-button").click();
+  await page.waitForFunction(() => /view=presentation/.test(location.hash));
   assert.ok(await page.locator("#problem").filter({ hasText: "damaged" }).isVisible());
   assert.ok(await page.locator("#scene").isHidden());
   await page.goBack();

@@ -53,7 +53,7 @@ test("each is named with what it has seen, its map, its balls and when it solves
     .waitFor();
   const place = await column(page, 0).locator(".pair-place").textContent();
   assert.match(place, /^Most sure .+\.$/);
-  await page.locator("#pair-stage").selectOption("action");
+  await page.locator("#pair-map-name").selectOption("action");
   assert.match(await column(page, 0).locator("canvas[role=img]").getAttribute("aria-label"), /^Action path: /);
 
   await column(page, 1).locator("button").click();

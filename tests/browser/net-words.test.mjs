@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { modelWords } from "../../www/model/model-words.js";
-import { netWords } from "../../www/model/stage-text.js";
+import { netWords } from "../../www/model/map-text.js";
 
 test("the net that scores balls is named, and no other", () => {
   const dynamics = netWords({ dynamics: {} }, 4);

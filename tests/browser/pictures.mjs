@@ -74,8 +74,8 @@ for (const [screen, size] of Object.entries(SCREENS)) {
     await page.locator("#reset").click();
     await page.locator("#tab-imagine").click();
     await page.locator("#imagined-in").filter({ hasText: "Imagined" }).waitFor();
-    await page.locator("[data-stage=target] input").check();
-    await page.locator("[data-stage=placement] input").check();
+    await page.locator("[data-map=target] input").check();
+    await page.locator("[data-map=placement] input").check();
     await take("imagine");
     await page.locator("#imagine [data-opens=about-dialog]").click();
     await take("about");
@@ -102,7 +102,7 @@ for (const [screen, size] of Object.entries(SCREENS)) {
     await page.locator("#walkthrough-dots button:visible").last().click();
     await take("story-ends");
     await page.locator("#scene").press("v");
-    await take("stage-view");
+    await take("presentation");
     await page.keyboard.press("Escape");
     if (screen !== "phone") {
       await page.locator("#lesson-button").click();

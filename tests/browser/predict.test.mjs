@@ -165,7 +165,7 @@ test("maps that are switched on do not tell the answer here", async () => {
   await page.locator("#imagined-in").filter({ hasText: "Imagined" }).waitFor();
   assert.notEqual(await picture(page), bare, "they lie over the scene where they are switched on");
   await page.locator("#walkthrough-next").click();
-  await page.waitForFunction(() => /stage=/.test(location.hash));
+  await page.waitForFunction(() => /step=/.test(location.hash));
   await page.locator("#tab-predict").click();
   await page.waitForTimeout(100);
   assert.equal(await picture(page), bare, "nor does the story");

@@ -21,10 +21,10 @@ for (const [width, height] of [
     await type(page, (await known()).missing);
     await page.locator("#run").click();
     await says(page, /^Not solved/);
-    const [transport, stage, side, time] = await Promise.all(
-      [".transport", ".stage", ".side", "#time"].map((one) => page.locator(one).boundingBox()),
+    const [transport, area, side, time] = await Promise.all(
+      [".transport", ".scene-area", ".side", "#time"].map((one) => page.locator(one).boundingBox()),
     );
-    assert.ok(transport.x >= stage.x && transport.x + transport.width <= stage.x + stage.width + 1, "within the stage");
+    assert.ok(transport.x >= area.x && transport.x + transport.width <= area.x + area.width + 1, "within the area");
     for (const control of await page.locator(".transport :is(button, input, select, #clock):visible").all()) {
       const box = await control.boundingBox();
       assert.ok(

@@ -1,5 +1,5 @@
-// Two people's ways through the page from end to end: a teacher's from the stage view to the link for the class, and a
-// researcher's from the list of failures to the exported strip. The way of a first visit is in a file of its own.
+// Two people's ways through the page from end to end: a teacher's from the presentation to the link for the class, and
+// a researcher's from the list of failures to the exported strip. The way of a first visit is in a file of its own.
 
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
@@ -23,7 +23,7 @@ for (const [screen, options] of Object.entries(SCREENS)) {
       ...options,
       task: "00007:008",
       reducedMotion: true,
-      fragment: "&view=stage",
+      fragment: "&view=presentation",
     });
     await page.locator("#imagined-in").filter({ hasText: "Imagined in" }).waitFor({ state: "attached" });
     for (let step = 1; step <= 10; step += 1) {
@@ -65,8 +65,8 @@ for (const [screen, options] of Object.entries(SCREENS)) {
   });
 }
 
-test("a teacher makes the link for the class out of the stage view", async () => {
-  const page = await openPuzzle(session, { task: "00007:008", fragment: "&view=stage&stage=target" });
+test("a teacher makes the link for the class out of the presentation", async () => {
+  const page = await openPuzzle(session, { task: "00007:008", fragment: "&view=presentation&step=target" });
   await page.keyboard.press("Escape");
   await page.locator("#lesson-button").click();
   for (const name of ["imagine", "compare", "map", "make", "predict", "puzzles", "tools", "forecast"])

@@ -83,7 +83,7 @@ rowsOfDrag("drag", await drag(page, [128, 200], [60, 40]));
 const maps = (task) =>
   page.evaluate(async (task) => {
     const root = /** @type {ShadowRoot} */ (document.querySelector("#puzzle")?.shadowRoot);
-    const labelled = [...root.querySelectorAll("#stages canvas[role=img]")];
+    const labelled = [...root.querySelectorAll("#maps canvas[role=img]")];
     const areThere = () => labelled.every((map) => !/not imagined yet/.test(map.getAttribute("aria-label") ?? ""));
     const start = performance.now();
     const all = new Promise((/** @type {(time: number) => void} */ resolve) => {

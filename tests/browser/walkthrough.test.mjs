@@ -1,11 +1,11 @@
-// The walkthrough of the stages, and the probe under the pointer: by mouse, touch and keys, from a link too.
+// The walkthrough of the maps, and the probe under the pointer: by mouse, touch and keys, from a link too.
 
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { start } from "./harness.mjs";
 import { openImagined, picture, spot } from "./page-actions.mjs";
 
-const STAGES = ["base", "target", "action", "placement", "judge"];
+const MAPS = ["base", "target", "action", "placement", "judge"];
 /** How a model that imagines balls chooses one, and what comes of it. */
 const CHOICE = ["candidates", "imagined", "chosen", "run", "real"];
 
@@ -15,22 +15,22 @@ after(() => session.stop());
 
 const imagine = (options) => openImagined(session, options);
 
-/** The stages whose maps are in the panel, and those that lie over the scene. */
+/** The maps that are in the panel, and those that lie over the scene. */
 async function shown(page) {
-  const rows = await page.locator("#stages li:visible").evaluateAll((rows) => rows.map((row) => row.dataset.stage));
+  const rows = await page.locator("#maps li:visible").evaluateAll((rows) => rows.map((row) => row.dataset.map));
   const laid = await page
-    .locator("#stages input:checked")
-    .evaluateAll((boxes) => boxes.map((box) => box.closest("li").dataset.stage));
+    .locator("#maps input:checked")
+    .evaluateAll((boxes) => boxes.map((box) => box.closest("li").dataset.map));
   return { rows, laid };
 }
 
-test("each step shows one stage alone, forward and back, and all again", async () => {
+test("each step shows one map alone, forward and back, and all again", async () => {
   const page = await imagine();
-  assert.deepEqual((await shown(page)).rows, STAGES);
-  for (const stage of STAGES) {
+  assert.deepEqual((await shown(page)).rows, MAPS);
+  for (const map of MAPS) {
     await page.locator("#walkthrough-next").click();
-    assert.deepEqual(await shown(page), { rows: [stage], laid: [stage] });
-    const row = page.locator(`[data-stage=${stage}]`);
+    assert.deepEqual(await shown(page), { rows: [map], laid: [map] });
+    const row = page.locator(`[data-map=${map}]`);
     assert.match(await row.locator(".meaning").textContent(), /^Where .+\.$/);
     assert.match(
       await row.locator(".summary").textContent(),
@@ -45,7 +45,7 @@ test("each step shows one stage alone, forward and back, and all again", async (
   }
   await page.locator("#walkthrough-dots button:visible").last().click();
   const last = await page.locator("#walkthrough-step").textContent();
-  assert.equal(last, `Step ${STAGES.length + CHOICE.length} of ${STAGES.length + CHOICE.length}`);
+  assert.equal(last, `Step ${MAPS.length + CHOICE.length} of ${MAPS.length + CHOICE.length}`);
   await page.locator("#walkthrough-next").press("Enter");
   assert.equal(await page.locator("#walkthrough-step").textContent(), last, "there is no more");
   for (let back = 0; back <= CHOICE.length; back += 1) await page.locator("#walkthrough-back").click();
@@ -53,14 +53,14 @@ test("each step shows one stage alone, forward and back, and all again", async (
   await page.locator("#walkthrough-dots button").first().click();
   assert.deepEqual((await shown(page)).rows, ["base"]);
   await page.locator("#walkthrough-all").click();
-  assert.deepEqual((await shown(page)).rows, STAGES);
+  assert.deepEqual((await shown(page)).rows, MAPS);
 });
 
 test("it plays by itself to the end, and a step is in the link", async () => {
   const page = await imagine();
   await page.locator("#walkthrough-play").click();
-  for (const stage of [...STAGES, ...CHOICE]) {
-    await page.waitForFunction((stage) => location.hash.includes(`stage=${stage}`), stage, { timeout: 30_000 });
+  for (const step of [...MAPS, ...CHOICE]) {
+    await page.waitForFunction((step) => location.hash.includes(`step=${step}`), step, { timeout: 30_000 });
   }
   await page.locator("#walkthrough-play-label", { hasText: "Play" }).waitFor();
   await page.reload();
@@ -71,23 +71,23 @@ test("it plays by itself to the end, and a step is in the link", async () => {
 test("keys go through the steps", async () => {
   const page = await imagine();
   await page.locator("#walkthrough-next").focus();
-  for (const stage of STAGES) {
+  for (const map of MAPS) {
     await page.keyboard.press("Enter");
-    assert.deepEqual((await shown(page)).rows, [stage]);
+    assert.deepEqual((await shown(page)).rows, [map]);
   }
 });
 
 test("the mouse reads the maps that lie over the scene", async () => {
   const page = await imagine();
-  await page.locator("[data-stage=base] input").check();
-  const summary = await page.locator("[data-stage=base] .numbers").textContent();
+  await page.locator("[data-map=base] input").check();
+  const summary = await page.locator("[data-map=base] .numbers").textContent();
   const [, x, y] = summary.match(/x (\d+), y (\d+)/).map(Number);
   await page.mouse.move(...(await spot(page, x, y)));
-  const peak = await page.locator("[data-stage=base] .scale span").last().textContent();
+  const peak = await page.locator("[data-map=base] .scale span").last().textContent();
   const note = await page.locator("#probe").textContent();
   assert.ok(note.startsWith(`Base path ${peak}`), `${note}: its peak is ${peak}`);
-  assert.match(await page.locator("[data-stage=base] .value").textContent(), new RegExp(`^${peak} at x ${x}, y `));
-  assert.match(await page.locator("[data-stage=placement] .value").textContent(), /^\d\.\d\d at/, "all are read");
+  assert.match(await page.locator("[data-map=base] .value").textContent(), new RegExp(`^${peak} at x ${x}, y `));
+  assert.match(await page.locator("[data-map=placement] .value").textContent(), /^\d\.\d\d at/, "all are read");
   await page.mouse.move(2, 2);
   await page.locator("#probe").waitFor({ state: "hidden" });
 });
@@ -104,11 +104,11 @@ test("a finger reads too, and its values stay", async () => {
 
 test("arrow keys on a small map read it", async () => {
   const page = await imagine();
-  await page.locator("[data-stage=target] .map").focus();
+  await page.locator("[data-map=target] .map").focus();
   await page.keyboard.press("ArrowRight");
   await page.keyboard.press("Shift+ArrowUp");
   assert.match(await page.locator("#announcement").textContent(), /^x 132, y 160: \d\.\d\d$/);
-  assert.match(await page.locator("[data-stage=target] .value").textContent(), /^\d\.\d\d at x 132, y 160$/);
+  assert.match(await page.locator("[data-map=target] .value").textContent(), /^\d\.\d\d at x 132, y 160$/);
 });
 
 test("it ends with the choice: the candidates, what is imagined for them, the ball that is tried first", async () => {

@@ -31,10 +31,10 @@ test("the maps of the paper are drawn, and the other says that there is none", a
     .locator("#imagined-in")
     .filter({ hasText: /Imagined in \d+ ms/ })
     .waitFor();
-  for (const stage of ["base", "target", "action", "placement"]) {
-    assert.match(await page.locator(`[data-stage=${stage}] .summary`).textContent(), /^Most sure /, stage);
+  for (const map of ["base", "target", "action", "placement"]) {
+    assert.match(await page.locator(`[data-map=${map}] .summary`).textContent(), /^Most sure /, map);
   }
-  const judge = page.locator("[data-stage=judge]");
+  const judge = page.locator("[data-map=judge]");
   assert.equal(await judge.locator(".summary").textContent(), "This model has no such map.");
   assert.doesNotMatch(await page.locator("#imagine-intro").textContent(), /judge|dynamics/);
   assert.doesNotMatch(await judge.locator(".how").textContent(), /the judge|dynamics/i);
@@ -63,8 +63,8 @@ test("it does not imagine balls, and the page does not offer it", async () => {
   assert.doesNotMatch(await page.locator("#forecast-words").textContent(), /thinks/);
 });
 
-test("its story ends with the stages, also if a link asks for more", async () => {
-  const page = await openPuzzle(session, { fragment: "&panel=imagine&stage=chosen" });
+test("its story ends with the maps, also if a link asks for more", async () => {
+  const page = await openPuzzle(session, { fragment: "&panel=imagine&step=chosen" });
   await page
     .locator("#imagined-in")
     .filter({ hasText: /Imagined in \d+ ms/ })

@@ -93,7 +93,7 @@ test("a late answer to a puzzle that was left is dropped", async () => {
   const page = await openPuzzle(session, { fragment: "&panel=imagine" });
   await page.locator("#imagined-in").filter({ hasText: "Imagined" }).waitFor();
   const labels = () =>
-    page.locator("#stages canvas[role=img]").evaluateAll((maps) => maps.map((map) => map.getAttribute("aria-label")));
+    page.locator("#maps canvas[role=img]").evaluateAll((maps) => maps.map((map) => map.getAttribute("aria-label")));
   await page.evaluate(() => {
     for (const task of ["00007:008", "00011:004", "00000:000"]) {
       history.pushState(null, "", `#task=${task}&panel=imagine`);
@@ -109,7 +109,7 @@ test("a late answer to a puzzle that was left is dropped", async () => {
   assert.deepEqual(
     settled,
     await fresh
-      .locator("#stages canvas[role=img]")
+      .locator("#maps canvas[role=img]")
       .evaluateAll((maps) => maps.map((map) => map.getAttribute("aria-label"))),
   );
 });

@@ -48,5 +48,5 @@ export async function solve(puzzle, pathlight) {
 export async function playBoth(page, pathlight) {
   await solve(page.locator("pathlight-puzzle").nth(0), pathlight);
   const second = page.locator("pathlight-puzzle").nth(1);
-  await second.locator('#stages canvas[aria-label*="most sure"]').nth(4).waitFor({ timeout: 60_000 });
+  await second.locator('#maps canvas[aria-label*="most sure"]').nth(4).waitFor({ timeout: 60_000 });
 }

@@ -11,8 +11,8 @@ const FULL = {
   task: "00007:008",
   model: "cross-0",
   panel: "compare",
-  stage: "chosen",
-  view: "stage",
+  step: "chosen",
+  view: "presentation",
   proposal: 7,
   layers: ["target", "judge"],
   opacity: 0.5,
@@ -66,6 +66,14 @@ test("what cannot be read is named, and the rest holds", () => {
   assert.match(parseFragment("%E0%A4%A=x").problem ?? "", /%E0%A4%A/);
 });
 
+test("old names in a link are read", () => {
+  assert.deepEqual(parseFragment("stage=chosen&view=stage"), {
+    state: { ...INITIAL_STATE, step: "chosen", view: "presentation" },
+    problem: null,
+  });
+  assert.match(parseFragment("stage=nowhere").problem ?? "", /“stage=nowhere”/);
+});
+
 test("a link to another puzzle keeps the model and what is hidden", () => {
   assert.equal(hrefOf(FULL, "00001:002"), "#task=00001:002&model=cross-0&hide=story,map");
   assert.equal(hrefOf({ ...FULL, hide: ["puzzles"] }, "00001:002"), null);
@@ -73,6 +81,6 @@ test("a link to another puzzle keeps the model and what is hidden", () => {
 
 test("a hidden panel is not shown, and no map lies over the scene in Predict", () => {
   assert.equal(viewOf({ ...FULL, view: null, panel: "map" }).panel, "play");
-  assert.deepEqual(viewOf({ ...FULL, view: null, stage: null, panel: "predict" }).layers, []);
-  assert.deepEqual(viewOf({ ...FULL, view: null, stage: null, panel: "imagine" }).layers, ["target", "judge"]);
+  assert.deepEqual(viewOf({ ...FULL, view: null, step: null, panel: "predict" }).layers, []);
+  assert.deepEqual(viewOf({ ...FULL, view: null, step: null, panel: "imagine" }).layers, ["target", "judge"]);
 });

@@ -33,7 +33,7 @@ import { readWeights } from "./weights.js";
 /** @typedef {import("../pkg/pathlight.js").SceneLimits} SceneLimits */
 /** @typedef {import("../pkg/pathlight.js").SceneProblem} SceneProblem */
 /** @typedef {import("../pkg/pathlight.js").Setup} Setup */
-/** @typedef {import("../pkg/pathlight.js").Stage} Stage */
+/** @typedef {import("../pkg/pathlight.js").MapName} MapName */
 /** @typedef {import("../pkg/pathlight.js").Template} Template */
 /** @typedef {import("../pkg/pathlight.js").TriedProposal} TriedProposal */
 /** @typedef {import("../pkg/pathlight.js").Verification} Verification */
@@ -271,7 +271,7 @@ export class Pathlight {
   }
 
   /**
-   * Returns what the nets imagine: for each stage a map of 64 x 64 values in 0..1, row 0 at the bottom. It throws
+   * Returns the maps that the nets imagine, each of 64 x 64 values in 0..1, row 0 at the bottom. It throws
    * `no_weights` if none are loaded, as all methods that need the model do.
    * @param {Puzzle} task
    * @returns {Maps}
@@ -440,11 +440,11 @@ export class Pathlight {
    * Draws a map into a canvas of 64 x 64 pixels, which the page scales up. The colours run from 0, which is
    * transparent, to `max`.
    * @param {CanvasRenderingContext2D} context
-   * @param {Stage} stage
+   * @param {MapName} mapName
    * @param {GridMap} map
    * @param {{ max?: number, dark?: boolean }} [options]
    */
-  paintMap(context, stage, map, { max = 1, dark = false } = {}) {
-    wasm.paintMap(context, stage, map, max, dark);
+  paintMap(context, mapName, map, { max = 1, dark = false } = {}) {
+    wasm.paintMap(context, mapName, map, max, dark);
   }
 }

@@ -3,15 +3,15 @@
 // to show.
 
 import { Component } from "../widgets/component.js";
-import { GRID_SIDE, STAGES } from "../shell/constants.js";
+import { GRID_SIDE, MAPS } from "../shell/constants.js";
 import { contextOf, setText } from "../widgets/dom.js";
 import { pathlight } from "../shell/page-api.js";
 import { LatestCall } from "../model/latest-call.js";
 import { summary } from "../model/map-summary.js";
-import { STAGE_TEXT } from "../model/stage-text.js";
+import { MAP_TEXT } from "../model/map-text.js";
 
 /** @typedef {import("../pkg/pathlight.js").CustomScene} CustomScene */
-/** @typedef {import("../pkg/pathlight.js").Stage} Stage */
+/** @typedef {import("../pkg/pathlight.js").MapName} MapName */
 /** @typedef {import("../model/worker.js").Watched} Watched */
 
 export class LiveScene extends Component {
@@ -40,7 +40,7 @@ export class LiveScene extends Component {
   constructor(root, client) {
     super(root);
     this.#client = client;
-    this.#rows = STAGES.map((stage) => this.#row(stage));
+    this.#rows = MAPS.map((mapName) => this.#row(mapName));
     this.byId("make-maps").append(...this.#rows.map(({ element }) => element));
     /** @param {string} message */
     const onFailure = (message) => {
@@ -124,21 +124,21 @@ export class LiveScene extends Component {
     this.#show();
   }
 
-  /** @param {Stage} stage */
-  #row(stage) {
+  /** @param {MapName} mapName */
+  #row(mapName) {
     const canvas = document.createElement("canvas");
     canvas.width = canvas.height = GRID_SIDE;
     canvas.setAttribute("role", "img");
     const box = document.createElement("input");
     box.type = "checkbox";
     // What the nets expect of the scene alone, to compare with the line that it really takes.
-    box.checked = stage === "base";
+    box.checked = mapName === "base";
     box.addEventListener("change", () => this.dispatchEvent(new Event("live")));
     const label = document.createElement("label");
-    label.append(canvas, box, ` ${STAGE_TEXT[stage].name}`);
+    label.append(canvas, box, ` ${MAP_TEXT[mapName].name}`);
     const element = document.createElement("li");
     element.append(label);
-    return { stage, element, box, map: contextOf(canvas) };
+    return { mapName, element, box, map: contextOf(canvas) };
   }
 
   /** @param {Watched | null} watched */
@@ -149,14 +149,14 @@ export class LiveScene extends Component {
   }
 
   #show() {
-    for (const { stage, map, element } of this.#rows) {
+    for (const { mapName, map, element } of this.#rows) {
       map.clearRect(0, 0, GRID_SIDE, GRID_SIDE);
-      const values = this.#maps?.[stage];
+      const values = this.#maps?.[mapName];
       element.hidden = this.#maps !== null && !values;
-      if (values) pathlight.paintMap(map, stage, values, { max: Math.max(...values), dark: this.dark });
+      if (values) pathlight.paintMap(map, mapName, values, { max: Math.max(...values), dark: this.dark });
       map.canvas.setAttribute(
         "aria-label",
-        `${STAGE_TEXT[stage].name}: ${values ? summary(values) : "not imagined yet"}`,
+        `${MAP_TEXT[mapName].name}: ${values ? summary(values) : "not imagined yet"}`,
       );
     }
     const { status, failure } = this.#client;

@@ -175,7 +175,7 @@ export class PuzzleController extends EventTarget {
       state: this.#state,
       showPanel: (panel) => this.#changeState({ panel }),
       showKeys: () => this.showDialog("keys-dialog"),
-      toggleStageView: () => this.toggleStageView(),
+      togglePresentation: () => this.togglePresentation(),
     });
   }
 
@@ -183,9 +183,11 @@ export class PuzzleController extends EventTarget {
    * Shows the scene and one sentence, or all panels again. The story begins with the goal, unless the person was in the
    * middle of it.
    */
-  toggleStageView() {
-    const { view, stage, panel } = this.#state;
-    this.#changeState(view === "stage" ? { view: null } : { view: "stage", stage: panel === "imagine" ? stage : null });
+  togglePresentation() {
+    const { view, step, panel } = this.#state;
+    this.#changeState(
+      view === "presentation" ? { view: null } : { view: "presentation", step: panel === "imagine" ? step : null },
+    );
   }
 
   /** Resolves when the state is that of what is seen. */

@@ -11,7 +11,7 @@ import { onShortcut } from "../widgets/shortcuts.js";
  * @property {import("../state/url-state.js").State} state
  * @property {(panel: import("../state/url-state.js").Panel) => void} showPanel
  * @property {() => void} showKeys
- * @property {() => void} toggleStageView
+ * @property {() => void} togglePresentation
  */
 
 /**
@@ -19,11 +19,11 @@ import { onShortcut } from "../widgets/shortcuts.js";
  * @param {KeyboardEvent} event
  * @param {ShortcutTarget} target
  */
-export function onPuzzleKey(event, { components, session, state, showPanel, showKeys, toggleStageView }) {
+export function onPuzzleKey(event, { components, session, state, showPanel, showKeys, togglePresentation }) {
   const { canvas, panels } = components;
   // What a link for a lesson hides has no key either: no button leads away from what it shows.
   const locked = state.hide.includes("tools");
-  panels?.stageView.onKeydown(event);
+  panels?.presentation.onKeydown(event);
   onShortcut(event, {
     session,
     undoing: state.panel === "make" ? (panels?.editor ?? null) : (session?.placement ?? null),
@@ -34,6 +34,6 @@ export function onPuzzleKey(event, { components, session, state, showPanel, show
     },
     showKeys: () => !locked && showKeys(),
     goToOtherOutcome: (by) => panels?.proposals.goToOtherOutcome(by),
-    toggleStageView: () => !locked && toggleStageView(),
+    togglePresentation: () => !locked && togglePresentation(),
   });
 }

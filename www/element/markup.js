@@ -23,7 +23,7 @@ template.innerHTML = `
 <p id="problem" lang="en" role="alert" hidden></p>
 
 <div class="puzzle" id="puzzle" lang="en" role="group" hidden>
-  <div class="stage">
+  <div class="scene-area">
     <div class="scene">
       <canvas id="scene" tabindex="0" role="application" aria-roledescription="puzzle scene" aria-labelledby="goal" aria-describedby="description"></canvas>
       <p id="probe" aria-hidden="true" hidden></p>
@@ -54,7 +54,7 @@ template.innerHTML = `
   </div>
 
   <div class="side">
-    <section id="stage-view" aria-labelledby="caption-title" inert hidden>
+    <section id="presentation" aria-labelledby="caption-title" inert hidden>
       <p id="caption-step"></p>
       <h2 id="caption-title"></h2>
       <p id="caption"></p>
@@ -66,7 +66,7 @@ template.innerHTML = `
           <button type="button" id="caption-next" title="Next  →"><svg><use href="#icon-next"/></svg><span class="visually-hidden">Next</span></button>
           <button type="button" id="caption-play"><svg><use id="caption-play-icon" href="#icon-run"/></svg><span id="caption-play-label">Play</span></button>
         </span>
-        <button type="button" id="stage-leave" data-hideable="tools" title="All panels  Esc">All panels</button>
+        <button type="button" id="presentation-leave" data-hideable="tools" title="All panels  Esc">All panels</button>
       </div>
     </section>
     <section id="guide" aria-label="Introduction" hidden>
@@ -121,7 +121,7 @@ template.innerHTML = `
   </li>
 </template>
 
-<template id="stage-row">
+<template id="map-row">
   <li>
     <label><input type="checkbox"> <b></b></label>
     <div class="map" tabindex="0" role="application"><canvas class="scene-layer" width="256" height="256" aria-hidden="true"></canvas><canvas class="shade-layer" width="64" height="64" role="img"></canvas></div>
@@ -144,7 +144,7 @@ template.innerHTML = `
     <dt><kbd>R</kbd></dt><dd>back to placing</dd>
     <dt data-hideable="puzzles"><kbd>[</kbd> <kbd>]</kbd></dt><dd data-hideable="puzzles">previous, next puzzle</dd>
     <dt data-hideable="compare"><kbd>N</kbd></dt><dd data-hideable="compare">in Compare: the model’s next ball with another outcome, with <kbd>Shift</kbd> the one before</dd>
-    <dt><kbd>V</kbd></dt><dd>the stage view: the scene and one sentence, in large type; <kbd>Esc</kbd> leaves it<span data-hideable="imagine">, <kbd>←</kbd> <kbd>→</kbd> or <kbd>PgUp</kbd> <kbd>PgDn</kbd> go through the story</span></dd>
+    <dt><kbd>V</kbd></dt><dd>the presentation: the scene and one sentence, in large type; <kbd>Esc</kbd> leaves it<span data-hideable="imagine">, <kbd>←</kbd> <kbd>→</kbd> or <kbd>PgUp</kbd> <kbd>PgDn</kbd> go through the story</span></dd>
     <dt id="keys-of-panels"><kbd>1</kbd> to <kbd>6</kbd></dt><dd id="key-panels"></dd>
     <dt><kbd>?</kbd></dt><dd>this sheet</dd>
   </dl>

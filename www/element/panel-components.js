@@ -15,7 +15,7 @@ import { Proposals } from "../panels/proposals.js";
 import { ScenePicture } from "../panels/scene-picture.js";
 import { Scoreboard } from "../panels/scoreboard.js";
 import { SolveMapPanel } from "../panels/solve-map.js";
-import { StageView } from "../panels/stage-view.js";
+import { Presentation } from "../panels/presentation.js";
 import { StripPicture } from "../panels/strip-picture.js";
 import { Walkthrough } from "../panels/walkthrough.js";
 import { AttemptList } from "../play/attempt-list.js";
@@ -47,7 +47,7 @@ export function createPanelComponents({ root, module, client, progress, hrefOf }
     new SolveMapPanel(root, client, imagine),
   ];
   const walkthrough = new Walkthrough(root, imagine, choice);
-  const stageView = new StageView(root, walkthrough);
+  const presentation = new Presentation(root, walkthrough);
   /** @type {Component[]} */
   const all = [
     new About(root, client),
@@ -57,7 +57,7 @@ export function createPanelComponents({ root, module, client, progress, hrefOf }
     new AttemptList(root, byId(root, "model-attempts"), byId(root, "model-count"), "model"),
     choice,
     walkthrough,
-    stageView,
+    presentation,
     new Probe(root, imagine),
     new ImaginedVsReal(root, imagine, scenePicture),
     predict,
@@ -77,5 +77,5 @@ export function createPanelComponents({ root, module, client, progress, hrefOf }
     new Scoreboard(root, client, progress, (task) => hrefOf(task, "compare")),
     new Overlays(root, canvas, { editor, choice, forecast, imagine, predict, proposals, solveMap }),
   ];
-  return { all, editor, proposals, stageView };
+  return { all, editor, proposals, presentation };
 }

@@ -61,7 +61,7 @@ export const PANELS_MARKUP = `
       </span>
     </div>
     <p class="visually-hidden" id="walkthrough-step"></p>
-    <ul class="stages" id="stages"></ul>
+    <ul class="maps" id="maps"></ul>
     <section id="choice" aria-labelledby="choice-title" hidden><h2 id="choice-title"></h2><p id="choice-meaning"></p><p id="choice-result"></p><details><summary>How?</summary><p id="choice-how"></p></details></section>
     <p class="small" id="outlines-note" hidden>Over the scene two maps are shaded; of the others you see the outlines.</p>
     <label class="opacity">Opacity <input type="range" id="opacity" min="0" max="1" step="0.05"></label>
@@ -121,7 +121,7 @@ export const PANELS_MARKUP = `
 
   <section class="section" id="model-pair" aria-labelledby="pair-title" hidden>
     <h2 id="pair-title">Two models side by side</h2>
-    <p class="actions"><button type="button" id="pair-run">Let both play</button> <label>Second model <select id="pair-model"></select></label> <label id="pair-map" hidden>Map <select id="pair-stage"></select></label></p>
+    <p class="actions"><button type="button" id="pair-run">Let both play</button> <label>Second model <select id="pair-model"></select></label> <label id="pair-map" hidden>Map <select id="pair-map-name"></select></label></p>
     <p id="pair-words"></p>
     <div class="pair" id="pair-columns"></div>
   </section>

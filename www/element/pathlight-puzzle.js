@@ -5,7 +5,7 @@
 //     <pathlight-puzzle task="00007:008" panel="imagine"></pathlight-puzzle>
 //
 // The attributes say what is shown, follow the person, and can be changed at any time: `task` or `scene`, `model`,
-// `panel`, `stage`, `view`, `proposal`, `layers`, `opacity`, `forecast`, `ball`, `challenge` and `hide`, as in the
+// `panel`, `step`, `view`, `proposal`, `layers`, `opacity`, `forecast`, `ball`, `challenge` and `hide`, as in the
 // links of Pathlight, and `theme`. Besides:
 //   fill      takes the height of its container too, which must have one; else it is as high as its content
 //   remember  keeps the attempts at each puzzle, their number and the one that solved it, in this browser
@@ -31,7 +31,7 @@ const STATE_ATTRIBUTES = [
   "scene",
   "model",
   "panel",
-  "stage",
+  "step",
   "view",
   "proposal",
   "layers",
@@ -61,7 +61,7 @@ const darkScheme = matchMedia("(prefers-color-scheme: dark)");
  *   "modelchange"  the model's status changes; `detail` is { name, status: "off" | "loading" | "ready" | "failed" }
  */
 export class PathlightPuzzle extends HTMLElement {
-  static observedAttributes = [...STATE_ATTRIBUTES, "theme", ...FLAGS];
+  static observedAttributes = [...STATE_ATTRIBUTES, "stage", "theme", ...FLAGS];
 
   /** @type {HrefOf | null} */
   #hrefOf = null;
@@ -137,6 +137,7 @@ export class PathlightPuzzle extends HTMLElement {
   attributeChangedCallback(name, _, value) {
     // React 18 writes `remember={false}` so.
     if (value === "false" && FLAGS.includes(name)) this.removeAttribute(name);
+    if (name === "stage") this.step = value;
     if (name === "ball") this.#ballGiven = true;
     this.#scheduleUpdate();
   }
@@ -186,13 +187,20 @@ export class PathlightPuzzle extends HTMLElement {
    * The step that the walkthrough is at: the name of a map, or "candidates", "imagined", "chosen", "run" or "real";
    * null for all together.
    */
+  get step() {
+    return this.getAttribute("step");
+  }
+  set step(value) {
+    this.#setAttribute("step", value);
+  }
+  /** @deprecated The old name of `step`. */
   get stage() {
-    return this.getAttribute("stage");
+    return this.step;
   }
   set stage(value) {
-    this.#setAttribute("stage", value);
+    this.step = value;
   }
-  /** "stage" for the scene and one sentence, in large type; null for all panels. */
+  /** "presentation" for the scene and one sentence, in large type; null for all panels. */
   get view() {
     return this.getAttribute("view");
   }
@@ -206,7 +214,7 @@ export class PathlightPuzzle extends HTMLElement {
   set proposal(value) {
     this.#setAttribute("proposal", value);
   }
-  /** The maps that lie over the scene: names of stages, with commas between them. */
+  /** The maps that lie over the scene: their names, with commas between them. */
   get layers() {
     return this.getAttribute("layers");
   }
@@ -302,8 +310,8 @@ export class PathlightPuzzle extends HTMLElement {
   }
 
   /** Shows the scene and one sentence in large type, or all panels again. */
-  toggleStageView() {
-    this.#controller?.toggleStageView();
+  togglePresentation() {
+    this.#controller?.togglePresentation();
   }
 
   /**

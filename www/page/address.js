@@ -97,6 +97,6 @@ function addressOf(state) {
  * What of a state is worth an entry: the way back leads through tabs and steps, not through each place of a ball.
  * @param {State} state
  */
-function placeOf({ task, panel, stage, view }) {
-  return String([task, panel, stage, view]);
+function placeOf({ task, panel, step, view }) {
+  return String([task, panel, step, view]);
 }

@@ -46,7 +46,7 @@ export class LessonDialog {
   #address = byId(document, "lesson-address", HTMLInputElement);
   /** @type {Map<Hideable, HTMLInputElement>} */
   #boxes = new Map();
-  #onStage = byId(document, "lesson-stage", HTMLInputElement);
+  #presentation = byId(document, "lesson-presentation", HTMLInputElement);
   #withBall = byId(document, "lesson-ball", HTMLInputElement);
   /** @type {State | null} */
   #state = null;
@@ -71,7 +71,7 @@ export class LessonDialog {
   show(state) {
     this.#state = state;
     for (const [part, box] of this.#boxes) box.checked = !state.hide.includes(part);
-    this.#onStage.checked = state.view === "stage";
+    this.#presentation.checked = state.view === "presentation";
     this.#withBall.checked = false;
     this.#withBall.disabled = state.ball === null;
     byId(document, "lesson-words").textContent = "";
@@ -101,8 +101,15 @@ export class LessonDialog {
     const panels = visiblePanels({ ...state, hide });
     const panel = panels.includes(state.panel) ? state.panel : panels[0];
     const ball = this.#withBall.checked ? state.ball : null;
-    const stage = panel === "imagine" || this.#onStage.checked ? state.stage : null;
-    return { ...state, panel, stage, ball, hide, view: this.#onStage.checked ? /** @type {const} */ ("stage") : null };
+    const step = panel === "imagine" || this.#presentation.checked ? state.step : null;
+    return {
+      ...state,
+      panel,
+      step,
+      ball,
+      hide,
+      view: this.#presentation.checked ? /** @type {const} */ ("presentation") : null,
+    };
   }
 
   #update() {

@@ -54,7 +54,7 @@ export class Page {
     this.#onClick("next", () => this.#stepPuzzle(1));
     this.#onClick("random", () => this.#openRandomPuzzle());
     this.#onClick("copy", () => this.#copyLink());
-    this.#onClick("stage-button", () => this.#puzzle.toggleStageView());
+    this.#onClick("presentation-button", () => this.#puzzle.togglePresentation());
     this.#onClick("lesson-button", () => (this.#lessonDialog ??= new LessonDialog()).show(this.#state));
     this.#onClick("about-button", () => this.#puzzle.showAbout());
     this.#onClick("keys-button", () => this.#puzzle.showKeys());
@@ -129,8 +129,8 @@ export class Page {
     } else if (!showsPuzzle(state) && !gallery && !problem) {
       showNotice("This link names no puzzle, and hides the list of them.");
     }
-    // There is nothing on the stage, and the way out of it is the puzzle's.
-    if (!showsPuzzle(state) && state.view === "stage") state.view = null;
+    // There is nothing to present, and the way out of it is the puzzle's.
+    if (!showsPuzzle(state) && state.view === "presentation") state.view = null;
     this.#applyState(state);
     // A panel may have changed the state meanwhile.
     this.#address.take(this.#state);
@@ -148,7 +148,7 @@ export class Page {
     gallerySection.hidden = shown || showsResults || state.hide.includes("puzzles");
     byId(document, "results").hidden = !showsResults;
     if (showsResults) this.#showResults(state.model);
-    for (const id of ["title", "copy", "stage-button", "skip"]) byId(document, id).hidden = !shown;
+    for (const id of ["title", "copy", "presentation-button", "skip"]) byId(document, id).hidden = !shown;
     // First, so that the worker imagines while the page goes on.
     this.#puzzle.state = state;
     this.#applyTitle(state);

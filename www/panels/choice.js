@@ -8,7 +8,7 @@ import { BallImaginer } from "../model/ball-imaginer.js";
 import { chanceWords, errorWords } from "../model/chance-words.js";
 import { sameBall } from "../puzzles/ball.js";
 import { sentence } from "../text/sentence.js";
-import { CHOICE_TEXT } from "../model/stage-text.js";
+import { CHOICE_TEXT } from "../model/map-text.js";
 
 /** @typedef {import("../state/url-state.js").ChoiceStep} ChoiceStep */
 /** @typedef {import("../model/worker.js").Considered} Considered */
@@ -136,7 +136,7 @@ export class Choice extends Component {
     if (!this.#running) return;
     if (shown === this.#running.shown) return this.#update();
     this.#running = null;
-    this.requestState({ stage: null });
+    this.requestState({ step: null });
   }
 
   #onClientChange() {

@@ -3,17 +3,17 @@
 
 import { paintLegend, paintOutline } from "../pkg/pathlight.js";
 import { Component } from "../widgets/component.js";
-import { GRID_SIDE, PAPER_STAGES, STAGES } from "../shell/constants.js";
+import { GRID_SIDE, MAPS, PAPER_MAPS } from "../shell/constants.js";
 import { contextOf, find, setText } from "../widgets/dom.js";
 import { pathlight } from "../shell/page-api.js";
 import { summary } from "../model/map-summary.js";
 import { modelWords } from "../model/model-words.js";
 import { mapWords } from "../model/place-words.js";
-import { STAGE_TEXT, netWords } from "../model/stage-text.js";
+import { MAP_TEXT, netWords } from "../model/map-text.js";
 import { sentence } from "../text/sentence.js";
 import { TroubleBox } from "./trouble-box.js";
 
-/** @typedef {import("../pkg/pathlight.js").Stage} Stage */
+/** @typedef {import("../pkg/pathlight.js").MapName} MapName */
 /** @typedef {import("../model/worker.js").Imagined} Imagined */
 
 /** How many maps are shaded over the scene; of more only the outlines can be told apart. */
@@ -26,7 +26,7 @@ export class Imagine extends Component {
   #scenePicture;
   #opacity = this.byId("opacity", HTMLInputElement);
   #modelSelect = this.byId("model-select", HTMLSelectElement);
-  /** @type {Record<Stage, ReturnType<Imagine["createRow"]>>} */
+  /** @type {Record<MapName, ReturnType<Imagine["createRow"]>>} */
   #rows;
   /** @type {Imagined | null} */
   #imagined = null;
@@ -52,9 +52,9 @@ export class Imagine extends Component {
     super(root);
     this.#client = client;
     this.#scenePicture = scenePicture;
-    const rows = STAGES.map((stage) => /** @type {const} */ ([stage, this.createRow(stage)]));
-    this.#rows = /** @type {Record<Stage, ReturnType<Imagine["createRow"]>>} */ (Object.fromEntries(rows));
-    this.byId("stages").replaceChildren(...STAGES.map((stage) => this.#rows[stage].element));
+    const rows = MAPS.map((mapName) => /** @type {const} */ ([mapName, this.createRow(mapName)]));
+    this.#rows = /** @type {Record<MapName, ReturnType<Imagine["createRow"]>>} */ (Object.fromEntries(rows));
+    this.byId("maps").replaceChildren(...MAPS.map((mapName) => this.#rows[mapName].element));
     this.#opacity.addEventListener("input", () => this.requestState({ opacity: Number(this.#opacity.value) }));
     this.#modelSelect.addEventListener("change", () => this.requestState({ model: this.#modelSelect.value }));
     client.addEventListener("change", () => this.#onClientChange());
@@ -79,14 +79,14 @@ export class Imagine extends Component {
     this.#shown = view.panel === "imagine";
     this.#paintScenes();
     this.#opacity.value = String(view.opacity);
-    for (const stage of STAGES) this.#rows[stage].box.checked = view.checkedLayers.includes(stage);
+    for (const mapName of MAPS) this.#rows[mapName].box.checked = view.checkedLayers.includes(mapName);
     this.byId("outlines-note").hidden = view.checkedLayers.length <= MAX_SHADED;
   }
 
   /** @param {boolean} dark */
   setTheme(dark) {
     super.setTheme(dark);
-    for (const stage of STAGES) paintLegend(this.#rows[stage].legend, stage, dark);
+    for (const mapName of MAPS) paintLegend(this.#rows[mapName].legend, mapName, dark);
     this.#scenesDrawn = false;
     this.#paintScenes();
     this.#paint();
@@ -104,50 +104,50 @@ export class Imagine extends Component {
 
   /**
    * What a map shows, in words of the scene; empty if there is no such map.
-   * @param {Stage} stage
+   * @param {MapName} mapName
    */
-  words(stage) {
-    const map = this.#imagined?.maps[stage];
+  words(mapName) {
+    const map = this.#imagined?.maps[mapName];
     return map && this.session ? mapWords(map, pathlight.scene(this.session.puzzle)) : "";
   }
 
   /**
    * The canvases to lay over the scene for some maps: the first ones shaded, and outlines of what is strong in all.
-   * @param {Stage[]} stages
+   * @param {MapName[]} mapNames
    */
-  canvasesOf(stages) {
+  canvasesOf(mapNames) {
     if (!this.#imagined) return [];
-    return stages.flatMap((stage, index) =>
-      index < MAX_SHADED ? [this.#rows[stage].map.canvas, this.#outlineOf(stage)] : [this.#outlineOf(stage)],
+    return mapNames.flatMap((mapName, index) =>
+      index < MAX_SHADED ? [this.#rows[mapName].map.canvas, this.#outlineOf(mapName)] : [this.#outlineOf(mapName)],
     );
   }
 
   /**
    * The outline of a map. It is made when it is first asked for, because it is large and most are not asked for.
-   * @param {Stage} stage
+   * @param {MapName} mapName
    */
-  #outlineOf(stage) {
-    const row = this.#rows[stage];
+  #outlineOf(mapName) {
+    const row = this.#rows[mapName];
     if (!row.outline) {
       const canvas = document.createElement("canvas");
       canvas.width = canvas.height = OUTLINE_SIDE;
       row.outline = contextOf(canvas);
-      this.#paintOutline(stage);
+      this.#paintOutline(mapName);
     }
     return row.outline.canvas;
   }
 
-  /** @param {Stage} stage */
-  #paintOutline(stage) {
-    const { outline } = this.#rows[stage];
+  /** @param {MapName} mapName */
+  #paintOutline(mapName) {
+    const { outline } = this.#rows[mapName];
     if (!outline) return;
     outline.clearRect(0, 0, OUTLINE_SIDE, OUTLINE_SIDE);
-    const values = this.#imagined?.maps[stage];
+    const values = this.#imagined?.maps[mapName];
     if (!values) return;
     const most = Math.max(...values);
     paintOutline(
       outline,
-      stage,
+      mapName,
       values.map((value) => value / most),
       this.dark,
     );
@@ -155,29 +155,29 @@ export class Imagine extends Component {
 
   /**
    * Shows one map alone; for null all, or none.
-   * @param {Stage | null} stage
+   * @param {MapName | null} mapName
    * @param {boolean} none
    */
-  showOnly(stage, none) {
-    this.byId("stages").hidden = none;
-    this.byId("stages").classList.toggle("alone", stage !== null || none);
-    for (const shown of STAGES) {
-      this.#rows[shown].element.hidden = none || (stage !== null && shown !== stage);
+  showOnly(mapName, none) {
+    this.byId("maps").hidden = none;
+    this.byId("maps").classList.toggle("alone", mapName !== null || none);
+    for (const shown of MAPS) {
+      this.#rows[shown].element.hidden = none || (mapName !== null && shown !== mapName);
     }
   }
 
-  /** @param {Stage} stage */
-  createRow(stage) {
-    const text = STAGE_TEXT[stage];
-    const element = this.fromTemplate("stage-row");
-    element.dataset.stage = stage;
+  /** @param {MapName} mapName */
+  createRow(mapName) {
+    const text = MAP_TEXT[mapName];
+    const element = this.fromTemplate("map-row");
+    element.dataset.map = mapName;
     find(element, "b").textContent = text.name;
     find(element, ".meaning").textContent = text.meaning;
     const how = find(element, ".how");
     how.textContent = text.how;
     const box = find(element, "input", HTMLInputElement);
     box.addEventListener("change", () =>
-      this.requestState({ layers: STAGES.filter((checked) => this.#rows[checked].box.checked) }),
+      this.requestState({ layers: MAPS.filter((checked) => this.#rows[checked].box.checked) }),
     );
     return {
       element,
@@ -221,9 +221,9 @@ export class Imagine extends Component {
     this.#modelSelect.replaceChildren(
       ...names.map((model) => new Option(model, model, model === name, model === name)),
     );
-    for (const stage of STAGES) {
-      if (PAPER_STAGES.includes(stage)) continue;
-      setText(this.#rows[stage].how, `${STAGE_TEXT[stage].how} ${netWords(card, PAPER_STAGES.length).how}`.trim());
+    for (const mapName of MAPS) {
+      if (PAPER_MAPS.includes(mapName)) continue;
+      setText(this.#rows[mapName].how, `${MAP_TEXT[mapName].how} ${netWords(card, PAPER_MAPS.length).how}`.trim());
     }
   }
 
@@ -262,23 +262,23 @@ export class Imagine extends Component {
   #paintScenes() {
     if (!this.#shown || this.#scenesDrawn || !this.session) return;
     this.#scenesDrawn = true;
-    for (const stage of STAGES) this.#scenePicture.drawOn(this.#rows[stage].scene);
+    for (const mapName of MAPS) this.#scenePicture.drawOn(this.#rows[mapName].scene);
   }
 
   #paint() {
     const imagined = this.#imagined;
-    for (const stage of STAGES) {
-      const { map, peak, summary: said, numbers } = this.#rows[stage];
-      const values = imagined?.maps[stage];
+    for (const mapName of MAPS) {
+      const { map, peak, summary: said, numbers } = this.#rows[mapName];
+      const values = imagined?.maps[mapName];
       map.clearRect(0, 0, GRID_SIDE, GRID_SIDE);
       // Each map is drawn up to its own peak, which the legend names.
       const most = values ? Math.max(...values) : 0;
-      if (values) pathlight.paintMap(map, stage, values, { max: most, dark: this.dark });
-      this.#paintOutline(stage);
+      if (values) pathlight.paintMap(map, mapName, values, { max: most, dark: this.dark });
+      this.#paintOutline(mapName);
       setText(peak, values ? most.toFixed(2) : "");
       // Weights may come without a net that scores balls.
-      const words = this.words(stage) || (imagined ? "this model has no such map" : "not imagined yet");
-      map.canvas.setAttribute("aria-label", `${STAGE_TEXT[stage].name}: ${words}`);
+      const words = this.words(mapName) || (imagined ? "this model has no such map" : "not imagined yet");
+      map.canvas.setAttribute("aria-label", `${MAP_TEXT[mapName].name}: ${words}`);
       setText(said, sentence(words));
       setText(numbers, values ? `In numbers: ${summary(values)}.` : "");
     }

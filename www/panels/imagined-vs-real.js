@@ -8,7 +8,7 @@ import { find, setText } from "../widgets/dom.js";
 import { OverlapCard, percent } from "./overlap-card.js";
 
 /** @typedef {import("../pkg/pathlight.js").Ball} Ball */
-/** @typedef {import("../pkg/pathlight.js").Stage} Stage */
+/** @typedef {import("../pkg/pathlight.js").MapName} MapName */
 /** @typedef {import("../play/session.js").Session} Session */
 /** @typedef {"player" | "model" | "alone"} Runner */
 /**
@@ -17,8 +17,8 @@ import { OverlapCard, percent } from "./overlap-card.js";
  */
 
 /**
- * Who runs, in the order shown, with the stage that imagined the green object's path.
- * @type {[Runner, Stage][]}
+ * Who runs, in the order shown, with the map that imagines the green object's path.
+ * @type {[Runner, MapName][]}
  */
 const RUNNERS = [
   ["player", "target"],
@@ -110,14 +110,14 @@ export class ImaginedVsReal extends Component {
     const maps = this.session && this.#imagine.maps;
     const words = [];
     const rows = [];
-    for (const [runner, stage] of RUNNERS) {
+    for (const [runner, mapName] of RUNNERS) {
       const run = this.#runs.get(runner);
       if (!maps || !run) continue;
       const { title, object, ball } = run;
       const row = this.fromTemplate("run-row");
       row.dataset.runner = runner;
       find(row, "h3").textContent = title;
-      const green = this.#addCard(row, "Green object", stage, maps[stage], object);
+      const green = this.#addCard(row, "Green object", mapName, maps[mapName], object);
       const red = ball && this.#addCard(row, "Red ball", "action", maps.action, ball);
       words.push(`${title}: green object ${green}${red ? `, red ball ${red}` : ""}`);
       rows.push(row);
@@ -132,15 +132,15 @@ export class ImaginedVsReal extends Component {
    * Returns the overlap in words.
    * @param {HTMLElement} row
    * @param {string} name
-   * @param {Stage} stage
+   * @param {MapName} mapName
    * @param {Float32Array | undefined} values
    * @param {Float32Array} real
    */
-  #addCard(row, name, stage, values, real) {
+  #addCard(row, name, mapName, values, real) {
     if (!values) return "unknown";
     const card = new OverlapCard(this.fromTemplate("overlap-card"), this.#scenePicture);
     find(row, ".overlap-cards").append(card.element);
-    return percent(card.draw({ name, stage, values, real, dark: this.dark }));
+    return percent(card.draw({ name, mapName, values, real, dark: this.dark }));
   }
 }
 

@@ -2,10 +2,10 @@
 // what the result is worth. Also says which nets the model has.
 
 import { Component } from "../widgets/component.js";
-import { PAPER_STAGES } from "../shell/constants.js";
+import { PAPER_MAPS } from "../shell/constants.js";
 import { setText } from "../widgets/dom.js";
 import { modelWords, seenWords } from "../model/model-words.js";
-import { netWords } from "../model/stage-text.js";
+import { netWords } from "../model/map-text.js";
 
 export class ModelBadge extends Component {
   #client;
@@ -34,7 +34,7 @@ export class ModelBadge extends Component {
   #update() {
     const { loaded } = this.#client;
     const known = this.#imagine.seen;
-    const { intro, about } = netWords(loaded?.card, PAPER_STAGES.length);
+    const { intro, about } = netWords(loaded?.card, PAPER_MAPS.length);
     setText(this.byId("imagine-intro"), intro);
     setText(this.byId("about-nets"), `${about} The panel Imagine shows all maps, and under “How?” what each net sees.`);
     for (const { element, name, seen } of this.#badges) {

@@ -2,18 +2,18 @@
 // by their outcome, and when it solves. The second model has a worker of its own while they are shown.
 
 import { Component } from "../widgets/component.js";
-import { STAGES } from "../shell/constants.js";
+import { MAPS } from "../shell/constants.js";
 import { contextOf, find, setText } from "../widgets/dom.js";
 import { pathlight } from "../shell/page-api.js";
 import { chanceWords } from "../model/chance-words.js";
 import { modelWords, seenWords } from "../model/model-words.js";
 import { mapWords } from "../model/place-words.js";
-import { STAGE_TEXT } from "../model/stage-text.js";
+import { MAP_TEXT } from "../model/map-text.js";
 import { SharedClient } from "../model/shared-client.js";
 import { sentence } from "../text/sentence.js";
 import { OutcomeStrip } from "./outcome-strip.js";
 
-/** @typedef {import("../pkg/pathlight.js").Stage} Stage */
+/** @typedef {import("../pkg/pathlight.js").MapName} MapName */
 /** @typedef {import("../pkg/pathlight.js").TriedProposal} TriedProposal */
 /** @typedef {import("../model/worker.js").Imagined} Imagined */
 /** @typedef {import("../model/worker.js").LoadedModel} LoadedModel */
@@ -27,7 +27,7 @@ export class ModelPair extends Component {
   #other;
   #scenePicture;
   #name = this.byId("pair-model", HTMLSelectElement);
-  #stage = this.byId("pair-stage", HTMLSelectElement);
+  #mapName = this.byId("pair-map-name", HTMLSelectElement);
   /** @type {Side[]} */
   #sides = [];
   /**
@@ -52,10 +52,10 @@ export class ModelPair extends Component {
     this.#client = client;
     this.#other = new SharedClient(module);
     this.#scenePicture = scenePicture;
-    this.#stage.append(
-      ...STAGES.map((stage) => new Option(STAGE_TEXT[stage].name, stage, stage === "target", stage === "target")),
+    this.#mapName.append(
+      ...MAPS.map((mapName) => new Option(MAP_TEXT[mapName].name, mapName, mapName === "target", mapName === "target")),
     );
-    this.#stage.addEventListener("change", () => this.#paint());
+    this.#mapName.addEventListener("change", () => this.#paint());
     this.#name.addEventListener("change", () => this.#clear());
     this.byId("pair-run").addEventListener("click", () => this.#run());
     client.addEventListener("change", () => this.#onClientChange());
@@ -141,13 +141,13 @@ export class ModelPair extends Component {
     const badge = find(column, ".model-badge span");
     badge.dataset.seen = String(seen);
     badge.textContent = seenWords(seen);
-    const stage = /** @type {Stage} */ (this.#stage.value);
-    const map = maps[stage];
+    const mapName = /** @type {MapName} */ (this.#mapName.value);
+    const map = maps[mapName];
     this.#scenePicture.drawOn(find(column, ".scene-layer", HTMLCanvasElement));
     const shade = find(column, ".shade-layer", HTMLCanvasElement);
-    if (map) pathlight.paintMap(contextOf(shade), stage, map, { max: Math.max(...map), dark: this.dark });
+    if (map) pathlight.paintMap(contextOf(shade), mapName, map, { max: Math.max(...map), dark: this.dark });
     const words = map && this.session ? mapWords(map, pathlight.scene(this.session.puzzle)) : "it has no such map";
-    shade.setAttribute("aria-label", `${STAGE_TEXT[stage].name}: ${words}`);
+    shade.setAttribute("aria-label", `${MAP_TEXT[mapName].name}: ${words}`);
     find(column, ".pair-place").textContent = sentence(words);
     const strip = new OutcomeStrip(find(column, ".outcome-strip"), (number) => this.#show(tried, number));
     strip.show(tried);

@@ -28,18 +28,18 @@ export class OverlapCard {
   }
 
   /**
-   * Draws a map in the colours of its stage and the outline of the real path; returns their overlap, 0..1.
+   * Draws a map in its colours and the outline of the real path; returns their overlap, 0..1.
    * @param {object} what
    * @param {string} what.name what is shaded
-   * @param {import("../pkg/pathlight.js").Stage} what.stage
+   * @param {import("../pkg/pathlight.js").MapName} what.mapName
    * @param {Float32Array} what.values
    * @param {Float32Array} what.real
    * @param {boolean} what.dark
    */
-  draw({ name, stage, values, real, dark }) {
+  draw({ name, mapName, values, real, dark }) {
     const { canvas } = this.#outline;
     this.#scenePicture.drawOn(this.#scene);
-    pathlight.paintMap(this.#shade, stage, values, { max: Math.max(...values), dark });
+    pathlight.paintMap(this.#shade, mapName, values, { max: Math.max(...values), dark });
     this.#outline.clearRect(0, 0, canvas.width, canvas.height);
     paintOutline(this.#outline, "real", real, dark);
     const fraction = pathlight.softIou(values, real);

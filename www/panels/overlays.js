@@ -75,7 +75,7 @@ export class Overlays extends Component {
     const { panel, opacity, layers } = this.#view;
     // The origin of a proposal is seen on the map that orders the proposals, if a map does.
     const source = this.#proposals.able ? [] : [this.#imagine.maps?.judge ? "judge" : "placement"];
-    const stages = this.#proposals.active ? source : layers;
+    const mapNames = this.#proposals.active ? source : layers;
     const drawing = panel === "predict";
     const ghosts = this.session?.ghosts ?? [];
     const editing = panel === "make";
@@ -83,7 +83,7 @@ export class Overlays extends Component {
       ? this.#editor.maps
       : [
           ...this.#solveMap.canvases,
-          ...this.#imagine.canvasesOf(/** @type {import("../pkg/pathlight.js").Stage[]} */ (stages)),
+          ...this.#imagine.canvasesOf(/** @type {import("../pkg/pathlight.js").MapName[]} */ (mapNames)),
         ];
     this.#canvas.setOverlay(
       {

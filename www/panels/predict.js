@@ -151,10 +151,10 @@ export class Predict extends Component {
    * @param {Session} session
    */
   #measure({ game, phase }) {
-    const stage = phase === "watch" ? "base" : "target";
+    const mapName = phase === "watch" ? "base" : "target";
     const real = game.pathMasks()[0].object;
-    const modelMap = this.#imagine.maps?.[stage];
-    const shared = { stage: /** @type {import("../pkg/pathlight.js").Stage} */ (stage), real, dark: this.dark };
+    const modelMap = this.#imagine.maps?.[mapName];
+    const shared = { mapName: /** @type {import("../pkg/pathlight.js").MapName} */ (mapName), real, dark: this.dark };
     const player = this.#playerCard.draw({
       ...shared,
       name: "You",

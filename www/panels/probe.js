@@ -3,13 +3,13 @@
 // of the scene shows the values of the maps that lie over it.
 
 import { Component } from "../widgets/component.js";
-import { CELL_SIZE, SCENE_SIZE, STAGES } from "../shell/constants.js";
+import { CELL_SIZE, MAPS, SCENE_SIZE } from "../shell/constants.js";
 import { find, setText } from "../widgets/dom.js";
 import { valueAt } from "../model/map-summary.js";
-import { STAGE_TEXT } from "../model/stage-text.js";
+import { MAP_TEXT } from "../model/map-text.js";
 import { ARROW_KEYS } from "../play/gestures.js";
 
-/** @typedef {import("../pkg/pathlight.js").Stage} Stage */
+/** @typedef {import("../pkg/pathlight.js").MapName} MapName */
 
 /** How far an arrow key moves the point: a cell, with Shift eight. px */
 const KEY_STEP = CELL_SIZE;
@@ -19,7 +19,7 @@ const LAST_COORDINATE = SCENE_SIZE - 0.01;
 
 export class Probe extends Component {
   #imagine;
-  /** @type {Stage[]} */
+  /** @type {MapName[]} */
   #layers = [];
   /** @type {import("../state/url-state.js").Panel | null} */
   #panel = null;
@@ -37,13 +37,13 @@ export class Probe extends Component {
   constructor(root, imagine) {
     super(root);
     this.#imagine = imagine;
-    this.#rows = STAGES.map((stage) => {
-      const row = find(root, `[data-stage=${stage}]`);
+    this.#rows = MAPS.map((mapName) => {
+      const row = find(root, `[data-map=${mapName}]`);
       const map = find(row, ".map");
-      map.setAttribute("aria-label", `${STAGE_TEXT[stage].name}: arrow keys read its values`);
-      map.addEventListener("keydown", (event) => this.#onKeydown(event, stage));
+      map.setAttribute("aria-label", `${MAP_TEXT[mapName].name}: arrow keys read its values`);
+      map.addEventListener("keydown", (event) => this.#onKeydown(event, mapName));
       this.#followPointer(map);
-      return { stage, map, value: find(row, ".value") };
+      return { mapName, map, value: find(row, ".value") };
     });
     this.#followPointer(this.byId("scene"));
     imagine.addEventListener("maps", () => this.#update());
@@ -98,9 +98,9 @@ export class Probe extends Component {
 
   /**
    * @param {KeyboardEvent} event
-   * @param {Stage} stage
+   * @param {MapName} mapName
    */
-  #onKeydown(event, stage) {
+  #onKeydown(event, mapName) {
     const direction = ARROW_KEYS[event.key];
     if (!direction || event.ctrlKey || event.metaKey || event.altKey) return;
     event.preventDefault();
@@ -111,22 +111,22 @@ export class Probe extends Component {
       Math.min(Math.max(value + direction[axis] * distance, margin), SCENE_SIZE - margin),
     );
     this.#update();
-    this.announce(`${placeOf(this.#point)}: ${this.#valueOf(stage, this.#point)}`);
+    this.announce(`${placeOf(this.#point)}: ${this.#valueOf(mapName, this.#point)}`);
   }
 
   /**
-   * @param {Stage} stage
+   * @param {MapName} mapName
    * @param {number[]} point
    */
-  #valueOf(stage, point) {
-    const map = this.#imagine.maps?.[stage];
+  #valueOf(mapName, point) {
+    const map = this.#imagine.maps?.[mapName];
     return map ? valueAt(map, point).toFixed(2) : "none";
   }
 
   #update() {
     const point = this.#imagine.maps && this.#point;
-    for (const { stage, map, value } of this.#rows) {
-      setText(value, point ? `${this.#valueOf(stage, point)} at ${placeOf(point)}` : "");
+    for (const { mapName, map, value } of this.#rows) {
+      setText(value, point ? `${this.#valueOf(mapName, point)} at ${placeOf(point)}` : "");
       map.toggleAttribute("data-probed", Boolean(point));
       if (!point) continue;
       map.style.setProperty("--x", String(point[0] / SCENE_SIZE));
@@ -137,8 +137,8 @@ export class Probe extends Component {
     if (!point || note.hidden) return;
     // In the corner where the pointer is not.
     note.dataset.side = point[0] < SCENE_SIZE / 2 ? "right" : "left";
-    const lines = this.#layers.flatMap((stage) => [
-      `${STAGE_TEXT[stage].name} ${this.#valueOf(stage, point)}`,
+    const lines = this.#layers.flatMap((mapName) => [
+      `${MAP_TEXT[mapName].name} ${this.#valueOf(mapName, point)}`,
       document.createElement("br"),
     ]);
     note.replaceChildren(...lines, placeOf(point));

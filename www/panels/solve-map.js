@@ -21,7 +21,7 @@ export class SolveMapPanel extends Component {
   #visible = false;
   /** Does a link leave out what the model imagines? */
   #hidesModel = false;
-  /** @type {import("../pkg/pathlight.js").Stage[]} */
+  /** @type {import("../pkg/pathlight.js").MapName[]} */
   #checkedLayers = [];
   /**
    * Outcomes of GRID_SIDE x GRID_SIDE places, row 0 at the bottom.
@@ -51,7 +51,7 @@ export class SolveMapPanel extends Component {
       this.#search.running ? this.#search.stop() : this.#start(),
     );
     this.#placementBox.addEventListener("change", () => {
-      const others = this.#checkedLayers.filter((stage) => stage !== "placement");
+      const others = this.#checkedLayers.filter((mapName) => mapName !== "placement");
       this.requestState({ layers: this.#placementBox.checked ? [...others, "placement"] : others });
     });
     imagine.addEventListener("maps", () => this.#update());

@@ -2,11 +2,11 @@
 
 import { palette } from "../pkg/pathlight.js";
 import { Component } from "../widgets/component.js";
-import { GRID_SIDE, STAGES } from "../shell/constants.js";
+import { GRID_SIDE, MAPS } from "../shell/constants.js";
 import { contextOf } from "../widgets/dom.js";
 import { download, fileName } from "../widgets/download.js";
 import { pathlight } from "../shell/page-api.js";
-import { STAGE_TEXT } from "../model/stage-text.js";
+import { MAP_TEXT } from "../model/map-text.js";
 import { paintStill } from "../play/still.js";
 
 /** Width and height of one picture, the space around it, and the height of the title and of a name, pixels. */
@@ -66,13 +66,13 @@ export class StripPicture extends Component {
   #cells(session) {
     const { maps } = this.#imagine;
     // Weights may come without a net that scores balls.
-    const imagined = STAGES.flatMap((stage) => {
-      const values = maps?.[stage];
+    const imagined = MAPS.flatMap((mapName) => {
+      const values = maps?.[mapName];
       return values
         ? [
             {
-              name: STAGE_TEXT[stage].name,
-              paint: (/** @type {CanvasRenderingContext2D} */ context) => this.#paintMap(context, stage, values),
+              name: MAP_TEXT[mapName].name,
+              paint: (/** @type {CanvasRenderingContext2D} */ context) => this.#paintMap(context, mapName, values),
             },
           ]
         : [];
@@ -89,16 +89,16 @@ export class StripPicture extends Component {
 
   /**
    * @param {CanvasRenderingContext2D} context
-   * @param {import("../pkg/pathlight.js").Stage} stage
+   * @param {import("../pkg/pathlight.js").MapName} mapName
    * @param {Float32Array} values
    */
-  #paintMap(context, stage, values) {
+  #paintMap(context, mapName, values) {
     const [scene, map] = [newContext(SIDE, SIDE), newContext(GRID_SIDE, GRID_SIDE)];
     this.#scenePicture.drawOn(scene.canvas);
     context.globalAlpha = BELOW;
     context.drawImage(scene.canvas, 0, 0);
     context.globalAlpha = 1;
-    pathlight.paintMap(map, stage, values, { max: Math.max(...values), dark: this.dark });
+    pathlight.paintMap(map, mapName, values, { max: Math.max(...values), dark: this.dark });
     context.imageSmoothingEnabled = false;
     context.drawImage(map.canvas, 0, 0, SIDE, SIDE);
   }

@@ -1,24 +1,24 @@
-// The stages explained one after another: a row of steps above the maps. A step lays its map alone over the scene and
+// The maps explained one after another: a row of steps above them. A step lays its map alone over the scene and
 // leaves only its own map in the panel. With a model that imagines balls, the story goes on with how it chooses one,
 // and ends with what comes of it. The step it is at is in the address. Fires "step" when the step, or what is said of
 // it, has changed.
 
 import { Component } from "../widgets/component.js";
-import { STAGES } from "../shell/constants.js";
+import { MAPS } from "../shell/constants.js";
 import { CHOICE_STEPS } from "../state/url-state.js";
 import { createButton, setText } from "../widgets/dom.js";
-import { CHOICE_TEXT, STAGE_TEXT } from "../model/stage-text.js";
+import { CHOICE_TEXT, MAP_TEXT } from "../model/map-text.js";
 
-/** @typedef {import("../pkg/pathlight.js").Stage} Stage */
-/** @typedef {Stage | import("../state/url-state.js").ChoiceStep} Step */
+/** @typedef {import("../pkg/pathlight.js").MapName} MapName */
+/** @typedef {MapName | import("../state/url-state.js").ChoiceStep} Step */
 
 /** How long a step stays while the walkthrough plays, ms: time to read a sentence and look. */
 const STEP_TIME = 4500;
 /** How often it looks whether the ball of a step has come to rest, ms. */
 const WAIT = 500;
 /** @type {Step[]} */
-const ALL_STEPS = [...STAGES, ...CHOICE_STEPS];
-const TEXT = { ...STAGE_TEXT, ...CHOICE_TEXT };
+const ALL_STEPS = [...MAPS, ...CHOICE_STEPS];
+const TEXT = { ...MAP_TEXT, ...CHOICE_TEXT };
 
 export class Walkthrough extends Component {
   #imagine;
@@ -67,9 +67,9 @@ export class Walkthrough extends Component {
   }
 
   /** @param {import("../state/view.js").View} view */
-  setState({ stage, panel }) {
+  setState({ step, panel }) {
     this.#visible = panel === "imagine";
-    this.#requested = stage;
+    this.#requested = step;
     if (!this.#visible) this.#pause();
     this.#update();
   }
@@ -102,14 +102,14 @@ export class Walkthrough extends Component {
 
   /** What the step shows on this puzzle; empty until it is known. */
   get #result() {
-    const stage = STAGES.find((one) => one === this.#step);
-    if (!stage) return this.#choice.result;
-    const words = this.#imagine.words(stage);
+    const mapName = MAPS.find((one) => one === this.#step);
+    if (!mapName) return this.#choice.result;
+    const words = this.#imagine.words(mapName);
     return words && `It is ${words}.`;
   }
 
   #onChoice() {
-    if (STAGES.some((stage) => stage === this.#step)) return;
+    if (MAPS.some((mapName) => mapName === this.#step)) return;
     this.#announceStep();
     this.dispatchEvent(new Event("step"));
   }
@@ -119,9 +119,9 @@ export class Walkthrough extends Component {
     const step = this.#requested && steps.includes(this.#requested) ? this.#requested : null;
     const changed = step !== this.#step;
     this.#step = step;
-    const stage = STAGES.find((one) => one === step) ?? null;
+    const mapName = MAPS.find((one) => one === step) ?? null;
     const choice = CHOICE_STEPS.find((one) => one === step) ?? null;
-    this.#imagine.showOnly(stage, choice !== null);
+    this.#imagine.showOnly(mapName, choice !== null);
     this.#choice.show(this.#visible ? choice : null);
     const index = this.#index;
     this.#dots.forEach((dot, place) => {
@@ -140,7 +140,7 @@ export class Walkthrough extends Component {
 
   /** The steps of the loaded model's story. */
   get #steps() {
-    return this.#choice.able ? ALL_STEPS : /** @type {Step[]} */ (STAGES);
+    return this.#choice.able ? ALL_STEPS : /** @type {Step[]} */ (MAPS);
   }
 
   /** The index of the step; -1 for all together. */
@@ -171,8 +171,8 @@ export class Walkthrough extends Component {
   /** @param {Step | null | undefined} step */
   #goTo(step) {
     if (step === undefined || step === this.#step) return;
-    const stage = STAGES.find((one) => one === step);
-    this.requestState(step ? { stage: step, layers: stage ? [stage] : [] } : { stage: step });
+    const mapName = MAPS.find((one) => one === step);
+    this.requestState(step ? { step, layers: mapName ? [mapName] : [] } : { step });
   }
 
   /** Plays from the first step, or on from the present one. */

@@ -79,7 +79,7 @@ export class Guide extends Component {
     else if (this.#step === "run") session.run();
     else if (this.#step === "imagined") this.#end();
     else {
-      this.requestState({ panel: "imagine", stage: "target", layers: ["target"] });
+      this.requestState({ panel: "imagine", step: "target", layers: ["target"] });
       this.#show("imagined");
     }
   }

@@ -4,14 +4,14 @@
 // document.
 
 import { NAME } from "../storage/attempts.js";
-import { ATTEMPT_LIMIT, MAX_RADIUS, MIN_RADIUS, SCENE_SIZE, STAGES } from "../shell/constants.js";
+import { ATTEMPT_LIMIT, MAPS, MAX_RADIUS, MIN_RADIUS, SCENE_SIZE } from "../shell/constants.js";
 
 /** @typedef {import("../pkg/pathlight.js").Ball} Ball */
-/** @typedef {import("../pkg/pathlight.js").Stage} Stage */
+/** @typedef {import("../pkg/pathlight.js").MapName} MapName */
 
 /**
  * The steps by which a model that imagines balls chooses one and sees what comes of it; in the story they follow the
- * stages.
+ * maps.
  */
 export const CHOICE_STEPS = /** @type {const} */ (["candidates", "imagined", "chosen", "run", "real"]);
 /** @typedef {typeof CHOICE_STEPS[number]} ChoiceStep */
@@ -45,11 +45,11 @@ export const HIDEABLE = /** @type {const} */ ([
  * @property {string | null} scene a custom scene as editor/scene-link.js packs it, or null
  * @property {string | null} model a name in assets/model.json, or null for the first
  * @property {Panel} panel as the address names it; it may be hidden, see `viewOf`
- * @property {Stage | ChoiceStep | null} stage the step that the walkthrough is at, or null for all together
- * @property {"stage" | "results" | null} view "stage" for the scene and one sentence, in large type; "results", with no
- *   task, for the results of the models in the place of the grid; null for all panels
+ * @property {MapName | ChoiceStep | null} step the step that the walkthrough is at, or null for all together
+ * @property {"presentation" | "results" | null} view "presentation" for the scene and one sentence, in large type;
+ *   "results", with no task, for the results of the models in the place of the grid; null for all panels
  * @property {number | null} proposal the number of the model's ball that is looked at, from 1, or null
- * @property {Stage[]} layers the maps to lay over the scene, in the order of STAGES
+ * @property {MapName[]} layers the maps to lay over the scene, in the order of MAPS
  * @property {number} opacity how much the maps cover, 0..1
  * @property {boolean} forecast whether the model imagines what the ball being placed would do; see `viewOf`
  * @property {Ball | null} ball the ball being placed
@@ -66,7 +66,7 @@ export const INITIAL_STATE = Object.freeze({
   scene: null,
   model: null,
   panel: "play",
-  stage: null,
+  step: null,
   view: null,
   proposal: null,
   layers: [],
@@ -80,7 +80,10 @@ export const INITIAL_STATE = Object.freeze({
 /** @typedef {{ format: (value: any) => string, parse: (text: string) => any }} Codec */
 
 /** What old links call otherwise. */
-const RENAMED = new Map([["bend", "make"]]);
+const RENAMED = new Map([
+  ["bend", "make"],
+  ["stage", "presentation"],
+]);
 
 /** @param {string} name */
 const renamed = (name) => RENAMED.get(name) ?? name;
@@ -104,10 +107,10 @@ const CODECS = {
   scene: { format: String, parse: (text) => (PACKED.test(text) ? text : undefined) },
   model: { format: String, parse: (text) => (NAME.test(text) ? text : undefined) },
   panel: oneOf(PANELS),
-  stage: oneOf([...STAGES, ...CHOICE_STEPS]),
-  view: oneOf(["stage", "results"]),
+  step: oneOf([...MAPS, ...CHOICE_STEPS]),
+  view: oneOf(["presentation", "results"]),
   proposal: ATTEMPT,
-  layers: someOf(STAGES),
+  layers: someOf(MAPS),
   opacity: { format: String, parse: (text) => (/^(0|1|0?\.\d+)$/.test(text) ? Number(text) : undefined) },
   forecast: {
     format: (on) => (on ? "on" : "off"),
@@ -125,6 +128,9 @@ const CODECS = {
   challenge: ATTEMPT,
   hide: someOf(HIDEABLE),
 };
+
+/** The keys of old links that have another name now. */
+const RENAMED_KEYS = new Map([["stage", "step"]]);
 
 /**
  * @param {readonly string[]} names
@@ -186,9 +192,10 @@ export function parseState(texts) {
   const parsed = {};
   /** @type {[key: string, text: string][]} */
   const unread = [];
-  for (const [key, text] of texts) {
+  for (const [name, text] of texts) {
+    const key = RENAMED_KEYS.get(name) ?? name;
     const value = Object.hasOwn(CODECS, key) ? CODECS[key].parse(text) : undefined;
-    if (value === undefined) unread.push([key, text]);
+    if (value === undefined) unread.push([name, text]);
     else parsed[key] = value;
   }
   const state = { ...INITIAL_STATE, ...parsed };

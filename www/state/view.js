@@ -1,10 +1,10 @@
 // What the page shows for a state: of what the address names, what is not hidden and belongs to the panel that is
 // shown. Knows nothing of the document.
 
-import { STAGES } from "../shell/constants.js";
+import { MAPS } from "../shell/constants.js";
 import { PANELS } from "./url-state.js";
 
-/** @typedef {import("../pkg/pathlight.js").Stage} Stage */
+/** @typedef {import("../pkg/pathlight.js").MapName} MapName */
 /** @typedef {import("./url-state.js").Panel} Panel */
 /** @typedef {import("./url-state.js").State} State */
 
@@ -12,7 +12,7 @@ import { PANELS } from "./url-state.js";
  * What is on the page: the state, but `panel` is the one that is shown, which is never hidden, and `layers` are those
  * that lie over the scene there; `checkedLayers` are those that the address names. `forecast` is whether it is seen
  * there.
- * @typedef {State & { checkedLayers: Stage[] }} View
+ * @typedef {State & { checkedLayers: MapName[] }} View
  */
 
 /**
@@ -41,14 +41,14 @@ export function viewOf(state) {
 }
 
 /**
- * The panel that is shown. In the stage view none is seen, but the story is Imagine's, and without it the ball is
+ * The panel that is shown. In the presentation none is seen, but the story is Imagine's, and without it the ball is
  * placed as in Play.
  * @param {State} state
  * @returns {Panel}
  */
 function shownPanel(state) {
   const panels = visiblePanels(state);
-  if (state.view === "stage") return state.stage && panels.includes("imagine") ? "imagine" : "play";
+  if (state.view === "presentation") return state.step && panels.includes("imagine") ? "imagine" : "play";
   return panels.includes(state.panel) ? state.panel : panels[0];
 }
 
@@ -56,11 +56,11 @@ function shownPanel(state) {
  * The maps that lie over the scene in a panel.
  * @param {State} state
  * @param {Panel} panel
- * @returns {Stage[]}
+ * @returns {MapName[]}
  */
-function visibleLayers({ hide, layers, stage, view }, panel) {
+function visibleLayers({ hide, layers, step, view }, panel) {
   if (hide.includes("imagine")) return [];
-  if (view === "stage" && stage) return STAGES.filter((one) => one === stage);
+  if (view === "presentation" && step) return MAPS.filter((one) => one === step);
   switch (panel) {
     case "imagine":
       return layers;
@@ -71,6 +71,6 @@ function visibleLayers({ hide, layers, stage, view }, panel) {
       return [];
     default:
       // Those that the person switched on stay to be played by; the one of a walkthrough's step does not.
-      return stage ? [] : layers;
+      return step ? [] : layers;
   }
 }

@@ -11,7 +11,7 @@
  * @property {{ onKeydown(event: KeyboardEvent): void }} scene
  * @property {(index: number) => void} showPanel
  * @property {() => void} showKeys
- * @property {() => void} toggleStageView
+ * @property {() => void} togglePresentation
  * @property {(by: 1 | -1) => void} goToOtherOutcome
  */
 
@@ -77,7 +77,7 @@ function plainAction({ key, shiftKey }, target, puzzle) {
     ".": () => session.step(1),
     ",": () => session.step(-1),
     r: () => session.reset(),
-    v: () => puzzle.toggleStageView(),
+    v: () => puzzle.togglePresentation(),
     n: () => puzzle.goToOtherOutcome(shiftKey ? -1 : 1),
   };
   return actions[key.toLowerCase()];

@@ -1,13 +1,13 @@
 // The steps of the story in words: what each map means and how its net makes it, and how a model that imagines balls
 // chooses one. Knows nothing of the document.
 
-/** @typedef {import("../pkg/pathlight.js").Stage} Stage */
+/** @typedef {import("../pkg/pathlight.js").MapName} MapName */
 
 /**
  * For each map its name, what it means, and how it is made.
- * @type {Record<Stage, { name: string, meaning: string, how: string }>}
+ * @type {Record<MapName, { name: string, meaning: string, how: string }>}
  */
-export const STAGE_TEXT = {
+export const MAP_TEXT = {
   base: {
     name: "Base path",
     meaning: "Where the green object goes if nothing is done.",

@@ -1,4 +1,4 @@
-// The stage view: the scene and one sentence in large type, for a projector. The sentence is the goal, then the
+// The presentation: the scene and one sentence in large type, for a projector. The sentence is the goal, then the
 // story's, at the viewer's pace: by buttons, arrow keys or the keys of a clicker, or by itself. Everything else of the
 // puzzle is out of sight.
 
@@ -13,7 +13,7 @@ const STORY_KEYS = { ArrowRight: 1, PageDown: 1, ArrowLeft: -1, PageUp: -1 };
 /** What keeps these keys for itself. */
 const OWN_KEYS = "input, select, dialog";
 
-export class StageView extends Component {
+export class Presentation extends Component {
   #walkthrough;
   /** Is it shown? */
   #on = false;
@@ -32,7 +32,7 @@ export class StageView extends Component {
     this.byId("caption-back").addEventListener("click", () => walkthrough.go(-1));
     this.byId("caption-next").addEventListener("click", () => walkthrough.go(1));
     this.byId("caption-play").addEventListener("click", () => walkthrough.toggle());
-    this.byId("stage-leave").addEventListener("click", () => this.requestState({ view: null }));
+    this.byId("presentation-leave").addEventListener("click", () => this.requestState({ view: null }));
     // Before the scene, where arrows move the ball.
     root.addEventListener("keydown", (event) => this.onKeydown(/** @type {KeyboardEvent} */ (event)), {
       capture: true,
@@ -47,20 +47,20 @@ export class StageView extends Component {
 
   /** @param {import("../state/view.js").View} view */
   setState({ view, hide }) {
-    const on = view === "stage";
+    const on = view === "presentation";
     const arrived = on && !this.#on;
     this.#on = on;
     this.#hasStory = !hide.includes("imagine");
     this.#leaves = !hide.includes("tools");
-    this.byId("stage-view").hidden = !on;
-    this.byId("puzzle").classList.toggle("on-stage", on);
+    this.byId("presentation").hidden = !on;
+    this.byId("puzzle").classList.toggle("presentation", on);
     this.#update();
     // What had the focus is out of sight now.
     if (arrived && this.session) this.byId(this.#hasStory ? "caption-next" : "scene").focus({ preventScroll: true });
   }
 
   /**
-   * Acts on a key of the story, or on Escape, which leaves the stage view.
+   * Acts on a key of the story, or on Escape, which leaves the presentation.
    * @param {KeyboardEvent} event
    */
   onKeydown(event) {

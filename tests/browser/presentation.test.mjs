@@ -1,5 +1,5 @@
-// The stage view: the scene and one sentence in large type, and the story in it at the viewer's pace, by buttons, keys,
-// a clicker and touch; and the history, which leads back through tabs and steps.
+// The presentation: the scene and one sentence in large type, and the story in it at the viewer's pace, by buttons,
+// keys, a clicker and touch; and the history, which leads back through tabs and steps.
 
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
@@ -26,10 +26,10 @@ after(() => session.stop());
 
 const title = (page) => page.locator("#caption-title").textContent();
 
-async function openStage(options = {}) {
+async function openPresentation(options = {}) {
   const { fragment = "", ...rest } = options;
-  const page = await openPuzzle(session, { fragment: `&view=stage${fragment}`, ...rest });
-  await page.locator("#stage-view:visible").waitFor();
+  const page = await openPuzzle(session, { fragment: `&view=presentation${fragment}`, ...rest });
+  await page.locator("#presentation:visible").waitFor();
   return page;
 }
 
@@ -38,7 +38,7 @@ const imagined = (page) =>
   page.locator("#imagined-in").filter({ hasText: "Imagined in" }).waitFor({ state: "attached" });
 
 test("a clicker leads through the story, which ends with the ball run and imagined laid against real", async () => {
-  const page = await openStage({ reducedMotion: true });
+  const page = await openPresentation({ reducedMotion: true });
   await imagined(page);
   assert.match(await page.locator("#caption").textContent(), /^Make sure .* for 3 seconds\.$/);
   assert.ok(await page.locator("#scene-label").isHidden());
@@ -76,7 +76,7 @@ test("a clicker leads through the story, which ends with the ball run and imagin
 });
 
 test("it plays by itself to its end, and waits for the ball", async () => {
-  const page = await openStage({ fragment: "&stage=chosen" });
+  const page = await openPresentation({ fragment: "&step=chosen" });
   await imagined(page);
   await page.locator("#caption-result").filter({ hasText: "Here it is the ball" }).waitFor();
   await page.locator("#speed").selectOption("4");
@@ -88,7 +88,7 @@ test("it plays by itself to its end, and waits for the ball", async () => {
 });
 
 test("by touch, on a phone", async () => {
-  const page = await openStage({ hasTouch: true, isMobile: true, viewport: { width: 390, height: 844 } });
+  const page = await openPresentation({ hasTouch: true, isMobile: true, viewport: { width: 390, height: 844 } });
   await imagined(page);
   await page.locator("#caption-next").tap();
   assert.equal(await title(page), "Base path");
@@ -99,7 +99,7 @@ test("by touch, on a phone", async () => {
 });
 
 test("a ball that is placed in the middle of the run ends the story", async () => {
-  const page = await openStage({ fragment: "&stage=run" });
+  const page = await openPresentation({ fragment: "&step=run" });
   await page.locator("#caption-result").filter({ hasText: "Dotted is what" }).waitFor();
   await says(page, /The model’s ball 1 is running/);
   await page.mouse.click(...(await spot(page, 30, 240)));
@@ -112,17 +112,17 @@ test("a ball that is placed in the middle of the run ends the story", async () =
 
 test("a key and a button of the page lead there and back, and the link says it", async () => {
   const page = await openPuzzle(session, { fragment: "&panel=compare" });
-  await page.locator("#stage-button").click();
-  await page.locator("#stage-view:visible").waitFor();
+  await page.locator("#presentation-button").click();
+  await page.locator("#presentation:visible").waitFor();
   for (const hidden of ["header", "#tab-play", "#compare", "#goal"])
     assert.ok(await page.locator(hidden).isHidden(), hidden);
-  await page.waitForFunction(() => /view=stage/.test(location.hash));
+  await page.waitForFunction(() => /view=presentation/.test(location.hash));
   await page.keyboard.press("Escape");
   await page.locator("#compare:visible").waitFor();
   await page.waitForFunction(() => !/view=/.test(location.hash));
   await page.locator("#scene").press("v");
-  await page.locator("#stage-view:visible").waitFor();
-  await page.locator("#stage-leave").click();
+  await page.locator("#presentation:visible").waitFor();
+  await page.locator("#presentation-leave").click();
   await page.locator("#compare:visible").waitFor();
 });
 
@@ -135,7 +135,7 @@ test("the sentence is as large as a projector asks for, and nothing scrolls side
     [844, 390, 16],
     [2560, 1440, 40],
   ]) {
-    const page = await openStage({ viewport: { width, height }, fragment: "&stage=base" });
+    const page = await openPresentation({ viewport: { width, height }, fragment: "&step=base" });
     await imagined(page);
     const size = await page.locator("#caption").evaluate((element) => parseFloat(getComputedStyle(element).fontSize));
     assert.ok(size >= least, `${width} x ${height}: ${size} px`);
@@ -151,7 +151,7 @@ test("the sentence is as large as a projector asks for, and nothing scrolls side
 });
 
 test("a link that hides what is imagined shows the goal alone", async () => {
-  const page = await openStage({ fragment: "&stage=base&hide=imagine" });
+  const page = await openPresentation({ fragment: "&step=base&hide=imagine" });
   assert.match(await page.locator("#caption").textContent(), /^Make sure/i);
   assert.ok(await page.locator("#caption-next").isHidden());
   await page.keyboard.press("PageDown");
@@ -164,7 +164,7 @@ for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
       { width: 1920, height: 1080 },
       { width: 390, height: 844 },
     ]) {
-      const page = await openStage({ viewport, colorScheme, reducedMotion: true, fragment: "&stage=real" });
+      const page = await openPresentation({ viewport, colorScheme, reducedMotion: true, fragment: "&step=real" });
       await page.locator("#caption-result").filter({ hasText: "It imagined" }).waitFor();
       await axeFindsNothing(page);
     }
@@ -183,9 +183,9 @@ test("Back after three tabs and two steps leads through them, and leaves the bal
   await page.goBack();
   await page.locator("#imagine:visible").waitFor();
   await imagined(page);
-  for (const stage of ["base", "target"]) {
+  for (const step of ["base", "target"]) {
     await page.locator("#walkthrough-next").click();
-    await wait(`stage=${stage}`);
+    await wait(`step=${step}`);
   }
   await page.goBack();
   await page.locator("#walkthrough-step", { hasText: "Step 1" }).waitFor({ state: "attached" });
@@ -213,7 +213,7 @@ test("Back that follows a tab at once leads to the tab before, as it was left", 
   await page.waitForTimeout(400);
   await page.evaluate(() => {
     const root = document.querySelector("pathlight-puzzle")?.shadowRoot;
-    for (const selector of ["[data-stage=target] input", "#tab-compare"]) {
+    for (const selector of ["[data-map=target] input", "#tab-compare"]) {
       const control = root?.querySelector(selector);
       if (control instanceof HTMLElement) control.click();
     }
@@ -221,13 +221,13 @@ test("Back that follows a tab at once leads to the tab before, as it was left", 
   });
   await page.locator("#imagine:visible").waitFor();
   await page.waitForFunction(() => location.hash.endsWith("&panel=imagine&layers=target"));
-  assert.ok(await page.locator("[data-stage=target] input").isChecked());
+  assert.ok(await page.locator("[data-map=target] input").isChecked());
   await page.goForward();
   await page.locator("#compare:visible").waitFor();
 });
 
-test("a link to the stage without a puzzle shows the grid and its header", async () => {
-  const page = await session.open("/#view=stage");
+test("a link to the presentation without a puzzle shows the grid and its header", async () => {
+  const page = await session.open("/#view=presentation");
   await page.locator("#templates a").first().waitFor();
   assert.ok(await page.locator("header").first().isVisible());
   await page.locator("#templates a").first().click();
