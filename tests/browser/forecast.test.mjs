@@ -123,7 +123,7 @@ test("of many moves at once only the first and the last are asked for", async ()
     /** @type {number[][]} */
     const asked = [];
     Worker.prototype.postMessage = function (message) {
-      if (message.call === "imagineBall") asked.push(message.args.ball);
+      if (message.call === "imagineBall") asked.push(message.args[1]);
       return Reflect.apply(postMessage, this, [message]);
     };
     const scene = document.querySelector("#puzzle")?.shadowRoot?.getElementById("scene");

@@ -89,6 +89,7 @@ function viewInPage() {
     [...puzzle.attributes].filter(({ name }) => name !== "hidden").map(({ name, value }) => [name, value]),
   );
   const isSeen = (element) => element.checkVisibility();
+  const picker = /** @type {HTMLSelectElement} */ (document.getElementById("task"));
   return {
     hash: location.hash.slice(1),
     title: document.title,
@@ -104,7 +105,7 @@ function viewInPage() {
     isRunning:
       (puzzle.state.task ?? puzzle.state.scene) !== null &&
       inside.getElementById("verdict").textContent === "Your attempt is running.",
-    progress: /** @type {HTMLSelectElement} */ (document.getElementById("task")).selectedOptions[0]?.textContent,
+    progress: isSeen(picker) ? picker.selectedOptions[0]?.textContent : null,
   };
 }
 

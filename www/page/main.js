@@ -4,7 +4,6 @@ import "../element/pathlight-puzzle.js";
 import { byId } from "../widgets/dom.js";
 import { showNotice } from "../widgets/notice.js";
 import { loadWasm } from "../loading/load-wasm.js";
-import { Page } from "./page.js";
 
 const reload = () => location.reload();
 
@@ -19,8 +18,13 @@ function showCrash(error) {
 addEventListener("error", ({ error, message }) => showCrash(error ?? message));
 addEventListener("unhandledrejection", ({ reason }) => showCrash(reason));
 
-loadWasm().then(
-  () => new Page().start(),
+// Awaited, because offline/updates.js waits for this module before it keeps files for later.
+await loadWasm().then(
+  async () => {
+    // Imported here, so that an error in the page's modules is shown too, as is one in the puzzle before they come.
+    const { Page } = await import("./page.js");
+    new Page().start();
+  },
   (error) => {
     // The notice says it once for the page and its puzzle. Loads the same address again, with what follows # in it.
     byId(document, "puzzle").hidden = true;
