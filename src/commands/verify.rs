@@ -17,9 +17,9 @@ use super::progress::say;
 /// "simulator", "status", "steps", "digest"}. The digest is the SHA-256, in lowercase hexadecimal, of x, y (px) and
 /// angle (radians) of every moving body at the start and after each step, as f32, little-endian.
 ///
-/// Prints {"line", "verdict", "reason"} for each line that is not blank. The verdict is "same" if all poses are the same
-/// to the bit, "other_outcome", or "not_valid" if the line cannot be simulated. The exit code is 0 if all are the same,
-/// 2 if some are not valid, and 1 otherwise.
+/// Prints {"line", "verdict", "reason"} for each line that is not blank. The verdict is "same" if all poses are the
+/// same to the bit, "other_outcome", or "not_valid" if the line cannot be simulated. The exit code is 0 if all are the
+/// same, 2 if some are not valid, and 1 otherwise.
 #[derive(clap::Args)]
 pub struct Args {
     /// Attempts as JSON lines; "-" is standard input

@@ -3,8 +3,8 @@
 //! A scene and perhaps a ball in, the complete rollout out. The only user of rapier2d, which supplies shapes, mass
 //! properties, contact manifolds and distances; each file names the class or function of Box2D that it ports. Results
 //! are bit-identical natively and in wasm: f32 throughout, libm for the trigonometry, and no order that depends on a
-//! hash. Used by `session`, `search`, `verification`, `web`, `commands` and the lab. Must not depend on tasks, images or
-//! nets.
+//! hash. Used by `session`, `search`, `verification`, `web`, `commands` and the lab. Must not depend on tasks, images
+//! or nets.
 //!
 //! | file | ports |
 //! | --- | --- |

@@ -126,9 +126,8 @@ impl Model {
 
     /// Starts the model's turn on a task. The same seed leads to the same attempts.
     ///
-    /// # Errors
-    /// `bad_task` if there is no such task, `bad_scene` if the scene may not be played, `bad_data` if the seed is out of
-    /// range or not a whole number.
+    /// # Errors `bad_task` if there is no such task, `bad_scene` if the scene may not be played, `bad_data` if the seed
+    /// is out of range or not a whole number.
     pub fn turn(
         &self,
         #[wasm_bindgen(unchecked_param_type = "Puzzle")] puzzle: JsValue,

@@ -1,5 +1,5 @@
-// The bodies of a scene under a pointer: their outlines are those that the simulator knows, and dragging a knob to where
-// it is changes nothing.
+// The bodies of a scene under a pointer: their outlines are those that the simulator knows, and dragging a knob to
+// where it is changes nothing.
 
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";

@@ -194,7 +194,8 @@ export class Editor extends Component {
   }
 
   /**
-   * Tells the session whether the edited scene is seen in its place. What may not be played is seen on this panel alone.
+   * Tells the session whether the edited scene is seen in its place. What may not be played is seen on this panel
+   * alone.
    */
   #tellSession() {
     this.session?.edit({ edited: this.#problems.length > 0 ? this.#visible : !this.#isPuzzle });

@@ -1,5 +1,5 @@
-// The API for the page's own thread, without a model: the worker has that. Its methods can be called once `loadWasm` has
-// resolved.
+// The API for the page's own thread, without a model: the worker has that. Its methods can be called once `loadWasm`
+// has resolved.
 
 import { Pathlight } from "../api/index.js";
 

@@ -27,7 +27,8 @@ export function progressJson(progress) {
  * What a file holds, read step by step. Throws a FileProblem if it holds no progress.
  * @param {string} text
  * @param {(scene: any) => string} digestOf returns the digest of a custom scene, or throws
- * @returns {Generator<number, { attempts: import("./attempts.js").KeptAttempt[], counts: Counts, unread: number }, void>}
+ * @returns {Generator<number, { attempts: import("./attempts.js").KeptAttempt[], counts: Counts, unread: number },
+ *   void>}
  */
 export function* progressOfText(text, digestOf) {
   const counts = new Counts();

@@ -1,4 +1,5 @@
-//! `pathlight-lab data collect`: the same file on any number of cores, interrupted or not, holding only balls that solve.
+//! `pathlight-lab data collect`: the same file on any number of cores, interrupted or not, holding only balls that
+//! solve.
 
 use std::fs;
 use std::path::Path;
