@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
-import { join } from "node:path";
+import { dirname, join } from "node:path";
 import { after, before, test } from "node:test";
 import { binary, start } from "./harness.mjs";
 import { modelLoaded, openPuzzle } from "./page-actions.mjs";
@@ -14,10 +14,10 @@ before(async () => {
   // The smallest training.
   folder = mkdtempSync(join(tmpdir(), "pathlight-"));
   const at = (name) => join(folder, name);
-  const run = (...words) => execFileSync(binary, words, { stdio: "pipe" });
-  run("collect", "--template", "2", "--limit", "4", "--per-task", "2", "--out", at("solutions.jsonl"));
-  run("train", "--solutions", at("solutions.jsonl"), "--epochs", "1", "--batch", "4", "--out", at("run"));
-  run("publish", at("run/weights.safetensors"), "--assets", at("assets"));
+  const run = (...words) => execFileSync(join(dirname(binary), "pathlight-lab"), words, { stdio: "pipe" });
+  run("data", "collect", "--template", "2", "--limit", "4", "--per-task", "2", "--out", at("solutions.jsonl"));
+  run("train", "paths", "--solutions", at("solutions.jsonl"), "--epochs", "1", "--batch", "4", "--out", at("run"));
+  run("publish", "weights", at("run/weights.safetensors"), "--assets", at("assets"));
   session = await start({ serve: ["--assets", at("assets")] });
 });
 after(async () => {
