@@ -202,7 +202,7 @@ fn a_bad_line_is_answered_with_an_error_and_changes_nothing() {
 const BAD_AND_GOOD_LINES: &str = r#"
 for process in [agent, simulator]:
     try:
-        ask(process, {"task": "00007:999"})
+        ask(process, {"task": "00007:999", "ball": None})
     except ValueError as error:
         print("refused:", error)
     print("answered:", ask(process, {"task": "00007:008", "ball": None})["task"])

@@ -34,5 +34,5 @@ fn balls_are_proposed_and_weights_refused_on_folds_they_may_have_seen() {
     let weights = "assets/within-0.safetensors";
     assert_refused(&["propose", "--weights", weights, "--fold", "1"], "trained on within 0");
     let missing = folder.path().join("none.safetensors").display().to_string();
-    assert_refused(&["propose", "--weights", &missing], "run `pathlight-lab train paths`");
+    assert_refused(&["propose", "--weights", &missing], "`pathlight-lab train paths` has written");
 }
