@@ -74,7 +74,7 @@ mod tests {
 
     #[test]
     fn a_search_ends_with_the_last_rollout_that_is_allowed() {
-        let found = TaskSolutions::search(&task("00024:000"), 10, 50, 0);
+        let found = TaskSolutions::search(&task("00024:006"), 10, 50, 0);
         assert_eq!(found.rollouts, 50);
         assert!(found.balls.len() < 10);
     }
@@ -83,6 +83,6 @@ mod tests {
     fn tasks_and_seeds_draw_different_balls() {
         let find = |id: &str, seed| TaskSolutions::search(&task(id), 2, 10_000, seed).balls;
         assert_ne!(find("00002:007", 0), find("00002:007", 1));
-        assert_ne!(find("00002:007", 0), find("00002:008", 0));
+        assert_ne!(find("00002:007", 0), find("00002:011", 0));
     }
 }
