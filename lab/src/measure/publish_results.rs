@@ -8,6 +8,7 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use pathlight::agents::agent_name::AgentName;
+use pathlight::benchmark::folds::Setup;
 use pathlight::puzzle::task::TaskId;
 use serde::Serialize;
 
@@ -27,6 +28,7 @@ struct Results {
 #[derive(Serialize)]
 struct ModelResults {
     name: String,
+    setup: Setup,
     simulator: u32,
     agents_version: u32,
     /// All test tasks of the model's fold, ascending.
@@ -64,6 +66,7 @@ fn results_of(shipped: &Shipped, ModelEntry { name, .. }: ModelEntry) -> anyhow:
         .iter()
         .map(|score| (label(score.agent), score.first_solved.iter().map(|&(_, first)| first).collect()));
     Ok(ModelResults {
+        setup: report.setup,
         simulator: report.simulator,
         agents_version: report.agents_version,
         tasks: fold.tasks().test,
