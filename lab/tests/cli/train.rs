@@ -8,7 +8,7 @@ use pathlight::benchmark::folds::{Fold, Setup};
 use pathlight::nets::read_card;
 use pathlight::puzzle::task::TaskId;
 use pathlight::simulator;
-use pathlight_lab::data::solutions::Solution;
+use pathlight_lab::data::solutions::TaskSolutions;
 use serde_json::Value;
 use tempfile::{TempDir, tempdir};
 
@@ -99,9 +99,8 @@ fn the_dev_tasks_are_for_weights_that_have_not_seen_them() {
     assert!(!card(&all).without_dev && card(&without).without_dev);
     let dev = Fold::new(Setup::Within, 0).dev;
     let known = fs::read_to_string(solutions()).expect("solutions");
-    let mut tasks: Vec<TaskId> =
-        known.lines().filter_map(|line| Some(serde_json::from_str::<Solution>(line).ok()?.task)).collect();
-    tasks.dedup();
+    let tasks: Vec<TaskId> =
+        known.lines().filter_map(|line| Some(serde_json::from_str::<TaskSolutions>(line).ok()?.task)).collect();
     let of_dev = tasks.iter().filter(|task| dev.contains(task)).count();
     assert!(of_dev > 0, "the check needs solutions of dev tasks");
     assert_eq!(card(&all).tasks - card(&without).tasks, of_dev);
