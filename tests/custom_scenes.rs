@@ -23,7 +23,7 @@ use rayon::prelude::*;
 /// again.
 const INSIDE: RangeInclusive<f32> = -32.0..=288.0;
 
-/// Of so many scenes at most one lets a body out; of a million, seven did.
+/// Of this many scenes at most one lets a body out; of a million, seven did.
 const SCENES_PER_ESCAPE: u64 = 50_000;
 
 /// Scenes in a usual run.

@@ -27,7 +27,7 @@ fn every_rollout_of_rapier_is_as_it_was() {
     compare(Engine::Rapier, 1, "rapier.txt", include_str!("golden/rapier.txt"));
 }
 
-/// Compares the rollouts of an engine, on so many tasks of each template, with the digests of a file.
+/// Compares the rollouts of an engine, on the first tasks of each template, with the digests of a file.
 fn compare(engine: Engine, tasks: usize, file: &str, golden: &str) {
     let lines =
         TEMPLATES.iter().map(|template| format!("{:05} {}\n", template.number, digest(engine, template, tasks)));

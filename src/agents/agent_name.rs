@@ -112,7 +112,7 @@ impl AgentName {
     /// If the nets that it needs were not loaded; only the random agent goes without nets.
     pub fn start(self, loaded: Loaded, scene: &Scene, seed: u64, count: usize) -> Box<dyn Agent> {
         let nets = || loaded.nets.expect("the weights of a model are loaded first");
-        // Damaged weights know no candidates; another agent must not be measured in the place of this one.
+        // Damaged weights know no candidates; another agent must not be measured instead of this one.
         let online =
             |similarity| OnlineAgent::new(imagined_candidates(nets(), scene, count).unwrap_or_default(), similarity);
         let proposals = match self {

@@ -15,7 +15,7 @@ pub fn auccess(first_solved: &[Option<usize>]) -> f64 {
     100.0 * weighted / (1..=MAX_ATTEMPTS).map(weight).sum::<f64>()
 }
 
-/// Returns the fraction of tasks solved within so many attempts, 0..=1; 0 for no tasks.
+/// Returns the fraction of tasks solved within `attempts` attempts, 0..=1; 0 for no tasks.
 pub fn solved_within(first_solved: &[Option<usize>], attempts: usize) -> f64 {
     let solved = first_solved.iter().filter(|first| first.is_some_and(|first| first <= attempts)).count();
     if first_solved.is_empty() { 0.0 } else { solved as f64 / first_solved.len() as f64 }

@@ -45,7 +45,7 @@ impl Track {
         Track { body, points, errors }
     }
 
-    /// Returns the position after so many steps, between two samples on the straight line.
+    /// Returns the position after a number of steps, interpolated linearly between two samples.
     fn at(&self, step: f64) -> [f64; 2] {
         let after = SAMPLED_STEPS.iter().position(|&sampled| sampled as f64 >= step).unwrap_or(SAMPLES - 1);
         let (from, to) = (if after == 0 { 0 } else { SAMPLED_STEPS[after - 1] }, SAMPLED_STEPS[after]);
@@ -105,7 +105,7 @@ impl Painter<'_> {
         Ok(())
     }
 
-    /// Draws ghosts of the green object and of the ball: where they are imagined after so many steps, or all along
+    /// Draws ghosts of the green object and of the ball: where they are imagined after a number of steps, or all along
     /// their paths.
     pub fn ghosts(&self, scene: &Scene, imagined: &ImaginedPaths, step: Option<f64>) -> Result<(), JsValue> {
         self.set_alpha(GHOST_OPACITY);
@@ -131,7 +131,7 @@ impl Painter<'_> {
         Ok(())
     }
 
-    /// Fills discs around the points of a path, and what lies between them. Their radii are so many expected errors.
+    /// Fills discs around the points of a path, and what lies between them. Their radii are a multiple of the expected errors.
     fn ribbon(&self, track: &Track, width: f64, opacity: f64) -> Result<(), JsValue> {
         let context = self.context;
         context.begin_path();

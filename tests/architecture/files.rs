@@ -7,7 +7,7 @@ pub struct Source {
     /// Below its root, with `/`.
     pub path: String,
     pub text: String,
-    /// The text with blanks in the place of comments; lines keep their numbers.
+    /// The text without its comments; lines keep their numbers.
     pub code: String,
 }
 

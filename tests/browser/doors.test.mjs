@@ -168,7 +168,7 @@ test("any link is a state of the page that its own link leads back to", async ()
     assert.ok(isSentence(page.parseFragment(`#${long}`).problem));
 });
 
-test("any text in the place of a scene in a link is a scene that can be played, or refused", async () => {
+test("any text after scene= in a link is a scene that can be played, or refused", async () => {
   const text = await page.textOfScene(SCENE);
   await fc.assert(
     fc.asyncProperty(damaged([text, text, text.slice(0, 40)]), async (one) => {

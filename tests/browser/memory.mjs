@@ -14,7 +14,7 @@ import { openImagined } from "./page-actions.mjs";
  */
 
 /**
- * Opens so many puzzles of the page, which imagines each.
+ * Opens a number of puzzles of the page, which imagines each.
  * @param {Page} page
  * @param {number} count
  * @param {number} [from]
@@ -35,7 +35,7 @@ export async function openPuzzles(page, count, from = 0) {
 }
 
 /**
- * Lets the model play so many turns, each on a puzzle that is opened anew.
+ * Lets the model play a number of turns, each on a puzzle that is opened anew.
  * @param {Page} page
  * @param {number} count
  */

@@ -63,7 +63,7 @@ test("each is named with what it has seen, its map, its balls and when it solves
   assert.equal(await page.locator("#pair-columns > div").count(), 0, "they are not told of the next puzzle");
 });
 
-test("another model in the place of the first clears them", async () => {
+test("another model instead of the first clears them", async () => {
   const { page } = await sideBySide();
   await page.locator("#tab-imagine").click();
   await page.locator("#model-select").selectOption("cross-0");

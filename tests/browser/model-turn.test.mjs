@@ -31,7 +31,7 @@ test("the model plays until it has solved, or a hundred times", async () => {
 });
 
 /**
- * Starts the turn, and clicks its button so many times as soon as there is an attempt: a whole turn is over in half a
+ * Starts the turn, and clicks its button a number of times as soon as there is an attempt: a whole turn is over in half a
  * second.
  */
 async function playThenClick(page, clicks) {

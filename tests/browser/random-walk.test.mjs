@@ -10,9 +10,9 @@ import { RandomWalk } from "./random-walk.mjs";
 
 const STEPS = Number(process.env.PATHLIGHT_WALK_STEPS ?? 150);
 const SEED = Number(process.env.PATHLIGHT_WALK_SEED ?? 1);
-/** A reload is compared each so many steps. */
+/** Steps between two comparisons with a reloaded page. */
 const RELOAD_EVERY = 25;
-/** So many of the last steps are told of a failure. */
+/** How many of the last steps a failure lists. */
 const TOLD = 25;
 
 let session;

@@ -18,13 +18,13 @@ import { binary } from "./harness.mjs";
 
 /** The first model, which the page and the native program take too. */
 const WEIGHTS = new URL("../../assets/within-0.safetensors", import.meta.url);
-/** So many balls are drawn for each that touches much. */
+/** Balls that are drawn for each that touches much. */
 const DRAWN = 8;
-/** So many proposals of a task are compared. */
+/** Proposals of a task that are compared. */
 const COUNT = 100;
 
 /**
- * Attempts at so many tasks of each template; every other ball is that of several which moves the bodies farthest from
+ * Attempts at some tasks of each template; every other ball is that of several which moves the bodies farthest from
  * where they go by themselves.
  * @param {number} perTemplate
  * @param {number} proposedTasks

@@ -8,7 +8,7 @@ import { FileProblem, inSlices, linesOf } from "../storage/slices.js";
 
 /** More than the attempts of a person at all puzzles, bytes. */
 const MAX_SIZE = 2e7;
-/** So many are simulated again, which takes a quarter of a minute; `pathlight verify` takes more. */
+/** The most attempts of a file that are simulated again: that takes 15 s. `pathlight verify` has no limit. */
 export const MOST_ATTEMPTS = 20_000;
 /** A longer line is no attempt, characters. */
 const MAX_LINE = 65_536;

@@ -15,11 +15,11 @@ import { textOfScene } from "../editor/scene-link.js";
 /** @typedef {import("../pkg/pathlight.js").Verification} Verification */
 /** @typedef {import("../pkg/pathlight.js").Ball} Ball */
 
-/** So many characters of a digest tell two runs apart for the eye. */
+/** Characters of a digest that are shown, enough to tell two runs apart. */
 const BADGE_LENGTH = 8;
-/** So many attempts go to the worker at once. */
+/** Attempts that go to the worker at once. */
 const BATCH = 50;
-/** So many attempts of a file are listed. */
+/** The most attempts of a file that are listed. */
 const LISTED = 500;
 
 export class Replays extends Component {

@@ -10,7 +10,7 @@ import { plainScene } from "./plain-scene.js";
 /** More than the JSON of a scene of the most bodies, bytes. */
 const MAX_JSON = 256_000;
 
-/** So many texts are known at most: a puzzle that is edited has another with every change. */
+/** The most texts to remember: every change of a puzzle makes another. */
 const MOST_KNOWN = 100;
 
 /**

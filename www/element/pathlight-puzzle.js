@@ -46,7 +46,7 @@ const STATE_ATTRIBUTES = [
 const FLAGS = ["fill", "remember"];
 
 /**
- * So many frames a page has for itself before a puzzle with nothing to show is made: its first pictures are in the
+ * Frames that a page has for itself before a puzzle with nothing to show is made: its first pictures are in the
  * second.
  */
 const FRAMES_FOR_THE_PAGE = 3;

@@ -1,4 +1,4 @@
-// Records a result as a short film: the card with the run in the place of its picture.
+// Records a result as a short film: the card, with the run instead of its picture.
 
 import { STEPS_PER_SECOND } from "../shell/constants.js";
 import { recorded } from "../attempts/film.js";

@@ -88,7 +88,7 @@ export class ShareDialog {
     this.#picture.src = URL.createObjectURL(blob);
   }
 
-  /** Records the film in the place of the picture; it is what is shared then. */
+  /** Records the film, which is then shared instead of the picture. */
   async #film() {
     const result = this.#result;
     const format = filmFormat();

@@ -13,7 +13,7 @@ import { CHOICE_TEXT } from "../model/map-text.js";
 /** @typedef {import("../state/url-state.js").ChoiceStep} ChoiceStep */
 /** @typedef {import("../model/worker.js").Considered} Considered */
 
-/** The imagined paths of so many of the likeliest balls are hinted at: more would cover each other. */
+/** How many of the likeliest balls show their imagined path: more would cover each other. */
 const HINTS = 40;
 /** The opacity of the least of them; the likeliest ball has 1. */
 const FAINTEST = 0.25;

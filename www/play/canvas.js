@@ -17,7 +17,7 @@ import { Gestures } from "./gestures.js";
  * @property {Point[]} sketch a line that the person has drawn
  * @property {import("../pkg/pathlight.js").ImaginedPaths | null} imagined what the model imagines for a ball
  * @property {NonNullable<import("../pkg/pathlight.js").View["hints"]>} hints paths that are only hinted at
- * @property {Painter | null} painter draws in the place of the session's puzzle
+ * @property {Painter | null} painter draws instead of the session's puzzle
  */
 
 /**

@@ -52,7 +52,7 @@ export class Placement extends EventTarget {
   }
 
   /**
-   * Moves the ball and changes its radius by so many px; a first ball appears in the middle.
+   * Moves the ball and changes its radius, each by some px; a first ball appears in the middle.
    * @param {number} dx
    * @param {number} dy
    * @param {number} dr

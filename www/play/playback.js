@@ -19,7 +19,7 @@ export class Playback extends EventTarget {
   #lastFrame = 0;
 
   /**
-   * Loads a rollout of so many steps, paused at a step.
+   * Loads a rollout by its number of steps, paused at a step.
    * @param {number} last
    * @param {number} [step]
    */

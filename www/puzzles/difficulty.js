@@ -7,7 +7,7 @@ import { TASKS } from "./templates.js";
 const EASY = 0.02;
 const MEDIUM = 0.004;
 /**
- * A puzzle is a little harder than another if its solve rate is so many times the other’s; a little easier, if the
+ * A puzzle is a little harder than another if its solve rate is this many times the other’s; a little easier, if the
  * other way round.
  */
 const LITTLE = { most: 0.75, least: 0.35 };

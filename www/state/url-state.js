@@ -47,7 +47,7 @@ export const HIDEABLE = /** @type {const} */ ([
  * @property {Panel} panel as the address names it; it may be hidden, see `viewOf`
  * @property {MapName | ChoiceStep | null} step the step that the walkthrough is at, or null for all together
  * @property {"presentation" | "results" | null} view "presentation" for the scene and one sentence, in large type;
- *   "results", with no task, for the results of the models in the place of the grid; null for all panels
+ *   "results", with no task, for the results of the models instead of the grid; null for all panels
  * @property {number | null} proposal the number of the model's ball that is looked at, from 1, or null
  * @property {MapName[]} layers the maps to lay over the scene, in the order of MAPS
  * @property {number} opacity how much the maps cover, 0..1

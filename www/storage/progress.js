@@ -20,11 +20,11 @@ import { Counts, StoredCounts, isCountsKey, merge, progressOf } from "./counts.j
 /** @typedef {import("./attempts.js").KeptAttempt} KeptAttempt */
 /** @typedef {import("./counts.js").TaskProgress} TaskProgress */
 
-/** So many attempts at custom scenes are kept, some 200 kB. */
+/** The most attempts at custom scenes that are kept, some 200 kB. */
 const MOST_CUSTOM = 1000;
-/** A file may fill the store up to so many attempts, which leaves room for those that follow. */
+/** The most attempts that a file may fill the store to, which leaves room for those that follow. */
 export const MOST_ATTEMPTS = 20_000;
-/** Merged at once. */
+/** Attempts that are merged at once. */
 const PIECE = 1000;
 
 /**

@@ -6,7 +6,7 @@ import { BrowserStore } from "./browser-store.js";
 /** @typedef {import("../pkg/pathlight.js").CustomScene} CustomScene */
 
 const KEY = "own-puzzles";
-/** So many puzzles are kept, which the grid shows without delay. */
+/** The most puzzles that are kept; the grid shows them without delay. */
 export const MOST_PUZZLES = 500;
 
 export class PuzzleStore extends EventTarget {

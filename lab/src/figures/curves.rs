@@ -1,4 +1,4 @@
-//! The success curves: how many of the test tasks each agent solves within so many attempts.
+//! The success curves: the share of the test tasks that each agent solves within k attempts.
 //!
 //! The axis of the attempts is that of AUCCESS: attempt k takes the width ln(k + 1) - ln(k), its weight. So AUCCESS is
 //! the area under a curve, in percent of the panel.

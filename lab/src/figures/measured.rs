@@ -36,7 +36,7 @@ impl Measured {
         self.mean(template, auccess)
     }
 
-    /// Returns the mean share of tasks solved within so many attempts, 0..=1.
+    /// Returns the mean share of tasks solved within a number of attempts, 0..=1.
     pub fn solved_within(&self, attempts: usize) -> f64 {
         self.mean(None, |firsts| solved_within(firsts, attempts)).unwrap_or_default()
     }

@@ -34,7 +34,7 @@ struct RowCost {
 }
 
 impl RowCost {
-    /// The whole row, if the nets that learn from labels are trained so many times as long, core-minutes.
+    /// Returns the cost of the whole row, core-minutes. The nets that learn from labels train `times` as long.
     fn all(&self, times: f64) -> f64 {
         self.nets + times * (self.judge + self.dynamics + self.dqn) + self.evaluation
     }

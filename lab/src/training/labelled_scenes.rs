@@ -39,9 +39,9 @@ pub struct LabelledScene {
 /// Which balls of a scene a batch takes.
 #[derive(Clone, Copy)]
 pub enum Sampling {
-    /// Up to so many different ones.
+    /// Up to this many different balls.
     Uniform(u16),
-    /// So many, of which half solve if the scene has both kinds; the same ball may be drawn again.
+    /// This many balls, half of which solve if the scene has both kinds. The same ball may be drawn again.
     Balanced(u16),
 }
 

@@ -158,7 +158,7 @@ impl<M: Trainable, C: PartialEq + Serialize + DeserializeOwned> TrainingRun<M, C
         Ok(done == total)
     }
 
-    /// Saves a checkpoint after so many batches. `checkpoint.json` is written last and names the other files, so that a
+    /// Saves a checkpoint after `done` batches. `checkpoint.json` is written last and names the other files, so that a
     /// run interrupted in between continues from the checkpoint before.
     fn save(&mut self, epoch: usize, done: usize, losses: &[f32]) -> anyhow::Result<()> {
         let name = self.folder.display().to_string();
@@ -213,7 +213,7 @@ pub fn digests(files: &[PathBuf]) -> anyhow::Result<String> {
     Ok(digests.join(" "))
 }
 
-/// The files of the checkpoint after so many batches.
+/// Returns the files of the checkpoint after a number of batches.
 fn files(folder: &Path, done: usize) -> [PathBuf; 2] {
     [NETS, OPTIMISER].map(|suffix| folder.join(format!("{done}{suffix}")))
 }

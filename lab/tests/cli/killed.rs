@@ -167,7 +167,7 @@ fn a_full_disk_is_said_and_loses_nothing() {
 #[test]
 fn a_folder_that_cannot_be_written_is_said() {
     let folder = tempdir().expect("a folder");
-    // A file in the place of a folder: root may write into any folder.
+    // A file where a folder is expected: root may write into any folder.
     let file = folder.path().join("file").display().to_string();
     fs::write(&file, "of somebody").expect("written");
     let inside = format!("{file}/inside");
