@@ -131,7 +131,8 @@ impl Painter<'_> {
         Ok(())
     }
 
-    /// Fills discs around the points of a path, and what lies between them. Their radii are a multiple of the expected errors.
+    /// Fills discs around the points of a path, and what lies between them. Their radii are a multiple of the expected
+    /// errors.
     fn ribbon(&self, track: &Track, width: f64, opacity: f64) -> Result<(), JsValue> {
         let context = self.context;
         context.begin_path();

@@ -31,8 +31,8 @@ test("the model plays until it has solved, or a hundred times", async () => {
 });
 
 /**
- * Starts the turn, and clicks its button a number of times as soon as there is an attempt: a whole turn is over in half a
- * second.
+ * Starts the turn, and clicks its button a number of times as soon as there is an attempt: a whole turn is over in half
+ * a second.
  */
 async function playThenClick(page, clicks) {
   await page.locator("#model-turn").evaluate((button, clicks) => {
