@@ -4,25 +4,7 @@ use super::assert_refused;
 
 #[test]
 fn an_old_name_is_answered_with_the_new_one() {
-    let moved = [
-        ("collect", "data collect"),
-        ("label", "data label"),
-        ("merge", "data merge"),
-        ("difficulty", "data difficulty"),
-        ("solve-rates", "data solve-rates"),
-        ("train", "train paths"),
-        ("train-judge", "train success"),
-        ("train-dynamics", "train dynamics"),
-        ("train-dqn", "train dqn"),
-        ("evaluate", "measure evaluate"),
-        ("forecasts", "measure forecasts"),
-        ("calibration", "measure calibration"),
-        ("fidelity", "measure fidelity"),
-        ("reproduce", "reproduce"),
-        ("figures", "figures"),
-        ("publish", "publish weights"),
-        ("publish-results", "publish results"),
-    ];
+    let moved = [("train-judge", "train success"), ("figures", "figures"), ("publish-results", "publish results")];
     for (old, new) in moved {
         for args in [&[old][..], &[old, "--setup", "within"], &[old, "--help"]] {
             assert_refused(args, &format!("error: `{old}` is now `pathlight-lab {new}`\n"));

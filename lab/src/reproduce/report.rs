@@ -96,7 +96,7 @@ fn table(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
     writeln!(
         text,
         "\nOur folds: {}. The published means are over all ten: the paper's nets and DQN by Harter et al. (2020), \
-         random by the benchmark.",
+         random by the benchmark. That one plays a fixed list of actions on all tasks, so it is no measure for ours.",
         folds.join("; ")
     )?;
     Ok(())
