@@ -1,12 +1,12 @@
 // Times our nets and simulator beside their peers and prints one table in Markdown: node benches/bench.mjs [PART…]
 //
-// `run` has installed the peers. Contenders of a race take turns, so that whatever else the machine does falls on
+// `run` has installed the peers. Implementations of a comparison take turns, so that whatever else the machine does falls on
 // all of them; before, their results are compared with ours. A peer that is missing or fails is left out, and the table
 // says so; the exit code is 1 if ours fails or a peer computes something else. ROUNDS is how many turns each has.
 
 import { execFileSync } from "node:child_process";
 import { availableParallelism, cpus, loadavg } from "node:os";
-import { parts } from "./races.mjs";
+import { parts } from "./comparisons.mjs";
 
 const ROUNDS = Number(process.env.ROUNDS || 9);
 /** ms */
@@ -21,9 +21,9 @@ if (unknown.length > 0) {
 const [load] = loadavg();
 if (load > 0.5) console.error(`warning: something else runs here (load ${load.toFixed(1)}): trust ratios, not times`);
 const rows = [];
-for (const race of wanted.flatMap((part) => parts[part])) {
-  console.error(`measuring: ${race.title}`);
-  rows.push(await run(race));
+for (const comparison of wanted.flatMap((part) => parts[part])) {
+  console.error(`measuring: ${comparison.title}`);
+  rows.push(await run(comparison));
 }
 const git = (...args) => execFileSync("git", args, { encoding: "utf8" }).trim();
 const changed = git("status", "--porcelain", "--untracked-files=no") ? ", changed" : "";
@@ -37,8 +37,8 @@ console.log(
     `${availableParallelism()} cores, load ${load.toFixed(1)} before. Parts: ${wanted.join(", ")}.`,
 );
 
-/** The row of a race. */
-async function run({ title, agree, repetitions, steps, open, contenders }) {
+/** The row of a comparison. */
+async function run({ title, agree, repetitions, steps, open, implementations }) {
   const stops = [];
   const there = [];
   const out = [];
@@ -50,7 +50,7 @@ async function run({ title, agree, repetitions, steps, open, contenders }) {
   }
   if (place) stops.push(() => place.stop());
   try {
-    for (const [name, start] of contenders) {
+    for (const [name, start] of implementations) {
       let one;
       try {
         one = await start(place);

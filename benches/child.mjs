@@ -1,4 +1,4 @@
-// A contender in a process of its own: it writes its result, and then for each number of repetitions that it reads,
+// A implementation in a process of its own: it writes its result, and then for each number of repetitions that it reads,
 // their times.
 
 import { spawn } from "node:child_process";

@@ -1,4 +1,4 @@
-//! The protocol between a contender in Rust and `bench.mjs`.
+//! The protocol between an implementation in Rust and `bench.mjs`.
 
 use std::io::{self, Write};
 use std::time::{Duration, Instant};

@@ -64,7 +64,7 @@ export const loadStyleSheets = () =>
  * folder of its own, where their addresses lead nowhere; those that are not called .js it leaves where they are. And
  * Parcel finds these files by their names, without `exports`.
  */
-const DOORS = {
+const ENTRY_MODULES = {
   "pathlight.jsx": 'export * from "./api/index.js";\n',
   "element.jsx": 'export * from "./element/pathlight-puzzle.js";\n',
 };
@@ -78,7 +78,7 @@ for (const path of declarations) {
   const module = path.replace(/\.d\.ts$/, ".js");
   if (!(module in OWN_MODULES)) place(join("www", module), module);
 }
-for (const [path, code] of Object.entries({ ...OWN_MODULES, ...DOORS })) writeFileSync(join(stage, path), code);
+for (const [path, code] of Object.entries({ ...OWN_MODULES, ...ENTRY_MODULES })) writeFileSync(join(stage, path), code);
 for (const file of ["pathlight.js", "pathlight_bg.wasm", "licences.txt"]) place(`www/pkg/${file}`, `pkg/${file}`);
 // Projects for Node alone have no types of the web; without them the declarations do not compile.
 const libraries = ["dom", "esnext.disposable"].map((name) => `/// <reference lib="${name}" />\n`).join("");

@@ -1,8 +1,8 @@
-//! The nets natively, as one contender of `make bench`; `benches/bench.mjs` decides when each contender runs.
+//! The nets natively, as one implementation of `make bench`; `benches/bench.mjs` decides when each implementation runs.
 //!
-//! `inputs TASK FOLDER` writes the input of all contenders. `forward TASK`, the four nets, `maps TASK`, all five maps,
+//! `inputs TASK FOLDER` writes the input of all implementations. `forward TASK`, the four nets, `maps TASK`, all five maps,
 //! `propose TASK`, a hundred balls, and `train` prepare, print a line of numbers
-//! that the other contenders have to agree with, and then read a number of repetitions per line of standard input and
+//! that the other implementations have to agree with, and then read a number of repetitions per line of standard input and
 //! print the milliseconds of each.
 
 use std::path::Path;
@@ -70,7 +70,7 @@ fn main() {
             let losses: Vec<f32> = (0..COMPARED).map(|_| step()).collect();
             repeat(&format!("{losses:?}"), || stopwatch(&mut step));
         }
-        _ => println!("`make bench` runs this, with contenders to compare it with"),
+        _ => println!("`make bench` runs this, with implementations to compare it with"),
     }
 }
 

@@ -1,4 +1,4 @@
-"""The protocol between a contender in Python and bench.mjs, the same as ../repeat.rs."""
+"""The protocol between an implementation in Python and bench.mjs, the same as ../repeat.rs."""
 
 import json
 import sys

@@ -1,7 +1,7 @@
-// Box2D 2.3 in C++ as one contender of `make bench`: box2d rollouts|worlds FILE
+// Box2D 2.3 in C++ as one implementation of `make bench`: box2d rollouts|worlds FILE
 //
 // Builds the worlds of FILE, which `cargo bench --bench simulator -- export FILE` writes, with PHYRE's parameters. Prints the
-// end of each rollout, which the other contenders have to agree with, and then reads a number of repetitions per line of
+// end of each rollout, which the other implementations have to agree with, and then reads a number of repetitions per line of
 // standard input and prints the milliseconds of each: of stepping alone, or of making and deleting the worlds.
 
 #include <Box2D/Box2D.h>

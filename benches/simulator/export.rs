@@ -1,4 +1,4 @@
-//! The rollouts as text, for contenders in other languages.
+//! The rollouts as text, for implementations in other languages.
 
 use std::fmt::Write;
 
@@ -10,7 +10,7 @@ use pathlight::simulator::constants::{
     TIME_STEP, VELOCITY_ITERATIONS,
 };
 
-/// Returns the rollouts as text, for contenders in other languages: the parameters in one line, then for each rollout
+/// Returns the rollouts as text, for implementations in other languages: the parameters in one line, then for each rollout
 /// its goal and the number of its bodies, and for each body its pose and shapes. Values that a shape does not have are
 /// 0.
 pub fn export(rollouts: &[(Scene, Ball)]) -> String {

@@ -1,6 +1,6 @@
-//! The simulator natively, as one contender of `make bench`; `benches/bench.mjs` decides when each contender runs.
+//! The simulator natively, as one implementation of `make bench`; `benches/bench.mjs` decides when each implementation runs.
 //!
-//! `export FILE` writes the rollouts for the other contenders. `rollouts` times the stepping of all rollouts, `worlds`
+//! `export FILE` writes the rollouts for the other implementations. `rollouts` times the stepping of all rollouts, `worlds`
 //! what comes before: to build their worlds. Both print first how each rollout ends.
 
 use std::time::Duration;
@@ -30,6 +30,6 @@ fn main() {
         ["worlds"] => {
             repeat(&final_states(&rollouts), || stopwatch(|| rollouts.iter().for_each(|rollout| drop(start(rollout)))))
         }
-        _ => println!("`make bench` runs this, with contenders to compare it with"),
+        _ => println!("`make bench` runs this, with implementations to compare it with"),
     }
 }

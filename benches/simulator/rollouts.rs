@@ -1,4 +1,4 @@
-//! The rollouts that all contenders of the simulator's bench run: 20 tasks of each template, all with a random valid
+//! The rollouts that all implementations of the simulator's bench run: 20 tasks of each template, all with a random valid
 //! ball.
 
 use pathlight::puzzle::action::Ball;

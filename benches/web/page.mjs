@@ -1,4 +1,4 @@
-// An empty page in Chromium, to run contenders in: the repository's files from a server of its own.
+// An empty page in Chromium, to run implementations in: the repository's files from a server of its own.
 
 import { once } from "node:events";
 import { readFile } from "node:fs/promises";
@@ -8,7 +8,7 @@ import { launch } from "../../tests/browser/harness.mjs";
 
 const TYPES = { ".mjs": "text/javascript", ".js": "text/javascript", ".wasm": "application/wasm" };
 
-/** `{ contender([module, what]), stop() }`; a contender's wasm runs on the page's thread. */
+/** `{ implementation([module, what]), stop() }`; an implementation's wasm runs on the page's thread. */
 export async function openPage(root) {
   const browser = await launch();
   const server = createServer(async ({ url }, answer) => {
@@ -27,15 +27,15 @@ export async function openPage(root) {
   const page = await browser.newPage();
   await page.goto(`http://127.0.0.1:${server.address().port}/`);
   return {
-    async contender(module) {
+    async implementation(module) {
       const result = await page.evaluate(async (module) => {
-        const { contender } = await import("/benches/web/contender.mjs");
+        const { implementation } = await import("/benches/web/implementation.mjs");
         const read = async (path) => {
           const answer = await fetch(`/${path}`);
           if (!answer.ok) throw new Error(`no ${path}`);
           return new Uint8Array(await answer.arrayBuffer());
         };
-        globalThis[module] = await contender(module, read);
+        globalThis[module] = await implementation(module, read);
         return globalThis[module].result;
       }, module);
       return {

@@ -1,3 +1,3 @@
 #![no_main]
 
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| doors::scene(bytes));
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| untrusted::scene(bytes));

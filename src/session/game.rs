@@ -13,13 +13,13 @@ use crate::puzzle::rollout::Rollout;
 use crate::puzzle::scene::Scene;
 use crate::simulator::simulate;
 
-/// Most attempts of each contender at one puzzle: as many as PHYRE's metric counts.
+/// Most attempts of each author at one puzzle: as many as PHYRE's metric counts.
 pub const ATTEMPT_LIMIT: usize = MAX_ATTEMPTS;
 
 /// Who places the ball.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Contender {
+pub enum Author {
     Player,
     Model,
 }
@@ -40,7 +40,7 @@ pub enum Refused {
     AttemptLimit,
 }
 
-/// How a contender is doing.
+/// How an author is doing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Standing {
     /// Attempts made.
@@ -49,7 +49,7 @@ pub struct Standing {
     pub solved_at: Option<usize>,
 }
 
-/// The attempts of both contenders on one scene.
+/// The attempts of both authors on one scene.
 pub struct Game {
     scene: Scene,
     player: Vec<Attempt>,
@@ -65,12 +65,12 @@ impl Game {
         &self.scene
     }
 
-    /// Simulates a ball for a contender. Returns the number of the attempt (from 1) and the rollout; a ball that was
+    /// Simulates a ball for an author. Returns the number of the attempt (from 1) and the rollout; a ball that was
     /// tried before keeps its number.
     ///
     /// # Errors
     /// Refuses an invalid ball, and a new one when all attempts are used.
-    pub fn play(&mut self, who: Contender, ball: Ball) -> Result<(usize, Rollout), Refused> {
+    pub fn play(&mut self, who: Author, ball: Ball) -> Result<(usize, Rollout), Refused> {
         ball.check(&self.scene)?;
         let before = self.number_of(who, ball);
         if before.is_none() && self.attempts(who).len() == ATTEMPT_LIMIT {
@@ -85,7 +85,7 @@ impl Game {
     ///
     /// # Errors
     /// Refuses like `play`.
-    pub fn record(&mut self, who: Contender, attempt: Attempt) -> Result<usize, Refused> {
+    pub fn record(&mut self, who: Author, attempt: Attempt) -> Result<usize, Refused> {
         attempt.ball.check(&self.scene)?;
         match self.number_of(who, attempt.ball) {
             Some(number) => Ok(number),
@@ -94,9 +94,9 @@ impl Game {
         }
     }
 
-    /// Removes one attempt of a contender; later ones move up by one. Returns whether there was an attempt of this
+    /// Removes one attempt of an author; later ones move up by one. Returns whether there was an attempt of this
     /// number.
-    pub fn remove(&mut self, who: Contender, number: usize) -> bool {
+    pub fn remove(&mut self, who: Author, number: usize) -> bool {
         let attempts = self.list(who);
         let there = (1..=attempts.len()).contains(&number);
         if there {
@@ -105,29 +105,29 @@ impl Game {
         there
     }
 
-    /// Removes all attempts of a contender.
-    pub fn clear(&mut self, who: Contender) {
+    /// Removes all attempts of an author.
+    pub fn clear(&mut self, who: Author) {
         self.list(who).clear();
     }
 
-    /// Returns the attempts of a contender, in order.
-    pub fn attempts(&self, who: Contender) -> &[Attempt] {
+    /// Returns the attempts of an author, in order.
+    pub fn attempts(&self, who: Author) -> &[Attempt] {
         match who {
-            Contender::Player => &self.player,
-            Contender::Model => &self.model,
+            Author::Player => &self.player,
+            Author::Model => &self.model,
         }
     }
 
-    /// Returns how a contender is doing.
-    pub fn standing(&self, who: Contender) -> Standing {
+    /// Returns how an author is doing.
+    pub fn standing(&self, who: Author) -> Standing {
         let attempts = self.attempts(who);
         let solved_at = attempts.iter().position(|attempt| attempt.ending.solved).map(|index| index + 1);
         Standing { used: attempts.len(), solved_at }
     }
 
-    /// Returns the best attempt of a contender with its number: the first that solved, else the first with the longest
+    /// Returns the best attempt of an author with its number: the first that solved, else the first with the longest
     /// touch.
-    pub fn best(&self, who: Contender) -> Option<(usize, Attempt)> {
+    pub fn best(&self, who: Author) -> Option<(usize, Attempt)> {
         let key = |&(_, attempt): &(usize, &Attempt)| (attempt.ending.solved, attempt.ending.longest_touch);
         // `max_by_key` returns the last of equals; in reverse order that is the first.
         let best = self.attempts(who).iter().enumerate().rev().max_by_key(key);
@@ -136,7 +136,7 @@ impl Game {
 
     /// Compares player and model in words.
     pub fn verdict(&self) -> String {
-        let (player, model) = (self.standing(Contender::Player), self.standing(Contender::Model));
+        let (player, model) = (self.standing(Author::Player), self.standing(Author::Model));
         match (player.solved_at, model.solved_at) {
             (Some(you), Some(it)) if you < it => {
                 format!("You solved it on attempt {you}, the model on attempt {it}. You were quicker.")
@@ -160,19 +160,19 @@ impl Game {
         }
     }
 
-    fn number_of(&self, who: Contender, ball: Ball) -> Option<usize> {
+    fn number_of(&self, who: Author, ball: Ball) -> Option<usize> {
         self.attempts(who).iter().position(|attempt| attempt.ball == ball).map(|index| index + 1)
     }
 
-    fn push(&mut self, who: Contender, attempt: Attempt) -> usize {
+    fn push(&mut self, who: Author, attempt: Attempt) -> usize {
         self.list(who).push(attempt);
         self.attempts(who).len()
     }
 
-    fn list(&mut self, who: Contender) -> &mut Vec<Attempt> {
+    fn list(&mut self, who: Author) -> &mut Vec<Attempt> {
         match who {
-            Contender::Player => &mut self.player,
-            Contender::Model => &mut self.model,
+            Author::Player => &mut self.player,
+            Author::Model => &mut self.model,
         }
     }
 }
@@ -207,70 +207,70 @@ mod tests {
     fn an_invalid_ball_is_refused_and_does_not_count() {
         let mut game = game();
         let outside = Ball { x: 1.0, y: 1.0, r: 10.0 };
-        assert_eq!(game.play(Contender::Player, outside).unwrap_err(), Refused::Invalid(Invalid::Outside));
-        assert_eq!(game.standing(Contender::Player), Standing { used: 0, solved_at: None });
+        assert_eq!(game.play(Author::Player, outside).unwrap_err(), Refused::Invalid(Invalid::Outside));
+        assert_eq!(game.standing(Author::Player), Standing { used: 0, solved_at: None });
     }
 
     #[test]
-    fn the_same_ball_twice_counts_once_and_each_contender_has_its_own_count() {
+    fn the_same_ball_twice_counts_once_and_each_author_has_its_own_count() {
         let mut game = game();
-        let (first, rollout) = game.play(Contender::Player, ball(0)).expect("valid");
-        assert_eq!(game.play(Contender::Player, ball(1)).expect("valid").0, 2);
-        assert_eq!(game.play(Contender::Player, ball(0)).expect("valid"), (first, rollout));
-        assert_eq!(game.standing(Contender::Player).used, 2);
-        assert_eq!(game.play(Contender::Model, ball(1)).expect("valid").0, 1);
+        let (first, rollout) = game.play(Author::Player, ball(0)).expect("valid");
+        assert_eq!(game.play(Author::Player, ball(1)).expect("valid").0, 2);
+        assert_eq!(game.play(Author::Player, ball(0)).expect("valid"), (first, rollout));
+        assert_eq!(game.standing(Author::Player).used, 2);
+        assert_eq!(game.play(Author::Model, ball(1)).expect("valid").0, 1);
     }
 
     #[test]
     fn no_new_attempt_after_the_limit() {
         let mut game = game();
         for number in 0..ATTEMPT_LIMIT {
-            game.record(Contender::Model, attempt(number, false, 0)).expect("within the limit");
+            game.record(Author::Model, attempt(number, false, 0)).expect("within the limit");
         }
-        assert_eq!(game.record(Contender::Model, attempt(ATTEMPT_LIMIT, true, GOAL_STEPS)), Err(Refused::AttemptLimit));
-        assert_eq!(game.play(Contender::Model, ball(ATTEMPT_LIMIT)).unwrap_err(), Refused::AttemptLimit);
+        assert_eq!(game.record(Author::Model, attempt(ATTEMPT_LIMIT, true, GOAL_STEPS)), Err(Refused::AttemptLimit));
+        assert_eq!(game.play(Author::Model, ball(ATTEMPT_LIMIT)).unwrap_err(), Refused::AttemptLimit);
         // An attempt that was made before can still be replayed.
-        assert_eq!(game.play(Contender::Model, ball(4)).expect("made before").0, 5);
-        game.clear(Contender::Model);
-        assert_eq!(game.record(Contender::Model, attempt(0, true, GOAL_STEPS)), Ok(1));
+        assert_eq!(game.play(Author::Model, ball(4)).expect("made before").0, 5);
+        game.clear(Author::Model);
+        assert_eq!(game.record(Author::Model, attempt(0, true, GOAL_STEPS)), Ok(1));
     }
 
     #[test]
     fn the_best_attempt_is_the_first_that_solved_or_else_touched_longest() {
         let mut game = game();
-        assert_eq!(game.best(Contender::Player), None);
+        assert_eq!(game.best(Author::Player), None);
         for (number, longest) in [3, 60, 60].into_iter().enumerate() {
-            game.record(Contender::Player, attempt(number, false, longest)).expect("valid");
+            game.record(Author::Player, attempt(number, false, longest)).expect("valid");
         }
-        assert_eq!(game.best(Contender::Player).expect("three").0, 2);
-        game.record(Contender::Player, attempt(3, true, GOAL_STEPS)).expect("valid");
-        game.record(Contender::Player, attempt(4, true, GOAL_STEPS)).expect("valid");
-        assert_eq!(game.best(Contender::Player).expect("five").0, 4);
-        assert_eq!(game.standing(Contender::Player), Standing { used: 5, solved_at: Some(4) });
+        assert_eq!(game.best(Author::Player).expect("three").0, 2);
+        game.record(Author::Player, attempt(3, true, GOAL_STEPS)).expect("valid");
+        game.record(Author::Player, attempt(4, true, GOAL_STEPS)).expect("valid");
+        assert_eq!(game.best(Author::Player).expect("five").0, 4);
+        assert_eq!(game.standing(Author::Player), Standing { used: 5, solved_at: Some(4) });
     }
 
     #[test]
     fn a_removed_attempt_makes_room_and_later_ones_move_up() {
         let mut game = game();
         for number in 0..ATTEMPT_LIMIT {
-            game.record(Contender::Player, attempt(number, number == 2, 0)).expect("within the limit");
+            game.record(Author::Player, attempt(number, number == 2, 0)).expect("within the limit");
         }
-        assert!(!game.remove(Contender::Player, 0) && !game.remove(Contender::Player, ATTEMPT_LIMIT + 1));
-        assert!(!game.remove(Contender::Model, 1));
-        assert!(game.remove(Contender::Player, 2));
-        assert_eq!(game.standing(Contender::Player), Standing { used: ATTEMPT_LIMIT - 1, solved_at: Some(2) });
-        assert_eq!(game.record(Contender::Player, attempt(1, false, 0)), Ok(ATTEMPT_LIMIT));
+        assert!(!game.remove(Author::Player, 0) && !game.remove(Author::Player, ATTEMPT_LIMIT + 1));
+        assert!(!game.remove(Author::Model, 1));
+        assert!(game.remove(Author::Player, 2));
+        assert_eq!(game.standing(Author::Player), Standing { used: ATTEMPT_LIMIT - 1, solved_at: Some(2) });
+        assert_eq!(game.record(Author::Player, attempt(1, false, 0)), Ok(ATTEMPT_LIMIT));
     }
 
     #[test]
     fn the_verdict_names_the_quicker() {
         let mut game = game();
         assert_eq!(game.verdict(), "Nobody has tried yet.");
-        game.record(Contender::Player, attempt(0, false, 0)).expect("valid");
+        game.record(Author::Player, attempt(0, false, 0)).expect("valid");
         assert_eq!(game.verdict(), "Not solved yet: 1 attempt by you, 0 attempts by the model.");
-        game.record(Contender::Model, attempt(0, true, GOAL_STEPS)).expect("valid");
+        game.record(Author::Model, attempt(0, true, GOAL_STEPS)).expect("valid");
         assert_eq!(game.verdict(), "The model solved it on attempt 1. You have not yet, in 1.");
-        game.record(Contender::Player, attempt(1, true, GOAL_STEPS)).expect("valid");
+        game.record(Author::Player, attempt(1, true, GOAL_STEPS)).expect("valid");
         assert_eq!(game.verdict(), "The model solved it on attempt 1, you on attempt 2. The model was quicker.");
     }
 }

@@ -13,7 +13,7 @@ use crate::puzzle::action::Ball;
 use crate::puzzle::scene::Body;
 use crate::puzzle::templates::TEMPLATES;
 use crate::raster::trail_image;
-use crate::session::game::{self, Attempt, Contender, Refused};
+use crate::session::game::{self, Attempt, Author, Refused};
 use crate::session::puzzle::Puzzle;
 
 /// The name of a custom scene that has none.
@@ -98,9 +98,9 @@ impl Game {
     #[wasm_bindgen(unchecked_return_type = "ListedAttempt")]
     pub fn attempt(&mut self, x: f64, y: f64, r: f64) -> Result<JsValue, JsValue> {
         let ball = Ball { x, y, r };
-        let (number, rollout) = self.game.play(Contender::Player, ball).map_err(|why| self.refusal(why))?;
+        let (number, rollout) = self.game.play(Author::Player, ball).map_err(|why| self.refusal(why))?;
         self.recordings = vec![Recording { ball: Some(ball), rollout, line_style: LineStyle::Solid }];
-        to_js(&ListedAttempt::new(number, self.game.attempts(Contender::Player)[number - 1]))
+        to_js(&ListedAttempt::new(number, self.game.attempts(Author::Player)[number - 1]))
     }
 
     /// Returns what a person has drawn as the path of the green object (x, y, x, y, … in px) as a mask of its path.
@@ -126,22 +126,22 @@ impl Game {
         #[wasm_bindgen(unchecked_param_type = "Attempt")] attempt: JsValue,
     ) -> Result<JsValue, JsValue> {
         let attempt: Attempt = from_js(attempt)?;
-        let number = self.game.record(Contender::Model, attempt).map_err(|why| self.refusal(why))?;
+        let number = self.game.record(Author::Model, attempt).map_err(|why| self.refusal(why))?;
         to_js(&ListedAttempt::new(number, attempt))
     }
 
-    /// Returns all attempts of a contender.
+    /// Returns all attempts of an author.
     #[wasm_bindgen(unchecked_return_type = "ListedAttempt[]")]
-    pub fn attempts(&self, #[wasm_bindgen(unchecked_param_type = "Contender")] who: &str) -> Result<JsValue, JsValue> {
-        let attempts = self.game.attempts(contender_named(who)?);
+    pub fn attempts(&self, #[wasm_bindgen(unchecked_param_type = "Author")] who: &str) -> Result<JsValue, JsValue> {
+        let attempts = self.game.attempts(author_named(who)?);
         let listed = attempts.iter().enumerate().map(|(index, &attempt)| ListedAttempt::new(index + 1, attempt));
         to_js(&listed.collect::<Vec<_>>())
     }
 
-    /// Returns the number of attempts of a contender and which of them solved the puzzle.
+    /// Returns the number of attempts of an author and which of them solved the puzzle.
     #[wasm_bindgen(unchecked_return_type = "Standing")]
-    pub fn standing(&self, #[wasm_bindgen(unchecked_param_type = "Contender")] who: &str) -> Result<JsValue, JsValue> {
-        to_js(&self.game.standing(contender_named(who)?))
+    pub fn standing(&self, #[wasm_bindgen(unchecked_param_type = "Author")] who: &str) -> Result<JsValue, JsValue> {
+        to_js(&self.game.standing(author_named(who)?))
     }
 
     /// Returns a comparison of player and model in a sentence.
@@ -149,21 +149,21 @@ impl Game {
         self.game.verdict()
     }
 
-    /// Removes one attempt of a contender's; the numbers of later ones decrease by one.
+    /// Removes one attempt of an author's; the numbers of later ones decrease by one.
     ///
     /// # Errors
-    /// `no_attempt` if the contender has made fewer.
+    /// `no_attempt` if the author has made fewer.
     pub fn remove(
         &mut self,
-        #[wasm_bindgen(unchecked_param_type = "Contender")] who: &str,
+        #[wasm_bindgen(unchecked_param_type = "Author")] who: &str,
         number: usize,
     ) -> Result<(), JsValue> {
-        if self.game.remove(contender_named(who)?, number) { Ok(()) } else { Err(no_attempt(number)) }
+        if self.game.remove(author_named(who)?, number) { Ok(()) } else { Err(no_attempt(number)) }
     }
 
-    /// Removes all attempts of a contender.
-    pub fn clear(&mut self, #[wasm_bindgen(unchecked_param_type = "Contender")] who: &str) -> Result<(), JsValue> {
-        self.game.clear(contender_named(who)?);
+    /// Removes all attempts of an author.
+    pub fn clear(&mut self, #[wasm_bindgen(unchecked_param_type = "Author")] who: &str) -> Result<(), JsValue> {
+        self.game.clear(author_named(who)?);
         Ok(())
     }
 }
@@ -186,10 +186,10 @@ pub(super) fn no_attempt(number: usize) -> JsValue {
     error(Code::NoAttempt, format!("there is no attempt {number}"))
 }
 
-pub(super) fn contender_named(name: &str) -> Result<Contender, JsValue> {
+pub(super) fn author_named(name: &str) -> Result<Author, JsValue> {
     match name {
-        "player" => Ok(Contender::Player),
-        "model" => Ok(Contender::Model),
-        _ => Err(error(Code::BadData, format!("there is no contender `{name}`: use player or model"))),
+        "player" => Ok(Author::Player),
+        "model" => Ok(Author::Model),
+        _ => Err(error(Code::BadData, format!("there is no author `{name}`: use player or model"))),
     }
 }

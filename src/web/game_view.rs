@@ -8,14 +8,14 @@ use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 
 use super::error::{from_js, to_js};
 use super::frame::{self, View};
-use super::game::{Game, ListedAttempt, contender_named, no_attempt};
+use super::game::{Game, ListedAttempt, author_named, no_attempt};
 use super::imagined_ball::paths_to_js;
 use super::paint::LineStyle;
 use super::recording::Recording;
 use crate::puzzle::action::Ball;
 use crate::puzzle::sampled_paths::SampledPaths;
 use crate::session::ending::Ending;
-use crate::session::game::{Attempt, Contender};
+use crate::session::game::{Attempt, Author};
 use crate::simulator::{closest_approach, simulate};
 
 #[wasm_bindgen]
@@ -30,11 +30,11 @@ impl Game {
     /// Shows an attempt again and returns it.
     ///
     /// # Errors
-    /// `no_attempt` if the contender has made fewer.
+    /// `no_attempt` if the author has made fewer.
     #[wasm_bindgen(unchecked_return_type = "ListedAttempt")]
     pub fn replay(
         &mut self,
-        #[wasm_bindgen(unchecked_param_type = "Contender")] who: &str,
+        #[wasm_bindgen(unchecked_param_type = "Author")] who: &str,
         number: usize,
     ) -> Result<JsValue, JsValue> {
         let (recording, listed) = self.simulate_again(who, number)?;
@@ -45,13 +45,13 @@ impl Game {
     /// Shows two attempts over each other, the second with dashed lines, and returns both.
     ///
     /// # Errors
-    /// `no_attempt` if a contender has made fewer.
+    /// `no_attempt` if an author has made fewer.
     #[wasm_bindgen(unchecked_return_type = "[ListedAttempt, ListedAttempt]")]
     pub fn overlay(
         &mut self,
-        #[wasm_bindgen(unchecked_param_type = "Contender")] first_who: &str,
+        #[wasm_bindgen(unchecked_param_type = "Author")] first_who: &str,
         first_number: usize,
-        #[wasm_bindgen(unchecked_param_type = "Contender")] second_who: &str,
+        #[wasm_bindgen(unchecked_param_type = "Author")] second_who: &str,
         second_number: usize,
     ) -> Result<JsValue, JsValue> {
         let (first, first_listed) = self.simulate_again(first_who, first_number)?;
@@ -94,11 +94,11 @@ impl Game {
             .map_or(Ok(JsValue::UNDEFINED), |paths| paths_to_js(&paths).map(Into::into))
     }
 
-    /// Shows the best attempts of player and model over each other and returns both; null for a contender without
+    /// Shows the best attempts of player and model over each other and returns both; null for an author without
     /// attempts.
     #[wasm_bindgen(unchecked_return_type = "[player: ListedAttempt | null, model: ListedAttempt | null]")]
     pub fn compare(&mut self) -> Result<JsValue, JsValue> {
-        let best = [Contender::Player, Contender::Model].map(|who| (who, self.game.best(who)));
+        let best = [Author::Player, Author::Model].map(|who| (who, self.game.best(who)));
         let recordings =
             best.iter().filter_map(|&(who, best)| best.map(|(_, attempt)| self.record_again(who, attempt)));
         self.recordings = recordings.collect::<Result<_, _>>()?;
@@ -151,12 +151,12 @@ impl Game {
     /// Draws the end of an attempt, with its whole paths, into a square canvas.
     ///
     /// # Errors
-    /// `no_attempt` if the contender has made fewer.
+    /// `no_attempt` if the author has made fewer.
     #[wasm_bindgen(js_name = paintAttempt)]
     pub fn paint_attempt(
         &self,
         context: &CanvasRenderingContext2d,
-        #[wasm_bindgen(unchecked_param_type = "Contender")] who: &str,
+        #[wasm_bindgen(unchecked_param_type = "Author")] who: &str,
         number: usize,
         dark: bool,
     ) -> Result<(), JsValue> {
@@ -166,15 +166,15 @@ impl Game {
 }
 
 impl Game {
-    fn record_again(&self, who: Contender, attempt: Attempt) -> Result<Recording, JsValue> {
+    fn record_again(&self, who: Author, attempt: Attempt) -> Result<Recording, JsValue> {
         let rollout = simulate(&self.puzzle.scene, Some(attempt.ball)).map_err(|why| self.refusal(why.into()))?;
-        let line_style = if who == Contender::Model { LineStyle::Dashed } else { LineStyle::Solid };
+        let line_style = if who == Author::Model { LineStyle::Dashed } else { LineStyle::Solid };
         Ok(Recording { ball: Some(attempt.ball), rollout, line_style })
     }
 
     /// Simulates an earlier attempt once more.
     fn simulate_again(&self, who: &str, number: usize) -> Result<(Recording, ListedAttempt), JsValue> {
-        let who = contender_named(who)?;
+        let who = author_named(who)?;
         let attempt = number.checked_sub(1).and_then(|index| self.game.attempts(who).get(index).copied());
         let attempt = attempt.ok_or_else(|| no_attempt(number))?;
         Ok((self.record_again(who, attempt)?, ListedAttempt::new(number, attempt)))

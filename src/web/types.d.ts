@@ -143,7 +143,7 @@ export type GridMap = Float32Array;
 export type Maps = Record<Exclude<MapName, "judge">, GridMap> & { judge?: GridMap };
 
 /** Who places the ball. */
-export type Contender = "player" | "model";
+export type Author = "player" | "model";
 
 /** The numbers that the page shares with the Rust code. */
 export interface Constants {
@@ -156,7 +156,7 @@ export interface Constants {
     /** Smallest and largest radius of the red ball, px. */
     min_radius: number;
     max_radius: number;
-    /** Most attempts of each contender at one puzzle. */
+    /** Most attempts of each author at one puzzle. */
     attempt_limit: number;
     /** Simulated steps per second. */
     steps_per_second: number;
@@ -249,7 +249,7 @@ export interface ListedAttempt extends Attempt {
     words: string;
 }
 
-/** How a contender is doing. */
+/** How an author is doing. */
 export interface Standing {
     /** Attempts made. */
     used: number;

@@ -11,7 +11,7 @@ import { atOnce } from "../../www/storage/slices.js";
 const RUNS = { numRuns: Number(process.env.PATHLIGHT_MERGES ?? 500) };
 const TASK = "00002:007";
 const PUZZLES = [TASK, "00000:001", "a".repeat(64), "b".repeat(64)];
-const CONTENDERS = ["player", "__proto__", `${"long".repeat(20)}.name`];
+const AUTHORS = ["player", "__proto__", `${"long".repeat(20)}.name`];
 const VERSIONS = [
   { simulator: 3, agents: 2 },
   { simulator: 3, agents: 4 },
@@ -49,7 +49,7 @@ const history = fc.array(
   fc.record({
     act: fc.constantFrom("attempt", "attempt", "attempt", "attempt", "remove", "forget"),
     puzzle: fc.constantFrom(...PUZZLES),
-    by: fc.constantFrom(...CONTENDERS),
+    by: fc.constantFrom(...AUTHORS),
     versions: fc.constantFrom(...VERSIONS),
     x: fc.integer({ min: 1, max: 9 }),
     solved: fc.boolean(),

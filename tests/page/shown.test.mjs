@@ -19,8 +19,8 @@ const {
   visibleAttempts,
 } = /** @type {any} */ (shown);
 
-const attempt = (contender, number, ending = {}) => ({
-  contender,
+const attempt = (author, number, ending = {}) => ({
+  author,
   number,
   ball: [100, 200, 10],
   words: "never touched",
@@ -97,14 +97,14 @@ test("the attempts that are shown do not include a preview", () => {
 
 test("an attempt is laid over the one that is shown, else the other's last, else its neighbour", () => {
   const names = (chosen, shown, used) =>
-    overlaid(chosen, shown, used).map(({ contender, number }) => `${contender} ${number}`);
-  const player2 = { contender: "player", number: 2 };
-  const model1 = { contender: "model", number: 1 };
+    overlaid(chosen, shown, used).map(({ author, number }) => `${author} ${number}`);
+  const player2 = { author: "player", number: 2 };
+  const model1 = { author: "model", number: 1 };
   const used = { player: 3, model: 4 };
   assert.deepEqual(names(player2, shows(attemptRun(attempt("player", 3))), used), ["player 2", "player 3"]);
   assert.deepEqual(names(model1, shows(attemptRun(attempt("player", 3))), used), ["player 3", "model 1"]);
   assert.deepEqual(names(player2, shows(attemptRun(attempt("player", 2))), used), ["player 2", "model 4"]);
   assert.deepEqual(names(player2, START, { player: 3, model: 0 }), ["player 2", "player 1"]);
-  assert.deepEqual(names({ contender: "player", number: 1 }, START, { player: 3, model: 0 }), ["player 1", "player 2"]);
-  assert.deepEqual(names({ contender: "player", number: 1 }, START, { player: 1, model: 0 }), ["player 1"]);
+  assert.deepEqual(names({ author: "player", number: 1 }, START, { player: 3, model: 0 }), ["player 1", "player 2"]);
+  assert.deepEqual(names({ author: "player", number: 1 }, START, { player: 1, model: 0 }), ["player 1"]);
 });

@@ -48,7 +48,7 @@ export class Luck extends Component {
   /** The ball of the attempt that is shown, if it is the player's and solved. */
   get #ball() {
     const { shown = null, finished = false } = this.session ?? {};
-    return finished && shown?.contender === "player" && shown.ending.solved ? shown.ball : null;
+    return finished && shown?.author === "player" && shown.ending.solved ? shown.ball : null;
   }
 
   async #ask() {

@@ -24,7 +24,7 @@ export class Picks {
 
   /**
    * @param {Template[]} templates
-   * @param {import("../storage/contender.js").Contender} progress the person’s
+   * @param {import("../storage/author.js").Author} progress the person’s
    * @param {(task: string) => void} open goes to a puzzle
    * @param {() => void} startGuide
    */

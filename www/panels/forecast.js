@@ -65,7 +65,7 @@ export class Forecast extends Component {
   get #ball() {
     if (!this.session || !this.#on) return null;
     const { ball, placing, invalidReason, shown } = this.session;
-    const isRun = shown?.contender === "player" && sameBall(shown.ball, ball);
+    const isRun = shown?.author === "player" && sameBall(shown.ball, ball);
     return (placing && invalidReason === null) || isRun ? ball : null;
   }
 

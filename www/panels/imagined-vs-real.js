@@ -37,7 +37,7 @@ export class ImaginedVsReal extends Component {
    */
   #lastRead = null;
   /**
-   * @type {Map<import("../pkg/pathlight.js").Contender, number>} how many attempts there were when the runs were last
+   * @type {Map<import("../pkg/pathlight.js").Author, number>} how many attempts there were when the runs were last
    *   looked up
    */
   #used = new Map();
@@ -83,17 +83,17 @@ export class ImaginedVsReal extends Component {
     const { game, state, finished, placing } = session;
     if (placing) this.#lastRead = null;
     let changed = false;
-    for (const contender of /** @type {const} */ (["player", "model"])) {
+    for (const author of /** @type {const} */ (["player", "model"])) {
       // The attempt may have been deleted meanwhile, or have another number now.
-      const run = this.#runs.get(contender);
-      const { used } = session.attempts.standing(contender);
-      if (run?.number === undefined || used === this.#used.get(contender)) continue;
-      this.#used.set(contender, used);
-      const number = 1 + session.attempts.of(contender).findIndex(({ ball }) => sameBall(ball, run.placed));
+      const run = this.#runs.get(author);
+      const { used } = session.attempts.standing(author);
+      if (run?.number === undefined || used === this.#used.get(author)) continue;
+      this.#used.set(author, used);
+      const number = 1 + session.attempts.of(author).findIndex(({ ball }) => sameBall(ball, run.placed));
       if (number === run.number) continue;
       changed = true;
-      if (number === 0) this.#runs.delete(contender);
-      else this.#runs.set(contender, { ...run, number, title: titleOf(contender, number) });
+      if (number === 0) this.#runs.delete(author);
+      else this.#runs.set(author, { ...run, number, title: titleOf(author, number) });
     }
     const current = state.kind === "compare" ? state.pair : (session.shown ?? state.kind);
     if (finished && !placing && current !== this.#lastRead) {
@@ -153,16 +153,16 @@ const watchedRun = { runner: "alone", title: "Without a ball" };
  */
 function runOf(attempt) {
   if (!attempt) return watchedRun;
-  const { contender, number, ball, preview, opened } = attempt;
-  if (opened) return { runner: contender, title: "The opened attempt" };
-  if (preview) return { runner: contender, title: `The model’s ball ${number}` };
-  return { runner: contender, title: titleOf(contender, number), number, placed: ball };
+  const { author, number, ball, preview, opened } = attempt;
+  if (opened) return { runner: author, title: "The opened attempt" };
+  if (preview) return { runner: author, title: `The model’s ball ${number}` };
+  return { runner: author, title: titleOf(author, number), number, placed: ball };
 }
 
 /**
- * @param {import("../pkg/pathlight.js").Contender} contender
+ * @param {import("../pkg/pathlight.js").Author} author
  * @param {number} number
  */
-function titleOf(contender, number) {
-  return `${contender === "player" ? "Your" : "The model’s"} attempt ${number}`;
+function titleOf(author, number) {
+  return `${author === "player" ? "Your" : "The model’s"} attempt ${number}`;
 }

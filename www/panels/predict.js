@@ -133,7 +133,7 @@ export class Predict extends Component {
     this.byId("predict-watch", HTMLButtonElement).disabled = !end;
     this.byId("predict-run", HTMLButtonElement).disabled = !end || !session.ball || session.invalidReason !== null;
     this.byId("predict-wipe", HTMLButtonElement).disabled = !end;
-    const measurable = session.phase === "watch" || session.shown?.contender === "player";
+    const measurable = session.phase === "watch" || session.shown?.author === "player";
     const measured = Boolean(end) && session.finished && measurable && !session.placing;
     this.byId("predict-result").hidden = !measured;
     const words = measured

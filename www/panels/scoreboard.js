@@ -7,7 +7,7 @@ import { ATTEMPT_LIMIT } from "../shell/constants.js";
 import { pathlight } from "../shell/page-api.js";
 import { puzzleName } from "../puzzles/puzzle-name.js";
 
-/** @typedef {import("../storage/contender.js").Contender} Contender */
+/** @typedef {import("../storage/author.js").Author} Author */
 
 export class Scoreboard extends Component {
   #client;
@@ -46,8 +46,8 @@ export class Scoreboard extends Component {
     this.byId("score-empty").hidden = tasks.length > 0;
     this.byId("score-table").hidden = tasks.length === 0;
     if (!model || tasks.length === 0) return;
-    /** @param {Contender} contender */
-    const score = (contender) => pathlight.auccess(tasks.map((task) => contender.of(task).solved)).toFixed(1);
+    /** @param {Author} author */
+    const score = (author) => pathlight.auccess(tasks.map((task) => author.of(task).solved)).toFixed(1);
     this.byId("score-player").textContent = score(player);
     this.byId("score-model").textContent = score(model);
     this.byId("score-count").textContent = tasks.length === 1 ? "over one puzzle" : `over ${tasks.length} puzzles`;
@@ -56,9 +56,9 @@ export class Scoreboard extends Component {
 
   /**
    * @param {string} task
-   * @param {Contender[]} contenders
+   * @param {Author[]} authors
    */
-  #row(task, contenders) {
+  #row(task, authors) {
     const head = document.createElement("th");
     head.scope = "row";
     head.title = `Puzzle ${task}`;
@@ -72,7 +72,7 @@ export class Scoreboard extends Component {
       head.textContent = puzzleName(task);
     }
     const row = document.createElement("tr");
-    row.append(head, ...contenders.map((contender) => resultCell(contender.of(task))));
+    row.append(head, ...authors.map((author) => resultCell(author.of(task))));
     return row;
   }
 }

@@ -1,4 +1,4 @@
-// A list of one contender's attempts: for each a small picture and its result in words, a button that replays it, one
+// A list of one author's attempts: for each a small picture and its result in words, a button that replays it, one
 // that shows it over another, and, for the player's own, one that deletes it.
 
 import { Component } from "../widgets/component.js";
@@ -15,23 +15,23 @@ const SIDE = 48;
 export class AttemptList extends Component {
   #list;
   #count;
-  #contender;
+  #author;
   #length = 0;
   #thumbnails = new LazyThumbnails((context, canvas) => {
-    this.session?.game.paintAttempt(context, this.#contender, numberOf(canvas), this.dark);
+    this.session?.game.paintAttempt(context, this.#author, numberOf(canvas), this.dark);
   });
 
   /**
    * @param {import("../widgets/dom.js").Root} root
    * @param {HTMLElement} list an <ol>
    * @param {HTMLElement} count where the score is shown
-   * @param {import("./session.js").Contender} contender
+   * @param {import("./session.js").Author} author
    */
-  constructor(root, list, count, contender) {
+  constructor(root, list, count, author) {
     super(root);
     this.#list = list;
     this.#count = count;
-    this.#contender = contender;
+    this.#author = author;
     list.addEventListener("click", ({ target }) => {
       const button = target instanceof Element && target.closest("button");
       if (button) this.#onAction(button.dataset.act, numberOf(button));
@@ -63,10 +63,10 @@ export class AttemptList extends Component {
    * @param {number} number
    */
   #onAction(act, number) {
-    if (act === "replay") this.session?.replay(this.#contender, number);
-    if (act === "overlay") this.session?.overlay(this.#contender, number);
+    if (act === "replay") this.session?.replay(this.#author, number);
+    if (act === "overlay") this.session?.overlay(this.#author, number);
     if (act === "remove") {
-      this.session?.remove(this.#contender, number);
+      this.session?.remove(this.#author, number);
       // The focus goes to the attempt that has moved up, or to the one before.
       const next = this.#list.children[Math.min(number, this.#length) - 1];
       if (next) find(next, "[data-act=remove]").focus();
@@ -81,15 +81,15 @@ export class AttemptList extends Component {
 
   /** @param {Session} session */
   #update(session) {
-    const standing = session.attempts.standing(this.#contender);
+    const standing = session.attempts.standing(this.#author);
     // An attempt that runs for the first time is listed when it has ended.
-    const used = standing.used - Number(session.resultHidden && this.#contender === "player");
+    const used = standing.used - Number(session.resultHidden && this.#author === "player");
     const solvedAt = standing.solved_at !== null && standing.solved_at <= used ? standing.solved_at : null;
     if (used < this.#length) this.#clear();
     if (used > this.#length) {
       this.#list.append(
         ...session.attempts
-          .of(this.#contender)
+          .of(this.#author)
           .slice(this.#length, used)
           .map((attempt) => this.#row(attempt)),
       );
@@ -101,7 +101,7 @@ export class AttemptList extends Component {
       used === 0 ? "" : solvedAt ? `solved on attempt ${solvedAt}` : `${used} of ${ATTEMPT_LIMIT}, not solved`,
     );
     const current = visibleAttempts(session.state)
-      .filter(({ contender }) => contender === this.#contender)
+      .filter(({ author }) => author === this.#author)
       .map(({ number }) => number);
     for (const button of this.#list.querySelectorAll("[data-act=replay]")) {
       if (current.includes(numberOf(button))) button.setAttribute("aria-current", "true");
@@ -124,7 +124,7 @@ export class AttemptList extends Component {
     setLabel(find(row, "[data-act=overlay]"), `Compare attempt ${number}`);
     const remove = find(row, "[data-act=remove]");
     setLabel(remove, `Delete attempt ${number}`);
-    if (this.#contender !== "player") remove.remove();
+    if (this.#author !== "player") remove.remove();
     return row;
   }
 }

@@ -2,7 +2,7 @@
 // is shown, nor of the document.
 
 /** @typedef {import("../pkg/pathlight.js").Ball} Ball */
-/** @typedef {import("../pkg/pathlight.js").Contender} Contender */
+/** @typedef {import("../pkg/pathlight.js").Author} Author */
 /** @typedef {import("../pkg/pathlight.js").Attempt} Attempt */
 
 export class Attempts extends EventTarget {
@@ -19,14 +19,14 @@ export class Attempts extends EventTarget {
     this.#game = game;
   }
 
-  /** @param {Contender} contender */
-  of(contender) {
-    return this.#game.attempts(contender);
+  /** @param {Author} author */
+  of(author) {
+    return this.#game.attempts(author);
   }
 
-  /** @param {Contender} contender */
-  standing(contender) {
-    return this.#game.standing(contender);
+  /** @param {Author} author */
+  standing(author) {
+    return this.#game.standing(author);
   }
 
   /**
@@ -79,18 +79,18 @@ export class Attempts extends EventTarget {
 
   /**
    * Deletes an attempt; those after it move up by one.
-   * @param {Contender} contender
+   * @param {Author} author
    * @param {number} number
    */
-  remove(contender, number) {
-    this.#game.remove(contender, number);
+  remove(author, number) {
+    this.#game.remove(author, number);
     this.#changed();
   }
 
-  /** @param {Contender} contender */
-  clear(contender) {
-    this.#game.clear(contender);
-    if (contender === "model") this.modelName = null;
+  /** @param {Author} author */
+  clear(author) {
+    this.#game.clear(author);
+    if (author === "model") this.modelName = null;
     this.#changed();
   }
 

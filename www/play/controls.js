@@ -202,11 +202,11 @@ function statusOf(session) {
  * @returns {{ kind: "running" | "trying" | "solved" | "missed", words: string }}
  */
 function attemptStatus({ attempt, ended, ghosts, approach }, last) {
-  const { contender, number, opened, preview, ending, words } = attempt;
+  const { author, number, opened, preview, ending, words } = attempt;
   if (ghosts) return { kind: "trying", words: `The model tries: attempt ${number}.` };
   const what = opened
     ? "The opened attempt"
-    : `${contender === "player" ? "Your" : "The model’s"} ${preview ? "ball" : "attempt"} ${number}`;
+    : `${author === "player" ? "Your" : "The model’s"} ${preview ? "ball" : "attempt"} ${number}`;
   if (!ended) return { kind: "running", words: `${what} is running.` };
   if (ending.solved) return { kind: "solved", words: `Solved! ${what}: ${words}.` };
   const near = approach
@@ -242,8 +242,8 @@ function placingStatus({ ball, invalidReason }, { refusal, tool }) {
  */
 function comparedStatus(pair) {
   const results = pair.map(
-    ({ contender, number, words }, index) =>
-      `${contender === "player" ? "your" : "the model’s"} attempt ${number}${index ? " (dashed)" : ""}: ${words}`,
+    ({ author, number, words }, index) =>
+      `${author === "player" ? "your" : "the model’s"} attempt ${number}${index ? " (dashed)" : ""}: ${words}`,
   );
   const solved = pair.some(({ ending }) => ending.solved);
   return {
@@ -255,7 +255,7 @@ function comparedStatus(pair) {
 /** @param {ShownAttempt[]} pair */
 function compareStatus([first, second]) {
   /** @param {ShownAttempt} attempt */
-  const named = ({ contender, number }) => `${contender === "player" ? "your" : "the model’s"} attempt ${number}`;
+  const named = ({ author, number }) => `${author === "player" ? "your" : "the model’s"} attempt ${number}`;
   if (second) return sentence(`${named(first)} and ${named(second)}, over each other; the second is dashed`);
-  return sentence(`${named(first)}; ${first.contender === "player" ? "the model has" : "you have"} made none`);
+  return sentence(`${named(first)}; ${first.author === "player" ? "the model has" : "you have"} made none`);
 }

@@ -16,7 +16,7 @@ export class KeptAttempts extends Component {
   #puzzle = "";
   /**
    * The balls of the attempts, as text, when they were last kept or brought back.
-   * @type {Record<import("../pkg/pathlight.js").Contender, string[]>}
+   * @type {Record<import("../pkg/pathlight.js").Author, string[]>}
    */
   #kept = { player: [], model: [] };
 
@@ -66,16 +66,16 @@ export class KeptAttempts extends Component {
   #keep(session) {
     // An attempt that runs for the first time is kept when it has ended.
     if (session.resultHidden) return;
-    for (const contender of /** @type {const} */ (["player", "model"])) {
-      const kept = this.#kept[contender];
-      if (session.attempts.standing(contender).used === kept.length) continue;
-      const attempts = session.attempts.of(contender);
-      const balls = (this.#kept[contender] = ballsOf(attempts));
-      const by = contender === "player" ? PLAYER : session.attempts.modelName;
+    for (const author of /** @type {const} */ (["player", "model"])) {
+      const kept = this.#kept[author];
+      if (session.attempts.standing(author).used === kept.length) continue;
+      const attempts = session.attempts.of(author);
+      const balls = (this.#kept[author] = ballsOf(attempts));
+      const by = author === "player" ? PLAYER : session.attempts.modelName;
       // The attempts of a model that goes are not deleted.
       if (by === null) continue;
       const versions =
-        contender === "player"
+        author === "player"
           ? { simulator: SIMULATOR_VERSION }
           : { simulator: SIMULATOR_VERSION, agents: AGENTS_VERSION };
       this.#progress.remove(

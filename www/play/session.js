@@ -18,7 +18,7 @@ import { Placement } from "./placement.js";
 import { attemptRun, overlaid } from "./shown.js";
 
 /** @typedef {import("../pkg/pathlight.js").Ball} Ball */
-/** @typedef {import("../pkg/pathlight.js").Contender} Contender */
+/** @typedef {import("../pkg/pathlight.js").Author} Author */
 /** @typedef {import("../pkg/pathlight.js").Attempt} Attempt */
 /** @typedef {import("../pkg/pathlight.js").ListedAttempt} ListedAttempt */
 /** @typedef {import("./shown.js").ShownAttempt} ShownAttempt */
@@ -82,7 +82,7 @@ export class Session extends Display {
     try {
       const before = this.attempts.standing("player").used;
       const attempt = this.game.attempt(...ball);
-      this.show(attemptRun({ contender: "player", ...attempt }, { hidden: attempt.number > before }));
+      this.show(attemptRun({ author: "player", ...attempt }, { hidden: attempt.number > before }));
     } catch (caught) {
       const error = /** @type {import("../pkg/pathlight.js").CodedError} */ (caught);
       if (!REFUSALS.includes(error.code)) throw error;
@@ -113,13 +113,13 @@ export class Session extends Display {
 
   /**
    * Shows an attempt again; it does not count once more.
-   * @param {Contender} contender
+   * @param {Author} author
    * @param {number} number
    */
-  replay(contender, number) {
-    const attempt = this.game.replay(contender, number);
-    if (contender === "player") this.placement.take(attempt.ball);
-    this.show(attemptRun({ contender, ...attempt }));
+  replay(author, number) {
+    const attempt = this.game.replay(author, number);
+    if (author === "player") this.placement.take(attempt.ball);
+    this.show(attemptRun({ author, ...attempt }));
   }
 
   /**
@@ -130,7 +130,7 @@ export class Session extends Display {
    */
   flash(number, duration, ghosts) {
     const attempt = this.game.replay("model", number);
-    this.show(attemptRun({ contender: "model", ...attempt }, { ghosts }), { duration });
+    this.show(attemptRun({ author: "model", ...attempt }, { ghosts }), { duration });
   }
 
   /**
@@ -143,7 +143,7 @@ export class Session extends Display {
    */
   preview(number, ball, tried, play = false) {
     const attempt = this.game.preview(...ball);
-    this.show(attemptRun({ ...attempt, contender: "model", number, tried, preview: true }), { play });
+    this.show(attemptRun({ ...attempt, author: "model", number, tried, preview: true }), { play });
   }
 
   /**
@@ -152,7 +152,7 @@ export class Session extends Display {
    */
   playOpened(ball) {
     const attempt = this.game.preview(...ball);
-    this.show(attemptRun({ ...attempt, contender: "model", preview: true, opened: true }));
+    this.show(attemptRun({ ...attempt, author: "model", preview: true, opened: true }));
   }
 
   /**
@@ -163,37 +163,37 @@ export class Session extends Display {
     const [player, model] = this.game.compare();
     /** @type {ShownAttempt[]} */
     const pair = [];
-    if (player) pair.push({ contender: "player", ...player });
-    if (model) pair.push({ contender: "model", ...model });
+    if (player) pair.push({ author: "player", ...player });
+    if (model) pair.push({ author: "model", ...model });
     if (pair.length === 0) this.reset();
     else this.show({ kind: "compare", pair }, { play });
   }
 
   /**
    * Shows an attempt over another; see `overlaid`.
-   * @param {Contender} contender
+   * @param {Author} author
    * @param {number} number
    */
-  overlay(contender, number) {
+  overlay(author, number) {
     const used = { player: this.attempts.standing("player").used, model: this.attempts.standing("model").used };
-    const [first, second] = overlaid({ contender, number }, this.state, used);
-    if (!second) return this.replay(contender, number);
-    const [below, above] = this.game.overlay(first.contender, first.number, second.contender, second.number);
+    const [first, second] = overlaid({ author, number }, this.state, used);
+    if (!second) return this.replay(author, number);
+    const [below, above] = this.game.overlay(first.author, first.number, second.author, second.number);
     const pair = [
-      { contender: first.contender, ...below },
-      { contender: second.contender, ...above },
+      { author: first.author, ...below },
+      { author: second.author, ...above },
     ];
     this.show({ kind: "compare", pair });
   }
 
   /**
    * Deletes an attempt; those after it move up by one.
-   * @param {Contender} contender
+   * @param {Author} author
    * @param {number} number
    */
-  remove(contender, number) {
+  remove(author, number) {
     this.revealResult();
-    this.attempts.remove(contender, number);
+    this.attempts.remove(author, number);
     // The shown attempt may be the deleted one, or have another number now.
     if (!this.placing) this.reset();
   }
@@ -203,7 +203,7 @@ export class Session extends Display {
     const state = this.state;
     const attempts = state.kind === "compare" ? state.pair : [this.shown];
     this.attempts.clear("model");
-    if (attempts.some((attempt) => attempt?.contender === "model")) this.reset();
+    if (attempts.some((attempt) => attempt?.author === "model")) this.reset();
   }
 
   /** Forgets the attempts of both. */

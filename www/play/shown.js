@@ -3,13 +3,13 @@
 // Pure: no wasm, no document, no clock.
 
 /** @typedef {import("../pkg/pathlight.js").Ball} Ball */
-/** @typedef {import("../pkg/pathlight.js").Contender} Contender */
+/** @typedef {import("../pkg/pathlight.js").Author} Author */
 /** @typedef {import("../pkg/pathlight.js").ListedAttempt} ListedAttempt */
 
 /**
  * An attempt that is shown. `preview`: it is a proposal of the model's that is only looked at, and `tried` says whether
  * the model has tried it too; or, if `opened`, somebody's attempt from a file.
- * @typedef {ListedAttempt & { contender: Contender, preview?: boolean, tried?: boolean, opened?: boolean }}
+ * @typedef {ListedAttempt & { author: Author, preview?: boolean, tried?: boolean, opened?: boolean }}
  *   ShownAttempt
  */
 
@@ -137,26 +137,26 @@ export function visibleAttempts(shown) {
   return shown.kind === "attempt" && !shown.attempt.preview ? [shown.attempt] : [];
 }
 
-/** @typedef {{ contender: Contender, number: number }} AttemptId */
+/** @typedef {{ author: Author, number: number }} AttemptId */
 
 /**
  * The attempts to show over each other if one is chosen, the player's first: it and the only one that is shown, else
- * the other contender's last, else its neighbour. Only itself if there is no other.
+ * the other author's last, else its neighbour. Only itself if there is no other.
  * @param {AttemptId} chosen
  * @param {Shown} shown
- * @param {Record<Contender, number>} used how many attempts each contender has made
+ * @param {Record<Author, number>} used how many attempts each author has made
  * @returns {AttemptId[]}
  */
 export function overlaid(chosen, shown, used) {
-  const { contender, number } = chosen;
+  const { author, number } = chosen;
   const visible = visibleAttempts(shown);
-  const opponent = contender === "player" ? "model" : "player";
+  const opponent = author === "player" ? "model" : "player";
   const neighbour = number > 1 ? number - 1 : 2;
   /** @type {AttemptId | null} */
   let partner = null;
-  if (visible.length === 1 && (visible[0].contender !== contender || visible[0].number !== number)) [partner] = visible;
-  else if (used[opponent] > 0) partner = { contender: opponent, number: used[opponent] };
-  else if (neighbour <= used[contender]) partner = { contender, number: neighbour };
+  if (visible.length === 1 && (visible[0].author !== author || visible[0].number !== number)) [partner] = visible;
+  else if (used[opponent] > 0) partner = { author: opponent, number: used[opponent] };
+  else if (neighbour <= used[author]) partner = { author, number: neighbour };
   if (!partner) return [chosen];
-  return contender === "model" && partner.contender === "player" ? [partner, chosen] : [chosen, partner];
+  return author === "model" && partner.author === "player" ? [partner, chosen] : [chosen, partner];
 }

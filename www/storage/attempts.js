@@ -5,7 +5,7 @@
 //  "final_touch":180,"simulator":3}
 // A custom scene has its digest as "scene" instead of the "task"; in files it may be the scene itself. "by" is "player"
 // or the name of a model, and then "agents" is the version of the agents; "number" counts the attempts of that
-// contender at that puzzle from 1; lengths are in px, times in steps; "simulator" is the version of the simulator.
+// author at that puzzle from 1; lengths are in px, times in steps; "simulator" is the version of the simulator.
 
 /** @typedef {import("../pkg/pathlight.js").Attempt} Attempt */
 
@@ -21,7 +21,7 @@ export const TASK = /^\d{5}:\d{3}$/;
 /** The name of a model, or "player". */
 export const NAME = /^[\w.-]+$/;
 const DIGEST = /^[0-9a-f]{64}$/;
-/** The attempts that each contender has on a puzzle. */
+/** The attempts that each author has on a puzzle. */
 export const ATTEMPT_LIMIT = 100;
 /** More attempts than a person can make: a number above it is damage. */
 export const MAX_NUMBER = 1e6;
@@ -31,7 +31,7 @@ const MAX_STEPS = 1e5;
 const MAX_LINE = 65_536;
 
 /**
- * The contender at the puzzle. The turns of a model by other versions are turns of their own.
+ * The author at the puzzle. The turns of a model by other versions are turns of their own.
  * @param {KeptAttempt} attempt
  */
 export function turnOf({ puzzle, by, simulator, agents }) {

@@ -1,6 +1,6 @@
-// How many attempts a contender has made at a task, and which solved it first: what the kept attempts do not tell,
+// How many attempts an author has made at a task, and which solved it first: what the kept attempts do not tell,
 // because they were deleted or there is no room for them. Older versions counted all attempts, in a key for each
-// contender.
+// author.
 //
 // { "player": { "00007:013": { "attempts": 4, "solved": 3 } } }   "solved" is null as long as no attempt solved it
 
@@ -17,7 +17,7 @@ const OLD_MODEL_KEY = "model.";
 const UNTRIED = Object.freeze({ attempts: 0, solved: null });
 
 export class Counts {
-  /** @type {Map<string, TaskProgress>} by contender and task */
+  /** @type {Map<string, TaskProgress>} by author and task */
   #entries = new Map();
 
   /**
@@ -28,7 +28,7 @@ export class Counts {
     return this.#entries.get(`${by} ${task}`) ?? UNTRIED;
   }
 
-  /** Each contender and task of which anything is known. */
+  /** Each author and task of which anything is known. */
   get all() {
     return [...this.#entries].map(([key, progress]) => {
       const [by, task] = key.split(" ");
@@ -138,9 +138,9 @@ export class StoredCounts extends Counts {
 
   #write() {
     /** @type {Record<string, Record<string, TaskProgress>>} without a prototype, whose name a model may have */
-    const contenders = Object.create(null);
-    for (const { by, task, progress } of this.all) (contenders[by] ??= {})[task] = progress;
-    this.#store.set(KEY, this.all.length > 0 ? JSON.stringify(contenders) : null);
+    const authors = Object.create(null);
+    for (const { by, task, progress } of this.all) (authors[by] ??= {})[task] = progress;
+    this.#store.set(KEY, this.all.length > 0 ? JSON.stringify(authors) : null);
   }
 
   clear() {
@@ -166,7 +166,7 @@ export function merge(a, b) {
 }
 
 /**
- * What the attempts of one contender at one puzzle tell.
+ * What the attempts of one author at one puzzle tell.
  * @param {KeptAttempt[]} attempts
  * @returns {TaskProgress}
  */

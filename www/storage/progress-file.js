@@ -15,8 +15,8 @@ const OBJECT = /^\s*\{\s*"(tasks|models|attempts)"/;
 
 /** @param {import("./progress.js").Progress} progress */
 export function progressJson(progress) {
-  /** @param {import("./contender.js").Contender} contender */
-  const tasksOf = (contender) => Object.fromEntries(contender.tasks.map((task) => [task, contender.of(task)]));
+  /** @param {import("./author.js").Author} author */
+  const tasksOf = (author) => Object.fromEntries(author.tasks.map((task) => [task, author.of(task)]));
   const models = Object.fromEntries(progress.modelNames.map((name) => [name, tasksOf(progress.ofModel(name))]));
   const attempts = progress.all.map((attempt) => JSON.stringify(lineOf(attempt)));
   const counts = JSON.stringify({ tasks: tasksOf(progress.player), models }, null, 1);

@@ -14,7 +14,7 @@ import {
 } from "./attempts.js";
 import { AttemptStore, CUSTOM, slotOf } from "./attempt-store.js";
 import { BrowserStore } from "./browser-store.js";
-import { Contender } from "./contender.js";
+import { Author } from "./author.js";
 import { Counts, StoredCounts, isCountsKey, merge, progressOf } from "./counts.js";
 
 /** @typedef {import("./attempts.js").KeptAttempt} KeptAttempt */
@@ -36,7 +36,7 @@ const PIECE = 1000;
 
 /** Fires "change" whenever it holds something else, also when another tab has written it. */
 export class Progress extends EventTarget {
-  player = new Contender(this, PLAYER);
+  player = new Author(this, PLAYER);
   #store;
   #isKept;
   #attempts;
@@ -58,7 +58,7 @@ export class Progress extends EventTarget {
 
   /** @param {string} name */
   ofModel(name) {
-    return new Contender(this, name);
+    return new Author(this, name);
   }
 
   /** The names of the models that have played. */
@@ -69,7 +69,7 @@ export class Progress extends EventTarget {
   }
 
   /**
-   * A contender's progress on a task.
+   * An author's progress on a task.
    * @param {string} by
    * @param {string} task
    * @returns {TaskProgress}
@@ -84,7 +84,7 @@ export class Progress extends EventTarget {
   }
 
   /**
-   * The tasks that a contender has tried, sorted.
+   * The tasks that an author has tried, sorted.
    * @param {string} by
    */
   tasksOf(by) {
@@ -120,7 +120,7 @@ export class Progress extends EventTarget {
   }
 
   /**
-   * Adds attempts that a contender has just made, beside those that another tab has kept. The turn of a model by other
+   * Adds attempts that an author has just made, beside those that another tab has kept. The turn of a model by other
    * versions goes, for it is not brought back.
    * @param {string} puzzle
    * @param {string} by
@@ -145,7 +145,7 @@ export class Progress extends EventTarget {
   }
 
   /**
-   * Deletes the attempts of one contender at a puzzle with these balls. They still count.
+   * Deletes the attempts of one author at a puzzle with these balls. They still count.
    * @param {string} puzzle
    * @param {string} by
    * @param {string[]} balls as text

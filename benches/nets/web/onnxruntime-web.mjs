@@ -1,7 +1,7 @@
 // onnxruntime-web's wasm, which has fixed-width SIMD, on one thread.
 
 import * as ort from "../../../target/bench/node_modules/onnxruntime-web/dist/ort.wasm.min.mjs";
-import { ofMaps } from "../../web/contender.mjs";
+import { ofMaps } from "../../web/implementation.mjs";
 
 /** `what` is 'nets', the four nets, or 'all-nets', the judge too. */
 export async function load(read, what) {

@@ -2,7 +2,7 @@
 // draw the scene.
 
 import { initSync, Model } from "../../../www/pkg/pathlight.js";
-import { ofMaps } from "../../web/contender.mjs";
+import { ofMaps } from "../../web/implementation.mjs";
 import { TASK } from "./task.mjs";
 
 /** `what` is 'nets', the four nets; 'all-nets', all five maps as the page shows them; or 'propose', a hundred balls. */

@@ -1,2 +1,2 @@
-// The task whose scene every contender is given.
+// The task whose scene every implementation is given.
 export const TASK = "00007:008";

@@ -1,6 +1,6 @@
 // tract, compiled from ../tract.
 
-import { ofMaps } from "../../web/contender.mjs";
+import { ofMaps } from "../../web/implementation.mjs";
 
 /** `what` is 'nets', the four nets, or 'all-nets', the judge too. */
 export async function load(read, what) {

@@ -1,4 +1,4 @@
-//! The nets natively by tract, one thread: tract-nets ONNX SCENE. One contender of `make bench`.
+//! The nets natively by tract, one thread: tract-nets ONNX SCENE. One implementation of `make bench`.
 
 use std::{env, fs};
 

@@ -1,7 +1,7 @@
 //! What comes from outside, whatever it is: no panic, no hang, no more memory than stated, and a refusal says why.
 //!
-//! Each door of `fuzz/` gets its corpus and mutations of it, for some seconds; PATHLIGHT_FUZZ_SECONDS sets how many a
-//! door. `fuzz/run` looks further, led by coverage.
+//! Each fuzz target gets its corpus and mutations of it, for some seconds; PATHLIGHT_FUZZ_SECONDS sets how many each
+//! takes. `fuzz/run` looks further, led by coverage.
 use std::path::Path;
 use std::sync::mpsc::{RecvTimeoutError, sync_channel};
 use std::thread;
@@ -13,8 +13,8 @@ use rand::seq::IndexedRandom;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
-#[path = "../../fuzz/doors/mod.rs"]
-mod doors;
+#[path = "../../fuzz/untrusted/mod.rs"]
+mod untrusted;
 
 #[global_allocator]
 static ALLOCATOR: PeakAlloc = PeakAlloc;
@@ -48,21 +48,21 @@ const TOKENS: [&str; 16] = [
 #[test]
 fn no_door_panics_hangs_or_takes_more_memory_than_stated() {
     let seconds = env::var("PATHLIGHT_FUZZ_SECONDS").map_or(2.0, |text| text.parse().expect("seconds"));
-    for (name, door) in doors::ALL {
+    for (name, target) in untrusted::ALL {
         let corpus = corpus(name);
-        let tried = try_all(name, door, corpus.clone().into_iter().chain(mutations(corpus, seconds)));
+        let tried = try_all(name, target, corpus.clone().into_iter().chain(mutations(corpus, seconds)));
         println!("{name}: {tried} inputs");
     }
 }
 
 #[test]
 fn the_corpus_is_small() {
-    let bytes: usize = doors::ALL.iter().flat_map(|(name, _)| corpus(name)).map(|input| input.len()).sum();
+    let bytes: usize = untrusted::ALL.iter().flat_map(|(name, _)| corpus(name)).map(|input| input.len()).sum();
     assert!(bytes < 20_000, "{bytes} bytes");
 }
 
-fn corpus(door: &str) -> Vec<Vec<u8>> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fuzz/corpus").join(door);
+fn corpus(target: &str) -> Vec<Vec<u8>> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fuzz/corpus").join(target);
     let files = fs::read_dir(&folder).unwrap_or_else(|why| panic!("{}: {why}", folder.display()));
     let mut paths: Vec<_> = files.map(|file| file.expect("a file").path()).collect();
     paths.sort();
@@ -93,8 +93,8 @@ fn mutations(corpus: Vec<Vec<u8>>, seconds: f64) -> impl Iterator<Item = Vec<u8>
     })
 }
 
-/// Returns how many inputs a door was tried with.
-fn try_all(name: &str, door: doors::Door, inputs: impl Iterator<Item = Vec<u8>> + Send) -> usize {
+/// Returns how many inputs a target was tried with.
+fn try_all(name: &str, target: untrusted::Target, inputs: impl Iterator<Item = Vec<u8>> + Send) -> usize {
     let (sender, receiver) = sync_channel(0);
     thread::scope(|scope| {
         let worker = scope.spawn(move || {
@@ -102,7 +102,7 @@ fn try_all(name: &str, door: doors::Door, inputs: impl Iterator<Item = Vec<u8>> 
                 sender.send(input.clone()).expect("somebody watches");
                 ALLOCATOR.reset_peak_usage();
                 let before = ALLOCATOR.current_usage();
-                door(&input);
+                target(&input);
                 let taken = ALLOCATOR.peak_usage().saturating_sub(before);
                 assert!(taken < MOST_MEMORY, "{taken} bytes of memory");
             }

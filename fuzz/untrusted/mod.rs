@@ -1,7 +1,7 @@
-//! The doors: one function for each kind of input from outside, from its bytes to what becomes of them. None may panic,
+//! Untrusted input: one function for each kind, the fuzz targets, from the bytes to what becomes of them. None may panic,
 //! hang, or refuse without a word, whatever the bytes are.
 //!
-//! `targets/` feeds them with libFuzzer, `lab/tests/doors.rs` with the corpus and mutations of it. The parsers of
+//! `targets/` feeds them with libFuzzer, `lab/tests/untrusted_input.rs` with the corpus and mutations of it. The parsers of
 //! the player's command line are modules of its binary, so they are included here by their paths.
 
 use std::path::Path;
@@ -41,10 +41,10 @@ mod commands {
 }
 
 /// Takes any bytes, and panics if what becomes of them breaks a promise.
-pub type Door = fn(&[u8]);
+pub type Target = fn(&[u8]);
 
-/// All doors by their names.
-pub const ALL: [(&str, Door); 9] = [
+/// All targets by name.
+pub const ALL: [(&str, Target); 9] = [
     ("scene", scene),
     ("task", task),
     ("batch", batch),

@@ -1,6 +1,6 @@
-// What `make bench` times: the parts, their races, and the contenders of each; ours comes first.
+// What `make bench` times: the parts, their comparisons, and the implementations of each; ours comes first.
 //
-// A contender returns `{ result, times(repetitions), stop? }`. `agree` throws if a result is not ours; a contender is
+// A implementation returns `{ result, times(repetitions), stop? }`. `agree` throws if a result is not ours; an implementation is
 // timed in blocks of `repetitions`. With `steps` the row shows simulated steps per second.
 
 import { readFileSync } from "node:fs";
@@ -8,7 +8,7 @@ import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { startChild } from "./child.mjs";
 import { TASK } from "./nets/web/task.mjs";
-import { contender } from "./web/contender.mjs";
+import { implementation } from "./web/implementation.mjs";
 
 const root = join(dirname(fileURLToPath(import.meta.url)), "..");
 const WEIGHTS = "assets/within-0.safetensors";
@@ -27,8 +27,8 @@ const child =
   () =>
     startChild(root, command, { RAYON_NUM_THREADS: threads });
 const inNode = (module, what) => () =>
-  contender([module, what], (path) => new Uint8Array(readFileSync(join(root, path))));
-const inPage = (module, what) => (page) => page.contender([module, what]);
+  implementation([module, what], (path) => new Uint8Array(readFileSync(join(root, path))));
+const inPage = (module, what) => (page) => page.implementation([module, what]);
 const openPage = async () => (await import("./web/page.mjs")).openPage(root);
 
 /** Numbers that differ by at most `tolerance`. */
@@ -83,7 +83,7 @@ export const parts = {
       title: "steps of 500 rollouts, native, one core",
       ...simulator,
       steps,
-      contenders: [
+      implementations: [
         ["ours", child(ours("simulator", "rollouts"))],
         ["Box2D 2.3 (-O2)", child(["target/bench/box2d", "rollouts", ROLLOUTS])],
         ["Box2D 2.3 (-O3 -flto, without its timers)", child(["target/bench/box2d-fastest", "rollouts", ROLLOUTS])],
@@ -92,7 +92,7 @@ export const parts = {
     {
       title: "worlds of these rollouts, native",
       ...simulator,
-      contenders: [
+      implementations: [
         ["ours", child(ours("simulator", "worlds"))],
         ["Box2D 2.3 (-O2)", child(["target/bench/box2d", "worlds", ROLLOUTS])],
       ],
@@ -101,7 +101,7 @@ export const parts = {
       title: "steps of these rollouts, wasm in Node",
       ...simulator,
       steps,
-      contenders: [
+      implementations: [
         ["ours", inNode("simulator/web/ours.mjs")],
         ["Box2D 2.4 by box2d-wasm", inNode("simulator/web/box2d.mjs")],
         ["ours natively", child(ours("simulator", "rollouts"))],
@@ -109,23 +109,23 @@ export const parts = {
     },
   ],
   nets: [
-    { title: "four nets of a scene, wasm in Node", ...nets, contenders: web(inNode, "nets") },
-    { title: "four nets of a scene, wasm in Chromium", ...nets, open: openPage, contenders: web(inPage, "nets") },
-    { title: "four nets of a scene, native, one thread", ...nets, contenders: native("nets", "forward") },
-    { title: `${FIVE_MAPS}, wasm in Node`, ...allNets, agree: fourMaps, contenders: web(inNode, "all-nets") },
+    { title: "four nets of a scene, wasm in Node", ...nets, implementations: web(inNode, "nets") },
+    { title: "four nets of a scene, wasm in Chromium", ...nets, open: openPage, implementations: web(inPage, "nets") },
+    { title: "four nets of a scene, native, one thread", ...nets, implementations: native("nets", "forward") },
+    { title: `${FIVE_MAPS}, wasm in Node`, ...allNets, agree: fourMaps, implementations: web(inNode, "all-nets") },
     {
       title: `${FIVE_MAPS}, wasm in Chromium`,
       ...allNets,
       agree: fourMaps,
       open: openPage,
-      contenders: web(inPage, "all-nets"),
+      implementations: web(inPage, "all-nets"),
     },
-    { title: `${FIVE_MAPS}, native, one thread`, ...allNets, contenders: native("all-nets", "maps") },
+    { title: `${FIVE_MAPS}, native, one thread`, ...allNets, implementations: native("all-nets", "maps") },
     {
       title: "a hundred proposed balls, wasm in Node",
       agree: within(1e-9),
       repetitions: 5,
-      contenders: [
+      implementations: [
         ["ours", inNode("nets/web/ours.mjs", "propose")],
         ["ours natively", child(ourNets("propose", TASK))],
       ],
@@ -136,7 +136,7 @@ export const parts = {
       title: "training step on 32 samples, native, two threads",
       agree: within(1e-3),
       repetitions: 2,
-      contenders: [
+      implementations: [
         ["ours", child(ourNets("train"), 2)],
         ["PyTorch", child(torch(), 2)],
         ["PyTorch with fused Adam", child(torch("fused"), 2)],

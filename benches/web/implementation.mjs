@@ -1,10 +1,10 @@
-// A contender in wasm, in Node or in a page: a module named by its path from `benches`.
+// A implementation in wasm, in Node or in a page: a module named by its path from `benches`.
 
 /**
  * `read` returns the bytes of a file of the repository; `what` selects the work that is timed. The module's `load`
  * returns the result to compare and `time()`, which does the work once and returns its duration, ms.
  */
-export async function contender([module, what], read) {
+export async function implementation([module, what], read) {
   const { load } = await import(`../${module}`);
   const { result, time } = await load(read, what);
   return {

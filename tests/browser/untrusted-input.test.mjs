@@ -1,13 +1,13 @@
 // What comes into the page from outside, whatever it is: links, what the browser has stored, and files that a person
 // opens. Each either opens or is refused with a sentence, and what is kept holds together. The modules run in Node, on
-// thousands of random inputs (PATHLIGHT_DOORS sets how many for each); a failure prints the smallest input that fails,
+// thousands of random inputs (PATHLIGHT_INPUTS sets how many for each); a failure prints the smallest input that fails,
 // and its seed.
 
 import assert from "node:assert/strict";
 import { before, test } from "node:test";
 import fc from "fast-check";
 
-const RUNS = Number(process.env.PATHLIGHT_DOORS ?? 1000);
+const RUNS = Number(process.env.PATHLIGHT_INPUTS ?? 1000);
 
 /** Like localStorage, whose entries are its own properties. */
 class MemoryStorage {
