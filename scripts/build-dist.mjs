@@ -22,7 +22,7 @@ const SERVICE_WORKER = "offline/service-worker.js";
 /** Beside index.html; everything else belongs to a version. */
 const UNVERSIONED = /^(manifest\.webmanifest|icon\.svg|icons\/.*\.png)$/;
 /** What the page reads of the assets when somebody asks for it. */
-const LAZY_ASSETS = ["results.json", "attempts.jsonl"];
+const LAZY_ASSETS = ["home.json", "results.json", "attempts.jsonl"];
 const VERSIONED = /\.(js|css|wasm|txt)$/;
 /** Stands for the version until it is known. */
 const PLACEHOLDER = "VERSION";

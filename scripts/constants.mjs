@@ -1,8 +1,8 @@
 // Prints what the page's modules know of the wasm from their first line on, as a module: the constants that both sides
-// share, and the templates. scripts/build-wasm keeps it in www/pkg/constants.js.
+// share, the colours, and the templates. scripts/build-wasm keeps it in www/pkg/constants.js.
 
 import { readFileSync } from "node:fs";
-import { constants, initSync, templates } from "../www/pkg/pathlight.js";
+import { constants, initSync, palette, templates } from "../www/pkg/pathlight.js";
 
 initSync({ module: readFileSync(new URL("../www/pkg/pathlight_bg.wasm", import.meta.url)) });
 
@@ -10,6 +10,13 @@ console.log("// Written by scripts/build-wasm. src/web/types.d.ts describes the 
 for (const [name, value] of Object.entries(constants())) {
   console.log(`/** @type {import("./pathlight.js").Constants["${name}"]} */`);
   console.log(`export const ${name.toUpperCase()} = ${JSON.stringify(value)};`);
+}
+for (const [name, dark] of [
+  ["LIGHT", false],
+  ["DARK", true],
+]) {
+  console.log('/** @type {import("./pathlight.js").Palette} */');
+  console.log(`export const ${name}_PALETTE = ${JSON.stringify(palette(dark))};`);
 }
 // The ids of the 2,500 tasks, each with its template's, would be a tenth of all that the page starts with.
 const packed = templates().map((template) => ({

@@ -6,9 +6,9 @@ use crate::rule::{Never, Only, Rule, unknown_files};
 /// The folders and files of `www/` in the order in which they import each other: each only those before it. `pkg` is
 /// the wasm package, of which all may import what the API does not have. Imports in JSDoc are types only and are not
 /// looked at.
-const LAYERS: [&str; 17] = [
+const LAYERS: [&str; 18] = [
     "pkg", "api", "storage", "shell", "loading", "puzzles", "state", "text", "widgets", "model", "play", "panels",
-    "editor", "attempts", "element", "page", "offline",
+    "editor", "attempts", "element", "home", "page", "offline",
 ];
 
 /// What modules outside of `api/` may import of `pkg`: what the API does not have, because only the player needs it.
@@ -63,6 +63,7 @@ const RULES: &[Rule] = &[
             "editor/",
             "attempts/",
             "element/",
+            "home/",
             "page/",
         ]),
         reason: "a bundle takes the place of its entry in another folder: addresses begin with that of the folder, \"../\"",

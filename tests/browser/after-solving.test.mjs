@@ -227,7 +227,7 @@ test("where there is a share sheet, picture, text and link go to it", async () =
   assert.match(shared.url, /#task=00000:000&challenge=1$/);
 });
 
-test("“Stump the model” opens a puzzle that the model does not solve, and another once that is solved", async () => {
+test("a card of the home page leads to a puzzle that the model does not solve, and to another once that is solved", async () => {
   const { agents } = JSON.parse(
     await readFile(new URL("../../results/shipped/within-0.json", import.meta.url), "utf8"),
   );
@@ -236,7 +236,7 @@ test("“Stump the model” opens a puzzle that the model does not solve, and an
     .first_solved.filter(([, attempt]) => attempt === null)
     .map(([task]) => task);
   const page = await session.open("/", { reducedMotion: "reduce" });
-  const stump = page.locator("#picks button");
+  const stump = page.locator("[data-pick=unsolved] a");
   await stump.focus();
   await page.keyboard.press("Enter");
   await says(page, /place the red ball/);
@@ -260,9 +260,9 @@ test("the puzzle of the day depends on the date alone, and its result is a text 
     const context = await session.browser.newContext({ reducedMotion: "reduce" });
     await context.clock.setFixedTime(new Date(date));
     const page = await session.openIn(context);
-    picks.add(await page.locator("#picks a").first().getAttribute("href"));
+    picks.add(await page.locator("[data-pick=day] a").getAttribute("href"));
     assert.match(
-      await page.locator("#picks a").first().textContent(),
+      await page.locator("[data-pick=day] a").textContent(),
       /^Puzzle of the day2[23] November 2026: .+, \d+ of 100, (easy|medium)$/,
     );
   }
@@ -271,7 +271,7 @@ test("the puzzle of the day depends on the date alone, and its result is a text 
   const context = await session.browser.newContext({ reducedMotion: "reduce" });
   await context.clock.setFixedTime(new Date("2026-11-22T12:00"));
   const page = await session.openIn(context);
-  await page.locator("#picks a").first().click();
+  await page.locator("[data-pick=day] a").click();
   await says(page, /place the red ball/);
   const solutions = (await readFile(new URL("../../assets/solutions.jsonl", import.meta.url), "utf8")).split("\n");
   const { ball } = JSON.parse(solutions.find((line) => line.includes(`"${task(page)}"`)) ?? "null");
@@ -297,23 +297,8 @@ test("a sheet that comes when the next puzzle is open stays away", async () => {
   assert.equal(await page.locator("#share-dialog[open]").count(), 0);
 });
 
-test("a puzzle that stumps the model does not take the place of one that was opened meanwhile", async () => {
-  const page = await session.open("/", { reducedMotion: "reduce" });
-  let open = () => {};
-  const gate = new Promise((resolve) => (open = () => resolve(null)));
-  await page.route("**/results.json", (route) => gate.then(() => route.continue()));
-  const loaded = page.waitForResponse("**/results.json").then((response) => response.finished());
-  await page.locator("#picks button").click();
-  await page.evaluate((task) => (location.hash = `#task=${task}`), EASY);
-  await says(page, /place the red ball/);
-  open();
-  await loaded;
-  await page.waitForTimeout(500);
-  assert.equal(task(page), EASY);
-});
-
 test("a link that hides what is told of the model has no puzzle that stumps it", async () => {
   const page = await session.open("/#hide=imagine,compare");
-  await page.locator("#picks a:visible").waitFor();
-  assert.ok(await page.locator("#picks button").isHidden());
+  await page.locator("[data-pick=day] a:visible").waitFor();
+  assert.ok(await page.locator("[data-pick=unsolved]").isHidden());
 });

@@ -1,95 +1,104 @@
-// The first visit: an introduction of half a minute leads from watching to what the model imagines; it can be skipped,
-// and is offered only once.
+// The first visit: an introduction of half a minute leads from watching to a race with the model. It says why a ball may
+// not lie somewhere, can be left at any time, and is found again on the home page.
 
 import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
 import { after, before, test } from "node:test";
+import { FIRST_RADIUS } from "../../www/shell/constants.js";
+import { FIRST_TASK } from "../../www/home/home-tasks.js";
 import { axeFindsNothing } from "./axe.mjs";
 import { start } from "./harness.mjs";
 import { modelLoaded, openPuzzle, says, spot } from "./page-actions.mjs";
 
 const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 
+/** A ball that solves the puzzle of the introduction, as large as a ball is at first. */
+let solution;
 let session;
-before(async () => (session = await start()));
+before(async () => {
+  const lines = (await readFile(new URL("../../assets/solutions.jsonl", import.meta.url), "utf8")).trim().split("\n");
+  solution = lines
+    .filter((line) => line.includes(`"${FIRST_TASK}"`))
+    .map((line) => JSON.parse(line).ball)
+    .find(([, , r]) => r === FIRST_RADIUS);
+  session = await start();
+});
 after(() => session.stop());
 
 const guide = async (page, count, words) => {
   await page
     .locator("#guide-count")
-    .filter({ hasText: `${count} of 5` })
+    .filter({ hasText: `${count} of 4` })
     .waitFor();
-  assert.match(await page.locator("#guide-words").textContent(), words);
+  await page.locator("#guide-words").filter({ hasText: words }).waitFor();
 };
 
-test("with a finger: watch, guess, place, run, see what the model imagines", async () => {
+test("with a finger: watch, place, drop, race", async () => {
   const page = await session.open("/", { ...PHONE, reducedMotion: "reduce" });
-  await page.locator("#welcome-start").tap();
+  await page.locator("#guide-start:enabled").tap();
   await guide(page, 1, /First watch/);
   const act = page.locator("#guide-act");
   await act.tap();
-  await guide(page, 2, /Where would it help/);
+  await guide(page, 2, /where would it help/);
   assert.ok(await act.isHidden());
-  await page.touchscreen.tap(...(await spot(page, 128, 30)));
-  await guide(page, 3, /A guess!/);
+  const [x, y] = solution;
+  await page.touchscreen.tap(...(await spot(page, x, y)));
+  await guide(page, 2, /Good spot/);
   await axeFindsNothing(page);
-  await act.tap();
-  await guide(page, 4, /what the model imagines|What the model imagines|see what the model/);
   await modelLoaded(page);
   await act.tap();
-  await guide(page, 5, /The shade is where/);
-  assert.equal(await page.locator("#tab-imagine").getAttribute("aria-selected"), "true");
+  await guide(page, 3, /^Solved!/);
+  await act.tap();
+  await guide(page, 4, /tries its own balls/);
+  assert.ok(await page.locator("#guide-skip").isHidden(), "there is nothing left to leave");
+  await page.locator("#model-turn").filter({ hasText: "The model has played" }).waitFor({ timeout: 120_000 });
   await act.tap();
   assert.ok(await page.locator("#guide").isHidden());
-  // Never again.
-  await page.goto(`${session.origin}/`);
-  await page.reload();
-  await page.locator("#templates a").first().waitFor();
-  assert.ok(await page.locator("#welcome").isHidden());
 });
 
 test("by keyboard, with the motion", async () => {
   const page = await session.open("/");
-  await page.locator("#welcome-start").waitFor();
-  await page.locator("#welcome-start").press("Enter");
+  await page.locator("#guide-start:enabled").press("Enter");
   await guide(page, 1, /First watch/);
   await page.keyboard.press("Enter");
   await guide(page, 1, /Nobody helps/);
-  await guide(page, 2, /Where would it help/);
+  await guide(page, 2, /where would it help/);
   await page.locator("#scene").focus();
   await page.keyboard.press("Shift+ArrowUp");
-  await guide(page, 3, /A guess!/);
+  await guide(page, 2, /Good spot/);
   await page.keyboard.press("Enter");
   await guide(page, 3, /nobody touches anything/);
   await says(page, /^(Not solved|Solved)/);
-  await guide(page, 4, /model/);
+  await guide(page, 3, /AI/);
 });
 
-test("it is skipped at any step, and declined at once", async () => {
+test("a ball that may not lie there is no step back, and it is told why", async () => {
+  const page = await session.open("/", { reducedMotion: "reduce" });
+  await page.locator("#guide-start:enabled").click();
+  await page.locator("#guide-act").click();
+  await guide(page, 2, /where would it help/);
+  await page.mouse.click(...(await spot(page, 40, 230)));
+  await page.locator("#guide-act").click();
+  await guide(page, 3, /Not yet/);
+  // At the edge.
+  await page.mouse.click(...(await spot(page, 2, 230)));
+  await guide(page, 3, /^Not here: The ball .+ needs a free spot/);
+  await page.mouse.click(...(await spot(page, 60, 230)));
+  await guide(page, 3, /Good spot/);
+});
+
+test("it is left at any step, and found again", async () => {
   const page = await session.open("/");
-  await page.locator("#welcome-start").click();
+  await page.locator("#guide-start:enabled").click();
   await page.locator("#guide-skip").click();
   assert.ok(await page.locator("#guide").isHidden());
   await says(page, /place the red ball/);
-
-  const other = await session.open("/");
-  await other.locator("#welcome-skip").click();
-  assert.ok(await other.locator("#welcome").isHidden());
-  await other.reload();
-  await other.locator("#templates a").first().waitFor();
-  assert.ok(await other.locator("#welcome").isHidden());
+  await page.locator("#home").click();
+  await page.locator("#guide-start").click();
+  await guide(page, 1, /First watch/);
 });
 
-test("who has played before, or comes by a link, is not led", async () => {
+test("who comes by a link is not led", async () => {
   const page = await openPuzzle(session);
   assert.ok(await page.locator("#guide").isHidden());
-  await page.evaluate(() =>
-    localStorage.setItem(
-      "pathlight.progress",
-      JSON.stringify({ tasks: { "00000:000": { attempts: 1, solved: null } } }),
-    ),
-  );
-  await page.goto(`${session.origin}/`);
-  await page.reload();
-  await page.locator("#progress:visible").waitFor();
-  assert.ok(await page.locator("#welcome").isHidden());
 });

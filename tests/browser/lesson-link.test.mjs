@@ -117,7 +117,7 @@ test("what is hidden is nowhere told, in the sheets neither", async () => {
   assert.ok(await page.locator("#run").isVisible(), "a ball can be run");
   await page.goto(`${session.origin}/#hide=imagine,compare`);
   await page.locator("#templates a").first().waitFor();
-  assert.doesNotMatch(await page.locator(".intro").innerText(), /imagine|nets/);
+  assert.doesNotMatch(await page.locator("#hero").innerText(), /imagine|nets|AI\b/);
 });
 
 test("in the presentation, locked there, with the ball", async () => {

@@ -71,7 +71,7 @@ template.innerHTML = `
     </section>
     <section id="guide" aria-label="Introduction" hidden>
       <p id="guide-words"></p>
-      <p class="actions"><button type="button" id="guide-act" class="primary"></button> <button type="button" id="guide-skip">Skip the introduction</button> <span class="small" id="guide-count"></span></p>
+      <p class="actions"><button type="button" id="guide-act" class="primary"></button> <button type="button" id="guide-skip">Leave the introduction</button> <span class="small" id="guide-count"></span></p>
     </section>
     <p id="challenge" hidden></p>
     <p id="goal"></p>

@@ -1,10 +1,9 @@
-// The page: the grid of puzzles, the header and the progress, round one <pathlight-puzzle>. The state of the page
-// is the puzzle's; with no task the grid is shown.
+// The page: the home page, the header and the progress, round one <pathlight-puzzle>. The state of the page is the
+// puzzle's; with no task the home page is shown.
 
-import { palette } from "../pkg/pathlight.js";
+import { DARK_PALETTE, LIGHT_PALETTE } from "../pkg/constants.js";
 import { PathlightPuzzle } from "../element/pathlight-puzzle.js";
 import { byId, find } from "../widgets/dom.js";
-import { Gallery } from "../widgets/gallery.js";
 import { hideParts } from "../widgets/hidden-parts.js";
 import { dismissNotice, showDone, showNotice } from "../widgets/notice.js";
 import { sceneName } from "../puzzles/puzzle-name.js";
@@ -13,30 +12,21 @@ import { TEMPLATES, templateOf } from "../puzzles/templates.js";
 import { INITIAL_STATE, hrefOf, resultsHref, showsPuzzle } from "../state/url-state.js";
 import { sharedProgress } from "../storage/progress.js";
 import { knownScene, sceneOfText } from "../editor/scene-link.js";
+import { FIRST_TASK } from "../home/home-tasks.js";
 import { Address } from "./address.js";
+import { HomePage } from "./home-page.js";
 import { LessonDialog } from "./lesson-dialog.js";
-import { CustomGallery } from "./custom-gallery.js";
-import { FIRST_TASK, Picks } from "./picks.js";
 import { ProgressView } from "./progress-view.js";
 
 /** @typedef {import("../state/url-state.js").State} State */
 
 const darkScheme = matchMedia("(prefers-color-scheme: dark)");
-const gallerySection = byId(document, "gallery");
-const galleryOrder = byId(document, "gallery-order", HTMLSelectElement);
 const taskPicker = byId(document, "task", HTMLSelectElement);
 
 export class Page {
   #puzzle = byId(document, "puzzle", PathlightPuzzle);
-  #gallery = new Gallery(byId(document, "templates"), TEMPLATES);
-  #picks = new Picks(
-    TEMPLATES,
-    sharedProgress("kept").player,
-    (task) => this.#navigate({ task }),
-    () => this.#startGuide(),
-  );
-  #customGallery = new CustomGallery(sharedProgress("kept"), (scene) => this.#navigate({ scene }));
-  #progressView = new ProgressView(sharedProgress("kept"), TEMPLATES, this.#gallery);
+  #home;
+  #progressView;
   /** @type {import("./share-dialog.js").ShareDialog | null} */
   #shareDialog = null;
   #address = new Address((own) => this.#onNavigation(own));
@@ -45,11 +35,16 @@ export class Page {
   /** @type {LessonDialog | null} */
   #lessonDialog = null;
 
-  constructor() {
+  /** @param {import("../home/hero.js").Hero} hero */
+  constructor(hero) {
+    const progress = sharedProgress("kept");
+    this.#home = new HomePage(hero, progress, (scene) => this.#navigate({ scene }));
+    this.#progressView = new ProgressView(progress, TEMPLATES, this.#home.gallery);
     this.#puzzle.hrefOf = (task, panel) => hrefOf(this.#state, task, panel);
     this.#puzzle.addEventListener("statechange", () => this.#onStateChange());
     this.#puzzle.addEventListener("share", (event) => this.#share(/** @type {CustomEvent} */ (event).detail));
     darkScheme.addEventListener("change", () => this.#applyTheme());
+    this.#onClick("guide-start", () => this.#startGuide());
     this.#onClick("previous", () => this.#stepPuzzle(-1));
     this.#onClick("next", () => this.#stepPuzzle(1));
     this.#onClick("random", () => this.#openRandomPuzzle());
@@ -63,7 +58,6 @@ export class Page {
       event.preventDefault();
       this.#puzzle.focus();
     });
-    galleryOrder.addEventListener("change", () => this.#orderGallery());
     taskPicker.addEventListener("change", () => this.#navigate({ task: taskPicker.value }));
     document.addEventListener("keydown", (event) => this.#onKeydown(event));
   }
@@ -90,10 +84,9 @@ export class Page {
   /** Applies the colour scheme to the style sheet and to what the wasm paints. */
   #applyTheme() {
     const dark = darkScheme.matches;
-    for (const [name, colour] of Object.entries(palette(dark)))
+    for (const [name, colour] of Object.entries(dark ? DARK_PALETTE : LIGHT_PALETTE))
       document.documentElement.style.setProperty(`--${name}`, colour);
-    this.#gallery.setTheme(dark);
-    this.#customGallery.setTheme(dark);
+    this.#home.setTheme(dark);
   }
 
   /**
@@ -142,10 +135,10 @@ export class Page {
    * @param {State} state
    */
   #applyState(state) {
-    const cameFromGallery = gallerySection.contains(document.activeElement);
+    const cameFromHome = this.#home.hasFocus;
     const shown = showsPuzzle(state);
     const showsResults = !shown && state.view === "results" && resultsHref(state) !== null;
-    gallerySection.hidden = shown || showsResults || state.hide.includes("puzzles");
+    this.#home.show(state);
     byId(document, "results").hidden = !showsResults;
     if (showsResults) this.#showResults(state.model);
     for (const id of ["title", "copy", "presentation-button", "skip"]) byId(document, id).hidden = !shown;
@@ -153,7 +146,7 @@ export class Page {
     this.#puzzle.state = state;
     this.#applyTitle(state);
     this.#applyLinks();
-    if (shown && cameFromGallery) this.#puzzle.focus({ preventScroll: true });
+    if (shown && cameFromHome) this.#puzzle.focus({ preventScroll: true });
   }
 
   /**
@@ -180,16 +173,7 @@ export class Page {
     const state = this.#state;
     // Who came by a link for a lesson is not told what it leaves out.
     byId(document, "lesson-button").hidden = state.task === null || state.hide.length > 0;
-    this.#gallery.setState(state);
-    if (!gallerySection.hidden) {
-      this.#orderGallery();
-      this.#picks.update(state.model, (task) => hrefOf(state, task));
-    }
-    const results = resultsHref(state);
-    const link = byId(document, "results-link", HTMLAnchorElement);
-    link.hidden = results === null;
-    link.href = results ?? "#";
-    this.#customGallery.setState(state);
+    this.#home.setState(state);
     const home = byId(document, "home", HTMLAnchorElement);
     const gallery = hrefOf(state, null);
     if (gallery) home.href = gallery;
@@ -202,10 +186,6 @@ export class Page {
     this.#applyTitle(this.#state);
     this.#applyLinks();
     this.#address.write(this.#state);
-  }
-
-  #orderGallery() {
-    this.#gallery.show(galleryOrder.value === "difficulty" ? "difficulty" : "number");
   }
 
   #startGuide() {

@@ -1,106 +1,111 @@
-// What the grid offers above its templates: the introduction on a first visit, the puzzle of the day, and the puzzles
-// that the model does not solve.
+// What the home page offers above the kinds of puzzles: the puzzle of the day, one that the model does not solve, and
+// making one.
 
-import { readResults } from "../model/results.js";
-import { byId, createButton } from "../widgets/dom.js";
+import { find } from "../widgets/dom.js";
+import { LazyThumbnails } from "../widgets/lazy-thumbnails.js";
 import { difficultyName, solveRateOf } from "../puzzles/difficulty.js";
-import { showNotice } from "../widgets/notice.js";
+import { pathlight } from "../shell/page-api.js";
 import { puzzleName } from "../puzzles/puzzle-name.js";
-import { guideOffered, rememberGuide } from "../storage/guide.js";
+import { hrefOf } from "../state/url-state.js";
+import { MADE_FROM } from "../home/home-tasks.js";
 import { dayWords, taskOfDay } from "./daily.js";
 
 /** @typedef {import("../widgets/gallery.js").Template} Template */
 
-/** The puzzle of the introduction: of all, the one that most balls solve and that does not solve itself. */
-export const FIRST_TASK = "00000:088";
+/** Width of a picture, CSS px. */
+const SIDE = 96;
 
 export class Picks {
   #tasks;
   #progress;
-  #open;
-  #stump = createButton("", () => this.#openUnsolved());
-  /** @type {string | null} */
-  #model = null;
+  #dark = false;
+  #thumbnails = new LazyThumbnails((context, { dataset }) =>
+    pathlight.paintScene(context, dataset.task ?? "", { dark: this.#dark }),
+  );
+  /**
+   * By model, the puzzles that it does not solve, the easiest first.
+   * @type {Record<string, string[]>}
+   */
+  #unsolved = {};
 
   /**
    * @param {Template[]} templates
    * @param {import("../storage/author.js").Author} progress the person’s
-   * @param {(task: string) => void} open goes to a puzzle
-   * @param {() => void} startGuide
    */
-  constructor(templates, progress, open, startGuide) {
+  constructor(templates, progress) {
     this.#progress = progress;
-    this.#open = open;
-    this.#stump.append(
-      line("strong", "Stump the model"),
-      line("span", "A puzzle that it does not solve in a hundred attempts"),
-    );
     this.#tasks = templates.flatMap(({ tasks }) => tasks);
-    const welcome = byId(document, "welcome");
-    welcome.hidden = progress.tasks.length > 0 || guideOffered();
-    const answer = () => {
-      rememberGuide();
-      welcome.hidden = true;
-    };
-    byId(document, "welcome-start").addEventListener("click", () => {
-      answer();
-      startGuide();
-    });
-    byId(document, "welcome-skip").addEventListener("click", answer);
   }
 
-  /**
-   * @param {string | null} model the one that is to be stumped; null for the first
-   * @param {(task: string) => string | null} hrefOf
-   */
-  update(model, hrefOf) {
-    this.#model = model;
+  /** @param {boolean} dark */
+  setTheme(dark) {
+    this.#dark = dark;
+    this.#thumbnails.redraw();
+  }
+
+  /** @param {Record<string, string[]>} unsolved */
+  setUnsolved(unsolved) {
+    this.#unsolved = unsolved;
+  }
+
+  /** @param {import("../state/url-state.js").State} state */
+  update(state) {
     const today = new Date();
-    const stump = document.createElement("li");
-    stump.dataset.hideable = "imagine compare";
-    stump.append(this.#stump);
-    byId(document, "picks").replaceChildren(
-      this.#item("Puzzle of the day", dayWords(today), taskOfDay(today, this.#tasks), hrefOf),
-      stump,
-    );
-  }
-
-  /** Opens the easiest puzzle that neither the model nor the person has solved. */
-  async #openUnsolved() {
-    try {
-      const models = await readResults();
-      // The person has gone on meanwhile.
-      if (byId(document, "gallery").hidden) return;
-      const {
-        tasks,
-        first_solved: { online },
-      } = models.find(({ name }) => name === this.#model) ?? models[0];
-      const unsolved = tasks
-        .filter((_, index) => online[index] === null)
-        .toSorted((one, other) => solveRateOf(other) - solveRateOf(one));
-      this.#open(unsolved.find((task) => this.#progress.of(task).solved === null) ?? unsolved[0]);
-    } catch (error) {
-      showNotice(/** @type {Error} */ (error).message);
-    }
+    const daily = taskOfDay(today, this.#tasks);
+    this.#show("day", "Puzzle of the day", `${dayWords(today)}: ${factsOf(daily)}`, daily, hrefOf(state, daily));
+    const unsolved = this.#unsolvedBy(state.model);
+    if (unsolved)
+      this.#show(
+        "unsolved",
+        "It never solved this",
+        `Can you? ${factsOf(unsolved)}`,
+        unsolved,
+        hrefOf(state, unsolved),
+      );
+    const words = "Drag things around, play it, send it to a friend";
+    this.#show("make", "Make your own", words, MADE_FROM, hrefOf(state, MADE_FROM, "make"));
   }
 
   /**
+   * The easiest puzzle that neither the model nor the person has solved; undefined if none is known.
+   * @param {string | null} model null for the first
+   */
+  #unsolvedBy(model) {
+    const unsolved = this.#unsolved[model ?? ""] ?? Object.values(this.#unsolved)[0] ?? [];
+    return unsolved.find((task) => this.#progress.of(task).solved === null) ?? unsolved[0];
+  }
+
+  /**
+   * Shows a puzzle on its card.
+   * @param {string} name the card’s
    * @param {string} title
    * @param {string} detail
    * @param {string} task
-   * @param {(task: string) => string | null} hrefOf
+   * @param {string | null} href
    */
-  #item(title, detail, task, hrefOf) {
-    const link = document.createElement("a");
-    link.href = hrefOf(task) ?? "#";
-    link.append(
-      line("strong", title),
-      line("span", `${detail}: ${puzzleName(task)}, ${difficultyName(solveRateOf(task))}`),
-    );
-    const item = document.createElement("li");
-    item.append(link);
-    return item;
+  #show(name, title, detail, task, href) {
+    const link = find(document, `#picks [data-pick=${name}] a`, HTMLAnchorElement);
+    link.href = href ?? "#";
+    if (link.dataset.task !== task) {
+      link.dataset.task = task;
+      const old = link.querySelector("canvas");
+      if (old) this.#thumbnails.remove(old);
+      const canvas = this.#thumbnails.add(SIDE);
+      canvas.dataset.task = task;
+      const words = document.createElement("span");
+      words.append(line("strong", title), line("span", detail));
+      link.replaceChildren(canvas, words);
+    }
+    link.hidden = false;
   }
+}
+
+/**
+ * A puzzle’s name and how hard it is.
+ * @param {string} task
+ */
+function factsOf(task) {
+  return `${puzzleName(task)}, ${difficultyName(solveRateOf(task))}`;
 }
 
 /**

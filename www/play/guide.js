@@ -1,12 +1,13 @@
-// The introduction on a first visit, half a minute long: watch without a ball, guess, place, run, and see what the
-// model imagined. It follows what the person does on the scene, says the next step, and can be skipped at any time.
+// The introduction on a first visit, half a minute long: watch without a ball, place one, drop it, and race the model.
+// It follows what the person does on the scene, says the next step, and can be left at any time.
 
 import { Component } from "../widgets/component.js";
 import { GOAL_SECONDS } from "../shell/constants.js";
 import { setText } from "../widgets/dom.js";
+import { sentence } from "../text/sentence.js";
 
 /** @typedef {import("./session.js").Session} Session */
-/** @typedef {"watch" | "watching" | "guess" | "run" | "running" | "missed" | "solved" | "imagined"} Step */
+/** @typedef {"watch" | "watching" | "guess" | "blocked" | "drop" | "dropped" | "missed" | "solved" | "race"} Step */
 
 /**
  * What each step says, and what its button does.
@@ -14,37 +15,35 @@ import { setText } from "../widgets/dom.js";
  */
 const STEPS = {
   watch: {
-    words: `The green object should come to rest against its hatched goal, for ${GOAL_SECONDS} seconds. First watch what happens without help.`,
+    words: `Get the green object to touch its striped goal for ${GOAL_SECONDS} seconds. First watch what happens without help.`,
     button: "Watch",
   },
   watching: { words: "Nobody helps. Watch the green object.", button: null },
   guess: {
-    words:
-      "It does not stay there by itself. You may add one red ball, anywhere that is free. Where would it help? Click or tap there.",
+    words: "Alone, it never gets there. Add one red ball: where would it help? Click or tap there.",
     button: null,
   },
-  run: { words: "A guess! Drag the ball to move it, or its knob to change its size. Then let it go.", button: "Run" },
-  running: { words: "Now nobody touches anything.", button: null },
+  blocked: { words: "The ball needs a free spot.", button: null },
+  drop: {
+    words: "Good spot. The dotted line is the AI’s guess for your ball. Move the ball until you like it, then drop it.",
+    button: "Drop it",
+  },
+  dropped: { words: "Now nobody touches anything.", button: null },
   missed: {
-    words: "Not yet: that is how most attempts end. Move the ball and run again, or see what the model imagines here.",
-    button: "What does the model imagine?",
+    words: "Not yet: most tries end like this. Move the ball and drop it again, or see how the AI does it.",
+    button: "Race the AI",
   },
-  solved: {
-    words: "Solved! Now see what the model imagines, before anything moves.",
-    button: "What does the model imagine?",
-  },
-  imagined: {
-    words:
-      "The shade is where the model imagines the green object, if the puzzle is solved. It has never seen your ball. In Compare it plays against you.",
-    button: "I see",
-  },
+  solved: { words: "Solved! Does the AI need fewer tries than you?", button: "Race the AI" },
+  race: { words: "The AI tries its own balls on the same puzzle. Who needs fewer tries wins.", button: "Done" },
 };
 /** The steps that are counted, each with those that belong to it. */
-const COUNTED = [["watch", "watching"], ["guess"], ["run", "running"], ["missed", "solved"], ["imagined"]];
+const COUNTED = [["watch", "watching"], ["guess", "blocked", "drop"], ["dropped", "missed", "solved"], ["race"]];
 
 export class Guide extends Component {
   /** @type {Step | null} */
   #step = null;
+  /** The highest number that was shown: another try is no step back. */
+  #number = 0;
   #act = this.byId("guide-act", HTMLButtonElement);
 
   /** @param {import("../widgets/dom.js").Root} root */
@@ -68,6 +67,8 @@ export class Guide extends Component {
   /** Begins on the open puzzle. */
   start() {
     this.session?.reset();
+    this.#number = 0;
+    this.requestState({ forecast: true });
     this.#show("watch");
     this.#act.focus({ preventScroll: true });
   }
@@ -76,22 +77,29 @@ export class Guide extends Component {
     const { session } = this;
     if (!session) return;
     if (this.#step === "watch") session.watch();
-    else if (this.#step === "run") session.run();
-    else if (this.#step === "imagined") this.#end();
-    else {
-      this.requestState({ panel: "imagine", step: "target", layers: ["target"] });
-      this.#show("imagined");
-    }
+    else if (this.#step === "drop") session.run();
+    else if (this.#step === "race") this.#end();
+    else this.#race();
+  }
+
+  /** Lets the model play in the panel Compare. */
+  #race() {
+    this.#show("race");
+    this.requestState({ panel: "compare" });
+    const turn = this.byId("model-turn", HTMLButtonElement);
+    if (!turn.disabled && this.session?.attempts.standing("model").used === 0) turn.click();
   }
 
   /** @param {Session} session */
   #follow({ phase, finished, ball, invalidReason, shown, placing }) {
     const step = this.#step;
-    if (!step || step === "imagined") return;
+    if (!step || step === "race") return;
     if (phase === "watch") this.#show(finished ? "guess" : "watching");
     else if (phase === "attempt" && shown)
-      this.#show(!finished ? "running" : shown.ending.solved ? "solved" : "missed");
-    else if (placing && ball && !invalidReason) this.#show("run");
+      this.#show(!finished ? "dropped" : shown.ending.solved ? "solved" : "missed");
+    else if (placing && ball && invalidReason)
+      this.#show("blocked", `Not here: ${sentence(invalidReason)} ${STEPS.blocked.words}`);
+    else if (placing && ball) this.#show("drop");
     else if (placing && step !== "watch") this.#show("guess");
   }
 
@@ -100,18 +108,22 @@ export class Guide extends Component {
     this.byId("scene").focus({ preventScroll: true });
   }
 
-  /** @param {Step | null} step */
-  #show(step) {
-    if (step === this.#step) return;
+  /**
+   * @param {Step | null} step
+   * @param {string} [words] what it says, if that is not always the same
+   */
+  #show(step, words = step ? STEPS[step].words : "") {
+    if (step === this.#step && words === this.byId("guide-words").textContent) return;
     this.#step = step;
     this.byId("guide").hidden = step === null;
     if (!step) return;
-    const { words, button } = STEPS[step];
+    const { button } = STEPS[step];
     setText(this.byId("guide-words"), words);
-    const number = COUNTED.findIndex((steps) => steps.includes(step)) + 1;
-    setText(this.byId("guide-count"), `${number} of ${COUNTED.length}`);
+    this.#number = Math.max(this.#number, COUNTED.findIndex((steps) => steps.includes(step)) + 1);
+    setText(this.byId("guide-count"), `${this.#number} of ${COUNTED.length}`);
     this.#act.hidden = button === null;
     setText(this.#act, button ?? "");
+    this.byId("guide-skip").hidden = step === "race";
     this.announce(words);
   }
 }

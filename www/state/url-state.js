@@ -233,6 +233,15 @@ export function showsPuzzle({ task, scene }) {
   return task !== null || scene !== null;
 }
 
+/**
+ * Whether a state shows the home page.
+ * @param {State} state
+ */
+export function showsHome(state) {
+  const showsResults = state.view === "results" && resultsHref(state) !== null;
+  return !showsPuzzle(state) && !showsResults && !state.hide.includes("puzzles");
+}
+
 /** How many parts of a link that cannot be read are named. */
 const NAMED = 3;
 

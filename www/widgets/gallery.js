@@ -1,8 +1,9 @@
 // The grid of templates, each with the scene of its first puzzle, how hard its puzzles are, and what has been solved of
-// it.
+// it. Under the pointer and with the focus, it shows the path that a model imagines there.
 
 import { difficultyName, solveRateOf } from "../puzzles/difficulty.js";
 import { LazyThumbnails } from "./lazy-thumbnails.js";
+import { SCENE_SIZE } from "../shell/constants.js";
 import { pathlight } from "../shell/page-api.js";
 import { hrefOf } from "../state/url-state.js";
 
@@ -15,6 +16,7 @@ import { hrefOf } from "../state/url-state.js";
 
 /** Width of a picture, CSS px; the style sheet may show it smaller. */
 const SIDE = 176;
+const SVG = "http://www.w3.org/2000/svg";
 
 export class Gallery {
   #dark = false;
@@ -36,6 +38,11 @@ export class Gallery {
   /** @type {(task: string) => string | null} */
   #hrefOf = () => null;
   #order = "";
+  /**
+   * Imagined paths by template: x, y, x, y, …
+   * @type {Record<string, number[]>}
+   */
+  #paths = {};
 
   /**
    * @param {HTMLElement} list
@@ -61,6 +68,22 @@ export class Gallery {
         ({ element }) => element,
       ),
     );
+  }
+
+  /** @param {Record<string, number[]>} paths by template */
+  setPaths(paths) {
+    if (paths === this.#paths) return;
+    this.#paths = paths;
+    for (const [{ id }, { link }] of this.#items) this.#addPath(link, id);
+  }
+
+  /**
+   * @param {HTMLElement} link
+   * @param {string} id
+   */
+  #addPath(link, id) {
+    const path = this.#paths[id];
+    if (path) link.querySelector(".picture")?.append(pathPicture(path));
   }
 
   /** @param {boolean} dark */
@@ -96,26 +119,46 @@ export class Gallery {
    * @param {Template} template
    * @returns {Item}
    */
-  #item({ id, name, story, tasks }) {
+  #item({ id, name, tasks }) {
     const [first] = tasks;
     const rate = median(tasks.map(solveRateOf));
     const canvas = this.#thumbnails.add(SIDE);
     canvas.dataset.task = first;
     const title = document.createElement("strong");
     title.textContent = name;
-    const text = document.createElement("span");
-    text.textContent = story;
+    const picture = document.createElement("span");
+    picture.className = "picture";
+    picture.append(canvas);
     const mark = document.createElement("em");
     mark.textContent = this.#marks.get(id) ?? "";
     const difficulty = document.createElement("i");
     difficulty.textContent = `mostly ${difficultyName(rate)}`;
     const link = document.createElement("a");
     link.href = this.#hrefOf(first) ?? "#";
-    link.append(canvas, title, text, difficulty, mark);
+    link.append(picture, title, difficulty, mark);
+    this.#addPath(link, id);
     const element = document.createElement("li");
     element.append(link);
     return { element, link, mark, rate };
   }
+}
+
+/**
+ * A path to lie over a picture of its scene.
+ * @param {number[]} path x, y, x, y, … in px of the scene
+ */
+function pathPicture(path) {
+  const svg = document.createElementNS(SVG, "svg");
+  svg.setAttribute("viewBox", `0 0 ${SCENE_SIZE} ${SCENE_SIZE}`);
+  svg.setAttribute("class", "imagined");
+  svg.setAttribute("aria-hidden", "true");
+  svg.dataset.hideable = "imagine";
+  const line = document.createElementNS(SVG, "polyline");
+  line.setAttribute("points", path.map((value, index) => (index % 2 ? SCENE_SIZE - value : value)).join(" "));
+  // So that the style sheet can draw it from its start without knowing how long it is.
+  line.setAttribute("pathLength", "1");
+  svg.append(line);
+  return svg;
 }
 
 /** @param {number[]} values */

@@ -1,0 +1,33 @@
+// The top of the home page: what this is in one sentence, the moving scene, and the ways to play it. It is there before
+// the wasm.
+
+import { byId, setText } from "../widgets/dom.js";
+import { hrefOf } from "../state/url-state.js";
+import { SCENE_TASK } from "./home-tasks.js";
+import { MovingScene } from "./moving-scene.js";
+import { readRecording } from "./recording.js";
+
+/** @typedef {import("../state/url-state.js").State} State */
+
+const TITLE = "Watch a tiny AI imagine what happens. Then beat it.";
+/** For who came by a link that hides the model. */
+const TITLE_WITHOUT_MODEL = "Pick a puzzle";
+
+export class Hero {
+  constructor() {
+    // Without the recording, the words and the links stand alone.
+    readRecording().then(
+      ({ scene }) => new MovingScene(scene),
+      () => (byId(document, "hero-scene").hidden = true),
+    );
+  }
+
+  /** @param {State} state */
+  setState(state) {
+    setText(byId(document, "gallery-title"), state.hide.includes("imagine") ? TITLE_WITHOUT_MODEL : TITLE);
+    // With the first model, whose guess it is.
+    const recorded = { ...state, model: null };
+    byId(document, "hero-play", HTMLAnchorElement).href = hrefOf(recorded, SCENE_TASK) ?? "#";
+    byId(document, "hero-make", HTMLAnchorElement).href = hrefOf(recorded, SCENE_TASK, "make") ?? "#";
+  }
+}
