@@ -2,7 +2,7 @@
 // the wasm.
 
 import { byId, setText } from "../widgets/dom.js";
-import { hrefOf } from "../state/url-state.js";
+import { hrefOf, showsHome } from "../state/url-state.js";
 import { SCENE_TASK } from "./home-tasks.js";
 import { MovingScene } from "./moving-scene.js";
 import { readRecording } from "./recording.js";
@@ -14,20 +14,26 @@ const TITLE = "Watch a tiny AI imagine what happens. Then beat it.";
 const TITLE_WITHOUT_MODEL = "Pick a puzzle";
 
 export class Hero {
-  constructor() {
-    // Without the recording, the words and the links stand alone.
-    readRecording().then(
-      ({ scene }) => new MovingScene(scene),
-      () => (byId(document, "hero-scene").hidden = true),
-    );
-  }
+  #started = false;
 
   /** @param {State} state */
   setState(state) {
+    if (showsHome(state)) this.#start();
     setText(byId(document, "gallery-title"), state.hide.includes("imagine") ? TITLE_WITHOUT_MODEL : TITLE);
     // With the first model, whose guess it is.
     const recorded = { ...state, model: null };
     byId(document, "hero-play", HTMLAnchorElement).href = hrefOf(recorded, SCENE_TASK) ?? "#";
     byId(document, "hero-make", HTMLAnchorElement).href = hrefOf(recorded, SCENE_TASK, "make") ?? "#";
+  }
+
+  /** Starts the moving scene, when the home page is first seen. */
+  #start() {
+    if (this.#started) return;
+    this.#started = true;
+    readRecording().then(
+      ({ scene }) => new MovingScene(scene),
+      // The words and the links stand alone.
+      () => (byId(document, "hero-scene").hidden = true),
+    );
   }
 }
