@@ -15,12 +15,16 @@ use safetensors::tensor::{Dtype, SafeTensors, TensorView};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
-use super::{Card, DynamicsNet, Judge, PathNet};
+use super::{Card, DynamicsNet, PathNet, SuccessNet};
 #[cfg(not(target_arch = "wasm32"))]
 use super::{Dqn, DqnCard, flex};
 
 /// The key of the card in the file's metadata.
 const CARD: &str = "pathlight";
+
+/// How the names of the success net's tensors begin, and how they did in older files.
+const SUCCESS: &str = "success.";
+const OLD_SUCCESS: &str = "judge.";
 
 /// Why weights cannot be loaded or saved.
 #[derive(Debug, thiserror::Error)]
@@ -56,8 +60,8 @@ impl PathNet {
         let card = read_card(bytes)?;
         let file = SafeTensors::deserialize(bytes)?;
         let mut nets = PathNet::new(device);
-        if file.names().iter().any(|name| name.starts_with("judge.")) {
-            nets.judge = Some(Judge::new(device));
+        if file.names().iter().any(|name| name.starts_with(SUCCESS) || name.starts_with(OLD_SUCCESS)) {
+            nets.success = Some(SuccessNet::new(device));
         }
         if file.names().iter().any(|name| name.starts_with("dynamics.")) {
             nets.dynamics = Some(DynamicsNet::new(device));
@@ -183,7 +187,10 @@ struct Loader<'a> {
 impl Loader<'_> {
     fn read(&self, expected: &[usize]) -> Result<Vec<f32>, WeightsError> {
         let name = self.path.join(".");
-        let view = self.file.tensor(&name).map_err(|_| WeightsError::Missing(name.clone()))?;
+        let old = name.strip_prefix(SUCCESS).map(|rest| format!("{OLD_SUCCESS}{rest}"));
+        let names = [Some(&name), old.as_ref()].into_iter().flatten();
+        let view = names.filter_map(|name| self.file.tensor(name).ok()).next();
+        let view = view.ok_or_else(|| WeightsError::Missing(name.clone()))?;
         if view.dtype() != Dtype::F16 || view.shape() != expected {
             return Err(WeightsError::ShapeMismatch {
                 name,
@@ -254,7 +261,7 @@ mod tests {
             samples: 1,
             tasks: 1,
             simulator: 0,
-            judge: None,
+            success: None,
             dynamics: None,
         };
         let saved = |value: f32| PathNet::fresh(0).map(&mut SetBiases(value)).save(&card);
