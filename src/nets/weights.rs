@@ -1,7 +1,7 @@
 //! Weights files: half-precision safetensors whose metadata is a card with the settings of the training.
 //!
 //! The names of the tensors are the paths of the parameters in `PathNet` (`base.down.0.weight`). A file that does not
-//! fit is refused with the name of the tensor. Does no file or network I/O.
+//! fit is refused with the name of the tensor. Older files call the success net `judge`. Does no file or network I/O.
 //!
 //! burn-store's `SafetensorsStore` writes the same names, but converts to half precision without a check of the range
 //! and accepts any type of number; here a file that a person names has to fit exactly.
@@ -21,10 +21,6 @@ use super::{Dqn, DqnCard, flex};
 
 /// The key of the card in the file's metadata.
 const CARD: &str = "pathlight";
-
-/// How the names of the success net's tensors begin, and how they did in older files.
-const SUCCESS: &str = "success.";
-const OLD_SUCCESS: &str = "judge.";
 
 /// Why weights cannot be loaded or saved.
 #[derive(Debug, thiserror::Error)]
@@ -60,7 +56,7 @@ impl PathNet {
         let card = read_card(bytes)?;
         let file = SafeTensors::deserialize(bytes)?;
         let mut nets = PathNet::new(device);
-        if file.names().iter().any(|name| name.starts_with(SUCCESS) || name.starts_with(OLD_SUCCESS)) {
+        if file.names().iter().any(|name| name.starts_with("success.") || name.starts_with("judge.")) {
             nets.success = Some(SuccessNet::new(device));
         }
         if file.names().iter().any(|name| name.starts_with("dynamics.")) {
@@ -187,10 +183,9 @@ struct Loader<'a> {
 impl Loader<'_> {
     fn read(&self, expected: &[usize]) -> Result<Vec<f32>, WeightsError> {
         let name = self.path.join(".");
-        let old = name.strip_prefix(SUCCESS).map(|rest| format!("{OLD_SUCCESS}{rest}"));
-        let names = [Some(&name), old.as_ref()].into_iter().flatten();
-        let view = names.filter_map(|name| self.file.tensor(name).ok()).next();
-        let view = view.ok_or_else(|| WeightsError::Missing(name.clone()))?;
+        let old = name.replacen("success.", "judge.", 1);
+        let found = self.file.tensor(&name).or_else(|_| self.file.tensor(&old));
+        let view = found.map_err(|_| WeightsError::Missing(name.clone()))?;
         if view.dtype() != Dtype::F16 || view.shape() != expected {
             return Err(WeightsError::ShapeMismatch {
                 name,
