@@ -1,4 +1,4 @@
-// A implementation in a process of its own: it writes its result, and then for each number of repetitions that it reads,
+// An implementation in a process of its own: it writes its result, and then for each number of repetitions that it reads,
 // their times.
 
 import { spawn } from "node:child_process";
