@@ -21,7 +21,7 @@ mod reproduce;
 mod train;
 mod train_dqn;
 mod train_dynamics;
-mod train_judge;
+mod train_success;
 
 /// Returns the path of a file of the repository.
 fn root(path: &str) -> PathBuf {
