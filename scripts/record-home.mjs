@@ -46,9 +46,12 @@ export function recordScene(pathlight, task, model) {
   const { body1, body2, bodies } = pathlight.scene(task);
   const [{ ball }] = pathlight.propose(task, { count: 1 });
   const imagined = required(pathlight.imagineBall(task, ball));
-  const futures = required(pathlight.candidates(task))
-    .toSorted((one, other) => other.probability - one.probability)
-    .slice(0, FUTURES);
+  // From the likeliest to the least likely, evenly.
+  const candidates = required(pathlight.candidates(task)).toSorted((one, other) => other.probability - one.probability);
+  const futures = Array.from(
+    { length: FUTURES },
+    (_, index) => candidates[Math.floor((index * candidates.length) / FUTURES)],
+  );
   const rollout = pathlight.simulate(task, ball);
   const { steps, simulator, digest } = pathlight.attemptLine(task, ball);
   const columns = rollout.bodies.length;
@@ -78,11 +81,7 @@ export function recordScene(pathlight, task, model) {
     bodies: bodies.map(({ x, y, angle, role, parts }) => ({
       pose: pose([x, y, angle]),
       role,
-      parts: parts.map((part) =>
-        "circle" in part
-          ? { circle: tenths(part.circle) }
-          : { polygon: part.polygon.map((corner) => corner.map(tenths)) },
-      ),
+      parts: parts.map(roundedShape),
     })),
     futures: futures.map(({ probability, object: path }) => ({
       probability: hundredths(probability),
@@ -104,6 +103,15 @@ export function recordScene(pathlight, task, model) {
     },
     miss: tenths(errors.reduce((sum, error) => sum + error, 0) / errors.length),
   };
+}
+
+/**
+ * @param {import("../www/home/recording.js").Shape} shape
+ * @returns {import("../www/home/recording.js").Shape}
+ */
+function roundedShape(shape) {
+  if ("circle" in shape) return { circle: tenths(shape.circle) };
+  return { polygon: shape.polygon.map(([x, y]) => [tenths(x), tenths(y)]) };
 }
 
 /**

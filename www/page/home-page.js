@@ -71,7 +71,7 @@ export class HomePage {
         this.gallery.setPaths(kinds);
         this.#picks.setUnsolved(unsolved);
         this.#picks.update(state);
-        hideParts(section, state.hide);
+        hideParts(document, state.hide);
       },
       () => {},
     );
