@@ -153,19 +153,18 @@ export class ScenePainter {
   }
 
   /**
-   * Draws a ring, filled to a fraction clockwise from the top.
+   * Draws a full ring.
    * @param {Point} place
    * @param {number} radius
-   * @param {number} fraction
    */
-  ring([x, y], radius, fraction) {
+  ring([x, y], radius) {
     const context = this.#context;
-    for (const [colour, width, part] of /** @type {[string, number, number][]} */ ([
-      [this.#colours.ink, 5, 1],
-      [this.#colours.ring, 3.4, fraction],
+    context.beginPath();
+    context.arc(x, y, radius, 0, 2 * Math.PI);
+    for (const [colour, width] of /** @type {[string, number][]} */ ([
+      [this.#colours.ink, 5],
+      [this.#colours.ring, 3.4],
     ])) {
-      context.beginPath();
-      context.arc(x, y, radius, Math.PI / 2, Math.PI / 2 - 2 * Math.PI * part, true);
       context.strokeStyle = colour;
       context.lineWidth = width;
       context.stroke();

@@ -1,6 +1,7 @@
 // The recorded scene as a story in four phases: the futures fan out, one is picked, the real ball falls along it, and
 // the guess stands against reality. What is drawn depends on the time alone. Knows no elements but the canvas.
 
+import { percent } from "../model/chance-words.js";
 import { SCENE_SIZE, STEPS_PER_SECOND } from "../shell/constants.js";
 import { ScenePainter, curve } from "./scene-painter.js";
 
@@ -20,6 +21,8 @@ const GROWING = 0.55;
 /** Opacity of the least likely and of the likeliest future. */
 const FAINT = 0.16;
 const STRONG = 0.75;
+/** px */
+const RING_RADIUS = 17;
 
 export class Story {
   #scene;
@@ -82,11 +85,11 @@ export class Story {
       case "imagine":
         return `It imagines ${futures.length} futures…`;
       case "pick":
-        return `…and picks one: ${Math.round(imagined.probability * 100)} % sure.`;
+        return `…and picks one: ${percent(imagined.probability)} sure.`;
       case "real":
         return "Now the real ball drops.";
       case "result":
-        return `${solved ? "Solved! " : ""}Guess and reality: ${Math.max(Math.round((100 * miss) / SCENE_SIZE), 1)} % apart.`;
+        return `${solved ? "Solved! " : ""}Its guess was ${percent(miss / SCENE_SIZE)} off.`;
     }
   }
 
@@ -96,7 +99,7 @@ export class Story {
    * @param {number} time s
    */
   draw(context, colours, time) {
-    const { bodies, body2, ball, steps } = this.#scene;
+    const { bodies, body2, ball } = this.#scene;
     const phase = this.phaseAt(time);
     const picked = (time - IMAGINE) / PICK;
     const step = phase === "imagine" || phase === "pick" ? 0 : this.#stepAt(time);
@@ -104,11 +107,11 @@ export class Story {
     const painter = new ScenePainter(context, colours);
     this.#drawFutures(painter, colours, time);
     if (phase !== "imagine") this.#drawGuess(painter, colours, Math.min(picked * 1.6, 1));
+    if (step > 0) this.#drawReal(painter, colours, step, poses);
     bodies.forEach((body, index) => painter.body(body, poses.get(index) ?? body.pose, index === body2));
     const red = poses.get(bodies.length);
     if (phase !== "imagine" && red) painter.ball(ball[2] * Math.min(picked * 4, 1), red);
-    if (step > 0) this.#drawReal(painter, colours, step, poses);
-    if (phase === "result" && this.#scene.solved) this.#drawRing(painter, poses, steps);
+    if (phase === "result" && this.#scene.solved) this.#drawRing(painter, poses);
   }
 
   /**
@@ -165,20 +168,20 @@ export class Story {
       const points = passed.map((row) => [row[column], row[column + 1]]);
       const [x, y] = poses.get(body) ?? [];
       points.push([x, y]);
-      // A rim in the colour of the paper keeps it visible on a body.
+      // A rim in the colour of the paper keeps it apart from what was imagined.
       painter.line(points, { colour: colours.paper, width: 3.4, opacity: 0.7 });
       painter.line(points, { colour, width: 2 });
     }
   }
 
   /**
+   * The ring that is full when the green object has touched its goal for long enough.
    * @param {ScenePainter} painter
    * @param {Map<number, number[]>} poses
-   * @param {number} steps
    */
-  #drawRing(painter, poses, steps) {
+  #drawRing(painter, poses) {
     const [x, y] = poses.get(this.#scene.body1) ?? [];
-    painter.ring([x, y], 14, steps > 0 ? 1 : 0);
+    painter.ring([x, y], RING_RADIUS);
   }
 
   /** @param {number} time */
