@@ -20,7 +20,7 @@ for (const [screen, size] of Object.entries(SCREENS)) {
   for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
     test(`the grid, a bad link and all sheets on ${screen}, ${colorScheme}`, async () => {
       const page = await session.open("/#task=00007:999", { ...size, colorScheme });
-      await page.locator("#picks canvas.drawn").first().waitFor();
+      await page.locator("#templates a").first().waitFor();
       await page.evaluate(
         (task) =>
           localStorage.setItem("pathlight.progress", JSON.stringify({ tasks: { [task]: { attempts: 3, solved: 2 } } })),

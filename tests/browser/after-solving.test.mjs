@@ -236,7 +236,7 @@ test("a card of the home page leads to a puzzle that the model does not solve, a
     .first_solved.filter(([, attempt]) => attempt === null)
     .map(([task]) => task);
   const page = await session.open("/", { reducedMotion: "reduce" });
-  const stump = page.locator("[data-pick=unsolved] a");
+  const stump = page.locator("[data-pick=unsolved] a:visible");
   await stump.focus();
   await page.keyboard.press("Enter");
   await says(page, /place the red ball/);
@@ -260,9 +260,9 @@ test("the puzzle of the day depends on the date alone, and its result is a text 
     const context = await session.browser.newContext({ reducedMotion: "reduce" });
     await context.clock.setFixedTime(new Date(date));
     const page = await session.openIn(context);
-    picks.add(await page.locator("[data-pick=day] a").getAttribute("href"));
+    picks.add(await page.locator("[data-pick=day] a:visible").getAttribute("href"));
     assert.match(
-      await page.locator("[data-pick=day] a").textContent(),
+      await page.locator("[data-pick=day] a:visible").textContent(),
       /^Puzzle of the day2[23] November 2026: .+, \d+ of 100, (easy|medium)$/,
     );
   }
@@ -271,7 +271,7 @@ test("the puzzle of the day depends on the date alone, and its result is a text 
   const context = await session.browser.newContext({ reducedMotion: "reduce" });
   await context.clock.setFixedTime(new Date("2026-11-22T12:00"));
   const page = await session.openIn(context);
-  await page.locator("[data-pick=day] a").click();
+  await page.locator("[data-pick=day] a:visible").click();
   await says(page, /place the red ball/);
   const solutions = (await readFile(new URL("../../assets/solutions.jsonl", import.meta.url), "utf8")).split("\n");
   const { ball } = JSON.parse(solutions.find((line) => line.includes(`"${task(page)}"`)) ?? "null");
