@@ -1,5 +1,5 @@
-// The first visit: an introduction of half a minute leads from watching to a race with the model. It says why a ball may
-// not lie somewhere, can be left at any time, and is found again on the home page.
+// The first visit: an introduction of half a minute leads from watching to a race with the model. It says why a ball
+// may not lie somewhere, can be left at any time, and is found again on the home page.
 
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";

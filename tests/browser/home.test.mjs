@@ -1,5 +1,5 @@
-// The home page shows imagination at once: without a click, before any weights, a recorded scene moves; it can be paused,
-// stands still for who wants that, and its links lead where they say.
+// The home page shows imagination at once: without a click, before any weights, a recorded scene moves; it can be
+// paused, stands still under reduced motion, and its links lead where they say.
 
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";

@@ -1,5 +1,5 @@
-// The moving scene at the top of the home page: plays the recorded story again and again while it is in sight. It can be
-// paused, and stands at its last picture for those who want reduced motion.
+// The moving scene at the top of the home page: plays the recorded story again and again while it is in sight. It can
+// be paused, and stands at its last picture under reduced motion.
 
 import { DARK_PALETTE, LIGHT_PALETTE } from "../pkg/constants.js";
 import { byId, contextOf, setText } from "../widgets/dom.js";

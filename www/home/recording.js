@@ -1,5 +1,5 @@
-// What scripts/record-home.mjs has recorded of the first model, so that the home page shows what a model imagines before
-// any weights are there: assets/home.json. Knows nothing of the document.
+// What scripts/record-home.mjs has recorded of the first model, so that the home page shows what a model imagines
+// before any weights are there: assets/home.json. Knows nothing of the document.
 
 import { failure } from "../api/failure.js";
 import { readFile } from "../api/files.js";

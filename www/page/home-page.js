@@ -1,4 +1,5 @@
-// The home page: its top, the picks, the kinds of puzzles and the custom ones. It is shown when the state names no puzzle.
+// The home page: its top, the picks, the kinds of puzzles and the custom ones. It is shown when the state names no
+// puzzle.
 
 import { hideParts } from "../widgets/hidden-parts.js";
 import { byId } from "../widgets/dom.js";
