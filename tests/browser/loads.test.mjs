@@ -86,8 +86,8 @@ test("what make play serves loads two scripts, and one more for the model", asyn
         name.endsWith("/page/main.js"),
       )?.decodedBodySize,
   );
-  // Of these are 14,000 the constants with the names of all tasks, and 8,000 the moving scene of the home page, which the
-  // page needs before the wasm is there.
+  // Of these are 14,000 the constants with the names of all tasks, and 8,000 the moving scene of the home page, which
+  // the page needs before the wasm is there.
   assert.ok(
     bytes > 100_000 && bytes < 275_000,
     `${bytes} bytes: what comes with every page should come when it is asked for`,
