@@ -91,7 +91,9 @@ for (const file of [entry.file, "attempts.jsonl"]) place(`assets/${file}`, `asse
 
 const cargo = (key) => read("Cargo.toml").match(new RegExp(`^${key} = "(.*)"$`, "m"))[1];
 const { name, ...rest } = JSON.parse(read("package/package.json"));
-const manifest = { name, version: cargo("version"), license: cargo("license"), ...rest };
+// npm states where a package was built (provenance) only if its manifest names that repository.
+const repository = process.env.REPOSITORY && { type: "git", url: `git+${process.env.REPOSITORY}.git` };
+const manifest = { name, version: cargo("version"), license: cargo("license"), ...rest, repository };
 writeFileSync(join(stage, "package.json"), `${JSON.stringify(manifest, null, 2)}\n`);
 
 const answer = execFileSync("npm", ["pack", "--json", "--pack-destination", target], { cwd: stage, encoding: "utf8" });

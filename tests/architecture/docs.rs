@@ -79,6 +79,23 @@ fn every_file_that_is_named_exists() {
     assert!(missing.is_empty(), "\nthese files are named, and do not exist:\n{}", missing.join("\n"));
 }
 
+/// The schema of workflows, which `make check` holds them to, knows nothing of our scripts.
+#[test]
+fn workflows_run_scripts_that_exist() {
+    let makefile = Page::new("Makefile").text;
+    let exists = |command: &str| match command.strip_prefix("make ") {
+        Some(targets) => targets.split(' ').all(|target| makefile.contains(&format!("# make {target} "))),
+        None => !command.starts_with("scripts/") || root().join(command).exists(),
+    };
+    assert!(exists("make package dist") && exists("scripts/check") && exists("tar dist"));
+    assert!(!exists("make package gone") && !exists("scripts/gone"));
+    let workflows = files(".github/workflows", &["yml"]);
+    let commands =
+        workflows.iter().flat_map(|source| source.text.split("run: ").skip(1)).filter_map(|rest| rest.lines().next());
+    let gone: Vec<&str> = commands.filter(|command| !exists(command)).collect();
+    assert!(!workflows.is_empty() && gone.is_empty(), "these do not exist: {gone:?}");
+}
+
 #[test]
 fn links_sections_and_files_are_found() {
     let text = "## A title, and `more`\n[one](a.md#b) ![two\nlines](c.svg) `src/lib.rs` `lab/NAME.rs` `a/b`\n\
