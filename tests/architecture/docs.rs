@@ -10,11 +10,23 @@ const README_LINES: usize = 120;
 const README_WORDS: usize = 1100;
 
 /// Beside those of `docs/`.
-const PAGES: [&str; 4] = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "SECURITY.md"];
+const PAGES: [&str; 6] =
+    ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "SECURITY.md", "examples/README.md", "package/README.md"];
 
 /// The folders of the repository whose files the texts name.
-const FOLDERS: [&str; 12] = [
-    "assets/", "benches/", "docs/", "fuzz/", "lab/", "package/", "results/", "scripts/", "serve/", "src/", "tests/",
+const FOLDERS: [&str; 13] = [
+    "assets/",
+    "benches/",
+    "docs/",
+    "examples/",
+    "fuzz/",
+    "lab/",
+    "package/",
+    "results/",
+    "scripts/",
+    "serve/",
+    "src/",
+    "tests/",
     "www/",
 ];
 
