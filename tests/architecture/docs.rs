@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use crate::files::files;
+use crate::files::{files, holds};
 
 /// Most lines and words of the README.
 const README_LINES: usize = 120;
@@ -91,6 +91,21 @@ fn every_file_that_is_named_exists() {
     assert!(missing.is_empty(), "\nthese files are named, and do not exist:\n{}", missing.join("\n"));
 }
 
+#[test]
+fn contributors_are_told_names_that_exist() {
+    let text = Page::new("CONTRIBUTING.md").text;
+    let is_name = |span: &&str| span.chars().all(char::is_alphanumeric) && span.contains(char::is_uppercase);
+    let names: Vec<&str> = spans(&text).filter(is_name).filter(|name| *name != PLACEHOLDER).collect();
+    assert!(names.len() > 5, "{names:?}");
+    let sources: Vec<String> = ["src", "lab", "www"]
+        .iter()
+        .flat_map(|folder| files(folder, &["rs", "js", "ts"]))
+        .map(|source| source.code)
+        .collect();
+    let gone: Vec<&str> = names.into_iter().filter(|name| !sources.iter().any(|code| holds(code, name))).collect();
+    assert!(gone.is_empty(), "CONTRIBUTING.md names what the sources do not have: {gone:?}");
+}
+
 /// The schema of workflows, which `make check` holds them to, knows nothing of our scripts.
 #[test]
 fn workflows_run_scripts_that_exist() {
@@ -148,9 +163,13 @@ fn sections(text: &str) -> Vec<String> {
     headings.map(name).collect()
 }
 
+/// The code spans of a line each.
+fn spans(text: &str) -> impl Iterator<Item = &str> {
+    prose(text).into_iter().flat_map(|line| line.split('`').skip(1).step_by(2))
+}
+
 /// The files and folders of the repository in code spans.
 fn named_files(text: &str) -> Vec<&str> {
-    let spans = prose(text).into_iter().flat_map(|line| line.split('`').skip(1).step_by(2));
-    let paths = spans.filter_map(|span| span.split_whitespace().next());
+    let paths = spans(text).filter_map(|span| span.split_whitespace().next());
     paths.filter(|path| FOLDERS.iter().any(|folder| path.starts_with(folder)) && !path.contains(PLACEHOLDER)).collect()
 }
