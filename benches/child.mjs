@@ -1,5 +1,5 @@
-// A implementation in a process of its own: it writes its result, and then for each number of repetitions that it reads,
-// their times.
+// An implementation in a process of its own: it writes its result, and then for each number of repetitions that it
+// reads, their times.
 
 import { spawn } from "node:child_process";
 import { once } from "node:events";

@@ -10,9 +10,9 @@ use pathlight::simulator::constants::{
     TIME_STEP, VELOCITY_ITERATIONS,
 };
 
-/// Returns the rollouts as text, for implementations in other languages: the parameters in one line, then for each rollout
-/// its goal and the number of its bodies, and for each body its pose and shapes. Values that a shape does not have are
-/// 0.
+/// Returns the rollouts as text, for implementations in other languages: the parameters in one line, then for each
+/// rollout its goal and the number of its bodies, and for each body its pose and shapes. Values that a shape does not
+/// have are 0.
 pub fn export(rollouts: &[(Scene, Ball)]) -> String {
     let mut text = format!(
         "{MAX_STEPS} {GOAL_STEPS} {VELOCITY_ITERATIONS} {POSITION_ITERATIONS} {PX_PER_METRE} {TIME_STEP} {GRAVITY} {DENSITY} \

@@ -1,5 +1,5 @@
-//! The rollouts that all implementations of the simulator's bench run: 20 tasks of each template, all with a random valid
-//! ball.
+//! The rollouts that all implementations of the simulator's bench run: 20 tasks of each template, all with a random
+//! valid ball.
 
 use pathlight::puzzle::action::Ball;
 use pathlight::puzzle::sampling::random_ball;

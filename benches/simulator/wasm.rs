@@ -1,4 +1,5 @@
-//! The simulator in wasm, as one implementation of `make bench`: a module that `web/ours.mjs` calls without wasm-bindgen.
+//! The simulator in wasm, as one implementation of `make bench`: a module that `web/ours.mjs` calls without
+//! wasm-bindgen.
 
 mod rollouts;
 
