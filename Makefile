@@ -10,6 +10,7 @@
 #                BENCH="simulator nets" leaves out the rest
 # make timings   prints how long a person waits for the page
 # make pictures  takes pictures of all views of the page
+# make film      films the page for the README: assets/film.gif
 # make clean     removes what was built or installed here
 
 PORT ?= 8080
@@ -31,7 +32,7 @@ PACKAGED := Cargo.toml Cargo.lock .cargo/config.toml scripts/build-wasm scripts/
 BUNDLE := scripts/install-tools js-tools && node scripts/bundle-page.mjs
 
 .DELETE_ON_ERROR:
-.PHONY: play check test test-cluster bench build package dist timings pictures clean
+.PHONY: play check test test-cluster bench build package dist timings pictures film clean
 
 play: $(PACKAGE)
 	@[ -x target/release/pathlight-serve ] || echo "== compiling the server (about a minute on 2 cores, once)"
@@ -64,7 +65,7 @@ dist: $(PACKAGE)
 	@scripts/install-tools js-tools
 	@node scripts/build-dist.mjs
 
-timings pictures: $(PACKAGE)
+timings pictures film: $(PACKAGE)
 	cargo build --release --package pathlight
 	scripts/install-tools browser-tests chromium
 	$(BUNDLE)

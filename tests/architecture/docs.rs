@@ -5,9 +5,12 @@ use std::path::Path;
 
 use crate::files::{files, holds};
 
-/// Most lines and words of the README.
+/// The README's most lines and words.
 const README_LINES: usize = 120;
 const README_WORDS: usize = 1100;
+
+/// Largest picture of the README, bytes.
+const PICTURE_BYTES: u64 = 600_000;
 
 /// Beside those of `docs/`.
 const PAGES: [&str; 6] =
@@ -61,6 +64,17 @@ fn the_readme_is_one_screen() {
     let words = text.split_whitespace().count();
     assert!(lines <= README_LINES, "README.md has {lines} lines, more than {README_LINES}: move some into docs/");
     assert!(words <= README_WORDS, "README.md has {words} words, more than {README_WORDS}: move some into docs/");
+}
+
+#[test]
+fn the_pictures_of_the_readme_are_small() {
+    let text = Page::new("README.md").text;
+    let pictures: Vec<&str> = links(&text).into_iter().filter(|link| link.starts_with("assets/")).collect();
+    assert!(!pictures.is_empty());
+    for picture in pictures {
+        let bytes = fs::metadata(root().join(picture)).expect("a picture").len();
+        assert!(bytes <= PICTURE_BYTES, "{picture} has {bytes} bytes, more than {PICTURE_BYTES}");
+    }
 }
 
 #[test]
