@@ -25,7 +25,7 @@
 //! | `raster` | scenes and rollouts as 64 x 64 images, and how well two of them agree (soft IoU) |
 //! | `simulator` | computes the rollout of a scene and a ball: a port of Box2D 2.3's step on rapier2d's geometry |
 //! | `benchmark` | PHYRE's folds and its metric, auccess |
-//! | `nets` | the nets: the four, the judge, the dynamics net and DQN, and their weights; `training` is a feature |
+//! | `nets` | the nets: the four, success net, dynamics net and DQN, and their weights; `training` is a feature |
 //! | `agents` | who proposes balls: from imagined paths, from maps, at random |
 //! | `session` | one session on one puzzle: what is played, the attempts of player and model, an agent's turn |
 //! | `verification` | attempts that anyone can simulate again |

@@ -3,7 +3,7 @@
 #![cfg(not(target_arch = "wasm32"))]
 
 use pathlight::benchmark::folds::Setup;
-use pathlight::nets::{Card, Imagined, Judge, PathNet, WeightsError};
+use pathlight::nets::{Card, Imagined, PathNet, SuccessNet, WeightsError};
 use pathlight::puzzle::scene::Scene;
 use pathlight::puzzle::task::Task;
 use pathlight::raster::CELLS;
@@ -27,15 +27,15 @@ fn card() -> Card {
         samples: 0,
         tasks: 0,
         simulator: 0,
-        judge: None,
+        success: None,
         dynamics: None,
     }
 }
 
-/// Fresh weights of the paper's nets and the judge, as a file: all implementations compute from the same bytes.
+/// Fresh weights of the paper's nets and the success net, as a file: all implementations compute from the same bytes.
 fn weights() -> Vec<u8> {
     let mut nets = PathNet::fresh(7);
-    nets.judge = Some(Judge::fresh(8));
+    nets.success = Some(SuccessNet::fresh(8));
     nets.save(&card()).expect("fresh weights are finite")
 }
 
@@ -43,12 +43,12 @@ fn scene() -> Scene {
     Task::load("00012:002".parse().expect("an id")).expect("a task").scene
 }
 
-/// The maps of the paper's nets and the judge's logits, by name.
+/// The maps of the paper's nets and the success net's logits, by name.
 fn maps(loaded: Result<(PathNet, Card), WeightsError>) -> [(&'static str, Vec<f32>); 5] {
     let (nets, _) = loaded.expect("our own weights");
     let Imagined { base, target, action, placement } = nets.imagine(&scene());
-    let judge = nets.cell_logits(&scene()).expect("the weights have a judge");
-    [("base", base), ("target", target), ("action", action), ("placement", placement), ("judge", judge)]
+    let success = nets.cell_logits(&scene()).expect("the weights have a success net");
+    [("base", base), ("target", target), ("action", action), ("placement", placement), ("success", success)]
 }
 
 #[test]
@@ -56,7 +56,7 @@ fn the_nets_agree_with_plain_loops() {
     let bytes = weights();
     let file = SafeTensors::deserialize(&bytes).expect("a safetensors file");
     let [base, target, action, placement] = reference_nets::imagine(&file, &scene());
-    let references = [base, target, action, placement, reference_nets::cell_logits(&file, "judge", &scene())];
+    let references = [base, target, action, placement, reference_nets::cell_logits(&file, "success", &scene())];
     for ((name, map), reference) in maps(PathNet::load(&bytes)).iter().zip(&references) {
         assert_close(name, map, reference);
         let (low, high) = map.iter().fold((f32::MAX, f32::MIN), |(low, high), &x| (low.min(x), high.max(x)));
@@ -119,8 +119,20 @@ fn cards_with_the_old_names_are_read() {
         "tasks":4,"simulator":3,"judge":{"seed":0,"epochs":60,"batch":32,"drawn":256,"rate":0.001,"balls":9}}"#;
     let card: Card = serde_json::from_str(old).expect("a card");
     assert_eq!((card.learning_rate, card.decay_epochs), (3e-3, 1));
-    let judge = card.judge.expect("a judge's card");
-    assert_eq!((judge.learning_rate, judge.balls_per_scene), (1e-3, 256));
+    let success = card.success.expect("a success net's card");
+    assert_eq!((success.learning_rate, success.balls_per_scene), (1e-3, 256));
+}
+
+#[test]
+fn weights_with_the_old_name_of_the_success_net_are_read() {
+    let bytes = weights();
+    let file = SafeTensors::deserialize(&bytes).expect("a safetensors file");
+    let (_, header) = SafeTensors::read_metadata(&bytes).expect("its header");
+    let renamed = file.iter().map(|(name, view)| (name.replacen("success.", "judge.", 1), view));
+    let old = safetensors::serialize(renamed, header.metadata().clone()).expect("a file");
+    assert_ne!(old, bytes);
+    let (nets, card) = PathNet::load(&old).expect("an older file");
+    assert_eq!(nets.save(&card).expect("what was loaded is finite"), bytes);
 }
 
 #[test]

@@ -2,7 +2,7 @@
 #![cfg(target_arch = "wasm32")]
 
 use js_sys::Reflect;
-use pathlight::nets::{Card, DynamicsCard, DynamicsNet, JudgeCard, PathNet};
+use pathlight::nets::{Card, DynamicsCard, DynamicsNet, PathNet, SuccessCard};
 use pathlight::session::game::ATTEMPT_LIMIT;
 use pathlight::web::{
     Game, Model, SolutionSearch, SolveMap, attempt_line, auccess, constants, custom_scene, fold, luck, palette, raster,
@@ -297,8 +297,8 @@ fn values_have_the_fields_that_their_types_declare() {
     let card = json(model.card().expect("a card"));
     let optional = |name: &str| declared(name).into_iter().map(|field| field.replace('?', "")).collect::<Vec<_>>();
     let mut expected = optional("ModelCard");
-    // The dynamics net has taken the judge's place.
-    expected.retain(|field| field != "judge");
+    // The dynamics net has taken the success net's place.
+    expected.retain(|field| field != "success");
     assert_eq!(fields(&card), expected);
     assert_eq!(fields(&card["dynamics"]), optional("DynamicsCard"));
     let propose = |seed: Value, count: JsValue| model.propose(TASK.into(), &js(&seed), &count);
@@ -325,18 +325,18 @@ fn fields_of_all(fullest: &Value, barest: &Value) -> Vec<String> {
 #[wasm_bindgen_test]
 fn cards_have_the_fields_that_their_types_declare() {
     let (_, shipped) = PathNet::load(include_bytes!("../assets/within-0.safetensors")).expect("weights");
-    let judge = JudgeCard { seed: 0, epochs: 1, batch: 1, balls_per_scene: 1, learning_rate: 0.1, balls: 1 };
+    let success = SuccessCard { seed: 0, epochs: 1, batch: 1, balls_per_scene: 1, learning_rate: 0.1, balls: 1 };
     let dynamics = shipped.dynamics.clone().expect("the shipped weights have a dynamics net");
-    let barest = DynamicsCard { without_paths: false, from: None, judge: None, ..dynamics.clone() };
+    let barest = DynamicsCard { without_paths: false, from: None, success: None, ..dynamics.clone() };
     let from = Some("0".repeat(64));
-    let fullest = DynamicsCard { without_paths: true, from, judge: Some(judge.clone()), ..dynamics };
+    let fullest = DynamicsCard { without_paths: true, from, success: Some(success.clone()), ..dynamics };
     let json = |card: &Card| serde_json::to_value(card).expect("JSON");
-    let bare = json(&Card { judge: None, dynamics: Some(barest), ..shipped.clone() });
-    let full = json(&Card { judge: Some(judge), dynamics: Some(fullest), ..shipped.clone() });
-    let none = json(&Card { judge: None, dynamics: None, ..shipped });
+    let bare = json(&Card { success: None, dynamics: Some(barest), ..shipped.clone() });
+    let full = json(&Card { success: Some(success), dynamics: Some(fullest), ..shipped.clone() });
+    let none = json(&Card { success: None, dynamics: None, ..shipped });
     assert_eq!(fields_of_all(&full, &none), declared("ModelCard"));
     assert_eq!(fields_of_all(&full["dynamics"], &bare["dynamics"]), declared("DynamicsCard"));
-    assert_eq!(fields(&full["judge"]), declared("JudgeCard"));
+    assert_eq!(fields(&full["success"]), declared("SuccessCard"));
 }
 
 #[wasm_bindgen_test]

@@ -90,4 +90,4 @@ for half, operator in [("down", "Conv"), ("up", "ConvTranspose")]:
             x = add("Concat", [x, skips[LAYERS - 2 - layer]], f"{name}.skip", axis=1)
 nodes.append(helper.make_node("Split", [x, "halves"], ["straight", "mirrored"], name="halves.split", axis=0))
 total = add("Add", ["straight", mirror("mirrored", "unmirrored")], "sum")
-save(all_nets, [*maps, (add("Div", [total, "two"], "judge"), RADII)])
+save(all_nets, [*maps, (add("Div", [total, "two"], "success"), RADII)])

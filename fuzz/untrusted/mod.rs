@@ -9,7 +9,7 @@ use std::str;
 
 use pathlight::agents;
 use pathlight::nets::PathNet;
-use pathlight::nets::judge::logit_index;
+use pathlight::nets::success_net::logit_index;
 use pathlight::puzzle::custom_scene::{CustomScene, sentences};
 use pathlight::puzzle::rollout::Rollout;
 use pathlight::puzzle::scene::Scene;

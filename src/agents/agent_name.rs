@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::imagined_candidates::imagined_candidates;
 use super::online::{OnlineAgent, Similarity};
-use super::{Agent, from_dqn, from_judge, from_map, random};
+use super::{Agent, from_dqn, from_map, from_success_net, random};
 use crate::nets::{Dqn, PathNet};
 use crate::puzzle::scene::Scene;
 
@@ -18,7 +18,8 @@ pub enum AgentName {
     Online,
     OnlineByBalls,
     Dynamics,
-    Judge,
+    #[serde(alias = "judge")]
+    Success,
     Paper,
     Dqn,
     Random,
@@ -51,7 +52,7 @@ impl AgentName {
         AgentName::Online,
         AgentName::OnlineByBalls,
         AgentName::Dynamics,
-        AgentName::Judge,
+        AgentName::Success,
         AgentName::Paper,
         AgentName::Dqn,
         AgentName::Random,
@@ -63,11 +64,16 @@ impl AgentName {
             AgentName::Online => "online",
             AgentName::OnlineByBalls => "online-by-balls",
             AgentName::Dynamics => "dynamics",
-            AgentName::Judge => "judge",
+            AgentName::Success => "success",
             AgentName::Paper => "paper",
             AgentName::Dqn => "dqn",
             AgentName::Random => "random",
         }
+    }
+
+    /// Returns its name in older versions, if it had another.
+    pub fn old_name(self) -> Option<&'static str> {
+        (self == AgentName::Success).then_some("judge")
     }
 
     /// Returns what it is, in a line of help.
@@ -79,7 +85,7 @@ impl AgentName {
                  it is named"
             }
             AgentName::Dynamics => "The dynamics net without learning from attempts",
-            AgentName::Judge => "The judge, which orders the balls",
+            AgentName::Success => "The success net, which ranks the balls",
             AgentName::Paper => "The paper's four nets: balls from the placement map",
             AgentName::Dqn => "DQN, the benchmark's baseline, which ranks a fixed list of actions",
             AgentName::Random => "Uniformly random balls",
@@ -97,7 +103,7 @@ impl AgentName {
     /// Says what they lack.
     pub fn check(self, nets: &PathNet) -> Result<(), LacksNet> {
         let (has, net, command) = match self {
-            AgentName::Judge => (nets.judge.is_some(), "judge", "success"),
+            AgentName::Success => (nets.success.is_some(), "success net", "success"),
             AgentName::Online | AgentName::OnlineByBalls | AgentName::Dynamics => {
                 (nets.dynamics.is_some(), "dynamics net", "dynamics")
             }
@@ -119,7 +125,7 @@ impl AgentName {
             AgentName::Online => return Box::new(online(Similarity::DEFAULT)),
             AgentName::OnlineByBalls => return Box::new(online(Similarity::OF_BALLS)),
             AgentName::Dynamics => online(Similarity::DEFAULT).list(count),
-            AgentName::Judge => from_judge(nets(), scene, count).unwrap_or_default(),
+            AgentName::Success => from_success_net(nets(), scene, count).unwrap_or_default(),
             AgentName::Dqn => from_dqn(loaded.dqn.expect("its weights are loaded first"), scene, count),
             AgentName::Paper => from_map(nets(), scene, seed, count),
             AgentName::Random => random(scene, seed, count),
@@ -138,7 +144,7 @@ impl FromStr for AgentName {
     type Err = UnknownAgent;
 
     fn from_str(text: &str) -> Result<AgentName, UnknownAgent> {
-        let named = AgentName::ALL.into_iter().find(|agent| agent.name() == text);
+        let named = AgentName::ALL.into_iter().find(|agent| agent.name() == text || agent.old_name() == Some(text));
         named.ok_or_else(|| UnknownAgent(text.to_string()))
     }
 }
@@ -154,5 +160,13 @@ mod tests {
             assert_eq!(serde_json::to_value(agent).expect("a name"), agent.name());
             assert_eq!(agent.name().parse(), Ok(agent));
         }
+    }
+
+    #[test]
+    fn the_old_name_of_an_agent_is_read() {
+        let [online, success] = [AgentName::Online, AgentName::Success];
+        assert_eq!((online.old_name(), success.old_name()), (None, Some("judge")));
+        assert_eq!("judge".parse(), Ok(success));
+        assert_eq!(serde_json::from_str::<AgentName>("\"judge\"").expect("a name"), success);
     }
 }

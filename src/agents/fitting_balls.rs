@@ -1,14 +1,14 @@
-//! Which of the balls that the judge scores fit into a scene, of any of its radii on any of its cells.
+//! Which of the balls that the success net scores fit into a scene, of any of its radii on any of its cells.
 //!
 //! Where a ball fits, every smaller one fits too. So it is enough to know how many of the radii fit on each cell, and
 //! one clearance for each cell tells. Used by `ranking`.
 
-use crate::nets::judge::{RADII, ball_at};
+use crate::nets::success_net::{RADII, ball_at};
 use crate::puzzle::action::{Ball, Obstacles, overlaps};
 use crate::puzzle::scene::Scene;
 use crate::raster::{CELLS, SIDE};
 
-/// The valid balls among those that the judge scores, each named by the index of its logit.
+/// The valid balls among those that the success net scores, each named by the index of its logit.
 pub struct FittingBalls {
     /// The number of radii that fit, for each cell.
     counts: Vec<usize>,
@@ -59,7 +59,7 @@ mod tests {
     use crate::puzzle::task::{Task, ids};
     use crate::puzzle::templates::TEMPLATES;
 
-    /// The rule of all actions, for one task of each template and every ball that the judge scores.
+    /// The rule of all actions, for one task of each template and every ball that the success net scores.
     #[test]
     fn the_balls_that_fit_are_those_that_their_actions_place() {
         for (number, template) in TEMPLATES.iter().enumerate() {

@@ -1,10 +1,10 @@
 //! The agents that propose balls: the model, which may learn from its attempts, and the random agent.
 //!
 //! The page, the command line and the lab all call these functions, so the same seed yields the same attempts. The
-//! judge's logits and probabilities are the same natively and in wasm, bit for bit; the maps of the four nets differ in
-//! the last bits where the exponential functions of the two do, so that the placement map may start from another ball.
-//! No agent calls the simulator. All balls are valid and in the order of the attempts. `seed` is that of one puzzle:
-//! `TaskId::seed`.
+//! success net's logits and probabilities are the same natively and in wasm, bit for bit; the maps of the four nets
+//! differ in the last bits where the exponential functions of the two do, so that the placement map may start from
+//! another ball. No agent calls the simulator. All balls are valid and in the order of the attempts. `seed` is that of
+//! one puzzle: `TaskId::seed`.
 
 #[cfg(not(target_arch = "wasm32"))]
 pub mod agent_name;
@@ -79,8 +79,8 @@ pub enum Origin {
     /// Uniform over the action space: by the random agent, or because the placement map has no place where a ball may
     /// be.
     Uniform,
-    /// The judge's maps: the probability, 0..=1, that the ball solves, lowered by the proposals before it.
-    Judge { probability: f64 },
+    /// The success net's maps: the probability, 0..=1, that the ball solves, lowered by the proposals before it.
+    Success { probability: f64 },
     /// The dynamics net: the probability, 0..=1, that the ball solves, as imagined before any attempt, and after the
     /// attempts so far; and the attempt, by its number from 1, that lowered it most, if one did noticeably.
     Imagined { prior: f64, probability: f64, lowered_by: Option<usize> },
@@ -101,7 +101,8 @@ pub fn start(nets: &PathNet, scene: &Scene, seed: u64, count: usize) -> Box<dyn 
 }
 
 /// Returns up to `count` proposals of the model, without learning from attempts: the balls that its dynamics net finds
-/// most probable; from weights without one those of its judge; without a judge those that its placement map suggests.
+/// most probable; from weights without one those of its success net; without a success net those that its placement map
+/// suggests.
 pub fn propose(nets: &PathNet, scene: &Scene, seed: u64, count: usize) -> Vec<Proposal> {
     propose_from(imagined_candidates(nets, scene, CANDIDATES), nets, scene, seed, count)
 }
@@ -131,16 +132,16 @@ fn propose_from(
     if let Some(candidates) = candidates {
         return imagined_candidates::proposals(candidates, nets, scene, count);
     }
-    // Damaged weights may have a judge whose logits are NaN; it ranks nothing.
-    match from_judge(nets, scene, count) {
+    // Damaged weights may have a success net whose logits are NaN; it ranks nothing.
+    match from_success_net(nets, scene, count) {
         Some(ranked) if !ranked.is_empty() => ranked,
         _ => from_map(nets, scene, seed, count),
     }
 }
 
-/// Returns up to `count` proposals of the judge alone, or of the dynamics net's logits of the cells; `None` if the
-/// weights have neither.
-pub fn from_judge(nets: &PathNet, scene: &Scene, count: usize) -> Option<Vec<Proposal>> {
+/// Returns up to `count` proposals of the success net alone, or of the dynamics net's logits of the cells; `None` if
+/// the weights have neither.
+pub fn from_success_net(nets: &PathNet, scene: &Scene, count: usize) -> Option<Vec<Proposal>> {
     Some(ranking::ranked(&nets.cell_logits(scene)?, scene, count))
 }
 

@@ -1,5 +1,5 @@
-//! From the judge's maps to balls: greedy selection of the most probable ball with soft non-maximum suppression; and to
-//! one map that people can look at.
+//! From the success net's maps to balls: greedy selection of the most probable ball with soft non-maximum suppression;
+//! and to one map that people can look at.
 //!
 //! A ball that failed makes its neighbours less likely to solve, so each selected ball lowers the logits around it, by
 //! a Gaussian of the distance (soft-NMS, Bodla et al. 2017, on logits instead of scores). Does not call the simulator
@@ -10,7 +10,7 @@ use std::collections::BinaryHeap;
 
 use super::fitting_balls::FittingBalls;
 use super::{Origin, Proposal, sigmoid};
-use crate::nets::judge::RADII;
+use crate::nets::success_net::RADII;
 use crate::puzzle::scene::Scene;
 use crate::raster::{CELLS, PX_PER_CELL, SIDE};
 
@@ -26,7 +26,7 @@ const SUPPRESSION_REACH: usize = 20;
 /// Cells to each side of a selected ball that it may reach; rounding moves a ball by less than one px within its cell.
 const REACHED_CELLS: usize = (SUPPRESSION_REACH + 1) / PX_PER_CELL;
 
-/// Returns up to `attempts` valid, distinct balls, the most probable first. `logits` holds the judge's
+/// Returns up to `attempts` valid, distinct balls, the most probable first. `logits` holds the success net's
 /// `[RADII, 64, 64]` maps; values that are not finite are left out.
 pub fn ranked(logits: &[f32], scene: &Scene, attempts: usize) -> Vec<Proposal> {
     let balls = FittingBalls::new(scene);
@@ -54,7 +54,7 @@ pub fn ranked(logits: &[f32], scene: &Scene, attempts: usize) -> Vec<Proposal> {
                 logits[near_index] -= suppression;
             }
         }
-        found.push(Proposal { ball, origin: Origin::Judge { probability: sigmoid(logit) }, rejected: 0 });
+        found.push(Proposal { ball, origin: Origin::Success { probability: sigmoid(logit) }, rejected: 0 });
     }
     found
 }
@@ -120,7 +120,7 @@ pub fn probability_map(logits: &[f32], scene: &Scene) -> Option<Vec<f32>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::nets::judge::ball_at;
+    use crate::nets::success_net::ball_at;
     use crate::puzzle::task::Task;
 
     #[test]
@@ -139,7 +139,7 @@ mod tests {
         assert_eq!(found.len(), 100);
         assert_eq!(Some(found[0].ball), valid(&first));
         assert_eq!(Some(found[1].ball), valid(&second), "the neighbour of the first ball is suppressed");
-        assert!(matches!(found[0].origin, Origin::Judge { probability } if (0.97..0.99).contains(&probability)));
+        assert!(matches!(found[0].origin, Origin::Success { probability } if (0.97..0.99).contains(&probability)));
         for (index, Proposal { ball, .. }) in found.iter().enumerate() {
             assert_eq!(ball.check(&scene), Ok(()));
             assert!(found[..index].iter().all(|before| before.ball != *ball), "{ball} twice");

@@ -17,7 +17,7 @@ pub enum ImaginedMap {
     Target,
     Action,
     Placement,
-    Judge,
+    Success,
 }
 
 /// What there is to say of a map; its texts for the page are in `www/model/map-text.js`.
@@ -33,7 +33,7 @@ struct Declaration {
 impl ImaginedMap {
     /// In the order in which the nets make them.
     pub const ALL: [ImaginedMap; 5] =
-        [ImaginedMap::Base, ImaginedMap::Target, ImaginedMap::Action, ImaginedMap::Placement, ImaginedMap::Judge];
+        [ImaginedMap::Base, ImaginedMap::Target, ImaginedMap::Action, ImaginedMap::Placement, ImaginedMap::Success];
 
     fn declaration(self) -> Declaration {
         match self {
@@ -53,8 +53,8 @@ impl ImaginedMap {
                 gradient: colorous::RED_PURPLE,
                 dashes: &[true, true, true, false, true, false],
             },
-            ImaginedMap::Judge => Declaration {
-                name: "judge",
+            ImaginedMap::Success => Declaration {
+                name: "success",
                 of_paper: false,
                 gradient: colorous::PURPLES,
                 dashes: &[true, true, false, false],

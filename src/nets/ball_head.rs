@@ -11,7 +11,7 @@ use burn::tensor::{Device, Tensor};
 
 use super::ball_batch::BallTensors;
 use super::dynamics::{CODE, LEVELS, SceneFeatures};
-use super::judge::RADII;
+use super::success_net::RADII;
 use crate::puzzle::action::{Ball, RADIUS};
 use crate::puzzle::sampled_paths::SAMPLES;
 use crate::puzzle::scene::{SIZE, Scene};

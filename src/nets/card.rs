@@ -54,9 +54,9 @@ pub struct Card {
     pub tasks: usize,
     /// `simulator::VERSION` of the rollouts trained on.
     pub simulator: u32,
-    /// The settings of the judge's training, if there is a judge.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub judge: Option<JudgeCard>,
+    /// The settings of the success net's training, if there is a success net.
+    #[serde(alias = "judge", default, skip_serializing_if = "Option::is_none")]
+    pub success: Option<SuccessCard>,
     /// The settings of the dynamics net's training, if there is one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub dynamics: Option<DynamicsCard>,
@@ -69,9 +69,9 @@ impl Card {
     }
 }
 
-/// The settings that a judge was trained with. It has seen the same tasks as the nets.
+/// The settings that a success net was trained with. It has seen the same tasks as the nets.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct JudgeCard {
+pub struct SuccessCard {
     /// Seed of the initial weights and of the order of the scenes.
     pub seed: u64,
     /// Passes over the scenes.
@@ -121,9 +121,9 @@ pub struct DynamicsCard {
     /// SHA-256 of the weights whose dynamics net it started from, if it did.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub from: Option<String>,
-    /// The settings of the judge that it started from, if it did.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub judge: Option<JudgeCard>,
+    /// The settings of the success net that it started from, if it did.
+    #[serde(alias = "judge", default, skip_serializing_if = "Option::is_none")]
+    pub success: Option<SuccessCard>,
 }
 
 /// The settings that DQN was trained with: the card of its own weights.

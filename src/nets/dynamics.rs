@@ -4,8 +4,8 @@
 //! Using Dynamics-Aware Models", show that such knowledge helps to choose actions). A U-Net reads the covered share of
 //! each cell once; a small perceptron then answers for each ball from the hypercolumn at its place (Hariharan et al.
 //! 2015: the features of all sizes), its exact position and its radius. So a ball costs little, and hundreds are
-//! imagined at once. It also returns one map of logits for each of a few radii, as the judge does: they say which balls
-//! are worth imagining.
+//! imagined at once. It also returns one map of logits for each of a few radii, as the success net does: they say which
+//! balls are worth imagining.
 
 use burn::module::Module;
 use burn::nn::conv::{Conv2d, ConvTranspose2d};
@@ -14,8 +14,8 @@ use burn::tensor::{Device, Tensor};
 
 use super::ball_batch::BallTensors;
 use super::ball_head::{BallHead, Predictions};
-use super::judge::{Judge, RADII};
 use super::seeded;
+use super::success_net::{RADII, SuccessNet};
 use super::u_net::{self, Activations, WIDTHS};
 use crate::raster::SIDE;
 
@@ -64,17 +64,18 @@ impl DynamicsNet {
         DynamicsNet { down, up, head: BallHead::new(device) }
     }
 
-    /// Returns a net whose U-Net is that of a judge, with fresh features of the finest level and a fresh head.
-    pub fn from_judge(judge: Judge, device: &Device) -> DynamicsNet {
+    /// Returns a net whose U-Net is that of a success net, with fresh features of the finest level and a fresh head.
+    pub fn from_success_net(net: SuccessNet, device: &Device) -> DynamicsNet {
         let DynamicsNet { up: mut fresh, head, .. } = DynamicsNet::new(device);
-        let Judge { down, mut up } = judge;
+        let SuccessNet { down, mut up } = net;
         let last = fresh.pop().expect("five layers");
-        let of_judge = up.last_mut().expect("five layers");
+        let of_success_net = up.last_mut().expect("five layers");
         // A transposed convolution has its outputs in the second dimension of its weight.
         let features = last.weight.val().narrow(1, RADII, FINEST);
-        of_judge.weight = of_judge.weight.clone().map(|logits| Tensor::cat(vec![logits, features], 1));
+        of_success_net.weight = of_success_net.weight.clone().map(|logits| Tensor::cat(vec![logits, features], 1));
         let features = last.bias.expect("new layers have a bias").val().narrow(0, RADII, FINEST);
-        of_judge.bias = of_judge.bias.take().map(|bias| bias.map(|logits| Tensor::cat(vec![logits, features], 0)));
+        of_success_net.bias =
+            of_success_net.bias.take().map(|bias| bias.map(|logits| Tensor::cat(vec![logits, features], 0)));
         DynamicsNet { down, up, head }
     }
 
@@ -112,12 +113,12 @@ mod tests {
     use crate::raster::CHANNELS;
 
     #[test]
-    fn a_net_from_a_judge_scores_cells_as_the_judge_does() {
+    fn a_net_from_a_success_net_scores_cells_as_that_does() {
         let device = seeded(0);
-        let judge = Judge::new(&device);
+        let success = SuccessNet::new(&device);
         let scenes = Tensor::random([2, CHANNELS, SIDE, SIDE], Distribution::Uniform(0.0, 1.0), &device);
-        let expected: Vec<f32> = judge.forward(scenes.clone()).into_data().iter().collect();
-        let net = DynamicsNet::from_judge(judge, &device);
+        let expected: Vec<f32> = success.forward(scenes.clone()).into_data().iter().collect();
+        let net = DynamicsNet::from_success_net(success, &device);
         let features = net.encode(scenes.clone());
         for logits in [net.cell_logits(scenes), features.logits] {
             let logits: Vec<f32> = logits.into_data().iter().collect();

@@ -13,7 +13,7 @@ use super::ball_head::{
 };
 use super::conv::{Matrix, matmul};
 use super::dynamics::{CODE, DynamicsNet, LEVELS, SceneFeatures};
-use super::judge::logit_index;
+use super::success_net::logit_index;
 use super::values;
 use crate::puzzle::action::Ball;
 use crate::puzzle::sampled_paths::{SAMPLES, SampledPaths};
@@ -245,7 +245,7 @@ mod tests {
     use crate::nets::ball_batch::BallBatch;
     use crate::nets::ball_head::Predictions;
     use crate::nets::flex;
-    use crate::nets::judge::RADII;
+    use crate::nets::success_net::RADII;
     use crate::puzzle::task::Task;
     use crate::raster::CELLS;
 

@@ -1,8 +1,8 @@
 //! The nets of Harter et al. (2020): each predicts one map from the scene, the last two also from earlier maps.
 //!
 //! Base path and target path come from the scene alone; the action path from the scene and both; the placement of the
-//! ball from scene, target path and action path. One more net scores balls: the judge from the scene alone, or the
-//! dynamics net, which imagines what a ball leads to. This folder is the only user of burn, none of whose types its
+//! ball from scene, target path and action path. One more net scores balls: the success net from the scene alone, or
+//! the dynamics net, which imagines what a ball leads to. This folder is the only user of burn, none of whose types its
 //! callers need. It uses neither agents nor the simulator, and files only for the checkpoints of a training.
 
 use burn::module::Module;
@@ -22,21 +22,21 @@ pub mod dqn;
 pub mod dynamics;
 mod hourglass;
 pub mod imagined_balls;
-pub mod judge;
 #[cfg(not(target_arch = "wasm32"))]
 mod rounding;
+pub mod success_net;
 #[cfg(feature = "training")]
 pub mod training;
 mod u_net;
 mod weights;
 
-pub use card::{Card, DqnCard, DynamicsCard, JudgeCard, OtherFold};
+pub use card::{Card, DqnCard, DynamicsCard, OtherFold, SuccessCard};
 #[cfg(not(target_arch = "wasm32"))]
 pub use dqn::Dqn;
 pub use dynamics::DynamicsNet;
 pub use hourglass::Hourglass;
 pub use imagined_balls::{ImaginedBall, ReadScene};
-pub use judge::Judge;
+pub use success_net::SuccessNet;
 pub use weights::{WeightsError, read_card};
 
 /// The nets together.
@@ -47,7 +47,7 @@ pub struct PathNet {
     action: Hourglass,
     placement: Hourglass,
     /// Not part of the paper; weights may come without it.
-    pub judge: Option<Judge>,
+    pub success: Option<SuccessNet>,
     /// Not part of the paper; weights may come without it.
     pub dynamics: Option<DynamicsNet>,
 }
@@ -56,7 +56,7 @@ pub struct PathNet {
 pub type Logits = [Tensor<4>; 4];
 
 impl PathNet {
-    /// Returns fresh nets with random weights from this seed, without a judge and without a dynamics net.
+    /// Returns fresh nets with random weights from this seed, without a success net and without a dynamics net.
     pub fn fresh(seed: u64) -> PathNet {
         PathNet::new(&seeded(seed))
     }
@@ -83,7 +83,7 @@ impl PathNet {
             target: net(CHANNELS),
             action: net(CHANNELS + 2),
             placement: net(CHANNELS + 2),
-            judge: None,
+            success: None,
             dynamics: None,
         }
     }
@@ -122,13 +122,13 @@ impl PathNet {
         Imagined { base, target, action, placement }
     }
 
-    /// Returns the logits of the cells of a scene, `[RADII, 64, 64]`: the judge's, or else the dynamics net's; `None`
-    /// if the weights have neither. PHYRE's world is symmetric, so the logits of the scene and of its mirror image are
-    /// averaged, which is more accurate than one.
+    /// Returns the logits of the cells of a scene, `[RADII, 64, 64]`: the success net's, or else the dynamics net's;
+    /// `None` if the weights have neither. PHYRE's world is symmetric, so the logits of the scene and of its mirror
+    /// image are averaged, which is more accurate than one.
     pub fn cell_logits(&self, scene: &Scene) -> Option<Vec<f32>> {
         let both = |image: Tensor<4>| Tensor::cat(vec![image.clone(), image.flip([3])], 0); // [2, 5, 64, 64]
-        let logits = match (&self.judge, &self.dynamics) {
-            (Some(judge), _) => judge.forward(both(self.encode_coverage(scene))),
+        let logits = match (&self.success, &self.dynamics) {
+            (Some(net), _) => net.forward(both(self.encode_coverage(scene))),
             (None, Some(dynamics)) => dynamics.cell_logits(both(self.encode_coverage(scene))),
             (None, None) => return None,
         }; // [2, RADII, 64, 64]
@@ -148,7 +148,7 @@ impl PathNet {
         self.image(scene_channels(scene).iter().flat_map(Bitmap::to_f32).collect())
     }
 
-    /// The input of the judge and of the dynamics net for a scene, `[1, 5, 64, 64]`.
+    /// The input of the success net and of the dynamics net for a scene, `[1, 5, 64, 64]`.
     fn encode_coverage(&self, scene: &Scene) -> Tensor<4> {
         self.image(scene_coverage(scene).iter().flat_map(Coverage::to_f32).collect())
     }
@@ -184,7 +184,7 @@ impl Imagined {
             ImaginedMap::Target => Some(&self.target),
             ImaginedMap::Action => Some(&self.action),
             ImaginedMap::Placement => Some(&self.placement),
-            ImaginedMap::Judge => None,
+            ImaginedMap::Success => None,
         }
     }
 }

@@ -1,7 +1,7 @@
 //! A U-Net (Ronneberger et al. 2015): an encoder-decoder in which the decoder layer of each size also sees the
-//! encoder's output of that size, so that its maps are as sharp as the scene. The judge and the dynamics net are the
-//! same U-Net but for their outputs; its layers stay fields of theirs, because the names of the parameters are those in
-//! weights files.
+//! encoder's output of that size, so that its maps are as sharp as the scene. The success net and the dynamics net are
+//! the same U-Net but for their outputs; its layers stay fields of theirs, because the names of the parameters are
+//! those in weights files.
 
 use burn::nn::conv::{Conv2d, ConvTranspose2d};
 use burn::tensor::{Device, Tensor};

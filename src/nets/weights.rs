@@ -1,7 +1,7 @@
 //! Weights files: half-precision safetensors whose metadata is a card with the settings of the training.
 //!
 //! The names of the tensors are the paths of the parameters in `PathNet` (`base.down.0.weight`). A file that does not
-//! fit is refused with the name of the tensor. Does no file or network I/O.
+//! fit is refused with the name of the tensor. Older files call the success net `judge`. Does no file or network I/O.
 //!
 //! burn-store's `SafetensorsStore` writes the same names, but converts to half precision without a check of the range
 //! and accepts any type of number; here a file that a person names has to fit exactly.
@@ -15,7 +15,7 @@ use safetensors::tensor::{Dtype, SafeTensors, TensorView};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
-use super::{Card, DynamicsNet, Judge, PathNet};
+use super::{Card, DynamicsNet, PathNet, SuccessNet};
 #[cfg(not(target_arch = "wasm32"))]
 use super::{Dqn, DqnCard, flex};
 
@@ -56,8 +56,8 @@ impl PathNet {
         let card = read_card(bytes)?;
         let file = SafeTensors::deserialize(bytes)?;
         let mut nets = PathNet::new(device);
-        if file.names().iter().any(|name| name.starts_with("judge.")) {
-            nets.judge = Some(Judge::new(device));
+        if file.names().iter().any(|name| name.starts_with("success.") || name.starts_with("judge.")) {
+            nets.success = Some(SuccessNet::new(device));
         }
         if file.names().iter().any(|name| name.starts_with("dynamics.")) {
             nets.dynamics = Some(DynamicsNet::new(device));
@@ -183,7 +183,9 @@ struct Loader<'a> {
 impl Loader<'_> {
     fn read(&self, expected: &[usize]) -> Result<Vec<f32>, WeightsError> {
         let name = self.path.join(".");
-        let view = self.file.tensor(&name).map_err(|_| WeightsError::Missing(name.clone()))?;
+        let old = name.replacen("success.", "judge.", 1);
+        let found = self.file.tensor(&name).or_else(|_| self.file.tensor(&old));
+        let view = found.map_err(|_| WeightsError::Missing(name.clone()))?;
         if view.dtype() != Dtype::F16 || view.shape() != expected {
             return Err(WeightsError::ShapeMismatch {
                 name,
@@ -254,7 +256,7 @@ mod tests {
             samples: 1,
             tasks: 1,
             simulator: 0,
-            judge: None,
+            success: None,
             dynamics: None,
         };
         let saved = |value: f32| PathNet::fresh(0).map(&mut SetBiases(value)).save(&card);

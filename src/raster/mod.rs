@@ -1,9 +1,9 @@
 //! 64 x 64 images for the nets: the five channels of a scene, and the path of a body through a rollout.
 //!
 //! Everything is drawn at 256 x 256 pixels, one per px. For the paper's nets it is max-pooled to 64 x 64 cells; for the
-//! judge, the dynamics net and DQN it is average-pooled. Row 0 is the bottom of the scene. Also defines how cells map
-//! to scene coordinates. Used by `nets`, `agents`, `search`, the lab and the page. Must not depend on the simulator or
-//! on nets.
+//! success net, the dynamics net and DQN it is average-pooled. Row 0 is the bottom of the scene. Also defines how cells
+//! map to scene coordinates. Used by `nets`, `agents`, `search`, the lab and the page. Must not depend on the simulator
+//! or on nets.
 
 use scan_conversion::{Span, body_spans, disc_spans};
 

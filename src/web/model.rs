@@ -74,7 +74,7 @@ impl Model {
     }
 
     /// Returns the maps of a task: for each a Float32Array of 64 x 64 values in 0..=1, row 0 at the bottom.
-    /// Weights with neither a judge nor a dynamics net have no map `judge`.
+    /// Weights with neither a success net nor a dynamics net have no map `success`.
     ///
     /// # Errors
     /// `bad_task` if there is no such task, `bad_scene` if the scene may not be played.
@@ -86,11 +86,11 @@ impl Model {
         let scene = load(puzzle)?.scene;
         let nets = &self.model.nets;
         let imagined = nets.imagine(&scene);
-        let judge = nets.cell_logits(&scene).and_then(|logits| probability_map(&logits, &scene));
+        let success = nets.cell_logits(&scene).and_then(|logits| probability_map(&logits, &scene));
         let maps = js_sys::Object::new();
         for map in ImaginedMap::ALL {
             let values = match map {
-                ImaginedMap::Judge => judge.as_deref(),
+                ImaginedMap::Success => success.as_deref(),
                 of_paper => imagined.map(of_paper),
             };
             if let Some(values) = values {

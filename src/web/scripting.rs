@@ -25,8 +25,8 @@ pub fn scene(#[wasm_bindgen(unchecked_param_type = "Puzzle")] puzzle: JsValue) -
     to_js(&load(puzzle)?.scene)
 }
 
-/// Returns the five channels of a scene, which the four nets and the judge see: green object, blue goal, purple goal,
-/// gray, black. A Float32Array `[5, 64, 64]` of zeros and ones, row 0 at the bottom.
+/// Returns the five channels of a scene, which the four nets and the success net see: green object, blue goal, purple
+/// goal, gray, black. A Float32Array `[5, 64, 64]` of zeros and ones, row 0 at the bottom.
 ///
 /// # Errors
 /// `bad_task` if there is no such task, `bad_scene` if the scene may not be played.

@@ -134,13 +134,13 @@ export interface Fold {
 }
 
 /** The maps that the nets imagine, in the order in which they make them. */
-export type MapName = "base" | "target" | "action" | "placement" | "judge";
+export type MapName = "base" | "target" | "action" | "placement" | "success";
 
 /** A map or a mask: 64 x 64 values in 0..1, row by row, row 0 at the bottom. */
 export type GridMap = Float32Array;
 
-/** The maps of a task; weights may have no judge. */
-export type Maps = Record<Exclude<MapName, "judge">, GridMap> & { judge?: GridMap };
+/** The maps of a task; weights may have no success net. */
+export type Maps = Record<Exclude<MapName, "success">, GridMap> & { success?: GridMap };
 
 /** Who places the ball. */
 export type Author = "player" | "model";
@@ -264,11 +264,11 @@ export interface PathMasks {
 }
 
 /** Where a proposed ball comes from: what the dynamics net imagines (the probability before any attempt and now, and the
- * attempt, from 1, that lowered it most), the judge, a cell of the placement map (px), an earlier proposal with noise, or the
- * whole action space. */
+ * attempt, from 1, that lowered it most), the success net, a cell of the placement map (px), an earlier proposal with
+ * noise, or the whole action space. */
 export type Origin =
     | { kind: "imagined"; prior: number; probability: number; lowered_by: number | null }
-    | { kind: "judge"; probability: number }
+    | { kind: "success"; probability: number }
     | { kind: "map"; x: number; y: number }
     | { kind: "perturbed"; number: number }
     | { kind: "uniform" };
@@ -301,7 +301,7 @@ export interface TriedProposal extends Attempt, Proposal {}
 /** A ball that the model considers before it chooses one. */
 export interface Candidate {
     ball: Ball;
-    /** The probability that it solves, from what is imagined and, if there is one, from the judge; 0..1. */
+    /** The probability that it solves, from what is imagined and, if there is one, from the success net; 0..1. */
     probability: number;
     /** The imagined path of the green object, as in `ImaginedBall`. */
     object: Float32Array;
@@ -321,12 +321,12 @@ export interface ModelCard {
     samples: number;
     tasks: number;
     simulator: number;
-    judge?: JudgeCard;
+    success?: SuccessCard;
     dynamics?: DynamicsCard;
 }
 
-/** How the judge of weights was trained. */
-export interface JudgeCard {
+/** How the success net of weights was trained. */
+export interface SuccessCard {
     seed: number;
     epochs: number;
     batch: number;
@@ -353,8 +353,8 @@ export interface DynamicsCard {
     without_paths?: boolean;
     /** SHA-256 of the weights that it started from. */
     from?: string;
-    /** How the judge that it started from was trained. */
-    judge?: JudgeCard;
+    /** How the success net that it started from was trained. */
+    success?: SuccessCard;
 }
 
 /** What a frame shows. */

@@ -42,15 +42,15 @@ test("the sheet names the paper, the benchmark and what the model learned from",
   for (const said of ["Solving Physics Puzzles by Reasoning about Paths", "Harter", "2020", "PHYRE"])
     assert.ok(text.includes(said), said);
   await about.locator("#card").filter({ hasText: entry.name }).waitFor();
-  const { dynamics, judge } = await card(entry.file);
+  const { dynamics, success } = await card(entry.file);
   const saidOfNets = [
     about.locator("#about-nets"),
     page.locator("#imagine-intro"),
-    page.locator("[data-map=judge] .how"),
+    page.locator("[data-map=success] .how"),
   ];
   for (const said of await Promise.all(saidOfNets.map((element) => element.textContent()))) {
     assert.equal(/dynamics net/.test(said), Boolean(dynamics), said);
-    assert.equal(/the judge/i.test(said), Boolean(judge), said);
+    assert.equal(/the success net/i.test(said), Boolean(success), said);
   }
   const entries = await about.locator("#card-entries").textContent();
   const said = (number) => number.toLocaleString("en");

@@ -152,6 +152,14 @@ test("the attribute stage, the old name of step, and the old name of the present
   assert.deepEqual(await step(), [null, null]);
 });
 
+test("the old name of the map Success is read", async () => {
+  const page = await embed(session, single('task="00000:000" panel="imagine" layers="judge" step="judge"'));
+  const puzzle = page.locator("pathlight-puzzle");
+  await puzzle.locator("[data-map=success]").waitFor();
+  const shown = await puzzle.evaluate((/** @type {any} */ element) => [element.state.layers, element.state.step]);
+  assert.deepEqual(shown, [["success"], "success"]);
+});
+
 test("a ball does not go on to another puzzle, unless it is set with it", async () => {
   const page = await embed(session, single('task="00000:000" ball="100,200,20"'));
   const puzzle = page.locator("pathlight-puzzle");

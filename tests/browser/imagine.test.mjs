@@ -5,7 +5,7 @@ import { after, before, test } from "node:test";
 import { start } from "./harness.mjs";
 import { openImagined, picture, watchFrames } from "./page-actions.mjs";
 
-const MAPS = ["base", "target", "action", "placement", "judge"];
+const MAPS = ["base", "target", "action", "placement", "success"];
 
 let session;
 before(async () => (session = await start()));

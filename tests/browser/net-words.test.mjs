@@ -9,11 +9,11 @@ test("the net that scores balls is named, and no other", () => {
   const dynamics = netWords({ dynamics: {} }, 4);
   assert.match(dynamics.intro, /four small nets .+ and the dynamics net scores balls:$/);
   assert.match(dynamics.about, /^It has four small neural nets\. .+Another net, the dynamics net, imagines/);
-  assert.doesNotMatch(Object.values(dynamics).join(" "), /judge/i);
-  const judge = netWords({ judge: {} }, 4);
-  assert.match(judge.intro, /and the judge scores balls:$/);
-  assert.match(judge.about, /Another net, the judge, says/);
-  assert.doesNotMatch(Object.values(judge).join(" "), /dynamics/i);
+  assert.doesNotMatch(Object.values(dynamics).join(" "), /success/i);
+  const success = netWords({ success: {} }, 4);
+  assert.match(success.intro, /and the success net scores balls:$/);
+  assert.match(success.about, /Another net, the success net, says/);
+  assert.doesNotMatch(Object.values(success).join(" "), /dynamics/i);
   for (const card of [{}, undefined]) {
     const { intro, about, how } = netWords(card, 4);
     assert.equal(intro, "Before anything moves, four small nets imagine, one after the other:");

@@ -12,7 +12,7 @@ const STEPS = [
   "Target path",
   "Action path",
   "Placement",
-  "Judge",
+  "Success",
   "Candidates",
   "Imagined",
   "Chosen",

@@ -61,7 +61,7 @@ const FRAGMENTS = [
   "#task=00000:000&ball=60,240,12",
   "#task=00000:000&panel=compare&model=cross-0",
   "#task=00001:005&view=presentation",
-  "#task=00001:005&view=presentation&step=judge",
+  "#task=00001:005&view=presentation&step=success",
   "#task=00002:007&panel=imagine&layers=base,target",
   "#task=00002:007&hide=puzzles,tools,imagine",
   "#task=00000:000&proposal=3&panel=compare",

@@ -5,7 +5,7 @@ import { after, before, test } from "node:test";
 import { start } from "./harness.mjs";
 import { openImagined, picture, spot } from "./page-actions.mjs";
 
-const MAPS = ["base", "target", "action", "placement", "judge"];
+const MAPS = ["base", "target", "action", "placement", "success"];
 /** How a model that imagines balls chooses one, and what comes of it. */
 const CHOICE = ["candidates", "imagined", "chosen", "run", "real"];
 
@@ -114,7 +114,7 @@ test("arrow keys on a small map read it", async () => {
 test("it ends with the choice: the candidates, what is imagined for them, the ball that is tried first", async () => {
   const page = await imagine();
   const pictures = new Set([await picture(page)]);
-  await page.locator('[aria-label="Step 5: Judge"]').click();
+  await page.locator('[aria-label="Step 5: Success"]').click();
   for (const [name, words] of Object.entries({
     Candidates: /^Here there are \d+; a ring stands for the middle of each\.$/,
     Imagined: /^Here \d+ of the \d+ balls are more likely to solve the puzzle than not\./,

@@ -39,10 +39,10 @@ test("its types are complete and strict", () => {
     const ball: Ball = [128, 200, 12];
     const rollout: Rollout = pathlight.simulate(pathlight.fold("cross", 3).dev[0]!, ball);
     const poses: Float32Array = rollout.poses;
-    const judged: Float32Array | undefined = pathlight.imagine("00007:008").judge;
+    const success: Float32Array | undefined = pathlight.imagine("00007:008").success;
     for (const { ending: { solved } } of pathlight.turn("00007:008", { seed: 1 })) if (solved) break;
     const code: CodedError["code"] = "no_weights";
-    export { code, judged, poses };
+    export { code, success, poses };
   `),
     "",
   );

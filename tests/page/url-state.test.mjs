@@ -14,7 +14,7 @@ const FULL = {
   step: "chosen",
   view: "presentation",
   proposal: 7,
-  layers: ["target", "judge"],
+  layers: ["target", "success"],
   opacity: 0.5,
   forecast: true,
   ball: [128, 200, 12],
@@ -71,6 +71,10 @@ test("old names in a link are read", () => {
     state: { ...INITIAL_STATE, step: "chosen", view: "presentation" },
     problem: null,
   });
+  assert.deepEqual(parseFragment("step=judge&layers=target,judge"), {
+    state: { ...INITIAL_STATE, step: "success", layers: ["target", "success"] },
+    problem: null,
+  });
   assert.match(parseFragment("stage=nowhere").problem ?? "", /“stage=nowhere”/);
 });
 
@@ -82,5 +86,5 @@ test("a link to another puzzle keeps the model and what is hidden", () => {
 test("a hidden panel is not shown, and no map lies over the scene in Predict", () => {
   assert.equal(viewOf({ ...FULL, view: null, panel: "map" }).panel, "play");
   assert.deepEqual(viewOf({ ...FULL, view: null, step: null, panel: "predict" }).layers, []);
-  assert.deepEqual(viewOf({ ...FULL, view: null, step: null, panel: "imagine" }).layers, ["target", "judge"]);
+  assert.deepEqual(viewOf({ ...FULL, view: null, step: null, panel: "imagine" }).layers, ["target", "success"]);
 });

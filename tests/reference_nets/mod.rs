@@ -2,7 +2,7 @@
 //! channel by channel, row by row.
 
 use half::f16;
-use pathlight::nets::judge::RADII;
+use pathlight::nets::success_net::RADII;
 use pathlight::puzzle::scene::Scene;
 use pathlight::raster::{CELLS, CHANNELS, SIDE, scene_channels, scene_coverage};
 use safetensors::SafeTensors;
@@ -18,8 +18,8 @@ pub fn imagine(file: &SafeTensors, scene: &Scene) -> [Vec<f32>; 4] {
     [base, target, action, placement]
 }
 
-/// The logits of the cells, of the judge or of the dynamics net: the mean over the scene and its mirror image. Both see
-/// how much of each cell is covered.
+/// The logits of the cells, of the success net or of the dynamics net: the mean over the scene and its mirror image.
+/// Both see how much of each cell is covered.
 pub fn cell_logits(file: &SafeTensors, net: &str, scene: &Scene) -> Vec<f32> {
     let mirror = |image: &[f32]| -> Vec<f32> { image.chunks(SIDE).flat_map(|row| row.iter().rev()).copied().collect() };
     let scene: Vec<f32> =

@@ -28,8 +28,8 @@ export const MAP_TEXT = {
     meaning: "Where the red ball should start.",
     how: "Its net sees the scene, the target path and the action path. In the paper, balls that cover much of this map are tried first. A model with a net that scores balls tries the likeliest first.",
   },
-  judge: {
-    name: "Judge",
+  success: {
+    name: "Success",
     meaning: "Where a ball is likely to solve the puzzle.",
     how: "The paper has no such map. For eight sizes of ball at every place it says how likely one solves the puzzle, and shows the best size.",
   },
@@ -78,21 +78,21 @@ const BALL_NETS = /** @type {const} */ ({
       "Another net, the dynamics net, imagines where the green object and the ball would go, and how likely the ball is to solve the puzzle.",
     how: "The dynamics net makes it before it imagines single balls. It has learned from balls of all kinds what they lead to.",
   },
-  judge: {
-    intro: "the judge scores balls",
-    about: "Another net, the judge, says for every place how likely a ball there is to solve the puzzle.",
-    how: "The judge makes it from the scene alone. It has learned from balls that solved puzzles and balls that did not. The likeliest ball is tried first, and balls like one that was tried wait.",
+  success: {
+    intro: "the success net scores balls",
+    about: "Another net, the success net, says for every place how likely a ball there is to solve the puzzle.",
+    how: "The success net makes it from the scene alone. It has learned from balls that solved puzzles and balls that did not. The likeliest ball is tried first, and balls like one that was tried wait.",
   },
 });
 
 /**
  * What is said of the nets of a model: in the panel Imagine, in the sheet “About Pathlight”, and of how they make the
  * map that scores balls. Weights may have no net that scores balls; then its parts are left out.
- * @param {{ dynamics?: object, judge?: object } | undefined} card of the loaded model
+ * @param {{ dynamics?: object, success?: object } | undefined} card of the loaded model
  * @param {number} paperNets the number of the paper's nets
  */
 export function netWords(card, paperNets) {
-  const ballNet = card?.dynamics ? BALL_NETS.dynamics : card?.judge ? BALL_NETS.judge : null;
+  const ballNet = card?.dynamics ? BALL_NETS.dynamics : card?.success ? BALL_NETS.success : null;
   const count = NUMBERS[paperNets] ?? String(paperNets);
   return {
     intro: `Before anything moves, ${count} small nets imagine, one after the other${ballNet ? `, and ${ballNet.intro}` : ""}:`,

@@ -4,7 +4,7 @@
 export const AGENT_NAMES = /** @type {Record<string, string>} */ ({
   online: "the model as it plays here: it learns from its attempts",
   dynamics: "the same without learning from its attempts",
-  judge: "the judge alone",
+  success: "the success net alone",
   paper: "the paper’s four nets alone",
   random: "random balls",
 });

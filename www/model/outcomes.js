@@ -68,7 +68,7 @@ export function ballsCsv(tried, { task, model, seen, simulator }) {
     const chances =
       origin.kind === "imagined"
         ? [origin.probability, origin.prior, origin.lowered_by]
-        : [origin.kind === "judge" ? origin.probability : null, null, null];
+        : [origin.kind === "success" ? origin.probability : null, null, null];
     const seconds = [ending.longest_touch, ending.steps].map((steps) => (steps / STEPS_PER_SECOND).toFixed(2));
     return [task, model, seen, simulator, index + 1, ...ball, outcomeOf(one), ...seconds, origin.kind, ...chances];
   });

@@ -40,8 +40,8 @@ const ENTRIES = [
   ],
   ["mirror", "Mirrored", (mirror) => (mirror ? "half of the time, left to right" : "never")],
   [
-    "judge",
-    "The judge learned from",
+    "success",
+    "The success net learned from",
     ({ balls, epochs }) => `${number(balls)} balls with their outcome, ${epochs} times over`,
   ],
   [

@@ -74,7 +74,7 @@ export class Overlays extends Component {
     if (!this.#view) return;
     const { panel, opacity, layers } = this.#view;
     // The origin of a proposal is seen on the map that orders the proposals, if a map does.
-    const source = this.#proposals.able ? [] : [this.#imagine.maps?.judge ? "judge" : "placement"];
+    const source = this.#proposals.able ? [] : [this.#imagine.maps?.success ? "success" : "placement"];
     const mapNames = this.#proposals.active ? source : layers;
     const drawing = panel === "predict";
     const ghosts = this.session?.ghosts ?? [];

@@ -12,8 +12,8 @@ import { valueAt } from "../model/map-summary.js";
 export function originWords({ origin }, placement) {
   if (origin.kind === "perturbed") return `Ball ${origin.number}, moved at random.`;
   if (origin.kind === "imagined") return imaginedWords(origin);
-  if (origin.kind === "judge")
-    return `The judge: after what was tried before, this ball has the highest probability of solving, ${Math.round(100 * origin.probability)} %.`;
+  if (origin.kind === "success")
+    return `The success net: after what was tried before, this ball has the highest probability of solving, ${Math.round(100 * origin.probability)} %.`;
   if (origin.kind === "uniform") return "Random: the placement map shows no place where a ball may be.";
   const { x, y } = origin;
   const value = placement ? ` it is ${valueAt(placement, [x, y]).toFixed(2)} at x ${x}, y ${y}.` : "";

@@ -83,6 +83,7 @@ export const INITIAL_STATE = Object.freeze({
 const RENAMED = new Map([
   ["bend", "make"],
   ["stage", "presentation"],
+  ["judge", "success"],
 ]);
 
 /** @param {string} name */

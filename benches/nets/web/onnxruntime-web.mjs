@@ -3,7 +3,7 @@
 import * as ort from "../../../target/bench/node_modules/onnxruntime-web/dist/ort.wasm.min.mjs";
 import { ofMaps } from "../../web/implementation.mjs";
 
-/** `what` is 'nets', the four nets, or 'all-nets', the judge too. */
+/** `what` is 'nets', the four nets, or 'all-nets', the success net too. */
 export async function load(read, what) {
   ort.env.wasm.numThreads = 1;
   ort.env.wasm.wasmBinary = await read("target/bench/node_modules/onnxruntime-web/dist/ort-wasm-simd-threaded.wasm");

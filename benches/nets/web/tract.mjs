@@ -2,7 +2,7 @@
 
 import { ofMaps } from "../../web/implementation.mjs";
 
-/** `what` is 'nets', the four nets, or 'all-nets', the judge too. */
+/** `what` is 'nets', the four nets, or 'all-nets', the success net too. */
 export async function load(read, what) {
   const { instance } = await WebAssembly.instantiate(await read("target/bench/tract.wasm"));
   const { memory, room, load, imagine } = instance.exports;

@@ -84,7 +84,7 @@ impl Collect {
     }
 }
 
-/// Try balls on all tasks and keep their outcomes, to train a judge, a dynamics net or DQN on
+/// Try balls on all tasks and keep their outcomes, to train a success net, a dynamics net or DQN on
 #[derive(clap::Args)]
 pub struct Label {
     /// File to write, or to continue

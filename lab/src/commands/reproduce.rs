@@ -37,7 +37,7 @@ pub struct Args {
     #[arg(long, default_value = SOLUTIONS)]
     solutions: PathBuf,
 
-    /// Balls with their outcome: labelled until complete, and trained on by the judge, the dynamics net and DQN
+    /// Balls with their outcome: labelled until complete, and trained on by the success net, the dynamics net and DQN
     #[arg(long, default_value = LABELS)]
     labels: PathBuf,
 
@@ -82,23 +82,25 @@ struct HyperparameterArgs {
     #[arg(long, default_value_t = Hyperparameters::default().epochs, value_parser = at_least_one())]
     epochs: u16,
 
-    /// Epochs of the judge in the setup within
+    /// Epochs of the success net in the setup within
     #[arg(
         long,
         value_name = "EPOCHS",
-        default_value_t = Hyperparameters::default().judge_epochs,
+        alias = "judge-epochs",
+        default_value_t = Hyperparameters::default().success_epochs,
         value_parser = at_least_one()
     )]
-    judge_epochs: u16,
+    success_epochs: u16,
 
-    /// Epochs of the judge in the setup cross
+    /// Epochs of the success net in the setup cross
     #[arg(
         long,
         value_name = "EPOCHS",
-        default_value_t = Hyperparameters::default().judge_epochs_cross,
+        alias = "judge-epochs-cross",
+        default_value_t = Hyperparameters::default().success_epochs_cross,
         value_parser = at_least_one()
     )]
-    judge_epochs_cross: u16,
+    success_epochs_cross: u16,
 
     /// Epochs of the dynamics net, over scenes and variants
     #[arg(
@@ -134,8 +136,8 @@ impl From<HyperparameterArgs> for Hyperparameters {
             label_rounds: args.label_rounds,
             variant_rounds: args.variant_rounds,
             epochs: args.epochs,
-            judge_epochs: args.judge_epochs,
-            judge_epochs_cross: args.judge_epochs_cross,
+            success_epochs: args.success_epochs,
+            success_epochs_cross: args.success_epochs_cross,
             dynamics_epochs: args.dynamics_epochs,
             dqn_epochs: args.dqn_epochs,
             limit: args.limit,

@@ -39,7 +39,7 @@ impl Command {
 #[derive(clap::Args)]
 struct RunArgs {
     /// Folder of the run: checkpoint, losses.csv, weights.safetensors [default: target/train/SETUP-FOLD for the four
-    /// nets, and judge, dynamics or dqn in it for the others]
+    /// nets, and success, dynamics or dqn in it for the others]
     #[arg(long)]
     out: Option<PathBuf>,
 
@@ -134,7 +134,7 @@ impl From<Paths> for paths::Settings {
     }
 }
 
-/// Train the net that judges balls, and add it to the weights of the four nets, in place of a dynamics net
+/// Train the net that predicts which balls solve, and add it to the weights of the four nets, instead of a dynamics net
 #[derive(clap::Args)]
 pub struct Success {
     #[command(flatten)]
@@ -173,7 +173,7 @@ impl From<Success> for success::Settings {
 }
 
 /// Train the net that imagines what balls lead to, and add it to the weights of the four nets; it starts from their
-/// judge, if they have one
+/// success net, if they have one
 #[derive(clap::Args)]
 pub struct Dynamics {
     #[command(flatten)]

@@ -1,5 +1,5 @@
-//! Balls labelled with their outcome, solved or not, and the paths they led to: the training data of the judge, the
-//! dynamics net and DQN.
+//! Balls labelled with their outcome, solved or not, and the paths they led to: the training data of the success net,
+//! the dynamics net and DQN.
 //!
 //! Half of the balls are sampled uniformly; the rest are sampled around known solutions of this task or of others of
 //! its template (its siblings), so that near misses are among them. Used by `data label`.

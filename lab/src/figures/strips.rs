@@ -181,7 +181,7 @@ impl Strip {
         let action = overlap(&imagined.action, &red, rollout, scene.bodies.len());
         let iou = |value: f64| format!("IoU {value:.2}");
         let chance = match origin {
-            Origin::Imagined { probability, .. } | Origin::Judge { probability } | Origin::Dqn { probability } => {
+            Origin::Imagined { probability, .. } | Origin::Success { probability } | Origin::Dqn { probability } => {
                 format!(", chance {:.0} %", 100.0 * probability)
             }
             Origin::Map { .. } | Origin::Perturbed { .. } | Origin::Uniform => String::new(),

@@ -45,6 +45,9 @@ mod tests {
         let expected = json!({"seed": 5, "dqn": {"batch": 16, "rate": 1}});
         assert_eq!(differences(&found, &expected), "`dqn.batch` is 9 instead of 16, `seed` is 0 instead of 5");
         assert_eq!(differences(&found, &found), "");
-        assert_eq!(differences(&json!({"judge": {"seed": 1}}), &json!({})), "`judge` is {\"seed\":1} instead of none");
+        assert_eq!(
+            differences(&json!({"success": {"seed": 1}}), &json!({})),
+            "`success` is {\"seed\":1} instead of none"
+        );
     }
 }

@@ -20,7 +20,7 @@ pub struct MeasuredAgent {
 /// Weights that training a fold leaves behind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Weights {
-    Judge,
+    Success,
     Dynamics,
     Dqn,
     None,
@@ -50,9 +50,9 @@ pub const AGENTS: [MeasuredAgent; AgentName::ALL.len()] = [
         style: ("#56b4e9", "7 3"),
     },
     MeasuredAgent {
-        agent: AgentName::Judge,
-        label: "judge",
-        weights: Weights::Judge,
+        agent: AgentName::Success,
+        label: "success net",
+        weights: Weights::Success,
         on_request: false,
         style: ("#009e73", "none"),
     },
@@ -66,7 +66,7 @@ pub const AGENTS: [MeasuredAgent; AgentName::ALL.len()] = [
     MeasuredAgent {
         agent: AgentName::Paper,
         label: "the paper's four nets",
-        weights: Weights::Judge,
+        weights: Weights::Success,
         on_request: false,
         style: ("#d55e00", "8 3 2 3"),
     },
@@ -99,7 +99,7 @@ mod tests {
             let MeasuredAgent { label, style, weights, .. } = row(agent);
             assert_eq!(AGENTS.iter().filter(|other| other.style.0 == style.0).count(), 1, "{agent}: its colour");
             assert_eq!(AGENTS.iter().filter(|other| other.label == *label).count(), 1, "{agent}: its label");
-            assert_eq!(matches!(weights, Weights::Judge | Weights::Dynamics), agent.is_of_model(), "{agent}");
+            assert_eq!(matches!(weights, Weights::Success | Weights::Dynamics), agent.is_of_model(), "{agent}");
         }
     }
 }

@@ -111,8 +111,8 @@ impl Settings {
             for agent in &self.agents {
                 agent.check(&loaded)?;
             }
-            if !self.measures(AgentName::Judge) {
-                card.judge = None;
+            if !self.measures(AgentName::Success) {
+                card.success = None;
             }
             report.card = Some(card);
             nets = Some(loaded);
@@ -202,8 +202,8 @@ impl Report {
         writeln!(text, "simulator {simulator}")?;
         if let Some(card @ Card { samples, tasks, epochs, seed, .. }) = self.card.as_ref() {
             write!(text, "model: {samples} solutions of {tasks} tasks, {epochs} epochs, seed {seed}")?;
-            if let Some(judge) = &card.judge {
-                write!(text, "; judge: {} balls, {} epochs", judge.balls, judge.epochs)?;
+            if let Some(success) = &card.success {
+                write!(text, "; success net: {} balls, {} epochs", success.balls, success.epochs)?;
             }
             if let Some(dynamics) = &card.dynamics {
                 write!(text, "; dynamics net: {} balls, {} epochs", dynamics.balls, dynamics.epochs)?;

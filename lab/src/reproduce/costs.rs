@@ -27,7 +27,7 @@ const CORES: [usize; 3] = [1, 20, 200];
 /// A row's costs, core-minutes.
 struct RowCost {
     nets: f64,
-    judge: f64,
+    success: f64,
     dynamics: f64,
     dqn: f64,
     evaluation: f64,
@@ -36,7 +36,7 @@ struct RowCost {
 impl RowCost {
     /// Returns the cost of the whole row, core-minutes. The nets that learn from labels train `times` as long.
     fn all(&self, times: f64) -> f64 {
-        self.nets + times * (self.judge + self.dynamics + self.dqn) + self.evaluation
+        self.nets + times * (self.success + self.dynamics + self.dqn) + self.evaluation
     }
 }
 
@@ -60,7 +60,7 @@ fn cost(result: &FoldResult) -> RowCost {
     let minutes = |seconds: f64| seconds * result.threads as f64 / 60.0;
     RowCost {
         nets: minutes(result.nets.seconds),
-        judge: minutes(result.judge.seconds),
+        success: minutes(result.success.seconds),
         dynamics: minutes(result.dynamics.seconds),
         dqn: minutes(result.dqn.seconds),
         evaluation: minutes(result.evaluation_seconds),
@@ -71,15 +71,15 @@ fn rows(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
     writeln!(text, "## Each row, core-minutes\n")?;
     writeln!(
         text,
-        "| setup | fold | threads | four nets | judge | dynamics net | DQN | evaluation | all |\n|{}",
+        "| setup | fold | threads | four nets | success net | dynamics net | DQN | evaluation | all |\n|{}",
         " ---: |".repeat(9)
     )?;
     for result in results {
-        let cost @ RowCost { nets, judge, dynamics, dqn, evaluation } = cost(result);
+        let cost @ RowCost { nets, success, dynamics, dqn, evaluation } = cost(result);
         let (setup, fold, threads, all) = (result.report.setup, result.report.fold, result.threads, cost.all(1.0));
         writeln!(
             text,
-            "| {setup} | {fold} | {threads} | {nets:.1} | {judge:.1} | {dynamics:.1} | {dqn:.1} | {evaluation:.1} | \
+            "| {setup} | {fold} | {threads} | {nets:.1} | {success:.1} | {dynamics:.1} | {dqn:.1} | {evaluation:.1} | \
              {all:.1} |"
         )?;
     }
@@ -106,8 +106,8 @@ fn estimate(text: &mut String, results: &[FoldResult], seconds_per_ball: f64) ->
     writeln!(
         text,
         "\n## {count} rows at {MORE_LABELS} times the labels, estimated\n\n\
-         {balls:.2e} balls to label, at {:.2} ms each on one core (measured on {} balls when this was written). Judge, \
-         dynamics net and DQN are trained {MORE_LABELS} times as long; four nets and evaluation stay. A row is one job \
+         {balls:.2e} balls to label, at {:.2} ms each on one core (measured on {} balls when this was written). The \
+         success net, dynamics net and DQN are trained {MORE_LABELS} times as long; four nets and evaluation stay. A row is one job \
          on one core; the labels are made by at most {} jobs, one for each template.\n",
         1e3 * seconds_per_ball,
         TEMPLATES.len() * BALLS,

@@ -23,7 +23,8 @@ use crate::training::settings::{LabelsRecipe, PathsRecipe, recipe_of};
 use crate::training::training_run::Checkpoint;
 use crate::training::{dqn, paths, success};
 
-/// Settings that can be chosen for a table. The defaults are those of the results in the repository.
+/// Settings that can be chosen for a table. The defaults are those of the results in the repository. Aliases: keys of
+/// older files.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Hyperparameters {
     /// Seed of training and evaluation.
@@ -34,10 +35,12 @@ pub struct Hyperparameters {
     pub variant_rounds: u16,
     /// Epochs of the four nets.
     pub epochs: u16,
-    /// Epochs of the judge in the setup within.
-    pub judge_epochs: u16,
-    /// Epochs of the judge in the setup cross.
-    pub judge_epochs_cross: u16,
+    /// Epochs of the success net in the setup within.
+    #[serde(alias = "judge_epochs")]
+    pub success_epochs: u16,
+    /// Epochs of the success net in the setup cross.
+    #[serde(alias = "judge_epochs_cross")]
+    pub success_epochs_cross: u16,
     /// Epochs of the dynamics net, over scenes and variants.
     pub dynamics_epochs: u16,
     /// Epochs of DQN.
@@ -53,8 +56,8 @@ impl Default for Hyperparameters {
             label_rounds: 15,
             variant_rounds: 4,
             epochs: 10,
-            judge_epochs: 150,
-            judge_epochs_cross: 60,
+            success_epochs: 150,
+            success_epochs_cross: 60,
             dynamics_epochs: 12,
             dqn_epochs: 15,
             limit: 100,
@@ -69,15 +72,16 @@ pub struct DataFiles {
     pub variants: PathBuf,
 }
 
-/// The result of a setup and fold.
+/// The result of a setup and fold. Aliases: keys of older files.
 #[derive(Serialize, Deserialize)]
 pub struct FoldResult {
     pub hyperparameters: Hyperparameters,
     /// The training of the four nets.
     pub nets: Checkpoint,
-    /// The training of the judge.
-    pub judge: Checkpoint,
-    /// The training of the dynamics net, which starts from the judge.
+    /// The training of the success net.
+    #[serde(alias = "judge")]
+    pub success: Checkpoint,
+    /// The training of the dynamics net, which starts from the success net.
     pub dynamics: Checkpoint,
     /// The training of DQN.
     pub dqn: Checkpoint<DqnCard>,
@@ -113,7 +117,7 @@ pub struct ResultSettings {
 #[derive(PartialEq, Serialize)]
 pub struct Recipes {
     pub nets: PathsRecipe,
-    pub judge: Option<LabelsRecipe>,
+    pub success: Option<LabelsRecipe>,
     pub dynamics: Option<DynamicsRecipe>,
     pub dqn: LabelsRecipe,
 }
@@ -122,7 +126,7 @@ impl Default for Recipes {
     fn default() -> Recipes {
         Recipes {
             nets: paths::Settings::default().recipe,
-            judge: Some(success::Settings::default().recipe),
+            success: Some(success::Settings::default().recipe),
             dynamics: Some(dynamics::Settings::default().recipe),
             // Smaller batches than those of the other nets, so that a short training has more steps.
             dqn: LabelsRecipe { batch: 16, ..dqn::Settings::default().recipe },
@@ -192,11 +196,11 @@ impl FoldResult {
             simulator: self.report.simulator,
             agents_version: self.report.agents_version,
             solutions: self.nets.data.clone(),
-            labels: self.judge.data.clone(),
+            labels: self.success.data.clone(),
             labels_and_variants: self.dynamics.data.clone(),
             recipes: Recipes {
                 nets: recipe_of(&self.nets.card),
-                judge: self.judge.card.judge.as_ref().map(recipe_of),
+                success: self.success.card.success.as_ref().map(recipe_of),
                 dynamics: self.dynamics.card.dynamics.as_ref().map(recipe_of),
                 dqn: recipe_of(&self.dqn.card),
             },
@@ -267,5 +271,19 @@ mod tests {
         let written: FoldResult =
             serde_json::from_slice(&serde_json::to_vec(&results[3]).expect("plain data")).expect("a row");
         assert_eq!(written.settings().differences(&today), "", "a row that is written now is read alike");
+    }
+
+    #[test]
+    fn a_row_with_the_old_names_of_the_success_net_is_read_alike() {
+        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../results/cross-3.json");
+        let text = fs::read_to_string(file).expect("a row");
+        let old = ["\"", "_epochs\"", "_epochs_cross\""]
+            .into_iter()
+            .fold(text.clone(), |text, end| text.replace(&format!("\"success{end}"), &format!("\"judge{end}")));
+        assert!(old.contains("\"judge_epochs_cross\":60") && !old.contains("\"success"));
+        let [old, row] = [old, text].map(|text| serde_json::from_str::<FoldResult>(&text).expect("a row"));
+        assert_eq!(old.settings().differences(&row.settings()), "");
+        assert!(row.score(AgentName::Success).is_some());
+        assert_eq!(old.score(AgentName::Success), row.score(AgentName::Success));
     }
 }

@@ -34,7 +34,7 @@ pub fn run(
     run.check_data()?;
     let recipes = Recipes::default();
     run.train_nets(&recipes, progress)?;
-    run.train_judge(&recipes, progress)?;
+    run.train_success(&recipes, progress)?;
     run.train_dynamics(&recipes, progress)?;
     run.train_dqn(&recipes, progress)?;
     let started = Instant::now();
@@ -43,7 +43,7 @@ pub fn run(
     Ok(FoldResult {
         hyperparameters: hyperparameters.clone(),
         nets: trained(folder)?,
-        judge: trained(&run.folder_of(Net::Judge))?,
+        success: trained(&run.folder_of(Net::Success))?,
         dynamics: trained(&run.folder_of(Net::Dynamics))?,
         dqn: trained(&run.folder_of(Net::Dqn))?,
         weights: size(Net::Dynamics)?,
@@ -58,7 +58,7 @@ pub fn run(
 #[derive(Clone, Copy)]
 enum Net {
     Four,
-    Judge,
+    Success,
     Dynamics,
     Dqn,
 }
@@ -105,28 +105,28 @@ impl FoldRun<'_> {
         say_weights(settings.train(progress)?, progress)
     }
 
-    fn train_judge(&self, recipes: &Recipes, progress: &mut dyn Progress) -> anyhow::Result<()> {
+    fn train_success(&self, recipes: &Recipes, progress: &mut dyn Progress) -> anyhow::Result<()> {
         let weights = self.weights(Net::Four);
         let epochs = match self.fold.setup {
-            Setup::Within => self.hyperparameters.judge_epochs,
-            Setup::Cross => self.hyperparameters.judge_epochs_cross,
+            Setup::Within => self.hyperparameters.success_epochs,
+            Setup::Cross => self.hyperparameters.success_epochs_cross,
         };
         let files = format!("--weights {} --labels {}", weights.display(), self.data.labels.display());
-        self.announce("success", &files, epochs, Net::Judge, progress);
+        self.announce("success", &files, epochs, Net::Success, progress);
         let settings = success::Settings {
             fold: self.fold,
             weights: Some(weights),
             labels: self.data.labels.clone(),
             epochs: epochs.into(),
-            recipe: recipes.judge.clone().expect("it is trained"),
-            run: self.run_settings(Net::Judge),
+            recipe: recipes.success.clone().expect("it is trained"),
+            run: self.run_settings(Net::Success),
         };
         say_weights(settings.train(progress)?, progress)
     }
 
-    /// Starts from the judge.
+    /// Starts from the success net.
     fn train_dynamics(&self, recipes: &Recipes, progress: &mut dyn Progress) -> anyhow::Result<()> {
-        let weights = self.weights(Net::Judge);
+        let weights = self.weights(Net::Success);
         let epochs = self.hyperparameters.dynamics_epochs;
         let [all, variants] = [&self.data.labels, &self.data.variants].map(|path| path.display());
         let files = format!("--weights {} --labels {all} --labels {variants}", weights.display());
@@ -158,16 +158,17 @@ impl FoldRun<'_> {
         say_weights(settings.train(progress)?, progress)
     }
 
-    /// Measures all agents: those of the dynamics net and DQN, then those of the judge and the four nets.
+    /// Measures all agents: those of the dynamics net and DQN, then those of the success net and the four nets.
     fn evaluate(&self, progress: &mut dyn Progress) -> anyhow::Result<Report> {
         let dqn = self.weights(Net::Dqn);
         let option = format!(" --dqn {}", dqn.display());
         let agents: Vec<AgentName> = measured_with(Weights::Dynamics).chain(measured_with(Weights::Dqn)).collect();
         let mut report = self.evaluate_with(Net::Dynamics, agents, Some(dqn), &option, progress)?;
-        let of_judge = self.evaluate_with(Net::Judge, measured_with(Weights::Judge).collect(), None, "", progress)?;
+        let of_success_net =
+            self.evaluate_with(Net::Success, measured_with(Weights::Success).collect(), None, "", progress)?;
         // The random agent is in both.
         report.agents.retain(|score| score.agent != AgentName::Random);
-        report.agents.extend(of_judge.agents);
+        report.agents.extend(of_success_net.agents);
         report.agents.sort_by_key(|score| score.agent as usize);
         progress.say(report.table()?.trim_end());
         Ok(report)
@@ -202,7 +203,7 @@ impl FoldRun<'_> {
     fn folder_of(&self, net: Net) -> PathBuf {
         match net {
             Net::Four => self.folder.to_path_buf(),
-            Net::Judge => self.folder.join("judge"),
+            Net::Success => self.folder.join("success"),
             Net::Dynamics => self.folder.join("dynamics"),
             Net::Dqn => self.folder.join("dqn"),
         }

@@ -26,7 +26,7 @@ pub const REPORTED: [(&str, [&str; 2]); 3] =
 
 /// An agent, one that lacks a part of it, and the part.
 const ABLATIONS: [(AgentName, AgentName, &str); 3] = [
-    (AgentName::Dynamics, AgentName::Judge, "it imagines what a ball leads to, and is trained further"),
+    (AgentName::Dynamics, AgentName::Success, "it imagines what a ball leads to, and is trained further"),
     (AgentName::Online, AgentName::Dynamics, "it is told how each attempt ended"),
     (AgentName::Online, AgentName::OnlineByBalls, "balls are compared by imagined paths too"),
 ];
@@ -64,7 +64,7 @@ fn head(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
          likeness of imagined paths and of balls; **by balls**: by that of balls alone.\n\
          - **dynamics**: the same candidates in the order that the net gives them, as if each attempt ended as \
          imagined.\n\
-         - **judge**: a net that sees the scene alone orders the balls. The dynamics net is trained from it.\n\
+         - **success net**: a net that sees the scene alone orders the balls. The dynamics net is trained from it.\n\
          - **DQN, smaller**: the benchmark's baseline (Bakhtin et al. 2019), made smaller.\n\
          - **the paper's four nets**: those of Harter et al. (2020), trained jointly, with balls from their placement \
          map.\n",

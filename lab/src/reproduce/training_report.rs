@@ -34,11 +34,11 @@ pub fn write(text: &mut String, results: &[FoldResult]) -> fmt::Result {
     )?;
     table(
         text,
-        "The judge",
+        "The success net",
         "balls | epochs x batch x balls | learning rate | loss",
         results,
-        |FoldResult { judge, .. }| {
-            let card = judge.card.judge.as_ref()?;
+        |FoldResult { success, .. }| {
+            let card = success.card.success.as_ref()?;
             Some(format!(
                 "{} | {} x {} x {} | {} | {:.4}",
                 card.balls,
@@ -46,7 +46,8 @@ pub fn write(text: &mut String, results: &[FoldResult]) -> fmt::Result {
                 card.batch,
                 card.balls_per_scene,
                 card.learning_rate,
-                last_loss(judge, "judge")
+                // Older rows call its one loss otherwise.
+                last_loss(success, success.losses.first().map_or("", String::as_str))
             ))
         },
     )?;
@@ -71,7 +72,7 @@ pub fn write(text: &mut String, results: &[FoldResult]) -> fmt::Result {
             ))
         },
     )?;
-    writeln!(text, "\nIt starts from the judge; the weights hold the four nets too.")?;
+    writeln!(text, "\nIt starts from the success net; the weights hold the four nets too.")?;
     table(
         text,
         "DQN",

@@ -1,8 +1,9 @@
 //! Trains the net that imagines what balls lead to, and adds it to the weights of the four nets, where it takes the
-//! place of a judge.
+//! place of a success net.
 //!
 //! It learns from labelled balls of the tasks that the four nets were trained on, so that the weights as a whole have
-//! seen no other tasks. It starts from the judge of these weights, if they have one: the U-Net of both is the same.
+//! seen no other tasks. It starts from the success net of these weights, if they have one: the U-Net of both is the
+//! same.
 
 use std::path::{Path, PathBuf};
 
@@ -85,14 +86,14 @@ impl Settings {
         let (mut nets, mut card) = load_nets(self.weights.as_deref(), self.fold)?;
         let without_dev = self.without_dev || card.without_dev;
         ensure!(
-            card.without_dev || !self.without_dev || self.from.is_some() || nets.judge.is_none(),
-            "the judge that the dynamics net would start from was trained on dev tasks: name the weights of \
+            card.without_dev || !self.without_dev || self.from.is_some() || nets.success.is_none(),
+            "the success net that the dynamics net would start from was trained on dev tasks: name the weights of \
              `pathlight-lab train paths`, or train these with --without-dev too"
         );
         let scenes = LabelledScenes::read(&self.labels, self.fold, without_dev)?;
         ensure!(scenes.have_paths(), "the labels hold balls without their paths: label them again");
-        let judge = if self.from.is_none() { nets.judge.take().zip(card.judge.take()) } else { None };
-        card.judge = None;
+        let start = if self.from.is_none() { nets.success.take().zip(card.success.take()) } else { None };
+        card.success = None;
         card.dynamics = Some(DynamicsCard {
             seed: self.run.seed,
             epochs: self.epochs,
@@ -106,12 +107,12 @@ impl Settings {
             without_dev,
             without_paths: self.without_paths,
             from: self.from.as_deref().map(digest).transpose()?,
-            judge: judge.as_ref().map(|(_, card)| card.clone()),
+            success: start.as_ref().map(|(_, card)| card.clone()),
         });
         let folder = self.run.out.clone().unwrap_or_else(|| training_folder(self.fold).join("dynamics"));
-        let trainer = match (&self.from, judge) {
+        let trainer = match (&self.from, start) {
             (Some(path), _) => Trainer::from_nets(self.dynamics_of(path, without_dev)?),
-            (None, Some((judge, _))) => Trainer::from_judge(judge, self.run.seed),
+            (None, Some((net, _))) => Trainer::from_success_net(net, self.run.seed),
             (None, None) => Trainer::<DynamicsNet>::new(self.run.seed),
         };
         let losses = ["cell", "ball", "from paths", "paths", "errors"];
@@ -126,8 +127,8 @@ impl Settings {
         if !complete {
             return Ok(None);
         }
-        // Its own logits of the cells take the place of the judge's.
-        (nets.judge, nets.dynamics) = (None, Some(run.trainer.nets()));
+        // Its own logits of the cells take the place of the success net's.
+        (nets.success, nets.dynamics) = (None, Some(run.trainer.nets()));
         run.write_weights(|card| nets.save(card)).map(Some)
     }
 

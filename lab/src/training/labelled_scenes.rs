@@ -1,5 +1,5 @@
 //! The labelled balls of a fold's training tasks, by scene, and those of them that make a batch; used by the
-//! trainings of judge, dynamics net and DQN.
+//! trainings of success net, dynamics net and DQN.
 
 use std::collections::btree_map::{BTreeMap, Entry};
 use std::path::PathBuf;

@@ -124,7 +124,7 @@ impl Settings {
             samples: samples.len(),
             tasks: chosen.chunk_by(|a, b| a.task == b.task).count(),
             simulator: version,
-            judge: None,
+            success: None,
             dynamics: None,
         };
         Ok((samples, card))

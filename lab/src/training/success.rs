@@ -1,4 +1,4 @@
-//! Trains the judge, which says of every ball how likely it succeeds, and adds it to the weights of the four nets.
+//! Trains the success net, which says of every ball how likely it solves, and adds it to the weights of the four nets.
 //!
 //! It learns from labelled balls of the tasks that the four nets were trained on, so that the weights as a whole have
 //! seen no other tasks.
@@ -7,8 +7,8 @@ use std::path::PathBuf;
 use std::slice;
 
 use pathlight::benchmark::folds::FoldId;
-use pathlight::nets::training::{JudgeBatch, Trainer};
-use pathlight::nets::{Judge, JudgeCard};
+use pathlight::nets::training::{SuccessBatch, Trainer};
+use pathlight::nets::{SuccessCard, SuccessNet};
 use pathlight::raster::scene_coverage;
 
 use super::labelled_scenes::{Drawn, LabelledScenes, Sampling};
@@ -56,7 +56,7 @@ impl Settings {
         let (mut nets, mut card) = load_nets(self.weights.as_deref(), self.fold)?;
         let scenes = LabelledScenes::read(slice::from_ref(&self.labels), self.fold, card.without_dev)?;
         card.dynamics = None;
-        card.judge = Some(JudgeCard {
+        card.success = Some(SuccessCard {
             seed: self.run.seed,
             epochs: self.epochs,
             batch,
@@ -64,9 +64,9 @@ impl Settings {
             learning_rate,
             balls: scenes.balls(),
         });
-        let folder = self.run.out.clone().unwrap_or_else(|| training_folder(self.fold).join("judge"));
-        let trainer = Trainer::<Judge>::new(self.run.seed);
-        let mut run = TrainingRun::open(folder, card, digest(&self.labels)?, &["judge"], trainer)?;
+        let folder = self.run.out.clone().unwrap_or_else(|| training_folder(self.fold).join("success"));
+        let trainer = Trainer::<SuccessNet>::new(self.run.seed);
+        let mut run = TrainingRun::open(folder, card, digest(&self.labels)?, &["success"], trainer)?;
         let complete = run.train(
             &scenes.plan(self.epochs, batch, learning_rate),
             &self.run,
@@ -78,13 +78,13 @@ impl Settings {
             return Ok(None);
         }
         // Agents would prefer a dynamics net.
-        (nets.judge, nets.dynamics) = (Some(run.trainer.nets()), None);
+        (nets.success, nets.dynamics) = (Some(run.trainer.nets()), None);
         run.write_weights(|card| nets.save(card)).map(Some)
     }
 
     /// A batch of the run, by its number.
-    fn batch(&self, scenes: &LabelledScenes, number: usize) -> JudgeBatch {
-        let mut batch = JudgeBatch::default();
+    fn batch(&self, scenes: &LabelledScenes, number: usize) -> SuccessBatch {
+        let mut batch = SuccessBatch::default();
         let sampling = Sampling::Uniform(self.recipe.balls_per_scene);
         for Drawn { scene, balls, mirrored } in scenes.draw(self.recipe.batch, self.run.seed, sampling, number) {
             let balls = balls.into_iter().map(|ball| scene.balls[ball]);

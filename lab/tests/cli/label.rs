@@ -131,20 +131,20 @@ fn files_that_name_unknown_tasks_or_impossible_balls_are_refused() {
 
     let labels = fs::read_to_string(label_file(folder.path())).expect("labels");
     let (settings, line) = labels.split_once('\n').expect("two lines");
-    let judge = |labels: &str, words: &str| {
+    let refused = |labels: &str, words: &str| {
         assert_refused(&["train", "success", "--weights", "assets/within-0.safetensors", "--labels", labels], words);
     };
     let task = serde_json::from_str::<LabelledBalls>(line.lines().next().expect("a line")).expect("labels").task;
     let ball = format!(r#"{{"task":"{task}","solved":[[100,100,64]],"failed":[]}}"#);
-    judge(&write("ball", &[settings, line.trim_end(), &ball]), "has a wrong radius or is not inside the scene");
-    judge(
+    refused(&write("ball", &[settings, line.trim_end(), &ball]), "has a wrong radius or is not inside the scene");
+    refused(
         &write("none", &[&settings.replace("\"tasks\":2", "\"tasks\":0")]),
         "is not a file of `pathlight-lab data label`",
     );
     let older = settings.replace(&format!("\"simulator\":{}", simulator::VERSION), "\"simulator\":0");
-    judge(&write("older", &[&older, line.trim_end()]), "was labelled by simulator 0");
+    refused(&write("older", &[&older, line.trim_end()]), "was labelled by simulator 0");
     let of_fold = settings.replace("\"tasks\"", "\"training_tasks_of\":[\"cross\",1],\"tasks\"");
-    judge(&write("fold", &[&of_fold, line.trim_end()]), "holds balls of the training tasks of cross 1");
+    refused(&write("fold", &[&of_fold, line.trim_end()]), "holds balls of the training tasks of cross 1");
 }
 
 /// Balls of two tasks.

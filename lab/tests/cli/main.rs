@@ -23,7 +23,7 @@ mod reproduce;
 mod train;
 mod train_dqn;
 mod train_dynamics;
-mod train_judge;
+mod train_success;
 
 #[test]
 fn the_page_of_commands_is_what_the_program_says() {

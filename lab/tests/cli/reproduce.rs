@@ -29,9 +29,9 @@ fn small(folder: &Path) -> Vec<String> {
         "1",
         "--epochs",
         "1",
-        "--judge-epochs",
+        "--success-epochs",
         "2",
-        "--judge-epochs-cross",
+        "--success-epochs-cross",
         "1",
         "--dynamics-epochs",
         "1",
@@ -78,9 +78,9 @@ fn jobs_make_results_and_the_report_reads_them() {
     let results = folder.path().join("results");
     let file = |name: &str| fs::read(results.join(name)).expect("a result");
     let result: Value = serde_json::from_slice(&file("within-3.json")).expect("JSON");
-    assert_eq!(result["judge"]["card"]["judge"]["epochs"], 2);
-    assert_eq!(result["dynamics"]["card"]["dynamics"]["judge"]["epochs"], 2, "it starts from the judge");
-    for (run, losses) in [("nets", 4), ("judge", 1), ("dynamics", 5), ("dqn", 1)] {
+    assert_eq!(result["success"]["card"]["success"]["epochs"], 2);
+    assert_eq!(result["dynamics"]["card"]["dynamics"]["success"]["epochs"], 2, "it starts from the success net");
+    for (run, losses) in [("nets", 4), ("success", 1), ("dynamics", 5), ("dqn", 1)] {
         assert_eq!(result[run]["losses"].as_array().map(Vec::len), Some(losses), "{run}");
         let (epoch, done, last) =
             serde_json::from_value::<(usize, usize, Vec<f32>)>(result[run]["log"][0].clone()).expect("a line");
@@ -91,7 +91,7 @@ fn jobs_make_results_and_the_report_reads_them() {
     }
     let agents: Vec<&Value> = result["report"]["agents"].as_array().expect("agents").iter().collect();
     let names: Vec<_> = agents.iter().map(|one| &one["agent"]).collect();
-    assert_eq!(names, ["online", "online-by-balls", "dynamics", "judge", "paper", "dqn", "random"]);
+    assert_eq!(names, ["online", "online-by-balls", "dynamics", "success", "paper", "dqn", "random"]);
     assert!(agents.iter().all(|one| one["first_solved"].as_array().is_some_and(|tasks| tasks.len() == 25)));
 
     let before = file("cross-0.json");
@@ -137,12 +137,12 @@ fn jobs_make_results_and_the_report_reads_them() {
         assert!(row.contains(&format!("| {measured:.1} |")), "{row}");
     }
     let score = |index: usize| agents[index]["auccess"].as_f64().expect("a number");
-    for (row, [one, other]) in [("dynamics – judge", [2, 3]), ("online – online, by balls", [0, 1])] {
+    for (row, [one, other]) in [("dynamics – success net", [2, 3]), ("online – online, by balls", [0, 1])] {
         let difference = score(one) - score(other);
         let row = printed.lines().find(|line| line.starts_with(&format!("| {row} |"))).expect("a row");
         assert!(row.contains(&format!("| {difference:.1}, {} of 1 |", usize::from(difference > 0.0))), "{row}");
     }
-    for title in ["The four nets", "The judge", "The dynamics net", "DQN"] {
+    for title in ["The four nets", "The success net", "The dynamics net", "DQN"] {
         let rows = printed.split(&format!("\n### {title}\n")).nth(1).expect("a table");
         assert!(
             rows.lines()
@@ -229,6 +229,14 @@ fn the_report_and_the_readme_are_those_of_the_rows() {
     for row in shown {
         assert!(rows.contains(&row), "{remedy}, and copy this row of the README from its table: {row}");
     }
+}
+
+#[test]
+fn the_old_names_of_the_options_are_read_and_not_offered() {
+    for (old, new) in [("--judge-epochs", "--success-epochs"), ("--judge-epochs-cross", "--success-epochs-cross")] {
+        assert_refused(&["reproduce", old, "0"], &format!("invalid value '0' for '{new} <EPOCHS>'"));
+    }
+    assert!(!output_of(&["reproduce", "--help"]).contains("judge"));
 }
 
 #[test]

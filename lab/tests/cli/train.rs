@@ -105,16 +105,16 @@ fn the_dev_tasks_are_for_weights_that_have_not_seen_them() {
     assert!(of_dev > 0, "the check needs solutions of dev tasks");
     assert_eq!(card(&all).tasks - card(&without).tasks, of_dev);
 
-    // The judge learns from the same tasks.
+    // The success net learns from the same tasks.
     let labels = text(&folder.path().join("labels"));
     output_of(&["data", "label", "--template", "2", "--limit", "10", "--rounds", "1", "--out", &labels]);
     let balls = |weights: &Path| {
-        let out = folder.path().join("judge");
-        let judge = ["train", "success", "--weights", &text(weights), "--labels", &labels, "--epochs", "1"];
-        output_of(&[&judge[..], &["--out", &text(&out)]].concat());
+        let out = folder.path().join("success");
+        let success = ["train", "success", "--weights", &text(weights), "--labels", &labels, "--epochs", "1"];
+        output_of(&[&success[..], &["--out", &text(&out)]].concat());
         let card = card(&out.join("weights.safetensors"));
         fs::remove_dir_all(out).expect("removed");
-        card.judge.expect("a judge").balls
+        card.success.expect("a success net").balls
     };
     let fold = Fold::new(Setup::Within, 0);
     assert_eq!(balls(&all), usable_balls(&labels, &fold.all_train()));

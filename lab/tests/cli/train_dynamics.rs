@@ -29,20 +29,20 @@ fn a_dynamics_net_joins_the_weights_and_can_be_trained_further() {
     let whole = train("whole", &[]);
     let bytes = fs::read(&whole).expect("weights");
     let (nets, card) = PathNet::load(&bytes).expect("weights that fit");
-    assert!(card.judge.is_none() && card.dynamics.expect("a card").balls > 64);
+    assert!(card.success.is_none() && card.dynamics.expect("a card").balls > 64);
     let scene = Task::load("00002:007".parse().expect("an id")).expect("a task").scene;
     let read = nets.read(&scene).expect("a dynamics net");
-    assert_eq!(nets.cell_logits(&scene).as_ref(), Some(&read.logits), "it takes the place of the judge");
+    assert_eq!(nets.cell_logits(&scene).as_ref(), Some(&read.logits), "it takes the place of the success net");
     let balls = [Ball { x: 60.0, y: 200.0, r: 5.0 }, Ball { x: 200.0, y: 200.0, r: 25.0 }];
     let [left, right] = read.imagine(&balls).try_into().expect("two balls");
     assert!(left.paths.ball[0][0] < right.paths.ball[0][0], "a path begins where its ball starts");
 
-    let judge = file("judge");
-    output_of(&["train", "success", "--weights", WEIGHTS, "--labels", &labels, "--epochs", "1", "--out", &judge]);
-    let from_judge = train("from-judge", &["--weights", &format!("{judge}/weights.safetensors")]);
-    let (nets, card) = PathNet::load(&fs::read(from_judge).expect("weights")).expect("weights that fit");
-    assert!(nets.judge.is_none() && card.judge.is_none(), "it takes the place of the judge that it started from");
-    assert_eq!(card.dynamics.expect("a card").judge.expect("its judge").epochs, 1);
+    let success = file("success");
+    output_of(&["train", "success", "--weights", WEIGHTS, "--labels", &labels, "--epochs", "1", "--out", &success]);
+    let from_success_net = train("from-success", &["--weights", &format!("{success}/weights.safetensors")]);
+    let (nets, card) = PathNet::load(&fs::read(from_success_net).expect("weights")).expect("weights that fit");
+    assert!(nets.success.is_none() && card.success.is_none(), "it replaces the success net");
+    assert_eq!(card.dynamics.expect("a card").success.expect("its success net").epochs, 1);
 
     let without_paths = train("without-paths", &["--without-paths"]);
     let losses = |run: &str| {
@@ -113,10 +113,10 @@ fn weights_without_dev_tasks_learn_from_nothing_that_knows_them() {
     // Without the option too, because the four nets have not seen dev tasks.
     refused(&["--weights", &four, "--from", WEIGHTS], "was trained on dev tasks");
 
-    let judge = file("judge");
-    output_of(&["train", "success", "--weights", WEIGHTS, "--labels", &labels, "--epochs", "1", "--out", &judge]);
-    let judge = format!("{judge}/weights.safetensors");
-    refused(&["--weights", &judge, "--without-dev"], "the judge that the dynamics net would start from");
+    let success = file("success");
+    output_of(&["train", "success", "--weights", WEIGHTS, "--labels", &labels, "--epochs", "1", "--out", &success]);
+    let success = format!("{success}/weights.safetensors");
+    refused(&["--weights", &success, "--without-dev"], "the success net that the dynamics net would start from");
 
     let proposed = |weights: &str, out: &str| {
         let words =

@@ -47,7 +47,7 @@ pub struct Args {
     #[command(flatten)]
     fold: FoldArgs,
 
-    /// Agent that plays [default: online; from weights without a dynamics net judge, without a judge paper]
+    /// Agent that plays [default: online; from weights without a dynamics net success, without a success net paper]
     #[arg(long, value_parser = agent())]
     agent: Option<AgentName>,
 
@@ -82,9 +82,9 @@ impl Args {
             (AgentName::Dqn, None, Some(self.dqn.load(fold)?))
         } else {
             let nets = self.model.load(fold)?;
-            let default = match (&nets.dynamics, &nets.judge) {
+            let default = match (&nets.dynamics, &nets.success) {
                 (Some(_), _) => AgentName::Online,
-                (None, Some(_)) => AgentName::Judge,
+                (None, Some(_)) => AgentName::Success,
                 (None, None) => AgentName::Paper,
             };
             let agent = self.agent.unwrap_or(default);

@@ -6,10 +6,10 @@
 
 use burn::tensor::{Tensor, TensorData};
 
-use super::trainer::{JudgeBatch, Trainer, binary_cross_entropy_with_logits};
+use super::trainer::{SuccessBatch, Trainer, binary_cross_entropy_with_logits};
 use crate::nets::ball_batch::BallBatch;
 use crate::nets::ball_head::{COORDINATES, POSITIONS, Starts, UNIT};
-use crate::nets::{DynamicsNet, Judge, seeded};
+use crate::nets::{DynamicsNet, SuccessNet, seeded};
 use crate::puzzle::action::{Ball, Invalid};
 use crate::puzzle::scene::SIZE;
 use crate::raster::{CHANNELS, Coverage};
@@ -24,7 +24,7 @@ const ERROR_WEIGHT: f64 = 0.1;
 #[derive(Default)]
 pub struct DynamicsBatch {
     /// The scenes, and all balls in them.
-    cells: JudgeBatch,
+    cells: SuccessBatch,
     scenes: usize,
     /// The balls whose paths are learned.
     balls: BallBatch,
@@ -41,7 +41,7 @@ impl DynamicsBatch {
     /// are learned too.
     ///
     /// # Errors
-    /// If a ball has no cell (`judge::logit_index`); the batch is then of no use.
+    /// If a ball has no cell (`success_net::logit_index`); the batch is then of no use.
     pub fn add<'a>(
         &mut self,
         scene: &[Coverage; CHANNELS],
@@ -73,9 +73,9 @@ impl Trainer<DynamicsNet> {
         Trainer::fresh(seed, DynamicsNet::new)
     }
 
-    /// Returns a trainer of a net that starts from a judge; what that lacks depends only on the seed.
-    pub fn from_judge(judge: Judge, seed: u64) -> Trainer<DynamicsNet> {
-        Trainer::from_nets(DynamicsNet::from_judge(judge, &seeded(seed)))
+    /// Returns a trainer of a net that starts from a success net; what that lacks depends only on the seed.
+    pub fn from_success_net(net: SuccessNet, seed: u64) -> Trainer<DynamicsNet> {
+        Trainer::from_nets(DynamicsNet::from_success_net(net, &seeded(seed)))
     }
 
     /// One optimiser step on a batch; returns the losses: of the logits of the cells, of the balls, of the paths alone,

@@ -11,4 +11,4 @@ pub use dqn::DqnBatch;
 pub use dynamics::DynamicsBatch;
 pub use sample::Sample;
 pub use schedule::{Schedule, WARMUP_STEPS};
-pub use trainer::{Batch, CheckpointError, JudgeBatch, Trainable, Trainer};
+pub use trainer::{Batch, CheckpointError, SuccessBatch, Trainable, Trainer};

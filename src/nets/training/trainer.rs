@@ -1,9 +1,9 @@
-//! One optimiser step per batch: the four nets jointly, the judge, the dynamics net or DQN.
+//! One optimiser step per batch: the four nets jointly, the success net, the dynamics net or DQN.
 //!
 //! The loss of the four nets is the sum of the per-pixel binary cross-entropies of their maps, with gradients through
-//! the whole chain (Harter et al. 2020). The judge's is the mean binary cross-entropy of the balls. A trainer can be
-//! saved between two batches and resumed with the same result. Used by the lab;
-//! native only. The learning rate of each step is the caller's.
+//! the whole chain (Harter et al. 2020). The success net's is the mean binary cross-entropy of the balls. A trainer can
+//! be saved between two batches and resumed with the same result. Used by the lab; native only. The learning rate of
+//! each step is the caller's.
 
 use std::mem::take;
 use std::path::Path;
@@ -16,13 +16,13 @@ use burn::tensor::{Device, Int, Tensor, TensorData};
 
 use super::adam::FusedAdam;
 use super::sample::Sample;
-use crate::nets::judge::{RADII, logit_index};
-use crate::nets::{Judge, PathNet, flex};
+use crate::nets::success_net::{RADII, logit_index};
+use crate::nets::{PathNet, SuccessNet, flex};
 use crate::puzzle::action::{Ball, Invalid};
 use crate::puzzle::scene::SIZE;
 use crate::raster::{Bitmap, CELLS, CHANNELS, Coverage, SIDE};
 
-/// What a trainer trains: `PathNet`, `Judge`, `DynamicsNet`, `Dqn`.
+/// What a trainer trains: `PathNet`, `SuccessNet`, `DynamicsNet`, `Dqn`.
 pub trait Trainable: Module {}
 
 impl<M: Module> Trainable for M {}
@@ -62,18 +62,18 @@ impl Batch {
 /// Scenes with labelled balls as tensor data: scenes `[scenes, 5, 64, 64]`; for each ball the index of its logit among
 /// the logits `[scenes, RADII, 64, 64]`, and its label, 1 if it solved and 0 if not.
 #[derive(Default)]
-pub struct JudgeBatch {
+pub struct SuccessBatch {
     count: usize,
     scenes: Vec<f32>,
     logit_indices: Vec<i64>,
     labels: Vec<f32>,
 }
 
-impl JudgeBatch {
+impl SuccessBatch {
     /// Adds a scene and labelled balls of it, as they are or mirrored left to right.
     ///
     /// # Errors
-    /// If the judge does not score a ball (`judge::logit_index`); the batch is then of no use.
+    /// If the success net does not score a ball (`success_net::logit_index`); the batch is then of no use.
     pub fn add(
         &mut self,
         scene: &[Coverage; CHANNELS],
@@ -137,14 +137,14 @@ impl Trainer<PathNet> {
     }
 }
 
-impl Trainer<Judge> {
-    /// Returns a trainer of a fresh judge, whose weights depend only on the seed.
-    pub fn new(seed: u64) -> Trainer<Judge> {
-        Trainer::fresh(seed, Judge::new)
+impl Trainer<SuccessNet> {
+    /// Returns a trainer of a fresh success net, whose weights depend only on the seed.
+    pub fn new(seed: u64) -> Trainer<SuccessNet> {
+        Trainer::fresh(seed, SuccessNet::new)
     }
 
     /// One optimiser step on a batch; returns the mean loss of a ball.
-    pub fn step(&mut self, mut batch: JudgeBatch, learning_rate: f64) -> f32 {
+    pub fn step(&mut self, mut batch: SuccessBatch, learning_rate: f64) -> f32 {
         let logits = self.nets.forward(batch.scenes(&self.device));
         self.backward_step(batch.loss(logits, &self.device), learning_rate)[0]
     }
@@ -203,7 +203,7 @@ pub(super) fn binary_cross_entropy_with_logits<const D: usize>(logits: Tensor<D>
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::nets::judge::ball_at;
+    use crate::nets::success_net::ball_at;
     use crate::puzzle::task::Task;
     use crate::raster::{ball_image, scene_coverage};
 
@@ -223,7 +223,7 @@ mod tests {
     fn a_mirrored_scene_has_its_balls_in_mirrored_cells() {
         let index = 3 * CELLS + ROW * SIDE + COLUMN;
         let balls = [(ball_at(index), true), (ball_at(index + 1), false)];
-        let mut batch = JudgeBatch::default();
+        let mut batch = SuccessBatch::default();
         let covered = scene_coverage(&Task::load("00002:007".parse().expect("an id")).expect("a task").scene);
         batch.add(&covered, balls.into_iter(), false).expect("balls of the scene");
         batch.add(&covered, balls.into_iter(), true).expect("balls of the scene");
@@ -247,10 +247,10 @@ mod tests {
 
     /// Its logit would be one of the next scene, or beyond the logits.
     #[test]
-    fn a_ball_that_the_judge_does_not_score_is_refused() {
+    fn a_ball_that_the_success_net_does_not_score_is_refused() {
         let ball = Ball { x: 100.0, y: 100.0, r: 64.0 };
         let scene = Task::load("00002:007".parse().expect("an id")).expect("a task").scene;
-        let added = JudgeBatch::default().add(&scene_coverage(&scene), [(ball, true)].into_iter(), false);
+        let added = SuccessBatch::default().add(&scene_coverage(&scene), [(ball, true)].into_iter(), false);
         assert_eq!(added, Err(Invalid::Radius));
     }
 

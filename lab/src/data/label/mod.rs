@@ -1,4 +1,4 @@
-//! Balls with their outcome for all tasks, as JSON lines, to train a judge, a dynamics net or DQN
+//! Balls with their outcome for all tasks, as JSON lines, to train a success net, a dynamics net or DQN
 //! on.
 //!
 //! The file is a journal: the settings, then one line per task and round, in that order, so the number of lines

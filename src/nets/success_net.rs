@@ -1,4 +1,4 @@
-//! The judge: scores every action at once, how likely a ball of any radius at any place solves the scene.
+//! The success net: scores every action at once, how likely a ball of any radius at any place solves the scene.
 //!
 //! A U-Net (`u_net`) that returns one map of logits for each of a few radii, and learns from balls with their outcome.
 //! The paper has no such net. Agents that order balls by it need fewer attempts.
@@ -12,25 +12,25 @@ use crate::puzzle::action::{Ball, Invalid, RADIUS};
 use crate::puzzle::scene::SIZE;
 use crate::raster::{self, CELLS, SIDE};
 
-/// Radii that the judge has a map for, evenly spaced from the smallest to the largest.
+/// Radii that the success net has a map for, evenly spaced from the smallest to the largest.
 pub const RADII: usize = 8;
 
 /// A net from the covered shares of a scene's cells to `RADII` maps of logits.
 #[derive(Module, Debug)]
-pub struct Judge {
+pub struct SuccessNet {
     pub(super) down: Vec<Conv2d>,
     pub(super) up: Vec<ConvTranspose2d>,
 }
 
-impl Judge {
-    /// Returns a fresh judge with random weights from this seed.
-    pub fn fresh(seed: u64) -> Judge {
-        Judge::new(&seeded(seed))
+impl SuccessNet {
+    /// Returns a fresh success net with random weights from this seed.
+    pub fn fresh(seed: u64) -> SuccessNet {
+        SuccessNet::new(&seeded(seed))
     }
 
-    pub(super) fn new(device: &Device) -> Judge {
+    pub(super) fn new(device: &Device) -> SuccessNet {
         let (down, up) = u_net::new_layers(RADII, device);
-        Judge { down, up }
+        SuccessNet { down, up }
     }
 
     /// `[batch, 5, 64, 64]` in, logits `[batch, RADII, 64, 64]` out.

@@ -16,24 +16,24 @@ use super::{assert_refused, output_of, root};
 const WEIGHTS: &str = "assets/within-0.safetensors";
 
 #[test]
-fn a_judge_joins_the_weights_and_orders_the_attempts() {
+fn a_success_net_joins_the_weights_and_orders_the_attempts() {
     let folder = tempdir().expect("a folder");
     let labels = label(folder.path(), "1");
-    let judge = |run: &str, more: &[&str]| {
+    let train = |run: &str, more: &[&str]| {
         let out = folder.path().join(run);
         let words = ["train", "success", "--weights", WEIGHTS, "--labels", &labels, "--epochs", "4", "--batch", "3"];
         output_of(&[&words[..], &["--checkpoint", "2", "--out", &out.display().to_string()], more].concat());
         out
     };
-    let whole = judge("whole", &[]);
+    let whole = train("whole", &[]);
     let bytes = fs::read(whole.join("weights.safetensors")).expect("weights");
     let (nets, card) = PathNet::load(&bytes).expect("weights that fit");
-    assert!(nets.judge.is_some());
+    assert!(nets.success.is_some());
     let training = Fold::new(Setup::Within, 0).all_train();
     let usable = usable_balls(&labels, &training);
     let all: Vec<TaskId> = Task::of(TEMPLATES[2]).map(|task| task.id).collect();
     assert!(64 < usable && usable < usable_balls(&labels, &all), "some balls tell of test tasks");
-    assert_eq!(card.judge.expect("a card").balls, usable, "it learns from all others");
+    assert_eq!(card.success.expect("a card").balls, usable, "it learns from all others");
     let telling = fs::read_to_string(&labels).expect("labels");
     let silent = folder.path().join("silent.jsonl");
     let without_siblings = telling.lines().map(|line| match line.find(",\"siblings\"").zip(line.find(",\"paths\"")) {
@@ -46,10 +46,10 @@ fn a_judge_joins_the_weights_and_orders_the_attempts() {
         "does not say which balls were sampled around solutions of test tasks",
     );
 
-    let cut = judge("cut", &["--stop-after", "3"]);
+    let cut = train("cut", &["--stop-after", "3"]);
     assert!(!cut.join("weights.safetensors").exists(), "it should have stopped before the end");
-    judge("cut", &[]);
-    assert_eq!(fs::read(cut.join("weights.safetensors")).expect("weights"), bytes, "cut off or not, the same judge");
+    train("cut", &[]);
+    assert_eq!(fs::read(cut.join("weights.safetensors")).expect("weights"), bytes, "cut off or not, the same net");
     let losses = |run: &Path| fs::read_to_string(run.join("losses.csv")).expect("losses");
     assert_eq!(losses(&cut), losses(&whole));
 

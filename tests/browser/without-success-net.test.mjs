@@ -26,7 +26,7 @@ after(async () => {
 });
 
 test("the maps of the paper are drawn, and the other says that there is none", async () => {
-  const page = await openPuzzle(session, { fragment: "&panel=imagine&layers=placement,judge" });
+  const page = await openPuzzle(session, { fragment: "&panel=imagine&layers=placement,success" });
   await page
     .locator("#imagined-in")
     .filter({ hasText: /Imagined in \d+ ms/ })
@@ -34,18 +34,18 @@ test("the maps of the paper are drawn, and the other says that there is none", a
   for (const map of ["base", "target", "action", "placement"]) {
     assert.match(await page.locator(`[data-map=${map}] .summary`).textContent(), /^Most sure /, map);
   }
-  const judge = page.locator("[data-map=judge]");
-  assert.equal(await judge.locator(".summary").textContent(), "This model has no such map.");
-  assert.doesNotMatch(await page.locator("#imagine-intro").textContent(), /judge|dynamics/);
-  assert.doesNotMatch(await judge.locator(".how").textContent(), /the judge|dynamics/i);
+  const success = page.locator("[data-map=success]");
+  assert.equal(await success.locator(".summary").textContent(), "This model has no such map.");
+  assert.doesNotMatch(await page.locator("#imagine-intro").textContent(), /success|dynamics/);
+  assert.doesNotMatch(await success.locator(".how").textContent(), /the success net|dynamics/i);
   // Its name does not tell what it has learned from, its card does.
   assert.match(await page.locator("#model-words").textContent(), / has learned from other puzzles of all 25 kinds\.$/);
   const box = await page.locator("#scene").boundingBox();
   await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
-  assert.match(await page.locator("#probe").textContent(), /Placement \d\.\d\dJudge none/);
-  assert.match(await judge.locator(".value").textContent(), /^none at x/);
+  assert.match(await page.locator("#probe").textContent(), /Placement \d\.\d\dSuccess none/);
+  assert.match(await success.locator(".value").textContent(), /^none at x/);
   await page.locator("#walkthrough-dots button:visible").last().click();
-  assert.match(await page.locator("#announcement").textContent(), /^Judge\. Where .+\. $/);
+  assert.match(await page.locator("#announcement").textContent(), /^Success\. Where .+\. $/);
 });
 
 test("its balls come from the placement map", async () => {
