@@ -1,9 +1,9 @@
 // Times our nets and simulator beside their peers and prints one table in Markdown: node benches/bench.mjs [PART…]
 //
-// `run` has installed the peers. Implementations of a comparison take turns, so that whatever else the machine does
-// falls on all of them; before, their results are compared with ours. A peer that is missing or fails is left out, and
-// the table says so; the exit code is 1 if ours fails or a peer computes something else. ROUNDS is how many turns each
-// has.
+// `run` has installed the peers. The implementations that are compared take turns, so that whatever else the machine
+// does falls on all of them; before, their results are compared with ours. A peer that is missing or fails is left
+// out, and the table says so; the exit code is 1 if ours fails or a peer computes something else. ROUNDS is how many
+// turns each has.
 
 import { execFileSync } from "node:child_process";
 import { availableParallelism, cpus, loadavg } from "node:os";

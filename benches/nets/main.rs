@@ -1,8 +1,9 @@
 //! The nets natively, as one implementation of `make bench`; `benches/bench.mjs` decides when each implementation runs.
 //!
 //! `inputs TASK FOLDER` writes the input of all implementations. `forward TASK`, the four nets, `maps TASK`, all five
-//! maps, `propose TASK`, a hundred balls, and `train` prepare, print a line of numbers that the other implementations
-//! have to agree with, and then read a number of repetitions per line of standard input and print the milliseconds of
+//! maps,
+//! `propose TASK`, a hundred balls, and `train` prepare, print a line of numbers that the other implementations have
+//! to agree with, and then read a number of repetitions per line of standard input and print the milliseconds of
 //! each.
 
 use std::path::Path;

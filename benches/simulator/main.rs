@@ -1,5 +1,5 @@
-//! The simulator natively, as one implementation of `make bench`; `benches/bench.mjs` decides when each implementation
-//! runs.
+//! The simulator natively, as one implementation of `make bench`; `benches/bench.mjs` decides when each
+//! implementation runs.
 //!
 //! `export FILE` writes the rollouts for the other implementations. `rollouts` times the stepping of all rollouts,
 //! `worlds` what comes before: to build their worlds. Both print first how each rollout ends.

@@ -1,4 +1,4 @@
-// A implementation in wasm, in Node or in a page: a module named by its path from `benches`.
+// An implementation in wasm, in Node or in a page: a module named by its path from `benches`.
 
 /**
  * `read` returns the bytes of a file of the repository; `what` selects the work that is timed. The module's `load`

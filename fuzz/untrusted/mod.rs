@@ -1,8 +1,8 @@
-//! Untrusted input: one function for each kind, the fuzz targets, from the bytes to what becomes of them. None may panic,
-//! hang, or refuse without a word, whatever the bytes are.
+//! Untrusted input: one function for each kind, the fuzz targets, from the bytes to what becomes of them. None may
+//! panic, hang, or refuse without a word, whatever the bytes are.
 //!
-//! `targets/` feeds them with libFuzzer, `lab/tests/untrusted_input.rs` with the corpus and mutations of it. The parsers of
-//! the player's command line are modules of its binary, so they are included here by their paths.
+//! `targets/` feeds them with libFuzzer, `lab/tests/untrusted_input.rs` with the corpus and mutations of it. The
+//! parsers of the player's command line are modules of its binary, so they are included here by their paths.
 
 use std::path::Path;
 use std::str;
