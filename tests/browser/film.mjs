@@ -1,6 +1,6 @@
 // Films the README's animation from the real page: node tests/browser/film.mjs [TASK] A tool, not a test: it asserts
 // nothing. The presentation tells its story: what the model imagines, the ball that it chooses, and what that does. The
-// page's clock is stopped for each frame, so that the film runs alike on every machine.
+// page's clock is stopped between two frames of the run, so that it moves evenly on a slow machine too.
 
 import { writeFile } from "node:fs/promises";
 import { dirname, join } from "node:path";
@@ -26,7 +26,7 @@ const STEPS = {
   real: 3500,
 };
 /** Time on the page between two frames of the run, ms; it is played faster than it happens. */
-const RUN_FRAME = 150;
+const RUN_FRAME = 200;
 /** Colours of the film; one more is left for what does not change. */
 const COLOURS = 127;
 
@@ -36,21 +36,20 @@ await page.clock.install();
 await page.goto(`${session.origin}/#task=${task}&view=presentation`);
 await page.locator("#imagined-in").filter({ hasText: "Imagined in" }).waitFor({ state: "attached" });
 
-/** @type {{ pixels: Uint8ClampedArray, delay: number }[]} */
+/** @type {{ pixels: Uint8Array, delay: number }[]} */
 const frames = [];
 await take(1800);
-for (;;) {
-  const before = await stepOf();
+for (let number = 1, count = 1; number <= count; number++) {
   await page.keyboard.press("PageDown");
-  const step = await stepOf();
-  if (step === before) break;
-  await page
-    .locator("#caption-result")
-    .filter({ hasText: /\S.*\.$/ })
-    .waitFor();
-  await page.locator("#caption-result").filter({ hasText: "is choosing" }).waitFor({ state: "detached" });
+  const place = page.locator("#caption-step", { hasText: `${number} of` });
+  await place.waitFor();
+  count = Number((await place.textContent())?.split(" of ")[1]);
+  const result = page.locator("#caption-result");
+  await result.filter({ hasText: /\S.*\.$/ }).waitFor();
+  await result.filter({ hasText: "is choosing" }).waitFor({ state: "detached" });
+  const step = await page.evaluate(() => new URLSearchParams(location.hash.slice(1)).get("step"));
   if (step === "run") await filmRun();
-  if (step in STEPS) await take(STEPS[step]);
+  else if (step && step in STEPS) await take(STEPS[step]);
 }
 await session.stop();
 
@@ -58,28 +57,25 @@ const gif = encode();
 await writeFile(out, gif);
 console.log(`${out}: ${frames.length} frames, ${(gif.length / 1000).toFixed(0)} kB`);
 
-/** The step that the address names. */
-function stepOf() {
-  return page.evaluate(() => new URLSearchParams(location.hash.slice(1)).get("step"));
-}
-
-/** Films the run to its end, at which it says how it ended. */
+/** Films the run to its end. */
 async function filmRun() {
   const time = page.locator("#time");
+  await page.clock.pauseAt(await page.evaluate(() => Date.now() + 500));
   for (let last = -1, now = 0; now > last; last = now, now = Number(await time.inputValue())) {
     await take(STEPS.run);
     await page.clock.runFor(RUN_FRAME);
   }
+  await page.clock.resume();
 }
 
 /** Adds what the page shows, for a while, ms. */
 async function take(delay) {
-  frames.push({ pixels: new Uint8ClampedArray(PNG.sync.read(await page.screenshot()).data), delay });
+  frames.push({ pixels: new Uint8Array(PNG.sync.read(await page.screenshot()).data), delay });
 }
 
 /** Returns the frames as a GIF. What does not change from frame to frame is transparent, which compresses well. */
 function encode() {
-  const palette = quantize(new Uint8ClampedArray(Buffer.concat(frames.map(({ pixels }) => pixels))), COLOURS);
+  const palette = quantize(new Uint8Array(Buffer.concat(frames.map(({ pixels }) => pixels))), COLOURS);
   const gif = GIFEncoder();
   let last = new Uint8Array();
   for (const [index, { pixels, delay }] of frames.entries()) {
