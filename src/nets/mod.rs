@@ -9,7 +9,7 @@ use burn::module::Module;
 use burn::tensor::activation::sigmoid;
 use burn::tensor::{Device, Tensor, TensorData};
 
-use crate::colour::maps::ImaginedMap;
+use crate::colour::imagined_maps::ImaginedMap;
 use crate::puzzle::scene::Scene;
 use crate::raster::{Bitmap, CHANNELS, Coverage, SIDE, scene_channels, scene_coverage};
 

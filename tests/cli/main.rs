@@ -14,7 +14,7 @@ use serde_json::Value;
 mod agent;
 mod commands_page;
 mod custom_scenes;
-mod moved;
+mod moved_commands;
 mod pipes;
 mod propose;
 mod serve;
