@@ -1,5 +1,6 @@
 # make play      builds what is missing and serves the page on PORT; PAGE=www serves its sources as they are, so that a change
 #                shows when the page is loaded again
+# make check     runs the fast checks: formats, lints, types and unit tests, without a browser
 # make test      runs every check and test, natively, in Node, in Chromium, in Firefox and in WebKit
 # make test-cluster   makes small results through a Slurm on this machine, and compares (needs root, and Debian for its packages)
 # make build     builds the wasm package, the player's binary and that of the lab
@@ -9,6 +10,7 @@
 #                BENCH="simulator nets" leaves out the rest
 # make timings   prints how long a person waits for the page
 # make pictures  takes pictures of all views of the page
+# make film      films the page for the README: assets/film.gif
 # make clean     removes what was built or installed here
 
 PORT ?= 8080
@@ -30,7 +32,7 @@ PACKAGED := Cargo.toml Cargo.lock .cargo/config.toml scripts/build-wasm scripts/
 BUNDLE := scripts/install-tools js-tools && node scripts/bundle-page.mjs
 
 .DELETE_ON_ERROR:
-.PHONY: play test test-cluster bench build package dist timings pictures clean
+.PHONY: play check test test-cluster bench build package dist timings pictures film clean
 
 play: $(PACKAGE)
 	@[ -x target/release/pathlight-serve ] || echo "== compiling the server (about a minute on 2 cores, once)"
@@ -39,8 +41,8 @@ play: $(PACKAGE)
 	$(BUNDLE) || { echo "warning: the page could not be bundled, so it starts more slowly; run make play again when npm reaches its registry" >&2; page=www; }; \
 	target/release/pathlight-serve --port $(PORT) --dir $$page
 
-test:
-	@scripts/test
+check test:
+	@scripts/$@
 
 test-cluster:
 	scripts/install-tools slurm
@@ -63,7 +65,7 @@ dist: $(PACKAGE)
 	@scripts/install-tools js-tools
 	@node scripts/build-dist.mjs
 
-timings pictures: $(PACKAGE)
+timings pictures film: $(PACKAGE)
 	cargo build --release --package pathlight
 	scripts/install-tools browser-tests chromium
 	$(BUNDLE)

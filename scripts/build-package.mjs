@@ -19,6 +19,9 @@ import { fileURLToPath } from "node:url";
 /** The model inside. */
 const MODEL = "within-0";
 
+/** The examples that use the package. */
+const EXAMPLES = ["auccess.mjs", "page.html", "imagine.html", "puzzle.tsx"];
+
 const root = join(dirname(fileURLToPath(import.meta.url)), "..");
 const target = join(root, "target");
 const stage = join(target, "package");
@@ -84,14 +87,17 @@ for (const file of ["pathlight.js", "pathlight_bg.wasm", "licences.txt"]) place(
 const libraries = ["dom", "esnext.disposable"].map((name) => `/// <reference lib="${name}" />\n`).join("");
 writeFileSync(join(stage, "pkg/pathlight.d.ts"), libraries + read("www/pkg/pathlight.d.ts"));
 appendFileSync(join(stage, "element/pathlight-puzzle.d.ts"), read("package/element.d.ts"));
-place("package/README.md", "README.md");
+writeFileSync(join(stage, "README.md"), read("package/README.md").replaceAll("](../examples/", "](examples/"));
+for (const file of EXAMPLES) place(`examples/${file}`, `examples/${file}`);
 place("LICENSE", "LICENSE");
 place("assets/scene.schema.json", "scene.schema.json");
 for (const file of [entry.file, "attempts.jsonl"]) place(`assets/${file}`, `assets/${file}`);
 
 const cargo = (key) => read("Cargo.toml").match(new RegExp(`^${key} = "(.*)"$`, "m"))[1];
 const { name, ...rest } = JSON.parse(read("package/package.json"));
-const manifest = { name, version: cargo("version"), license: cargo("license"), ...rest };
+// npm states where a package was built (provenance) only if its manifest names that repository.
+const repository = process.env.REPOSITORY && { type: "git", url: `git+${process.env.REPOSITORY}.git` };
+const manifest = { name, version: cargo("version"), license: cargo("license"), ...rest, repository };
 writeFileSync(join(stage, "package.json"), `${JSON.stringify(manifest, null, 2)}\n`);
 
 const answer = execFileSync("npm", ["pack", "--json", "--pack-destination", target], { cwd: stage, encoding: "utf8" });

@@ -86,6 +86,16 @@ impl AttemptLine {
     }
 
     /// Simulates the attempt again and compares.
+    ///
+    /// ```
+    /// use pathlight::puzzle::{action::Ball, task::Task};
+    /// use pathlight::verification::{AttemptLine, Verdict};
+    ///
+    /// let puzzle = Task::load("00007:008".parse()?)?.into();
+    /// let line = AttemptLine::of(&puzzle, Some(Ball { x: 178.0, y: 218.0, r: 19.0 }), Default::default());
+    /// assert!(matches!(line.verify(), Verdict::Same));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn verify(&self) -> Verdict {
         if self.digest.len() != 64 || !self.digest.bytes().all(|byte| matches!(byte, b'0'..=b'9' | b'a'..=b'f')) {
             return Verdict::NotValid("`digest` is not a SHA-256: it has 64 hexadecimal digits, in lower case.".into());

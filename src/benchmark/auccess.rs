@@ -9,6 +9,13 @@ pub const MAX_ATTEMPTS: usize = 100;
 
 /// Returns the AUCCESS in percent, 0..=100. The argument holds, for each task, the number (from 1) of the first attempt
 /// that solved it, if any did. Returns 0 for no tasks.
+///
+/// ```
+/// use pathlight::benchmark::auccess::auccess;
+///
+/// assert_eq!(auccess(&[Some(1), None]), 50.0);
+/// assert!(auccess(&[Some(2)]) < auccess(&[Some(1)]));
+/// ```
 pub fn auccess(first_solved: &[Option<usize>]) -> f64 {
     let weight = |attempt: usize| libm::log((attempt + 1) as f64 / attempt as f64);
     let weighted: f64 = (1..=MAX_ATTEMPTS).map(|k| weight(k) * solved_within(first_solved, k)).sum();

@@ -50,6 +50,13 @@ impl FoldId {
     }
 
     /// Returns its tasks.
+    ///
+    /// ```
+    /// use pathlight::benchmark::folds::{FoldId, Setup};
+    ///
+    /// let fold = FoldId { setup: Setup::Cross, fold: 0 }.tasks();
+    /// assert_eq!(fold.test.len(), 500);
+    /// ```
     pub fn tasks(self) -> Fold {
         Fold::new(self.setup, self.fold)
     }

@@ -2,5 +2,5 @@
 //!
 //! `palette` has those of the roles and of the paper, `maps` those of the maps. Used by `web` and `commands`.
 
-pub mod maps;
+pub mod imagined_maps;
 pub mod palette;

@@ -9,7 +9,7 @@ use burn::module::Module;
 use burn::tensor::activation::sigmoid;
 use burn::tensor::{Device, Tensor, TensorData};
 
-use crate::colour::maps::ImaginedMap;
+use crate::colour::imagined_maps::ImaginedMap;
 use crate::puzzle::scene::Scene;
 use crate::raster::{Bitmap, CHANNELS, Coverage, SIDE, scene_channels, scene_coverage};
 
@@ -107,6 +107,15 @@ impl PathNet {
     }
 
     /// Returns the maps that the nets predict for a scene.
+    ///
+    /// ```
+    /// use pathlight::{nets::PathNet, puzzle::task::Task};
+    ///
+    /// let (nets, card) = PathNet::load(&std::fs::read("assets/within-0.safetensors")?)?;
+    /// let maps = nets.imagine(&Task::load("00007:008".parse()?)?.scene);
+    /// assert_eq!((maps.target.len(), card.dynamics.is_some()), (64 * 64, true));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn imagine(&self, scene: &Scene) -> Imagined {
         let ([.., placement], [base, target, action]) = self.chain(self.encode(scene));
         let [base, target, action, placement] = [base, target, action, sigmoid(placement)].map(values);

@@ -7,6 +7,12 @@
 
 /// Returns the soft IoU of two images of equal size with values in 0..=1: 0 (disjoint) to 1 (equal). It is 0 for two
 /// empty images. NaN counts as 0.
+///
+/// ```
+/// use pathlight::raster::soft_iou::soft_iou;
+///
+/// assert_eq!(soft_iou(&[0.5, 0.0], &[1.0, 0.0]), 0.5);
+/// ```
 pub fn soft_iou(one: &[f32], other: &[f32]) -> f64 {
     let clean = |value: f32| if value.is_nan() { 0.0 } else { f64::from(value.clamp(0.0, 1.0)) };
     let pairs = || one.iter().zip(other).map(|(&a, &b)| (clean(a), clean(b)));

@@ -22,6 +22,16 @@ pub struct Luck {
 }
 
 /// Tries a ball and the 26 around it.
+///
+/// ```
+/// use pathlight::puzzle::{action::Ball, task::Task};
+/// use pathlight::search::luck::luck;
+///
+/// let task = Task::load("00007:008".parse()?)?;
+/// let around = luck(&task.scene, Ball { x: 178.0, y: 218.0, r: 19.0 });
+/// assert!(around.solved >= 1 && around.valid <= 27);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn luck(scene: &Scene, ball: Ball) -> Luck {
     let obstacles = Obstacles::new(scene);
     const STEPS: [f64; 3] = [-1.0, 0.0, 1.0];

@@ -11,6 +11,18 @@ use crate::puzzle::rollout::Rollout;
 use crate::puzzle::scene::Scene;
 use crate::simulator::Engine;
 
+/// An agent at work on a scene.
+///
+/// ```
+/// use pathlight::session::turn::Turn;
+/// use pathlight::{agents, puzzle::task::Task};
+///
+/// let task = Task::load("00002:007".parse()?)?;
+/// let agent = agents::random(&task.scene, task.id.seed(0), 100).into_iter();
+/// let solved_at = Turn::new(task.scene, Box::new(agent)).first_solved()?;
+/// assert_eq!(solved_at, Some(2));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub struct Turn {
     scene: Scene,
     agent: Box<dyn Agent>,

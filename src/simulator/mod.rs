@@ -64,6 +64,16 @@ pub fn simulate(scene: &Scene, ball: Option<Ball>) -> Result<Rollout, Invalid> {
 
 /// Simulates like `simulate`, but keeps no poses: for bulk work.
 ///
+/// ```
+/// use pathlight::puzzle::{action::Ball, task::Task};
+/// use pathlight::simulator::outcome;
+///
+/// let task = Task::load("00007:008".parse()?)?;
+/// assert!(!outcome(&task.scene, None)?.solved);
+/// assert!(outcome(&task.scene, Some(Ball { x: 178.0, y: 218.0, r: 19.0 }))?.solved);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// # Errors
 /// The reason why the ball is invalid in this scene, or why the scene cannot be simulated.
 pub fn outcome(scene: &Scene, ball: Option<Ball>) -> Result<Outcome, Invalid> {

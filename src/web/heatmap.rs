@@ -6,7 +6,7 @@ use wasm_bindgen::{Clamped, prelude::*};
 use web_sys::{CanvasRenderingContext2d, ImageData};
 
 use super::error::{Code, error};
-use crate::colour::maps::{Dashes, ImaginedMap};
+use crate::colour::imagined_maps::{Dashes, ImaginedMap};
 use crate::raster::{CELLS, SIDE};
 
 /// Length of one dash in a legend, pixels.

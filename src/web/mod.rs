@@ -12,7 +12,7 @@ use web_sys::CanvasRenderingContext2d;
 
 use crate::agents;
 use crate::benchmark::difficulty::Difficulty;
-use crate::colour::maps::{ImaginedMap, SOLID};
+use crate::colour::imagined_maps::{ImaginedMap, SOLID};
 use crate::colour::palette::palette as colours;
 use crate::puzzle::action::RADIUS;
 use crate::puzzle::dimensions;

@@ -13,7 +13,7 @@ use crate::agents::Proposal;
 use crate::agents::memoized_model::MemoizedModel;
 use crate::agents::ranking::probability_map;
 use crate::benchmark::folds::Fold;
-use crate::colour::maps::ImaginedMap;
+use crate::colour::imagined_maps::ImaginedMap;
 use crate::nets::{Card, PathNet};
 use crate::puzzle::task::TaskId;
 use crate::session::ending::Ending;

@@ -3,18 +3,33 @@
 use std::fs;
 use std::path::Path;
 
-use crate::files::files;
+use crate::files::{files, holds};
 
-/// Most lines and words of the README.
+/// The README's most lines and words.
 const README_LINES: usize = 120;
 const README_WORDS: usize = 1100;
 
+/// Largest picture of the README, bytes.
+const PICTURE_BYTES: u64 = 600_000;
+
 /// Beside those of `docs/`.
-const PAGES: [&str; 4] = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "SECURITY.md"];
+const PAGES: [&str; 6] =
+    ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "SECURITY.md", "examples/README.md", "package/README.md"];
 
 /// The folders of the repository whose files the texts name.
-const FOLDERS: [&str; 12] = [
-    "assets/", "benches/", "docs/", "fuzz/", "lab/", "package/", "results/", "scripts/", "serve/", "src/", "tests/",
+const FOLDERS: [&str; 13] = [
+    "assets/",
+    "benches/",
+    "docs/",
+    "examples/",
+    "fuzz/",
+    "lab/",
+    "package/",
+    "results/",
+    "scripts/",
+    "serve/",
+    "src/",
+    "tests/",
     "www/",
 ];
 
@@ -52,6 +67,17 @@ fn the_readme_is_one_screen() {
 }
 
 #[test]
+fn the_pictures_of_the_readme_are_small() {
+    let text = Page::new("README.md").text;
+    let pictures: Vec<&str> = links(&text).into_iter().filter(|link| link.starts_with("assets/")).collect();
+    assert!(!pictures.is_empty());
+    for picture in pictures {
+        let bytes = fs::metadata(root().join(picture)).expect("a picture").len();
+        assert!(bytes <= PICTURE_BYTES, "{picture} has {bytes} bytes, more than {PICTURE_BYTES}");
+    }
+}
+
+#[test]
 fn no_link_leads_nowhere() {
     let mut broken = Vec::new();
     for page in pages() {
@@ -77,6 +103,38 @@ fn every_file_that_is_named_exists() {
         missing.extend(gone.map(|path| format!("{}: {path}", page.path)));
     }
     assert!(missing.is_empty(), "\nthese files are named, and do not exist:\n{}", missing.join("\n"));
+}
+
+#[test]
+fn contributors_are_told_names_that_exist() {
+    let text = Page::new("CONTRIBUTING.md").text;
+    let is_name = |span: &&str| span.chars().all(char::is_alphanumeric) && span.contains(char::is_uppercase);
+    let names: Vec<&str> = spans(&text).filter(is_name).filter(|name| *name != PLACEHOLDER).collect();
+    assert!(names.len() > 5, "{names:?}");
+    let sources: Vec<String> = ["src", "lab", "www"]
+        .iter()
+        .flat_map(|folder| files(folder, &["rs", "js", "ts"]))
+        .map(|source| source.code)
+        .collect();
+    let gone: Vec<&str> = names.into_iter().filter(|name| !sources.iter().any(|code| holds(code, name))).collect();
+    assert!(gone.is_empty(), "CONTRIBUTING.md names what the sources do not have: {gone:?}");
+}
+
+/// The schema of workflows, which `make check` holds them to, knows nothing of our scripts.
+#[test]
+fn workflows_run_scripts_that_exist() {
+    let makefile = Page::new("Makefile").text;
+    let exists = |command: &str| match command.strip_prefix("make ") {
+        Some(targets) => targets.split(' ').all(|target| makefile.contains(&format!("# make {target} "))),
+        None => !command.starts_with("scripts/") || root().join(command).exists(),
+    };
+    assert!(exists("make package dist") && exists("scripts/check") && exists("tar dist"));
+    assert!(!exists("make package gone") && !exists("scripts/gone"));
+    let workflows = files(".github/workflows", &["yml"]);
+    let commands =
+        workflows.iter().flat_map(|source| source.text.split("run: ").skip(1)).filter_map(|rest| rest.lines().next());
+    let gone: Vec<&str> = commands.filter(|command| !exists(command)).collect();
+    assert!(!workflows.is_empty() && gone.is_empty(), "these do not exist: {gone:?}");
 }
 
 #[test]
@@ -119,9 +177,13 @@ fn sections(text: &str) -> Vec<String> {
     headings.map(name).collect()
 }
 
+/// The code spans of a line each.
+fn spans(text: &str) -> impl Iterator<Item = &str> {
+    prose(text).into_iter().flat_map(|line| line.split('`').skip(1).step_by(2))
+}
+
 /// The files and folders of the repository in code spans.
 fn named_files(text: &str) -> Vec<&str> {
-    let spans = prose(text).into_iter().flat_map(|line| line.split('`').skip(1).step_by(2));
-    let paths = spans.filter_map(|span| span.split_whitespace().next());
+    let paths = spans(text).filter_map(|span| span.split_whitespace().next());
     paths.filter(|path| FOLDERS.iter().any(|folder| path.starts_with(folder)) && !path.contains(PLACEHOLDER)).collect()
 }

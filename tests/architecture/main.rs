@@ -1,13 +1,15 @@
 //! Architecture rules, checked against the source text: the order of the folders, what each may use and why, names,
 //! lengths.
 //!
-//! `rust` has the rules of `src/` and `lab/`, `page` those of `www/`, `docs` those of the texts that people read.
+//! `rust` has the rules of `src/` and `lab/`, `page` those of `www/`, `docs` and `drawing` those of the texts
+//! and the picture that people read.
 //! Comments are left out, so a rule may be named in one.
 #![cfg(not(target_arch = "wasm32"))]
 
 use std::process::Command;
 
 mod docs;
+mod drawing;
 mod files;
 mod page;
 mod rule;

@@ -1,20 +1,22 @@
 //! `src/` and `lab/src/`: the order of their folders, and what each of them may not use, with the reason.
 
+use std::collections::BTreeSet;
+
 use crate::files::{Source, files, holds};
 use crate::rule::{Never, Only, Rule, unknown_files};
 
 /// The folders of a crate from the data outwards: each uses only those before it.
-struct Layers {
+pub struct Layers {
     /// The folder of the crate's sources.
     root: &'static str,
     /// The name of its library.
     library: &'static str,
-    folders: &'static [&'static str],
+    pub folders: &'static [&'static str],
     /// The outermost folders: nothing uses them, not even each other.
     outermost: &'static [&'static str],
 }
 
-const PLAYER: Layers = Layers {
+pub const PLAYER: Layers = Layers {
     root: "src",
     library: "pathlight",
     folders: &[
@@ -213,9 +215,38 @@ fn layer_of(file: &str) -> Option<&str> {
     (!["lib", "main"].contains(&stem)).then_some(stem)
 }
 
+/// Whether a statement uses a folder of the library that it calls `root`.
+fn uses(root: &str, statement: &str, folder: &str) -> bool {
+    let grouped = statement.contains(&format!("{root}::{{")) && holds(statement, &format!("{folder}::"));
+    grouped || holds(statement, &format!("{root}::{folder}"))
+}
+
 impl Layers {
     fn sources(&self) -> Vec<Source> {
         files(self.root, &["rs"])
+    }
+
+    /// How a folder names the library: the commands are in the binary.
+    fn root_of(&self, folder: &str) -> &'static str {
+        if folder == "commands" { self.library } else { "crate" }
+    }
+
+    /// The folders of the library that code uses under this name.
+    pub fn used_folders<'a>(&self, root: &'a str, code: &'a str) -> impl Iterator<Item = &'static str> {
+        let used = |folder: &&str| code.split(';').any(|statement| uses(root, statement, folder));
+        self.folders.iter().copied().filter(used)
+    }
+
+    /// What each folder uses of the others, without its tests.
+    pub fn imports(&self) -> BTreeSet<(String, String)> {
+        let mut imports = BTreeSet::new();
+        for source in self.sources() {
+            let Some(own) = layer_of(&source.path) else { continue };
+            let code = source.code.split("#[cfg(test)]").next().unwrap_or_default();
+            let others = self.used_folders(self.root_of(own), code).filter(|folder| *folder != own);
+            imports.extend(others.map(|folder| (own.to_string(), folder.to_string())));
+        }
+        imports
     }
 
     /// What a file uses of folders that are not before its own.
@@ -223,11 +254,7 @@ impl Layers {
         let Some(own) = layer_of(file).and_then(|name| self.folders.iter().position(|folder| *folder == name)) else {
             return Vec::new();
         };
-        let uses = |statement: &str, folder: &str| {
-            let root = if self.folders[own] == "commands" { self.library } else { "crate" };
-            let grouped = statement.contains(&format!("{root}::{{")) && holds(statement, &format!("{folder}::"));
-            grouped || holds(statement, &format!("{root}::{folder}"))
-        };
+        let root = self.root_of(self.folders[own]);
         let mut broken = Vec::new();
         let mut number = 1;
         // Statement by statement: a grouped import may take several lines.
@@ -236,7 +263,7 @@ impl Layers {
             number += statement.matches('\n').count();
             for (index, folder) in self.folders.iter().enumerate() {
                 let allowed = index <= own && !(self.outermost.contains(folder) && index != own);
-                if !allowed && uses(statement, folder) {
+                if !allowed && uses(root, statement, folder) {
                     let own = self.folders[own];
                     broken.push(format!("{}/{file}:{start}: `{folder}` does not come before `{own}`", self.root));
                 }

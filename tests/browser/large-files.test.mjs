@@ -6,7 +6,7 @@ import { beforeEach, test } from "node:test";
 import { MOST_ATTEMPTS, Progress } from "../../www/storage/progress.js";
 import { progressJson, progressOfText } from "../../www/storage/progress-file.js";
 import { MOST_PUZZLES, PuzzleStore } from "../../www/storage/puzzle-store.js";
-import { FileProblem, atOnce, inSlices } from "../../www/storage/slices.js";
+import { FileProblem, atOnce, inSlices } from "../../www/storage/sliced-work.js";
 
 const TIMES = { steps: 300, longest_touch: 0, final_touch: 0 };
 

@@ -6,7 +6,7 @@ import { test } from "node:test";
 import fc from "fast-check";
 import { Progress } from "../../www/storage/progress.js";
 import { progressJson, progressOfText } from "../../www/storage/progress-file.js";
-import { atOnce } from "../../www/storage/slices.js";
+import { atOnce } from "../../www/storage/sliced-work.js";
 
 const RUNS = { numRuns: Number(process.env.PATHLIGHT_MERGES ?? 500) };
 const TASK = "00002:007";

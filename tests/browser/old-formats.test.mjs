@@ -6,7 +6,7 @@ import { test } from "node:test";
 import { Progress } from "../../www/storage/progress.js";
 import { progressOfText } from "../../www/storage/progress-file.js";
 import { PuzzleStore } from "../../www/storage/puzzle-store.js";
-import { atOnce } from "../../www/storage/slices.js";
+import { atOnce } from "../../www/storage/sliced-work.js";
 
 const TASK = "00007:008";
 const DIGEST = "c".repeat(64);

@@ -57,7 +57,7 @@ before(async () => {
     ...(await import("../../www/storage/progress.js")),
     ...(await import("../../www/storage/progress-file.js")),
     ...(await import("../../www/storage/puzzle-store.js")),
-    ...(await import("../../www/storage/slices.js")),
+    ...(await import("../../www/storage/sliced-work.js")),
     ...(await import("../../www/editor/scene-link.js")),
     ...(await import("../../www/editor/puzzle-file.js")),
     ...(await import("../../www/attempts/attempt-file.js")),

@@ -12,13 +12,20 @@ use pathlight::nets::PathNet;
 use serde_json::Value;
 
 mod agent;
+mod commands_page;
 mod custom_scenes;
-mod moved;
+mod moved_commands;
 mod pipes;
 mod propose;
 mod serve;
 mod simulate;
 mod tasks;
+
+#[test]
+fn the_page_of_commands_is_what_the_program_says() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    commands_page::assert_up_to_date(root, "pathlight", env!("CARGO_BIN_EXE_pathlight"));
+}
 
 /// The binary, without arguments yet.
 fn pathlight() -> Command {

@@ -1,29 +1,32 @@
-// The installed package in Chromium, under a sub-path of a plain server: the README's pages.
+// The installed package in Chromium, under a sub-path of a plain server: the examples for plain pages.
 
-import assert from "node:assert/strict";
 import { writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { startOn } from "../browser/harness.mjs";
 import { serveStatic } from "../browser/static-server.mjs";
 import { drawn, open, playBoth } from "./playing.mjs";
-import { examples, makeProject } from "./project.mjs";
+import { example, makeProject, readmeCode } from "./project.mjs";
 
 const project = makeProject();
-const [puzzles, drawing] = examples(project, "html");
 const { load } = await import(join(project, "node_modules/pathlight/api/index.js"));
 
 let session;
 before(async () => (session = await startOn(await serveStatic(project))));
 after(() => session.stop());
 
-test("ten lines of HTML embed two puzzles, which play", async () => {
-  assert.ok(puzzles.trim().split("\n").length <= 10, "it is short");
-  writeFileSync(join(project, "puzzles.html"), puzzles);
-  await playBoth(await open(session, `${session.origin}/puzzles.html`), await load());
+test("the example of a page embeds two puzzles, which play", async () => {
+  writeFileSync(join(project, "page.html"), example(project, "page.html"));
+  await playBoth(await open(session, `${session.origin}/page.html`), await load());
 });
 
 test("a plain page draws what the nets imagine", async () => {
-  writeFileSync(join(project, "imagine.html"), drawing);
+  writeFileSync(join(project, "imagine.html"), example(project, "imagine.html"));
   await drawn(await open(session, `${session.origin}/imagine.html`));
+});
+
+test("the README's two lines of HTML show a puzzle", async () => {
+  writeFileSync(join(project, "lines.html"), readmeCode(project, "html"));
+  const page = await open(session, `${session.origin}/lines.html`);
+  await page.locator("pathlight-puzzle #imagine").waitFor();
 });

@@ -1,4 +1,4 @@
-// The installed package as bundlers take it: each builds one page out of the README's examples, in which puzzles are
+// The installed package as bundlers take it: each builds one page out of the package's examples, in which puzzles are
 // played and a picture is drawn, under a policy that allows nothing but the page's own files.
 
 import assert from "node:assert/strict";
@@ -9,7 +9,7 @@ import { after, before, test } from "node:test";
 import { startOn } from "../browser/harness.mjs";
 import { serveStatic } from "../browser/static-server.mjs";
 import { drawn, open, playBoth } from "./playing.mjs";
-import { examples, makeProject, root } from "./project.mjs";
+import { example, makeProject, readmeCode, root } from "./project.mjs";
 
 const POLICY = "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'";
 const tools = join(root, "tests/package/node_modules");
@@ -27,7 +27,8 @@ const pageOf = (script) => `<!doctype html>
 ${markup}
 <script type="module" src="${script}"></script>
 `;
-const [puzzles, drawing] = examples(project, "html");
+const puzzles = example(project, "page.html");
+const drawing = example(project, "imagine.html");
 const markup = puzzles.slice(puzzles.indexOf("<h1>")) + '<canvas id="picture" width="512" height="512"></canvas>';
 const [, script] = /<script type="module">(.*)<\/script>/s.exec(drawing) ?? [];
 const [, ...lines] = script?.trim().split("\n") ?? [];
@@ -108,7 +109,7 @@ test("Parcel builds it", async () => {
 
 /** Puts the files of the package where bundles look for them that leave addresses as they are. */
 function copyFiles(folder) {
-  const [command] = examples(project, "sh");
+  const command = readmeCode(project, "sh");
   execFileSync("sh", ["-euc", command.replaceAll("dist", folder)], { cwd: project });
 }
 

@@ -1,4 +1,4 @@
-// The installed package in Node: the README's script, errors, memory.
+// The installed package in Node: the example, errors, memory.
 
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
@@ -7,7 +7,7 @@ import { cpSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } f
 import { createServer } from "node:http";
 import { join } from "node:path";
 import { test } from "node:test";
-import { examples, makeProject, root } from "./project.mjs";
+import { example, makeProject, readmeCode, root } from "./project.mjs";
 
 const project = makeProject();
 const installed = join(project, "node_modules/pathlight");
@@ -22,11 +22,18 @@ test("it brings no other packages and one model", () => {
   assert.deepEqual(readdirSync(join(installed, "assets")).sort(), ["attempts.jsonl", "within-0.safetensors"]);
 });
 
-test("the script of the README prints the auccess that was measured natively", async (context) => {
-  const [script] = examples(project, "js");
-  assert.ok(script.trim().split("\n").length <= 10, "it is short");
-  writeFileSync(join(project, "auccess.js"), script);
-  const words = execFileSync(process.execPath, ["auccess.js"], { cwd: project, encoding: "utf8" });
+/** Runs a script in the project. Returns what it prints. */
+function run(script) {
+  writeFileSync(join(project, "script.mjs"), script);
+  return execFileSync(process.execPath, ["script.mjs"], { cwd: project, encoding: "utf8" });
+}
+
+test("the README's script prints an attempt", () => {
+  assert.match(run(readmeCode(project, "js")), /^\[ \d+, \d+, \d+ \] (true|false) \d+\n$/);
+});
+
+test("the example prints the auccess that was measured natively", async (context) => {
+  const words = run(example(project, "auccess.mjs"));
   context.diagnostic(words);
   const [, printed, count] = /^auccess (\S+) on (\d+) tasks\n$/.exec(words) ?? [];
   assert.equal(count, "50");

@@ -14,7 +14,7 @@ export async function open(session, address) {
   return page;
 }
 
-/** Waits until a path lies over the scene of the README's picture: more green than the object has. */
+/** Waits until a path lies over the scene of the example's picture: more green than the object has. */
 export const drawn = (page) =>
   page.waitForFunction(() => {
     const canvas = /** @type {any} */ (document.getElementById("picture"));
@@ -44,7 +44,7 @@ export async function solve(puzzle, pathlight) {
   assert.deepEqual({ solved, task: about, placed }, { solved: true, task, placed: ball });
 }
 
-/** Solves the first puzzle of the README's page while the second shows its maps. */
+/** Solves the first puzzle of the example's page while the second shows its maps. */
 export async function playBoth(page, pathlight) {
   await solve(page.locator("pathlight-puzzle").nth(0), pathlight);
   const second = page.locator("pathlight-puzzle").nth(1);

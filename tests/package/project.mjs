@@ -23,11 +23,18 @@ export function makeProject() {
 }
 
 /**
- * Returns the examples of the installed README in a language, in order.
+ * Returns an example of the installed package.
+ * @param {string} project
+ * @param {string} file
+ */
+export const example = (project, file) => readFileSync(join(project, "node_modules/pathlight/examples", file), "utf8");
+
+/**
+ * Returns the first piece of code of the installed README in a language.
  * @param {string} project
  * @param {string} language
  */
-export function examples(project, language) {
+export function readmeCode(project, language) {
   const readme = readFileSync(join(project, "node_modules/pathlight/README.md"), "utf8");
-  return [...readme.matchAll(new RegExp(`^\`\`\`${language}\n(.*?)^\`\`\``, "gms"))].map(([, code]) => code);
+  return new RegExp(`^\`\`\`${language}\n(.*?)^\`\`\``, "ms").exec(readme)?.[1] ?? "";
 }

@@ -1,4 +1,4 @@
-// The README's component for React, checked with the types of React 18 and 19, and played with React 18.
+// The example of a component for React, checked with the types of React 18 and 19, and played with React 18.
 
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
@@ -9,13 +9,12 @@ import { build } from "vite";
 import { startOn } from "../browser/harness.mjs";
 import { serveStatic } from "../browser/static-server.mjs";
 import { open, solve } from "./playing.mjs";
-import { examples, makeProject, root } from "./project.mjs";
+import { example, makeProject, root } from "./project.mjs";
 
 const tools = join(root, "tests/package/node_modules");
 const project = makeProject();
 const { load } = await import(join(project, "node_modules/pathlight/api/index.js"));
-const [component] = examples(project, "tsx");
-writeFileSync(join(project, "puzzle.tsx"), component);
+writeFileSync(join(project, "puzzle.tsx"), example(project, "puzzle.tsx"));
 const compilerOptions = {
   strict: true,
   noEmit: true,

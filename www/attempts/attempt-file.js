@@ -2,7 +2,7 @@
 // again and see whether the same comes out (`pathlight verify`).
 
 import { download, fileName } from "../widgets/download.js";
-import { FileProblem, inSlices, linesOf } from "../storage/slices.js";
+import { FileProblem, inSlices, linesOf } from "../storage/sliced-work.js";
 
 /** @typedef {import("../pkg/pathlight.js").AttemptLine} AttemptLine */
 

@@ -4,7 +4,7 @@
 import { download, fileName } from "../widgets/download.js";
 import { pathlight } from "../shell/page-api.js";
 import { sceneName } from "../puzzles/puzzle-name.js";
-import { FileProblem, inSlices } from "../storage/slices.js";
+import { FileProblem, inSlices } from "../storage/sliced-work.js";
 import { plainScene } from "./plain-scene.js";
 
 /** @typedef {import("../pkg/pathlight.js").CustomScene} CustomScene */

@@ -11,7 +11,7 @@ import { sceneName } from "../puzzles/puzzle-name.js";
 import { INITIAL_STATE, formatFragment } from "../state/url-state.js";
 import { PLAYER, grouped } from "../storage/attempts.js";
 import { MOST_PUZZLES, customPuzzles } from "../storage/puzzle-store.js";
-import { atOnce, inSlices } from "../storage/slices.js";
+import { atOnce, inSlices } from "../storage/sliced-work.js";
 import { readPuzzles, savePuzzles } from "../editor/puzzle-file.js";
 import { textOfScene } from "../editor/scene-link.js";
 import { readChosen } from "./file-reading.js";

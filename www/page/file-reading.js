@@ -1,7 +1,7 @@
 // Reads a file that the person has chosen: the notice says how far it is, stops it, and says what went wrong.
 
 import { dismissNotice, showNotice } from "../widgets/notice.js";
-import { FileProblem } from "../storage/slices.js";
+import { FileProblem } from "../storage/sliced-work.js";
 
 /**
  * Returns what `read` returns, or null if that was stopped or has failed.

@@ -8,7 +8,7 @@ import { pathlight } from "../shell/page-api.js";
 import { PLAYER } from "../storage/attempts.js";
 import { MOST_ATTEMPTS } from "../storage/progress.js";
 import { progressJson, progressOfText } from "../storage/progress-file.js";
-import { FileProblem, inSlices } from "../storage/slices.js";
+import { FileProblem, inSlices } from "../storage/sliced-work.js";
 import { readChosen } from "./file-reading.js";
 
 /** @typedef {import("../widgets/gallery.js").Template} Template */

@@ -2,7 +2,7 @@
 // scenes. Knows nothing of the document.
 
 import { AttemptReader, TASK, formatAttempts, identityOf } from "./attempts.js";
-import { linesOf } from "./slices.js";
+import { linesOf } from "./sliced-work.js";
 
 /** @typedef {import("./attempts.js").KeptAttempt} KeptAttempt */
 

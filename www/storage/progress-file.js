@@ -6,7 +6,7 @@
 
 import { AttemptReader, NAME, PLAYER, lineOf } from "./attempts.js";
 import { Counts } from "./counts.js";
-import { FileProblem, linesOf } from "./slices.js";
+import { FileProblem, linesOf } from "./sliced-work.js";
 
 /** Text that is not JSON lines is read at once; more would freeze the page, characters. */
 const MAX_JSON = 1e7;

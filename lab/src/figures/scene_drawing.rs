@@ -4,7 +4,7 @@
 
 use std::collections::BTreeMap;
 
-use pathlight::colour::maps::ImaginedMap;
+use pathlight::colour::imagined_maps::ImaginedMap;
 use pathlight::colour::palette::palette;
 use pathlight::puzzle::action::Ball;
 use pathlight::puzzle::rollout::{Pose, Rollout};

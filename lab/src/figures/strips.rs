@@ -7,7 +7,7 @@ use anyhow::{Context, ensure};
 use pathlight::agents::agent_name::Loaded;
 use pathlight::agents::{Origin, Proposal};
 use pathlight::benchmark::auccess::MAX_ATTEMPTS;
-use pathlight::colour::maps::ImaginedMap;
+use pathlight::colour::imagined_maps::ImaginedMap;
 use pathlight::nets::{Imagined, PathNet};
 use pathlight::puzzle::rollout::{Rollout, STEPS_PER_SECOND};
 use pathlight::puzzle::sampled_paths::{SampledPath, SampledPaths};

@@ -99,6 +99,13 @@ impl Problem {
 
 impl CustomScene {
     /// Returns a scene in this form; `None` if it has a body that is none of the four shapes.
+    ///
+    /// ```
+    /// use pathlight::puzzle::{custom_scene::CustomScene, task::Task};
+    /// let task = Task::load("00007:008".parse()?)?;
+    /// assert!(CustomScene::of(&task.scene).is_some_and(|custom| custom.limit_problems().is_empty()));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn of(scene: &Scene) -> Option<CustomScene> {
         let body = |body: &Body| {
             let &Body { x, y, angle, dynamic, .. } = body;
