@@ -16,7 +16,7 @@ pub struct Palette {
     pub purple: &'static str,
     pub gray: &'static str,
     pub black: &'static str,
-    /// The rim of black bodies, which would be invisible on dark paper.
+    /// The rim of black bodies, which stand out from dark paper by it.
     pub rim: &'static str,
     pub red: &'static str,
     /// The ring that fills while the object touches its goal.
@@ -39,12 +39,12 @@ const LIGHT: Palette = Palette {
 };
 
 const DARK: Palette = Palette {
-    paper: "#2a2f38",
+    paper: "#101318",
     green: "#1dbb8d",
     blue: "#4aa3df",
     purple: "#b48ad8",
     gray: "#8d95a3",
-    black: "#07080a",
+    black: "#39404b",
     rim: "#b9c1cd",
     red: "#f2812f",
     ring: "#ffc233",

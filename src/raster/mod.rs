@@ -11,6 +11,7 @@ use crate::puzzle::action::Ball;
 use crate::puzzle::rollout::{Pose, Rollout};
 use crate::puzzle::scene::{Body, Role, SIZE, Scene};
 
+pub mod contour;
 mod scan_conversion;
 pub mod soft_iou;
 

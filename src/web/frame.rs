@@ -12,14 +12,11 @@ use super::paint::{LineStyle, Painter, bounding_radius};
 use super::recording::Recording;
 use crate::puzzle::action::Ball;
 use crate::puzzle::rollout::GOAL_STEPS;
-use crate::puzzle::scene::{Role, SIZE, Scene};
+use crate::puzzle::scene::{Role, Scene};
 use crate::session::ending::touch_streak;
 
 /// Opacity of the static bodies that are drawn again over the maps, 0..=1.
 const STATIC_OPACITY: f64 = 0.6;
-
-/// Distance of the ring's line from the edge of the scene, px: half of its width and a little.
-const RING_MARGIN: f64 = 3.0;
 
 /// What a frame shows.
 #[derive(Deserialize)]
@@ -190,10 +187,9 @@ fn draw_ring(painter: &Painter, scene: &Scene, recording: &Recording, step: f64)
     let streak = touch_streak(&recording.rollout, step as usize);
     match recording.pose(step, scene.body1) {
         Some([x, y, _]) if streak > 0 => {
+            // On the object also where the edge of the scene cuts the ring off.
             let radius = bounding_radius(&scene.bodies[scene.body1]).min(24.0) + 5.0;
-            // Whole also where the object lies at the edge of the scene.
-            let inside = |value: f32| f64::from(value).clamp(radius + RING_MARGIN, SIZE - radius - RING_MARGIN);
-            painter.ring([inside(x), inside(y)], radius, streak as f64 / GOAL_STEPS as f64)
+            painter.ring([x.into(), y.into()], radius, streak as f64 / GOAL_STEPS as f64)
         }
         _ => Ok(()),
     }

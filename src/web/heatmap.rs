@@ -7,6 +7,7 @@ use web_sys::{CanvasRenderingContext2d, ImageData};
 
 use super::error::{Code, error};
 use crate::colour::imagined_maps::{Dashes, ImaginedMap};
+use crate::raster::contour::contour;
 use crate::raster::{CELLS, SIDE};
 
 /// Length of one dash in a legend, pixels.
@@ -30,7 +31,7 @@ pub fn paint(
     put_pixels(context, &pixels, SIDE)
 }
 
-/// Outlines the cells whose value is over one half; the canvas is square.
+/// Outlines what is strong in 64 x 64 values in 0..=1 by a smooth line; the canvas is square.
 pub fn outline(
     context: &CanvasRenderingContext2d,
     values: &[f32],
@@ -40,25 +41,13 @@ pub fn outline(
     check_size(values.len())?;
     let (side, _) = canvas_size(context)?;
     let cell = side as f64 / SIDE as f64;
-    let set = |column: usize, row: usize| column < SIDE && row < SIDE && values[row * SIDE + column] > 0.5;
     context.begin_path();
-    for row in 0..=SIDE {
-        for column in (0..=SIDE).filter(|column| dashes[(column + row) % dashes.len()]) {
-            let (x, y) = (column as f64 * cell, side as f64 - row as f64 * cell);
-            // The edges to the left neighbour and to the one below. Index -1 wraps to a large one, which counts as
-            // unset.
-            if set(column, row) != set(column.wrapping_sub(1), row) {
-                context.move_to(x, y);
-                context.line_to(x, y - cell);
-            }
-            if set(column, row) != set(column, row.wrapping_sub(1)) {
-                context.move_to(x, y);
-                context.line_to(x + cell, y);
-            }
-        }
+    for (_, _, [from, to]) in contour(values).iter().filter(|(column, row, _)| dashes[(column + row) % dashes.len()]) {
+        context.move_to(from[0] * cell, side as f64 - from[1] * cell);
+        context.line_to(to[0] * cell, side as f64 - to[1] * cell);
     }
     context.set_line_width(cell * OUTLINE_WIDTH);
-    context.set_line_cap("square");
+    context.set_line_cap("round");
     context.set_stroke_style_str(colour);
     context.stroke();
     Ok(())

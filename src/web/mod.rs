@@ -198,7 +198,7 @@ pub fn paint_legend(
     heatmap::legend(context, map_named(map)?, dark)
 }
 
-/// Outlines the cells over one half of 64 x 64 values, row 0 at the bottom, on a square canvas of any size. `line` is
+/// Outlines what is strong in 64 x 64 values in 0..=1, row 0 at the bottom, on a square canvas of any size. `line` is
 /// `real`, or a map, each of which has a colour and dashes of its own, so that maps differ without colour too.
 ///
 /// # Errors

@@ -43,7 +43,7 @@ for (const [screen, size] of Object.entries(SCREENS)) {
       await axeFindsNothing(page, "placing");
       await type(page, missing);
       await page.locator("#forecast-on").check();
-      await page.locator("#forecast-words").filter({ hasText: "thinks" }).waitFor();
+      await page.locator("#forecast-words").filter({ hasText: "model’s guess:" }).waitFor();
       await page.locator("#forecast-how summary").click();
       await axeFindsNothing(page, "what would this ball do?");
       await page.locator("#speed").selectOption("0.25");

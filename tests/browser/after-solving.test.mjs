@@ -83,15 +83,28 @@ test("the next puzzle is of the same kind, or a little harder or easier", async 
 test("the model’s turn is one click away", async () => {
   const { page } = await solved();
   await modelLoaded(page);
-  await page.locator("#solved-model").click();
-  await page.locator("#model-turn").filter({ hasText: "The model has played" }).waitFor({ timeout: 60_000 });
-  assert.equal(await page.locator("#tab-compare").getAttribute("aria-selected"), "true");
+  await page.locator("#race-it").click();
+  await page
+    .locator("#race-verdict")
+    .filter({ hasText: /^(You|The model) .*solved it/ })
+    .waitFor({ timeout: 60_000 });
+  assert.equal(await page.locator("#tab-play").getAttribute("aria-selected"), "true");
 });
 
 test("a link that hides the puzzles and the model leads to neither", async () => {
   const { page } = await solved({ fragment: "&hide=puzzles,imagine,compare,predict,map" });
-  for (const id of ["solved-next", "solved-model", "solved-share", "next-by"])
+  for (const id of ["solved-next", "race-it", "solved-share", "next-by"])
     assert.ok(await page.locator(`#${id}`).isHidden(), id);
+});
+
+test("whoever solved it at the first attempt asks who can match it", async () => {
+  const page = await openPuzzle(session, { reducedMotion: true });
+  const { solving } = await known();
+  await type(page, solving);
+  await page.locator("#run").click();
+  await says(page, /^Solved!/);
+  await page.locator("#solved-share").click();
+  await page.locator("#share-text", { hasText: /at the first attempt\. Can you match it\?$/ }).waitFor();
 });
 
 test("a sheet that cannot be loaded is a sentence, and is asked for again", async () => {

@@ -1,5 +1,5 @@
-// "What would this ball do?": the paths and the chance that the model imagines for the ball that is being placed, by
-// mouse, touch, keys and fields; beside the real paths after a run; and nowhere where it would reveal an answer.
+// The model's guess: the paths and the chance that it imagines for the ball that is being placed, by mouse, touch, keys
+// and fields; beside the real paths after a run; and nowhere where it would reveal an answer.
 
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
@@ -39,32 +39,50 @@ async function imagined(page, ball, task = EASY) {
 async function followsTheBall(page) {
   const { probability } = await imagined(page, await ball(page));
   const percent = Math.round(100 * probability);
-  await forecasts(
-    page,
-    new RegExp(`thinks: [a-z ]+ \\((${percent}|under 1|over 99) %\\)\\. Its paths may be \\d+ px off\\.`),
-  );
+  await forecasts(page, new RegExp(`^The model’s guess: [a-z’ ]+ \\((${percent}|under 1|over 99) %\\)\\.$`));
 }
 
-test("it is off until it is asked for, and the switch is in the link", async () => {
-  const page = await openPuzzle(session, { fragment: "&ball=128,230,8" });
-  await modelLoaded(page);
-  const bare = await picture(page);
-  assert.ok(await page.locator("#forecast-words").isHidden());
-  await page.locator("#forecast-on").check();
+test("newcomers see it, in plain words; the switch is by the run button, and is remembered", async () => {
+  const page = await openPuzzle(session, { fragment: "&ball=128,230,8", newcomer: true });
   await followsTheBall(page);
-  assert.notEqual(await picture(page), bare, "the paths lie over the scene");
-  await page.waitForFunction(() => /forecast=on/.test(location.hash));
-  await page.reload();
-  await followsTheBall(page);
+  const withGuess = await picture(page);
+  const [button, label] = [await page.locator("#run").boundingBox(), await page.locator("#forecast").boundingBox()];
+  assert.ok(button && label && label.y - button.y - button.height < 60, "right below it");
+  assert.ok(await page.getByRole("switch", { name: "The model’s guess" }).isChecked());
   await page.locator("#forecast-on").uncheck();
   await page.locator("#forecast-words").waitFor({ state: "hidden" });
-  assert.equal(await picture(page), bare);
-  await page.waitForFunction(() => !/forecast/.test(location.hash));
+  assert.notEqual(await picture(page), withGuess, "the paths lay over the scene");
+  await page.waitForFunction(() => /forecast=off/.test(location.hash));
+  await page.goto(`${session.origin}/#task=00001:005&ball=128,230,8`);
+  await page.reload();
+  await modelLoaded(page);
+  assert.ok(!(await page.locator("#forecast-on").isChecked()), "also on another day");
+  await page.locator("#forecast-on").check();
+  await page.waitForFunction(() => /forecast=on/.test(location.hash));
+  await page.reload();
+  await forecasts(page, /^The model’s guess: /);
+});
+
+test("whoever is challenged plays alone, until he asks", async () => {
+  const page = await openPuzzle(session, { fragment: "&ball=128,230,8&challenge=3", newcomer: true });
+  await modelLoaded(page);
+  assert.ok(!(await page.locator("#forecast-on").isChecked()));
+  await page.locator("#forecast-on").check();
+  await followsTheBall(page);
+});
+
+test("a hopeless ball is told so in plain words", async () => {
+  const page = await open("&ball=128,230,8");
+  await followsTheBall(page);
+  const { probability } = await imagined(page, [8, 248, 2]);
+  assert.ok(probability < 0.05);
+  await type(page, [8, 248, 2]);
+  await forecasts(page, /^The model’s guess: almost surely won’t work \((under 1|\d) %\)\.$/);
 });
 
 test("it follows the mouse", async () => {
   const page = await open();
-  await forecasts(page, /^Place the ball/);
+  await modelLoaded(page);
   await dragTo(page, [
     [60, 240],
     [128, 236],
@@ -109,7 +127,7 @@ test("it follows keys and fields, and is announced once the ball rests", async (
   await followsTheBall(page);
   const rested = await words(page);
   await page.waitForFunction(([heard, rested]) => heard.includes(rested), /** @type {const} */ ([heard, rested]));
-  const told = (await heard.jsonValue()).filter((sentence) => /The model thinks/.test(sentence));
+  const told = (await heard.jsonValue()).filter((sentence) => /The model’s guess: /.test(sentence));
   assert.ok(told.length <= 2, `not for each key: ${told}`);
   await type(page, [70, 240, 6]);
   await followsTheBall(page);
@@ -149,7 +167,7 @@ test("after a run it stays beside the real paths until the ball changes", async 
   await says(page, /^Not solved/);
   const said = await forecasts(
     page,
-    /^The model thought: .+ \(.+ %\)\. It imagined the green object \d+ px from where it really was, on average\.$/,
+    /^The model’s guess was: .+ \(.+ %\)\. Its path for green was \d+ px off, on average\.$/,
   );
   const { object } = await imagined(page, missing);
   const real = await page.evaluate(async ([[x, y, r], task]) => {
@@ -168,11 +186,11 @@ test("after a run it stays beside the real paths until the ball changes", async 
   assert.notEqual(await picture(page), both, "it lay over the run");
   await page.locator("#forecast-on").check();
   await page.locator("#watch").click();
-  await forecasts(page, /^Place the ball/);
+  await page.locator("#forecast-words").waitFor({ state: "hidden" });
   await page.locator("#play-attempts [data-act=replay]").first().click();
-  await forecasts(page, /^The model thought/);
+  await forecasts(page, /^The model’s guess was/);
   await page.locator("#scene").press("ArrowUp");
-  await forecasts(page, /^The model thinks/);
+  await forecasts(page, /^The model’s guess:/);
 });
 
 test("a ball that may not be placed is not imagined", async () => {
@@ -180,7 +198,7 @@ test("a ball that may not be placed is not imagined", async () => {
   await followsTheBall(page);
   const { invalid } = await known();
   await type(page, invalid);
-  await forecasts(page, /only balls that may be placed/);
+  await page.locator("#forecast-words").waitFor({ state: "hidden" });
 });
 
 test("it reveals nothing in Predict", async () => {
@@ -210,7 +228,7 @@ test("another puzzle is imagined anew", async () => {
   const page = await open("&ball=128,230,8");
   await followsTheBall(page);
   await page.locator("#next").click();
-  await forecasts(page, /^Place the ball/);
-  await page.locator("#scene").press("ArrowUp");
-  await forecasts(page, /thinks|only balls/);
+  await page.locator("#forecast-words").waitFor({ state: "hidden" });
+  await type(page, [128, 230, 8]);
+  await forecasts(page, /^The model’s guess: /);
 });

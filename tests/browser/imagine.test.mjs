@@ -12,13 +12,17 @@ before(async () => (session = await start()));
 after(() => session.stop());
 
 const imagine = (options) => openImagined(session, options);
+/** With no map over the scene. */
+const bareScene = () => imagine({ fragment: "&panel=imagine&layers=" });
+const laid = (page) =>
+  page.locator("#maps input:checked").evaluateAll((boxes) => boxes.map((box) => box.closest("li").dataset.map));
 
 test("five different maps, each with a sentence, a summary and a legend", async () => {
   const page = await imagine();
   const seen = new Set();
   for (const map of MAPS) {
     const row = page.locator(`[data-map=${map}]`);
-    assert.match(await row.locator(".meaning").textContent(), /^Where .+\.$/);
+    assert.match(await row.locator(".meaning").textContent(), /^(Where|A path) .+\.$/);
     assert.match(await row.locator(".map canvas[role=img]").getAttribute("aria-label"), /: most sure [a-z ]+/);
     const peak = Number(await row.locator(".scale span").last().textContent());
     assert.ok(peak > 0 && peak <= 1, `${map}: ${peak}`);
@@ -28,8 +32,28 @@ test("five different maps, each with a sentence, a summary and a legend", async 
   assert.equal(seen.size, 10, "no two maps and no two legends are alike");
 });
 
-test("a layer lies over the scene while it is on, as strongly as its opacity", async () => {
+test("opening it lays two maps over the scene", async () => {
   const page = await imagine();
+  assert.deepEqual(await laid(page), ["target", "action"]);
+  assert.notEqual(await picture(page), await picture(await bareScene()));
+});
+
+test("a small map is its switch, and a third replaces the oldest", async () => {
+  const page = await imagine();
+  const map = (name) => page.locator(`[data-map=${name}] .map`);
+  await map("base").click();
+  assert.deepEqual(await laid(page), ["base", "action"]);
+  await map("placement").click();
+  assert.deepEqual(await laid(page), ["base", "placement"]);
+  await page.locator("[data-map=success] input").check();
+  assert.deepEqual(await laid(page), ["placement", "success"], "the order is that in which they were switched on");
+  await map("placement").click();
+  assert.deepEqual(await laid(page), ["success"]);
+  await page.waitForFunction(() => location.hash.endsWith("layers=success"));
+});
+
+test("a layer lies over the scene while it is on, as strongly as its opacity", async () => {
+  const page = await bareScene();
   const bare = await picture(page);
   for (const map of MAPS) {
     const box = page.locator(`[data-map=${map}] input`);
@@ -55,33 +79,36 @@ test("another puzzle is imagined afresh, and the page stays alive meanwhile", as
   assert.ok((await longestGap()) < 1000, "the page does not freeze");
 });
 
-test("maps that are switched on stay over the scene while a ball is placed, but not while a path is predicted", async () => {
-  const page = await imagine();
+test("maps that are switched on stay over the scene while a ball is placed, until they are taken off", async () => {
+  const page = await bareScene();
   const bare = await picture(page);
   await page.locator("[data-map=target] input").check();
   await page.locator("#tab-play").click();
-  const laid = await picture(page);
-  assert.notEqual(laid, bare);
+  const one = await picture(page);
+  assert.notEqual(one, bare);
   await page.locator("#tab-predict").click();
   assert.equal(await picture(page), bare, "they would tell the answer");
   await page.locator("#tab-compare").click();
-  assert.equal(await picture(page), laid);
+  assert.equal(await picture(page), one);
+  await page.locator("#laid", { hasText: "Where green should go" }).waitFor();
+  await page.locator("#laid-off").click();
+  assert.equal(await picture(page), bare);
+  assert.ok(await page.locator("#laid").isHidden());
   await page.locator("#tab-imagine").click();
   await page.locator("#walkthrough-next").click();
   await page.locator("#tab-play").click();
   assert.equal(await picture(page), bare, "the map of a step of the walkthrough stays in its panel");
 });
 
-test("of more than two maps over the scene two are shaded, and the others outlined", async () => {
-  const page = await openImagined(session);
-  const note = page.locator("#outlines-note");
+test("a link may lay more maps there: two are shaded, and the others outlined", async () => {
   const pictures = [];
-  for (const map of ["base", "target", "action"]) {
-    await page.locator(`[data-map=${map}] input`).check();
-    assert.equal(await note.isVisible(), map === "action");
+  for (const layers of ["base", "base,target", "base,target,action"]) {
+    const page = await imagine({ fragment: `&panel=imagine&layers=${layers}` });
+    assert.equal(await page.locator("#outlines-note").isVisible(), layers.endsWith("action"));
     pictures.push(await picture(page));
   }
   // A shade covers a good part of the scene, an outline little of it.
+  const page = await session.open("/");
   const changed = await page.evaluate(async (addresses) => {
     const read = async (address) => {
       const image = new Image();

@@ -203,7 +203,7 @@ function contradictionsInPage() {
   const tries = (count) => (count === 1 ? "1 attempt" : `${count} attempts`);
   const verdict = text("verdict");
   const said = (pattern) => Number(verdict.match(pattern)?.[1] ?? Number.NaN);
-  if (verdict !== "Your attempt is running.") {
+  if (!["Your attempt is running.", "The model is playing."].includes(verdict)) {
     if (you && it && you < it) check(verdict.includes("You were quicker"), `${you} against ${it}: ${verdict}`);
     if (you && it && you > it) check(verdict.includes("The model was quicker"), `${you} against ${it}: ${verdict}`);
     if (you && it && you === it) check(verdict.includes("A draw"), `${you} against ${it}: ${verdict}`);

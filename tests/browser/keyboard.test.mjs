@@ -80,7 +80,7 @@ test("keys step, pause, reset, change the puzzle and the panel", async () => {
   await page.waitForTimeout(200);
   assert.equal(await time.inputValue(), paused);
   await page.keyboard.press("r");
-  await says(page, /may start here/);
+  await says(page, /Good spot/);
 
   const first = await page.locator("#task").inputValue();
   await page.keyboard.press("]");
@@ -126,4 +126,15 @@ test("letters and digits that are typed into a name are no shortcuts", async () 
   assert.equal(await name.inputValue(), "Ramp 2 [over] no. 1, v?");
   assert.match(page.url(), /panel=make/);
   assert.equal(await page.locator("#keys-dialog[open]").count(), 0);
+});
+
+test("the ring of the focus lies inside the scene, where nothing cuts it off", async () => {
+  const page = await openPuzzle(session);
+  await page.locator("#scene").focus();
+  await page.keyboard.press("ArrowUp");
+  const outline = await page.locator(".scene").evaluate((scene) => {
+    const { outlineStyle, outlineWidth, outlineOffset } = getComputedStyle(scene);
+    return { outlineStyle, beyond: parseFloat(outlineWidth) + parseFloat(outlineOffset) };
+  });
+  assert.deepEqual(outline, { outlineStyle: "solid", beyond: 0 });
 });

@@ -38,7 +38,7 @@ async function sideBySide(options) {
 test("each is named with what it has seen, its map, its balls and when it solves, as it was measured", async () => {
   const { page, first } = await sideBySide();
   assert.equal(await page.locator("#pair-columns h3").allTextContents().then(String), "within-0,cross-0");
-  assert.equal(await column(page, 1).locator(".model-badge").innerText(), "never seen");
+  assert.equal(await column(page, 1).locator(".model-badge").innerText(), "new to the model");
   assert.equal(await column(page, 1).locator(".outcome-strip span").count(), first);
   assert.match(
     await column(page, 1).locator(".pair-outcome").textContent(),
@@ -54,7 +54,7 @@ test("each is named with what it has seen, its map, its balls and when it solves
   const place = await column(page, 0).locator(".pair-place").textContent();
   assert.match(place, /^Most sure .+\.$/);
   await page.locator("#pair-map-name").selectOption("action");
-  assert.match(await column(page, 0).locator("canvas[role=img]").getAttribute("aria-label"), /^Action path: /);
+  assert.match(await column(page, 0).locator("canvas[role=img]").getAttribute("aria-label"), /^What red must do: /);
 
   await column(page, 1).locator("button").click();
   await says(page, new RegExp(`The model’s ball ${first} is running`));

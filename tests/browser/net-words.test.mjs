@@ -16,7 +16,7 @@ test("the net that scores balls is named, and no other", () => {
   assert.doesNotMatch(Object.values(success).join(" "), /dynamics/i);
   for (const card of [{}, undefined]) {
     const { intro, about, how } = netWords(card, 4);
-    assert.equal(intro, "Before anything moves, four small nets imagine, one after the other:");
+    assert.equal(intro, "Before anything moves, four small nets imagine, one after the other.");
     assert.doesNotMatch(about, /another net/i);
     assert.equal(how, "");
   }

@@ -19,20 +19,30 @@ export const EASY = "00000:000";
 
 /**
  * Opens a puzzle by its link, whose fragment goes on with `fragment` ("&panel=…"). With `reducedMotion` a run shows its
- * end immediately.
+ * end immediately. A `newcomer` sees the model's guess, and the story the first time; others are past that.
  * @param {Awaited<ReturnType<typeof import('./harness.mjs').start>>} session
- * @param {{ task?: string, fragment?: string, reducedMotion?: boolean } &
+ * @param {{ task?: string, fragment?: string, reducedMotion?: boolean, newcomer?: boolean } &
  *   Omit<import('playwright-core').BrowserContextOptions, 'reducedMotion'>} [options]
  */
-export async function openPuzzle(session, { task = EASY, fragment = "", reducedMotion = false, ...options } = {}) {
-  const page = await session.open(`/#task=${task}${fragment}`, {
-    reducedMotion: reducedMotion ? "reduce" : "no-preference",
-    ...options,
-  });
+export async function openPuzzle(session, options = {}) {
+  const { task = EASY, fragment = "", reducedMotion = false, newcomer = false, ...context } = options;
+  const page = await session.open("", { reducedMotion: reducedMotion ? "reduce" : "no-preference", ...context });
+  if (!newcomer) await page.addInitScript(becomeRegular);
+  await page.goto(`${session.origin}/#task=${task}${fragment}`);
   await page.locator("#scene").waitFor();
   // Its panels come after its first picture.
   await page.locator("#puzzle [inert]").first().waitFor({ state: "detached" });
   return page;
+}
+
+/** In a page: its person has seen the story, and prefers to guess alone. */
+function becomeRegular() {
+  try {
+    localStorage.setItem("pathlight.story", "told");
+    localStorage.setItem("pathlight.guess", "off");
+  } catch {
+    // Nothing is kept in this browser.
+  }
 }
 
 /** Opens a puzzle on the panel Imagine, and waits until its maps are imagined. */
@@ -233,11 +243,20 @@ export async function picture(page, selector = "#scene") {
   return page.locator(selector).evaluate((canvas) => canvas.toDataURL());
 }
 
+/** The tasks that the first model was measured on, each with the attempt at which it solved it, or null. */
+async function measured() {
+  const { agents } = JSON.parse(await readFile(join(RESULTS, "shipped/within-0.json"), "utf8"));
+  return agents.find(({ agent }) => agent === "online").first_solved;
+}
+
 /** A puzzle that the first model does not solve within its hundred attempts, as the results of its evaluation say. */
 export async function unsolvedTask() {
-  const { agents } = JSON.parse(await readFile(join(RESULTS, "shipped/within-0.json"), "utf8"));
-  const { first_solved: solved } = agents.find(({ agent }) => agent === "online");
-  return solved.find(([, attempt]) => attempt === null)[0];
+  return (await measured()).find(([, attempt]) => attempt === null)[0];
+}
+
+/** A task that the first model solves at the first attempt that passes a test, and that attempt. */
+export async function solvedTask(passes) {
+  return (await measured()).find(([, attempt]) => attempt !== null && passes(attempt));
 }
 
 /** Fails if the page runs a script that is not its own, or refuses it for another reason than its policy. */

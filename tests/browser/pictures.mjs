@@ -46,7 +46,7 @@ for (const [screen, size] of Object.entries(SCREENS)) {
 
     // The paths that the model imagines for the ball, before and after it has run.
     await page.locator("#forecast-on").setChecked(true);
-    await page.locator("#forecast-words").filter({ hasText: "thinks" }).waitFor();
+    await page.locator("#forecast-words").filter({ hasText: "model’s guess:" }).waitFor();
     await take("forecast");
     await run(balls.missing, /^Not solved/);
     await take("forecast-and-real");

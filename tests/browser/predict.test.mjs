@@ -170,3 +170,14 @@ test("maps that are switched on do not tell the answer here", async () => {
   await page.waitForTimeout(100);
   assert.equal(await picture(page), bare, "nor does the story");
 });
+
+test("the big button runs the scene for a prediction without a ball, once there is one", async () => {
+  const page = await predict();
+  const run = page.locator("#run");
+  assert.match(await run.textContent(), /Run/);
+  await run.click();
+  await says(page, /Draw your prediction first/);
+  await page.locator("#scene").press("Shift+ArrowDown");
+  await run.click();
+  await verdict(page);
+});

@@ -8,16 +8,12 @@ import { start } from "./harness.mjs";
 import { EASY, ball, openPuzzle, picture, says, spot, type } from "./page-actions.mjs";
 
 const STEPS = [
-  "Base path",
-  "Target path",
-  "Action path",
-  "Placement",
-  "Success",
-  "Candidates",
-  "Imagined",
-  "Chosen",
-  "Run",
-  "Imagined and real",
+  "If you do nothing",
+  "Where green should go",
+  "What red must do",
+  "Where to start",
+  "Forty futures",
+  "Run and compare",
 ];
 
 let session;
@@ -55,59 +51,86 @@ test("a clicker leads through the story, which ends with the ball run and imagin
     await page.locator("#caption-result").filter({ hasText: "is choosing" }).waitFor({ state: "detached" });
     pictures.add(await picture(page));
   }
-  assert.ok(
-    pictures.size >= STEPS.length,
-    `${pictures.size} pictures: run and its end are the same with reduced motion`,
-  );
+  assert.equal(pictures.size, STEPS.length + 1);
   await page
     .locator("#caption-result")
     .filter({
       hasText:
-        /^The model thought: .+ \(.+ %\)\. (Solved|Not solved): .+ It imagined the green object \d+ px from where it really was, on average\.$/,
+        /^The model’s guess was: .+ \(.+ %\)\. It (worked|did not work): .+ Its path for green was \d+ px off, on average\.$/,
     })
     .waitFor();
   await page.keyboard.press("PageDown");
   assert.equal(await title(page), STEPS.at(-1), "there is no more");
   await page.keyboard.press("PageUp");
   await page.keyboard.press("ArrowLeft");
-  assert.equal(await title(page), "Chosen");
+  assert.equal(await title(page), "Where to start");
   await says(page, /place the red ball/);
   assert.equal(await page.locator("#model-attempts li").count(), 0, "looking is no attempt");
 });
 
 test("it plays by itself to its end, and waits for the ball", async () => {
-  const page = await openPresentation({ fragment: "&step=chosen" });
+  const page = await openPresentation({ fragment: "&step=imagined" });
   await imagined(page);
-  await page.locator("#caption-result").filter({ hasText: "Here it is the ball" }).waitFor();
-  await page.locator("#speed").selectOption("4");
+  await page.locator("#caption-result").filter({ hasText: "It had" }).waitFor();
   await page.locator("#caption-play").click();
-  assert.equal(await title(page), "Run");
-  await page.locator("#caption-title", { hasText: "Imagined and real" }).waitFor({ timeout: 40_000 });
+  assert.equal(await title(page), "Run and compare");
   await page.locator("#caption-play-label", { hasText: "Play" }).waitFor();
-  assert.match(await page.locator("#caption-result").textContent(), /It imagined the green object/);
+  await page.locator("#caption-result").filter({ hasText: "Its path for green was" }).waitFor({ timeout: 40_000 });
+});
+
+test("the buttons of the story stay where they are, and no edge cuts off their focus", async () => {
+  for (const viewport of [
+    { width: 1280, height: 800 },
+    { width: 390, height: 844 },
+  ]) {
+    const page = await openPresentation({ viewport });
+    await imagined(page);
+    const next = page.locator("#caption-next");
+    const place = await next.boundingBox();
+    assert.ok(place);
+    for (const name of STEPS) {
+      await page.keyboard.press("PageDown");
+      await page.locator("#caption-title", { hasText: name }).waitFor();
+      assert.deepEqual(await next.boundingBox(), place, name);
+    }
+    const around = await page.locator("#presentation").boundingBox();
+    const ring = await next.evaluate((button) => {
+      const { outlineWidth, outlineOffset } = getComputedStyle(button);
+      return parseFloat(outlineWidth) + parseFloat(outlineOffset);
+    });
+    assert.ok(around && place.x - ring >= around.x, `the ring of ${ring} px begins at ${place.x}`);
+    assert.ok(around && place.y + place.height + ring <= around.y + around.height);
+  }
+});
+
+test("Escape in the middle of the story leaves for its panel, and the story goes on", async () => {
+  const page = await openPresentation({ fragment: "&step=placement" });
+  await page.keyboard.press("Escape");
+  await page.locator("#imagine:visible").waitFor();
+  await page.locator("#walkthrough-step", { hasText: "Step 4" }).waitFor({ state: "attached" });
 });
 
 test("by touch, on a phone", async () => {
   const page = await openPresentation({ hasTouch: true, isMobile: true, viewport: { width: 390, height: 844 } });
   await imagined(page);
   await page.locator("#caption-next").tap();
-  assert.equal(await title(page), "Base path");
+  assert.equal(await title(page), "If you do nothing");
   await page.locator("#caption-back").tap();
   assert.match(await page.locator("#caption").textContent(), /^Make sure/i);
   await page.touchscreen.tap(...(await spot(page, 100, 240)));
-  await says(page, /Press Run|Not here/);
+  await says(page, /Good spot|Not here/);
 });
 
 test("a ball that is placed in the middle of the run ends the story", async () => {
   const page = await openPresentation({ fragment: "&step=run" });
-  await page.locator("#caption-result").filter({ hasText: "Dotted is what" }).waitFor();
+  await page.locator("#caption-result").filter({ hasText: "Dotted: what" }).waitFor();
   await says(page, /The model’s ball 1 is running/);
   await page.mouse.click(...(await spot(page, 30, 240)));
   await page
     .locator("#caption")
     .filter({ hasText: /^Make sure/i })
     .waitFor();
-  await says(page, /Press Run|Not here/);
+  await says(page, /Good spot|Not here/);
 });
 
 test("a key and a button of the page lead there and back, and the link says it", async () => {
@@ -165,7 +188,7 @@ for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
       { width: 390, height: 844 },
     ]) {
       const page = await openPresentation({ viewport, colorScheme, reducedMotion: true, fragment: "&step=real" });
-      await page.locator("#caption-result").filter({ hasText: "It imagined" }).waitFor();
+      await page.locator("#caption-result").filter({ hasText: "Its path for green" }).waitFor();
       await axeFindsNothing(page);
     }
   });
@@ -220,8 +243,8 @@ test("Back that follows a tab at once leads to the tab before, as it was left", 
     history.back();
   });
   await page.locator("#imagine:visible").waitFor();
-  await page.waitForFunction(() => location.hash.endsWith("&panel=imagine&layers=target"));
-  assert.ok(await page.locator("[data-map=target] input").isChecked());
+  await page.waitForFunction(() => location.hash.endsWith("&panel=imagine&layers=action"));
+  assert.ok(!(await page.locator("[data-map=target] input").isChecked()));
   await page.goForward();
   await page.locator("#compare:visible").waitFor();
 });

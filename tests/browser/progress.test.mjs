@@ -25,7 +25,7 @@ async function run(page, ball, words) {
 async function played(page) {
   const { missing, solving } = await known();
   await run(page, missing, /^Not solved/);
-  assert.equal(await label(page), "1 of 100, 1 attempt");
+  assert.equal(await label(page), "1 of 100 × in 1");
   await page.locator("#reset").click();
   await run(page, solving, /^Solved/);
   assert.equal(await label(page), "1 of 100 ✓ in 2");
@@ -46,6 +46,27 @@ test("progress is told on the grid and in the picker, and outlasts the page", as
   assert.equal(await label(page), "1 of 100 ✓ in 2");
 });
 
+test("the picker shows its whole words", async () => {
+  for (const viewport of [
+    { width: 1280, height: 800 },
+    { width: 390, height: 844 },
+  ]) {
+    const page = await openPuzzle(session, { reducedMotion: true, viewport });
+    const { missing } = await known();
+    await run(page, missing, /^Not solved/);
+    const room = await page.locator("#task").evaluate((select) => {
+      const style = getComputedStyle(select);
+      const context = new OffscreenCanvas(1, 1).getContext("2d");
+      if (!context) throw new Error("no 2D canvas");
+      context.font = `${style.fontSize} ${style.fontFamily}`;
+      const words = (select.selectedOptions[0].textContent ?? "").replace(/^1/, "97").replace(/1$/, "12");
+      // The arrow takes some 20 px.
+      return select.clientWidth - 20 - parseFloat(style.paddingLeft) - context.measureText(words).width;
+    });
+    assert.ok(room >= 0, `${viewport.width} px: ${room} px too few`);
+  }
+});
+
 test("an attempt is not told before it has run, and counts when it is left", async () => {
   const page = await openPuzzle(session);
   const { solving } = await known();
@@ -63,7 +84,7 @@ test("another tab’s attempts are seen, and added to", async () => {
   await other.goto(page.url());
   const { missing, solving } = await known();
   await run(page, missing, /^Not solved/);
-  await other.locator("#task option:checked").filter({ hasText: "1 of 100, 1 attempt" }).waitFor({ state: "attached" });
+  await other.locator("#task option:checked").filter({ hasText: "1 of 100 × in 1" }).waitFor({ state: "attached" });
   await other.emulateMedia({ reducedMotion: "reduce" });
   await run(other, solving, /^Solved/);
   assert.equal(await label(other), "1 of 100 ✓ in 2");

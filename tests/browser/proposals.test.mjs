@@ -57,6 +57,21 @@ test("the list of a puzzle that the model solves ends with the ball that solves"
   assert.match(await fact(page, "outcome"), /^✓/);
 });
 
+test("what comes of its balls is not told before the model has played, or before they are looked at", async () => {
+  const page = await compare("", EASY);
+  const outcomes = ["strip", "outcomes", "key"].map((id) => page.locator(`#proposal-${id}`));
+  for (const one of outcomes) assert.ok(await one.isHidden());
+  await playModelTurn(page);
+  for (const one of outcomes) await one.waitFor();
+});
+
+test("where no other outcome follows, the panel says so", async () => {
+  const page = await compare("&proposal=1", "00009:013");
+  await page.locator("#proposal-number", { hasText: "1 of 1" }).waitFor();
+  await page.locator("#proposal-other").click();
+  await page.locator("#proposal-none", { hasText: "No ball after this one has another result." }).waitFor();
+});
+
 test("a ball of the turn is the same ball with the same outcome", async () => {
   const page = await compare("", EASY);
   await playModelTurn(page);
@@ -79,7 +94,7 @@ test("it is in the link, goes by keys, and ends when something else is done", as
   await page.mouse.click(...(await spot(page, 30, 240)));
   await page.locator("#proposal-facts").waitFor({ state: "hidden" });
   await page.waitForFunction(() => !/proposal=/.test(location.hash));
-  await says(page, /Press Run|Not here/);
+  await says(page, /Good spot|Not here/);
 });
 
 test("another puzzle opens without a ball of the model’s", async () => {
@@ -101,14 +116,12 @@ test("each shows what the model imagined for it, beside what really happened", a
   const page = await compare("&proposal=1");
   const imagined = page.locator("#proposal-imagined");
   await imagined
-    .filter({
-      hasText: /^[A-Z][a-z ]+ \(.+ %\)\. It imagined the green object \d+ px from where it really was, on average\.$/,
-    })
+    .filter({ hasText: /^[A-Z][a-z’ ]+ \(.+ %\)\. Its path for green was \d+ px off, on average\.$/ })
     .waitFor();
   const first = await picture(page);
   await page.locator("#proposal-next").click();
   await page.locator("#proposal-number", { hasText: "2 of" }).waitFor();
-  await imagined.filter({ hasText: "It imagined" }).waitFor();
+  await imagined.filter({ hasText: "Its path for green" }).waitFor();
   assert.notEqual(await picture(page), first);
 });
 
@@ -117,7 +130,8 @@ test("a strip has a mark for each ball by its outcome; a click and a key lead al
     agents: [{ first_solved: solved }],
   } = JSON.parse(await readFile(new URL("../../results/shipped/within-0.json", import.meta.url), "utf8"));
   const [late, total] = solved.find(([, first]) => first > 50);
-  const page = await compare("", late);
+  const page = await compare("&proposal=1", late);
+  await page.locator("#proposal-strip:visible").waitFor();
   const outcomes = await page
     .locator("#proposal-strip span")
     .evaluateAll((marks) => marks.map((mark) => mark.dataset.outcome));
@@ -173,17 +187,17 @@ test("a strip has a mark for each ball by its outcome; a click and a key lead al
 test("wherever a result stands the model is named, and whether it has seen the puzzle", async () => {
   const page = await compare();
   const badge = (panel) => page.locator(`${panel} .model-badge`).first();
-  assert.equal((await badge("#compare").innerText()).replace(/\s+/g, " "), "within-0 never seen");
+  assert.equal((await badge("#compare").innerText()).replace(/\s+/g, " "), "within-0 new to the model");
   for (const panel of ["imagine", "map"]) {
     await page.locator(`#tab-${panel}`).click();
-    await badge(`#${panel}`).filter({ hasText: "never seen" }).waitFor();
+    await badge(`#${panel}`).filter({ hasText: "new to the model" }).waitFor();
   }
   await page.locator("#tab-imagine").click();
   await page.locator("#model-select").selectOption("cross-0");
   await badge("#imagine")
-    .filter({ hasText: /cross-0\s+seen in training/ })
+    .filter({ hasText: /cross-0\s+practised this one/ })
     .waitFor();
-  await page.locator("#model-words").filter({ hasText: "cross-0 has learned from 20 of the 25 kinds" }).waitFor();
+  await page.locator("#model-words").filter({ hasText: "cross-0 knows 20 of the 25 kinds" }).waitFor();
 });
 
 test("a number past the last ball of this puzzle leaves the address", async () => {

@@ -57,7 +57,7 @@ test("of the other model and of another agent", async () => {
     await cells(page).evaluateAll((links) => links.map((link) => link.textContent)),
     solved.map(([, first]) => (first === null ? "×" : String(first))),
   );
-  await page.locator("#results-about").filter({ hasText: "cross-0 has learned from 20 of the 25 kinds" }).waitFor();
+  await page.locator("#results-about").filter({ hasText: "cross-0 knows 20 of the 25 kinds" }).waitFor();
   await cells(page).last().click();
   await modelLoaded(page, "cross-0");
 });

@@ -39,7 +39,7 @@ for (const [width, height] of [
       assert.ok(!over, `${await control.getAttribute("id")} lies over the panel`);
     }
     assert.ok(time.width >= 60, `the time line is ${time.width} px wide`);
-    assert.match(await page.locator("#run").innerText(), /Again/, "its button says what it does");
+    assert.match(await page.locator("#run").innerText(), /Replay/, "its button says what it does");
   });
 }
 

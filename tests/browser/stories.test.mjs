@@ -49,7 +49,7 @@ for (const [screen, options] of Object.entries(SCREENS)) {
     await page.locator("#results-templates .missed").nth(3).click();
     await page
       .locator("#compare .model-badge")
-      .filter({ hasText: /within-0\s*never seen/ })
+      .filter({ hasText: /within-0\s*new to the model/ })
       .waitFor();
     await page.locator("#proposal-strip span").nth(99).waitFor();
     await page.locator("#proposal-next").click();
@@ -75,7 +75,7 @@ test("a teacher makes the link for the class out of the presentation", async () 
   const pupil = await session.open(link.slice(session.origin.length), { ...SCREENS["a phone"] });
   await pupil.locator("#scene").waitFor();
   await pupil.touchscreen.tap(...(await spot(pupil, 100, 240)));
-  await says(pupil, /Press Run|Not here/);
+  await says(pupil, /Good spot|Not here/);
   assert.doesNotMatch(
     await pupil.locator("body").innerText(),
     /model|net|imagine/i,

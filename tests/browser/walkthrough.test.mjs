@@ -3,11 +3,19 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { start } from "./harness.mjs";
-import { openImagined, picture, spot } from "./page-actions.mjs";
+import { click, openImagined, openPuzzle, picture, spot } from "./page-actions.mjs";
 
 const MAPS = ["base", "target", "action", "placement", "success"];
-/** How a model that imagines balls chooses one, and what comes of it. */
-const CHOICE = ["candidates", "imagined", "chosen", "run", "real"];
+/** The maps that each step lays over the scene and leaves in the panel. */
+const STEPS = {
+  base: ["base"],
+  target: ["target"],
+  action: ["action"],
+  placement: ["placement", "success"],
+  imagined: [],
+  run: [],
+};
+const COUNT = Object.keys(STEPS).length;
 
 let session;
 before(async () => (session = await start()));
@@ -24,14 +32,14 @@ async function shown(page) {
   return { rows, laid };
 }
 
-test("each step shows one map alone, forward and back, and all again", async () => {
+test("each step shows its maps alone, forward and back, and all again", async () => {
   const page = await imagine();
-  assert.deepEqual((await shown(page)).rows, MAPS);
-  for (const map of MAPS) {
+  assert.deepEqual(await shown(page), { rows: MAPS, laid: ["target", "action"] });
+  for (const maps of Object.values(STEPS).slice(0, 4)) {
     await page.locator("#walkthrough-next").click();
-    assert.deepEqual(await shown(page), { rows: [map], laid: [map] });
-    const row = page.locator(`[data-map=${map}]`);
-    assert.match(await row.locator(".meaning").textContent(), /^Where .+\.$/);
+    assert.deepEqual(await shown(page), { rows: maps, laid: maps });
+    const row = page.locator(`[data-map=${maps[0]}]`);
+    assert.match(await row.locator(".meaning").textContent(), /^(Where|A path) .+\.$/);
     assert.match(
       await row.locator(".summary").textContent(),
       /^Most sure [a-z ]+(, also sure [a-z ]+)?\.$/,
@@ -41,39 +49,95 @@ test("each step shows one map alone, forward and back, and all again", async () 
       await row.locator(".numbers").textContent(),
       /^In numbers: strongest at x \d+, y \d+; \d+ percent on the left, \d+ on the right\.$/,
     );
-    assert.match(await page.locator("#announcement").textContent(), /Where .+ It is most sure /, "it is said aloud");
+    assert.match(await page.locator("#announcement").textContent(), /It is most sure /, "it is said aloud");
   }
   await page.locator("#walkthrough-dots button:visible").last().click();
   const last = await page.locator("#walkthrough-step").textContent();
-  assert.equal(last, `Step ${MAPS.length + CHOICE.length} of ${MAPS.length + CHOICE.length}`);
+  assert.equal(last, `Step ${COUNT} of ${COUNT}`);
   await page.locator("#walkthrough-next").press("Enter");
   assert.equal(await page.locator("#walkthrough-step").textContent(), last, "there is no more");
-  for (let back = 0; back <= CHOICE.length; back += 1) await page.locator("#walkthrough-back").click();
-  assert.deepEqual((await shown(page)).rows, ["placement"]);
+  for (const maps of [[], STEPS.placement]) {
+    await page.locator("#walkthrough-back").click();
+    assert.deepEqual((await shown(page)).rows, maps);
+  }
   await page.locator("#walkthrough-dots button").first().click();
   assert.deepEqual((await shown(page)).rows, ["base"]);
   await page.locator("#walkthrough-all").click();
-  assert.deepEqual((await shown(page)).rows, MAPS);
+  assert.deepEqual(await shown(page), { rows: MAPS, laid: ["target", "action"] });
 });
+
+/** Waits until the story has gone through all its steps by itself, and stands still. */
+async function playsThrough(page) {
+  for (const step of Object.keys(STEPS))
+    await page.waitForFunction((step) => location.hash.endsWith(`step=${step}`), step, { timeout: 30_000 });
+  await page.locator("#walkthrough-play-label", { hasText: "Play" }).waitFor();
+}
 
 test("it plays by itself to the end, and a step is in the link", async () => {
   const page = await imagine();
   await page.locator("#walkthrough-play").click();
-  for (const step of [...MAPS, ...CHOICE]) {
-    await page.waitForFunction((step) => location.hash.includes(`step=${step}`), step, { timeout: 30_000 });
-  }
-  await page.locator("#walkthrough-play-label", { hasText: "Play" }).waitFor();
+  await playsThrough(page);
   await page.reload();
   await page.locator("#imagined-in").filter({ hasText: "Imagined" }).waitFor();
   assert.deepEqual(await shown(page), { rows: [], laid: [] });
 });
 
+test("opened for the first time it shows two maps, then plays through once; later the person sets the pace", async () => {
+  const page = await openPuzzle(session, { newcomer: true });
+  await page.locator("#tab-imagine").click();
+  await page.locator("#imagined-in").filter({ hasText: "Imagined" }).waitFor();
+  await page.locator("#walkthrough-play-label", { hasText: "Pause" }).waitFor();
+  assert.deepEqual((await shown(page)).laid, ["target", "action"]);
+  await playsThrough(page);
+  await page.locator("#next").click();
+  for (const tab of ["play", "imagine"]) await page.locator(`#tab-${tab}`).click();
+  await page.locator("#imagined-in").filter({ hasText: "Imagined" }).waitFor();
+  assert.equal(await page.locator("#walkthrough-play-label").textContent(), "Play");
+});
+
+test("what the person does ends the story that plays by itself", async () => {
+  for (const act of [
+    (page) => page.locator("[data-map=placement] .map").click(),
+    (page) => page.locator("#walkthrough-next").click(),
+    (page) => click(page, 128, 240),
+  ]) {
+    const page = await openPuzzle(session, { newcomer: true });
+    await page.locator("#tab-imagine").click();
+    await page.locator("#walkthrough-play-label", { hasText: "Pause" }).waitFor();
+    await act(page);
+    await page.locator("#walkthrough-play-label", { hasText: "Play" }).waitFor();
+  }
+});
+
+test("it does not play by itself from a link, in a lesson or with reduced motion", async () => {
+  for (const options of [{ fragment: "&panel=imagine" }, { fragment: "&hide=compare" }, { reducedMotion: true }]) {
+    const page = await openPuzzle(session, { newcomer: true, ...options });
+    await page.locator("#tab-imagine").click();
+    await page.locator("#imagined-in").filter({ hasText: "Imagined" }).waitFor();
+    assert.equal(await page.locator("#walkthrough-play-label").textContent(), "Play");
+  }
+});
+
+test("the buttons of the story stay where they are", async () => {
+  const page = await imagine({ viewport: { width: 1280, height: 800 } });
+  const next = page.locator("#walkthrough-next");
+  const place = await next.boundingBox();
+  await page.locator("#walkthrough-play").click();
+  await page.locator("#walkthrough-step", { hasText: "Step 1" }).waitFor({ state: "attached" });
+  assert.deepEqual(await next.boundingBox(), place, "while it plays");
+  for (let step = 2; step <= COUNT; step += 1) {
+    await next.click();
+    await page.locator("#walkthrough-step", { hasText: `Step ${step}` }).waitFor({ state: "attached" });
+    assert.deepEqual(await next.boundingBox(), place, `at step ${step}`);
+  }
+});
+
 test("keys go through the steps", async () => {
   const page = await imagine();
   await page.locator("#walkthrough-next").focus();
-  for (const map of MAPS) {
+  for (const maps of Object.values(STEPS)) {
     await page.keyboard.press("Enter");
-    assert.deepEqual((await shown(page)).rows, [map]);
+    assert.deepEqual((await shown(page)).rows, maps);
   }
 });
 
@@ -85,7 +149,7 @@ test("the mouse reads the maps that lie over the scene", async () => {
   await page.mouse.move(...(await spot(page, x, y)));
   const peak = await page.locator("[data-map=base] .scale span").last().textContent();
   const note = await page.locator("#probe").textContent();
-  assert.ok(note.startsWith(`Base path ${peak}`), `${note}: its peak is ${peak}`);
+  assert.ok(note.startsWith(`If you do nothing ${peak}`), `${note}: its peak is ${peak}`);
   assert.match(await page.locator("[data-map=base] .value").textContent(), new RegExp(`^${peak} at x ${x}, y `));
   assert.match(await page.locator("[data-map=placement] .value").textContent(), /^\d\.\d\d at/, "all are read");
   await page.mouse.move(2, 2);
@@ -98,7 +162,7 @@ test("a finger reads too, and its values stay", async () => {
   await page.touchscreen.tap(...(await spot(page, 100, 200)));
   assert.match(
     await page.locator("#probe:visible").textContent(),
-    /^Base path \d\.\d\dx (99|100|101), y (199|200|201)$/,
+    /^If you do nothing \d\.\d\dx (99|100|101), y (199|200|201)$/,
   );
 });
 
@@ -111,14 +175,14 @@ test("arrow keys on a small map read it", async () => {
   assert.match(await page.locator("[data-map=target] .value").textContent(), /^\d\.\d\d at x 132, y 160$/);
 });
 
-test("it ends with the choice: the candidates, what is imagined for them, the ball that is tried first", async () => {
-  const page = await imagine();
+test("it ends with the futures of the likeliest balls, and with the one that is tried first", async () => {
+  const page = await imagine({ reducedMotion: true });
   const pictures = new Set([await picture(page)]);
-  await page.locator('[aria-label="Step 5: Success"]').click();
+  await page.locator('[aria-label="Step 4: Where to start"]').click();
   for (const [name, words] of Object.entries({
-    Candidates: /^Here there are \d+; a ring stands for the middle of each\.$/,
-    Imagined: /^Here \d+ of the \d+ balls are more likely to solve the puzzle than not\./,
-    Chosen: /^Here it is the ball at x \d+, y \d+ with radius \d+: [a-z ]+ \(.+ %\)\.$/,
+    "Forty futures": /^It had \d+ ideas, and believes in (\d+|none) of them\.$/,
+    "Run and compare":
+      /^The model’s guess was: .+ \(.+ %\)\. It (worked|did not work): .+ Its path for green was \d+ px off, on average\.$/,
   })) {
     await page.locator("#walkthrough-next").press("Enter");
     assert.equal(await page.locator("#choice-title").textContent(), name);
@@ -127,14 +191,15 @@ test("it ends with the choice: the candidates, what is imagined for them, the ba
     assert.match(await page.locator("#announcement").textContent(), new RegExp(`^${name}\\. `), "it is said aloud");
     pictures.add(await picture(page));
   }
-  assert.equal(pictures.size, 4, "each lays something else over the scene");
-  const [, x, y, r] =
-    (await page.locator("#choice-result").textContent()).match(/x (\d+), y (\d+) with radius (\d+)/) ?? [];
-  await page.locator("#tab-compare").click();
-  await page.locator("#proposal-next").click();
-  assert.equal(
-    await page.locator("#proposal-ball").textContent(),
-    `x ${x}, y ${y}, radius ${r}`,
-    "it is the first of its turn",
-  );
+  assert.equal(pictures.size, 3, "each lays something else over the scene");
+});
+
+test("what is said of the lines is how they are drawn", async () => {
+  const page = await imagine({ task: "00002:017" });
+  await page.locator("#walkthrough-dots button:visible").last().click();
+  // The model's paths are dashed everywhere.
+  await page
+    .locator("#choice-result")
+    .filter({ hasText: /Dashed: what really happens/ })
+    .waitFor();
 });

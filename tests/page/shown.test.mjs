@@ -10,6 +10,7 @@ const {
   attemptRun,
   editing,
   ended,
+  hiddenAuthor,
   neverTouched,
   overlaid,
   placing,
@@ -51,10 +52,12 @@ test("a refusal is told while the ball is placed, and is gone after a run", () =
 });
 
 test("the result of a new attempt is hidden until it is revealed; a replay's never is", () => {
-  const first = shows(attemptRun(attempt("player", 1), { hidden: true }));
-  assert.equal(first.hidden, true);
-  assert.equal(revealed(first).hidden, false);
-  assert.equal(shows(attemptRun(attempt("player", 1))).hidden, false);
+  const first = shows(attemptRun(attempt("player", 1), { hidden: "player" }));
+  const race = shows({ kind: "compare", pair: [attempt("player", 1), attempt("model", 1)], hidden: "model" });
+  assert.deepEqual([first, race].map(hiddenAuthor), ["player", "model"]);
+  assert.deepEqual([first, race].map(revealed).map(hiddenAuthor), [null, null]);
+  assert.equal(hiddenAuthor(shows(attemptRun(attempt("player", 1)))), null);
+  assert.equal(hiddenAuthor(shows({ kind: "watch" })), null);
   assert.equal(revealed(START), START);
 });
 
@@ -82,7 +85,7 @@ test("the nearest moment is worth showing only of a miss that never touched", ()
 });
 
 test("a state is never changed in place", () => {
-  const run = Object.freeze(shows(attemptRun(attempt("player", 1), { hidden: true })));
+  const run = Object.freeze(shows(attemptRun(attempt("player", 1), { hidden: "player" })));
   for (const next of [ended(run, null), revealed(run), editing(run, { tool: "line" }), placing(run)])
     assert.notEqual(next, run);
 });
@@ -91,7 +94,10 @@ test("the attempts that are shown do not include a preview", () => {
   const own = attempt("player", 3);
   assert.deepEqual(visibleAttempts(shows(attemptRun(own))), [own]);
   assert.deepEqual(visibleAttempts(shows(attemptRun({ ...attempt("model", 3), preview: true }))), []);
-  assert.deepEqual(visibleAttempts(shows({ kind: "compare", pair: [own, attempt("model", 1)] })).length, 2);
+  assert.deepEqual(
+    visibleAttempts(shows({ kind: "compare", pair: [own, attempt("model", 1)], hidden: null })).length,
+    2,
+  );
   assert.deepEqual(visibleAttempts(START), []);
 });
 

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { INITIAL_STATE, formatFragment, hrefOf, parseFragment } from "../../www/state/url-state.js";
-import { viewOf } from "../../www/state/view.js";
+import { viewOf, withoutPresentation } from "../../www/state/view.js";
 
 /** @type {import("../../www/state/url-state.js").State} */
 const FULL = {
@@ -11,7 +11,7 @@ const FULL = {
   task: "00007:008",
   model: "cross-0",
   panel: "compare",
-  step: "chosen",
+  step: "run",
   view: "presentation",
   proposal: 7,
   layers: ["target", "success"],
@@ -68,13 +68,19 @@ test("what cannot be read is named, and the rest holds", () => {
 
 test("old names in a link are read", () => {
   assert.deepEqual(parseFragment("stage=chosen&view=stage"), {
-    state: { ...INITIAL_STATE, step: "chosen", view: "presentation" },
+    state: { ...INITIAL_STATE, step: "run", view: "presentation" },
     problem: null,
   });
-  assert.deepEqual(parseFragment("step=judge&layers=target,judge"), {
-    state: { ...INITIAL_STATE, step: "success", layers: ["target", "success"] },
-    problem: null,
-  });
+  for (const [old, step] of Object.entries({
+    judge: "placement",
+    success: "placement",
+    candidates: "imagined",
+    chosen: "run",
+    real: "run",
+    base: "base",
+  }))
+    assert.equal(parseFragment(`step=${old}`).state.step, step);
+  assert.deepEqual(parseFragment("layers=target,judge").state.layers, ["target", "success"], "it is still a map");
   assert.match(parseFragment("stage=nowhere").problem ?? "", /“stage=nowhere”/);
 });
 
@@ -87,4 +93,30 @@ test("a hidden panel is not shown, and no map lies over the scene in Predict", (
   assert.equal(viewOf({ ...FULL, view: null, panel: "map" }).panel, "play");
   assert.deepEqual(viewOf({ ...FULL, view: null, step: null, panel: "predict" }).layers, []);
   assert.deepEqual(viewOf({ ...FULL, view: null, step: null, panel: "imagine" }).layers, ["target", "success"]);
+});
+
+test("Imagine lays two maps over the scene unless the link says otherwise, and a step its own", () => {
+  const layers = (link) => viewOf(parseFragment(`task=00007:008&${link}`).state).layers;
+  assert.deepEqual(layers("panel=imagine"), ["target", "action"]);
+  assert.deepEqual(layers("panel=imagine&layers="), []);
+  assert.deepEqual(layers("panel=imagine&layers=base,target,action"), ["base", "target", "action"]);
+  assert.deepEqual(layers("panel=imagine&step=placement"), ["placement", "success"]);
+  assert.deepEqual(layers("panel=play"), []);
+  assert.deepEqual(layers("layers=target"), ["target"]);
+});
+
+test("the model’s guess is shown to those who like it, but neither in a challenge nor where the link says no", () => {
+  const guess = (link, likes) => viewOf(parseFragment(`task=00007:008&${link}`).state, likes).forecast;
+  assert.equal(guess("", true), true);
+  assert.equal(guess("", false), false);
+  assert.equal(guess("challenge=3", true), false);
+  assert.equal(guess("challenge=3&forecast=on", false), true);
+  assert.equal(guess("forecast=off", true), false);
+  for (const link of ["panel=imagine", "panel=predict", "hide=forecast", "hide=imagine", "view=presentation"])
+    assert.equal(guess(link, true), false, link);
+});
+
+test("the presentation is left for the panel of its story", () => {
+  assert.deepEqual(withoutPresentation({ step: "action" }), { view: null, panel: "imagine" });
+  assert.deepEqual(withoutPresentation({ step: null }), { view: null });
 });

@@ -3,6 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { chanceWords, percent } from "../../www/model/chance-words.js";
+import { modelWords, seenWords } from "../../www/model/model-words.js";
 import { summary, valueAt } from "../../www/model/map-summary.js";
 import { ballsCsv, otherOutcome, outcomesWords } from "../../www/model/outcomes.js";
 import { toCsv } from "../../www/model/csv.js";
@@ -26,8 +27,14 @@ test("a chance is never told as none or all", () => {
     "over 99 %",
     "over 99 %",
   ]);
-  assert.equal(chanceWords(0.03), "very unlikely (3 %)");
-  assert.equal(chanceWords(1), "very likely (over 99 %)");
+  assert.equal(chanceWords(0.03), "almost surely won’t work (3 %)");
+  assert.equal(chanceWords(1), "almost surely works (over 99 %)");
+});
+
+test("what a model knows does not contradict that it practised a puzzle", () => {
+  for (const setup of /** @type {const} */ (["within", "cross"]))
+    assert.doesNotMatch(modelWords({ setup }), /other puzzles|never/);
+  assert.notEqual(seenWords(true), seenWords(false));
 });
 
 test("the outcomes of balls are counted, and the next other one is found", () => {
@@ -35,6 +42,7 @@ test("the outcomes of balls are counted, and the next other one is found", () =>
     outcomesWords(TRIED),
     "Of 4 balls 1 solves the puzzle, with 2 the green object touches its goal for a while, with 1 never.",
   );
+  assert.equal(outcomesWords([tried(true, 180)]), "Its first idea works.");
   assert.equal(otherOutcome(TRIED, 1, 1), 3);
   assert.equal(otherOutcome(TRIED, 2, -1), 0);
   assert.equal(otherOutcome(TRIED, 3, 1), null);

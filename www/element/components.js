@@ -24,6 +24,7 @@ import { Tabs } from "../widgets/tabs.js";
  * @property {WebAssembly.Module} module
  * @property {import("../model/shared-client.js").SharedClient} client
  * @property {import("../storage/progress.js").Progress} progress
+ * @property {import("../storage/preferences.js").Preferences} preferences
  * @property {(task: string, panel: import("../state/url-state.js").Panel) => string | null} hrefOf the address of
  *   another puzzle, or null
  */

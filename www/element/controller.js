@@ -5,11 +5,12 @@
 
 import { SharedClient } from "../model/shared-client.js";
 import { Session } from "../play/session.js";
+import { Preferences } from "../storage/preferences.js";
 import { byId, find, setText } from "../widgets/dom.js";
 import { hideParts } from "../widgets/hidden-parts.js";
 import { sameBall } from "../puzzles/ball.js";
 import { INITIAL_STATE, formatFragment, formatState, parseState, showsPuzzle } from "../state/url-state.js";
-import { viewOf } from "../state/view.js";
+import { viewOf, withoutPresentation } from "../state/view.js";
 import { AskedPuzzle } from "./asked-puzzle.js";
 import { Components } from "./components.js";
 import { onPuzzleKey } from "./keys.js";
@@ -38,6 +39,7 @@ export class PuzzleController extends EventTarget {
     if (this.#state.scene === scene) this.apply(this.#state);
   });
   #modelStarter;
+  #preferences;
 
   /**
    * Fires "statechange" when the person has changed the state, "modelchange" when the model's status changes, and
@@ -53,6 +55,7 @@ export class PuzzleController extends EventTarget {
     this.#root = root;
     this.#hrefOf = hrefOf;
     this.#client = new SharedClient(module);
+    this.#preferences = new Preferences(progress.persistent);
     this.#modelStarter = new ModelStarter(this.#client);
     this.#modelStarter.addEventListener("change", () => this.dispatchEvent(new Event("modelchange")));
     const parts = {
@@ -60,6 +63,7 @@ export class PuzzleController extends EventTarget {
       module,
       client: this.#client,
       progress,
+      preferences: this.#preferences,
       hrefOf: (/** @type {string} */ task, /** @type {import("../state/url-state.js").Panel} */ panel) =>
         hrefOf()?.(task, panel) ?? null,
     };
@@ -186,7 +190,9 @@ export class PuzzleController extends EventTarget {
   togglePresentation() {
     const { view, step, panel } = this.#state;
     this.#changeState(
-      view === "presentation" ? { view: null } : { view: "presentation", step: panel === "imagine" ? step : null },
+      view === "presentation"
+        ? withoutPresentation(this.#state)
+        : { view: "presentation", step: panel === "imagine" ? step : null },
     );
   }
 
@@ -286,7 +292,7 @@ export class PuzzleController extends EventTarget {
 
   /** Passes the visible state to all components. */
   #applyView() {
-    const view = viewOf(this.#state);
+    const view = viewOf(this.#state, this.#preferences.guess);
     hideParts(this.#root, this.#hrefOf() ? view.hide : [...view.hide, "puzzles"]);
     this.#components.setState(view);
   }

@@ -50,6 +50,10 @@ template.innerHTML = `
         <svg viewBox="0 0 24 24" aria-hidden="true"><circle cx="12" cy="12" r="9"/><circle cx="12" cy="12" r="9" pathLength="100" class="filled"/></svg>
         <span></span>
       </div>
+      <div id="forecast" inert data-hideable="imagine">
+        <label class="switch" data-hideable="forecast"><input type="checkbox" role="switch" id="forecast-on"> <span>The model’s guess</span></label>
+        <p id="forecast-words" hidden></p>
+      </div>
     </div>
   </div>
 

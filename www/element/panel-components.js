@@ -35,7 +35,7 @@ import { SharePuzzle } from "../editor/share-puzzle.js";
  * @param {import("./components.js").Parts} parts
  * @param {import("../play/canvas.js").SceneCanvas} canvas
  */
-export function createPanelComponents({ root, module, client, progress, hrefOf }, canvas) {
+export function createPanelComponents({ root, module, client, progress, preferences, hrefOf }, canvas) {
   const editor = new Editor(root, client);
   const scenePicture = new ScenePicture(root);
   const imagine = new Imagine(root, client, scenePicture);
@@ -43,10 +43,10 @@ export function createPanelComponents({ root, module, client, progress, hrefOf }
   const proposals = new Proposals(root, client, imagine);
   const [choice, forecast, solveMap] = [
     new Choice(root, client),
-    new Forecast(root, client),
+    new Forecast(root, client, preferences),
     new SolveMapPanel(root, client, imagine),
   ];
-  const walkthrough = new Walkthrough(root, imagine, choice);
+  const walkthrough = new Walkthrough(root, imagine, choice, preferences);
   const presentation = new Presentation(root, walkthrough);
   /** @type {Component[]} */
   const all = [

@@ -4,22 +4,24 @@
 import { LUCK_MARKUP, REPLAYS_MARKUP, SAVE_MARKUP } from "../attempts/attempts-markup.js";
 
 export const PANELS_MARKUP = `
+<p id="laid" data-hideable="imagine" hidden><span></span> <button type="button" id="laid-off">Take it off</button></p>
 <div role="tabpanel" id="play" aria-labelledby="tab-play" tabindex="0" hidden>
   <section id="solved" aria-labelledby="solved-title" hidden>
     <h2 id="solved-title"></h2>
     <p class="actions">
       <a class="button primary" id="solved-next">Next puzzle</a>
-      <button type="button" id="solved-model" data-hideable="compare">See how the model did</button>
       <button type="button" id="solved-share">Share</button>
-      <label data-hideable="puzzles">Next: <select id="next-by"><option value="kind">of this kind</option><option value="harder">a little harder</option><option value="easier">a little easier</option></select></label>
+      <label data-hideable="puzzles">Next: <select id="next-by"><option value="kind">similar</option><option value="harder">harder</option><option value="easier">easier</option></select></label>
     </p>
   </section>
+  <section id="race" aria-labelledby="race-title" inert data-hideable="compare">
+    <h2 id="race-title" class="visually-hidden">You against the model</h2>
+    <dl><div><dt>You</dt><dd id="race-player"></dd></div><div class="model"><dt>The model</dt><dd id="race-model"></dd></div></dl>
+    <button type="button" id="race-it">Race it</button>
+    <p id="race-verdict"></p>
+  </section>
   <p id="story" data-hideable="story"></p>
-  <div id="forecast" inert data-hideable="imagine"><div data-hideable="forecast">
-    <label class="check"><input type="checkbox" id="forecast-on"> What would this ball do?</label>
-    <div id="forecast-said" hidden><p id="forecast-words"></p><p class="model-badge"></p></div>
-    <details id="forecast-how" hidden><summary>What do I see?</summary><p>Dotted lines, and outlines of the bodies along them: where the model imagines this very ball and the green object, before anything moves. The wider the ribbon around a line, the less sure it is of it. Nothing is simulated for that, so it can be wrong: run the ball, and see how far off it was.</p></details>
-  </div></div>
+  <details id="forecast-how" hidden><summary>What are the dotted lines?</summary><p>The model’s guess: where this ball and green would go, before anything moves. The wider the ribbon around a line, the less sure the model is. Nothing is simulated for that, so it can be wrong: run the ball, and see how far off it was.</p></details>
   <form id="ball-form" class="ball-form" autocomplete="off" data-hideable="fields">
     <label class="radius">Radius <input type="range" id="radius" step="1"></label>
     <div class="ball-fields">
@@ -49,8 +51,6 @@ export const PANELS_MARKUP = `
   <div id="imagine-trouble" class="trouble" role="alert" hidden><p></p><button type="button">Try again</button></div>
   <p id="imagine-loading" class="loading" hidden><label>Loading the model <progress max="1"></progress></label></p>
   <div id="imagine-body">
-    <p id="imagine-intro"></p>
-    <p class="model-badge"></p>
     <div class="steps" role="group" aria-labelledby="walkthrough-step">
       <button type="button" id="walkthrough-play"><svg><use id="walkthrough-play-icon" href="#icon-run"/></svg><span id="walkthrough-play-label">Play</span></button>
       <button type="button" id="walkthrough-all" aria-pressed="true">All</button>
@@ -63,6 +63,8 @@ export const PANELS_MARKUP = `
     <p class="visually-hidden" id="walkthrough-step"></p>
     <ul class="maps" id="maps"></ul>
     <section id="choice" aria-labelledby="choice-title" hidden><h2 id="choice-title"></h2><p id="choice-meaning"></p><p id="choice-result"></p><details><summary>How?</summary><p id="choice-how"></p></details></section>
+    <p id="imagine-intro"></p>
+    <p class="model-badge"></p>
     <p class="small" id="outlines-note" hidden>Over the scene two maps are shaded; of the others you see the outlines.</p>
     <label class="opacity">Opacity <input type="range" id="opacity" min="0" max="1" step="0.05"></label>
     <div id="model-choice" hidden><label>Model <select id="model-select"></select></label> <p class="small" id="model-words"></p></div>
@@ -73,7 +75,7 @@ export const PANELS_MARKUP = `
       <ul class="runs" id="runs"></ul>
       <details id="overlap-how" hidden><summary>What do the numbers mean?</summary><p>The shade is imagined, the line goes round what was real. 100 % means that both are the same, 0 % that they have nothing in common. It is the soft intersection over union on 64 × 64 cells: the smaller of the two values in each cell, added up, by the larger of the two, added up.</p></details>
     </section>
-    <p data-hideable="save"><button type="button" id="save-strip" disabled>Save the strip as a picture</button></p>
+    <p data-hideable="save"><button type="button" id="save-strip" disabled>Save all maps as one picture</button></p>
     <p class="small" id="imagined-in"></p>
     <p><button type="button" data-opens="about-dialog">How was it trained?</button></p>
   </div>
@@ -100,14 +102,15 @@ export const PANELS_MARKUP = `
     <h2 id="proposals-title">The model’s balls, one by one</h2>
     <div id="proposal-strip" class="outcome-strip" aria-hidden="true"></div>
     <p class="small" id="proposal-outcomes"></p>
-    <ul class="samples outcome-key" aria-hidden="true"><li><span data-outcome="solved"></span> solves</li><li><span data-outcome="touched"></span> touches for a while</li><li><span data-outcome="missed"></span> never touches</li></ul>
+    <ul class="samples outcome-key" id="proposal-key" aria-hidden="true"><li><span data-outcome="solved"></span> solves</li><li><span data-outcome="touched"></span> touches for a while</li><li><span data-outcome="missed"></span> never touches</li></ul>
     <div class="steps">
       <button type="button" id="proposal-back" title="Ball before"><svg><use href="#icon-previous"/></svg><span class="visually-hidden">Ball before</span></button>
       <input type="range" id="proposal-slider" min="1" step="1" value="1" aria-label="Which of the model’s balls">
       <button type="button" id="proposal-next" title="Next ball"><svg><use href="#icon-next"/></svg><span class="visually-hidden">Next ball</span></button>
       <span id="proposal-number">–</span>
     </div>
-    <p class="actions"><button type="button" id="proposal-other" title="Next other outcome  N">Next other outcome</button> <button type="button" id="proposal-save">Save as CSV</button></p>
+    <p class="actions"><button type="button" id="proposal-other" title="Next different result  N">Next different result</button> <button type="button" id="proposal-save">Save as CSV</button></p>
+    <p class="hint" id="proposal-none"></p>
     <p class="hint" id="proposal-hint">The model has up to a hundred balls ready. Step through them and see where each comes from and what it does.</p>
     <dl class="facts" id="proposal-facts" hidden>
       <dt>Why this one</dt><dd id="proposal-origin"></dd>
@@ -165,9 +168,9 @@ export const PANELS_MARKUP = `
   <ul class="samples">
     <li><canvas width="256" height="256" data-outcome="3" aria-hidden="true"></canvas> solves it</li>
     <li><canvas width="256" height="256" data-outcome="2" aria-hidden="true"></canvas> does not</li>
-    <li><canvas width="256" height="256" data-outcome="1" aria-hidden="true"></canvas> no ball may be here</li>
+    <li><canvas width="256" height="256" data-outcome="1" aria-hidden="true"></canvas> no room</li>
   </ul>
-  <label class="check" data-hideable="imagine"><input type="checkbox" id="solve-map-placement"> Lay the model’s placement map over it</label>
+  <label class="check" data-hideable="imagine"><input type="checkbox" id="solve-map-placement"> Compare with the model’s guess</label>
   <p class="model-badge" data-hideable="imagine"></p>
   <p class="hint">The radius is that of your ball. Each place is tried by a whole simulation, in a worker beside the page.</p>
 </div>

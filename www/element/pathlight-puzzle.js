@@ -184,8 +184,8 @@ export class PathlightPuzzle extends HTMLElement {
     this.#setAttribute("panel", value);
   }
   /**
-   * The step that the walkthrough is at: the name of a map, or "candidates", "imagined", "chosen", "run" or "real";
-   * null for all together.
+   * The step that the walkthrough is at: "base", "target", "action", "placement", "imagined" or "run"; null for all
+   * together.
    */
   get step() {
     return this.getAttribute("step");
@@ -214,7 +214,10 @@ export class PathlightPuzzle extends HTMLElement {
   set proposal(value) {
     this.#setAttribute("proposal", value);
   }
-  /** The maps that lie over the scene: their names, with commas between them. */
+  /**
+   * The maps that lie over the scene: their names, with commas between them; null for those that the panel or the step
+   * lays there by itself.
+   */
   get layers() {
     return this.getAttribute("layers");
   }
@@ -228,7 +231,10 @@ export class PathlightPuzzle extends HTMLElement {
   set opacity(value) {
     this.#setAttribute("opacity", value);
   }
-  /** "on" if the model imagines what the ball being placed would do, else "off" or null. */
+  /**
+   * "on" if the model's guess for the ball being placed is shown, "off" if not; null for what the person likes, where
+   * that is remembered, else off.
+   */
   get forecast() {
     return this.getAttribute("forecast");
   }

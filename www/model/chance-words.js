@@ -8,17 +8,17 @@
  * @type {[below: number, words: string][]}
  */
 const WORDS = [
-  [0.05, "very unlikely"],
-  [0.3, "unlikely"],
-  [0.45, "rather unlikely"],
-  [0.55, "even odds"],
-  [0.7, "rather likely"],
-  [0.95, "likely"],
-  [Infinity, "very likely"],
+  [0.05, "almost surely won’t work"],
+  [0.3, "probably won’t work"],
+  [0.45, "may not work"],
+  [0.55, "could go either way"],
+  [0.7, "may work"],
+  [0.95, "probably works"],
+  [Infinity, "almost surely works"],
 ];
 
 /**
- * A probability as words and number, like "very unlikely (3 %)".
+ * A probability as words and number, like "almost surely won’t work (3 %)".
  * @param {number} probability 0..1
  */
 export function chanceWords(probability) {
@@ -36,15 +36,7 @@ export function percent(probability) {
 }
 
 /**
- * How far the model expects the imagined path of the green object to be from the real one, as a sentence.
- * @param {ImaginedBall} imagined
- */
-export function expectedErrorWords({ steps, errors }) {
-  return `Its paths may be ${pixels(mean(Array.from(errors.subarray(0, steps.length))))} off.`;
-}
-
-/**
- * How far it is from it, as a sentence.
+ * How far the imagined path of the green object is from the real one, as a sentence.
  * @param {ImaginedBall} imagined
  * @param {Pick<ImaginedBall, "object">} real
  */
@@ -52,7 +44,7 @@ export function errorWords({ steps, object }, { object: real }) {
   const distances = Array.from(steps, (_, index) =>
     Math.hypot(object[2 * index] - real[2 * index], object[2 * index + 1] - real[2 * index + 1]),
   );
-  return `It imagined the green object ${pixels(mean(distances))} from where it really was, on average.`;
+  return `Its path for green was ${pixels(mean(distances))} off, on average.`;
 }
 
 /** @param {number[]} values */

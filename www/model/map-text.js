@@ -9,61 +9,47 @@
  */
 export const MAP_TEXT = {
   base: {
-    name: "Base path",
-    meaning: "Where the green object goes if nothing is done.",
-    how: "Its net sees only the scene, as five pictures of 64 × 64 cells, one for each colour. For every cell it says how sure it is that the green object passes there.",
+    name: "If you do nothing",
+    meaning: "Where green goes by itself.",
+    how: "The base path. Its net sees only the scene, as five pictures of 64 × 64 cells, one for each colour. For every cell it says how sure it is that green passes there.",
   },
   target: {
-    name: "Target path",
-    meaning: "Where it should go to reach its goal.",
-    how: "Its net sees only the scene too. It has learned from solved puzzles which way the green object went there. It does not know the red ball yet.",
+    name: "Where green should go",
+    meaning: "A path for green that ends at its goal.",
+    how: "The target path. Its net sees only the scene too. It learned from solved puzzles which way green went there. It does not know the red ball yet.",
   },
   action: {
-    name: "Action path",
-    meaning: "Where the red ball should go to bring that about.",
-    how: "Its net sees the scene, the base path and the target path: what would happen, and what should. The difference is what the red ball has to do.",
+    name: "What red must do",
+    meaning: "A path for the red ball that makes green go there.",
+    how: "The action path. Its net sees the scene, the base path and the target path: what would happen, and what should. The difference is what the red ball has to do.",
   },
   placement: {
-    name: "Placement",
+    name: "Where to start",
     meaning: "Where the red ball should start.",
-    how: "Its net sees the scene, the target path and the action path. In the paper, balls that cover much of this map are tried first. A model with a net that scores balls tries the likeliest first.",
+    how: "The placement. Its net sees the scene, the target path and the action path. In the paper, balls that cover much of this map are tried first. A model with a net that scores balls tries the likeliest first.",
   },
   success: {
-    name: "Success",
-    meaning: "Where a ball is likely to solve the puzzle.",
+    name: "Where it would work",
+    meaning: "Where a red ball is likely to solve the puzzle.",
     how: "The paper has no such map. For eight sizes of ball at every place it says how likely one solves the puzzle, and shows the best size.",
   },
 };
 
 /**
- * The same for the steps by which a model that imagines balls chooses one, and sees what comes of it.
- * @type {Record<import("../state/url-state.js").ChoiceStep, { name: string, meaning: string, how: string }>}
+ * The same for the steps of the story: those of the maps, then how a model that imagines balls chooses one.
+ * @type {Record<import("../state/url-state.js").Step, { name: string, meaning: string, how: string }>}
  */
-export const CHOICE_TEXT = {
-  candidates: {
-    name: "Candidates",
-    meaning: "Which balls are worth thinking about.",
-    how: "The dynamics net has learned from balls of all kinds what they lead to. Before it imagines any ball, it says for eight sizes at every place how likely one solves the puzzle. The most promising balls are candidates.",
-  },
+export const STEP_TEXT = {
+  ...MAP_TEXT,
   imagined: {
-    name: "Imagined",
-    meaning: "What each of these balls would do.",
-    how: "The same net imagines for each ball where the green object and the ball would go, and reads from that how likely the ball solves the puzzle. The chance that it gave the place before counts as much. Around the likeliest balls it also imagines those one px away, and keeps the likelier. Nothing is simulated.",
-  },
-  chosen: {
-    name: "Chosen",
-    meaning: "The likeliest ball is tried first.",
-    how: "If it fails, the model has seen how things really went. Balls that start much like it, and those for which it had imagined much the same, become less likely; the others stay, and the likeliest of those left is next.",
+    name: "Forty futures",
+    meaning: "Each line is a future for green with another ball. The stronger the line, the better the odds.",
+    how: "The dynamics net learned from balls of all kinds what they lead to. It says for eight sizes at every place how likely a ball solves the puzzle, and the most promising become ideas. For each idea it imagines where green and the ball would go, and how likely that is a solution. The forty likeliest are drawn. Nothing is simulated.",
   },
   run: {
-    name: "Run",
-    meaning: "Now the ball really runs.",
-    how: "It runs in the same simulator as your balls. The dotted lines were imagined before anything moved; the solid ones are what happens.",
-  },
-  real: {
-    name: "Imagined and real",
-    meaning: "What was imagined, over what really happened.",
-    how: "Dotted: the paths that the model imagined for this ball. Solid: its real path and that of the green object. The wider the ribbon around a dotted line, the less sure the model was of it.",
+    name: "Run and compare",
+    meaning: "The model drops its favourite ball. Was its guess right?",
+    how: "The ball runs in the same simulator as yours. The wider the ribbon around a dotted line, the less sure the model was of it. If the ball fails, the model has learned from it: balls that start much like it, or that it had imagined much the same, become less likely, and the likeliest of the others is next.",
   },
 };
 
@@ -95,7 +81,7 @@ export function netWords(card, paperNets) {
   const ballNet = card?.dynamics ? BALL_NETS.dynamics : card?.success ? BALL_NETS.success : null;
   const count = NUMBERS[paperNets] ?? String(paperNets);
   return {
-    intro: `Before anything moves, ${count} small nets imagine, one after the other${ballNet ? `, and ${ballNet.intro}` : ""}:`,
+    intro: `Before anything moves, ${count} small nets imagine, one after the other${ballNet ? `, and ${ballNet.intro}` : ""}.`,
     about:
       `It has ${count} small neural nets. Each is a long list of numbers that turns pictures into a picture: the scene goes in, with what the nets before it have imagined, and out comes a map that says for every place how likely the ball is to pass there. ${ballNet?.about ?? ""}`.trim(),
     how: ballNet?.how ?? "",

@@ -14,14 +14,12 @@ export const AGENT_NAMES = /** @type {Record<string, string>} */ ({
  * @param {{ setup: import("../pkg/pathlight.js").Setup }} card
  */
 export function modelWords({ setup }) {
-  return setup === "within"
-    ? "has learned from other puzzles of all 25 kinds"
-    : "has learned from 20 of the 25 kinds of puzzles";
+  return setup === "within" ? "knows all 25 kinds of puzzles" : "knows 20 of the 25 kinds of puzzles";
 }
 
 /**
  * @param {boolean} seen was the model trained on the puzzle?
  */
 export function seenWords(seen) {
-  return seen ? "seen in training" : "never seen";
+  return seen ? "practised this one" : "new to the model";
 }

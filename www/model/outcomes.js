@@ -37,6 +37,7 @@ export function otherOutcome(tried, index, by) {
 export function outcomesWords(tried) {
   const count = (/** @type {Outcome} */ outcome) => tried.filter((one) => outcomeOf(one) === outcome).length;
   const solving = count("solved");
+  if (tried.length === 1 && solving === 1) return "Its first idea works.";
   return `Of ${tried.length} ${tried.length === 1 ? "ball" : "balls"} ${solving} ${solving === 1 ? "solves" : "solve"} the puzzle, with ${count("touched")} the green object touches its goal for a while, with ${count("missed")} never.`;
 }
 

@@ -79,7 +79,7 @@ export class ProgressView {
     const place = `${tasks.indexOf(task) + 1} of ${tasks.length}`;
     const { attempts, solved } = this.#progress.player.of(task);
     if (solved) return `${place} ✓ in ${solved}`;
-    return attempts ? `${place}, ${counted(attempts, "attempt")}` : place;
+    return attempts ? `${place} × in ${attempts}` : place;
   }
 
   #save() {

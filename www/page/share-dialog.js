@@ -162,7 +162,11 @@ export class ShareDialog {
       return `Pathlight, ${dayWords(today)}: ${name}\n${marks}🟢\n${modelWords(result)}`.trim();
     }
     const how = result.solvedAt === 1 ? "at the first attempt" : `in ${result.solvedAt} attempts`;
-    return [`I solved Pathlight’s puzzle “${name}” ${how}.`, modelWords(result), "Can you do better?"]
+    return [
+      `I solved Pathlight’s puzzle “${name}” ${how}.`,
+      modelWords(result),
+      result.solvedAt === 1 ? "Can you match it?" : "Can you do better?",
+    ]
       .filter(Boolean)
       .join(" ");
   }

@@ -1,6 +1,6 @@
-// The last steps of the story, for a model that imagines balls: which balls it considers, what it imagines for each of
-// them, which one it tries first, and what comes of that one. Nothing of it is shown for another model, which does not
-// choose so. Fires "choice" when there is something else to lay over the scene.
+// The last steps of the story, for a model that imagines balls: what it imagines for each ball that it considers, and
+// what comes of the one that it tries first. Nothing of it is shown for another model, which does not choose so. Fires
+// "choice" when there is something else to lay over the scene.
 
 import { Component } from "../widgets/component.js";
 import { setText } from "../widgets/dom.js";
@@ -8,7 +8,7 @@ import { BallImaginer } from "../model/ball-imaginer.js";
 import { chanceWords, errorWords } from "../model/chance-words.js";
 import { sameBall } from "../puzzles/ball.js";
 import { sentence } from "../text/sentence.js";
-import { CHOICE_TEXT } from "../model/map-text.js";
+import { STEP_TEXT } from "../model/map-text.js";
 
 /** @typedef {import("../state/url-state.js").ChoiceStep} ChoiceStep */
 /** @typedef {import("../model/worker.js").Considered} Considered */
@@ -38,8 +38,8 @@ export class Choice extends Component {
   /** @type {string | null} */
   #failure = null;
   /**
-   * The chosen ball as the session shows it, and the step that shows it so; null while it does not.
-   * @type {{ shown: import("../play/shown.js").ShownAttempt | null, step: ChoiceStep } | null}
+   * The chosen ball as the session shows it; null while it does not.
+   * @type {import("../play/shown.js").ShownAttempt | null}
    */
   #running = null;
 
@@ -95,12 +95,8 @@ export class Choice extends Component {
    */
   get overlay() {
     if (!this.#step || !this.#considered) return null;
-    const { candidates, chosen } = this.#considered;
-    if (this.#step === "candidates")
-      return { marks: candidates.map(({ ball }) => ({ ball, from: null, chosen: false })) };
-    if (this.#step === "chosen")
-      return { marks: [{ ball: chosen.ball, from: null, chosen: true }], imagined: this.#imaginer.paths };
-    if (this.#step === "run" || this.#step === "real") return { imagined: this.#imaginer.paths };
+    const { candidates } = this.#considered;
+    if (this.#step === "run") return { imagined: this.#imaginer.paths };
     const likeliest = candidates.toSorted((one, other) => other.probability - one.probability).slice(0, HINTS);
     const most = likeliest[0]?.probability;
     return {
@@ -111,20 +107,20 @@ export class Choice extends Component {
     };
   }
 
-  /** Plays the chosen ball or shows it at its end, as the step asks; other steps show nothing that runs. */
+  /** Plays the chosen ball in its step; the other shows nothing that runs. */
   #run() {
     const { session } = this;
     const ball = this.#considered?.chosen.ball;
-    const step = this.#step === "run" || this.#step === "real" ? this.#step : null;
-    if (!session || step === (this.#running?.step ?? null)) return;
-    const tried = session.attempts.of("model").some((attempt) => sameBall(attempt.ball, ball));
+    const runs = this.#step === "run";
+    if (!session || runs === (this.#running !== null)) return;
     // First, because the session tells at once that it shows something else.
     this.#running = null;
-    if (!step) {
+    if (!runs) {
       if (session.shown?.preview) session.reset();
     } else if (ball) {
-      session.preview(1, ball, tried, step === "run");
-      this.#running = { shown: session.shown, step };
+      const tried = session.attempts.of("model").some((attempt) => sameBall(attempt.ball, ball));
+      session.preview(1, ball, tried, true);
+      this.#running = session.shown;
     }
   }
 
@@ -134,7 +130,7 @@ export class Choice extends Component {
    */
   #onSessionChange({ shown }) {
     if (!this.#running) return;
-    if (shown === this.#running.shown) return this.#update();
+    if (shown === this.#running) return this.#update();
     this.#running = null;
     this.requestState({ step: null });
   }
@@ -176,7 +172,7 @@ export class Choice extends Component {
 
   #update() {
     if (this.#step) {
-      const { name, meaning, how } = CHOICE_TEXT[this.#step];
+      const { name, meaning, how } = STEP_TEXT[this.#step];
       setText(this.byId("choice-title"), name);
       setText(this.byId("choice-meaning"), meaning);
       setText(this.byId("choice-result"), this.result);
@@ -189,32 +185,21 @@ export class Choice extends Component {
   get result() {
     if (this.#failure) return this.#failure;
     if (!this.#considered) return this.#answered ? "The model finds no ball to try." : "The model is choosing.";
-    const {
-      candidates,
-      chosen: {
-        ball: [x, y, r],
-        origin,
-      },
-    } = this.#considered;
-    if (this.#step === "candidates")
-      return `Here there are ${candidates.length}; a ring stands for the middle of each.`;
-    if (this.#step === "imagined") {
-      const likely = candidates.filter(({ probability }) => probability > 0.5).length;
-      return `Here ${likely} of the ${candidates.length} balls are more likely to solve the puzzle than not. The dotted lines are the ways of the green object with the ${Math.min(HINTS, candidates.length)} likeliest, the likelier the stronger.`;
-    }
-    if (this.#step === "run" || this.#step === "real") return this.#ending;
-    const chance = origin.kind === "imagined" ? `: ${chanceWords(origin.probability)}` : "";
-    return `Here it is the ball at x ${x}, y ${y} with radius ${r}${chance}.`;
+    if (this.#step === "run") return this.#ending;
+    const { candidates } = this.#considered;
+    const likely = candidates.filter(({ probability }) => probability > 0.5).length;
+    return `It had ${candidates.length} ideas, and believes in ${likely === 0 ? "none" : likely} of them.`;
   }
+
   /** What comes of the chosen ball, beside what was imagined. */
   get #ending() {
     const { answer } = this.#imaginer;
     const { session } = this;
-    if (!session?.finished || !session.shown) return "Dotted is what the model imagined, solid is what happens.";
-    const ended = `${session.shown.ending.solved ? "Solved" : "Not solved"}: ${sentence(session.shown.words)}`;
+    if (!session?.finished || !session.shown) return "Dotted: what the model imagined. Dashed: what really happens.";
+    const ended = `${session.shown.ending.solved ? "It worked" : "It did not work"}: ${sentence(session.shown.words)}`;
     const real = session.game.sampledPaths();
     return answer && real
-      ? `The model thought: ${chanceWords(answer.imagined.probability)}. ${ended} ${errorWords(answer.imagined, real)}`
+      ? `The model’s guess was: ${chanceWords(answer.imagined.probability)}. ${ended} ${errorWords(answer.imagined, real)}`
       : ended;
   }
 }

@@ -1,4 +1,5 @@
-// The Compare panel: the model's turn, and the attempts of player and model side by side.
+// The race: the model's turn, the attempts of player and model side by side in the panel Compare, and in Play how both
+// stand. Nothing of the model's result is told before it has run.
 
 import { Component } from "../widgets/component.js";
 import { ATTEMPT_LIMIT } from "../shell/constants.js";
@@ -11,6 +12,7 @@ import { TroubleBox } from "./trouble-box.js";
 export class Compare extends Component {
   #client;
   #turnButton = this.byId("model-turn", HTMLButtonElement);
+  #raceButton = this.byId("race-it", HTMLButtonElement);
   #trouble = new TroubleBox(this.byId("compare-trouble"));
   /** @type {import("../state/url-state.js").Panel | null} */
   #panel = null;
@@ -35,6 +37,7 @@ export class Compare extends Component {
     super(root);
     this.#client = client;
     this.#turnButton.addEventListener("click", () => (this.#turn ? this.#stopTurn() : this.#playTurn()));
+    this.#raceButton.addEventListener("click", () => this.#race());
     this.byId("model-skip").addEventListener("click", () => this.#show?.skip());
     this.byId("compare-both").addEventListener("click", () => this.session?.compare(true));
     this.byId("clear-attempts").addEventListener("click", () => {
@@ -67,8 +70,8 @@ export class Compare extends Component {
     this.#panel = panel;
     // The model's turn goes on.
     if (!arrived || proposal || !this.session || this.#show) return;
-    const { placing, playback } = this.session;
-    if (placing || !playback.playing) this.session.compare(false);
+    const { placing, playback, hiddenAuthor } = this.session;
+    if ((placing || !playback.playing) && hiddenAuthor !== "model") this.session.compare(false);
   }
 
   /** Ends the turn that is being played; the worker's late attempts are dropped. */
@@ -84,6 +87,19 @@ export class Compare extends Component {
     this.#show = null;
   }
 
+  /** The button in Play: the model plays, stops, or both are run again. */
+  #race() {
+    if (this.#turn) this.#stopTurn();
+    else if (this.#over) this.session?.compare(true);
+    else this.#playTurn();
+  }
+
+  /** Has the model played its whole turn? */
+  get #over() {
+    const model = this.session?.attempts.standing("model");
+    return model !== undefined && (model.solved_at !== null || model.used === ATTEMPT_LIMIT);
+  }
+
   async #playTurn() {
     const { session } = this;
     const name = this.#client.loaded?.name;
@@ -97,9 +113,11 @@ export class Compare extends Component {
       const played = this.#client.call("turn", [session.puzzle], turn.signal, (attempt) => show.add(attempt));
       await played.finally(() => show.end());
       await shown;
+      if (turn.signal.aborted) return;
       // Neither a replay that is being watched nor what the person does meanwhile is interrupted.
-      if (!turn.signal.aborted && !show.interrupted && !session.playback.playing && !session.shown?.preview)
-        this.#showResult(session);
+      const free = !show.interrupted && !session.playback.playing && !session.shown?.preview;
+      if (show.solution) session.attempts.add(show.solution, name, free);
+      if (free) this.#showResult(session, show.solution !== null);
     } catch (error) {
       if (!turn.signal.aborted) this.#callFailure = /** @type {Error} */ (error).message;
     } finally {
@@ -114,11 +132,12 @@ export class Compare extends Component {
   /**
    * Shows the model's best attempt: over the player's, if there is one.
    * @param {Session} session
+   * @param {boolean} fresh is it a solution that has not been shown?
    */
-  #showResult(session) {
+  #showResult(session, fresh) {
     const { used, solved_at: solvedAt } = session.attempts.standing("model");
-    if (session.attempts.standing("player").used > 0 || used === 0) session.compare(true);
-    else session.replay("model", solvedAt ?? used);
+    if (session.attempts.standing("player").used > 0 || used === 0) session.compare(true, fresh);
+    else session.replay("model", solvedAt ?? used, fresh);
   }
 
   #onClientChange() {
@@ -137,12 +156,46 @@ export class Compare extends Component {
     });
     if (!this.session) return;
     const [player, model] = [this.session.attempts.standing("player"), this.session.attempts.standing("model")];
-    const over = model.solved_at !== null || model.used === ATTEMPT_LIMIT;
+    const over = this.#over;
+    const hidden = this.session.hiddenAuthor;
     this.#turnButton.disabled = this.#client.status !== "ready" || over;
     setText(this.#turnButton, this.#turn ? "Stop the model" : over ? "The model has played" : "Let the model play");
     this.byId("model-skip").hidden = !this.#show;
     for (const id of ["compare-both", "clear-attempts"])
       this.byId(id, HTMLButtonElement).disabled = player.used + model.used === 0;
-    setText(this.byId("verdict"), this.session.resultHidden ? "Your attempt is running." : this.session.game.verdict());
+    const racing = this.#turn !== null || hidden === "model";
+    const verdict =
+      hidden === "player" ? "Your attempt is running." : racing ? "The model is playing." : this.session.game.verdict();
+    setText(this.byId("verdict"), verdict);
+    this.#updateRace({ player, model, racing, verdict });
   }
+
+  /**
+   * @param {object} race
+   * @param {import("../pkg/pathlight.js").Standing} race.player
+   * @param {import("../pkg/pathlight.js").Standing} race.model
+   * @param {boolean} race.racing
+   * @param {string} race.verdict
+   */
+  #updateRace({ player, model, racing, verdict }) {
+    const running = this.session?.hiddenAuthor === "player";
+    setText(this.byId("race-player"), running ? "trying …" : standingWords(player, "not yet"));
+    setText(this.byId("race-model"), racing ? "trying …" : standingWords(model, "?"));
+    const told = model.used > 0 && !racing && !running;
+    setText(this.byId("race-verdict"), told ? verdict : player.used === 0 ? "You first: drop a ball." : "");
+    setText(this.#raceButton, this.#turn ? "Stop" : this.#over && !racing ? "Watch it again" : "Race it");
+    this.#raceButton.disabled =
+      this.#client.status !== "ready" || player.used === 0 || running || (racing && this.#turn === null);
+    this.#raceButton.classList.toggle("primary", player.solved_at !== null && !this.#over);
+  }
+}
+
+/**
+ * @param {import("../pkg/pathlight.js").Standing} standing
+ * @param {string} none what is said of no attempt
+ */
+function standingWords({ used, solved_at: solvedAt }, none) {
+  if (used === 0) return none;
+  if (solvedAt !== null) return `✓ on attempt ${solvedAt}`;
+  return `not yet, ${used === 1 ? "1 attempt" : `${used} attempts`}`;
 }

@@ -1,12 +1,12 @@
-// "What would this ball do?": while a person places the ball, the paths that the model imagines for this very ball lie
-// over the scene, and its chance stands in the panel Play. After a run they stay beside the real paths until the ball
-// changes. Fires "forecast" when what lies over the scene may have changed.
+// The model's guess: while a person places the ball, the paths that the model imagines for this very ball lie over the
+// scene, and its chance stands below. After a run they stay beside the real paths until the ball changes. The switch is
+// by the run button in Play, and is remembered. Fires "forecast" when what lies over the scene may have changed.
 
 import { Component } from "../widgets/component.js";
 import { sameBall } from "../puzzles/ball.js";
 import { setText } from "../widgets/dom.js";
 import { BallImaginer } from "../model/ball-imaginer.js";
-import { chanceWords, errorWords, expectedErrorWords } from "../model/chance-words.js";
+import { chanceWords, errorWords } from "../model/chance-words.js";
 
 /** @typedef {import("../play/session.js").Session} Session */
 
@@ -19,18 +19,24 @@ export class Forecast extends Component {
   #box = this.byId("forecast-on", HTMLInputElement);
   /** Is it switched on, and may it be seen in this panel? */
   #on = false;
+  /** Is the switch in sight? */
+  #offered = false;
   /** @type {number | undefined} */
   #timer;
 
   /**
    * @param {import("../widgets/dom.js").Root} root
    * @param {import("../model/shared-client.js").SharedClient} client
+   * @param {import("../storage/preferences.js").Preferences} preferences
    */
-  constructor(root, client) {
+  constructor(root, client, preferences) {
     super(root);
     this.#client = client;
     this.#imaginer = new BallImaginer(client);
-    this.#box.addEventListener("change", () => this.requestState({ forecast: this.#box.checked }));
+    this.#box.addEventListener("change", () => {
+      preferences.guess = this.#box.checked;
+      this.requestState({ forecast: this.#box.checked });
+    });
     this.#imaginer.addEventListener("answer", () => this.#update());
     client.addEventListener("change", () => this.#follow());
   }
@@ -49,8 +55,9 @@ export class Forecast extends Component {
   }
 
   /** @param {import("../state/view.js").View} view */
-  setState({ forecast }) {
+  setState({ forecast, panel, view }) {
     this.#on = this.#box.checked = forecast;
+    this.#offered = panel === "play" && view === null;
     this.#follow();
   }
 
@@ -76,10 +83,12 @@ export class Forecast extends Component {
 
   #update() {
     const { status, loaded } = this.#client;
-    this.byId("forecast").hidden = status === "failed" || (loaded !== null && !this.#imaginer.able);
+    const unable = status === "failed" || (loaded !== null && !this.#imaginer.able);
+    this.byId("forecast").hidden = unable || !this.#offered;
     const line = this.byId("forecast-words");
-    this.byId("forecast-said").hidden = this.byId("forecast-how").hidden = !this.#on;
-    const words = this.#on ? this.#words() : "";
+    const words = this.#on && !unable ? this.#words() : "";
+    line.hidden = words === "";
+    this.byId("forecast-how").hidden = !this.paths;
     if (line.textContent !== words) {
       setText(line, words);
       clearTimeout(this.#timer);
@@ -92,17 +101,14 @@ export class Forecast extends Component {
     const { able, answer, failure } = this.#imaginer;
     const { session } = this;
     if (failure) return failure;
+    if (!session || !this.#ball) return "";
     if (!able) return "The model is still loading.";
-    if (!session || !this.#ball)
-      return session?.invalidReason
-        ? "The model imagines only balls that may be placed."
-        : "Place the ball: the model imagines what it would do.";
-    if (!answer) return "The model imagines it.";
+    if (!answer) return "The model is guessing.";
     const chance = chanceWords(answer.imagined.probability);
     const ended = session.finished && sameBall(answer.of, session.shown?.ball);
     const real = ended ? session.game.sampledPaths() : undefined;
     return real
-      ? `The model thought: ${chance}. ${errorWords(answer.imagined, real)}`
-      : `The model thinks: ${chance}. ${expectedErrorWords(answer.imagined)}`;
+      ? `The model’s guess was: ${chance}. ${errorWords(answer.imagined, real)}`
+      : `The model’s guess: ${chance}.`;
   }
 }

@@ -1,5 +1,6 @@
 // The Imagine panel: the maps of the open puzzle, each with a sentence, a legend and a switch that lays it over the
-// scene. Other components read the maps here; "maps" is fired when they have come or gone.
+// scene. Other components read the maps here; "maps" is fired when they have come or gone, "switch" when the person
+// switches one on or off.
 
 import { paintLegend, paintOutline } from "../pkg/pathlight.js";
 import { Component } from "../widgets/component.js";
@@ -16,7 +17,10 @@ import { TroubleBox } from "./trouble-box.js";
 /** @typedef {import("../pkg/pathlight.js").MapName} MapName */
 /** @typedef {import("../model/worker.js").Imagined} Imagined */
 
-/** How many maps are shaded over the scene; of more only the outlines can be told apart. */
+/**
+ * How many maps are shaded over the scene; of more only the outlines can be told apart. A person switches on no more: a
+ * third replaces the oldest.
+ */
 const MAX_SHADED = 2;
 /** Width of the canvas of an outline, which is laid over the whole scene. */
 const OUTLINE_SIDE = 1024;
@@ -28,6 +32,11 @@ export class Imagine extends Component {
   #modelSelect = this.byId("model-select", HTMLSelectElement);
   /** @type {Record<MapName, ReturnType<Imagine["createRow"]>>} */
   #rows;
+  /**
+   * The maps that are switched on, the oldest first.
+   * @type {MapName[]}
+   */
+  #checked = [];
   /** @type {Imagined | null} */
   #imagined = null;
   #trouble = new TroubleBox(this.byId("imagine-trouble"));
@@ -55,6 +64,10 @@ export class Imagine extends Component {
     const rows = MAPS.map((mapName) => /** @type {const} */ ([mapName, this.createRow(mapName)]));
     this.#rows = /** @type {Record<MapName, ReturnType<Imagine["createRow"]>>} */ (Object.fromEntries(rows));
     this.byId("maps").replaceChildren(...MAPS.map((mapName) => this.#rows[mapName].element));
+    this.byId("laid-off").addEventListener("click", () => {
+      this.requestState({ layers: null });
+      this.byId("scene").focus({ preventScroll: true });
+    });
     this.#opacity.addEventListener("input", () => this.requestState({ opacity: Number(this.#opacity.value) }));
     this.#modelSelect.addEventListener("change", () => this.requestState({ model: this.#modelSelect.value }));
     client.addEventListener("change", () => this.#onClientChange());
@@ -79,8 +92,18 @@ export class Imagine extends Component {
     this.#shown = view.panel === "imagine";
     this.#paintScenes();
     this.#opacity.value = String(view.opacity);
-    for (const mapName of MAPS) this.#rows[mapName].box.checked = view.checkedLayers.includes(mapName);
+    const added = view.checkedLayers.filter((mapName) => !this.#checked.includes(mapName));
+    this.#checked = [...this.#checked.filter((mapName) => view.checkedLayers.includes(mapName)), ...added];
+    for (const mapName of MAPS) {
+      const { box, element } = this.#rows[mapName];
+      box.checked = this.#checked.includes(mapName);
+      element.classList.toggle("on", box.checked);
+    }
     this.byId("outlines-note").hidden = view.checkedLayers.length <= MAX_SHADED;
+    const laid = ["play", "compare"].includes(view.panel) ? view.layers : [];
+    this.byId("laid").hidden = laid.length === 0;
+    const names = laid.map((mapName) => `“${MAP_TEXT[mapName].name}”`).join(" and ");
+    setText(find(this.byId("laid"), "span"), `Over the scene: ${names}.`);
   }
 
   /** @param {boolean} dark */
@@ -154,16 +177,26 @@ export class Imagine extends Component {
   }
 
   /**
-   * Shows one map alone; for null all, or none.
-   * @param {MapName | null} mapName
-   * @param {boolean} none
+   * Leaves only some maps in the panel; for null all.
+   * @param {MapName[] | null} mapNames
    */
-  showOnly(mapName, none) {
-    this.byId("maps").hidden = none;
-    this.byId("maps").classList.toggle("alone", mapName !== null || none);
-    for (const shown of MAPS) {
-      this.#rows[shown].element.hidden = none || (mapName !== null && shown !== mapName);
-    }
+  showOnly(mapNames) {
+    const maps = this.byId("maps");
+    maps.hidden = mapNames?.length === 0;
+    maps.classList.toggle("alone", mapNames !== null);
+    for (const mapName of MAPS) this.#rows[mapName].element.hidden = mapNames?.includes(mapName) === false;
+  }
+
+  /**
+   * The person switches a map on or off.
+   * @param {MapName} mapName
+   * @param {boolean} on
+   */
+  #toggle(mapName, on) {
+    const others = this.#checked.filter((other) => other !== mapName);
+    const checked = on ? [...others.slice(-(MAX_SHADED - 1)), mapName] : others;
+    this.dispatchEvent(new Event("switch"));
+    this.requestState({ layers: MAPS.filter((one) => checked.includes(one)) });
   }
 
   /** @param {MapName} mapName */
@@ -176,9 +209,9 @@ export class Imagine extends Component {
     const how = find(element, ".how");
     how.textContent = text.how;
     const box = find(element, "input", HTMLInputElement);
-    box.addEventListener("change", () =>
-      this.requestState({ layers: MAPS.filter((checked) => this.#rows[checked].box.checked) }),
-    );
+    box.addEventListener("change", () => this.#toggle(mapName, box.checked));
+    // The small map is its switch too; keys have the box.
+    find(element, ".map").addEventListener("click", () => this.#toggle(mapName, !box.checked));
     return {
       element,
       box,

@@ -15,6 +15,11 @@ export class ModelShow {
   #record;
   /** @type {Attempt[]} */
   #waiting = [];
+  /**
+   * The attempt that solves, once it has come. Whoever made the show records it when it is shown.
+   * @type {Attempt | null}
+   */
+  solution = null;
   /** Will more attempts come? */
   #ended = false;
   /** Are attempts recorded without being shown? */
@@ -85,9 +90,9 @@ export class ModelShow {
       const attempt = this.#waiting.shift();
       if (this.#stopped || !attempt) break;
       const { used } = this.#session.attempts.standing("model");
-      const number = this.#record(attempt);
+      const number = this.#take(attempt);
       // A turn that was stopped goes on after what has been shown of it.
-      if (this.#skipping || this.interrupted || attempt.ending.solved || number <= used) continue;
+      if (this.#skipping || this.interrupted || number === null || number <= used) continue;
       this.#session.flash(number, duration, ghosts.slice());
       this.#revision = this.#session.revision;
       await this.#playedToEnd();
@@ -116,6 +121,16 @@ export class ModelShow {
   }
 
   #recordAll() {
-    for (const attempt of this.#waiting.splice(0)) this.#record(attempt);
+    for (const attempt of this.#waiting.splice(0)) this.#take(attempt);
+  }
+
+  /**
+   * Records a miss and returns its number; keeps the solution, and returns null.
+   * @param {Attempt} attempt
+   */
+  #take(attempt) {
+    if (!attempt.ending.solved) return this.#record(attempt);
+    this.solution = attempt;
+    return null;
   }
 }

@@ -122,6 +122,7 @@ export class Predict extends Component {
   /** @param {Point[]} line */
   #setSketch(line) {
     this.sketch = line;
+    if (this.session) this.session.sketched = line.length > 0;
     this.#update();
     this.dispatchEvent(new Event("sketch"));
   }

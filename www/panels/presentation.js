@@ -2,6 +2,7 @@
 // story's, at the viewer's pace: by buttons, arrow keys or the keys of a clicker, or by itself. Everything else of the
 // puzzle is out of sight.
 
+import { withoutPresentation } from "../state/view.js";
 import { Component } from "../widgets/component.js";
 import { setText } from "../widgets/dom.js";
 
@@ -20,6 +21,8 @@ export class Presentation extends Component {
   #hasStory = false;
   /** May the person leave it? */
   #leaves = true;
+  /** @type {Partial<import("../state/url-state.js").State>} */
+  #left = { view: null };
 
   /**
    * @param {import("../widgets/dom.js").Root} root
@@ -32,7 +35,7 @@ export class Presentation extends Component {
     this.byId("caption-back").addEventListener("click", () => walkthrough.go(-1));
     this.byId("caption-next").addEventListener("click", () => walkthrough.go(1));
     this.byId("caption-play").addEventListener("click", () => walkthrough.toggle());
-    this.byId("presentation-leave").addEventListener("click", () => this.requestState({ view: null }));
+    this.byId("presentation-leave").addEventListener("click", () => this.requestState(this.#left));
     // Before the scene, where arrows move the ball.
     root.addEventListener("keydown", (event) => this.onKeydown(/** @type {KeyboardEvent} */ (event)), {
       capture: true,
@@ -45,9 +48,11 @@ export class Presentation extends Component {
     this.#update();
   }
 
-  /** @param {import("../state/view.js").View} view */
-  setState({ view, hide }) {
+  /** @param {import("../state/view.js").View} state */
+  setState(state) {
+    const { view, hide } = state;
     const on = view === "presentation";
+    this.#left = withoutPresentation(state);
     const arrived = on && !this.#on;
     this.#on = on;
     this.#hasStory = !hide.includes("imagine");
@@ -75,7 +80,7 @@ export class Presentation extends Component {
     )
       return;
     const by = STORY_KEYS[key];
-    if (key === "Escape" && this.#leaves) this.requestState({ view: null });
+    if (key === "Escape" && this.#leaves) this.requestState(this.#left);
     else if (by && this.#hasStory) this.#walkthrough.go(by);
     else return;
     event.preventDefault();

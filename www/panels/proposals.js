@@ -4,6 +4,7 @@
 // "imagined" when there are other imagined paths to show.
 
 import { Component } from "../widgets/component.js";
+import { ATTEMPT_LIMIT } from "../shell/constants.js";
 import { setText } from "../widgets/dom.js";
 import { download, fileName } from "../widgets/download.js";
 import { BallImaginer } from "../model/ball-imaginer.js";
@@ -131,8 +132,22 @@ export class Proposals extends Component {
     return sameBall(answer?.of, this.session?.shown?.ball) ? answer : null;
   }
 
+  /** May the outcomes be told: has the model played, or does the person look at its balls anyway? */
+  get #told() {
+    if (!this.session || this.#shown !== null) return this.#shown !== null;
+    const { solved_at: solvedAt, used } = this.session.attempts.standing("model");
+    return (solvedAt !== null || used === ATTEMPT_LIMIT) && this.session.hiddenAuthor !== "model";
+  }
+
+  /** The outcomes would tell how the race ends. */
+  #hideOutcomes() {
+    const told = this.#told;
+    for (const id of ["proposal-strip", "proposal-outcomes", "proposal-key"]) this.byId(id).hidden = !told;
+  }
+
   /** @param {number} number */
   #request(number) {
+    setText(this.byId("proposal-none"), "");
     if (number >= 1 && number <= (this.#proposals?.length ?? 0)) this.requestState({ proposal: number });
   }
 
@@ -145,7 +160,9 @@ export class Proposals extends Component {
     if (!this.#visible || !proposals?.length) return;
     const index = this.#requested === null ? 0 : this.#requested - 1;
     const other = otherOutcome(proposals, index, by);
-    if (other === null) this.announce(`No ball ${by > 0 ? "after" : "before"} it has another outcome.`);
+    const words = other === null ? `No ball ${by > 0 ? "after" : "before"} this one has another result.` : "";
+    setText(this.byId("proposal-none"), words);
+    if (other === null) this.announce(words);
     else this.#request(other + 1);
   }
 
@@ -209,6 +226,7 @@ export class Proposals extends Component {
     });
     this.byId("proposals").hidden = !proposals || proposals.length === 0;
     this.#strip.show(proposals ?? []);
+    this.#hideOutcomes();
     if (!session || !proposals?.length) return this.#updateFacts([]);
     setText(this.byId("proposal-outcomes"), outcomesWords(proposals));
     this.#slider.max = String(proposals.length);
@@ -240,6 +258,7 @@ export class Proposals extends Component {
    * @param {Session} session
    */
   #onSessionChange(session) {
+    this.#hideOutcomes();
     const { shown } = session;
     const ball = this.#shown === null ? null : this.#proposals?.[this.#shown - 1]?.ball;
     // A ball of another model may have the same number.

@@ -52,7 +52,8 @@ export class SolveMapPanel extends Component {
     );
     this.#placementBox.addEventListener("change", () => {
       const others = this.#checkedLayers.filter((mapName) => mapName !== "placement");
-      this.requestState({ layers: this.#placementBox.checked ? [...others, "placement"] : others });
+      const layers = this.#placementBox.checked ? [...others, "placement"] : others;
+      this.requestState({ layers: layers.length > 0 ? /** @type {typeof others} */ (layers) : null });
     });
     imagine.addEventListener("maps", () => this.#update());
   }

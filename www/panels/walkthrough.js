@@ -1,24 +1,22 @@
-// The maps explained one after another: a row of steps above them. A step lays its map alone over the scene and
-// leaves only its own map in the panel. With a model that imagines balls, the story goes on with how it chooses one,
-// and ends with what comes of it. The step it is at is in the address. Fires "step" when the step, or what is said of
-// it, has changed.
+// What the model imagines, told as a story of six steps. A step lays its maps over the scene and leaves only them in
+// the panel; with a model that imagines balls, the last two show what each ball would do, and the likeliest one run.
+// The step it is at is in the address. It plays by itself when a person opens the panel for the first time. Fires
+// "step" when the step, or what is said of it, has changed.
 
 import { Component } from "../widgets/component.js";
-import { MAPS } from "../shell/constants.js";
-import { CHOICE_STEPS } from "../state/url-state.js";
+import { CHOICE_STEPS, MAP_STEPS } from "../state/url-state.js";
+import { STEP_LAYERS } from "../state/view.js";
 import { createButton, setText } from "../widgets/dom.js";
-import { CHOICE_TEXT, MAP_TEXT } from "../model/map-text.js";
+import { STEP_TEXT } from "../model/map-text.js";
 
-/** @typedef {import("../pkg/pathlight.js").MapName} MapName */
-/** @typedef {MapName | import("../state/url-state.js").ChoiceStep} Step */
+/** @typedef {import("../state/url-state.js").Step} Step */
 
 /** How long a step stays while the walkthrough plays, ms: time to read a sentence and look. */
 const STEP_TIME = 4500;
 /** How often it looks whether the ball of a step has come to rest, ms. */
 const WAIT = 500;
 /** @type {Step[]} */
-const ALL_STEPS = [...MAPS, ...CHOICE_STEPS];
-const TEXT = { ...MAP_TEXT, ...CHOICE_TEXT };
+const ALL_STEPS = [...MAP_STEPS, ...CHOICE_STEPS];
 
 export class Walkthrough extends Component {
   #imagine;
@@ -34,6 +32,12 @@ export class Walkthrough extends Component {
    */
   #requested = null;
   #visible = false;
+  /**
+   * The session whose panel has been in or out of sight; null before.
+   * @type {import("../play/session.js").Session | null}
+   */
+  #known = null;
+  #preferences;
   /** @type {number | undefined} */
   #timer;
   #dots;
@@ -42,11 +46,13 @@ export class Walkthrough extends Component {
    * @param {import("../widgets/dom.js").Root} root
    * @param {import("./imagine.js").Imagine} imagine
    * @param {import("./choice.js").Choice} choice
+   * @param {import("../storage/preferences.js").Preferences} preferences
    */
-  constructor(root, imagine, choice) {
+  constructor(root, imagine, choice, preferences) {
     super(root);
     this.#imagine = imagine;
     this.#choice = choice;
+    this.#preferences = preferences;
     this.#dots = ALL_STEPS.map((step, index) => this.#createDot(step, index));
     this.byId("walkthrough-dots").append(...this.#dots);
     this.byId("walkthrough-back").addEventListener("click", () => this.go(-1));
@@ -54,6 +60,7 @@ export class Walkthrough extends Component {
     this.byId("walkthrough-all").addEventListener("click", () => this.#select(null));
     this.byId("walkthrough-play").addEventListener("click", () => this.toggle());
     choice.addEventListener("choice", () => this.#onChoice());
+    imagine.addEventListener("switch", () => this.#pause());
     // The maps come as soon as it is known what the model can do.
     imagine.addEventListener("maps", () => {
       this.#update();
@@ -61,17 +68,29 @@ export class Walkthrough extends Component {
     });
   }
 
+  /** @param {import("../play/session.js").Session} session */
+  open(session) {
+    super.open(session);
+    this.listenTo(session.placement, "change", () => this.#pause());
+  }
+
   close() {
     super.close();
+    this.#known = null;
     this.#pause();
   }
 
   /** @param {import("../state/view.js").View} view */
-  setState({ step, panel }) {
+  setState({ step, panel, view, hide }) {
+    const opened = panel === "imagine" && !this.#visible && this.session !== null && this.session === this.#known;
     this.#visible = panel === "imagine";
+    this.#known = this.session;
     this.#requested = step;
     if (!this.#visible) this.#pause();
     this.#update();
+    // A link shows what it says, and a lesson goes at the teacher's pace.
+    const quiet = step !== null || view !== null || hide.length > 0 || (this.session?.reducedMotion ?? true);
+    if (opened && !quiet && this.#preferences.takeStory()) this.#wait();
   }
 
   /**
@@ -96,20 +115,20 @@ export class Walkthrough extends Component {
   /** The step that is shown: its place from 1, in how many, and in words; null for all together. */
   get shown() {
     if (!this.#step || !this.#visible) return null;
-    const { name, meaning } = TEXT[this.#step];
+    const { name, meaning } = STEP_TEXT[this.#step];
     return { number: this.#index + 1, count: this.#steps.length, name, meaning, result: this.#result };
   }
 
   /** What the step shows on this puzzle; empty until it is known. */
   get #result() {
-    const mapName = MAPS.find((one) => one === this.#step);
+    const mapName = MAP_STEPS.find((one) => one === this.#step);
     if (!mapName) return this.#choice.result;
     const words = this.#imagine.words(mapName);
     return words && `It is ${words}.`;
   }
 
   #onChoice() {
-    if (MAPS.some((mapName) => mapName === this.#step)) return;
+    if (MAP_STEPS.some((mapName) => mapName === this.#step)) return;
     this.#announceStep();
     this.dispatchEvent(new Event("step"));
   }
@@ -119,9 +138,8 @@ export class Walkthrough extends Component {
     const step = this.#requested && steps.includes(this.#requested) ? this.#requested : null;
     const changed = step !== this.#step;
     this.#step = step;
-    const mapName = MAPS.find((one) => one === step) ?? null;
     const choice = CHOICE_STEPS.find((one) => one === step) ?? null;
-    this.#imagine.showOnly(mapName, choice !== null);
+    this.#imagine.showOnly(step && STEP_LAYERS[step]);
     this.#choice.show(this.#visible ? choice : null);
     const index = this.#index;
     this.#dots.forEach((dot, place) => {
@@ -140,7 +158,7 @@ export class Walkthrough extends Component {
 
   /** The steps of the loaded model's story. */
   get #steps() {
-    return this.#choice.able ? ALL_STEPS : /** @type {Step[]} */ (MAPS);
+    return this.#choice.able ? ALL_STEPS : ALL_STEPS.slice(0, MAP_STEPS.length);
   }
 
   /** The index of the step; -1 for all together. */
@@ -154,8 +172,8 @@ export class Walkthrough extends Component {
    */
   #createDot(step, index) {
     const dot = createButton(String(index + 1), () => this.#select(step));
-    dot.title = TEXT[step].name;
-    dot.setAttribute("aria-label", `Step ${index + 1}: ${TEXT[step].name}`);
+    dot.title = STEP_TEXT[step].name;
+    dot.setAttribute("aria-label", `Step ${index + 1}: ${STEP_TEXT[step].name}`);
     return dot;
   }
 
@@ -171,20 +189,24 @@ export class Walkthrough extends Component {
   /** @param {Step | null | undefined} step */
   #goTo(step) {
     if (step === undefined || step === this.#step) return;
-    const mapName = MAPS.find((one) => one === step);
-    this.requestState(step ? { step, layers: mapName ? [mapName] : [] } : { step });
+    this.requestState({ step, layers: null });
   }
 
   /** Plays from the first step, or on from the present one. */
   #play() {
     this.#goTo(this.#steps[this.#index + 1] ?? this.#steps[0]);
+    this.#wait();
+  }
+
+  /** Plays on when the present step, or the first look at all together, is over. */
+  #wait() {
     this.#timer = setTimeout(() => this.#playOn(), STEP_TIME);
     this.#updatePlayButton();
   }
 
   /** Goes to the next step once the present one is over. */
   #playOn() {
-    const settled = this.#choice.settled;
+    const settled = this.#imagine.maps !== null && this.#choice.settled;
     if (settled) this.#goTo(this.#steps[this.#index + 1]);
     if (this.#index === this.#steps.length - 1) this.#pause();
     else this.#timer = setTimeout(() => this.#playOn(), settled ? STEP_TIME : WAIT);

@@ -60,7 +60,6 @@ export class AfterSolving extends Component {
     this.#celebration.append(...Array.from({ length: SPARKS }, (_, index) => spark(index)));
     this.#by.addEventListener("change", () => this.#update());
     this.byId("solved-share").addEventListener("click", () => this.#share());
-    this.byId("solved-model").addEventListener("click", () => this.#showModel());
   }
 
   /** @param {Session} session */
@@ -87,7 +86,8 @@ export class AfterSolving extends Component {
 
   #update() {
     const { session } = this;
-    const solvedAt = session && !session.resultHidden ? session.attempts.standing("player").solved_at : null;
+    const solvedAt =
+      session && session.hiddenAuthor !== "player" ? session.attempts.standing("player").solved_at : null;
     const section = this.byId("solved");
     // What is new stands at the top of the panel.
     if (section.hidden && solvedAt !== null) this.byId("play").scrollTop = 0;
@@ -122,14 +122,6 @@ export class AfterSolving extends Component {
     return (
       kind.find((other) => other > task) ?? kind[0] ?? unsolved.find((other) => other > task) ?? unsolved[0] ?? null
     );
-  }
-
-  /** Goes to the panel Compare, where the model plays if it has not. */
-  #showModel() {
-    this.requestState({ panel: "compare" });
-    const turn = this.byId("model-turn", HTMLButtonElement);
-    if (this.session?.attempts.standing("model").used === 0 && !turn.disabled) turn.click();
-    turn.focus({ preventScroll: true });
   }
 
   #share() {

@@ -83,7 +83,7 @@ export class AttemptList extends Component {
   #update(session) {
     const standing = session.attempts.standing(this.#author);
     // An attempt that runs for the first time is listed when it has ended.
-    const used = standing.used - Number(session.resultHidden && this.#author === "player");
+    const used = standing.used - Number(session.hiddenAuthor === this.#author);
     const solvedAt = standing.solved_at !== null && standing.solved_at <= used ? standing.solved_at : null;
     if (used < this.#length) this.#clear();
     if (used > this.#length) {

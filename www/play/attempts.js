@@ -60,10 +60,11 @@ export class Attempts extends EventTarget {
    * Adds an attempt that has been simulated for a model; one with the same ball is not added again. Returns its number.
    * @param {Attempt} attempt
    * @param {string} modelName
+   * @param {boolean} [silent] is nothing told of it? Then it has to be shown at once
    */
-  add(attempt, modelName) {
+  add(attempt, modelName, silent = false) {
     const number = this.#add(attempt, modelName);
-    this.#changed();
+    if (!silent) this.#changed();
     return number;
   }
 

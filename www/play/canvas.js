@@ -100,7 +100,8 @@ export class SceneCanvas extends Component {
       ball: session.ball,
       valid: session.invalidReason === null,
       knob: KNOB_RADIUS / this.#scale,
-      whole: session.phase === "compare",
+      // The paths of a race are not told before it is run.
+      whole: session.phase === "compare" && session.finished,
       approach: session.approach,
       ...overlay,
       dark: this.dark,

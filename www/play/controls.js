@@ -93,7 +93,8 @@ export class Controls extends Component {
   #update(session) {
     const { placing, phase, game, ball } = session;
     const { playing, last, ended } = session.playback;
-    const label = placing ? "Run" : playing ? "Pause" : ended ? "Again" : "Go on";
+    const drops = placing && (session.state.tool !== "line" || ball);
+    const label = placing ? (drops ? "Drop it" : "Run") : playing ? "Pause" : ended ? "Replay" : "Go on";
     setText(this.byId("run-label"), label);
     this.byId("run-icon", SVGUseElement).setAttribute("href", playing ? "#icon-pause" : "#icon-run");
     this.byId("run").title = `${label}  Space`;
@@ -106,7 +107,9 @@ export class Controls extends Component {
     // Of two rollouts over each other the meter could mean either; of one that never touched it has nothing to say.
     this.#goalMeter.hidden = placing || phase === "compare" || session.approach !== null;
     this.byId("see-closest").hidden = session.approach === null;
-    this.#markMoments(last + 1, session.approach?.step);
+    // Marks of a new attempt would tell how it ends.
+    if (session.hiddenAuthor === null) this.#markMoments(last + 1, session.approach?.step);
+    else this.#time.style.setProperty("--touches", "none");
     this.#fields.forEach((field, index) => setValue(field, String(ball?.[index] ?? "")));
     setValue(this.#radius, String(ball?.[2] ?? FIRST_RADIUS));
     const { kind, words } = statusOf(session);
@@ -232,11 +235,11 @@ function placingStatus({ ball, invalidReason }, { refusal, tool }) {
   if (tool === "bodies") return { kind: "hint", words: "Drag a body, or a knob of the selected one." };
   if (!ball) return { kind: "hint", words: "Click or tap the scene to place the red ball." };
   if (invalidReason) return { kind: "wrong", words: `Not here: ${sentence(invalidReason)}` };
-  return { kind: "ready", words: "The ball may start here. Press Run." };
+  return { kind: "ready", words: "Good spot. Drop it!" };
 }
 
 /**
- * What became of the attempts that were shown over each other.
+ * What became of the attempts that were shown over each other. It is good news only if the player solved it.
  * @param {ShownAttempt[]} pair
  * @returns {{ kind: "solved" | "missed", words: string }}
  */
@@ -245,11 +248,26 @@ function comparedStatus(pair) {
     ({ author, number, words }, index) =>
       `${author === "player" ? "your" : "the model’s"} attempt ${number}${index ? " (dashed)" : ""}: ${words}`,
   );
-  const solved = pair.some(({ ending }) => ending.solved);
+  const [first, second] = pair.map(({ ending }) => ending.solved);
+  const solved = pair.some(({ author, ending }) => author === "player" && ending.solved);
   return {
     kind: solved ? "solved" : "missed",
-    words: `${solved ? "Solved!" : "Not solved."} ${sentence(results.join("; "))}`,
+    words: `${pairWords(pair, first, second)} ${sentence(results.join("; "))}`,
   };
+}
+
+/**
+ * Who solved it.
+ * @param {ShownAttempt[]} pair
+ * @param {boolean} first
+ * @param {boolean | undefined} second
+ */
+function pairWords(pair, first, second) {
+  const [one, other] = pair.map(({ author }) => author);
+  // Of one author, or alone.
+  if (one === other || second === undefined) return first || second ? "Solved!" : "Not solved.";
+  if (first === second) return first ? "Both solved it." : "Neither solved it.";
+  return first ? "You solved it, the model did not." : "The model solved it, you did not.";
 }
 
 /** @param {ShownAttempt[]} pair */

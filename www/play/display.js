@@ -53,9 +53,9 @@ export class Display extends EventTarget {
     return this.#state.kind !== "placing" && this.#state.ended;
   }
 
-  /** True while a new attempt of the player's plays for the first time; its result stays hidden until then. */
-  get resultHidden() {
-    return this.#state.kind === "attempt" && this.#state.hidden;
+  /** Whose new attempt plays for the first time, and has its result hidden until it ends; null if none does. */
+  get hiddenAuthor() {
+    return show.hiddenAuthor(this.#state);
   }
 
   /** When the shown attempt came nearest to its goal, if it has ended as a miss that never touched; else null. */
@@ -103,11 +103,12 @@ export class Display extends EventTarget {
     this.emit("change");
   }
 
-  /** The player's new attempt has run to its end, or the player has left it: its result may be shown. */
+  /** A new attempt has run to its end, or was left: its result may be shown. */
   revealResult() {
-    if (!this.resultHidden) return;
+    const author = this.hiddenAuthor;
+    if (author === null) return;
     this.#state = show.revealed(this.#state);
-    this.emit("attempted");
+    this.emit(author === "player" ? "attempted" : "change");
   }
 
   /**

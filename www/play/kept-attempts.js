@@ -65,7 +65,7 @@ export class KeptAttempts extends Component {
   /** @param {Session} session */
   #keep(session) {
     // An attempt that runs for the first time is kept when it has ended.
-    if (session.resultHidden) return;
+    if (session.hiddenAuthor !== null) return;
     for (const author of /** @type {const} */ (["player", "model"])) {
       const kept = this.#kept[author];
       if (session.attempts.standing(author).used === kept.length) continue;

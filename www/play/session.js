@@ -33,6 +33,8 @@ export class Session extends Display {
   about;
   placement;
   attempts;
+  /** Has the player drawn a prediction? */
+  sketched = false;
 
   /**
    * @param {import("../pkg/pathlight.js").Puzzle} puzzle
@@ -72,6 +74,11 @@ export class Session extends Display {
       this.emit("change");
     } else if (this.ball) {
       this.#attempt(this.ball);
+    } else if (this.state.tool === "line" && this.sketched) {
+      // A prediction needs no ball.
+      this.watch();
+    } else if (this.state.tool === "line") {
+      this.refuse("Draw your prediction first: the path of the green object.");
     } else {
       this.refuse("Place the ball first: click or tap in the scene, or press an arrow key there.");
     }
@@ -82,7 +89,7 @@ export class Session extends Display {
     try {
       const before = this.attempts.standing("player").used;
       const attempt = this.game.attempt(...ball);
-      this.show(attemptRun({ author: "player", ...attempt }, { hidden: attempt.number > before }));
+      this.show(attemptRun({ author: "player", ...attempt }, { hidden: attempt.number > before ? "player" : null }));
     } catch (caught) {
       const error = /** @type {import("../pkg/pathlight.js").CodedError} */ (caught);
       if (!REFUSALS.includes(error.code)) throw error;
@@ -115,11 +122,12 @@ export class Session extends Display {
    * Shows an attempt again; it does not count once more.
    * @param {Author} author
    * @param {number} number
+   * @param {boolean} [fresh] is it new, so that its result is not told before its end?
    */
-  replay(author, number) {
+  replay(author, number, fresh = false) {
     const attempt = this.game.replay(author, number);
     if (author === "player") this.placement.take(attempt.ball);
-    this.show(attemptRun({ author, ...attempt }));
+    this.show(attemptRun({ author, ...attempt }, { hidden: fresh ? author : null }));
   }
 
   /**
@@ -158,15 +166,16 @@ export class Session extends Display {
   /**
    * Shows the best attempts of both over each other: played from the start, or at their end.
    * @param {boolean} play
+   * @param {boolean} [fresh] is the model's new, so that its result is not told before its end?
    */
-  compare(play) {
+  compare(play, fresh = false) {
     const [player, model] = this.game.compare();
     /** @type {ShownAttempt[]} */
     const pair = [];
     if (player) pair.push({ author: "player", ...player });
     if (model) pair.push({ author: "model", ...model });
     if (pair.length === 0) this.reset();
-    else this.show({ kind: "compare", pair }, { play });
+    else this.show({ kind: "compare", pair, hidden: fresh ? "model" : null }, { play });
   }
 
   /**
@@ -183,7 +192,7 @@ export class Session extends Display {
       { author: first.author, ...below },
       { author: second.author, ...above },
     ];
-    this.show({ kind: "compare", pair });
+    this.show({ kind: "compare", pair, hidden: null });
   }
 
   /**

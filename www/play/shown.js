@@ -29,19 +29,22 @@
 /** @typedef {{ kind: "placing", refusal: string | null }} Placing `refusal`: why the last request was refused */
 
 /**
- * `hidden`: it is a new attempt of the player's that plays for the first time, whose result is not told before its end.
- * `ghosts`: the misses before it, if it is a miss in the show of the model's turn. `approach`: when it came nearest to
- * the goal, once it has ended as a miss that never touched.
+ * `hidden`: whose new attempt plays for the first time, so that its result is not told before its end; null if none
+ * does. `ghosts`: the misses before it, if it is a miss in the show of the model's turn. `approach`: when it came
+ * nearest to the goal, once it has ended as a miss that never touched.
  * @typedef {object} AttemptRun
  * @property {"attempt"} kind
  * @property {ShownAttempt} attempt
- * @property {boolean} hidden
+ * @property {Author | null} hidden
  * @property {Ghost[] | null} ghosts
  * @property {import("../pkg/pathlight.js").ClosestApproach | null} approach
  */
 
 /** @typedef {{ kind: "watch" }} Watch */
-/** @typedef {{ kind: "compare", pair: ShownAttempt[] }} Comparison one or two attempts, the player's first */
+/**
+ * One or two attempts, the player's first.
+ * @typedef {{ kind: "compare", pair: ShownAttempt[], hidden: Author | null }} Comparison
+ */
 /** @typedef {Watch | AttemptRun | Comparison} Run */
 /** @typedef {Readonly<Editing & (Placing | (Run & { ended: boolean }))>} Shown */
 
@@ -70,10 +73,10 @@ export function running({ tool, edited }, run) {
 /**
  * An attempt as a run.
  * @param {ShownAttempt} attempt
- * @param {{ hidden?: boolean, ghosts?: Ghost[] | null }} [how]
+ * @param {{ hidden?: Author | null, ghosts?: Ghost[] | null }} [how]
  * @returns {AttemptRun}
  */
-export function attemptRun(attempt, { hidden = false, ghosts = null } = {}) {
+export function attemptRun(attempt, { hidden = null, ghosts = null } = {}) {
   return { kind: "attempt", attempt, hidden, ghosts, approach: null };
 }
 
@@ -99,12 +102,20 @@ export function neverTouched(shown) {
 }
 
 /**
+ * Whose new attempt plays for the first time; null if none does.
+ * @param {Shown} shown
+ */
+export function hiddenAuthor(shown) {
+  return shown.kind === "attempt" || shown.kind === "compare" ? shown.hidden : null;
+}
+
+/**
  * The result of a new attempt may be told.
  * @param {Shown} shown
  * @returns {Shown}
  */
 export function revealed(shown) {
-  return shown.kind === "attempt" ? { ...shown, hidden: false } : shown;
+  return hiddenAuthor(shown) === null ? shown : /** @type {Shown} */ ({ ...shown, hidden: null });
 }
 
 /**

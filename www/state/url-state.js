@@ -9,12 +9,12 @@ import { ATTEMPT_LIMIT, MAPS, MAX_RADIUS, MIN_RADIUS, SCENE_SIZE } from "../shel
 /** @typedef {import("../pkg/pathlight.js").Ball} Ball */
 /** @typedef {import("../pkg/pathlight.js").MapName} MapName */
 
-/**
- * The steps by which a model that imagines balls chooses one and sees what comes of it; in the story they follow the
- * maps.
- */
-export const CHOICE_STEPS = /** @type {const} */ (["candidates", "imagined", "chosen", "run", "real"]);
+/** The steps of the story that show maps. */
+export const MAP_STEPS = /** @type {const} */ (["base", "target", "action", "placement"]);
+/** The steps that follow for a model that imagines balls: what each would do, and what comes of the one it tries. */
+export const CHOICE_STEPS = /** @type {const} */ (["imagined", "run"]);
 /** @typedef {typeof CHOICE_STEPS[number]} ChoiceStep */
+/** @typedef {typeof MAP_STEPS[number] | ChoiceStep} Step */
 export const PANELS = /** @type {const} */ (["play", "imagine", "compare", "predict", "map", "make"]);
 /** What a link can hide: the panels, of which one stays, and what the document marks with data-hideable. */
 export const HIDEABLE = /** @type {const} */ ([
@@ -45,13 +45,15 @@ export const HIDEABLE = /** @type {const} */ ([
  * @property {string | null} scene a custom scene as editor/scene-link.js packs it, or null
  * @property {string | null} model a name in assets/model.json, or null for the first
  * @property {Panel} panel as the address names it; it may be hidden, see `viewOf`
- * @property {MapName | ChoiceStep | null} step the step that the walkthrough is at, or null for all together
+ * @property {Step | null} step the step that the walkthrough is at, or null for all together
  * @property {"presentation" | "results" | null} view "presentation" for the scene and one sentence, in large type;
  *   "results", with no task, for the results of the models instead of the grid; null for all panels
  * @property {number | null} proposal the number of the model's ball that is looked at, from 1, or null
- * @property {MapName[]} layers the maps to lay over the scene, in the order of MAPS
+ * @property {MapName[] | null} layers the maps to lay over the scene, in the order of MAPS; null for those that the
+ *   panel lays there by itself, see `viewOf`
  * @property {number} opacity how much the maps cover, 0..1
- * @property {boolean} forecast whether the model imagines what the ball being placed would do; see `viewOf`
+ * @property {boolean | null} forecast whether the model's guess for the ball being placed is shown; null if the link
+ *   does not say, see `viewOf`
  * @property {Ball | null} ball the ball being placed
  * @property {number | null} challenge the attempt at which whoever sent the link solved the puzzle, or null
  * @property {Hideable[]} hide the parts of the page that are hidden, in the order of HIDEABLE
@@ -69,9 +71,9 @@ export const INITIAL_STATE = Object.freeze({
   step: null,
   view: null,
   proposal: null,
-  layers: [],
+  layers: null,
   opacity: 0.8,
-  forecast: false,
+  forecast: null,
   ball: null,
   challenge: null,
   hide: [],
@@ -86,8 +88,14 @@ const RENAMED = new Map([
   ["judge", "success"],
 ]);
 
-/** @param {string} name */
-const renamed = (name) => RENAMED.get(name) ?? name;
+/** The steps of the longer story of old links, and the nearest of today's. */
+const RENAMED_STEPS = new Map([
+  ["judge", "placement"],
+  ["success", "placement"],
+  ["candidates", "imagined"],
+  ["chosen", "run"],
+  ["real", "run"],
+]);
 
 const INTEGER = /^\d{1,3}$/;
 /** @type {Codec} */
@@ -108,7 +116,7 @@ const CODECS = {
   scene: { format: String, parse: (text) => (PACKED.test(text) ? text : undefined) },
   model: { format: String, parse: (text) => (NAME.test(text) ? text : undefined) },
   panel: oneOf(PANELS),
-  step: oneOf([...MAPS, ...CHOICE_STEPS]),
+  step: oneOf([...MAP_STEPS, ...CHOICE_STEPS], RENAMED_STEPS),
   view: oneOf(["presentation", "results"]),
   proposal: ATTEMPT,
   layers: someOf(MAPS),
@@ -135,10 +143,11 @@ const RENAMED_KEYS = new Map([["stage", "step"]]);
 
 /**
  * @param {readonly string[]} names
+ * @param {Map<string, string>} [renamed] old names
  * @returns {Codec}
  */
-function oneOf(names) {
-  return { format: String, parse: (text) => names.find((name) => name === renamed(text)) };
+function oneOf(names, renamed = RENAMED) {
+  return { format: String, parse: (text) => names.find((name) => name === (renamed.get(text) ?? text)) };
 }
 
 /**
@@ -151,7 +160,7 @@ function someOf(names) {
     parse: (text) => {
       const chosen = text
         .split(",")
-        .map((name) => renamed(name.trim()))
+        .map((name) => RENAMED.get(name.trim()) ?? name.trim())
         .filter(Boolean);
       return chosen.every((name) => names.includes(name)) ? names.filter((name) => chosen.includes(name)) : undefined;
     },

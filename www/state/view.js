@@ -1,19 +1,38 @@
 // What the page shows for a state: of what the address names, what is not hidden and belongs to the panel that is
 // shown. Knows nothing of the document.
 
-import { MAPS } from "../shell/constants.js";
 import { PANELS } from "./url-state.js";
 
 /** @typedef {import("../pkg/pathlight.js").MapName} MapName */
 /** @typedef {import("./url-state.js").Panel} Panel */
 /** @typedef {import("./url-state.js").State} State */
+/** @typedef {import("./url-state.js").Step} Step */
 
 /**
  * What is on the page: the state, but `panel` is the one that is shown, which is never hidden, and `layers` are those
- * that lie over the scene there; `checkedLayers` are those that the address names. `forecast` is whether it is seen
+ * that lie over the scene there; `checkedLayers` are those that are switched on. `forecast` is whether it is seen
  * there.
- * @typedef {State & { checkedLayers: MapName[] }} View
+ * @typedef {State & { layers: MapName[], checkedLayers: MapName[], forecast: boolean }} View
  */
+
+/**
+ * What Imagine lays over the scene when nobody has chosen maps: where green should go, and what red must do for that.
+ * @type {MapName[]}
+ */
+export const FIRST_LAYERS = ["target", "action"];
+
+/**
+ * The maps that each step of the story lays over the scene.
+ * @type {Record<Step, MapName[]>}
+ */
+export const STEP_LAYERS = {
+  base: ["base"],
+  target: ["target"],
+  action: ["action"],
+  placement: ["placement", "success"],
+  imagined: [],
+  run: [],
+};
 
 /**
  * The panels that are not hidden; Play if all are.
@@ -28,16 +47,19 @@ export function visiblePanels({ hide }) {
 /**
  * What the page shows for a state.
  * @param {State} state
+ * @param {boolean} [guess] does the person like to see the model's guess?
  * @returns {View}
  */
-export function viewOf(state) {
+export function viewOf(state, guess = false) {
   const panel = shownPanel(state);
+  // Whoever is challenged plays alone.
+  const wanted = state.forecast ?? (guess && state.challenge === null && state.view === null);
   // It belongs to placing the ball; in Predict it would reveal the answer.
   const forecast =
-    state.forecast &&
-    panel === "play" &&
-    !["forecast", "imagine"].some((part) => state.hide.some((one) => one === part));
-  return { ...state, panel, forecast, layers: visibleLayers(state, panel), checkedLayers: state.layers };
+    wanted && panel === "play" && !["forecast", "imagine"].some((part) => state.hide.some((one) => one === part));
+  const own = state.step ? STEP_LAYERS[state.step] : FIRST_LAYERS;
+  const checkedLayers = state.layers ?? (panel === "imagine" ? own : []);
+  return { ...state, panel, forecast, layers: visibleLayers(state, panel, checkedLayers), checkedLayers };
 }
 
 /**
@@ -56,11 +78,12 @@ function shownPanel(state) {
  * The maps that lie over the scene in a panel.
  * @param {State} state
  * @param {Panel} panel
+ * @param {MapName[]} layers those that are switched on
  * @returns {MapName[]}
  */
-function visibleLayers({ hide, layers, step, view }, panel) {
+function visibleLayers({ hide, step, view }, panel, layers) {
   if (hide.includes("imagine")) return [];
-  if (view === "presentation" && step) return MAPS.filter((one) => one === step);
+  if (view === "presentation" && step) return STEP_LAYERS[step];
   switch (panel) {
     case "imagine":
       return layers;
@@ -73,4 +96,13 @@ function visibleLayers({ hide, layers, step, view }, panel) {
       // Those that the person switched on stay to be played by; the one of a walkthrough's step does not.
       return step ? [] : layers;
   }
+}
+
+/**
+ * What changes when the presentation is left: a story goes on in its panel.
+ * @param {Pick<State, "step">} state
+ * @returns {Partial<State>}
+ */
+export function withoutPresentation({ step }) {
+  return step ? { view: null, panel: "imagine" } : { view: null };
 }
