@@ -5,7 +5,7 @@ use std::fs;
 use serde_json::Value;
 use tempfile::tempdir;
 
-use super::{assert_refused, output_of};
+use super::{assert_refused, output_of, root};
 
 #[test]
 fn agents_that_remember_meet_all_tasks_in_every_order() {
@@ -44,4 +44,11 @@ fn results_of_agents_that_remember_are_refused_where_they_would_mislead() {
     assert_refused(&dev, "was trained on the dev tasks too");
     assert_refused(&["measure", "evaluate", "--shuffle", "1"], "--carry");
     assert_refused(&["measure", "carried", "no/such/folder"], "there are no results in no/such/folder");
+}
+
+#[test]
+fn the_page_says_what_the_results_beside_it_say() {
+    let printed = output_of(&["measure", "carried", "results/carried"]);
+    let remedy = "run `pathlight-lab measure carried results/carried >results/carried/README.md`";
+    assert_eq!(fs::read_to_string(root("results/carried/README.md")).expect("a page"), printed, "{remedy}");
 }
