@@ -5,7 +5,8 @@ use std::str::FromStr;
 
 use serde::{Deserialize, Serialize};
 
-use super::imagined_candidates::imagined_candidates;
+use super::imagined_candidates::{candidates_of, imagined_candidates, remembered};
+use super::memory::Recollection;
 use super::online::{OnlineAgent, Similarity};
 use super::{Agent, from_dqn, from_map, from_success_net, random};
 use crate::nets::{Dqn, PathNet};
@@ -41,6 +42,11 @@ pub struct LacksNet {
     net: &'static str,
     command: &'static str,
 }
+
+/// An agent that cannot play with a memory.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("agent {0} cannot remember: use online, online-by-balls or random")]
+pub struct CannotRemember(AgentName);
 
 /// A name that no agent has.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -110,6 +116,43 @@ impl AgentName {
             AgentName::Dqn | AgentName::Paper | AgentName::Random => return Ok(()),
         };
         if has { Ok(()) } else { Err(LacksNet { agent: self, net, command }) }
+    }
+
+    /// Checks that this agent can play with a memory.
+    ///
+    /// # Errors
+    /// If it cannot.
+    pub fn check_remembers(self) -> Result<(), CannotRemember> {
+        let remembers = matches!(self, AgentName::Online | AgentName::OnlineByBalls | AgentName::Random);
+        if remembers { Ok(()) } else { Err(CannotRemember(self)) }
+    }
+
+    /// Returns this agent at work on a scene, with what a memory says about its balls. The random agent then chooses
+    /// among random balls.
+    ///
+    /// # Panics
+    /// As `start`, and if the agent cannot remember.
+    pub fn start_with(
+        self,
+        loaded: Loaded,
+        scene: &Scene,
+        seed: u64,
+        count: usize,
+        recollection: &Recollection,
+    ) -> Box<dyn Agent> {
+        let similarity = match self {
+            AgentName::Online => Similarity::DEFAULT,
+            AgentName::OnlineByBalls | AgentName::Random => Similarity::OF_BALLS,
+            other => panic!("{}", CannotRemember(other)),
+        };
+        let candidates = if self == AgentName::Random {
+            recollection.random_candidates(scene, seed, count)
+        } else {
+            let read = loaded.nets.expect("the weights of a model are loaded first").read(scene);
+            let remembered = |read| Some(remembered(candidates_of(&read, scene, count)?, &read, scene, recollection));
+            read.and_then(remembered).unwrap_or_default()
+        };
+        Box::new(OnlineAgent::new(candidates, similarity))
     }
 
     /// Returns this agent at work on a scene, with up to `count` balls. `seed` is that of the puzzle.

@@ -5,6 +5,7 @@
 //! candidates take one step of steepest-ascent hill climbing: each is replaced by its likeliest neighbour. Further
 //! steps, longer ones and more candidates gain nothing on dev tasks.
 
+use super::memory::Recollection;
 use super::online::{Candidate, OnlineAgent, Similarity};
 use super::{Proposal, ranking};
 use crate::nets::{ImaginedBall, PathNet, ReadScene};
@@ -16,6 +17,11 @@ pub(super) const CANDIDATES: usize = 400;
 
 /// The likeliest candidates, whose neighbours are imagined too. The others are hardly ever tried.
 const CLIMBERS: usize = 100;
+
+/// The logit of the likeliest candidate if a memory moves logits, and by how much it falls with the logarithm of the
+/// rank. About as often the attempts of that number solve a task that is new.
+const FIRST_LOGIT: f64 = -0.3;
+const FALL: f64 = 0.75;
 
 /// By how much a neighbour differs in x, y or radius, px.
 const STEP: f64 = 1.0;
@@ -33,6 +39,27 @@ pub(super) fn candidates_of(read: &ReadScene, scene: &Scene, count: usize) -> Op
     let mut candidates: Vec<Candidate> = imagine(read, &balls).filter(is_finite).collect();
     climb(&mut candidates, read, &Obstacles::new(scene));
     (!candidates.is_empty()).then_some(candidates)
+}
+
+/// Returns candidates with what a memory says about them, and with balls that solved like scenes. The net orders them,
+/// but how sure it is counts no more: it is too sure of scenes unlike those that it learned from, and what was tried
+/// there could not change its mind.
+pub fn remembered(
+    mut candidates: Vec<Candidate>,
+    read: &ReadScene,
+    scene: &Scene,
+    recollection: &Recollection,
+) -> Vec<Candidate> {
+    let suggested = recollection.suggestions(scene, |ball| candidates.iter().any(|known| known.ball == *ball));
+    candidates.extend(imagine(read, &suggested).filter(is_finite));
+    let mut logits: Vec<f64> = candidates.iter().map(|candidate| candidate.logit).collect();
+    logits.sort_by(|a, b| b.total_cmp(a));
+    for candidate in &mut candidates {
+        let rank = 1 + logits.partition_point(|&logit| logit > candidate.logit);
+        candidate.logit = FIRST_LOGIT - FALL * libm::log(rank as f64);
+    }
+    recollection.change_logits(&mut candidates);
+    candidates
 }
 
 /// Returns up to `count` proposals: the candidates in the order in which the online agent tries them if all attempts

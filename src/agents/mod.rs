@@ -14,6 +14,7 @@ mod fixed_actions;
 pub mod gaussian_process;
 pub mod imagined_candidates;
 pub mod memoized_model;
+pub mod memory;
 pub mod online;
 pub mod placement;
 pub mod ranking;
@@ -66,6 +67,18 @@ pub struct Proposal {
     pub origin: Origin,
     /// Draws before it that were rejected: invalid, or proposed already.
     pub rejected: usize,
+}
+
+impl Proposal {
+    /// Returns the probability, 0..=1, that it solves, if the agent gives one.
+    pub fn chance(&self) -> Option<f64> {
+        match self.origin {
+            Origin::Map { .. } | Origin::Perturbed { .. } | Origin::Uniform => None,
+            Origin::Success { probability } | Origin::Imagined { probability, .. } => Some(probability),
+            #[cfg(not(target_arch = "wasm32"))]
+            Origin::Dqn { probability } => Some(probability),
+        }
+    }
 }
 
 /// Where a proposal comes from.

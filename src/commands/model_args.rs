@@ -6,6 +6,7 @@ use std::{fs, path};
 use anyhow::Context;
 use pathlight::benchmark::folds::FoldId;
 use pathlight::nets::{Dqn, PathNet};
+use sha2::{Digest, Sha256};
 
 /// A file of weights; part of the arguments of other commands.
 #[derive(clap::Args)]
@@ -21,6 +22,14 @@ impl ModelArgs {
     /// # Errors
     /// If the file cannot be read, or its nets were trained on another fold and so may know the test tasks of this.
     pub fn load(&self, fold: FoldId) -> anyhow::Result<PathNet> {
+        Ok(self.load_with_digest(fold)?.0)
+    }
+
+    /// Returns the nets of a fold, and the SHA-256 of their file in hexadecimal.
+    ///
+    /// # Errors
+    /// As those of `load`.
+    pub fn load_with_digest(&self, fold: FoldId) -> anyhow::Result<(PathNet, String)> {
         let default = || path::absolute(format!("assets/{fold}.safetensors"));
         let path = self.weights.clone().map_or_else(default, Ok)?;
         let name = path.display();
@@ -32,7 +41,7 @@ impl ModelArgs {
         })?;
         let (nets, card) = PathNet::load(&bytes).with_context(|| format!("cannot use {name}"))?;
         card.fold_id().check(fold).with_context(|| format!("cannot use {name}"))?;
-        Ok(nets)
+        Ok((nets, Sha256::digest(&bytes).iter().map(|byte| format!("{byte:02x}")).collect()))
     }
 }
 

@@ -14,6 +14,7 @@ use serde_json::Value;
 mod agent;
 mod commands_page;
 mod custom_scenes;
+mod memory;
 mod moved_commands;
 mod pipes;
 mod propose;

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use pathlight::agents::agent_name::AgentName;
 use pathlight_lab::data::collect::SOLUTIONS;
 use pathlight_lab::files::json_file;
-use pathlight_lab::measure::{calibration, evaluate, fidelity, forecasts};
+use pathlight_lab::measure::{calibration, carried, evaluate, fidelity, forecasts};
 use pathlight_lab::progress::Progress;
 
 use super::agent_arg::agent;
@@ -16,6 +16,7 @@ use super::fold_args::FoldArgs;
 #[derive(clap::Subcommand)]
 pub enum Command {
     Evaluate(Evaluate),
+    Carried(Carried),
     Forecasts(Forecasts),
     Calibration(Calibration),
     Fidelity(Fidelity),
@@ -25,6 +26,7 @@ impl Command {
     pub fn run(self, progress: &mut dyn Progress) -> anyhow::Result<()> {
         let text = match self {
             Command::Evaluate(args) => args.run(progress)?,
+            Command::Carried(args) => args.run()?,
             Command::Forecasts(args) => args.run()?,
             Command::Calibration(args) => args.run()?,
             Command::Fidelity(Fidelity { reference, limit, engine: EngineArg { engine } }) => {
@@ -74,11 +76,40 @@ pub struct Evaluate {
     /// target/train/SETUP-FOLD/dqn/weights.safetensors]
     #[arg(long, value_name = "FILE")]
     dqn: Option<PathBuf>,
+
+    /// Measure agents that remember: what the attempts at one task taught is used for the next, in order of ids. Beside
+    /// them the same agents without memory, and with less of it
+    #[arg(long, conflicts_with_all = ["agents", "engine", "dqn"])]
+    carry: bool,
+
+    /// Measure them in a shuffled order too; can be repeated
+    #[arg(long = "shuffle", value_name = "SEED", requires = "carry")]
+    shuffles: Vec<u64>,
 }
 
 impl Evaluate {
     fn run(self, progress: &mut dyn Progress) -> anyhow::Result<String> {
-        let Evaluate { agents, fold, dev, limit, seed, json, engine: EngineArg { engine }, weights, dqn } = self;
+        let Evaluate {
+            agents,
+            fold,
+            dev,
+            limit,
+            seed,
+            json,
+            engine: EngineArg { engine },
+            weights,
+            dqn,
+            carry,
+            shuffles,
+        } = self;
+        if carry {
+            let settings = carried::Settings { fold: fold.into(), dev, limit, seed, shuffles, weights };
+            let report = settings.measure(progress)?;
+            if let Some(path) = &json {
+                json_file::write(path, &report)?;
+            }
+            return Ok(report.markdown()?);
+        }
         let settings = evaluate::Settings { agents, fold: fold.into(), dev, limit, seed, engine, weights, dqn };
         let report = settings.measure(progress)?;
         // The file comes first, so that a closed pipe does not lose it.
@@ -86,6 +117,20 @@ impl Evaluate {
             json_file::write(path, &report)?;
         }
         Ok(report.table()?)
+    }
+}
+
+/// Print the results of agents that remember, which `measure evaluate --carry` wrote, as Markdown
+#[derive(clap::Args)]
+pub struct Carried {
+    /// Folder of the results
+    #[arg(value_name = "DIR")]
+    folder: PathBuf,
+}
+
+impl Carried {
+    fn run(self) -> anyhow::Result<String> {
+        Ok(carried::page(&carried::read(&self.folder)?)?)
     }
 }
 

@@ -5,6 +5,7 @@ use pathlight::puzzle::task::TaskId;
 
 pub mod agents;
 pub mod calibration;
+pub mod carried;
 pub mod evaluate;
 pub mod fidelity;
 pub mod forecasts;

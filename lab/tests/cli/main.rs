@@ -9,6 +9,7 @@ use std::process::{Command, Output};
 use pathlight::nets::{Card, PathNet};
 
 mod calibration;
+mod carried;
 mod collect;
 #[path = "../../../tests/cli/commands_page.rs"]
 mod commands_page;

@@ -1,6 +1,6 @@
 //! The lines that an agent is told: a task or a scene to begin with, and what became of a ball.
 
-use anyhow::{Context, bail};
+use anyhow::{Context, bail, ensure};
 use pathlight::puzzle::action::Ball;
 use pathlight::puzzle::custom_scene::sentences;
 use pathlight::puzzle::recorded_paths::RecordedPaths;
@@ -21,9 +21,13 @@ const EXAMPLES: &str = r#"write a line like {"task":"00007:008"} or {"status":"n
 
 /// What a line says.
 pub enum Line {
-    Task(TaskId),
-    Scene(Scene),
-    Custom(Box<Puzzle>),
+    Begin {
+        puzzle: Begun,
+        /// Play with what was remembered, and remember the attempts.
+        remember: bool,
+    },
+    /// Forget what was remembered.
+    Forget,
     Outcome {
         /// The task and the ball that it is the outcome of, if the line names them, as those of `simulate` do.
         task: Option<TaskId>,
@@ -33,11 +37,22 @@ pub enum Line {
     },
 }
 
+/// A puzzle to begin with.
+pub enum Begun {
+    Task(TaskId),
+    Scene(Scene),
+    Custom(Box<Puzzle>),
+}
+
 /// The keys of a line; others are ignored.
 #[derive(Deserialize)]
 struct Keys {
     task: Option<TaskId>,
     scene: Option<Value>,
+    #[serde(default)]
+    remember: bool,
+    #[serde(default)]
+    forget: bool,
     ball: Option<Ball>,
     status: Option<Status>,
     paths: Option<RecordedPaths>,
@@ -47,8 +62,13 @@ impl Line {
     /// # Errors
     /// Says what is wrong with the line, and how to write it.
     pub fn parse(line: &[u8]) -> anyhow::Result<Line> {
-        match json_lines::parse::<Keys>(line, EXAMPLES)? {
-            Keys { task, scene: None, ball, status: Some(status), paths } => {
+        let Keys { task, scene, remember, forget, ball, status, paths } = json_lines::parse(line, EXAMPLES)?;
+        ensure!(!remember || status.is_none(), "`remember` belongs on the line that begins the puzzle; {EXAMPLES}");
+        let begins = |puzzle| Line::Begin { puzzle, remember };
+        match (task, scene, status, forget) {
+            (None, None, None, true) if !remember => Ok(Line::Forget),
+            (_, _, _, true) => bail!("`forget` belongs on a line of its own: {{\"forget\":true}}"),
+            (task, None, Some(status), false) => {
                 let sampled = |paths: RecordedPaths| {
                     paths.sampled().context(
                     "`paths` needs at least one pose [x,y,angle] for each of `object` and `ball`: leave it out if there are none",
@@ -56,24 +76,22 @@ impl Line {
                 };
                 Ok(Line::Outcome { task, ball, status, paths: paths.map(sampled).transpose()?.map(Box::new) })
             }
-            Keys { task: Some(task), scene: None, status: None, .. } => Ok(Line::Task(task)),
-            Keys { task: None, scene: Some(scene), status: None, .. } => scene_line(scene),
-            Keys { task: None, scene: None, status: None, .. } => {
-                bail!("`task`, `scene` and `status` are missing; {EXAMPLES}")
-            }
+            (Some(task), None, None, false) => Ok(begins(Begun::Task(task))),
+            (None, Some(scene), None, false) => scene_line(scene).map(begins),
+            (None, None, None, false) => bail!("`task`, `scene` and `status` are missing; {EXAMPLES}"),
             _ => bail!("`task`, `scene` and `status` belong on lines of their own; {EXAMPLES}"),
         }
     }
 }
 
 /// Returns what a scene begins: a custom scene has a version, others are as `tasks --json` prints them.
-fn scene_line(scene: Value) -> anyhow::Result<Line> {
+fn scene_line(scene: Value) -> anyhow::Result<Begun> {
     if scene.get("version").is_none() {
         let scene: Scene = serde_json::from_value(scene).map_err(|error| anyhow::anyhow!("{error}; {EXAMPLES}"))?;
         scene.check_form()?;
-        return Ok(Line::Scene(scene));
+        return Ok(Begun::Scene(scene));
     }
     Puzzle::read(scene)
-        .map(|puzzle| Line::Custom(Box::new(puzzle)))
+        .map(|puzzle| Begun::Custom(Box::new(puzzle)))
         .map_err(|problems| anyhow::anyhow!("{}", sentences(&problems)))
 }

@@ -1,0 +1,241 @@
+//! Auccess of agents that carry what attempts taught from task to task, as PHYRE's DQN-O does (Bakhtin et al. 2019):
+//! they meet the tasks of a fold one after the other, and are never reset. Another setting than that of `evaluate`,
+//! whose agents forget every task; so the results have files and tables of their own.
+//!
+//! Only counted attempts are simulated. What one run simulated is not simulated again for the next.
+
+use std::collections::HashMap;
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, ensure};
+use pathlight::agents::agent_name::AgentName;
+use pathlight::agents::imagined_candidates::{imagined_candidates, remembered};
+use pathlight::agents::memory::{Memory, Played, Settings as MemorySettings};
+use pathlight::agents::online::{Candidate, OnlineAgent, Similarity};
+use pathlight::agents::{self, Agent, Observation, random};
+use pathlight::benchmark::auccess::MAX_ATTEMPTS;
+use pathlight::benchmark::folds::{FOLDS, FoldId, Setup};
+use pathlight::nets::{Card, ReadScene};
+use pathlight::puzzle::recorded_paths::RecordedPaths;
+use pathlight::puzzle::scene::Scene;
+use pathlight::puzzle::stable_shuffle::stable_shuffle;
+use pathlight::puzzle::task::{Task, TaskId};
+use pathlight::simulator::{self, simulate};
+use serde::{Deserialize, Serialize};
+
+use super::first_of_each_template;
+use crate::files::json_file;
+use crate::files::weights_file::load_nets;
+use crate::progress::Progress;
+
+mod report;
+
+pub use report::page;
+
+/// What to measure.
+#[derive(Default)]
+pub struct Settings {
+    pub fold: FoldId,
+    /// Use the dev tasks, to choose settings on, instead of the test tasks.
+    pub dev: bool,
+    /// At most the first of these tasks of each template.
+    pub limit: Option<u16>,
+    /// Seed of the random agent.
+    pub seed: u64,
+    /// Seeds of shuffled orders, to measure beside the order of ids.
+    pub shuffles: Vec<u64>,
+    /// Weights of the model; `None` are the shipped ones.
+    pub weights: Option<PathBuf>,
+}
+
+/// What was measured, and how. The `--json` file.
+#[derive(Serialize, Deserialize)]
+pub struct Report {
+    pub setup: Setup,
+    pub fold: u8,
+    /// `test` or `dev`.
+    pub tasks_of: String,
+    pub seed: u64,
+    pub simulator: u32,
+    pub agents_version: u32,
+    /// How the model was trained.
+    pub card: Card,
+    pub runs: Vec<Run>,
+}
+
+/// An agent at work on all tasks in one order.
+#[derive(Serialize, Deserialize)]
+pub struct Run {
+    pub agent: AgentName,
+    pub memory: MemoryUse,
+    /// The seed of the order; absent if that is of ids.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub shuffle: Option<u64>,
+    /// In the order in which they were played: the first attempt that solved each task, counted from 1; null if none
+    /// did.
+    pub first_solved: Vec<(TaskId, Option<usize>)>,
+}
+
+/// What an agent remembers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum MemoryUse {
+    /// Nothing: it starts every task afresh.
+    None,
+    All,
+    /// As if all scenes were alike.
+    ScenesAlike,
+    NoFailures,
+    /// Places of balls in the scene alone, not relative to its bodies.
+    NoRelativePlaces,
+}
+
+/// Reads the results of the folds of both setups from a folder.
+///
+/// # Errors
+/// If one cannot be read, or there is none.
+pub fn read(folder: &Path) -> anyhow::Result<Vec<Report>> {
+    let mut reports = Vec::new();
+    for setup in [Setup::Within, Setup::Cross] {
+        for fold in 0..FOLDS {
+            let path = folder.join(format!("{}.json", FoldId { setup, fold }));
+            if path.exists() {
+                reports.push(json_file::read(&path, "pathlight-lab measure evaluate --carry")?);
+            }
+        }
+    }
+    ensure!(
+        !reports.is_empty(),
+        "there are no results in {}: write some with `pathlight-lab measure evaluate --carry --json`",
+        folder.display()
+    );
+    Ok(reports)
+}
+
+impl MemoryUse {
+    pub const ALL: [MemoryUse; 5] =
+        [MemoryUse::None, MemoryUse::All, MemoryUse::ScenesAlike, MemoryUse::NoFailures, MemoryUse::NoRelativePlaces];
+
+    /// Returns the settings of the memory, if there is one.
+    fn settings(self) -> Option<MemorySettings> {
+        let all = MemorySettings::DEFAULT;
+        match self {
+            MemoryUse::None => None,
+            MemoryUse::All => Some(all),
+            MemoryUse::ScenesAlike => Some(MemorySettings { scene_length: f64::INFINITY, ..all }),
+            MemoryUse::NoFailures => Some(MemorySettings { failure: 0.0, ..all }),
+            MemoryUse::NoRelativePlaces => Some(MemorySettings { shares: [1.0, 0.0, 0.0], ..all }),
+        }
+    }
+}
+
+/// A task that is ready to be played again and again.
+struct ReadyTask {
+    id: TaskId,
+    scene: Scene,
+    read: ReadScene,
+    candidates: Vec<Candidate>,
+    /// The outcomes of the balls that were tried so far, by their coordinates.
+    outcomes: HashMap<[u64; 3], Observation>,
+}
+
+impl Settings {
+    /// Measures the agents.
+    ///
+    /// # Errors
+    /// If the weights cannot be used for it.
+    pub fn measure(&self, progress: &mut dyn Progress) -> anyhow::Result<Report> {
+        let fold = self.fold.tasks();
+        let (tasks, tasks_of) = if self.dev { (fold.dev, "dev") } else { (fold.test, "test") };
+        let tasks = first_of_each_template(&tasks, self.limit);
+        let (nets, card) = load_nets(self.weights.as_deref(), self.fold)?;
+        AgentName::Online.check(&nets)?;
+        let has_seen_dev = card.dynamics.as_ref().is_none_or(|dynamics| !dynamics.without_dev);
+        ensure!(
+            !(self.dev && has_seen_dev),
+            "the dynamics net was trained on the dev tasks too, so --dev would measure nothing new: train one with \
+             `pathlight-lab train dynamics --without-dev`"
+        );
+        progress.begin(tasks.len() as u64);
+        let mut ready = Vec::with_capacity(tasks.len());
+        for id in tasks {
+            let scene = Task::load(id)?.scene;
+            let candidates = imagined_candidates(&nets, &scene, MAX_ATTEMPTS).context("the weights are damaged")?;
+            let read = nets.read(&scene).context("the weights have no dynamics net")?;
+            ready.push(ReadyTask { id, scene, read, candidates, outcomes: HashMap::new() });
+            progress.advance(1, "tasks read".to_string());
+        }
+        progress.finish(&format!("{} tasks read", ready.len()));
+        let uses = MemoryUse::ALL.map(|memory| (REMEMBERING, memory));
+        let random = [MemoryUse::None, MemoryUse::All].map(|memory| (AgentName::Random, memory));
+        let orders: Vec<Option<u64>> = std::iter::once(None).chain(self.shuffles.iter().copied().map(Some)).collect();
+        let all = [uses.as_slice(), random.as_slice()].concat();
+        progress.begin((all.len() * orders.len()) as u64);
+        let mut runs = Vec::new();
+        for (agent, memory) in all {
+            for &shuffle in &orders {
+                let first_solved = self.run(agent, memory, shuffle, &mut ready);
+                runs.push(Run { agent, memory, shuffle, first_solved });
+                progress.advance(1, format!("runs, now of {agent}"));
+            }
+        }
+        progress.finish(&format!("{} runs", runs.len()));
+        let Settings { fold: FoldId { setup, fold }, seed, .. } = *self;
+        let (simulator, agents_version) = (simulator::VERSION, agents::VERSION);
+        Ok(Report { setup, fold, tasks_of: tasks_of.to_string(), seed, simulator, agents_version, card, runs })
+    }
+
+    /// Lets an agent play all tasks in an order.
+    fn run(
+        &self,
+        agent: AgentName,
+        memory: MemoryUse,
+        shuffle: Option<u64>,
+        tasks: &mut [ReadyTask],
+    ) -> Vec<(TaskId, Option<usize>)> {
+        let in_order = (0..tasks.len()).collect();
+        let order =
+            shuffle.map_or_else(|| in_order, |seed| stable_shuffle((0..tasks.len()).collect(), &seed.to_string()));
+        let mut memory = memory.settings().map(Memory::new);
+        let play = |index: usize| {
+            let task = &mut tasks[index];
+            let agent = task.start(agent, memory.as_mut(), task.id.seed(self.seed));
+            (task.id, task.play(agent, memory.as_mut()))
+        };
+        order.into_iter().map(play).collect()
+    }
+}
+
+/// The agent of the model that remembers.
+const REMEMBERING: AgentName = AgentName::OnlineByBalls;
+
+impl ReadyTask {
+    fn start(&self, agent: AgentName, memory: Option<&mut Memory>, seed: u64) -> Box<dyn Agent> {
+        let recollection = memory.map(|memory| memory.begin(Played::Task(self.id), &self.scene));
+        let candidates = match (agent, &recollection) {
+            (AgentName::Random, None) => return Box::new(random(&self.scene, seed, MAX_ATTEMPTS).into_iter()),
+            (AgentName::Random, Some(recollection)) => recollection.random_candidates(&self.scene, seed, MAX_ATTEMPTS),
+            (_, None) => self.candidates.clone(),
+            (_, Some(recollection)) => remembered(self.candidates.clone(), &self.read, &self.scene, recollection),
+        };
+        Box::new(OnlineAgent::new(candidates, Similarity::OF_BALLS))
+    }
+
+    /// Returns the first attempt that solves the task, counted from 1.
+    fn play(&mut self, mut agent: Box<dyn Agent>, mut memory: Option<&mut Memory>) -> Option<usize> {
+        (1..=MAX_ATTEMPTS).find(|_| {
+            let Some(proposal) = agent.propose() else { return false };
+            let place: [f64; 3] = proposal.ball.into();
+            let outcome = self.outcomes.entry(place.map(f64::to_bits)).or_insert_with(|| {
+                let rollout = simulate(&self.scene, Some(proposal.ball)).expect("agents propose valid balls");
+                let paths = RecordedPaths::of(&rollout, &self.scene).and_then(|paths| paths.sampled());
+                Observation { solved: rollout.solved, paths }
+            });
+            if let Some(memory) = memory.as_mut() {
+                memory.observe(proposal.ball, proposal.chance().unwrap_or_default(), outcome.solved);
+            }
+            agent.observe(outcome);
+            outcome.solved
+        })
+    }
+}

@@ -1,0 +1,183 @@
+//! A memory of attempts that outlives the puzzle. What an attempt taught changes the chances of like balls in like
+//! scenes, from puzzle to puzzle.
+//!
+//! Kernel logistic regression, learned online (Kivinen, Smola and Williamson 2004): the logit of a ball is that of the
+//! net plus a sum over all remembered attempts, of how much each surprised times how alike the scenes and the balls
+//! are. A mirrored scene is as good as the scene. Deterministic: libm, sums in a fixed order, and numbers that a file
+//! keeps to the bit; so the same natively and in wasm. Does not call the simulator and knows no net.
+
+use serde::{Deserialize, Serialize};
+
+use crate::puzzle::action::Ball;
+use crate::puzzle::scene::Scene;
+use crate::puzzle::task::TaskId;
+pub use recollection::{Recollection, Reminder};
+pub use saved::MemoryError;
+use scene_sketch::SceneSketch;
+
+mod recollection;
+mod saved;
+mod scene_sketch;
+
+/// Attempts that are remembered. The oldest puzzles are forgotten first.
+pub const CAPACITY: usize = 4000;
+
+/// What makes attempts alike, and how much they teach.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settings {
+    /// Distance of two sketches at which the likeness of their scenes has fallen to 0.61; infinite if all scenes are
+    /// alike.
+    pub scene_length: f64,
+    /// Distance of two balls in x, y and radius, px, at which their likeness has fallen to 0.61.
+    pub ball_length: f64,
+    /// How much of the likeness of balls is that of their places in the scene, relative to the green object, and
+    /// relative to its goal.
+    pub shares: [f64; 3],
+    /// How much a success that nobody expected raises the logit of the same ball.
+    pub success: f64,
+    /// How much a failure that nobody expected lowers it.
+    pub failure: f64,
+    /// A failure counts as if at least this chance had been expected.
+    pub least_expected: f64,
+    /// Balls that solved like scenes, which become candidates.
+    pub suggestions: usize,
+}
+
+impl Settings {
+    /// Chosen on dev tasks.
+    pub const DEFAULT: Settings = Settings {
+        scene_length: 0.5,
+        ball_length: 8.0,
+        shares: [1.0 / 3.0; 3],
+        success: 4.0,
+        failure: 4.0,
+        least_expected: 0.15,
+        suggestions: 20,
+    };
+}
+
+/// A puzzle that was played.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Played {
+    Task(TaskId),
+    Scene(Box<Scene>),
+}
+
+impl Played {
+    /// Returns the task; `None` for another scene.
+    pub fn task(&self) -> Option<TaskId> {
+        match self {
+            Played::Task(task) => Some(*task),
+            Played::Scene(_) => None,
+        }
+    }
+}
+
+/// An attempt that is remembered.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Attempt {
+    pub ball: Ball,
+    /// The chance that the agent gave it before, 0..=1, rounded to `CHANCES`, so that any parser reads the same bits.
+    pub chance: f64,
+    pub solved: bool,
+}
+
+/// Steps of the chances.
+const CHANCES: f64 = 10_000.0;
+
+#[derive(Clone, Debug, PartialEq)]
+struct PlayedPuzzle {
+    played: Played,
+    sketch: SceneSketch,
+    anchors: Anchors,
+    attempts: Vec<Attempt>,
+}
+
+/// Centres of the green object and of its goal, px.
+type Anchors = [[f64; 2]; 2];
+
+/// All attempts that are remembered.
+#[derive(Clone, Debug)]
+pub struct Memory {
+    settings: Settings,
+    /// In the order in which they were played; the last one may still be played.
+    puzzles: Vec<PlayedPuzzle>,
+    /// Puzzles forgotten before the first.
+    forgotten: usize,
+}
+
+impl Default for Memory {
+    fn default() -> Memory {
+        Memory::new(Settings::DEFAULT)
+    }
+}
+
+impl Memory {
+    pub fn new(settings: Settings) -> Memory {
+        Memory { settings, puzzles: Vec::new(), forgotten: 0 }
+    }
+
+    /// Begins a puzzle. Returns what the attempts at earlier puzzles say about its balls.
+    pub fn begin(&mut self, played: Played, scene: &Scene) -> Recollection {
+        self.puzzles.retain(|puzzle| !puzzle.attempts.is_empty());
+        let puzzle = PlayedPuzzle::new(played, scene);
+        let recollection = self.recall(&puzzle);
+        self.puzzles.push(puzzle);
+        recollection
+    }
+
+    /// Remembers an attempt at the puzzle that was begun last, and the chance that the agent gave it.
+    pub fn observe(&mut self, ball: Ball, chance: f64, solved: bool) {
+        let Some(puzzle) = self.puzzles.last_mut() else { return };
+        puzzle.attempts.push(Attempt { ball, chance: rounded(chance), solved });
+        self.forget_oldest();
+    }
+
+    /// Forgets everything.
+    pub fn forget(&mut self) {
+        *self = Memory::new(self.settings);
+    }
+
+    /// Returns the puzzles that are remembered, each with its number from 1 and its attempts.
+    pub fn puzzles(&self) -> impl Iterator<Item = (usize, &Played, &[Attempt])> {
+        let numbered = self.puzzles.iter().zip(self.forgotten + 1..);
+        numbered.map(|(PlayedPuzzle { played, attempts, .. }, number)| (number, played, attempts.as_slice()))
+    }
+
+    /// Forgets the oldest puzzles until at most `CAPACITY` attempts are left.
+    fn forget_oldest(&mut self) {
+        let mut attempts = self.attempts();
+        let oldest = self.puzzles.iter().take_while(|puzzle| {
+            let too_many = attempts > CAPACITY;
+            attempts -= puzzle.attempts.len();
+            too_many
+        });
+        let count = oldest.count();
+        self.puzzles.drain(..count);
+        self.forgotten += count;
+    }
+
+    /// Returns the number of attempts that are remembered.
+    pub fn attempts(&self) -> usize {
+        self.puzzles.iter().map(|puzzle| puzzle.attempts.len()).sum()
+    }
+
+    /// By how much an attempt moved the logit of its own ball.
+    fn surprise(&self, &Attempt { chance, solved, .. }: &Attempt) -> f64 {
+        let Settings { success, failure, least_expected, .. } = self.settings;
+        if solved { success * (1.0 - chance) } else { -failure * chance.max(least_expected) }
+    }
+}
+
+impl PlayedPuzzle {
+    fn new(played: Played, scene: &Scene) -> PlayedPuzzle {
+        let centre = |body: usize| [scene.bodies[body].x, scene.bodies[body].y];
+        let anchors = [scene.body1, scene.body2].map(centre);
+        PlayedPuzzle { played, sketch: SceneSketch::of(scene), anchors, attempts: Vec::new() }
+    }
+}
+
+fn rounded(chance: f64) -> f64 {
+    (chance * CHANCES).round() / CHANCES
+}

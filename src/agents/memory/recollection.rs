@@ -1,0 +1,196 @@
+//! What a memory says about the balls of one puzzle.
+
+use serde::Serialize;
+
+use super::{Memory, PlayedPuzzle, Settings};
+use crate::agents::imagined_candidates::CANDIDATES;
+use crate::agents::online::Candidate;
+use crate::agents::random;
+use crate::puzzle::action::{Ball, Obstacles};
+use crate::puzzle::sampled_paths::{SAMPLES, SampledPaths};
+use crate::puzzle::scene::{SIZE, Scene};
+use crate::puzzle::task::TaskId;
+
+/// Exponent of a likeness that is as good as none: 0.001.
+const NEGLIGIBLE: f64 = 6.9;
+
+/// The logit of a random ball before anything is known: one in fifty.
+const RANDOM_LOGIT: f64 = -4.0;
+
+/// How much a puzzle must have moved the logit of a ball to be named.
+const NOTICEABLE: f64 = 0.25;
+
+/// What the attempts at earlier puzzles say about the balls of a puzzle.
+#[derive(Clone, Debug)]
+pub struct Recollection {
+    settings: Settings,
+    /// Attempts in scenes that are like this one.
+    attempts: Vec<Recalled>,
+}
+
+/// An attempt in a scene that is like this one.
+#[derive(Clone, Copy, Debug)]
+struct Recalled {
+    /// The number of its puzzle in the memory, from 1.
+    puzzle: usize,
+    /// The puzzle, if it is a task.
+    task: Option<TaskId>,
+    /// Whether this scene is like that one mirrored.
+    mirrored: bool,
+    /// As it was tried there.
+    ball: Ball,
+    solved: bool,
+    /// The likeness of the scenes, 0..=1.
+    likeness: f64,
+    /// How much it moves the logit of a ball just like it.
+    weight: f64,
+    /// Where a ball like it lies here, as there in the scene, to the green object, and to its goal, px.
+    places: [[f64; 2]; 3],
+}
+
+/// The puzzle that moved the logit of a ball most.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Reminder {
+    /// Its number in the memory, from 1.
+    pub puzzle: usize,
+    /// Absent if it is no task.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub task: Option<TaskId>,
+    /// By how much its attempts moved the logit of the ball.
+    pub change: f64,
+    /// That of these attempts which counts most, as it was made.
+    pub ball: Ball,
+    pub solved: bool,
+    /// Whether the scene is like that of the puzzle mirrored.
+    pub mirrored: bool,
+}
+
+impl Memory {
+    pub(super) fn recall(&self, puzzle: &PlayedPuzzle) -> Recollection {
+        let mut attempts = Vec::new();
+        let mirrored_sketch = puzzle.sketch.mirrored();
+        let length = self.settings.scene_length;
+        for (number, earlier) in (self.forgotten + 1..).zip(&self.puzzles) {
+            for (mirrored, sketch) in [(false, &puzzle.sketch), (true, &mirrored_sketch)] {
+                let likeness = gaussian(earlier.sketch.squared_distance(sketch), length);
+                if likeness == 0.0 {
+                    continue;
+                }
+                let seen = |[x, y]: [f64; 2]| if mirrored { [SIZE - x, y] } else { [x, y] };
+                attempts.extend(earlier.attempts.iter().map(|attempt| {
+                    let [x, y] = seen([attempt.ball.x, attempt.ball.y]);
+                    let [to_object, to_goal] = [0, 1].map(|anchor| {
+                        let ([here_x, here_y], [there_x, there_y]) =
+                            (puzzle.anchors[anchor], seen(earlier.anchors[anchor]));
+                        [x + here_x - there_x, y + here_y - there_y]
+                    });
+                    Recalled {
+                        puzzle: number,
+                        task: earlier.played.task(),
+                        mirrored,
+                        ball: attempt.ball,
+                        solved: attempt.solved,
+                        likeness,
+                        weight: likeness * self.surprise(attempt),
+                        places: [[x, y], to_object, to_goal],
+                    }
+                }));
+            }
+        }
+        Recollection { settings: self.settings, attempts }
+    }
+}
+
+impl Recollection {
+    /// Returns by how much the memory moves the logit of a ball.
+    pub fn change(&self, ball: Ball) -> f64 {
+        self.attempts.iter().map(|attempt| self.of(attempt, ball)).sum()
+    }
+
+    /// Returns the puzzle that moved the logit of a ball most, if one did noticeably.
+    pub fn reminder(&self, ball: Ball) -> Option<Reminder> {
+        let mut most: Option<Reminder> = None;
+        for of_puzzle in self.attempts.chunk_by(|a, b| a.puzzle == b.puzzle) {
+            let changes: Vec<f64> = of_puzzle.iter().map(|attempt| self.of(attempt, ball)).collect();
+            let change: f64 = changes.iter().sum();
+            if change.abs() < most.map_or(NOTICEABLE, |most| most.change.abs()) {
+                continue;
+            }
+            let with_changes = of_puzzle.iter().zip(&changes);
+            let (attempt, _) = with_changes.max_by(|(_, a), (_, b)| a.abs().total_cmp(&b.abs())).expect("an attempt");
+            most = Some(Reminder {
+                puzzle: attempt.puzzle,
+                task: attempt.task,
+                change,
+                ball: attempt.ball,
+                solved: attempt.solved,
+                mirrored: attempt.mirrored,
+            });
+        }
+        most
+    }
+
+    /// Adds what the memory says to the logits of candidates.
+    pub fn change_logits(&self, candidates: &mut [Candidate]) {
+        for candidate in candidates {
+            candidate.logit += self.change(candidate.ball);
+        }
+    }
+
+    /// Returns balls that solved the scenes most like this one, moved to where they lie as there in the scene, to the
+    /// green object and to its goal: valid, all different, and none that is known.
+    pub fn suggestions(&self, scene: &Scene, is_known: impl Fn(&Ball) -> bool) -> Vec<Ball> {
+        let mut solved: Vec<&Recalled> = self.attempts.iter().filter(|attempt| attempt.solved).collect();
+        // The sort is stable: of equal ones the later comes first.
+        solved.reverse();
+        solved.sort_by(|a, b| b.likeness.total_cmp(&a.likeness));
+        let obstacles = Obstacles::new(scene);
+        let mut balls: Vec<Ball> = Vec::new();
+        for Recalled { ball, places, .. } in solved {
+            for [x, y] in places {
+                let ball = Ball { x: x.round(), y: y.round(), r: ball.r };
+                if balls.len() < self.settings.suggestions
+                    && !balls.contains(&ball)
+                    && !is_known(&ball)
+                    && obstacles.check(&ball).is_ok()
+                {
+                    balls.push(ball);
+                }
+            }
+        }
+        balls
+    }
+
+    /// Returns the candidates of an agent that knows nothing but the memory: random balls, and those that are suggested.
+    pub fn random_candidates(&self, scene: &Scene, seed: u64, count: usize) -> Vec<Candidate> {
+        let mut balls: Vec<Ball> = Vec::new();
+        for proposal in random(scene, seed, count.max(CANDIDATES)) {
+            if !balls.contains(&proposal.ball) {
+                balls.push(proposal.ball);
+            }
+        }
+        balls.extend(self.suggestions(scene, |ball| balls.contains(ball)));
+        let nowhere = [[0.0; 2]; SAMPLES];
+        let paths = SampledPaths { object: nowhere, ball: nowhere };
+        let mut candidates: Vec<Candidate> =
+            balls.into_iter().map(|ball| Candidate { ball, logit: RANDOM_LOGIT, paths }).collect();
+        self.change_logits(&mut candidates);
+        candidates
+    }
+
+    /// By how much an attempt moves the logit of a ball.
+    fn of(&self, attempt: &Recalled, ball: Ball) -> f64 {
+        let dr = ball.r - attempt.ball.r;
+        let likeness = self.settings.shares.iter().zip(attempt.places).map(|(&share, [x, y])| {
+            let [dx, dy] = [ball.x - x, ball.y - y];
+            if share == 0.0 { 0.0 } else { share * gaussian(dx * dx + dy * dy + dr * dr, self.settings.ball_length) }
+        });
+        attempt.weight * likeness.sum::<f64>()
+    }
+}
+
+/// Returns a Gaussian of a distance, 1 at 0; 0 where it is negligible.
+fn gaussian(squared_distance: f64, length: f64) -> f64 {
+    let exponent = squared_distance / (2.0 * length * length);
+    if exponent > NEGLIGIBLE { 0.0 } else { libm::exp(-exponent) }
+}

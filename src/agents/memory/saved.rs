@@ -1,0 +1,112 @@
+//! A memory as JSON, to be kept between runs.
+//!
+//! `{"version","weights","forgotten","puzzles":[{"task" or "scene","attempts":[{"ball","chance","solved"},…]},…]}`. A
+//! scene is kept as it was played, not what it is compared by, so a later version may compare scenes otherwise.
+
+use serde::{Deserialize, Serialize};
+
+use super::{Attempt, Memory, Played, PlayedPuzzle, rounded};
+use crate::puzzle::scene_form::FormFault;
+use crate::puzzle::task::{Task, TaskError};
+
+/// Version of the form.
+const VERSION: u32 = 1;
+
+/// Why a memory cannot be used.
+#[derive(Debug, thiserror::Error)]
+pub enum MemoryError {
+    #[error("this is no memory, or it is damaged: {0}")]
+    Json(#[from] serde_json::Error),
+    #[error("this memory has version {0}, but this program reads version {VERSION}: begin a new one")]
+    Version(u32),
+    #[error("this memory was learned with other weights: use those, or begin a new one")]
+    Weights,
+    #[error("puzzle {puzzle} of this memory is damaged: {why}")]
+    Task { puzzle: usize, why: TaskError },
+    #[error("puzzle {puzzle} of this memory is damaged: {why}")]
+    Scene { puzzle: usize, why: FormFault },
+    #[error("attempt {attempt} at puzzle {puzzle} of this memory is damaged: a ball has to be valid, a chance 0 to 1")]
+    Attempt { puzzle: usize, attempt: usize },
+}
+
+/// What every version has.
+#[derive(Deserialize)]
+struct Head {
+    version: u32,
+}
+
+#[derive(Serialize, Deserialize)]
+struct Saved {
+    version: u32,
+    /// SHA-256 of the weights that gave the chances; absent without weights.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    weights: Option<String>,
+    /// Puzzles forgotten before the first.
+    forgotten: usize,
+    puzzles: Vec<SavedPuzzle>,
+}
+
+#[derive(Serialize, Deserialize)]
+struct SavedPuzzle {
+    #[serde(flatten)]
+    played: Played,
+    attempts: Vec<Attempt>,
+}
+
+impl Memory {
+    /// Returns the memory as JSON. `weights` is the SHA-256 of the weights that it was learned with.
+    pub fn to_json(&self, weights: Option<&str>) -> String {
+        let puzzles = self.puzzles.iter().filter(|puzzle| !puzzle.attempts.is_empty());
+        let saved = Saved {
+            version: VERSION,
+            weights: weights.map(str::to_string),
+            forgotten: self.forgotten,
+            puzzles: puzzles
+                .map(|PlayedPuzzle { played, attempts, .. }| SavedPuzzle {
+                    played: played.clone(),
+                    attempts: attempts.clone(),
+                })
+                .collect(),
+        };
+        serde_json::to_string(&saved).expect("plain data")
+    }
+
+    /// Replaces what is remembered by a memory that `to_json` wrote. Of more than `CAPACITY` attempts the oldest puzzles
+    /// are forgotten.
+    ///
+    /// # Errors
+    /// If it is damaged, of another version, or learned with other weights; then nothing has changed.
+    pub fn read_json(&mut self, json: &[u8], weights: Option<&str>) -> Result<(), MemoryError> {
+        let Head { version } = serde_json::from_slice(json)?;
+        if version != VERSION {
+            return Err(MemoryError::Version(version));
+        }
+        let saved: Saved = serde_json::from_slice(json)?;
+        if saved.weights.as_deref() != weights {
+            return Err(MemoryError::Weights);
+        }
+        let numbered = saved.puzzles.into_iter().zip(saved.forgotten.saturating_add(1)..);
+        self.puzzles = numbered.map(|(puzzle, number)| puzzle.check(number)).collect::<Result<_, _>>()?;
+        self.forgotten = saved.forgotten;
+        self.forget_oldest();
+        Ok(())
+    }
+}
+
+impl SavedPuzzle {
+    fn check(self, puzzle: usize) -> Result<PlayedPuzzle, MemoryError> {
+        let scene = match &self.played {
+            Played::Task(id) => Task::load(*id).map_err(|why| MemoryError::Task { puzzle, why })?.scene,
+            Played::Scene(scene) => {
+                scene.check_form().map_err(|why| MemoryError::Scene { puzzle, why })?;
+                (**scene).clone()
+            }
+        };
+        for (attempt, Attempt { ball, chance, .. }) in self.attempts.iter().enumerate() {
+            if ball.check(&scene).is_err() || !(0.0..=1.0).contains(chance) || rounded(*chance) != *chance {
+                return Err(MemoryError::Attempt { puzzle, attempt: attempt + 1 });
+            }
+        }
+        Ok(PlayedPuzzle { attempts: self.attempts, ..PlayedPuzzle::new(self.played, &scene) })
+    }
+}

@@ -1,0 +1,83 @@
+//! `pathlight agent` with puzzles that it remembers, and files that keep what it remembers.
+
+use std::fs;
+
+use serde_json::{Value, json};
+use tempfile::tempdir;
+
+use crate::{assert_refused, run, stderr, stdout};
+
+const RANDOM: [&str; 3] = ["agent", "--agent", "random"];
+
+/// Returns the answers of the random agent to some lines.
+fn answers(more: &[&str], lines: &[Value]) -> Vec<Value> {
+    let text: Vec<String> = lines.iter().map(Value::to_string).collect();
+    let output = run(&[&RANDOM, more].concat(), &text.join("\n"));
+    let answers: Vec<Value> =
+        stdout(&output).lines().map(|line| serde_json::from_str(line).expect("an answer")).collect();
+    assert_eq!(answers.len(), lines.len(), "{}", stderr(&output));
+    answers
+}
+
+/// The lines of a puzzle that is solved at the third attempt.
+fn puzzle(task: &str, remember: bool) -> Vec<Value> {
+    let [failed, solved] = ["not_solved", "solved"].map(|status| json!({ "status": status }));
+    vec![json!({ "task": task, "remember": remember }), failed.clone(), failed, solved]
+}
+
+#[test]
+fn what_a_puzzle_taught_is_used_at_the_next_until_it_is_forgotten() {
+    let [first, second] = ["00002:007", "00002:017"];
+    let next = |remember: bool| json!({ "task": second, "remember": remember });
+    let lines = [puzzle(first, true), vec![next(true), next(false), json!({ "forget": true }), next(true)]].concat();
+    let answers = answers(&[], &lines);
+    assert!(answers[..3].iter().all(|answer| answer.get("reminder").is_none()), "{answers:?}");
+    let solution = &answers[2]["ball"];
+    let reminder = &answers[4]["reminder"];
+    assert_eq!((&reminder["puzzle"], &reminder["task"]), (&json!(1), &json!(first)));
+    let numbers = |ball: &Value| -> Vec<f64> { serde_json::from_value(ball.clone()).expect("three numbers") };
+    assert_eq!(numbers(&reminder["ball"]), numbers(solution), "{reminder}");
+    assert_eq!(reminder["solved"], true, "{reminder}");
+    assert!(reminder["change"].as_f64().is_some_and(|change| change > 0.0), "{reminder}");
+    assert!(answers[5].get("reminder").is_none(), "it was not asked to remember");
+    assert_eq!(answers[6], json!({ "line": 7, "remembered": 0 }));
+    assert!(answers[7].get("reminder").is_none(), "it has forgotten");
+    assert_ne!(answers[4]["ball"], answers[7]["ball"]);
+}
+
+#[test]
+fn a_memory_in_a_file_goes_on_where_it_ended() {
+    let folder = tempdir().expect("a folder");
+    let file = folder.path().join("memory.json").display().to_string();
+    let [before, after] = [["00002:007", "00002:017"], ["00002:023", "00007:008"]]
+        .map(|tasks| tasks.map(|task| puzzle(task, true)).concat());
+    let balls = |answers: &[Value]| answers.iter().map(|answer| answer["ball"].clone()).collect::<Vec<_>>();
+    let whole = balls(&answers(&[], &[before.clone(), after.clone()].concat()));
+    let memory = ["--memory", &file];
+    let parts = [answers(&memory, &before), answers(&memory, &after)].concat();
+    assert_eq!(balls(&parts), whole);
+    let kept: Value = serde_json::from_slice(&fs::read(&file).expect("a memory")).expect("JSON");
+    assert_eq!(kept["puzzles"].as_array().map(Vec::len), Some(4));
+    assert_refused(&["agent", "--memory", &file], "learned with other weights");
+    for (content, words) in [("{", "damaged"), (r#"{"version":9}"#, "version 9")] {
+        fs::write(&file, content).expect("a file");
+        assert_refused(&[&RANDOM[..], &memory].concat(), words);
+        assert_eq!(fs::read_to_string(&file).expect("a file"), content, "it is left as it was");
+    }
+}
+
+#[test]
+fn remember_and_forget_are_refused_where_they_mean_nothing() {
+    let lines = [
+        json!({ "status": "solved", "remember": true }),
+        json!({ "task": "00002:007", "forget": true }),
+        json!({ "remember": true }),
+    ];
+    let words = ["belongs on the line that begins", "line of its own", "are missing"];
+    for (answer, words) in answers(&[], &lines).iter().zip(words) {
+        assert!(answer["error"].as_str().is_some_and(|said| said.contains(words)), "{answer}");
+    }
+    let dynamics =
+        run(&["agent", "--agent", "dynamics"], &lines[2].to_string().replace('{', r#"{"task":"00002:007","#));
+    assert!(stdout(&dynamics).contains("cannot remember"), "{}", stdout(&dynamics));
+}

@@ -1,0 +1,198 @@
+//! What a memory teaches, and that files keep it.
+
+use pathlight::agents::memory::{Attempt, CAPACITY, Memory, Played, Recollection, Reminder};
+use pathlight::agents::sigmoid;
+use pathlight::puzzle::action::Ball;
+use pathlight::puzzle::scene::{SIZE, Scene};
+use pathlight::puzzle::task::{Task, TaskId, ids};
+use pathlight::puzzle::templates::TEMPLATES;
+
+fn task(id: &str) -> Task {
+    Task::load(id.parse().expect("an id")).expect("a task")
+}
+
+fn begin(memory: &mut Memory, id: &str) -> Recollection {
+    let Task { id, scene, .. } = task(id);
+    memory.begin(Played::Task(id), &scene)
+}
+
+/// What a memory says about a scene.
+fn recall(memory: &Memory, scene: &Scene) -> Recollection {
+    memory.clone().begin(Played::Scene(Box::new(scene.clone())), scene)
+}
+
+/// A valid ball of all scenes here.
+const BALL: Ball = Ball { x: 30.0, y: 230.0, r: 8.0 };
+
+const UNLIKELY: f64 = 0.1;
+
+/// A memory of one attempt.
+fn taught(id: &str, solved: bool) -> Memory {
+    let mut memory = Memory::default();
+    begin(&mut memory, id);
+    memory.observe(BALL, UNLIKELY, solved);
+    memory
+}
+
+#[test]
+fn a_success_raises_like_balls_in_like_scenes_more_than_a_failure_lowers_them() {
+    let [solved, failed] = [true, false].map(|solved| taught("00002:007", solved));
+    let change =
+        |memory: &Memory, id: &str, dx: f64| recall(memory, &task(id).scene).change(Ball { x: BALL.x + dx, ..BALL });
+    let [same, near, far] = [0.0, 6.0, 60.0].map(|dx| change(&solved, "00002:017", dx));
+    assert!(same > near && near > 0.0, "{same} {near}");
+    assert_eq!(far, 0.0);
+    let unlike = change(&solved, "00007:008", 0.0);
+    assert!(unlike < same / 4.0, "{unlike} {same}");
+    let lowered = change(&failed, "00002:017", 0.0);
+    assert!(lowered < 0.0 && -lowered < same, "{lowered} {same}");
+}
+
+#[test]
+fn an_attempt_teaches_nothing_about_the_puzzle_that_is_being_played() {
+    let mut memory = Memory::default();
+    let recollection = begin(&mut memory, "00002:007");
+    memory.observe(BALL, UNLIKELY, true);
+    assert_eq!(recollection.change(BALL), 0.0);
+}
+
+#[test]
+fn a_mirrored_scene_is_as_good_as_the_scene() {
+    let memory = taught("00002:007", true);
+    let scene = task("00002:017").scene;
+    let mut mirrored = scene.clone();
+    for body in &mut mirrored.bodies {
+        body.x = SIZE - body.x;
+        body.angle = -body.angle;
+    }
+    for dx in [0.0, 3.0, 9.0] {
+        let ball = Ball { x: BALL.x + dx, ..BALL };
+        let mirrored_ball = Ball { x: SIZE - ball.x, ..ball };
+        let [plain, mirror] = [recall(&memory, &scene).change(ball), recall(&memory, &mirrored).change(mirrored_ball)];
+        // The pixels of a mirrored polygon may differ at its edges.
+        assert!(plain > 0.1 && (plain - mirror).abs() < 0.05 * plain, "{plain} {mirror}");
+    }
+    let reminder = recall(&memory, &mirrored).reminder(Ball { x: SIZE - BALL.x, ..BALL }).expect("a puzzle");
+    assert!(reminder.mirrored);
+    assert_eq!(reminder.ball, BALL, "the ball as it was tried");
+}
+
+#[test]
+fn a_reminder_names_the_puzzle_that_counts_most() {
+    let mut memory = taught("00007:008", true);
+    begin(&mut memory, "00002:007");
+    memory.observe(Ball { x: 200.0, ..BALL }, UNLIKELY, false);
+    memory.observe(BALL, UNLIKELY, true);
+    let recollection = begin(&mut memory, "00002:017");
+    let Reminder { puzzle, task, ball, solved, change, mirrored } = recollection.reminder(BALL).expect("a puzzle");
+    assert_eq!((puzzle, task), (2, Some("00002:007".parse().expect("an id"))));
+    assert_eq!((ball, solved, mirrored), (BALL, true, false));
+    assert!(change > recollection.change(BALL) / 2.0);
+    assert_eq!(recollection.reminder(Ball { x: 128.0, y: 60.0, r: 30.0 }), None, "nothing is known of this ball");
+}
+
+#[test]
+fn what_solved_a_like_scene_is_suggested_where_it_fits() {
+    let memory = taught("00002:007", true);
+    let scene = task("00002:017").scene;
+    let recollection = recall(&memory, &scene);
+    let suggestions = recollection.suggestions(&scene, |_| false);
+    assert_eq!(suggestions[0], BALL);
+    assert!(suggestions.iter().all(|ball| ball.check(&scene).is_ok()));
+    assert!(!recollection.suggestions(&scene, |ball| *ball == BALL).contains(&BALL), "it is known");
+    let failed = recall(&taught("00002:007", false), &scene);
+    assert!(failed.suggestions(&scene, |_| false).is_empty());
+}
+
+/// Attempts that depend on what is remembered, as an agent's do.
+fn play(memory: &mut Memory, tasks: &[TaskId]) {
+    for &id in tasks {
+        let recollection = memory.begin(Played::Task(id), &Task::load(id).expect("a task").scene);
+        for attempt in 0..4 {
+            let chance = sigmoid(recollection.change(BALL) - f64::from(attempt));
+            memory.observe(BALL, chance, attempt == 3);
+        }
+    }
+}
+
+#[test]
+fn a_memory_that_is_kept_and_read_again_goes_on_as_if_it_were_the_same() {
+    let tasks: Vec<TaskId> = ids(TEMPLATES[2]).take(12).collect();
+    let mut one = Memory::default();
+    play(&mut one, &tasks);
+    let mut first = Memory::default();
+    play(&mut first, &tasks[..5]);
+    let mut second = Memory::default();
+    second.read_json(first.to_json(Some("w")).as_bytes(), Some("w")).expect("a memory");
+    play(&mut second, &tasks[5..]);
+    assert_eq!(second.to_json(None), one.to_json(None));
+    let [one, second] = [&mut one, &mut second].map(|memory| begin(memory, "00002:017").change(BALL).to_bits());
+    assert_eq!(one, second);
+}
+
+#[test]
+fn a_scene_that_is_no_task_is_kept_too() {
+    let scene = task("00002:007").scene;
+    let mut memory = Memory::default();
+    memory.begin(Played::Scene(Box::new(scene.clone())), &scene);
+    memory.observe(BALL, UNLIKELY, true);
+    let mut read = Memory::default();
+    read.read_json(memory.to_json(None).as_bytes(), None).expect("a memory");
+    let (number, played, attempts) = read.puzzles().next().expect("a puzzle");
+    assert_eq!((number, played), (1, &Played::Scene(Box::new(scene))));
+    assert_eq!(attempts, [Attempt { ball: BALL, chance: UNLIKELY, solved: true }]);
+}
+
+#[test]
+fn a_memory_that_has_forgotten_is_empty() {
+    let mut memory = taught("00002:007", true);
+    memory.forget();
+    assert_eq!(memory.attempts(), 0);
+    assert_eq!(begin(&mut memory, "00002:017").change(BALL), 0.0);
+    assert_eq!(memory.to_json(None), Memory::default().to_json(None));
+}
+
+#[test]
+fn a_memory_that_cannot_be_used_is_refused_and_changes_nothing() {
+    let json = taught("00002:007", true).to_json(Some("w"));
+    let damaged = |from: &str, to: &str| {
+        assert!(json.contains(from), "{json}");
+        json.replace(from, to)
+    };
+    for (json, weights, says) in [
+        ("{".to_string(), Some("w"), "damaged"),
+        (json[..json.len() / 2].to_string(), Some("w"), "damaged"),
+        (damaged("\"version\":1", "\"version\":2"), Some("w"), "version 2"),
+        (json.clone(), Some("x"), "other weights"),
+        (json.clone(), None, "other weights"),
+        (damaged("00002:007", "00002:999"), Some("w"), "puzzle 1"),
+        (damaged("0.1", "1.5"), Some("w"), "attempt 1 at puzzle 1"),
+        (damaged("0.1", "0.123456"), Some("w"), "attempt 1 at puzzle 1"),
+        (damaged("[30.0", "[-30.0"), Some("w"), "attempt 1 at puzzle 1"),
+    ] {
+        let mut memory = taught("00007:008", false);
+        let before = memory.to_json(None);
+        let error = memory.read_json(json.as_bytes(), weights).expect_err(says).to_string();
+        assert!(error.contains(says), "{error}");
+        assert_eq!(memory.to_json(None), before);
+    }
+}
+
+#[test]
+fn of_ten_thousand_attempts_the_latest_are_remembered_under_their_numbers() {
+    let puzzle = r#"{"task":"00002:007","attempts":["#.to_string()
+        + &[r#"{"ball":[30,230,8],"chance":0.25,"solved":false}"#; 10].join(",")
+        + "]}";
+    let json = |puzzles: usize| {
+        format!(r#"{{"version":1,"forgotten":0,"puzzles":[{}]}}"#, vec![puzzle.as_str(); puzzles].join(","))
+    };
+    let mut memory = Memory::default();
+    memory.read_json(json(1000).as_bytes(), None).expect("a memory");
+    assert_eq!(memory.attempts(), CAPACITY);
+    let numbers: Vec<usize> = memory.puzzles().map(|(number, ..)| number).collect();
+    assert_eq!(numbers, (1001 - CAPACITY / 10..=1000).collect::<Vec<_>>());
+    assert!(begin(&mut memory, "00002:017").change(BALL) < 0.0);
+    memory.observe(BALL, UNLIKELY, true);
+    assert_eq!(memory.puzzles().last().expect("a puzzle").0, 1001);
+    assert!(memory.attempts() <= CAPACITY);
+}
