@@ -135,13 +135,13 @@ pub fn labels(bytes: &[u8]) {
 
 /// Lines that `pathlight agent` is told.
 pub fn agent(bytes: &[u8]) {
-    use commands::agent::lines::{Line, MAX_LINE};
+    use commands::agent::lines::{Begun, Line, MAX_LINE};
     for line in commands::json_lines::Lines::new(bytes, MAX_LINE) {
         match line.expect("bytes are read").text.and_then(|text| Line::parse(&text)) {
-            Ok(Line::Scene(scene)) => look_at(&scene),
-            Ok(Line::Custom(puzzle)) => look_at(&puzzle.scene),
-            Ok(Line::Task(id)) => drop(Task::load(id).inspect_err(says_why)),
-            Ok(Line::Outcome { .. }) => {}
+            Ok(Line::Begin { puzzle: Begun::Scene(scene), .. }) => look_at(&scene),
+            Ok(Line::Begin { puzzle: Begun::Custom(puzzle), .. }) => look_at(&puzzle.scene),
+            Ok(Line::Begin { puzzle: Begun::Task(id), .. }) => drop(Task::load(id).inspect_err(says_why)),
+            Ok(Line::Forget | Line::Outcome { .. }) => {}
             Err(why) => says_why(&why),
         }
     }
