@@ -161,7 +161,8 @@ impl Recollection {
         balls
     }
 
-    /// Returns the candidates of an agent that knows nothing but the memory: random balls, and those that are suggested.
+    /// Returns the candidates of an agent that knows nothing but the memory: random balls, and those that are
+    /// suggested.
     pub fn random_candidates(&self, scene: &Scene, seed: u64, count: usize) -> Vec<Candidate> {
         let mut balls: Vec<Ball> = Vec::new();
         for proposal in random(scene, seed, count.max(CANDIDATES)) {

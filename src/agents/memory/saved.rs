@@ -71,8 +71,8 @@ impl Memory {
         serde_json::to_string(&saved).expect("plain data")
     }
 
-    /// Replaces what is remembered by a memory that `to_json` wrote. Of more than `CAPACITY` attempts the oldest puzzles
-    /// are forgotten.
+    /// Replaces what is remembered by a memory that `to_json` wrote. Of more than `CAPACITY` attempts the oldest
+    /// puzzles are forgotten.
     ///
     /// # Errors
     /// If it is damaged, of another version, or learned with other weights; then nothing has changed.

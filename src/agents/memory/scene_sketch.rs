@@ -1,5 +1,5 @@
-//! What a memory compares scenes by: roughly where the bodies of each role are. Whole numbers, so that distances are the
-//! same natively and in wasm.
+//! What a memory compares scenes by: roughly where the bodies of each role are. Whole numbers, so that distances are
+//! the same natively and in wasm.
 
 use crate::puzzle::scene::{SIZE, Scene};
 use crate::raster::{Coverage, SIDE as CELLS_PER_ROW, scene_coverage};
