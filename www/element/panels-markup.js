@@ -14,12 +14,12 @@ export const PANELS_MARKUP = `
       <label data-hideable="puzzles">Next: <select id="next-by"><option value="kind">similar</option><option value="harder">harder</option><option value="easier">easier</option></select></label>
     </p>
   </section>
-  <section id="race" aria-labelledby="race-title" inert data-hideable="compare">
+  <div id="race" role="group" aria-labelledby="race-title" inert data-hideable="compare">
     <h2 id="race-title" class="visually-hidden">You against the model</h2>
     <dl><div><dt>You</dt><dd id="race-player"></dd></div><div class="model"><dt>The model</dt><dd id="race-model"></dd></div></dl>
     <button type="button" id="race-it">Race it</button>
     <p id="race-verdict"></p>
-  </section>
+  </div>
   <p id="story" data-hideable="story"></p>
   <details id="forecast-how" hidden><summary>What are the dotted lines?</summary><p>The model’s guess: where this ball and green would go, before anything moves. The wider the ribbon around a line, the less sure the model is. Nothing is simulated for that, so it can be wrong: run the ball, and see how far off it was.</p></details>
   <form id="ball-form" class="ball-form" autocomplete="off" data-hideable="fields">
