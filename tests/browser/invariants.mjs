@@ -246,7 +246,7 @@ function contradictionsInPage() {
     );
     const picker = /** @type {HTMLSelectElement} */ (document.getElementById("task"));
     const progress = picker.selectedOptions[0]?.textContent ?? "";
-    const tried = Number(progress.match(/, (\d+) attempt/)?.[1] ?? 0);
+    const tried = Number(progress.match(/× in (\d+)/)?.[1] ?? 0);
     check(
       /✓ in \d/.test(progress) || (!you && tried >= lists.player.length),
       `the picker says “${progress}”, of ${lists.player.length} attempts the first to solve is ${you}`,
