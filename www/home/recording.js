@@ -31,8 +31,8 @@ import { readFile } from "../api/files.js";
  * @property {{ steps: number[], object: number[], ball: number[], errors: number[], probability: number }} imagined for
  *   that ball: positions of the green object and of the ball after each of `steps`, and how far off the model expects
  *   those of the green object to be
- * @property {{ bodies: number[], every: number, poses: number[][], touched: number }} real the poses of these bodies
- *   every so many steps; the step at which the last touch of object and goal begins
+ * @property {{ bodies: number[], every: number, poses: number[][], touched: number }} real the poses of these bodies,
+ *   one row for each `every` steps; `touched` is the step at which the last touch of object and goal begins
  * @property {number} miss mean distance of the green object from where it was imagined, px
  */
 
