@@ -51,7 +51,7 @@ test("with a finger: watch, place, drop, race", async () => {
   await act.tap();
   await guide(page, 4, /tries its own balls/);
   assert.ok(await page.locator("#guide-skip").isHidden(), "there is nothing left to leave");
-  await page.locator("#model-turn").filter({ hasText: "The model has played" }).waitFor({ timeout: 120_000 });
+  await page.locator("#race-verdict").filter({ hasText: "the model" }).waitFor({ timeout: 120_000 });
   await act.tap();
   assert.ok(await page.locator("#guide").isHidden());
 });
@@ -70,7 +70,7 @@ test("by keyboard, with the motion", async () => {
   await page.keyboard.press("Enter");
   await guide(page, 3, /nobody touches anything/);
   await says(page, /^(Not solved|Solved)/);
-  await guide(page, 3, /AI/);
+  await guide(page, 3, /model/);
 });
 
 test("a ball that may not lie there is no step back, and it is told why", async () => {

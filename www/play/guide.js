@@ -25,16 +25,17 @@ const STEPS = {
   },
   blocked: { words: "The ball needs a free spot.", button: null },
   drop: {
-    words: "Good spot. The dotted line is the AI’s guess for your ball. Move the ball until you like it, then drop it.",
+    words:
+      "Good spot. The dotted line is the model’s guess for your ball. Move the ball until you like it, then drop it.",
     button: "Drop it",
   },
   dropped: { words: "Now nobody touches anything.", button: null },
   missed: {
-    words: "Not yet: most tries end like this. Move the ball and drop it again, or see how the AI does it.",
-    button: "Race the AI",
+    words: "Not yet: most tries end like this. Move the ball and drop it again, or see how the model does it.",
+    button: "Race the model",
   },
-  solved: { words: "Solved! Does the AI need fewer tries than you?", button: "Race the AI" },
-  race: { words: "The AI tries its own balls on the same puzzle. Who needs fewer tries wins.", button: "Done" },
+  solved: { words: "Solved! Does the model need fewer tries than you?", button: "Race the model" },
+  race: { words: "The model tries its own balls on the same puzzle. Who needs fewer tries wins.", button: "Done" },
 };
 /** The steps that are counted, each with those that belong to it. */
 const COUNTED = [["watch", "watching"], ["guess", "blocked", "drop"], ["dropped", "missed", "solved"], ["race"]];
@@ -82,12 +83,11 @@ export class Guide extends Component {
     else this.#race();
   }
 
-  /** Lets the model play in the panel Compare. */
+  /** Begins the race, or leaves that to the person while the model is still being loaded. */
   #race() {
     this.#show("race");
-    this.requestState({ panel: "compare" });
-    const turn = this.byId("model-turn", HTMLButtonElement);
-    if (!turn.disabled && this.session?.attempts.standing("model").used === 0) turn.click();
+    this.requestState({ panel: "play" });
+    if (this.session?.attempts.standing("model").used === 0) this.byId("race-it", HTMLButtonElement).click();
   }
 
   /** @param {Session} session */
