@@ -1,6 +1,6 @@
 //! What a memory teaches, and that files keep it.
 
-use pathlight::agents::memory::{Attempt, CAPACITY, Memory, Played, Recollection, Reminder};
+use pathlight::agents::memory::{Attempt, CAPACITY, Memory, PuzzleSource, Recollection, Reminder};
 use pathlight::agents::sigmoid;
 use pathlight::puzzle::action::Ball;
 use pathlight::puzzle::scene::{SIZE, Scene};
@@ -13,12 +13,12 @@ fn task(id: &str) -> Task {
 
 fn begin(memory: &mut Memory, id: &str) -> Recollection {
     let Task { id, scene, .. } = task(id);
-    memory.begin(Played::Task(id), &scene)
+    memory.begin(PuzzleSource::Task(id), &scene)
 }
 
 /// What a memory says about a scene.
 fn recall(memory: &Memory, scene: &Scene) -> Recollection {
-    memory.clone().begin(Played::Scene(Box::new(scene.clone())), scene)
+    memory.clone().begin(PuzzleSource::Scene(Box::new(scene.clone())), scene)
 }
 
 /// A valid ball of all scenes here.
@@ -107,7 +107,7 @@ fn what_solved_a_like_scene_is_suggested_where_it_fits() {
 /// Attempts that depend on what is remembered, as an agent's do.
 fn play(memory: &mut Memory, tasks: &[TaskId]) {
     for &id in tasks {
-        let recollection = memory.begin(Played::Task(id), &Task::load(id).expect("a task").scene);
+        let recollection = memory.begin(PuzzleSource::Task(id), &Task::load(id).expect("a task").scene);
         for attempt in 0..4 {
             let chance = sigmoid(recollection.change(BALL) - f64::from(attempt));
             memory.observe(BALL, chance, attempt == 3);
@@ -134,12 +134,12 @@ fn a_memory_that_is_kept_and_read_again_goes_on_as_if_it_were_the_same() {
 fn a_scene_that_is_no_task_is_kept_too() {
     let scene = task("00002:007").scene;
     let mut memory = Memory::default();
-    memory.begin(Played::Scene(Box::new(scene.clone())), &scene);
+    memory.begin(PuzzleSource::Scene(Box::new(scene.clone())), &scene);
     memory.observe(BALL, UNLIKELY, true);
     let mut read = Memory::default();
     read.read_json(memory.to_json(None).as_bytes(), None).expect("a memory");
     let (number, played, attempts) = read.puzzles().next().expect("a puzzle");
-    assert_eq!((number, played), (1, &Played::Scene(Box::new(scene))));
+    assert_eq!((number, played), (1, &PuzzleSource::Scene(Box::new(scene))));
     assert_eq!(attempts, [Attempt { ball: BALL, chance: UNLIKELY, solved: true }]);
 }
 

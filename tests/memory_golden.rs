@@ -5,7 +5,7 @@
 //! put the digest that the test prints into it.
 
 use md5::{Digest, Md5};
-use pathlight::agents::memory::{Memory, Played};
+use pathlight::agents::memory::{Memory, PuzzleSource};
 use pathlight::agents::online::{OnlineAgent, Similarity};
 use pathlight::agents::{Agent, Observation};
 use pathlight::puzzle::scene::Scene;
@@ -35,7 +35,7 @@ fn a_carried_run_is_as_it_was() {
             memory = Memory::default();
             memory.read_json(json.as_bytes(), Some("weights")).expect("a memory");
         }
-        let recollection = memory.begin(Played::Task(id), &scene);
+        let recollection = memory.begin(PuzzleSource::Task(id), &scene);
         let candidates = recollection.random_candidates(&scene, id.seed(0), ATTEMPTS);
         let mut agent = OnlineAgent::new(candidates, Similarity::OF_BALLS);
         let first = (1..=ATTEMPTS).find(|_| {

@@ -18,8 +18,8 @@ pub(super) const CANDIDATES: usize = 400;
 /// The likeliest candidates, whose neighbours are imagined too. The others are hardly ever tried.
 const CLIMBERS: usize = 100;
 
-/// The logit of the likeliest candidate if a memory moves logits, and by how much it falls with the logarithm of the
-/// rank. About as often the attempts of that number solve a task that is new.
+/// The prior of a candidate under a memory: the logit of the likeliest, and by how much it falls with the logarithm of
+/// the rank. It is roughly how often the n-th attempt at a new task solves it.
 const FIRST_LOGIT: f64 = -0.3;
 const FALL: f64 = 0.75;
 
@@ -41,9 +41,8 @@ pub(super) fn candidates_of(read: &ReadScene, scene: &Scene, count: usize) -> Op
     (!candidates.is_empty()).then_some(candidates)
 }
 
-/// Returns candidates with what a memory says about them, and with balls that solved like scenes. The net orders them,
-/// but how sure it is counts no more: it is too sure of scenes unlike those that it learned from, and what was tried
-/// there could not change its mind.
+/// Returns candidates, and balls that solved like scenes, with the logits that a memory gives them. The net only ranks
+/// them: on scenes unlike those of its training it is overconfident, and no attempt could outweigh its logits.
 pub fn remembered(
     mut candidates: Vec<Candidate>,
     read: &ReadScene,

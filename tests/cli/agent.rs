@@ -15,14 +15,14 @@ const AGENT: [&str; 1] = ["agent"];
 const SIMULATOR: [&str; 4] = ["simulate", "--batch", "-", "--paths"];
 
 /// A process that answers each line with one line.
-struct Partner {
+pub struct Partner {
     process: Child,
     stdin: ChildStdin,
     answers: Lines<BufReader<ChildStdout>>,
 }
 
 impl Partner {
-    fn new(args: &[&str]) -> Partner {
+    pub fn new(args: &[&str]) -> Partner {
         let mut command = pathlight();
         command.args(args).stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::null());
         let mut process = command.spawn().expect("the binary starts");
@@ -31,13 +31,19 @@ impl Partner {
         Partner { process, stdin, answers }
     }
 
-    fn ask(&mut self, line: &str) -> String {
+    pub fn ask(&mut self, line: &str) -> String {
         writeln!(self.stdin, "{line}").expect("it listens");
         self.answers.next().expect("an answer").expect("UTF-8")
     }
 
     fn ask_value(&mut self, line: &Value) -> Value {
         parsed(&self.ask(&line.to_string()))
+    }
+
+    /// Ends it at once, as a crash would.
+    pub fn kill(mut self) {
+        self.process.kill().expect("it runs");
+        self.process.wait().expect("it ends");
     }
 
     fn ends_well(mut self) {

@@ -5,6 +5,7 @@ use std::fs;
 use serde_json::{Value, json};
 use tempfile::tempdir;
 
+use crate::agent::Partner;
 use crate::{assert_refused, run, stderr, stdout};
 
 const RANDOM: [&str; 3] = ["agent", "--agent", "random"];
@@ -64,6 +65,21 @@ fn a_memory_in_a_file_goes_on_where_it_ended() {
         assert_refused(&[&RANDOM[..], &memory].concat(), words);
         assert_eq!(fs::read_to_string(&file).expect("a file"), content, "it is left as it was");
     }
+}
+
+#[test]
+fn a_program_that_is_killed_has_kept_the_puzzles_that_were_over() {
+    let folder = tempdir().expect("a folder");
+    let file = folder.path().join("memory.json").display().to_string();
+    let mut agent = Partner::new(&[&RANDOM[..], &["--memory", &file]].concat());
+    let begun = &puzzle("00002:017", true)[..2];
+    for line in puzzle("00002:007", true).iter().chain(begun) {
+        agent.ask(&line.to_string());
+    }
+    agent.kill();
+    let kept: Value = serde_json::from_slice(&fs::read(&file).expect("a memory")).expect("JSON");
+    assert_eq!(kept["puzzles"][0]["task"], "00002:007");
+    assert_eq!(kept["puzzles"].as_array().map(Vec::len), Some(1), "the other was not over");
 }
 
 #[test]

@@ -1,10 +1,11 @@
 //! A memory of attempts that outlives the puzzle. What an attempt taught changes the chances of like balls in like
 //! scenes, from puzzle to puzzle.
 //!
-//! Kernel logistic regression, learned online (Kivinen, Smola and Williamson 2004): the logit of a ball is that of the
-//! net plus a sum over all remembered attempts, of how much each surprised times how alike the scenes and the balls
-//! are. A mirrored scene is as good as the scene. Deterministic: libm, sums in a fixed order, and numbers that a file
-//! keeps to the bit; so the same natively and in wasm. Does not call the simulator and knows no net.
+//! Kernel logistic regression, learned online (Kivinen, Smola and Williamson 2004). The logit of a ball is the prior's,
+//! plus one term for each remembered attempt: its weight times the likeness of the two scenes times the likeness of the
+//! two balls. Its weight says how unexpected its outcome was. Mirrored scenes count too. Natively and in wasm the sums
+//! are the same to the bit: they use libm and a fixed order, and files keep all numbers exactly. Knows no simulator and
+//! no net.
 
 use serde::{Deserialize, Serialize};
 
@@ -30,16 +31,16 @@ pub struct Settings {
     pub scene_length: f64,
     /// Distance of two balls in x, y and radius, px, at which their likeness has fallen to 0.61.
     pub ball_length: f64,
-    /// How much of the likeness of balls is that of their places in the scene, relative to the green object, and
-    /// relative to its goal.
+    /// Shares of three likenesses of balls, by position in the scene, relative to the green object, and relative to
+    /// its goal.
     pub shares: [f64; 3],
-    /// How much a success that nobody expected raises the logit of the same ball.
+    /// By how much a wholly unexpected success raises the logit of the same ball.
     pub success: f64,
-    /// How much a failure that nobody expected lowers it.
+    /// By how much a wholly unexpected failure lowers it.
     pub failure: f64,
     /// A failure counts as if at least this chance had been expected.
     pub least_expected: f64,
-    /// Balls that solved like scenes, which become candidates.
+    /// At most this number of balls that solved like scenes become candidates.
     pub suggestions: usize,
 }
 
@@ -56,20 +57,20 @@ impl Settings {
     };
 }
 
-/// A puzzle that was played.
+/// What a puzzle is played on: a task, or another scene.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Played {
+pub enum PuzzleSource {
     Task(TaskId),
     Scene(Box<Scene>),
 }
 
-impl Played {
+impl PuzzleSource {
     /// Returns the task; `None` for another scene.
     pub fn task(&self) -> Option<TaskId> {
         match self {
-            Played::Task(task) => Some(*task),
-            Played::Scene(_) => None,
+            PuzzleSource::Task(task) => Some(*task),
+            PuzzleSource::Scene(_) => None,
         }
     }
 }
@@ -87,8 +88,8 @@ pub struct Attempt {
 const CHANCES: f64 = 10_000.0;
 
 #[derive(Clone, Debug, PartialEq)]
-struct PlayedPuzzle {
-    played: Played,
+struct RememberedPuzzle {
+    source: PuzzleSource,
     sketch: SceneSketch,
     anchors: Anchors,
     attempts: Vec<Attempt>,
@@ -102,7 +103,7 @@ type Anchors = [[f64; 2]; 2];
 pub struct Memory {
     settings: Settings,
     /// In the order in which they were played; the last one may still be played.
-    puzzles: Vec<PlayedPuzzle>,
+    puzzles: Vec<RememberedPuzzle>,
     /// Puzzles forgotten before the first.
     forgotten: usize,
 }
@@ -119,9 +120,9 @@ impl Memory {
     }
 
     /// Begins a puzzle. Returns what the attempts at earlier puzzles say about its balls.
-    pub fn begin(&mut self, played: Played, scene: &Scene) -> Recollection {
+    pub fn begin(&mut self, source: PuzzleSource, scene: &Scene) -> Recollection {
         self.puzzles.retain(|puzzle| !puzzle.attempts.is_empty());
-        let puzzle = PlayedPuzzle::new(played, scene);
+        let puzzle = RememberedPuzzle::new(source, scene);
         let recollection = self.recall(&puzzle);
         self.puzzles.push(puzzle);
         recollection
@@ -140,9 +141,9 @@ impl Memory {
     }
 
     /// Returns the puzzles that are remembered, each with its number from 1 and its attempts.
-    pub fn puzzles(&self) -> impl Iterator<Item = (usize, &Played, &[Attempt])> {
+    pub fn puzzles(&self) -> impl Iterator<Item = (usize, &PuzzleSource, &[Attempt])> {
         let numbered = self.puzzles.iter().zip(self.forgotten + 1..);
-        numbered.map(|(PlayedPuzzle { played, attempts, .. }, number)| (number, played, attempts.as_slice()))
+        numbered.map(|(RememberedPuzzle { source, attempts, .. }, number)| (number, source, attempts.as_slice()))
     }
 
     /// Forgets the oldest puzzles until at most `CAPACITY` attempts are left.
@@ -170,11 +171,11 @@ impl Memory {
     }
 }
 
-impl PlayedPuzzle {
-    fn new(played: Played, scene: &Scene) -> PlayedPuzzle {
+impl RememberedPuzzle {
+    fn new(source: PuzzleSource, scene: &Scene) -> RememberedPuzzle {
         let centre = |body: usize| [scene.bodies[body].x, scene.bodies[body].y];
         let anchors = [scene.body1, scene.body2].map(centre);
-        PlayedPuzzle { played, sketch: SceneSketch::of(scene), anchors, attempts: Vec::new() }
+        RememberedPuzzle { source, sketch: SceneSketch::of(scene), anchors, attempts: Vec::new() }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::{Memory, PlayedPuzzle, Settings};
+use super::{Memory, RememberedPuzzle, Settings};
 use crate::agents::imagined_candidates::CANDIDATES;
 use crate::agents::online::Candidate;
 use crate::agents::random;
@@ -11,7 +11,7 @@ use crate::puzzle::sampled_paths::{SAMPLES, SampledPaths};
 use crate::puzzle::scene::{SIZE, Scene};
 use crate::puzzle::task::TaskId;
 
-/// Exponent of a likeness that is as good as none: 0.001.
+/// A likeness of e to minus this, 0.001, or less counts as 0.
 const NEGLIGIBLE: f64 = 6.9;
 
 /// The logit of a random ball before anything is known: one in fifty.
@@ -44,7 +44,8 @@ struct Recalled {
     likeness: f64,
     /// How much it moves the logit of a ball just like it.
     weight: f64,
-    /// Where a ball like it lies here, as there in the scene, to the green object, and to its goal, px.
+    /// The matching positions in this scene, px: the same position, the same offset from the green object, and the
+    /// same offset from its goal.
     places: [[f64; 2]; 3],
 }
 
@@ -58,7 +59,7 @@ pub struct Reminder {
     pub task: Option<TaskId>,
     /// By how much its attempts moved the logit of the ball.
     pub change: f64,
-    /// That of these attempts which counts most, as it was made.
+    /// The ball of the attempt that moved it most, as it was tried there.
     pub ball: Ball,
     pub solved: bool,
     /// Whether the scene is like that of the puzzle mirrored.
@@ -66,7 +67,7 @@ pub struct Reminder {
 }
 
 impl Memory {
-    pub(super) fn recall(&self, puzzle: &PlayedPuzzle) -> Recollection {
+    pub(super) fn recall(&self, puzzle: &RememberedPuzzle) -> Recollection {
         let mut attempts = Vec::new();
         let mirrored_sketch = puzzle.sketch.mirrored();
         let length = self.settings.scene_length;
@@ -86,7 +87,7 @@ impl Memory {
                     });
                     Recalled {
                         puzzle: number,
-                        task: earlier.played.task(),
+                        task: earlier.source.task(),
                         mirrored,
                         ball: attempt.ball,
                         solved: attempt.solved,
@@ -104,14 +105,14 @@ impl Memory {
 impl Recollection {
     /// Returns by how much the memory moves the logit of a ball.
     pub fn change(&self, ball: Ball) -> f64 {
-        self.attempts.iter().map(|attempt| self.of(attempt, ball)).sum()
+        self.attempts.iter().map(|attempt| self.change_by(attempt, ball)).sum()
     }
 
     /// Returns the puzzle that moved the logit of a ball most, if one did noticeably.
     pub fn reminder(&self, ball: Ball) -> Option<Reminder> {
         let mut most: Option<Reminder> = None;
         for of_puzzle in self.attempts.chunk_by(|a, b| a.puzzle == b.puzzle) {
-            let changes: Vec<f64> = of_puzzle.iter().map(|attempt| self.of(attempt, ball)).collect();
+            let changes: Vec<f64> = of_puzzle.iter().map(|attempt| self.change_by(attempt, ball)).collect();
             let change: f64 = changes.iter().sum();
             if change.abs() < most.map_or(NOTICEABLE, |most| most.change.abs()) {
                 continue;
@@ -137,8 +138,8 @@ impl Recollection {
         }
     }
 
-    /// Returns balls that solved the scenes most like this one, moved to where they lie as there in the scene, to the
-    /// green object and to its goal: valid, all different, and none that is known.
+    /// Returns balls that solved the scenes most like this one, at their matching positions in this scene. They are
+    /// valid, distinct, and not known.
     pub fn suggestions(&self, scene: &Scene, is_known: impl Fn(&Ball) -> bool) -> Vec<Ball> {
         let mut solved: Vec<&Recalled> = self.attempts.iter().filter(|attempt| attempt.solved).collect();
         // The sort is stable: of equal ones the later comes first.
@@ -161,8 +162,7 @@ impl Recollection {
         balls
     }
 
-    /// Returns the candidates of an agent that knows nothing but the memory: random balls, and those that are
-    /// suggested.
+    /// Returns the candidates of an agent without a net: random balls, and the suggestions.
     pub fn random_candidates(&self, scene: &Scene, seed: u64, count: usize) -> Vec<Candidate> {
         let mut balls: Vec<Ball> = Vec::new();
         for proposal in random(scene, seed, count.max(CANDIDATES)) {
@@ -180,7 +180,7 @@ impl Recollection {
     }
 
     /// By how much an attempt moves the logit of a ball.
-    fn of(&self, attempt: &Recalled, ball: Ball) -> f64 {
+    fn change_by(&self, attempt: &Recalled, ball: Ball) -> f64 {
         let dr = ball.r - attempt.ball.r;
         let likeness = self.settings.shares.iter().zip(attempt.places).map(|(&share, [x, y])| {
             let [dx, dy] = [ball.x - x, ball.y - y];

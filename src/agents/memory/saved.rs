@@ -1,11 +1,11 @@
 //! A memory as JSON, to be kept between runs.
 //!
 //! `{"version","weights","forgotten","puzzles":[{"task" or "scene","attempts":[{"ball","chance","solved"},…]},…]}`. A
-//! scene is kept as it was played, not what it is compared by, so a later version may compare scenes otherwise.
+//! scene is kept whole, without its sketch, so that a later version may compare scenes in another way.
 
 use serde::{Deserialize, Serialize};
 
-use super::{Attempt, Memory, Played, PlayedPuzzle, rounded};
+use super::{Attempt, Memory, PuzzleSource, RememberedPuzzle, rounded};
 use crate::puzzle::scene_form::FormFault;
 use crate::puzzle::task::{Task, TaskError};
 
@@ -49,7 +49,7 @@ struct Saved {
 #[derive(Serialize, Deserialize)]
 struct SavedPuzzle {
     #[serde(flatten)]
-    played: Played,
+    source: PuzzleSource,
     attempts: Vec<Attempt>,
 }
 
@@ -62,8 +62,8 @@ impl Memory {
             weights: weights.map(str::to_string),
             forgotten: self.forgotten,
             puzzles: puzzles
-                .map(|PlayedPuzzle { played, attempts, .. }| SavedPuzzle {
-                    played: played.clone(),
+                .map(|RememberedPuzzle { source, attempts, .. }| SavedPuzzle {
+                    source: source.clone(),
                     attempts: attempts.clone(),
                 })
                 .collect(),
@@ -94,10 +94,10 @@ impl Memory {
 }
 
 impl SavedPuzzle {
-    fn check(self, puzzle: usize) -> Result<PlayedPuzzle, MemoryError> {
-        let scene = match &self.played {
-            Played::Task(id) => Task::load(*id).map_err(|why| MemoryError::Task { puzzle, why })?.scene,
-            Played::Scene(scene) => {
+    fn check(self, puzzle: usize) -> Result<RememberedPuzzle, MemoryError> {
+        let scene = match &self.source {
+            PuzzleSource::Task(id) => Task::load(*id).map_err(|why| MemoryError::Task { puzzle, why })?.scene,
+            PuzzleSource::Scene(scene) => {
                 scene.check_form().map_err(|why| MemoryError::Scene { puzzle, why })?;
                 (**scene).clone()
             }
@@ -107,6 +107,6 @@ impl SavedPuzzle {
                 return Err(MemoryError::Attempt { puzzle, attempt: attempt + 1 });
             }
         }
-        Ok(PlayedPuzzle { attempts: self.attempts, ..PlayedPuzzle::new(self.played, &scene) })
+        Ok(RememberedPuzzle { attempts: self.attempts, ..RememberedPuzzle::new(self.source, &scene) })
     }
 }

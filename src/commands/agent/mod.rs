@@ -42,7 +42,7 @@ pub struct Args {
     #[command(flatten)]
     fold: FoldArgs,
 
-    /// Agent that plays [default: online; from weights without a dynamics net success, without a success net paper]
+    /// Agent that plays [default: the first that the weights allow of online, success and paper]
     #[arg(long, value_parser = agent())]
     agent: Option<AgentName>,
 
@@ -97,7 +97,12 @@ impl Args {
             }
             let line = read.number;
             match read.text.and_then(|text| player.answer(Line::parse(&text)?)) {
-                Ok(answer) => serde_json::to_writer(&mut out, &Numbered { line, answer })?,
+                Ok(answer) => {
+                    if answer.ends_puzzle() {
+                        self.save(&player.memory, weights.as_deref())?;
+                    }
+                    serde_json::to_writer(&mut out, &Numbered { line, answer })?;
+                }
                 Err(error) => {
                     refused += 1;
                     serde_json::to_writer(&mut out, &Numbered { line, answer: Refusal::from(&error) })?;
@@ -106,15 +111,25 @@ impl Args {
             writeln!(out)?;
             out.flush()?;
         }
-        if let Some(path) = &self.memory {
-            let json = player.memory.to_json(weights.as_deref());
-            fs::write(path, json).with_context(|| format!("cannot write the memory to {}", path.display()))?;
-        }
+        self.save(&player.memory, weights.as_deref())?;
         ensure!(
             refused == 0,
             "{refused} line{} could not be used; the answers say why",
             if refused == 1 { "" } else { "s" }
         );
         Ok(())
+    }
+
+    /// Writes the memory, if it is kept in a file. The file that was there stays until the new one is complete, so
+    /// that a program that is ended meanwhile loses one puzzle at most.
+    fn save(&self, memory: &Memory, weights: Option<&str>) -> anyhow::Result<()> {
+        let Some(path) = &self.memory else { return Ok(()) };
+        // A link goes on leading to the file.
+        let file = path.canonicalize().unwrap_or_else(|_| path.clone());
+        let mut part = file.clone().into_os_string();
+        part.push(".part");
+        fs::write(&part, memory.to_json(weights))
+            .and_then(|()| fs::rename(&part, &file))
+            .with_context(|| format!("cannot write the memory to {}", path.display()))
     }
 }

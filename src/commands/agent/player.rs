@@ -2,7 +2,7 @@
 
 use anyhow::ensure;
 use pathlight::agents::agent_name::{AgentName, Loaded};
-use pathlight::agents::memory::{Memory, Played, Recollection, Reminder};
+use pathlight::agents::memory::{Memory, PuzzleSource, Recollection, Reminder};
 use pathlight::agents::{Agent, Observation, Proposal};
 use pathlight::benchmark::auccess::MAX_ATTEMPTS;
 use pathlight::nets::{Dqn, PathNet};
@@ -41,6 +41,13 @@ pub enum Answer {
     },
 }
 
+impl Answer {
+    /// Whether nothing more is tried on the puzzle, or all is forgotten.
+    pub fn ends_puzzle(&self) -> bool {
+        matches!(self, Answer::Ball { ball: None, .. } | Answer::Forgot { .. })
+    }
+}
+
 /// The agent, and the puzzle that it is at work on.
 pub struct Player {
     pub agent: AgentName,
@@ -75,7 +82,7 @@ impl Player {
                     Some(id),
                     id.seed(self.seed),
                     Task::load(id)?.scene,
-                    remember.then_some(Played::Task(id)),
+                    remember.then_some(PuzzleSource::Task(id)),
                 )?,
                 Begun::Scene(scene) => self.begin_scene(self.seed, scene, remember)?,
                 Begun::Custom(puzzle) => self.begin_scene(puzzle.id.seed(self.seed), puzzle.scene, remember)?,
@@ -106,8 +113,8 @@ impl Player {
     }
 
     fn begin_scene(&mut self, seed: u64, scene: Scene, remember: bool) -> anyhow::Result<&OpenPuzzle> {
-        let played = remember.then(|| Played::Scene(Box::new(scene.clone())));
-        self.begin(None, seed, scene, played)
+        let source = remember.then(|| PuzzleSource::Scene(Box::new(scene.clone())));
+        self.begin(None, seed, scene, source)
     }
 
     /// Begins a puzzle; with the memory, if it says how to remember it.
@@ -116,13 +123,13 @@ impl Player {
         task: Option<TaskId>,
         seed: u64,
         scene: Scene,
-        played: Option<Played>,
+        source: Option<PuzzleSource>,
     ) -> anyhow::Result<&OpenPuzzle> {
         let loaded = Loaded { nets: self.nets.as_ref(), dqn: self.dqn.as_ref() };
-        let (agent, recollection) = match played {
-            Some(played) => {
+        let (agent, recollection) = match source {
+            Some(source) => {
                 self.agent.check_remembers()?;
-                let recollection = self.memory.begin(played, &scene);
+                let recollection = self.memory.begin(source, &scene);
                 (self.agent.start_with(loaded, &scene, seed, BALLS, &recollection), Some(recollection))
             }
             None => (self.agent.start(loaded, &scene, seed, BALLS), None),

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, ensure};
 use pathlight::agents::agent_name::AgentName;
 use pathlight::agents::imagined_candidates::{imagined_candidates, remembered};
-use pathlight::agents::memory::{Memory, Played, Settings as MemorySettings};
+use pathlight::agents::memory::{Memory, PuzzleSource, Settings as MemorySettings};
 use pathlight::agents::online::{Candidate, OnlineAgent, Similarity};
 use pathlight::agents::{self, Agent, Observation, random};
 use pathlight::benchmark::auccess::MAX_ATTEMPTS;
@@ -211,7 +211,7 @@ const REMEMBERING: AgentName = AgentName::OnlineByBalls;
 
 impl ReadyTask {
     fn start(&self, agent: AgentName, memory: Option<&mut Memory>, seed: u64) -> Box<dyn Agent> {
-        let recollection = memory.map(|memory| memory.begin(Played::Task(self.id), &self.scene));
+        let recollection = memory.map(|memory| memory.begin(PuzzleSource::Task(self.id), &self.scene));
         let candidates = match (agent, &recollection) {
             (AgentName::Random, None) => return Box::new(random(&self.scene, seed, MAX_ATTEMPTS).into_iter()),
             (AgentName::Random, Some(recollection)) => recollection.random_candidates(&self.scene, seed, MAX_ATTEMPTS),
