@@ -19,7 +19,7 @@ import { PANELS } from "./url-state.js";
  * What Imagine lays over the scene when nobody has chosen maps: where green should go, and what red must do for that.
  * @type {MapName[]}
  */
-export const FIRST_LAYERS = ["target", "action"];
+const FIRST_LAYERS = ["target", "action"];
 
 /**
  * The maps that each step of the story lays over the scene.
