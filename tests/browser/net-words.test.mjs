@@ -7,11 +7,11 @@ import { netWords } from "../../www/model/map-text.js";
 
 test("the net that scores balls is named, and no other", () => {
   const dynamics = netWords({ dynamics: {} }, 4);
-  assert.match(dynamics.intro, /four small nets .+ and the dynamics net scores balls:$/);
+  assert.match(dynamics.intro, /four small nets .+ and the dynamics net scores balls\.$/);
   assert.match(dynamics.about, /^It has four small neural nets\. .+Another net, the dynamics net, imagines/);
   assert.doesNotMatch(Object.values(dynamics).join(" "), /success/i);
   const success = netWords({ success: {} }, 4);
-  assert.match(success.intro, /and the success net scores balls:$/);
+  assert.match(success.intro, /and the success net scores balls\.$/);
   assert.match(success.about, /Another net, the success net, says/);
   assert.doesNotMatch(Object.values(success).join(" "), /dynamics/i);
   for (const card of [{}, undefined]) {
