@@ -124,7 +124,9 @@ async function stopped(child) {
 function findChromium() {
   const places = process.env.CHROMIUM
     ? [process.env.CHROMIUM]
-    : ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome", "/usr/bin/google-chrome-stable"];
+    : ["chromium-headless-shell", "chromium", "chromium-browser", "google-chrome", "google-chrome-stable"].map(
+        (name) => `/usr/bin/${name}`,
+      );
   const found = places.find(existsSync);
   if (!found)
     throw new Error(`Chromium is missing (looked at ${places.join(", ")}): install it, or set CHROMIUM to its path`);
