@@ -19,6 +19,8 @@ pub enum Code {
     BadMap,
     /// Not weights of these nets.
     BadWeights,
+    /// Not a memory of attempts that this version and these weights can use.
+    BadMemory,
     /// An invalid ball.
     InvalidBall,
     /// All attempts are used.
@@ -38,6 +40,7 @@ impl Code {
             Code::BadScene => "bad_scene",
             Code::BadMap => "bad_map",
             Code::BadWeights => "bad_weights",
+            Code::BadMemory => "bad_memory",
             Code::InvalidBall => "invalid_ball",
             Code::AttemptLimit => "attempt_limit",
             Code::NoAttempt => "no_attempt",

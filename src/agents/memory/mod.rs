@@ -135,6 +135,21 @@ impl Memory {
         self.forget_oldest();
     }
 
+    /// Whether this puzzle was begun last.
+    pub fn is_at(&self, source: &PuzzleSource) -> bool {
+        self.puzzles.last().is_some_and(|last| last.source == *source)
+    }
+
+    /// Remembers somebody else's attempt at any puzzle. The chance of the ball is that of a random one, given the
+    /// attempts at earlier puzzles.
+    pub fn observe_other(&mut self, source: PuzzleSource, scene: &Scene, ball: Ball, solved: bool) {
+        let going_on = if self.is_at(&source) { self.puzzles.pop() } else { None };
+        let puzzle = going_on.unwrap_or_else(|| RememberedPuzzle::new(source, scene));
+        let chance = self.recall(&puzzle).chance_of_random(ball);
+        self.puzzles.push(puzzle);
+        self.observe(ball, chance, solved);
+    }
+
     /// Forgets everything.
     pub fn forget(&mut self) {
         *self = Memory::new(self.settings);
