@@ -144,6 +144,25 @@ fn a_scene_that_is_no_task_is_kept_too() {
 }
 
 #[test]
+fn attempts_of_others_are_remembered_by_puzzle_and_count_as_random_balls() {
+    let mut memory = Memory::default();
+    let other = |memory: &mut Memory, id: &str, solved: bool| {
+        let Task { id, scene, .. } = task(id);
+        memory.observe_other(PuzzleSource::Task(id), &scene, BALL, solved);
+    };
+    other(&mut memory, "00002:007", false);
+    other(&mut memory, "00002:007", true);
+    let expected = begin(&mut memory, "00002:017").chance_of_random(BALL);
+    other(&mut memory, "00002:017", true);
+    let chances: Vec<Vec<f64>> =
+        memory.puzzles().map(|(_, _, attempts)| attempts.iter().map(|attempt| attempt.chance).collect()).collect();
+    let [first, second] = chances.as_slice() else { panic!("two puzzles: {chances:?}") };
+    assert!(first.len() == 2 && first[0] == first[1] && first[0] < 0.05, "what it does not yet know: {first:?}");
+    assert!(second.len() == 1 && second[0] > first[0], "{second:?}");
+    assert!((second[0] - expected).abs() < 1e-4, "the puzzle itself does not count: {second:?} {expected}");
+}
+
+#[test]
 fn a_memory_that_has_forgotten_is_empty() {
     let mut memory = taught("00002:007", true);
     memory.forget();

@@ -36,6 +36,12 @@ export const HIDEABLE = /** @type {const} */ ([
   "make",
   "save",
 ]);
+/**
+ * What the page can show instead of the grid: the results of the models, and the model as it learns from puzzle to
+ * puzzle.
+ */
+export const PAGE_VIEWS = /** @type {const} */ (["results", "learns"]);
+/** @typedef {typeof PAGE_VIEWS[number]} PageView */
 /** @typedef {typeof PANELS[number]} Panel */
 /** @typedef {typeof HIDEABLE[number]} Hideable */
 
@@ -46,8 +52,8 @@ export const HIDEABLE = /** @type {const} */ ([
  * @property {string | null} model a name in assets/model.json, or null for the first
  * @property {Panel} panel as the address names it; it may be hidden, see `viewOf`
  * @property {Step | null} step the step that the walkthrough is at, or null for all together
- * @property {"presentation" | "results" | null} view "presentation" for the scene and one sentence, in large type;
- *   "results", with no task, for the results of the models instead of the grid; null for all panels
+ * @property {"presentation" | PageView | null} view "presentation" for the scene and one sentence, in large type; with
+ *   no task, what is shown instead of the grid; null for all panels
  * @property {number | null} proposal the number of the model's ball that is looked at, from 1, or null
  * @property {MapName[] | null} layers the maps to lay over the scene, in the order of MAPS; null for those that the
  *   panel lays there by itself, see `viewOf`
@@ -117,7 +123,7 @@ const CODECS = {
   model: { format: String, parse: (text) => (NAME.test(text) ? text : undefined) },
   panel: oneOf(PANELS),
   step: oneOf([...MAP_STEPS, ...CHOICE_STEPS], RENAMED_STEPS),
-  view: oneOf(["presentation", "results"]),
+  view: oneOf(["presentation", ...PAGE_VIEWS]),
   proposal: ATTEMPT,
   layers: someOf(MAPS),
   opacity: { format: String, parse: (text) => (/^(0|1|0?\.\d+)$/.test(text) ? Number(text) : undefined) },
@@ -248,8 +254,16 @@ export function showsPuzzle({ task, scene }) {
  * @param {State} state
  */
 export function showsHome(state) {
-  const showsResults = state.view === "results" && resultsHref(state) !== null;
-  return !showsPuzzle(state) && !showsResults && !state.hide.includes("puzzles");
+  return !showsPuzzle(state) && pageViewOf(state) === null && !state.hide.includes("puzzles");
+}
+
+/**
+ * What a state shows instead of the grid, or null.
+ * @param {State} state
+ */
+export function pageViewOf(state) {
+  const view = PAGE_VIEWS.find((view) => view === state.view);
+  return view && !showsPuzzle(state) && pageViewHref(view, state) !== null ? view : null;
 }
 
 /** How many parts of a link that cannot be read are named. */
@@ -273,12 +287,14 @@ function decoded(text) {
 }
 
 /**
- * The address of the results of the models. Null if the link that the person came by hides the puzzles or the model.
+ * The address of what is shown instead of the grid. Null if the link that the person came by hides the puzzles or the
+ * model.
+ * @param {PageView} view
  * @param {State} state
  */
-export function resultsHref({ model, hide }) {
+export function pageViewHref(view, { model, hide }) {
   if (hide.some((part) => part === "puzzles" || part === "imagine" || part === "compare")) return null;
-  return `#${formatFragment({ ...INITIAL_STATE, view: "results", model, hide })}`;
+  return `#${formatFragment({ ...INITIAL_STATE, view, model, hide })}`;
 }
 
 /**
