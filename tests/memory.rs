@@ -132,15 +132,21 @@ fn a_memory_that_is_kept_and_read_again_goes_on_as_if_it_were_the_same() {
 
 #[test]
 fn a_scene_that_is_no_task_is_kept_too() {
-    let scene = task("00002:007").scene;
+    let mut scene = task("00002:007").scene;
+    // A number that serde_json reads one bit off.
+    scene.bodies[0].x = 94.67968503937009;
     let mut memory = Memory::default();
     memory.begin(PuzzleSource::Scene(Box::new(scene.clone())), &scene);
     memory.observe(BALL, UNLIKELY, true);
     let mut read = Memory::default();
     read.read_json(memory.to_json(None).as_bytes(), None).expect("a memory");
     let (number, played, attempts) = read.puzzles().next().expect("a puzzle");
-    assert_eq!((number, played), (1, &PuzzleSource::Scene(Box::new(scene))));
-    assert_eq!(attempts, [Attempt { ball: BALL, chance: UNLIKELY, solved: true }]);
+    assert_eq!((number, attempts), (1, &[Attempt { ball: BALL, chance: UNLIKELY, solved: true }][..]));
+    let PuzzleSource::Scene(kept) = played else { panic!("{played:?}") };
+    assert!((kept.bodies[0].x - scene.bodies[0].x).abs() < 1e-6, "{kept:?}");
+    assert_eq!(read.to_json(None), memory.to_json(None));
+    let [kept, read] = [&mut memory, &mut read].map(|memory| begin(memory, "00002:017").change(BALL).to_bits());
+    assert_eq!(kept, read);
 }
 
 #[test]

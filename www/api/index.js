@@ -325,8 +325,8 @@ export class Pathlight {
    * task or all 100 have been tried.
    *
    * With a memory, the model uses what attempts at earlier puzzles taught, and remembers these. An attempt then names
-   * the puzzle that it was reminded of. It throws `bad_memory` for the memory of other weights, and `bad_weights` if the
-   * weights have no dynamics net.
+   * the puzzle that it was reminded of. It throws `bad_memory` for the memory of other weights, and `bad_weights` if
+   * the weights have no dynamics net.
    * @param {Puzzle} task
    * @param {{ seed?: number, memory?: Memory | null }} [options] `seed`: as that of `propose`; without effect with a
    *   memory
@@ -343,8 +343,8 @@ export class Pathlight {
 
   /**
    * Returns a memory of attempts for the model that is loaded: an empty one, or the one that `toJson` of a memory, or
-   * `pathlight agent --memory`, wrote. Throws `bad_memory` if that is damaged, of another version, or learned with other
-   * weights. Free it when it is no longer needed.
+   * `pathlight agent --memory`, wrote. Throws `bad_memory` if that is damaged, of another version, or learned with
+   * other weights. Free it when it is no longer needed.
    * @param {string} [json]
    * @returns {Memory}
    */

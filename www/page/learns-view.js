@@ -8,6 +8,7 @@ import { ATTEMPT_LIMIT } from "../shell/constants.js";
 import { LEARNT_TASK } from "../home/home-tasks.js";
 import { TEMPLATES } from "../puzzles/templates.js";
 import { byId, setText } from "../widgets/dom.js";
+import { PausableClock } from "./pausable-clock.js";
 import { LearnsBoard } from "./learns-board.js";
 import { LearnsKinds } from "./learns-kinds.js";
 import { LearnsList } from "./learns-list.js";
@@ -56,9 +57,7 @@ export class LearnsView {
    * @type {AbortController | null}
    */
   #row = null;
-  #paused = false;
-  /** Shows the end of the puzzle at once. */
-  #skip = () => {};
+  #clock = new PausableClock();
   /** Are all further puzzles of the row shown at their end only? */
   #hurries = false;
 
@@ -127,7 +126,14 @@ export class LearnsView {
 
   #onPlay() {
     if (!this.#row) return void this.#playRow();
-    this.#paused = !this.#paused;
+    this.#hurries = false;
+    this.#clock.paused = !this.#clock.paused;
+    this.#update();
+  }
+
+  /** Shows the end of the puzzle at once. */
+  #skip() {
+    this.#clock.skip();
     this.#update();
   }
 
@@ -146,7 +152,7 @@ export class LearnsView {
 
   async #playRow() {
     const row = (this.#row = new AbortController());
-    this.#paused = this.#hurries = false;
+    this.#clock.paused = this.#hurries = false;
     this.#fail(null);
     this.#update();
     try {
@@ -207,7 +213,7 @@ export class LearnsView {
     const longest = Math.max(this.#learned.show(task, learned), this.#fresh.show(task, fresh));
     setText(byId(document, "learns-puzzle"), `Puzzle ${this.#all.length + 1}`);
     if (!this.#hurries && !reducedMotion.matches)
-      await this.#clock(longest, signal, (time) => boards.forEach((board) => board.setTime(time)));
+      await this.#clock.run(longest, signal, (time) => boards.forEach((board) => board.setTime(time)));
     for (const board of boards) board.setTime(Infinity);
     this.#memory = memory;
     this.#played.set(this.#kinds.chosen.id, [...this.#all, played]);
@@ -215,40 +221,7 @@ export class LearnsView {
     const words = playedWords(played, earlier, ATTEMPT_LIMIT);
     setText(byId(document, "learns-status"), `Puzzle ${this.#all.length}: ${words}`);
     this.#update();
-    await this.#clock(this.#hurries ? 0 : reducedMotion.matches ? STILL : PAUSE, signal);
-  }
-
-  /**
-   * Lets time pass, unless it is paused or skipped. Rejects when the signal aborts.
-   * @param {number} seconds
-   * @param {AbortSignal} signal
-   * @param {(time: number) => void} [onTime]
-   * @returns {Promise<void>}
-   */
-  #clock(seconds, signal, onTime = () => {}) {
-    return new Promise((resolve, reject) => {
-      let [time, last] = [0, performance.now()];
-      this.#skip = () => {
-        time = Infinity;
-        this.#setPaused(false);
-      };
-      const onFrame = (/** @type {number} */ now) => {
-        if (signal.aborted) return reject(signal.reason);
-        if (!this.#paused) time += Math.max(now - last, 0) / 1000;
-        last = now;
-        if (time >= seconds) return resolve();
-        onTime(time);
-        requestAnimationFrame(onFrame);
-      };
-      requestAnimationFrame(onFrame);
-    });
-  }
-
-  /** @param {boolean} paused */
-  #setPaused(paused) {
-    if (paused === this.#paused) return;
-    this.#paused = paused;
-    this.#update();
+    await this.#clock.run(this.#hurries ? 0 : reducedMotion.matches ? STILL : PAUSE, signal);
   }
 
   /**
@@ -288,7 +261,7 @@ export class LearnsView {
     const more = Math.min(left, ROW);
     const words = !playing
       ? `${all.length ? "Play" : "Let it play"} ${more}${all.length ? " more" : ""}`
-      : this.#paused
+      : this.#clock.paused
         ? "Go on"
         : "Pause";
     setText(this.#play, words);

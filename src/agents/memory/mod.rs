@@ -10,7 +10,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::puzzle::action::Ball;
-use crate::puzzle::scene::Scene;
+use crate::puzzle::scene::{Body, Scene, Shape};
 use crate::puzzle::task::TaskId;
 pub use recollection::{Recollection, Reminder};
 pub use saved::MemoryError;
@@ -73,6 +73,22 @@ impl PuzzleSource {
             PuzzleSource::Scene(_) => None,
         }
     }
+
+    /// Rounds the numbers of a scene, so that any parser reads the same bits.
+    fn rounded(mut self) -> PuzzleSource {
+        if let PuzzleSource::Scene(scene) = &mut self {
+            for Body { x, y, angle, shapes, .. } in &mut scene.bodies {
+                let of_shapes = shapes.iter_mut().flat_map(|shape| match shape {
+                    Shape::Circle(radius) => std::slice::from_mut(radius),
+                    Shape::Polygon(corners) => corners.as_flattened_mut(),
+                });
+                for number in [x, y, angle].into_iter().chain(of_shapes) {
+                    *number = rounded(*number, LENGTHS);
+                }
+            }
+        }
+        self
+    }
 }
 
 /// An attempt that is remembered.
@@ -86,6 +102,9 @@ pub struct Attempt {
 
 /// Steps of the chances.
 const CHANCES: f64 = 10_000.0;
+
+/// Steps of a px, and of a radian.
+const LENGTHS: f64 = 1_000_000.0;
 
 #[derive(Clone, Debug, PartialEq)]
 struct RememberedPuzzle {
@@ -131,13 +150,14 @@ impl Memory {
     /// Remembers an attempt at the puzzle that was begun last, and the chance that the agent gave it.
     pub fn observe(&mut self, ball: Ball, chance: f64, solved: bool) {
         let Some(puzzle) = self.puzzles.last_mut() else { return };
-        puzzle.attempts.push(Attempt { ball, chance: rounded(chance), solved });
+        let ball = Ball { x: rounded(ball.x, LENGTHS), y: rounded(ball.y, LENGTHS), r: rounded(ball.r, LENGTHS) };
+        puzzle.attempts.push(Attempt { ball, chance: rounded(chance, CHANCES), solved });
         self.forget_oldest();
     }
 
     /// Whether this puzzle was begun last.
     pub fn is_at(&self, source: &PuzzleSource) -> bool {
-        self.puzzles.last().is_some_and(|last| last.source == *source)
+        self.puzzles.last().is_some_and(|last| last.source == source.clone().rounded())
     }
 
     /// Remembers somebody else's attempt at any puzzle. The chance of the ball is that of a random one, given the
@@ -188,12 +208,15 @@ impl Memory {
 
 impl RememberedPuzzle {
     fn new(source: PuzzleSource, scene: &Scene) -> RememberedPuzzle {
+        let source = source.rounded();
+        let scene = if let PuzzleSource::Scene(rounded) = &source { rounded } else { scene };
         let centre = |body: usize| [scene.bodies[body].x, scene.bodies[body].y];
         let anchors = [scene.body1, scene.body2].map(centre);
-        RememberedPuzzle { source, sketch: SceneSketch::of(scene), anchors, attempts: Vec::new() }
+        let sketch = SceneSketch::of(scene);
+        RememberedPuzzle { source, sketch, anchors, attempts: Vec::new() }
     }
 }
 
-fn rounded(chance: f64) -> f64 {
-    (chance * CHANCES).round() / CHANCES
+fn rounded(number: f64, steps: f64) -> f64 {
+    (number * steps).round() / steps
 }
