@@ -97,6 +97,7 @@ function viewInPage() {
     seen: [
       document.getElementById("gallery"),
       document.getElementById("results"),
+      document.getElementById("learns"),
       ...inside.querySelectorAll("[role=tabpanel], #presentation"),
     ]
       .filter(isSeen)

@@ -47,6 +47,9 @@ test("after one visit everything works without a network", async () => {
   await modelLoaded(page, "cross-0");
   await page.locator("#home").click();
   await page.locator("#templates canvas.drawn").first().waitFor();
+  await page.locator("[data-pick=learns] a").click();
+  await page.locator("#learns-play").click();
+  await page.locator("#learns-list li").first().waitFor({ state: "attached", timeout: 120_000 });
 
   await context.close();
   await server.start();

@@ -132,6 +132,12 @@ for (const [screen, size] of Object.entries(SCREENS)) {
     await page.locator("#results-link").click();
     await page.locator("#results-templates a").first().waitFor();
     await take("results");
+    await page.locator("#home").click();
+    await page.locator("[data-pick=learns] a").click();
+    await page.locator("#learns-play").click();
+    await page.locator("#learns-finish").click();
+    await page.locator("#learns-play").filter({ hasText: "more" }).waitFor({ timeout: 120_000 });
+    await take("learns");
     await page.context().close();
   }
 }

@@ -58,6 +58,7 @@ const FRAGMENTS = [
   "#task=00007:008&panel=soup",
   "#view=results",
   "#view=results&model=cross-0",
+  "#view=learns",
   "#task=00000:000&ball=60,240,12",
   "#task=00000:000&panel=compare&model=cross-0",
   "#task=00001:005&view=presentation",
