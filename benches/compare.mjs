@@ -1,5 +1,5 @@
-// Times ours at two commits in one run: node benches/compare.mjs BEFORE AFTER [PART…], which are two checkouts that `compare`
-// has built. The implementations of a commit are its own; the rounds are these here.
+// Times ours at two commits in one run: node benches/compare.mjs BEFORE AFTER [PART…], which are two checkouts that
+// `compare` has built. The implementations of a commit are its own; the rounds are these here.
 
 import { parts } from "./comparisons.mjs";
 import { circumstances, measure, row, wantedParts } from "./measure.mjs";
@@ -20,4 +20,6 @@ for (const comparison of wanted.flatMap((part) => parts[part]).filter(({ open })
 }
 console.log(`| work | ${second} | ${first}, and how many times as fast ${second} is |\n| --- | ---: | --- |`);
 console.log(rows.map(row).join("\n"));
-console.log(`\nMedians of ${rounds} rounds, and quartiles of the ratios, ${cpu}, ${cores} cores, load ${load.toFixed(1)} before.`);
+console.log(
+  `\nMedians of ${rounds} rounds, and quartiles of the ratios, ${cpu}, ${cores} cores, load ${load.toFixed(1)} before.`,
+);

@@ -1,7 +1,7 @@
 // What `make bench` times: the parts, their comparisons, and the implementations of each; ours comes first.
 //
-// An implementation is started by `start(place, checkout)`: `place` is what `open` returned, and the checkout is this one by
-// default. It returns `{ result, times(repetitions), stop? }`. `agree` throws if a result is not ours. Each is
+// An implementation is started by `start(place, checkout)`: `place` is what `open` returned, and the checkout is this
+// one by default. It returns `{ result, times(repetitions), stop? }`. `agree` throws if a result is not ours. Each is
 // timed in blocks of `repetitions`. With `steps` the row shows simulated steps per second.
 
 import { readFileSync } from "node:fs";

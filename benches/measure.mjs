@@ -1,5 +1,5 @@
-// Runs a comparison: its implementations take turns, so that whatever else the machine does falls on all of them. Used by
-// `bench.mjs` and `compare.mjs`.
+// Runs a comparison: its implementations take turns, so that whatever else the machine does falls on all of them. Used
+// by `bench.mjs` and `compare.mjs`.
 
 import { execFileSync } from "node:child_process";
 import { availableParallelism, cpus, loadavg } from "node:os";
@@ -10,9 +10,10 @@ export const ROUNDS = Number(process.env.ROUNDS || 9);
 const WARM_UP = 1000;
 
 /**
- * Returns `{ title, timed, out }`. Of each implementation that was timed it has the name, the median time of each round,
- * ms, and, of all but the first, how many times as fast the first is: the median over the rounds and its quartiles. `out`
- * says why the others are left out. With `steps` it also has the millions of simulated steps per second.
+ * Returns `{ title, timed, out }`. Of each implementation that was timed it has the name, the median time of each
+ * round, ms, and, of all but the first, how many times as fast the first is: the median over the rounds and its
+ * quartiles. `out` says why the others are left out. With `steps` it also has the millions of simulated steps per
+ * second.
  *
  * Before anything is timed, results are compared with the first implementation's. The exit code is 1 if that fails or
  * another computes something else.

@@ -1,9 +1,9 @@
 //! The nets natively, as one implementation of `make bench`; `benches/bench.mjs` decides when each implementation runs.
 //!
 //! `inputs TASK FOLDER` writes what the other implementations read: the nets, the scene and a batch. `forward TASK`,
-//! the four nets, `maps TASK`, all five maps, `propose TASK OTHER`, a hundred balls for each in turns, and `train` prepare, print a line of
-//! numbers that the other implementations have to agree with, and then read a number of repetitions per line of
-//! standard input and print the milliseconds of each.
+//! the four nets, `maps TASK`, all five maps, `propose TASK OTHER`, a hundred balls for each in turns, and `train`
+//! prepare, print a line of numbers that the other implementations have to agree with, and then read a number of
+//! repetitions per line of standard input and print the milliseconds of each.
 
 use std::path::Path;
 use std::time::Instant;
@@ -69,7 +69,7 @@ fn main() {
                 agents::propose(&nets, &scene, id.seed(0), MAX_ATTEMPTS)
             };
             let balls: Vec<[f64; 3]> = propose().into_iter().map(|proposal| proposal.ball.into()).collect();
-            repeat(&format!("{:?}", balls.concat()), || stopwatch(propose));
+            repeat(&format!("{:?}", balls.concat()), || stopwatch(&mut propose));
         }
         ["train"] => {
             let mut step = training();

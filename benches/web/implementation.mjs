@@ -1,5 +1,5 @@
-// An implementation in wasm, in Node or in a page: a module named by its path from `benches`, the folder or that of another
-// checkout.
+// An implementation in wasm, in Node or in a page: a module named by its path from `benches`, the folder or that of
+// another checkout.
 
 /**
  * `read` returns the bytes of a file of the repository; `what` selects the work that is timed. The module's `load`

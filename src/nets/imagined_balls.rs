@@ -67,8 +67,8 @@ impl Layer {
     }
 }
 
-/// Features of up to `COLUMNS` balls, `[features, COLUMNS]`: each ball has a column. What columns without a ball hold does
-/// not matter.
+/// Features of up to `COLUMNS` balls, `[features, COLUMNS]`: each ball has a column. What columns without a ball hold
+/// does not matter.
 #[derive(Clone)]
 struct Columns(Vec<f32>);
 
