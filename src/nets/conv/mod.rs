@@ -28,6 +28,7 @@ mod direct;
 mod forward;
 mod im2col;
 mod matmul;
+pub mod panels;
 mod planes;
 mod simd;
 #[cfg(feature = "training")]
@@ -35,7 +36,6 @@ mod weight_gradient;
 
 use forward::Layer;
 use im2col::Geometry;
-pub use matmul::{Matrix, matmul};
 
 /// Whether layers of these output channels divide into whole tiles of the kernels. A net asserts it of its widths at
 /// compile time.
