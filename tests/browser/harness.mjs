@@ -11,6 +11,7 @@ import { once } from "node:events";
 import { existsSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { createInterface } from "node:readline";
+import { afterEach, beforeEach } from "node:test";
 import { fileURLToPath } from "node:url";
 import { chromium } from "playwright-core";
 
@@ -50,6 +51,22 @@ export function launch(further = []) {
   return chromium.launch({ executablePath: findChromium(), headless: true, args: [...flags, ...further] });
 }
 
+/** The browsers of the sessions that have not ended. @type {Set<import('playwright-core').Browser>} */
+const browsers = new Set();
+
+// Pages that a test has opened are closed after it: they move, and would slow the next tests down.
+if (process.env.NODE_TEST_CONTEXT) {
+  const contexts = () => [...browsers].flatMap((browser) => browser.contexts());
+  let before = new Set();
+  beforeEach(() => {
+    before = new Set(contexts());
+  });
+  afterEach(async () => {
+    const opened = contexts().filter((context) => !before.has(context));
+    await Promise.all(opened.map((context) => context.close()));
+  });
+}
+
 class Session {
   /** The problems of the pages: errors in the console, uncaught exceptions, failed requests. */
   problems = [];
@@ -61,6 +78,7 @@ class Session {
   constructor(server, browser) {
     this.#server = server;
     this.browser = browser;
+    browsers.add(browser);
     /** `http://127.0.0.1:PORT` */
     this.origin = server.origin;
   }
@@ -96,6 +114,7 @@ class Session {
 
   /** Ends browser and server. Throws if there are problems that no test expected. */
   async stop() {
+    browsers.delete(this.browser);
     await this.browser.close();
     await this.#server.stop();
     if (this.problems.length > 0) throw new Error(`The page complained:\n${this.problems.join("\n")}`);
@@ -124,7 +143,9 @@ async function stopped(child) {
 function findChromium() {
   const places = process.env.CHROMIUM
     ? [process.env.CHROMIUM]
-    : ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome", "/usr/bin/google-chrome-stable"];
+    : ["chromium-headless-shell", "chromium", "chromium-browser", "google-chrome", "google-chrome-stable"].map(
+        (name) => `/usr/bin/${name}`,
+      );
   const found = places.find(existsSync);
   if (!found)
     throw new Error(`Chromium is missing (looked at ${places.join(", ")}): install it, or set CHROMIUM to its path`);

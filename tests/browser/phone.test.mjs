@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { start } from "./harness.mjs";
-import { ball, known, openPuzzle, says, spot } from "./page-actions.mjs";
+import { ball, inMore, known, openPuzzle, says, spot } from "./page-actions.mjs";
 
 const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, deviceScaleFactor: 3 };
 
@@ -63,7 +63,7 @@ test("a solving ball is tapped, run and solved", async () => {
     solving: [x, y, r],
   } = await known();
   await page.touchscreen.tap(...(await spot(page, x, y)));
-  await page.locator("#ball-r").fill(String(r));
+  await inMore(page, () => page.locator("#ball-r").fill(String(r)));
   await page.locator("#ball-r").press("Tab");
   assert.deepEqual(await ball(page), [x, y, r]);
   await page.locator("#run").tap();

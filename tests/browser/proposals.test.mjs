@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { after, before, test } from "node:test";
 import { start } from "./harness.mjs";
-import { EASY, openPuzzle, picture, playModelTurn, says, spot, unsolvedTask } from "./page-actions.mjs";
+import { EASY, inMore, openPuzzle, picture, playModelTurn, says, spot, unsolvedTask } from "./page-actions.mjs";
 
 let session;
 before(async () => (session = await start()));
@@ -167,7 +167,10 @@ test("a strip has a mark for each ball by its outcome; a click and a key lead al
   await page.locator("#proposal-other").click();
   assert.equal(await fact(page, "number"), `${other} of ${total}`);
 
-  const [file] = await Promise.all([page.waitForEvent("download"), page.locator("#proposal-save").click()]);
+  const [file] = await Promise.all([
+    page.waitForEvent("download"),
+    inMore(page, () => page.locator("#proposal-save").click()),
+  ]);
   const lines = (await readFile(await file.path(), "utf8")).trimEnd().split("\r\n");
   assert.equal(lines.length, total + 1);
   const [head, ...rows] = lines.map((line) => line.split(","));
@@ -193,7 +196,7 @@ test("wherever a result stands the model is named, and whether it has seen the p
     await badge(`#${panel}`).filter({ hasText: "new to the model" }).waitFor();
   }
   await page.locator("#tab-imagine").click();
-  await page.locator("#model-select").selectOption("cross-0");
+  await inMore(page, () => page.locator("#model-select").selectOption("cross-0"));
   await badge("#imagine")
     .filter({ hasText: /cross-0\s+practised this one/ })
     .waitFor();

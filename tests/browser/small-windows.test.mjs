@@ -4,7 +4,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { start } from "./harness.mjs";
-import { known, openImagined, openPuzzle, says, spot, type } from "./page-actions.mjs";
+import { known, openImagined, openPanel, openPuzzle, openShare, says, spot, type } from "./page-actions.mjs";
 
 let session;
 before(async () => (session = await start()));
@@ -76,7 +76,7 @@ test("the value under a finger goes when something runs or another panel is show
   await page.locator("#reset").tap();
   await touch();
   await probe.waitFor();
-  await page.locator("#tab-compare").tap();
+  await openPanel(page, "compare");
   assert.ok(await probe.isHidden(), "another panel");
 });
 
@@ -94,6 +94,7 @@ test("that the link is copied is said without moving anything, and goes by itsel
   const page = await openPuzzle(session, { permissions: ["clipboard-write"] });
   await page.clock.install();
   const top = (await page.locator("#scene").boundingBox()).y;
+  await openShare(page);
   await page.locator("#copy").click();
   await page.locator("#notice").filter({ hasText: "copied" }).waitFor();
   assert.equal((await page.locator("#scene").boundingBox()).y, top);

@@ -23,7 +23,7 @@ import { textOfScene } from "./scene-link.js";
 const REST = 300;
 
 export class Editor extends Component {
-  pen = new EditorPen(
+  #pen = new EditorPen(
     () => this.#edited,
     () => this.#leaveRun(),
     () => this.#commit(),
@@ -111,21 +111,28 @@ export class Editor extends Component {
     return this.#problems.length > 0 ? null : this.scene;
   }
 
+  #tellEdit() {
+    this.dispatchEvent(new Event("edit"));
+    this.changeOverlay();
+  }
+
   /** @param {string} name */
   rename(name) {
     this.#edited?.rename(name);
   }
 
-  /** The maps to lay over the scene; none are imagined of what may not be played. */
-  get maps() {
-    return this.session?.placing && this.playable ? this.#live.canvases : [];
+  get overlay() {
+    if (!this.#visible) return null;
+    // None are imagined of what may not be played.
+    const maps = this.session?.placing && this.playable ? this.#live.canvases : [];
+    return { maps, painter: this.#painter, pen: this.#pen };
   }
 
   /**
    * Draws the edited scene; null while something runs, which the session draws.
    * @type {import("../play/canvas.js").Painter | null}
    */
-  get painter() {
+  get #painter() {
     const edited = this.#edited;
     if (!edited || !this.session?.placing) return null;
     return (context, view, maps) => {
@@ -173,7 +180,7 @@ export class Editor extends Component {
       this.#applySnap();
       this.#onChange(edited);
     } else {
-      this.dispatchEvent(new Event("edit"));
+      this.#tellEdit();
     }
   }
 
@@ -186,9 +193,9 @@ export class Editor extends Component {
     this.#problems = pathlight.sceneProblems(edited.scene);
     this.#live.follow(edited.scene, this.#problems.length === 0);
     this.#scheduleUpdate();
-    this.dispatchEvent(new Event("edit"));
+    this.#tellEdit();
     clearTimeout(this.#timer);
-    if (!this.pen.dragging) this.#timer = setTimeout(() => this.#commit(), REST);
+    if (!this.#pen.dragging) this.#timer = setTimeout(() => this.#commit(), REST);
     if (this.session?.refusal) this.session.refuse(null);
     this.#tellSession();
   }

@@ -201,6 +201,11 @@ export class PuzzleController extends EventTarget {
     await this.#components.panels?.editor.settle();
   }
 
+  /** Fires "share" for the open puzzle. */
+  share() {
+    this.#components.afterSolving.share();
+  }
+
   /** Leads through the open puzzle, step by step. */
   startGuide() {
     this.#components.guide.start();

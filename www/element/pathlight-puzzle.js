@@ -57,7 +57,7 @@ const darkScheme = matchMedia("(prefers-color-scheme: dark)");
  * Fires, all bubbling:
  *   "statechange"  the person has changed the state; `detail` is the State
  *   "attempt"      an attempt of the player's has run to its end, or was left; `detail` is a PlayedAttempt
- *   "share"        the person wants to share a result; `detail` is a Result. Only if `hrefOf` is set
+ *   "share"        the person wants to share a result; `detail` is a Result. Only if `hrefOf` is set, or by `share()`
  *   "modelchange"  the model's status changes; `detail` is { name, status: "off" | "loading" | "ready" | "failed" }
  */
 export class PathlightPuzzle extends HTMLElement {
@@ -303,6 +303,11 @@ export class PathlightPuzzle extends HTMLElement {
    */
   focus(options) {
     this.#root.getElementById("scene")?.focus(options);
+  }
+
+  /** Fires "share" for the open puzzle, as when the person wants to share it. */
+  share() {
+    this.#call((controller) => controller.share());
   }
 
   /** Leads through the open puzzle, step by step. */

@@ -37,6 +37,11 @@ export class Imagine extends Component {
    * @type {MapName[]}
    */
   #checked = [];
+  /**
+   * The maps that lie over the scene.
+   * @type {MapName[]}
+   */
+  #layers = [];
   /** @type {Imagined | null} */
   #imagined = null;
   #trouble = new TroubleBox(this.byId("imagine-trouble"));
@@ -90,6 +95,7 @@ export class Imagine extends Component {
   /** @param {import("../state/view.js").View} view */
   setState(view) {
     this.#shown = view.panel === "imagine";
+    this.#layers = view.layers;
     this.#paintScenes();
     this.#opacity.value = String(view.opacity);
     const added = view.checkedLayers.filter((mapName) => !this.#checked.includes(mapName));
@@ -100,7 +106,7 @@ export class Imagine extends Component {
       element.classList.toggle("on", box.checked);
     }
     this.byId("outlines-note").hidden = view.checkedLayers.length <= MAX_SHADED;
-    const laid = ["play", "compare"].includes(view.panel) ? view.layers : [];
+    const laid = view.tab === "play" ? view.layers : [];
     this.byId("laid").hidden = laid.length === 0;
     const names = laid.map((mapName) => `“${MAP_TEXT[mapName].name}”`).join(" and ");
     setText(find(this.byId("laid"), "span"), `Over the scene: ${names}.`);
@@ -113,6 +119,10 @@ export class Imagine extends Component {
     this.#scenesDrawn = false;
     this.#paintScenes();
     this.#paint();
+  }
+
+  get overlay() {
+    return { maps: this.canvasesOf(this.#layers) };
   }
 
   /** The maps of the open puzzle; null until they have been imagined. */
@@ -289,6 +299,7 @@ export class Imagine extends Component {
     this.#imagined = imagined;
     this.#paint();
     this.dispatchEvent(new Event("maps"));
+    this.changeOverlay();
   }
 
   /** Draws the scene that lies under each map. */

@@ -166,6 +166,7 @@ export class ModelPair extends Component {
    * @param {number} number
    */
   #show(tried, number) {
+    this.byId("more").hidePopover();
     this.session?.preview(number, tried[number - 1].ball, true, true);
   }
 }

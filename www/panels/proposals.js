@@ -1,7 +1,6 @@
 // The model's proposals, one by one, whether it has tried them or not: the outcome of each, whether it may be placed,
 // what the model imagined for it, and where it comes from. The one that is looked at is shown at its end at once, with
-// its paths, imagined and real, over the scene and the balls before it marked. Its number is in the address. Fires
-// "imagined" when there are other imagined paths to show.
+// its paths, imagined and real, over the scene and the balls before it marked. Its number is in the address.
 
 import { Component } from "../widgets/component.js";
 import { ATTEMPT_LIMIT } from "../shell/constants.js";
@@ -62,7 +61,7 @@ export class Proposals extends Component {
     this.#imaginer = new BallImaginer(client);
     this.#imaginer.addEventListener("answer", () => {
       this.#updateFacts(this.#proposals ?? []);
-      this.dispatchEvent(new Event("imagined"));
+      this.changeOverlay();
     });
     this.#slider.addEventListener("input", () => this.#request(Number(this.#slider.value)));
     this.byId("proposal-back").addEventListener("click", () => this.#request((this.#requested ?? 2) - 1));
@@ -99,31 +98,25 @@ export class Proposals extends Component {
     this.#show();
   }
 
-  /** Is one of the balls being looked at? */
-  get active() {
-    return this.#visible && this.#shown !== null && this.#proposals !== null;
-  }
-
-  /**
-   * The balls to mark over the scene.
-   * @returns {import("../pkg/pathlight.js").Mark[]}
-   */
-  get marks() {
-    if (!this.active) return [];
-    return (this.#proposals ?? []).slice(0, this.#shown ?? 0).map((proposal, index) => {
-      const chosen = index + 1 === this.#shown;
-      return { ball: proposal.ball, from: chosen ? this.#sourceOf(proposal) : null, chosen };
-    });
+  /** The ball that is looked at, and where it comes from: a place on the map that orders them, if a map does. */
+  get overlay() {
+    const shown = this.#shown;
+    if (!this.#visible || shown === null || !this.#proposals) return null;
+    /** @type {import("../pkg/pathlight.js").MapName} */
+    const source = this.#imagine.maps?.success ? "success" : "placement";
+    return {
+      maps: this.#able ? [] : this.#imagine.canvasesOf([source]),
+      marks: this.#proposals.slice(0, shown).map((proposal, index) => {
+        const chosen = index + 1 === shown;
+        return { ball: proposal.ball, from: chosen ? this.#sourceOf(proposal) : null, chosen };
+      }),
+      imagined: this.#answer ? this.#imaginer.paths : null,
+    };
   }
 
   /** Does the model imagine balls? Then it learns from its attempts, and the list ends with the ball that solves. */
-  get able() {
+  get #able() {
     return this.#imaginer.able;
-  }
-
-  /** The imagined paths of the ball that is looked at, or null. */
-  get paths() {
-    return this.active && this.#answer ? this.#imaginer.paths : null;
   }
 
   /** What the model imagines for the ball that is looked at; null until it has come. */
@@ -299,11 +292,11 @@ export class Proposals extends Component {
     setText(this.byId("proposal-valid"), rejectedWords(proposal));
     setText(
       this.byId("proposal-outcome"),
-      `${shown.ending.solved ? "✓" : "×"} ${sentence(shown.words)} ${shown.tried || this.able ? "" : "It was not tried in its turn."}`,
+      `${shown.ending.solved ? "✓" : "×"} ${sentence(shown.words)} ${shown.tried || this.#able ? "" : "It was not tried in its turn."}`,
     );
     setText(this.byId("proposal-origin"), originWords(proposal, this.#imagine.maps?.placement));
     const real = this.session?.game.sampledPaths();
-    this.byId("proposal-imagined").hidden = this.byId("proposal-imagined-term").hidden = !this.able;
+    this.byId("proposal-imagined").hidden = this.byId("proposal-imagined-term").hidden = !this.#able;
     setText(
       this.byId("proposal-imagined"),
       this.#answer && real
