@@ -12,7 +12,6 @@ export const MORE_MARKUP = `
   </section>
   <section data-hideable="imagine" aria-labelledby="more-model" inert><h2 id="more-model">Model</h2>
   <div id="model-choice" hidden><label>Model <select id="model-select"></select></label> <p class="small" id="model-words"></p></div>
-  <p class="small model-badge"></p>
   <label class="opacity">Opacity <input type="range" id="opacity" min="0" max="1" step="0.05"></label>
   <p data-hideable="save"><button type="button" id="save-strip" disabled>Save all maps as one picture</button></p>
   <p><button type="button" data-opens="about-dialog">How was it trained?</button></p>

@@ -176,7 +176,7 @@ export class PathlightPuzzle extends HTMLElement {
   set model(value) {
     this.#setAttribute("model", value);
   }
-  /** "play", "imagine", "compare", "predict", "map" or "make"; null for "play". */
+  /** A tab, "play", "imagine" or "make", or a part: "compare", "predict" or "map"; null for "play". */
   get panel() {
     return this.getAttribute("panel");
   }

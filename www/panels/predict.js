@@ -195,7 +195,6 @@ export const PREDICT = {
 </p>
 <p id="predict-words"></p>
 <section id="predict-result" aria-label="Prediction and reality" hidden>
-  <p class="model-badge"></p>
   <ul class="overlap-cards" id="predict-cards"></ul>
   <details><summary>How is it measured?</summary><p>Your line counts as if the green object had slid along it. What is shaded and what was real, inside the line, are laid over each other: 100 % means that both are the same. The model is measured alike: its base path if there is no ball, its target path if there is one. It has not seen your ball.</p></details>
 </section>

@@ -191,7 +191,6 @@ export const MAP = {
   <li><canvas width="256" height="256" data-outcome="1" aria-hidden="true"></canvas> no room</li>
 </ul>
 <label class="check" data-hideable="imagine"><input type="checkbox" id="solve-map-placement"> Compare with the model’s guess</label>
-<p class="model-badge" data-hideable="imagine"></p>
 <p class="hint">The radius is that of your ball. Each place is tried by a whole simulation, in a worker beside the page.</p>
 `,
   create: ({ root, client, imagine }) => [new SolveMapPanel(root, client, imagine)],
