@@ -86,7 +86,6 @@ for (const [screen, size] of Object.entries(SCREENS)) {
       const page = await openPuzzle(session, { ...size, colorScheme, fragment: "&panel=imagine", reducedMotion: true });
       await page.locator("#imagined-in").filter({ hasText: "Imagined" }).waitFor();
       await page.locator("#walkthrough-next").click();
-      await page.locator("[data-map=base] .map").press("ArrowUp");
       for (const sum of await page.locator("#imagine summary:visible").all()) await sum.click();
       await axeFindsNothing(page, "a step of the story, read");
       await page.locator("#walkthrough-dots button:visible").last().click();

@@ -76,7 +76,7 @@ test("keys act only in the puzzle that has the focus", async () => {
   assert.equal(await (await focused(page)).getAttribute("id"), "scene");
   await page.keyboard.press("ArrowUp");
   await page.keyboard.press("3");
-  await two.locator("#compare").waitFor();
+  await two.locator("#make").waitFor();
   assert.ok(await one.locator("#play").isVisible(), "the other stays where it was");
   await page.keyboard.press("?");
   await two.locator("#keys-dialog[open]").waitFor();

@@ -25,7 +25,6 @@ const PUZZLE = `
   <div class="scene-area">
     <div class="scene">
       <canvas id="scene" tabindex="0" role="application" aria-roledescription="puzzle scene" aria-labelledby="goal" aria-describedby="description"></canvas>
-      <p id="probe" aria-hidden="true" hidden></p>
       <p id="scene-label" aria-hidden="true" hidden></p>
       <div id="celebration" aria-hidden="true" hidden></div>
     </div>

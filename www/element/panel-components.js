@@ -9,7 +9,6 @@ import { IMAGINE } from "../panels/imagine-panel.js";
 import { Overlays } from "../panels/overlays.js";
 import { PREDICT } from "../panels/predict.js";
 import { Presentation } from "../panels/presentation.js";
-import { Probe } from "../panels/probe.js";
 import { Proposals } from "../panels/proposals.js";
 import { ScenePicture } from "../panels/scene-picture.js";
 import { MAP } from "../panels/solve-map.js";
@@ -38,7 +37,6 @@ export function createPanelComponents(parts, canvas) {
     scenePicture,
     imagine,
     ...Object.values(MODULES).flatMap(({ create }) => create({ ...parts, imagine, scenePicture })),
-    new Probe(root, imagine),
     new Forecast(root, client, preferences),
     new Luck(root, client),
     new Replays(root, client),

@@ -40,10 +40,9 @@ export const IMAGINE = {
 <template id="map-row">
   <li>
     <label><input type="checkbox"> <b></b></label>
-    <div class="map" tabindex="0" role="application"><canvas class="scene-layer" width="256" height="256" aria-hidden="true"></canvas><canvas class="shade-layer" width="64" height="64" role="img"></canvas></div>
+    <div class="map"><canvas class="scene-layer" width="256" height="256" aria-hidden="true"></canvas><canvas class="shade-layer" width="64" height="64" role="img"></canvas></div>
     <p class="meaning"></p>
     <div class="scale" aria-hidden="true"><span>0</span><canvas class="legend" width="64" height="4"></canvas><span class="peak"></span></div>
-    <p class="value" aria-hidden="true"></p>
     <p class="summary"></p>
     <details><summary>How?</summary><p class="how"></p><p class="numbers"></p></details>
   </li>
