@@ -42,7 +42,7 @@ for (const [screen, options] of Object.entries(SCREENS)) {
     await page.locator("#caption-title", { hasText: "Funnel" }).waitFor();
   });
 
-  test(`a researcher exports the strip of a failure on ${screen}`, async () => {
+  test(`a researcher exports the balls of a failure on ${screen}`, async () => {
     const page = await session.open("/", { ...options, reducedMotion: "reduce" });
     await page.locator("#results-link").click();
     await page.locator("#results-filter").selectOption("failures");
@@ -52,10 +52,10 @@ for (const [screen, options] of Object.entries(SCREENS)) {
       .filter({ hasText: /within-0\s*new to the model/ })
       .waitFor();
     // The outcomes are not told before somebody looks at a ball: they would tell how the race ends.
-    await page.locator("#proposal-strip span").nth(99).waitFor({ state: "attached" });
-    assert.ok(await page.locator("#proposal-strip").isHidden());
+    await page.locator("#proposals").waitFor();
+    assert.ok(await page.locator("#proposal-outcomes").isHidden());
     await page.locator("#proposal-next").click();
-    await page.locator("#proposal-strip span").nth(99).waitFor();
+    await page.locator("#proposal-outcomes").waitFor();
     await page.locator("#proposal-origin").filter({ hasText: "it was the likeliest" }).waitFor();
     const [file] = await Promise.all([
       page.waitForEvent("download"),

@@ -15,9 +15,7 @@ export const COMPARE = {
 <p class="actions"><button type="button" id="model-turn">Let the model play</button></p>
 <div id="proposals-failure"><div id="proposals-trouble" class="trouble" role="alert" hidden><p></p><button type="button">Try again</button></div></div>
 <section class="part" id="proposals" aria-labelledby="open-compare" hidden>
-  <div id="proposal-strip" class="outcome-strip" aria-hidden="true"></div>
   <p class="small" id="proposal-outcomes"></p>
-  <ul class="samples outcome-key" id="proposal-key" aria-hidden="true"><li><span data-outcome="solved"></span> solves</li><li><span data-outcome="touched"></span> touches for a while</li><li><span data-outcome="missed"></span> never touches</li></ul>
   <div class="steps">
     <button type="button" id="proposal-back" title="Ball before"><svg><use href="#icon-previous"/></svg><span class="visually-hidden">Ball before</span></button>
     <input type="range" id="proposal-slider" min="1" step="1" value="1" aria-label="Which of the model’s balls">
@@ -43,7 +41,6 @@ export const COMPARE = {
     <p class="small model-words"></p>
     <div class="overlap-card"><canvas class="scene-layer" width="256" height="256" aria-hidden="true"></canvas><canvas class="shade-layer" width="64" height="64" role="img"></canvas></div>
     <p class="small pair-place"></p>
-    <div class="outcome-strip" aria-hidden="true"></div>
     <p class="pair-outcome"></p>
     <button type="button"></button>
   </div>

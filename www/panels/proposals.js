@@ -11,7 +11,6 @@ import { chanceWords, errorWords } from "../model/chance-words.js";
 import { ballsCsv, otherOutcome, outcomesWords } from "../model/outcomes.js";
 import { sameBall } from "../puzzles/ball.js";
 import { sentence } from "../text/sentence.js";
-import { OutcomeStrip } from "./outcome-strip.js";
 import { originWords, rejectedWords } from "./proposal-words.js";
 import { TroubleBox } from "./trouble-box.js";
 
@@ -23,7 +22,6 @@ export class Proposals extends Component {
   #imagine;
   #imaginer;
   #slider = this.byId("proposal-slider", HTMLInputElement);
-  #strip = new OutcomeStrip(this.byId("proposal-strip"), (number) => this.#request(number));
   /**
    * Null until the model has proposed them.
    * @type {Proposal[] | null}
@@ -134,8 +132,7 @@ export class Proposals extends Component {
 
   /** The outcomes would tell how the race ends. */
   #hideOutcomes() {
-    const told = this.#told;
-    for (const id of ["proposal-strip", "proposal-outcomes", "proposal-key"]) this.byId(id).hidden = !told;
+    this.byId("proposal-outcomes").hidden = !this.#told;
   }
 
   /** @param {number} number */
@@ -159,7 +156,8 @@ export class Proposals extends Component {
     else this.#request(other + 1);
   }
 
-  #save() {
+  async #save() {
+    await this.#load(true);
     const { loaded } = this.#client;
     if (!this.session || !this.#proposals || !loaded) return;
     const { id, name } = this.session.about;
@@ -185,9 +183,9 @@ export class Proposals extends Component {
     this.#update();
   }
 
-  async #load() {
-    if (!this.#visible || this.#proposals || this.#call || this.#callFailure || !this.session || !this.#imagine.maps)
-      return;
+  /** @param {boolean} [wanted] are they asked for? */
+  async #load(wanted = this.#visible) {
+    if (!wanted || this.#proposals || this.#call || this.#callFailure || !this.session || !this.#imagine.maps) return;
     const call = (this.#call = new AbortController());
     try {
       const proposals = await this.#client.call("propose", [this.session.puzzle], call.signal);
@@ -218,7 +216,6 @@ export class Proposals extends Component {
       repeatCall: () => this.#retry(),
     });
     this.byId("proposals").hidden = !proposals || proposals.length === 0;
-    this.#strip.show(proposals ?? []);
     this.#hideOutcomes();
     if (!session || !proposals?.length) return this.#updateFacts([]);
     setText(this.byId("proposal-outcomes"), outcomesWords(proposals));
@@ -278,7 +275,6 @@ export class Proposals extends Component {
   #updateFacts(proposals) {
     const number = this.#shown;
     const shown = this.session?.shown;
-    this.#strip.select(number);
     this.byId("proposal-facts").hidden = number === null;
     this.byId("proposal-close").hidden = number === null;
     this.byId("proposal-hint").hidden = number !== null;
