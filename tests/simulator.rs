@@ -7,12 +7,15 @@
 use std::collections::BTreeMap;
 use std::{env, fs, path::Path};
 
-use pathlight::puzzle::action::{Ball, Invalid};
+use pathlight::puzzle::action::{Ball, Invalid, Obstacles};
 use pathlight::puzzle::rollout::{GOAL_STEPS, MAX_STEPS};
+use pathlight::puzzle::sampling::uniform_ball;
 use pathlight::puzzle::scene::{Body, Role, Scene, Shape, ShapeType};
 use pathlight::puzzle::task::{Task, TaskId};
 use pathlight::puzzle::templates::TEMPLATES;
-use pathlight::simulator::{outcome, simulate};
+use pathlight::simulator::{Outcome, outcome, simulate};
+use rand::SeedableRng;
+use rand_pcg::Pcg64Mcg;
 use serde::Deserialize;
 
 /// A green ball and a blue one, both of 10 px, at these places.
@@ -54,6 +57,24 @@ fn the_task_is_solved_after_three_seconds_of_contact() {
     assert!(rollout.touching.iter().all(|&touches| touches));
     let apart = outcome(&two_balls([50.0, 10.05], [90.0, 10.05]), None).expect("no ball to refuse");
     assert_eq!((apart.solved, apart.steps), (false, MAX_STEPS));
+}
+
+/// Without its poses a rollout ends as soon as its outcome is certain.
+#[test]
+fn an_outcome_is_that_of_the_whole_rollout() {
+    let mut rng = Pcg64Mcg::seed_from_u64(3);
+    let mut solved = 0;
+    for task in TEMPLATES.iter().flat_map(|template| Task::of(template).step_by(33)) {
+        let obstacles = Obstacles::new(&task.scene);
+        for _ in 0..12 {
+            let ball = uniform_ball(&obstacles, &mut rng);
+            let rollout = simulate(&task.scene, ball).expect("a valid ball");
+            let Outcome { solved: solves, steps } = outcome(&task.scene, ball).expect("a valid ball");
+            assert_eq!((solves, steps), (rollout.solved, rollout.steps), "{}, {ball:?}", task.id);
+            solved += usize::from(solves);
+        }
+    }
+    assert!(solved > 10, "only {solved} balls solve");
 }
 
 #[test]

@@ -34,7 +34,7 @@ pub trait EngineWorld: Default {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Outcome {
     pub solved: bool,
-    /// Number of simulated steps: `MAX_STEPS`, or fewer if solved.
+    /// Number of steps until it was solved, else `MAX_STEPS`.
     pub steps: usize,
 }
 
@@ -83,12 +83,23 @@ impl<W: EngineWorld> Simulation<W> {
         Ok(Simulation { world, dynamic_bodies, goal, touch_distance })
     }
 
-    /// Steps until the task is solved or `MAX_STEPS` are over.
-    pub fn run(self) -> Outcome {
-        self.run_with(|_, _| ())
+    /// Steps until the task is solved, or cannot be any more: all bodies sleep, or too few steps are left.
+    pub fn run(mut self) -> Outcome {
+        let mut touch_steps = 0;
+        for steps in 1..=MAX_STEPS {
+            touch_steps = if self.step() { touch_steps + 1 } else { 0 };
+            if touch_steps == GOAL_STEPS {
+                return Outcome { solved: true, steps };
+            }
+            let asleep_apart = touch_steps == 0 && !self.world.is_awake();
+            if asleep_apart || touch_steps + (MAX_STEPS - steps) < GOAL_STEPS {
+                break;
+            }
+        }
+        Outcome { solved: false, steps: MAX_STEPS }
     }
 
-    /// Runs like `run`, and keeps every pose.
+    /// Runs to the end, and keeps every pose.
     pub fn rollout(self) -> Rollout {
         let bodies = self.dynamic_bodies.iter().map(|&(index, _)| index).collect();
         let (mut poses, mut touching) = (Vec::new(), Vec::new());
@@ -99,7 +110,7 @@ impl<W: EngineWorld> Simulation<W> {
         Rollout { solved, steps, bodies, poses, touching }
     }
 
-    /// Runs like `run`, and keeps the sampled paths of the green object and of the ball, without which it panics.
+    /// Runs to the end, and keeps the sampled paths of the green object and of the ball, without which it panics.
     pub fn sampled_paths(self) -> (Outcome, SampledPaths) {
         let &(_, ball) = self.dynamic_bodies.last().expect("the ball moves");
         let object = self.goal[0];
@@ -118,17 +129,13 @@ impl<W: EngineWorld> Simulation<W> {
         (outcome, paths)
     }
 
-    /// Runs like `run`. Calls `on_step` for the start and after each step, with whether the object touches the
-    /// goal.
+    /// Steps until the task is solved or `MAX_STEPS` are over. Calls `on_step` for the start and after each step, with
+    /// whether the object touches the goal.
     fn run_with(mut self, mut on_step: impl FnMut(&Simulation<W>, bool)) -> Outcome {
         on_step(&self, self.touches());
         let mut touch_steps = 0;
         for steps in 1..=MAX_STEPS {
-            // When all bodies sleep, nothing moves and no contact changes.
-            if self.world.is_awake() {
-                self.world.step();
-            }
-            let touches = self.touches();
+            let touches = self.step();
             on_step(&self, touches);
             touch_steps = if touches { touch_steps + 1 } else { 0 };
             if touch_steps == GOAL_STEPS {
@@ -136,6 +143,15 @@ impl<W: EngineWorld> Simulation<W> {
             }
         }
         Outcome { solved: false, steps: MAX_STEPS }
+    }
+
+    /// Simulates a step. Returns whether the object touches the goal after it.
+    fn step(&mut self) -> bool {
+        // When all bodies sleep, nothing moves and no contact changes.
+        if self.world.is_awake() {
+            self.world.step();
+        }
+        self.touches()
     }
 
     fn touches(&self) -> bool {
