@@ -54,17 +54,17 @@ test("the attempts of both come back after a reload", async () => {
   const page = await played();
   await openPanel(page, "compare");
   await playModelTurn(page);
-  const [player, model] = [await titles(page, "player-attempts"), await titles(page, "model-attempts")];
+  const [player, model] = [await titles(page, "play-attempts"), await titles(page, "model-attempts")];
   assert.equal(player.length, 2);
   assert.ok(model.length >= 1);
   await page.reload();
   await page.locator("#model-attempts li").first().waitFor();
-  assert.deepEqual(await titles(page, "player-attempts"), player);
+  assert.deepEqual(await titles(page, "play-attempts"), player);
   assert.deepEqual(await titles(page, "model-attempts"), model);
   await inMore(page, () => page.locator("#clear-attempts").click());
   await page.reload();
   await modelLoaded(page);
-  assert.deepEqual([...(await titles(page, "player-attempts")), ...(await titles(page, "model-attempts"))], []);
+  assert.deepEqual([...(await titles(page, "play-attempts")), ...(await titles(page, "model-attempts"))], []);
   assert.equal(await stored(page), null);
 });
 
