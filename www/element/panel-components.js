@@ -6,6 +6,7 @@ import { COMPARE } from "../panels/compare-panel.js";
 import { Forecast } from "../panels/forecast.js";
 import { Imagine } from "../panels/imagine.js";
 import { IMAGINE } from "../panels/imagine-panel.js";
+import { ModelChoice } from "../panels/model-choice.js";
 import { Overlays } from "../panels/overlays.js";
 import { PREDICT } from "../panels/predict.js";
 import { Presentation } from "../panels/presentation.js";
@@ -37,6 +38,7 @@ export function createPanelComponents(parts, canvas) {
     scenePicture,
     imagine,
     ...Object.values(MODULES).flatMap(({ create }) => create({ ...parts, imagine, scenePicture })),
+    new ModelChoice(root, client),
     new Forecast(root, client, preferences),
     new Luck(root, client),
     new Replays(root, client),

@@ -28,7 +28,6 @@ export const COMPARE = {
   <dl class="facts" id="proposal-facts" hidden>
     <dt>Why this one</dt><dd id="proposal-origin"></dd>
     <dt>Ball</dt><dd id="proposal-ball"></dd>
-    <dt>Allowed?</dt><dd id="proposal-valid"></dd>
     <dt>Outcome</dt><dd id="proposal-outcome"></dd>
     <dt id="proposal-imagined-term">Imagined</dt><dd id="proposal-imagined"></dd>
   </dl>

@@ -2,6 +2,8 @@
 // the model's turn. Collects it and hands it to the canvas of the scene.
 
 import { Component } from "../widgets/component.js";
+import { find, setText } from "../widgets/dom.js";
+import { MAP_TEXT } from "../model/map-text.js";
 import { factsOf } from "../state/panels.js";
 
 /** The opacity of the paths of old misses. */
@@ -25,6 +27,10 @@ export class Overlays extends Component {
     this.#canvas = canvas;
     this.#components = components;
     for (const component of components) component.addEventListener("overlay", () => this.#update());
+    this.byId("laid-off").addEventListener("click", () => {
+      this.requestState({ layers: null });
+      this.byId("scene").focus({ preventScroll: true });
+    });
   }
 
   /** @param {import("../play/session.js").Session} session */
@@ -34,7 +40,12 @@ export class Overlays extends Component {
   }
 
   /** @param {import("../state/view.js").View} view */
-  setState({ panel, opacity }) {
+  setState({ panel, tab, opacity, layers }) {
+    // In Play nothing else says which maps they are.
+    const laid = tab === "play" ? layers : [];
+    this.byId("laid").hidden = laid.length === 0;
+    const names = laid.map((mapName) => `“${MAP_TEXT[mapName].name}”`).join(" and ");
+    setText(find(this.byId("laid"), "span"), `Over the scene: ${names}.`);
     this.#opacity = opacity;
     this.session?.edit({ tool: factsOf(panel).tool ?? "ball" });
     this.#update();

@@ -11,7 +11,7 @@ import { chanceWords, errorWords } from "../model/chance-words.js";
 import { ballsCsv, otherOutcome, outcomesWords } from "../model/outcomes.js";
 import { sameBall } from "../puzzles/ball.js";
 import { sentence } from "../text/sentence.js";
-import { originWords, rejectedWords } from "./proposal-words.js";
+import { originWords, sourceOf } from "./proposal-origin.js";
 import { TroubleBox } from "./trouble-box.js";
 
 /** @typedef {import("../pkg/pathlight.js").TriedProposal} Proposal */
@@ -104,9 +104,9 @@ export class Proposals extends Component {
     const source = this.#imagine.maps?.success ? "success" : "placement";
     return {
       maps: this.#able ? [] : this.#imagine.canvasesOf([source]),
-      marks: this.#proposals.slice(0, shown).map((proposal, index) => {
+      marks: this.#proposals.slice(0, shown).map((proposal, index, proposals) => {
         const chosen = index + 1 === shown;
-        return { ball: proposal.ball, from: chosen ? this.#sourceOf(proposal) : null, chosen };
+        return { ball: proposal.ball, from: chosen ? sourceOf(proposal, proposals) : null, chosen };
       }),
       imagined: this.#answer ? this.#imaginer.paths : null,
     };
@@ -123,16 +123,11 @@ export class Proposals extends Component {
     return sameBall(answer?.of, this.session?.shown?.ball) ? answer : null;
   }
 
-  /** May the outcomes be told: has the model played, or does the person look at its balls anyway? */
-  get #told() {
-    if (!this.session || this.#shown !== null) return this.#shown !== null;
-    const { solved_at: solvedAt, used } = this.session.attempts.standing("model");
-    return (solvedAt !== null || used === ATTEMPT_LIMIT) && this.session.hiddenAuthor !== "model";
-  }
-
-  /** The outcomes would tell how the race ends. */
-  #hideOutcomes() {
-    this.byId("proposal-outcomes").hidden = !this.#told;
+  /** The outcomes tell how the race ends: only when the model has played, or the person looks at its balls anyway. */
+  #tellOutcomes() {
+    const { solved_at: solvedAt = null, used } = this.session?.attempts.standing("model") ?? {};
+    const played = (solvedAt !== null || used === ATTEMPT_LIMIT) && this.session?.hiddenAuthor !== "model";
+    this.byId("proposal-outcomes").hidden = this.#shown === null && !played;
   }
 
   /** @param {number} number */
@@ -200,12 +195,6 @@ export class Proposals extends Component {
     }
   }
 
-  #retry() {
-    this.#callFailure = null;
-    this.#load();
-    this.#update();
-  }
-
   #update() {
     const { session } = this;
     const proposals = this.#proposals;
@@ -213,10 +202,14 @@ export class Proposals extends Component {
     this.byId("proposals-failure").hidden = this.#client.failure !== null;
     this.#trouble.update(this.#client, this.#callFailure, {
       restartModel: () => this.requestModel(),
-      repeatCall: () => this.#retry(),
+      repeatCall: () => {
+        this.#callFailure = null;
+        this.#load();
+        this.#update();
+      },
     });
     this.byId("proposals").hidden = !proposals || proposals.length === 0;
-    this.#hideOutcomes();
+    this.#tellOutcomes();
     if (!session || !proposals?.length) return this.#updateFacts([]);
     setText(this.byId("proposal-outcomes"), outcomesWords(proposals));
     this.#slider.max = String(proposals.length);
@@ -248,7 +241,7 @@ export class Proposals extends Component {
    * @param {Session} session
    */
   #onSessionChange(session) {
-    this.#hideOutcomes();
+    this.#tellOutcomes();
     const { shown } = session;
     const ball = this.#shown === null ? null : this.#proposals?.[this.#shown - 1]?.ball;
     // A ball of another model may have the same number.
@@ -285,7 +278,6 @@ export class Proposals extends Component {
     const proposal = proposals[number - 1];
     const [x, y, r] = proposal.ball;
     setText(this.byId("proposal-ball"), `x ${x}, y ${y}, radius ${r}`);
-    setText(this.byId("proposal-valid"), rejectedWords(proposal));
     setText(
       this.byId("proposal-outcome"),
       `${shown.ending.solved ? "✓" : "×"} ${sentence(shown.words)} ${shown.tried || this.#able ? "" : "It was not tried in its turn."}`,
@@ -299,17 +291,5 @@ export class Proposals extends Component {
         ? `${sentence(chanceWords(this.#answer.imagined.probability))} ${errorWords(this.#answer.imagined, real)}`
         : "",
     );
-  }
-
-  /**
-   * The place that a ball comes from, px, or null.
-   * @param {Proposal} proposal
-   * @returns {[x: number, y: number] | null}
-   */
-  #sourceOf({ origin }) {
-    if (origin.kind === "map") return [origin.x, origin.y];
-    if (origin.kind !== "perturbed" || !this.#proposals) return null;
-    const [x, y] = this.#proposals[origin.number - 1].ball;
-    return [x, y];
   }
 }
