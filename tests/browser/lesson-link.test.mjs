@@ -100,10 +100,10 @@ test("boxes by keys make the link, the preview and the code; the link opens just
 });
 
 test("what is hidden is nowhere told, in the sheets neither", async () => {
-  const page = await openPuzzle(session, { fragment: "&hide=imagine,predict,map,make,transport,fields,hint" });
+  const page = await openPuzzle(session, { fragment: "&hide=imagine,predict,map,transport,fields,hint" });
   await page.keyboard.press("?");
   const keys = await page.locator("#keys-dialog").innerText();
-  assert.match(keys, /1 to 2\s+Play, Compare/);
+  assert.match(keys, /1 to 2\s+Play, Make/);
   assert.doesNotMatch(keys, /Imagine|Predict|Map|story|step|undo/i);
   await page.keyboard.press("Escape");
   await page.locator("#about-button").click();

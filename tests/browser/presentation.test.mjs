@@ -197,12 +197,12 @@ for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
 test("Back after three tabs and two steps leads through them, and leaves the ball", async () => {
   const page = await openPuzzle(session);
   const wait = (pattern) => page.waitForFunction((source) => new RegExp(source).test(location.hash), pattern);
-  for (const panel of ["imagine", "compare", "map"]) {
+  for (const panel of ["imagine", "make", "imagine"]) {
     await page.locator(`#tab-${panel}`).click();
     await wait(`panel=${panel}`);
   }
   await page.goBack();
-  await page.locator("#compare:visible").waitFor();
+  await page.locator("#make:visible").waitFor();
   await page.goBack();
   await page.locator("#imagine:visible").waitFor();
   await imagined(page);

@@ -25,8 +25,9 @@ async function savedAttempts(page) {
     .map((line) => JSON.parse(line));
 }
 
-function openAttempts(page, name, text) {
-  return page
+async function openAttempts(page, name, text) {
+  if (await page.locator("#more").isHidden()) await page.locator("#more-button").click();
+  await page
     .locator("#attempts-file")
     .setInputFiles({ name, mimeType: "application/jsonl", buffer: Buffer.from(text) });
 }

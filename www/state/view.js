@@ -102,6 +102,15 @@ function visibleLayers({ hide, step, view }, panel, layers) {
 }
 
 /**
+ * What changes when the presentation begins: the story begins with the goal, unless the person was in the middle of it.
+ * @param {Pick<State, "step" | "panel">} state
+ * @returns {Partial<State>}
+ */
+export function withPresentation({ step, panel }) {
+  return { view: "presentation", step: panel === "imagine" ? step : null };
+}
+
+/**
  * What changes when the presentation is left: a story goes on in its panel.
  * @param {Pick<State, "step">} state
  * @returns {Partial<State>}
