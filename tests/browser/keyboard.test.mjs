@@ -92,7 +92,7 @@ test("keys step, pause, reset, change the puzzle and the panel", async () => {
   await page.locator("#imagine").waitFor();
   await tabTo(page, "tab-imagine");
   await page.keyboard.press("ArrowRight");
-  assert.equal(await focusedId(page), "tab-compare");
+  assert.equal(await focusedId(page), "tab-make");
   await page.keyboard.press("?");
   await page.locator("#keys-dialog[open]").waitFor();
   await page.keyboard.press("Escape");

@@ -63,8 +63,10 @@ test("a solving ball is tapped, run and solved", async () => {
     solving: [x, y, r],
   } = await known();
   await page.touchscreen.tap(...(await spot(page, x, y)));
+  await page.locator("#more-button").tap();
   await page.locator("#ball-r").fill(String(r));
   await page.locator("#ball-r").press("Tab");
+  await page.keyboard.press("Escape");
   assert.deepEqual(await ball(page), [x, y, r]);
   await page.locator("#run").tap();
   await says(page, /^Solved!/);

@@ -296,7 +296,10 @@ function controlInPage([kindPart, onePart]) {
   const all = [document, shadowRoot].flatMap((root) => [
     ...root.querySelectorAll('a[href], button, input:not([type=file]), select, summary, [tabindex="0"]'),
   ]);
-  const dialog = [...shadowRoot.querySelectorAll("dialog[open]"), ...document.querySelectorAll("dialog[open]")].at(-1);
+  const dialog = [
+    ...shadowRoot.querySelectorAll("dialog[open], :popover-open"),
+    ...document.querySelectorAll("dialog[open]"),
+  ].at(-1);
   const usable = all.filter((one) => {
     if (
       !one.checkVisibility({ visibilityProperty: true }) ||

@@ -54,9 +54,13 @@ export class Page {
     this.#onClick("previous", () => this.#stepPuzzle(-1));
     this.#onClick("next", () => this.#stepPuzzle(1));
     this.#onClick("random", () => this.#openRandomPuzzle());
+    this.#onClick("share-button", () => this.#puzzle.share());
     this.#onClick("copy", () => this.#copyLink());
     this.#onClick("presentation-button", () => this.#puzzle.togglePresentation());
-    this.#onClick("lesson-button", () => (this.#lessonDialog ??= new LessonDialog()).show(this.#state));
+    this.#onClick("lesson-button", () => {
+      byId(document, "share-dialog", HTMLDialogElement).close();
+      (this.#lessonDialog ??= new LessonDialog()).show(this.#state);
+    });
     this.#onClick("about-button", () => this.#puzzle.showAbout());
     this.#onClick("keys-button", () => this.#puzzle.showKeys());
     this.#onClick("skip", (event) => {
@@ -149,7 +153,7 @@ export class Page {
     if (view === "results") this.#showResults(state.model);
     if (view === "learns") this.#showLearns();
     else this.#learns?.stop();
-    for (const id of ["title", "copy", "presentation-button", "skip"]) byId(document, id).hidden = !shown;
+    for (const id of ["title", "share-button", "presentation-button", "skip"]) byId(document, id).hidden = !shown;
     // First, so that the worker imagines while the page goes on.
     this.#puzzle.state = state;
     this.#applyTitle(state);
@@ -280,14 +284,15 @@ export class Page {
       this.#shareDialog ??= new ShareDialog(TEMPLATES);
     } catch {
       return showNotice(
-        "The sheet to share a result could not be loaded. Check the connection; if Pathlight has been updated meanwhile, load the page again.",
+        "The sheet to share a puzzle could not be loaded. Check the connection; if Pathlight has been updated meanwhile, load the page again.",
       );
     }
     // The result can be drawn only while its puzzle is open.
-    if (result.isOpen()) this.#shareDialog.show(result, darkScheme.matches);
+    if (result.isOpen()) this.#shareDialog.show(result, this.#state, darkScheme.matches);
   }
 
   async #copyLink() {
+    byId(document, "share-dialog", HTMLDialogElement).close();
     await this.#puzzle.settle();
     this.#address.write(this.#state);
     this.#address.flush();

@@ -5,6 +5,7 @@
 
 import { NAME } from "../storage/attempts.js";
 import { ATTEMPT_LIMIT, MAPS, MAX_RADIUS, MIN_RADIUS, SCENE_SIZE } from "../shell/constants.js";
+import { PANELS } from "./panels.js";
 
 /** @typedef {import("../pkg/pathlight.js").Ball} Ball */
 /** @typedef {import("../pkg/pathlight.js").MapName} MapName */
@@ -15,7 +16,7 @@ export const MAP_STEPS = /** @type {const} */ (["base", "target", "action", "pla
 export const CHOICE_STEPS = /** @type {const} */ (["imagined", "run"]);
 /** @typedef {typeof CHOICE_STEPS[number]} ChoiceStep */
 /** @typedef {typeof MAP_STEPS[number] | ChoiceStep} Step */
-export const PANELS = /** @type {const} */ (["play", "imagine", "compare", "predict", "map", "make"]);
+const PANEL_NAMES = PANELS.map(({ name }) => name);
 /** What a link can hide: the panels, of which one stays, and what the document marks with data-hideable. */
 export const HIDEABLE = /** @type {const} */ ([
   "puzzles",
@@ -28,12 +29,7 @@ export const HIDEABLE = /** @type {const} */ ([
   "forecast",
   "transport",
   "speed",
-  "play",
-  "imagine",
-  "compare",
-  "predict",
-  "map",
-  "make",
+  ...PANEL_NAMES,
   "save",
 ]);
 /**
@@ -42,7 +38,7 @@ export const HIDEABLE = /** @type {const} */ ([
  */
 export const PAGE_VIEWS = /** @type {const} */ (["results", "learns"]);
 /** @typedef {typeof PAGE_VIEWS[number]} PageView */
-/** @typedef {typeof PANELS[number]} Panel */
+/** @typedef {import("./panels.js").Panel} Panel */
 /** @typedef {typeof HIDEABLE[number]} Hideable */
 
 /**
@@ -121,7 +117,7 @@ const CODECS = {
   task: { format: String, parse: (text) => (/^\d{5}:\d{3}$/.test(text) ? text : undefined) },
   scene: { format: String, parse: (text) => (PACKED.test(text) ? text : undefined) },
   model: { format: String, parse: (text) => (NAME.test(text) ? text : undefined) },
-  panel: oneOf(PANELS),
+  panel: oneOf(PANEL_NAMES),
   step: oneOf([...MAP_STEPS, ...CHOICE_STEPS], RENAMED_STEPS),
   view: oneOf(["presentation", ...PAGE_VIEWS]),
   proposal: ATTEMPT,
