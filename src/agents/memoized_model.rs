@@ -11,7 +11,9 @@ use crate::nets::{ImaginedBall, PathNet, ReadScene};
 use crate::puzzle::action::Ball;
 use crate::puzzle::scene::Scene;
 
+/// Nets that keep what they have read of the last scene.
 pub struct MemoizedModel {
+    /// The nets.
     pub nets: PathNet,
     last: RefCell<Option<Memo>>,
 }
@@ -24,6 +26,7 @@ struct Memo {
 }
 
 impl MemoizedModel {
+    /// Returns the nets, which have read no scene yet.
     pub fn new(nets: PathNet) -> MemoizedModel {
         MemoizedModel { nets, last: RefCell::new(None) }
     }

@@ -26,6 +26,7 @@ const CONFIDENCE: f32 = 0.7;
 /// What the net imagines for a ball.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ImaginedBall {
+    /// The imagined paths, px.
     pub paths: SampledPaths,
     /// Expected distance between imagined and real positions at each sample: of the object, then of the ball, px.
     pub errors: [f32; POSITIONS],

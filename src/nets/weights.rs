@@ -3,7 +3,6 @@
 //!
 //! The names of the tensors are the paths of the parameters in `PathNet` (`base.down.0.weight`). A file that does not
 //! fit is refused with the name of the tensor. Older files call the success net `judge`. Does no file or network I/O.
-//!
 //! burn-store's `SafetensorsStore` writes the same names, but converts to half precision without a check of the range
 //! and accepts any type of number; here a file that a person names has to fit exactly.
 
@@ -27,6 +26,7 @@ const CARD: &str = "pathlight";
 
 /// Why weights cannot be loaded or saved.
 #[derive(Debug, thiserror::Error)]
+#[allow(missing_docs, reason = "the messages say it")]
 pub enum WeightsError {
     #[error("not a safetensors file ({0}): download or train the weights again")]
     NotSafetensors(#[from] safetensors::SafeTensorError),

@@ -61,7 +61,9 @@ impl Settings {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum PuzzleSource {
+    /// A task of the benchmark.
     Task(TaskId),
+    /// A scene that is no task.
     Scene(Box<Scene>),
 }
 
@@ -94,9 +96,11 @@ impl PuzzleSource {
 /// An attempt that is remembered.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Attempt {
+    /// The ball, px.
     pub ball: Ball,
     /// The chance that the agent gave it before, 0..=1, rounded to `CHANCES`, so that any parser reads the same bits.
     pub chance: f64,
+    /// Whether it solved the puzzle.
     pub solved: bool,
 }
 
@@ -134,6 +138,7 @@ impl Default for Memory {
 }
 
 impl Memory {
+    /// Returns a memory of nothing.
     pub fn new(settings: Settings) -> Memory {
         Memory { settings, puzzles: Vec::new(), forgotten: 0 }
     }

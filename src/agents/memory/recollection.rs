@@ -61,6 +61,7 @@ pub struct Reminder {
     pub change: f64,
     /// The ball of the attempt that moved it most, as it was tried there.
     pub ball: Ball,
+    /// Whether that attempt solved its puzzle.
     pub solved: bool,
     /// Whether the scene is like that of the puzzle mirrored.
     pub mirrored: bool,

@@ -15,6 +15,7 @@ const VERSION: u32 = 1;
 
 /// Why a memory cannot be used.
 #[derive(Debug, thiserror::Error)]
+#[allow(missing_docs, reason = "the messages say it")]
 pub enum MemoryError {
     #[error("this is no memory, or it is damaged: {0}")]
     Json(#[from] serde_json::Error),

@@ -1,6 +1,5 @@
 //! Custom scenes: the scenes that people make, as they are edited, shared and stored. Versioned JSON, of which
 //! `assets/scene.schema.json` is the schema (`pathlight tasks --schema`).
-//!
 //! A body is a shape with its lengths, a place, and whether it moves; colours follow from the goal. `read` takes JSON
 //! from anywhere and `limit_problems` names what the limits refuse; `session::scene_check` adds what only the simulator
 //! knows, and is the way to a scene that may be played.
@@ -60,6 +59,7 @@ pub struct CustomScene {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(not(target_arch = "wasm32"), derive(schemars::JsonSchema))]
 pub struct CustomBody {
+    /// Shape and lengths.
     #[serde(flatten)]
     pub dimensions: Dimensions,
     /// Position of the origin, px.
