@@ -12,6 +12,7 @@ use super::PathNet;
 /// A tensor of weights or biases.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parameter {
+    /// Its dimensions, the outermost first.
     pub shape: Vec<usize>,
     /// Row-major.
     pub values: Vec<f32>,

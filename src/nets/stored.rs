@@ -12,7 +12,7 @@ use std::borrow::Cow;
 use super::weights::WeightsError;
 
 /// A tensor of a weights file.
-pub struct Stored {
+pub(crate) struct Stored {
     dtype: Dtype,
     shape: Vec<usize>,
     bytes: Vec<u8>,
@@ -37,7 +37,7 @@ impl View for Stored {
 }
 
 /// Returns the tensors that hold a parameter, by name.
-pub fn stored(name: &str, shape: Vec<usize>, values: &[f16]) -> Vec<(String, Stored)> {
+pub(crate) fn stored(name: &str, shape: Vec<usize>, values: &[f16]) -> Vec<(String, Stored)> {
     match multiples(values) {
         Some(Multiples { step, small, outliers }) => {
             let mut tensors = vec![
@@ -63,7 +63,7 @@ pub fn stored(name: &str, shape: Vec<usize>, values: &[f16]) -> Vec<(String, Sto
 }
 
 /// Reads the parameter of this name and shape, and returns its values and the number of tensors that hold it.
-pub fn read(file: &SafeTensors, name: &str, shape: &[usize]) -> Result<(Vec<f32>, usize), WeightsError> {
+pub(crate) fn read(file: &SafeTensors, name: &str, shape: &[usize]) -> Result<(Vec<f32>, usize), WeightsError> {
     let view = file.tensor(name).map_err(|_| WeightsError::Missing(name.to_string()))?;
     let (values, tensors) = match view.dtype() {
         Dtype::I8 => {

@@ -28,7 +28,7 @@ mod direct;
 mod forward;
 mod im2col;
 mod matmul;
-pub mod panels;
+pub(crate) mod panels;
 mod planes;
 mod simd;
 #[cfg(feature = "training")]

@@ -12,10 +12,10 @@ use super::simd::{load, multiply_add, vectorize};
 const OUTPUTS: usize = 4;
 
 /// Columns of a product: two registers.
-pub const COLUMNS: usize = if cfg!(target_arch = "wasm32") { 8 } else { 16 };
+pub(crate) const COLUMNS: usize = if cfg!(target_arch = "wasm32") { 8 } else { 16 };
 
 /// The weights of a layer in panels of some outputs, so that a tile reads them in their order.
-pub struct Panels {
+pub(crate) struct Panels {
     /// For each panel `[inputs, OUTPUTS]`, with zeros for the outputs that a last panel lacks.
     weights: Vec<Vec<[f32; OUTPUTS]>>,
     outputs: usize,
@@ -23,7 +23,7 @@ pub struct Panels {
 
 impl Panels {
     /// Returns the panels of finite weights `[inputs, outputs]`.
-    pub fn new(weight: &[f32], outputs: usize) -> Panels {
+    pub(crate) fn new(weight: &[f32], outputs: usize) -> Panels {
         let panel = |first: usize| {
             let rows = weight.chunks_exact(outputs).map(move |row| &row[first..outputs.min(first + OUTPUTS)]);
             let padded = rows.map(|row| std::array::from_fn(|index| row.get(index).copied().unwrap_or_default()));
@@ -33,7 +33,7 @@ impl Panels {
     }
 
     /// Multiplies inputs `[inputs, COLUMNS]` and returns `[outputs, COLUMNS]`.
-    pub fn multiply(&self, x: &[f32]) -> Vec<f32> {
+    pub(crate) fn multiply(&self, x: &[f32]) -> Vec<f32> {
         let (x, _) = x.as_chunks::<COLUMNS>();
         assert!(self.weights.iter().all(|panel| panel.len() == x.len()), "a row for each input");
         // All bits but those of the signs: what is not a number is not zero.
