@@ -218,14 +218,15 @@ mod tests {
     fn damaged_files_are_refused() {
         let shape = vec![1000];
         let values = halves((0..1000).map(|index| if index == 3 { 200.0 } else { (index % 100) as f32 }));
-        let refusal = |damage: &dyn Fn(&mut Vec<(String, Stored)>)| {
+        type Damage<'a> = &'a dyn Fn(&mut Vec<(String, Stored)>);
+        let refusal = |damage: Damage| {
             let mut tensors = stored("weight", shape.clone(), &values);
             damage(&mut tensors);
             let bytes = safetensors::serialize(tensors, None).expect("a file");
             let file = SafeTensors::deserialize(&bytes).expect("a safetensors file");
             read(&file, "weight", &shape).expect_err("damaged").to_string()
         };
-        let says = |damage: &dyn Fn(&mut Vec<(String, Stored)>), words: &str| {
+        let says = |damage: Damage, words: &str| {
             let sentence = refusal(damage);
             assert!(sentence.contains(words), "{sentence}");
         };

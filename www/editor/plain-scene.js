@@ -1,5 +1,5 @@
-// Custom scenes as they are edited and kept: a puzzle as one, and a scene without anything else that its JSON may hold, with its keys in one order, so that equal scenes have
-// equal JSON.
+// Custom scenes as they are edited and kept: a puzzle as one, and a scene without anything else that its JSON may hold,
+// with its keys in one order, so that equal scenes have equal JSON.
 
 import { pathlight } from "../shell/page-api.js";
 import { SIZES, sizeOf } from "./body-geometry.js";

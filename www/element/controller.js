@@ -50,8 +50,8 @@ export class PuzzleController extends EventTarget {
    * @param {ShadowRoot} root
    * @param {WebAssembly.Module} module
    * @param {import("../storage/progress.js").Progress} progress
-   * @param {() => HrefOf | null} hrefOf returns the function that knows the addresses of other puzzles, or null if there
-   *   is no way to them
+   * @param {() => HrefOf | null} hrefOf returns the function that knows the addresses of other puzzles, or null if
+   *   there is no way to them
    */
   constructor(root, module, progress, hrefOf) {
     super();

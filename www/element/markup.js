@@ -1,5 +1,5 @@
-// The shadow tree of a puzzle: scene, transport, tabs and dialogs; the panels come later, each with its own markup. It is
-// the only markup that is made from text, and the text is constant. Ids are unique in each shadow tree.
+// The shadow tree of a puzzle: scene, transport, tabs and dialogs; the panels come later, each with its own markup. It
+// is the only markup that is made from text, and the text is constant. Ids are unique in each shadow tree.
 
 import { MORE_MARKUP } from "./more-markup.js";
 import { TABS_MARKUP } from "./tabs-markup.js";

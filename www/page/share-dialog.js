@@ -1,6 +1,6 @@
-// The sheet on which a person shares a puzzle: a picture or a short film, a text, and a link that challenges others. The
-// page adds the link to what is seen, and the one for a lesson. Loaded when it is first needed. What is shared goes to
-// the system’s share sheet where there is one, else to the clipboard or a file.
+// The sheet on which a person shares a puzzle: a picture or a short film, a text, and a link that challenges others.
+// The page adds the link to what is seen, and the one for a lesson. Loaded when it is first needed. What is shared goes
+// to the system’s share sheet where there is one, else to the clipboard or a file.
 
 import { palette } from "../pkg/pathlight.js";
 import { byId } from "../widgets/dom.js";

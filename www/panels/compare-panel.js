@@ -1,5 +1,5 @@
-// The race and the model's balls one by one: the markup, as constant text, and the components. The race itself is part of
-// the panel Play (play/play-markup.js), two models side by side of the menu (element/more-markup.js).
+// The race and the model's balls one by one: the markup, as constant text, and the components. The race itself is part
+// of the panel Play (play/play-markup.js), two models side by side of the menu (element/more-markup.js).
 
 import { AttemptList } from "../play/attempt-list.js";
 import { byId } from "../widgets/dom.js";

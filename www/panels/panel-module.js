@@ -6,6 +6,7 @@
  *   import("./scene-picture.js").ScenePicture }} PanelParts
  */
 
-/** @typedef {{ markup: string, create: (parts: PanelParts) => import("../widgets/component.js").Component[] }} PanelModule */
+/** @typedef {import("../widgets/component.js").Component} Component */
+/** @typedef {{ markup: string, create: (parts: PanelParts) => Component[] }} PanelModule */
 
 export {};

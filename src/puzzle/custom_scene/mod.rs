@@ -234,7 +234,7 @@ mod tests {
     use crate::puzzle::task::Task;
     use crate::puzzle::templates::TEMPLATES;
 
-    pub fn scene() -> Value {
+    pub(super) fn scene() -> Value {
         json!({"version": 1, "name": "Over the wall", "body1": 0, "body2": 1, "bodies": [
             {"shape": "ball", "radius": 12.5, "x": 60, "y": 200, "angle": 0, "dynamic": true},
             {"shape": "bar", "length": 80, "thickness": 5.12, "x": 200, "y": 2.56, "angle": 0, "dynamic": false},
@@ -242,7 +242,7 @@ mod tests {
     }
 
     /// The first problem of this scene with one value replaced.
-    pub fn problem(pointer: &str, value: Value) -> Problem {
+    pub(super) fn problem(pointer: &str, value: Value) -> Problem {
         let mut scene = scene();
         *scene.pointer_mut(pointer).expect("a value of the scene") = value;
         let problems = CustomScene::read(scene).map_or_else(|problems| problems, |scene| scene.limit_problems());
