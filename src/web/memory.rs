@@ -26,7 +26,7 @@ pub struct Memory {
 }
 
 /// What a turn uses of a memory, and where it adds to it.
-pub struct TurnMemory {
+pub(crate) struct TurnMemory {
     memory: Rc<RefCell<memory::Memory>>,
     source: PuzzleSource,
     scene: Scene,
@@ -113,7 +113,7 @@ impl Memory {
 
 impl TurnMemory {
     /// Remembers the outcome of a ball.
-    pub fn observe(&self, proposal: &Proposal, solved: bool) {
+    pub(crate) fn observe(&self, proposal: &Proposal, solved: bool) {
         let mut memory = self.memory.borrow_mut();
         // All may be forgotten, or another puzzle begun, in the middle of a turn.
         if !memory.is_at(&self.source) {
