@@ -66,6 +66,7 @@ export class Predict extends Component {
     this.#visible = panel === "predict";
   }
 
+  /** @returns {{ sketch: Point[], pen: import("../play/gestures.js").Pen } | null} */
   get overlay() {
     return this.#visible ? { sketch: this.#sketch, pen: this } : null;
   }
