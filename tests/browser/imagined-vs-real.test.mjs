@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { start } from "./harness.mjs";
-import { inMore, known, openPuzzle, picture, playModelTurn, says, type } from "./page-actions.mjs";
+import { inMore, known, openPanel, openPuzzle, picture, playModelTurn, says, type } from "./page-actions.mjs";
 
 let session;
 before(async () => (session = await start()));
@@ -71,7 +71,7 @@ test("the line goes round the path of this run, and goes with its attempt", asyn
 });
 
 async function tab(page, name) {
-  await page.locator(`#tab-${name}`).click();
+  await openPanel(page, name);
   return page;
 }
 

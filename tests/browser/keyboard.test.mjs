@@ -54,11 +54,10 @@ test("a puzzle is opened, solved and compared by keys alone", async () => {
   await page.keyboard.press("Space");
   await says(page, /^Solved! Your attempt 1/);
 
-  await page.keyboard.press("3");
-  await tabTo(page, "model-turn");
-  await page.locator("#model-turn:enabled").waitFor();
+  await page.locator("#race-it:enabled").waitFor();
+  await tabTo(page, "race-it");
   await page.keyboard.press("Enter");
-  await page.locator("#model-turn").filter({ hasText: "The model has played" }).waitFor({ timeout: 120_000 });
+  await page.locator("#race-it").filter({ hasText: "Watch it again" }).waitFor({ timeout: 120_000 });
 });
 
 test("keys step, pause, reset, change the puzzle and the panel", async () => {

@@ -38,6 +38,8 @@ export class Proposals extends Component {
    */
   #shown = null;
   #visible = false;
+  /** Are the balls saved once they are there? */
+  #saves = false;
   #trouble = new TroubleBox(this.byId("proposals-trouble"));
   /**
    * The call to the worker that counts.
@@ -83,6 +85,7 @@ export class Proposals extends Component {
 
   close() {
     super.close();
+    this.#saves = false;
     this.#drop();
     this.#imaginer.forget();
     this.#shown = null;
@@ -151,10 +154,17 @@ export class Proposals extends Component {
     else this.#request(other + 1);
   }
 
-  async #save() {
-    await this.#load(true);
+  /** Saves the balls as soon as they are there; the model may still be on its way. */
+  #save() {
+    this.#saves = true;
+    this.#load();
+    this.#saveIfThere();
+  }
+
+  #saveIfThere() {
     const { loaded } = this.#client;
-    if (!this.session || !this.#proposals || !loaded) return;
+    if (!this.#saves || !this.session || !this.#proposals || !loaded) return;
+    this.#saves = false;
     const { id, name } = this.session.about;
     const task = id ?? name;
     const csv = ballsCsv(this.#proposals, {
@@ -178,8 +188,8 @@ export class Proposals extends Component {
     this.#update();
   }
 
-  /** @param {boolean} [wanted] are they asked for? */
-  async #load(wanted = this.#visible) {
+  async #load() {
+    const wanted = this.#visible || this.#saves;
     if (!wanted || this.#proposals || this.#call || this.#callFailure || !this.session || !this.#imagine.maps) return;
     const call = (this.#call = new AbortController());
     try {
@@ -191,6 +201,7 @@ export class Proposals extends Component {
       if (this.#call === call) {
         this.#call = null;
         this.#show();
+        this.#saveIfThere();
       }
     }
   }
