@@ -1,6 +1,6 @@
-// The model's proposals, one by one, whether it has tried them or not: the outcome of each, whether it may be placed,
-// what the model imagined for it, and where it comes from. The one that is looked at is shown at its end at once, with
-// its paths, imagined and real, over the scene and the balls before it marked. Its number is in the address.
+// The model's proposals, one by one, whether it has tried them or not: the outcome of each, what the model imagined for
+// it, and where it comes from. The one that is looked at is shown at its end at once, with its paths, imagined and
+// real, over the scene and the balls before it marked. Its number is in the address.
 
 import { Component } from "../widgets/component.js";
 import { ATTEMPT_LIMIT } from "../shell/constants.js";
