@@ -103,7 +103,7 @@ export class Picks {
       words.append(line("strong", title), line("span", detail));
       link.replaceChildren(canvas, words);
     }
-    link.hidden = false;
+    find(document, `#picks [data-pick=${name}]`, HTMLElement).hidden = href === null;
   }
 }
 
