@@ -1,33 +1,37 @@
 // What `make bench` times: the parts, their comparisons, and the implementations of each; ours comes first.
 //
-// An implementation returns `{ result, times(repetitions), stop? }`. `agree` throws if a result is not ours. Each is
+// An implementation is started by `start(place, checkout)`: `place` is what `open` returned, and the checkout is this
+// one by default. It returns `{ result, times(repetitions), stop? }`. `agree` throws if a result is not ours. Each is
 // timed in blocks of `repetitions`. With `steps` the row shows simulated steps per second.
 
 import { readFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { startChild } from "./child.mjs";
-import { TASK } from "./nets/web/task.mjs";
+import { OTHER_TASK, TASK } from "./nets/web/task.mjs";
 import { implementation } from "./web/implementation.mjs";
 
-const root = join(dirname(fileURLToPath(import.meta.url)), "..");
-const WEIGHTS = "assets/within-0.safetensors";
-const onnx = (what) => [`target/bench/${what}.onnx`, "target/bench/scene.f32"];
+export const root = join(dirname(fileURLToPath(import.meta.url)), "..");
+const WEIGHTS = "target/bench/weights.safetensors";
+const onnx = (what) => `target/bench/${what}.onnx`;
+/** What each graph reads. */
+const images = { nets: ["scene"], "all-nets": ["scene", "coverage"] };
 const ROLLOUTS = "target/bench/rollouts.txt";
 
-const cargoBench = (...args) => ["cargo", "bench", "--quiet", ...args];
 // Built with the features of the tests, so that nothing is built twice.
-const ours = (bench, ...args) => cargoBench("--features", "ndarray", "--bench", bench, "--", ...args);
-// They train too.
-const ourNets = (...args) => cargoBench("--package", "pathlight-lab", "--bench", "nets", "--", ...args);
+const CARGO_BENCH = ["cargo", "bench", "--quiet", "--workspace", "--features", "ndarray"];
+const ours = (bench, ...args) => [...CARGO_BENCH, "--bench", bench, "--", ...args];
+const ourNets = (...args) => ours("nets", ...args);
 const python = (script, ...args) => ["target/bench/venv/bin/python", `benches/nets/${script}`, ...args];
 const torch = (...args) => python("torch_step.py", WEIGHTS, "target/bench/batch.f32", "2", ...args);
 const child =
   (command, threads = 1) =>
-  () =>
-    startChild(root, command, { RAYON_NUM_THREADS: threads });
-const inNode = (module, what) => () =>
-  implementation([module, what], (path) => new Uint8Array(readFileSync(join(root, path))));
+  (_, at = root) =>
+    startChild(at, command, { RAYON_NUM_THREADS: threads });
+const inNode =
+  (module, what) =>
+  (_, at = root) =>
+    implementation([module, what], (path) => new Uint8Array(readFileSync(join(at, path))), `${at}/benches`);
 const inPage = (module, what) => (page) => page.implementation([module, what]);
 const openPage = async () => (await import("./web/page.mjs")).openPage(root);
 
@@ -70,8 +74,15 @@ const web = (where, what) => [
 ];
 const native = (what, bench) => [
   ["ours", child(ourNets(bench, TASK))],
-  ["onnxruntime", child(python("onnxruntime_forward.py", ...onnx(what)))],
-  ["tract", child(["target/bench/tract/release/tract-nets", ...onnx(what)])],
+  ["onnxruntime", child(python("onnxruntime_forward.py", onnx(what), "target/bench"))],
+  [
+    "tract",
+    child([
+      "target/bench/tract/release/tract-nets",
+      onnx(what),
+      ...images[what].map((image) => `target/bench/${image}.f32`),
+    ]),
+  ],
 ];
 
 // Ours also finds out which balls fit; the peers run the nets alone.
@@ -127,7 +138,7 @@ export const parts = {
       repetitions: 5,
       implementations: [
         ["ours", inNode("nets/web/ours.mjs", "propose")],
-        ["ours natively", child(ourNets("propose", TASK))],
+        ["ours natively", child(ourNets("propose", TASK, OTHER_TASK))],
       ],
     },
   ],

@@ -8,7 +8,39 @@ export interface PathlightPuzzleEventMap extends HTMLElementEventMap {
   statechange: CustomEvent<State>;
 }
 
+/** The attributes, as properties. */
 export interface PathlightPuzzle {
+  /** The puzzle, "00007:008"; null for none. */
+  task: string | null;
+  /** A custom scene, as the link to it holds it; null for a task. */
+  scene: string | null;
+  /** The name of the model; null for the first. */
+  model: string | null;
+  /** A tab, "play", "imagine" or "make", or a part: "compare", "predict" or "map"; null for "play". */
+  panel: string | null;
+  /** The step of the story: "base", "target", "action", "placement", "imagined" or "run"; null for all together. */
+  step: string | null;
+  /** @deprecated The old name of `step`. */
+  stage: string | null;
+  /** "presentation" for the scene and one sentence, in large type; null for all panels. */
+  view: string | null;
+  /** The number of the model's ball that is looked at, from 1; null for none. */
+  proposal: string | null;
+  /** The maps over the scene, with commas between them; null for those that the panel or the step lays there. */
+  layers: string | null;
+  /** How much the maps cover, 0 to 1. */
+  opacity: string | null;
+  /** "on" or "off": the model's guess for the ball being placed; null for what the person likes. */
+  forecast: string | null;
+  /** The ball that is being placed: "x,y,r" in px of the scene; null for none. */
+  ball: string | null;
+  /** The attempt at which somebody solved the puzzle, whom the player is to beat; null for none. */
+  challenge: string | null;
+  /** The names of the parts that are hidden, with commas between them. */
+  hide: string | null;
+  /** "light", "dark" or "auto"; null for "auto", which follows the system. */
+  theme: string | null;
+
   addEventListener<Type extends keyof PathlightPuzzleEventMap>(
     type: Type,
     listener: (this: PathlightPuzzle, event: PathlightPuzzleEventMap[Type]) => unknown,

@@ -32,6 +32,8 @@
 //! | `search` | the solutions of a scene, the map of all solutions, luck |
 //! | `web` | the wasm exports; wasm32 only |
 
+#![warn(missing_docs, unreachable_pub)]
+
 pub mod agents;
 pub mod benchmark;
 pub mod colour;

@@ -16,6 +16,7 @@ use crate::simulator::Engine;
 /// An attempt, and what came of it. Exactly one of `task` and `scene` is there.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct AttemptLine {
+    /// A task of the benchmark.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub task: Option<TaskId>,
     /// A custom scene.
@@ -28,6 +29,7 @@ pub struct AttemptLine {
     pub engine: Engine,
     /// The version of the engine.
     pub simulator: u32,
+    /// How it ended.
     pub status: Status,
     /// Simulated steps; 0 if the ball is invalid.
     pub steps: usize,

@@ -136,7 +136,7 @@ fn what_was_never_tried_cannot_be_replayed() {
 
 #[wasm_bindgen_test]
 fn bytes_that_are_not_weights_are_refused() {
-    assert_eq!(code(Model::new(&[1, 2, 3]).err().expect("refused")), "bad_weights");
+    assert_eq!(code(Model::new(&[1, 2, 3], None).err().expect("refused")), "bad_weights");
 }
 
 #[wasm_bindgen_test]
@@ -293,7 +293,7 @@ fn values_have_the_fields_that_their_types_declare() {
     assert_eq!(names, expected);
 
     let bytes = include_bytes!("../assets/within-0.safetensors");
-    let model = Model::new(bytes).expect("the shipped weights");
+    let model = Model::new(bytes, None).expect("the shipped weights");
     let card = json(model.card().expect("a card"));
     let (_, shipped) = PathNet::load(bytes).expect("the shipped weights");
     assert_eq!(card, serde_json::to_value(shipped).expect("JSON"), "its fields are those of the test below");
@@ -337,7 +337,7 @@ fn cards_have_the_fields_that_their_types_declare() {
 
 #[wasm_bindgen_test]
 fn the_model_imagines_each_map() {
-    let model = Model::new(include_bytes!("../assets/within-0.safetensors")).expect("the shipped weights");
+    let model = Model::new(include_bytes!("../assets/within-0.safetensors"), None).expect("the shipped weights");
     let maps = model.imagine(TASK.into()).expect("maps");
     let map_names = json(constants().expect("constants"))["maps"].clone();
     let map_names: Vec<&str> = map_names.as_array().expect("a list").iter().filter_map(Value::as_str).collect();
@@ -360,12 +360,12 @@ fn a_ball_is_imagined_by_weights_that_have_a_dynamics_net() {
     let bytes = include_bytes!("../assets/within-0.safetensors");
     let (mut nets, mut card) = PathNet::load(bytes).expect("the shipped weights");
     (nets.dynamics, card.dynamics) = (None, None);
-    let without = Model::new(&nets.save(&card).expect("weights")).expect("a model");
+    let without = Model::new(&nets.save(&card).expect("weights"), None).expect("a model");
     let ball = |x: f64, y: f64, r: f64| serde_wasm_bindgen::to_value(&[x, y, r]).expect("a ball");
     assert!(without.imagine_ball(TASK.into(), ball(128.0, 230.0, 8.0)).expect("no error").is_undefined());
     assert!(without.candidates(TASK.into()).expect("no error").is_undefined());
     nets.dynamics = Some(DynamicsNet::fresh(0));
-    let model = Model::new(&nets.save(&card).expect("weights")).expect("a model");
+    let model = Model::new(&nets.save(&card).expect("weights"), None).expect("a model");
     let imagined = |id: &str, x: f64| model.imagine_ball(id.into(), ball(x, 230.0, 8.0)).expect("a valid ball");
     let first = imagined(TASK, 128.0);
     let mut names: Vec<String> =

@@ -1,10 +1,9 @@
 //! The nets natively, as one implementation of `make bench`; `benches/bench.mjs` decides when each implementation runs.
 //!
-//! `inputs TASK FOLDER` writes the input of all implementations. `forward TASK`, the four nets, `maps TASK`, all five
-//! maps,
-//! `propose TASK`, a hundred balls, and `train` prepare, print a line of numbers that the other implementations have
-//! to agree with, and then read a number of repetitions per line of standard input and print the milliseconds of
-//! each.
+//! `inputs TASK FOLDER` writes what the other implementations read: the nets, the scene and a batch. `forward TASK`,
+//! the four nets, `maps TASK`, all five maps, `propose TASK OTHER`, a hundred balls for each in turns, and `train`
+//! prepare, print a line of numbers that the other implementations have to agree with, and then read a number of
+//! repetitions per line of standard input and print the milliseconds of each.
 
 use std::path::Path;
 use std::time::Instant;
@@ -13,13 +12,15 @@ use std::{env, fs};
 use pathlight::agents::{self, ranking};
 use pathlight::benchmark::auccess::MAX_ATTEMPTS;
 use pathlight::nets::training::{Batch, Sample, Trainer};
-use pathlight::nets::{Imagined, PathNet};
+use pathlight::nets::{Imagined, Parameter, PathNet};
 use pathlight::puzzle::task::Task;
-use pathlight::raster::{Bitmap, scene_channels};
+use pathlight::raster::{Bitmap, Coverage, scene_channels, scene_coverage};
 use pathlight_lab::data::samples::sample;
 use pathlight_lab::data::solutions::Solution;
 use repeat::{repeat, stopwatch};
+use safetensors::tensor::{Dtype, TensorView};
 
+mod onnx;
 #[path = "../repeat.rs"]
 mod repeat;
 
@@ -37,7 +38,7 @@ fn main() {
     let arguments: Vec<String> = env::args().skip(1).filter(|argument| argument != "--bench").collect();
     match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         ["inputs", task, folder] => {
-            inputs(&load(task), Path::new(folder));
+            inputs(&nets(), &load(task), Path::new(folder));
             let start = Instant::now();
             for _ in 0..100 {
                 std::hint::black_box(scene_channels(&load(task).scene));
@@ -60,11 +61,15 @@ fn main() {
                 stopwatch(|| (nets.imagine(&task.scene), ranking::probability_map(&logits(), &task.scene)))
             });
         }
-        ["propose", task] => {
-            let (nets, task) = (nets(), load(task));
-            let propose = || agents::propose(&nets, &task.scene, task.id.seed(0), MAX_ATTEMPTS);
+        ["propose", task, other] => {
+            let nets = nets();
+            let mut tasks = [load(task), load(other)].into_iter().cycle();
+            let mut propose = || {
+                let Task { id, scene, .. } = tasks.next().expect("endless");
+                agents::propose(&nets, &scene, id.seed(0), MAX_ATTEMPTS)
+            };
             let balls: Vec<[f64; 3]> = propose().into_iter().map(|proposal| proposal.ball.into()).collect();
-            repeat(&format!("{:?}", balls.concat()), || stopwatch(propose));
+            repeat(&format!("{:?}", balls.concat()), || stopwatch(&mut propose));
         }
         ["train"] => {
             let mut step = training();
@@ -84,14 +89,27 @@ fn nets() -> PathNet {
     PathNet::load(&bytes).expect("the weights fit").0
 }
 
-/// Writes the scene `[5, 64, 64]` and the batch `[32, 9, 64, 64]`, scenes before targets.
-fn inputs(task: &Task, folder: &Path) {
-    let write = |name: &str, images: &mut dyn Iterator<Item = Bitmap>| {
-        let bytes: Vec<u8> = images.flat_map(|image| image.to_f32()).flat_map(f32::to_le_bytes).collect();
-        fs::write(folder.join(name), bytes).expect("the folder can be written");
-    };
-    write("scene.f32", &mut scene_channels(&task.scene).into_iter());
-    write("batch.f32", &mut batch().into_iter().flat_map(|sample| sample.scene.into_iter().chain(sample.targets)));
+/// Writes the nets as ONNX graphs and their parameters in single precision; the scene's set cells and its covered
+/// shares, `[5, 64, 64]` each; and the batch, `[32, 9, 64, 64]`, scenes before targets.
+fn inputs(nets: &PathNet, task: &Task, folder: &Path) {
+    let write = |name: &str, bytes: Vec<u8>| fs::write(folder.join(name), bytes).expect("the folder can be written");
+    write("nets.onnx", onnx::four_nets(nets));
+    write("all-nets.onnx", onnx::all_nets(nets));
+    let parameters = nets.parameters().into_iter();
+    let parameters: Vec<_> =
+        parameters.map(|(name, Parameter { shape, values })| (name, shape, bytes(values))).collect();
+    let views = parameters.iter().map(|(name, shape, bytes)| {
+        (name, TensorView::new(Dtype::F32, shape.clone(), bytes).expect("four bytes per value"))
+    });
+    write("weights.safetensors", safetensors::serialize(views, None).expect("names and sizes come from the nets"));
+    write("scene.f32", bytes(scene_channels(&task.scene).iter().flat_map(Bitmap::to_f32)));
+    write("coverage.f32", bytes(scene_coverage(&task.scene).iter().flat_map(Coverage::to_f32)));
+    let images = batch().into_iter().flat_map(|sample| sample.scene.into_iter().chain(sample.targets));
+    write("batch.f32", bytes(images.flat_map(|image| image.to_f32().collect::<Vec<_>>())));
+}
+
+fn bytes(values: impl IntoIterator<Item = f32>) -> Vec<u8> {
+    values.into_iter().flat_map(f32::to_le_bytes).collect()
 }
 
 /// Solutions from all over the templates.

@@ -1,4 +1,4 @@
-"""The nets natively by onnxruntime, one thread: onnxruntime_forward.py ONNX SCENE"""
+"""The nets natively by onnxruntime, one thread: onnxruntime_forward.py ONNX FOLDER, of the inputs"""
 
 import sys
 
@@ -6,11 +6,14 @@ import numpy as np
 import onnxruntime
 from repeat import repeat
 
-onnx, scene = sys.argv[1:]
+onnx, folder = sys.argv[1:]
 options = onnxruntime.SessionOptions()
 options.intra_op_num_threads = options.inter_op_num_threads = 1
 session = onnxruntime.InferenceSession(onnx, options, providers=["CPUExecutionProvider"])
-inputs = {"scene": np.fromfile(scene, np.float32).reshape(1, 5, 64, 64)}
+inputs = {
+    image.name: np.fromfile(f"{folder}/{image.name}.f32", np.float32).reshape(1, 5, 64, 64)
+    for image in session.get_inputs()
+}
 
 
 def forward():

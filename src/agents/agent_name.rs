@@ -16,13 +16,20 @@ use crate::puzzle::scene::Scene;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum AgentName {
+    /// Learns from its misses, by what it imagines (`OnlineAgent`).
     Online,
+    /// Learns from its misses, by the places of the balls alone.
     OnlineByBalls,
+    /// The dynamics net's list; learns nothing.
     Dynamics,
+    /// The success net's list; learns nothing.
     #[serde(alias = "judge")]
     Success,
+    /// The agent of Harter et al. (2020), from the placement map.
     Paper,
+    /// DQN's list, as in Bakhtin et al. (2019).
     Dqn,
+    /// Uniform valid balls.
     Random,
 }
 
@@ -31,6 +38,7 @@ pub enum AgentName {
 pub struct Loaded<'a> {
     /// Those of a model.
     pub nets: Option<&'a PathNet>,
+    /// The weights of DQN.
     pub dqn: Option<&'a Dqn>,
 }
 
@@ -54,6 +62,7 @@ pub struct CannotRemember(AgentName);
 pub struct UnknownAgent(String);
 
 impl AgentName {
+    /// All agents, in the order of reports.
     pub const ALL: [AgentName; 7] = [
         AgentName::Online,
         AgentName::OnlineByBalls,

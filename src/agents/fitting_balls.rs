@@ -9,7 +9,7 @@ use crate::puzzle::scene::Scene;
 use crate::raster::{CELLS, SIDE};
 
 /// The valid balls among those that the success net scores, each named by the index of its logit.
-pub struct FittingBalls {
+pub(crate) struct FittingBalls {
     /// The number of radii that fit, for each cell.
     counts: Vec<usize>,
     /// x of the balls in a column, and y of those in a row, px; NaN where no ball fits into any scene.
@@ -19,7 +19,7 @@ pub struct FittingBalls {
 }
 
 impl FittingBalls {
-    pub fn new(scene: &Scene) -> FittingBalls {
+    pub(crate) fn new(scene: &Scene) -> FittingBalls {
         let obstacles = Obstacles::new(scene);
         // x and y follow the same rule, so the balls on the diagonal of an empty scene tell for both axes.
         let nothing = Obstacles::default();
@@ -42,12 +42,12 @@ impl FittingBalls {
     }
 
     /// Returns how many of the radii fit on a cell: the smallest ones.
-    pub fn count(&self, cell: usize) -> usize {
+    pub(crate) fn count(&self, cell: usize) -> usize {
         self.counts[cell]
     }
 
     /// Returns the ball of a logit; it is valid if its radius is among those that fit on its cell.
-    pub fn ball(&self, index: usize) -> Ball {
+    pub(crate) fn ball(&self, index: usize) -> Ball {
         let (radius, cell) = (index / CELLS, index % CELLS);
         Ball { x: self.coordinates[cell % SIDE], y: self.coordinates[cell / SIDE], r: self.radii[radius] }
     }

@@ -19,7 +19,7 @@ fn actions() -> impl Iterator<Item = Action> {
 
 /// Returns up to `attempts` valid balls of the list, the most probable first. Actions whose logit is not finite are
 /// left out.
-pub fn ranked(dqn: &Dqn, scene: &Scene, attempts: usize) -> Vec<Proposal> {
+pub(crate) fn ranked(dqn: &Dqn, scene: &Scene, attempts: usize) -> Vec<Proposal> {
     let obstacles = Obstacles::new(scene);
     let placed = actions().filter_map(|action| Some((action, obstacles.place(action).ok()?)));
     let (actions, balls): (Vec<Action>, Vec<Ball>) = placed.unzip();

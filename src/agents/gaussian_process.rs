@@ -15,8 +15,10 @@ const HALVINGS: usize = 60;
 
 /// The prior covariance of the logits of two inputs.
 pub trait Kernel {
+    /// What is compared.
     type Input: Copy;
 
+    /// Returns the prior covariance of the logits of two inputs.
     fn covariance(&self, a: &Self::Input, b: &Self::Input) -> f64;
 }
 

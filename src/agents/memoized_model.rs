@@ -3,14 +3,17 @@
 
 use std::cell::{OnceCell, RefCell};
 
-use super::imagined_candidates::{CANDIDATES, candidates_of};
-use super::online::Candidate;
+use super::imagined_candidates::{CANDIDATES, candidates_of, remembered};
+use super::memory::Recollection;
+use super::online::{Candidate, OnlineAgent, Similarity};
 use super::{Agent, Proposal, propose_from, start_from};
 use crate::nets::{ImaginedBall, PathNet, ReadScene};
 use crate::puzzle::action::Ball;
 use crate::puzzle::scene::Scene;
 
+/// Nets that keep what they have read of the last scene.
 pub struct MemoizedModel {
+    /// The nets.
     pub nets: PathNet,
     last: RefCell<Option<Memo>>,
 }
@@ -23,6 +26,7 @@ struct Memo {
 }
 
 impl MemoizedModel {
+    /// Returns the nets, which have read no scene yet.
     pub fn new(nets: PathNet) -> MemoizedModel {
         MemoizedModel { nets, last: RefCell::new(None) }
     }
@@ -46,6 +50,14 @@ impl MemoizedModel {
     /// Returns what `agents::start` does.
     pub fn start(&self, scene: &Scene, seed: u64, count: usize) -> Box<dyn Agent> {
         start_from(self.candidates(scene, count), &self.nets, scene, seed, count)
+    }
+
+    /// Returns the model at work with what a memory says about the balls of a scene; `None` if the weights have no
+    /// dynamics net.
+    pub fn start_with(&self, scene: &Scene, count: usize, recollection: &Recollection) -> Option<Box<dyn Agent>> {
+        let candidates = self.candidates(scene, count)?;
+        let candidates = self.with_memo(scene, |memo| remembered(candidates, &memo.read, scene, recollection))?;
+        Some(Box::new(OnlineAgent::new(candidates, Similarity::OF_BALLS)))
     }
 
     /// Returns what `agents::propose` does.

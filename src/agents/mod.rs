@@ -46,6 +46,7 @@ pub trait Agent: Send {
 /// What an agent is told about an attempt.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Observation {
+    /// Whether the attempt solved the task.
     pub solved: bool,
     /// What really happened, if it was recorded.
     pub paths: Option<SampledPaths>,
@@ -63,7 +64,9 @@ impl Agent for std::vec::IntoIter<Proposal> {
 /// A valid ball that an agent proposes, and how it was found.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Proposal {
+    /// The ball, px.
     pub ball: Ball,
+    /// How it was found.
     pub origin: Origin,
     /// Draws before it that were rejected: invalid, or proposed already.
     pub rejected: usize,
@@ -84,6 +87,7 @@ impl Proposal {
 /// Where a proposal comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(tag = "kind", rename_all = "snake_case")]
+#[allow(missing_docs, reason = "the variants say what their fields are")]
 pub enum Origin {
     /// A cell of the placement map, by its centre in px, from which the ball was improved.
     Map { x: f64, y: f64 },

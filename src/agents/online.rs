@@ -19,6 +19,7 @@ const NOTICEABLE: f64 = 0.25;
 /// A valid ball that may be tried, and what is expected of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Candidate {
+    /// The ball, px.
     pub ball: Ball,
     /// The logit of the chance that it solves; finite.
     pub logit: f64,

@@ -6,7 +6,6 @@
 //! and draws nothing at random.
 
 use std::cmp::Ordering;
-use std::collections::BinaryHeap;
 
 use super::fitting_balls::FittingBalls;
 use super::{Origin, Proposal, sigmoid};
@@ -26,83 +25,130 @@ const SUPPRESSION_REACH: usize = 20;
 /// Cells to each side of a selected ball that it may reach; rounding moves a ball by less than one px within its cell.
 const REACHED_CELLS: usize = (SUPPRESSION_REACH + 1) / PX_PER_CELL;
 
+/// Side of a block, cells.
+const BLOCK: usize = 8;
+const BLOCKS: usize = SIDE / BLOCK;
+
 /// Returns up to `attempts` valid, distinct balls, the most probable first. `logits` holds the success net's
 /// `[RADII, 64, 64]` maps; values that are not finite are left out.
 pub fn ranked(logits: &[f32], scene: &Scene, attempts: usize) -> Vec<Proposal> {
     let balls = FittingBalls::new(scene);
-    let suppression = suppression_by_squared_distance();
-    let mut logits: Vec<f64> = logits.iter().map(|&logit| logit.into()).collect();
-    let valid = (0..CELLS).flat_map(|cell| (0..balls.count(cell)).map(move |radius| radius * CELLS + cell));
-    let finite = valid.filter(|&index| logits[index].is_finite());
-    let mut queue: BinaryHeap<Candidate> = finite.map(|index| Candidate { logit: logits[index], index }).collect();
-    let mut found = Vec::with_capacity(attempts);
-    while found.len() < attempts
-        && let Some(Candidate { logit, index }) = queue.pop()
-    {
-        // Logits only fall. One that has fallen since it was queued comes out too early, and is queued again (lazy
-        // evaluation, as in Minoux's accelerated greedy algorithm).
-        if logits[index] < logit {
-            queue.push(Candidate { logit: logits[index], index });
-            continue;
-        }
-        let ball = balls.ball(index);
-        for near_index in neighbours(index) {
-            let near = balls.ball(near_index);
-            let [dx, dy, dr] = [ball.x - near.x, ball.y - near.y, ball.r - near.r];
-            let squared_distance = (dx * dx + dy * dy + dr * dr) as usize;
-            if let Some(suppression) = suppression.get(squared_distance) {
-                logits[near_index] -= suppression;
-            }
-        }
-        found.push(Proposal { ball, origin: Origin::Success { probability: sigmoid(logit) }, rejected: 0 });
-    }
-    found
+    let mut queue = Queue::new(logits, &balls);
+    let found = std::iter::from_fn(|| queue.select(&balls)).take(attempts);
+    let proposal = |Ranked { logit, index }| Proposal {
+        ball: balls.ball(index),
+        origin: Origin::Success { probability: sigmoid(logit) },
+        rejected: 0,
+    };
+    found.map(proposal).collect()
 }
 
-/// A ball that has not been selected, with the logit that it had when it was queued. Of equal logits, as the two halves
-/// of a symmetric scene have them, the one with the higher index is greater.
-struct Candidate {
+/// A ball and its logit. Of equal logits, as the two halves of a symmetric scene have them, the one with the higher
+/// index is greater.
+#[derive(Clone, Copy)]
+struct Ranked {
     logit: f64,
     index: usize,
 }
 
-impl Ord for Candidate {
-    fn cmp(&self, other: &Candidate) -> Ordering {
+impl Ranked {
+    /// Less than every ball.
+    const NONE: Ranked = Ranked { logit: f64::NEG_INFINITY, index: 0 };
+
+    fn compare(&self, other: &Ranked) -> Ordering {
         self.logit.total_cmp(&other.logit).then(self.index.cmp(&other.index))
     }
 }
 
-impl PartialOrd for Candidate {
-    fn partial_cmp(&self, other: &Candidate) -> Option<Ordering> {
-        Some(self.cmp(other))
+/// The balls that have not been selected.
+struct Queue {
+    /// Negative infinity for what is no such ball.
+    logits: Vec<f64>,
+    /// The greatest ball of each block of cells when its logits were last compared.
+    greatest: [Ranked; BLOCKS * BLOCKS],
+    /// Blocks whose logits have fallen since.
+    is_stale: [bool; BLOCKS * BLOCKS],
+    /// By the squared distance of two balls, px²: a whole number, because balls have whole coordinates and radii.
+    suppression: [f64; SUPPRESSION_REACH * SUPPRESSION_REACH],
+}
+
+impl Queue {
+    fn new(logits: &[f32], balls: &FittingBalls) -> Queue {
+        let logit = |(index, &logit): (usize, &f32)| {
+            let is_queued = index / CELLS < balls.count(index % CELLS) && logit.is_finite();
+            // The sum has no negative zero.
+            if is_queued { f64::from(logit) + 0.0 } else { f64::NEG_INFINITY }
+        };
+        Queue {
+            logits: logits.iter().enumerate().map(logit).collect(),
+            greatest: [Ranked { logit: f64::INFINITY, index: 0 }; BLOCKS * BLOCKS],
+            is_stale: [true; BLOCKS * BLOCKS],
+            suppression: std::array::from_fn(|squared_distance| {
+                SUPPRESSION * libm::exp(-(squared_distance as f64) / (2.0 * SUPPRESSION_SIGMA * SUPPRESSION_SIGMA))
+            }),
+        }
     }
-}
 
-impl PartialEq for Candidate {
-    fn eq(&self, other: &Candidate) -> bool {
-        self.cmp(other).is_eq()
+    /// Removes the greatest ball and lowers the logits around it; `None` if no ball is left.
+    fn select(&mut self, balls: &FittingBalls) -> Option<Ranked> {
+        loop {
+            let block = (0..self.greatest.len()).max_by(|&a, &b| self.greatest[a].compare(&self.greatest[b]))?;
+            // Logits only fall, so a block that is not stale and still the greatest holds the greatest ball (lazy
+            // evaluation, as in Minoux's accelerated greedy algorithm).
+            if self.is_stale[block] {
+                self.greatest[block] = self.greatest_in(block);
+                self.is_stale[block] = false;
+                continue;
+            }
+            let selected = self.greatest[block];
+            if selected.logit == f64::NEG_INFINITY {
+                return None;
+            }
+            self.logits[selected.index] = f64::NEG_INFINITY;
+            self.suppress_around(selected.index, balls);
+            return Some(selected);
+        }
     }
-}
 
-impl Eq for Candidate {}
+    fn greatest_in(&self, block: usize) -> Ranked {
+        let corner = block / BLOCKS * BLOCK * SIDE + block % BLOCKS * BLOCK;
+        let rows = (0..RADII).flat_map(|radius| (0..BLOCK).map(move |row| radius * CELLS + corner + row * SIDE));
+        let mut greatest = Ranked::NONE;
+        for first in rows {
+            for (index, &logit) in (first..).zip(&self.logits[first..first + BLOCK]) {
+                // The index ascends.
+                if logit >= greatest.logit {
+                    greatest = Ranked { logit, index };
+                }
+            }
+        }
+        greatest
+    }
 
-/// How much a logit falls, by the squared distance of its ball from the selected one, px²: a whole number, because
-/// balls have whole coordinates and radii.
-fn suppression_by_squared_distance() -> [f64; SUPPRESSION_REACH * SUPPRESSION_REACH] {
-    std::array::from_fn(|squared_distance| {
-        SUPPRESSION * libm::exp(-(squared_distance as f64) / (2.0 * SUPPRESSION_SIGMA * SUPPRESSION_SIGMA))
-    })
-}
-
-/// The indices of the logits, of any radius, on the cells that a selected ball may reach.
-fn neighbours(index: usize) -> impl Iterator<Item = usize> {
-    let around = |at: usize| at.saturating_sub(REACHED_CELLS)..(at + REACHED_CELLS + 1).min(SIDE);
-    let columns = around(index % SIDE);
-    let rows = around(index % CELLS / SIDE);
-    (0..RADII).flat_map(move |radius| {
-        let columns = columns.clone();
-        rows.clone().flat_map(move |row| columns.clone().map(move |column| radius * CELLS + row * SIDE + column))
-    })
+    fn suppress_around(&mut self, index: usize, balls: &FittingBalls) {
+        let around = |at: usize| at.saturating_sub(REACHED_CELLS)..(at + REACHED_CELLS + 1).min(SIDE);
+        let (columns, rows) = (around(index % SIDE), around(index % CELLS / SIDE));
+        let selected = balls.ball(index);
+        let square = |distance: f64| (distance * distance) as usize;
+        let of_radius: [usize; RADII] =
+            std::array::from_fn(|radius| square(selected.r - balls.ball(radius * CELLS + index % CELLS).r));
+        for row in rows {
+            for column in columns.clone() {
+                self.is_stale[row / BLOCK * BLOCKS + column / BLOCK] = true;
+                let cell = row * SIDE + column;
+                let near = balls.ball(cell);
+                let of_place = square(selected.x - near.x) + square(selected.y - near.y);
+                if of_place >= self.suppression.len() {
+                    continue;
+                }
+                for (radius, of_radius) in of_radius.iter().enumerate() {
+                    if let Some(suppression) = self.suppression.get(of_place + of_radius) {
+                        self.logits[radius * CELLS + cell] -= suppression;
+                    }
+                }
+            }
+        }
+    }
 }
 
 /// Returns for each of the 64 x 64 cells, row 0 at the bottom, the probability that the best valid ball there solves

@@ -38,6 +38,7 @@ impl fmt::Display for Setup {
 /// Which fold of which setup.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct FoldId {
+    /// What the fold generalises to.
     pub setup: Setup,
     /// `0..FOLDS`
     pub fold: u8,
@@ -73,8 +74,11 @@ impl fmt::Display for FoldId {
 /// `dev`, never on `test`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fold {
+    /// To train on.
     pub train: Vec<TaskId>,
+    /// To choose settings on.
     pub dev: Vec<TaskId>,
+    /// To measure on, once.
     pub test: Vec<TaskId>,
 }
 

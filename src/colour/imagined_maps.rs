@@ -8,15 +8,21 @@ use colorous::Gradient;
 /// Which cells of a line along cells are drawn, over and over.
 pub type Dashes = &'static [bool];
 
+/// A line without gaps.
 pub const SOLID: Dashes = &[true];
 
 /// A map that a net imagines.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ImaginedMap {
+    /// The path of the green object without a ball.
     Base,
+    /// The path of the green object in a solution.
     Target,
+    /// The path of the red ball in a solution.
     Action,
+    /// Where the red ball starts in a solution.
     Placement,
+    /// Where a ball is likely to solve the task.
     Success,
 }
 
@@ -62,6 +68,7 @@ impl ImaginedMap {
         }
     }
 
+    /// Returns its name in links and JSON.
     pub fn name(self) -> &'static str {
         self.declaration().name
     }

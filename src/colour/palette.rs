@@ -10,14 +10,21 @@ use crate::puzzle::scene::Role;
 /// CSS colours.
 #[derive(Serialize)]
 pub struct Palette {
+    /// The background.
     pub paper: &'static str,
+    /// The green object.
     pub green: &'static str,
+    /// A dynamic goal.
     pub blue: &'static str,
+    /// A static goal.
     pub purple: &'static str,
+    /// Other dynamic bodies.
     pub gray: &'static str,
+    /// Other static bodies.
     pub black: &'static str,
     /// The rim of black bodies, which stand out from dark paper by it.
     pub rim: &'static str,
+    /// The red ball.
     pub red: &'static str,
     /// The ring that fills while the object touches its goal.
     pub ring: &'static str,
@@ -51,11 +58,13 @@ const DARK: Palette = Palette {
     ink: "#f3f4f6",
 };
 
+/// Returns the colours for light or dark paper.
 pub fn palette(dark: bool) -> &'static Palette {
     if dark { &DARK } else { &LIGHT }
 }
 
 impl Palette {
+    /// Returns the colour of a role.
     pub fn role(&self, role: Role) -> &'static str {
         match role {
             Role::Green => self.green,

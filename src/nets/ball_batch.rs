@@ -36,6 +36,7 @@ impl BallBatch {
         self.starts.extend(paths_at_rest(ball, starts));
     }
 
+    /// Returns the inputs of the balls as tensors, one row per ball.
     pub fn tensors(self, device: &Device) -> BallTensors {
         let count = self.count;
         let floats =

@@ -67,12 +67,16 @@ pub struct BallHead<L = Linear> {
 
 /// Features of some balls, and the operations that the perceptron consists of.
 pub trait Features: Clone {
+    /// A linear layer with its bias.
     type Layer;
 
+    /// Applies a linear layer.
     fn linear(&self, layer: &Self::Layer) -> Self;
+    /// The positive part.
     fn relu(self) -> Self;
     /// ln(1 + e^x), written so that no x overflows.
     fn softplus(self) -> Self;
+    /// Adds feature by feature.
     fn add(self, other: Self) -> Self;
     /// The features of all blocks, one block after the other.
     fn concat(blocks: Vec<Self>) -> Self;
@@ -109,11 +113,14 @@ pub struct Predictions<F> {
 /// Where the bodies of the goal start, px.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Starts {
+    /// The green object.
     pub object: [f32; 2],
+    /// The goal.
     pub goal: [f32; 2],
 }
 
 impl Starts {
+    /// Returns where they start in a scene.
     pub fn of(scene: &Scene) -> Starts {
         let start = |body: usize| [scene.bodies[body].x as f32, scene.bodies[body].y as f32];
         Starts { object: start(scene.body1), goal: start(scene.body2) }
@@ -187,6 +194,7 @@ pub fn paths_at_rest(ball: Ball, starts: Starts) -> [f32; COORDINATES] {
 }
 
 impl BallHead {
+    /// Returns a head with random weights.
     pub fn new(device: &Device) -> BallHead {
         let linear = |input, output| LinearConfig::new(input, output).init(device);
         let paths = COORDINATES + POSITIONS + PLACES;

@@ -28,6 +28,7 @@ impl FoldId {
 /// The settings that the weights were trained with. Aliases: keys of older files.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Card {
+    /// What the fold generalises to.
     pub setup: Setup,
     /// 0..=9; the nets have seen only this fold's training tasks.
     pub fold: u8,
@@ -129,6 +130,7 @@ pub struct DynamicsCard {
 /// The settings that DQN was trained with: the card of its own weights.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct DqnCard {
+    /// What the fold generalises to.
     pub setup: Setup,
     /// 0..=9; the net has seen only this fold's training tasks.
     pub fold: u8,

@@ -11,16 +11,13 @@ use super::ball_head::{
     BALL_NUMBERS, BallHead, COORDINATES, Features, HeadInputs, PLACES, POSITIONS, SCENE_HIDDEN, Starts, UNIT,
     ball_numbers, corners, paths_at_rest, places,
 };
-use super::conv::{Matrix, matmul};
+use super::conv::panels::{COLUMNS, Panels};
 use super::dynamics::{CODE, DynamicsNet, LEVELS, SceneFeatures};
 use super::success_net::logit_index;
 use super::values;
 use crate::puzzle::action::Ball;
 use crate::puzzle::sampled_paths::{SAMPLES, SampledPaths};
 use crate::puzzle::scene::{SIZE, Scene};
-
-/// Balls whose answers are computed together: the columns of the matrix products.
-const BLOCK: usize = 16;
 
 /// What the mean of the three logits is multiplied by. Trained nets are too sure of new scenes, and the likeliest of
 /// many balls are those that the net is most wrong about. Set by hand, not tuned.
@@ -29,6 +26,7 @@ const CONFIDENCE: f32 = 0.7;
 /// What the net imagines for a ball.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ImaginedBall {
+    /// The imagined paths, px.
     pub paths: SampledPaths,
     /// Expected distance between imagined and real positions at each sample: of the object, then of the ball, px.
     pub errors: [f32; POSITIONS],
@@ -59,29 +57,28 @@ struct View {
 
 /// A linear layer on plain slices.
 struct Layer {
-    /// `[inputs, outputs]`
-    weight: Vec<f32>,
+    weight: Panels,
     bias: Vec<f32>,
 }
 
 impl Layer {
     fn new(layer: &Linear) -> Layer {
-        let bias = layer.bias.as_ref().expect("every layer has a bias").val();
-        Layer { weight: values(layer.weight.val()), bias: values(bias) }
+        let bias = values(layer.bias.as_ref().expect("every layer has a bias").val());
+        Layer { weight: Panels::new(&values(layer.weight.val()), bias.len()), bias }
     }
 }
 
-/// Features of up to `BLOCK` balls, `[features, BLOCK]`: each ball has a column. What columns without a ball hold does
-/// not matter.
+/// Features of up to `COLUMNS` balls, `[features, COLUMNS]`: each ball has a column. What columns without a ball hold
+/// does not matter.
 #[derive(Clone)]
 struct Columns(Vec<f32>);
 
 impl Columns {
     /// The features of each ball, or of whatever else is to have a column.
     fn new<'a, B, F: IntoIterator<Item = f32>>(balls: &'a [B], count: usize, features: impl Fn(&'a B) -> F) -> Columns {
-        let mut columns = vec![0.0; count * BLOCK];
+        let mut columns = vec![0.0; count * COLUMNS];
         for (index, ball) in balls.iter().enumerate() {
-            for (row, feature) in columns.chunks_exact_mut(BLOCK).zip(features(ball)) {
+            for (row, feature) in columns.chunks_exact_mut(COLUMNS).zip(features(ball)) {
                 row[index] = feature;
             }
         }
@@ -89,7 +86,7 @@ impl Columns {
     }
 
     fn get(&self, feature: usize, column: usize) -> f32 {
-        self.0[feature * BLOCK + column]
+        self.0[feature * COLUMNS + column]
     }
 
     fn map(mut self, of: impl Fn(f32) -> f32) -> Columns {
@@ -102,21 +99,8 @@ impl Features for Columns {
     type Layer = Layer;
 
     fn linear(&self, Layer { weight, bias }: &Layer) -> Columns {
-        let Columns(x) = self;
-        let (inputs, outputs) = (x.len() / BLOCK, bias.len());
-        let mut y = vec![0.0; outputs * BLOCK];
-        if outputs == 1 {
-            // The kernels multiply whole tiles of rows.
-            for (x, weight) in x.chunks_exact(BLOCK).zip(weight) {
-                for (y, x) in y.iter_mut().zip(x) {
-                    *y += weight * x;
-                }
-            }
-        } else {
-            let weight = Matrix::new(weight, inputs, outputs, outputs).transposed();
-            matmul(&mut y, BLOCK, weight, Matrix::new(x, inputs, BLOCK, BLOCK));
-        }
-        for (y, bias) in y.chunks_exact_mut(BLOCK).zip(bias) {
+        let mut y = weight.multiply(&self.0);
+        for (y, bias) in y.chunks_exact_mut(COLUMNS).zip(bias) {
             y.iter_mut().for_each(|y| *y += bias);
         }
         Columns(y)
@@ -167,7 +151,7 @@ impl DynamicsNet {
 }
 
 impl View {
-    /// Returns what up to `BLOCK` balls lead to.
+    /// Returns what up to `COLUMNS` balls lead to.
     fn imagine(&self, head: &BallHead<Layer>, balls: &[Ball]) -> Vec<ImaginedBall> {
         let level_at_balls = |(level, (side, channels)): (&Vec<f32>, (usize, usize))| {
             Columns::new(balls, channels, |&ball| {
@@ -202,19 +186,28 @@ impl ReadScene {
     /// Imagines what balls of the scene lead to.
     pub fn imagine(&self, balls: &[Ball]) -> Vec<ImaginedBall> {
         let [view, mirrored_view] = &self.views;
+        // Balls close together have zeros in the same features.
+        let mut order: Vec<usize> = (0..balls.len()).collect();
+        let cell = |at: f64, side: f64| (at / side) as i32;
+        let cells = |Ball { x, y, .. }: Ball| [cell(y, 32.0), cell(x, 32.0), cell(y, 8.0), cell(x, 8.0)];
+        order.sort_by_key(|&index| cells(balls[index]));
         let mut imagined = Vec::with_capacity(balls.len());
-        for block in balls.chunks(BLOCK) {
+        for indices in order.chunks(COLUMNS) {
+            let block: Vec<Ball> = indices.iter().map(|&index| balls[index]).collect();
             let mirrored_block: Vec<Ball> = block.iter().map(|&ball| Ball { x: SIZE - ball.x, ..ball }).collect();
-            let answers = view.imagine(&self.head, block);
+            let answers = view.imagine(&self.head, &block);
             let mirrored = mirrored_view.imagine(&self.head, &mirrored_block);
-            imagined.extend(answers.into_iter().zip(mirrored).map(|(answer, mirrored)| answer.mean(&mirrored)));
+            let means = answers.into_iter().zip(mirrored).map(|(answer, mirrored)| answer.mean(&mirrored));
+            imagined.extend(indices.iter().zip(means));
         }
-        for (imagined, &ball) in imagined.iter_mut().zip(balls) {
+        imagined.sort_unstable_by_key(|&(index, _)| index);
+        let with_cell = |((_, mut imagined), &ball): ((&usize, ImaginedBall), &Ball)| {
             // Only a ball that is not valid has no cell.
             let of_cell = logit_index(ball).map_or(imagined.logit, |index| self.logits[index]);
             imagined.logit = CONFIDENCE * (imagined.logit + imagined.path_logit + of_cell) / 3.0;
-        }
-        imagined
+            imagined
+        };
+        imagined.into_iter().zip(balls).map(with_cell).collect()
     }
 }
 
@@ -267,7 +260,8 @@ mod tests {
         let Predictions { coordinates, errors, logits, path_logits } = predictions;
         let [coordinates, errors, logits, path_logits] = [coordinates, errors, logits, path_logits].map(values);
         let close = |a: f32, b: f32| assert!((a - b).abs() < 1e-3 * a.abs().max(1.0), "{a} {b}");
-        let plain: Vec<ImaginedBall> = balls.chunks(BLOCK).flat_map(|block| view.imagine(&read.head, block)).collect();
+        let plain: Vec<ImaginedBall> =
+            balls.chunks(COLUMNS).flat_map(|block| view.imagine(&read.head, block)).collect();
         for (index, ball) in plain.iter().enumerate() {
             close(ball.logit, logits[index]);
             close(ball.path_logit, path_logits[index]);

@@ -22,8 +22,10 @@ pub mod dqn;
 pub mod dynamics;
 mod hourglass;
 pub mod imagined_balls;
+mod parameters;
 #[cfg(not(target_arch = "wasm32"))]
 mod rounding;
+mod stored;
 pub mod success_net;
 #[cfg(feature = "training")]
 pub mod training;
@@ -36,6 +38,7 @@ pub use dqn::Dqn;
 pub use dynamics::DynamicsNet;
 pub use hourglass::Hourglass;
 pub use imagined_balls::{ImaginedBall, ReadScene};
+pub use parameters::Parameter;
 pub use success_net::SuccessNet;
 pub use weights::{WeightsError, read_card};
 

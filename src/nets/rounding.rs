@@ -42,7 +42,8 @@ impl ModuleMapper for Rounding {
 fn round(weights: &mut [f32]) {
     let step = step(weights);
     if step.is_normal() {
-        weights.iter_mut().for_each(|weight| *weight = (*weight / step).round_ties_even() * step);
+        // The sum has no negative zero, which is no multiple of a step.
+        weights.iter_mut().for_each(|weight| *weight = (*weight / step).round_ties_even() * step + 0.0);
     }
 }
 

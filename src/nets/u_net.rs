@@ -10,13 +10,13 @@ use super::conv::{conv_down, conv_up, fit_tiles, new_conv_down, new_conv_up};
 use crate::raster::CHANNELS;
 
 /// Channels after each of the five convolutions.
-pub const WIDTHS: [usize; 5] = [16, 32, 64, 96, 128];
+pub(crate) const WIDTHS: [usize; 5] = [16, 32, 64, 96, 128];
 
 const _: () = assert!(fit_tiles(&WIDTHS), "a width is not a multiple of conv::matmul::TILE_ROWS");
 
 /// Returns fresh layers: the convolutions, and the transposed ones that mirror them, the last of which has `outputs`
 /// channels.
-pub fn new_layers(outputs: usize, device: &Device) -> (Vec<Conv2d>, Vec<ConvTranspose2d>) {
+pub(crate) fn new_layers(outputs: usize, device: &Device) -> (Vec<Conv2d>, Vec<ConvTranspose2d>) {
     let down = (0..WIDTHS.len()).map(|layer| {
         let input = if layer == 0 { CHANNELS } else { WIDTHS[layer - 1] };
         new_conv_down(input, WIDTHS[layer], 4, device)
@@ -30,7 +30,7 @@ pub fn new_layers(outputs: usize, device: &Device) -> (Vec<Conv2d>, Vec<ConvTran
 }
 
 /// What a U-Net makes of images.
-pub struct Activations {
+pub(crate) struct Activations {
     /// The output of the last layer, without ReLU, `[batch, outputs, 64, 64]`.
     pub last: Tensor<4>,
     /// What the decoder's layers see, both the layer before and the encoder's output, coarsest first.
@@ -40,7 +40,7 @@ pub struct Activations {
 }
 
 /// `[batch, 5, 64, 64]` in.
-pub fn forward(down: &[Conv2d], up: &[ConvTranspose2d], images: Tensor<4>) -> Activations {
+pub(crate) fn forward(down: &[Conv2d], up: &[ConvTranspose2d], images: Tensor<4>) -> Activations {
     let mut encoded = Vec::with_capacity(down.len());
     let mut x = images;
     for layer in down {

@@ -1,20 +1,22 @@
-//! Weights files: half-precision safetensors whose metadata is a card with the settings of the training.
+//! Weights files: safetensors of numbers in half precision, or in less (`stored`), whose metadata is a card with the
+//! settings of the training.
 //!
 //! The names of the tensors are the paths of the parameters in `PathNet` (`base.down.0.weight`). A file that does not
 //! fit is refused with the name of the tensor. Older files call the success net `judge`. Does no file or network I/O.
-//!
 //! burn-store's `SafetensorsStore` writes the same names, but converts to half precision without a check of the range
 //! and accepts any type of number; here a file that a person names has to fit exactly.
 
 use std::collections::{BTreeMap, HashMap};
 
-use burn::module::{Module, ModuleMapper, ModuleVisitor, Param};
+use burn::module::{Module, ModuleMapper, Param};
 use burn::tensor::{Device, Tensor, TensorData};
 use half::f16;
-use safetensors::tensor::{Dtype, SafeTensors, TensorView};
+use safetensors::tensor::{Dtype, SafeTensors};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
+use super::parameters::{Parameter, parameters};
+use super::stored::{read, stored};
 use super::{Card, DynamicsNet, PathNet, SuccessNet};
 #[cfg(not(target_arch = "wasm32"))]
 use super::{Dqn, DqnCard, flex};
@@ -24,6 +26,7 @@ const CARD: &str = "pathlight";
 
 /// Why weights cannot be loaded or saved.
 #[derive(Debug, thiserror::Error)]
+#[allow(missing_docs, reason = "the messages say it")]
 pub enum WeightsError {
     #[error("not a safetensors file ({0}): download or train the weights again")]
     NotSafetensors(#[from] safetensors::SafeTensorError),
@@ -34,9 +37,12 @@ pub enum WeightsError {
     #[error("the weights lack `{0}`: they belong to other nets")]
     Missing(String),
     #[error(
-        "`{name}` has shape {found:?} and type {dtype:?}, but the nets expect {expected:?} in half precision: the weights belong to other nets"
+        "`{name}` has shape {:?} and type {}, but the nets expect {:?} and {}: the weights belong to other nets",
+        .found.0, .found.1, .expected.0, .expected.1
     )]
-    ShapeMismatch { name: String, found: Vec<usize>, expected: Vec<usize>, dtype: Dtype },
+    ShapeMismatch { name: String, found: (Vec<usize>, Dtype), expected: (Vec<usize>, Dtype) },
+    #[error("`{name}` names the value {index}, which does not exist: download or train the weights again")]
+    Outlier { name: String, index: u32 },
     #[error(
         "the dynamics net of the weights learned from set cells, and is now shown covered shares of cells: train it again with `pathlight-lab train dynamics`"
     )]
@@ -113,15 +119,14 @@ fn load<M: Module>(nets: M, file: &SafeTensors, device: &Device) -> Result<M, We
 
 /// The bytes of a file of these nets.
 fn save(nets: &impl Module, card: &impl Serialize) -> Result<Vec<u8>, WeightsError> {
-    let mut exporter = Exporter::default();
-    nets.visit(&mut exporter);
-    if let Some(error) = exporter.error {
-        return Err(error);
+    let mut tensors = BTreeMap::new();
+    for (name, Parameter { shape, values }) in parameters(nets) {
+        if let Some(&value) = values.iter().find(|&&value| !f16::from_f32(value).is_finite()) {
+            return Err(WeightsError::Unrepresentable { name, value });
+        }
+        let halves: Vec<f16> = values.into_iter().map(f16::from_f32).collect();
+        tensors.extend(stored(&name, shape, &halves));
     }
-    let tensors = exporter.tensors.iter().map(|(name, (shape, bytes))| {
-        let view = TensorView::new(Dtype::F16, shape.clone(), bytes).expect("two bytes per value");
-        (name.as_str(), view)
-    });
     let card = serde_json::to_string(card).expect("a card is plain data");
     Ok(safetensors::serialize(tensors, Some(HashMap::from([(CARD.to_string(), card)])))
         .expect("names and sizes come from the nets"))
@@ -142,61 +147,25 @@ fn card_of<C: DeserializeOwned>(bytes: &[u8]) -> Result<C, WeightsError> {
     Ok(serde_json::from_str(card)?)
 }
 
-/// Collects every parameter, in half precision.
-#[derive(Default)]
-struct Exporter {
-    path: Vec<String>,
-    tensors: BTreeMap<String, (Vec<usize>, Vec<u8>)>,
-    error: Option<WeightsError>,
-}
-
-impl ModuleVisitor for Exporter {
-    fn enter_module(&mut self, name: &str, _: &str) {
-        self.path.push(name.to_string());
-    }
-
-    fn exit_module(&mut self, _: &str, _: &str) {
-        self.path.pop();
-    }
-
-    fn visit_float<const D: usize>(&mut self, param: &Param<Tensor<D>>) {
-        let name = self.path.join(".");
-        let data = param.val().into_data();
-        let values: Vec<f32> = data.iter::<f32>().collect();
-        if let Some(&value) = values.iter().find(|&&value| !f16::from_f32(value).is_finite()) {
-            self.error.get_or_insert(WeightsError::Unrepresentable { name: name.clone(), value });
-        }
-        let bytes = values.iter().flat_map(|&value| f16::from_f32(value).to_le_bytes()).collect();
-        self.tensors.insert(name, (param.val().dims().to_vec(), bytes));
-    }
-}
-
 /// Replaces every parameter by that of the file.
 struct Loader<'a> {
     file: &'a SafeTensors<'a>,
     device: &'a Device,
     path: Vec<String>,
+    /// Tensors of the file.
     loaded: usize,
     error: Option<WeightsError>,
 }
 
 impl Loader<'_> {
-    fn read(&self, expected: &[usize]) -> Result<Vec<f32>, WeightsError> {
+    /// The values of the current parameter.
+    fn read(&mut self, shape: &[usize]) -> Result<Vec<f32>, WeightsError> {
         let name = self.path.join(".");
         let old = name.replacen("success.", "judge.", 1);
-        let found = self.file.tensor(&name).or_else(|_| self.file.tensor(&old));
-        let view = found.map_err(|_| WeightsError::Missing(name.clone()))?;
-        if view.dtype() != Dtype::F16 || view.shape() != expected {
-            return Err(WeightsError::ShapeMismatch {
-                name,
-                found: view.shape().to_vec(),
-                expected: expected.to_vec(),
-                dtype: view.dtype(),
-            });
-        }
-        let values = view.data().as_chunks().0.iter().map(|&pair| f16::from_le_bytes(pair).to_f32());
-        let values: Vec<f32> = values.collect();
-        if values.iter().all(|value| value.is_finite()) { Ok(values) } else { Err(WeightsError::NotFinite(name)) }
+        let found = if self.file.tensor(&name).is_err() && self.file.tensor(&old).is_ok() { old } else { name };
+        let (values, tensors) = read(self.file, &found, shape)?;
+        self.loaded += tensors;
+        Ok(values)
     }
 }
 
@@ -214,7 +183,6 @@ impl ModuleMapper for Loader<'_> {
         let shape = param.lazy_shape();
         match self.read(&shape) {
             Ok(values) => {
-                self.loaded += 1;
                 let id = param.id;
                 let tensor = Tensor::from_data(TensorData::new(values, shape), self.device);
                 param.transform_for_load(tensor, id)
@@ -264,7 +232,7 @@ mod tests {
         for value in [1e5, -1e5, f32::INFINITY, f32::NAN] {
             let error = saved(value).expect_err("half precision has no such number");
             assert!(matches!(error, WeightsError::Unrepresentable { .. }), "{error}");
-            assert!(error.to_string().contains("`base.down.0.bias` holds"), "{error}");
+            assert!(error.to_string().contains("`action.down.0.bias` holds"), "{error}");
         }
         // The last two bytes of the file are a weight.
         let mut bytes = saved(0.0).expect("weights");

@@ -24,8 +24,11 @@ const MARGIN: f64 = 1e-9;
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(into = "[f64; 3]", from = "[f64; 3]")]
 pub struct Action {
+    /// From the left of the scene to its right.
     pub x: f64,
+    /// From the bottom to the top.
     pub y: f64,
+    /// From the smallest radius to the largest.
     pub r: f64,
 }
 
@@ -33,13 +36,17 @@ pub struct Action {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(into = "[f64; 3]", from = "[f64; 3]")]
 pub struct Ball {
+    /// Of the centre, px from the left.
     pub x: f64,
+    /// Of the centre, px from the bottom.
     pub y: f64,
+    /// The radius, px.
     pub r: f64,
 }
 
 /// Why an action or a ball is invalid, or the scene cannot be simulated with any.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[allow(missing_docs, reason = "the messages say it")]
 pub enum Invalid {
     #[error("x, y and r of an action must be between 0 and 1")]
     OutOfRange,

@@ -72,6 +72,7 @@ pub enum Dimensions {
 }
 
 impl Dimensions {
+    /// Returns the kind of the body.
     pub fn shape_type(self) -> ShapeType {
         match self {
             Dimensions::Ball { .. } => ShapeType::Ball,

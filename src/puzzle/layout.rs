@@ -121,34 +121,42 @@ impl BodyBuilder {
         self.at_bottom(bottom)
     }
 
+    /// Returns the left edge of the bounding box, px.
     pub fn left(&self) -> f64 {
         self.0.bounds()[0]
     }
 
+    /// Returns the right edge of the bounding box, px.
     pub fn right(&self) -> f64 {
         self.0.bounds()[2]
     }
 
+    /// Returns the lower edge of the bounding box, px.
     pub fn bottom(&self) -> f64 {
         self.0.bounds()[1]
     }
 
+    /// Returns the upper edge of the bounding box, px.
     pub fn top(&self) -> f64 {
         self.0.bounds()[3]
     }
 
+    /// Returns the width of the bounding box, px.
     pub fn width(&self) -> f64 {
         self.right() - self.left()
     }
 
+    /// Returns the height of the bounding box, px.
     pub fn height(&self) -> f64 {
         self.top() - self.bottom()
     }
 
+    /// Returns x of the centre of the bounding box, px.
     pub fn cx(&self) -> f64 {
         (self.left() + self.right()) / 2.0
     }
 
+    /// Returns y of the centre of the bounding box, px.
     pub fn cy(&self) -> f64 {
         (self.bottom() + self.top()) / 2.0
     }

@@ -19,7 +19,9 @@ pub const MAX_STEPS: usize = 1000;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Status {
+    /// The object touched the goal for three seconds.
     Solved,
+    /// It did not, within `MAX_STEPS`.
     NotSolved,
     /// The action is invalid; nothing was simulated.
     Invalid,
@@ -32,6 +34,7 @@ pub type Pose = [f32; 3];
 /// One complete simulation.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Rollout {
+    /// Whether the task was solved.
     pub solved: bool,
     /// Number of simulated steps: `MAX_STEPS`, or fewer if solved.
     pub steps: usize,

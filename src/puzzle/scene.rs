@@ -16,9 +16,13 @@ const WALL: f64 = 5.0;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum ShapeType {
+    /// One circle.
     Ball,
+    /// One rectangle.
     Bar,
+    /// A base and two walls.
     Jar,
+    /// Two crossed bars.
     StandingSticks,
 }
 
@@ -59,10 +63,14 @@ pub struct Body {
     pub y: f64,
     /// Radians, counter-clockwise, not wrapped.
     pub angle: f64,
+    /// Whether it moves.
     pub dynamic: bool,
+    /// The kind of the body.
     #[serde(rename = "shape")]
     pub shape_type: ShapeType,
+    /// What it is for in the task.
     pub role: Role,
+    /// Its convex shapes, in the frame of the origin.
     #[serde(rename = "parts")]
     pub shapes: Vec<Shape>,
 }
@@ -130,6 +138,7 @@ pub struct Scene {
     pub body1: usize,
     /// Index into `bodies` of the blue or purple goal.
     pub body2: usize,
+    /// All bodies, in the order of PHYRE.
     pub bodies: Vec<Body>,
 }
 

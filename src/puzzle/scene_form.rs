@@ -17,6 +17,7 @@ const LEAST_TURN: f64 = 0.05;
 
 /// Why a scene cannot be simulated. Bodies are named by their indices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[allow(missing_docs, reason = "the messages say it")]
 pub enum FormFault {
     #[error("`body1` and `body2` of the scene are the indices of two of its bodies, from 0: correct them")]
     Goal,

@@ -22,6 +22,7 @@ pub struct TaskId {
 
 /// Why a task cannot be loaded.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[allow(missing_docs, reason = "the messages say it")]
 pub enum TaskError {
     #[error("`{0}` is not a task id: write template and number like 00007:008")]
     Malformed(String),
@@ -34,11 +35,13 @@ pub enum TaskError {
 /// One of the benchmark's tasks. Its JSON is one line of `pathlight tasks --json`.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Task {
+    /// Template and number.
     pub id: TaskId,
     /// The value of each parameter of the template.
     pub params: Map<String, Value>,
     /// The goal sentence.
     pub goal: String,
+    /// The bodies and the goal.
     #[serde(flatten)]
     pub scene: Scene,
 }

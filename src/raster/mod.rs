@@ -43,6 +43,7 @@ pub fn cell_centre(cell: usize) -> [f64; 2] {
 pub struct Bitmap(pub [u64; SIDE]);
 
 impl Bitmap {
+    /// The image without a set cell.
     pub const EMPTY: Bitmap = Bitmap([0; SIDE]);
 
     /// Whether the cell in this column and row is set.

@@ -5,7 +5,7 @@ use crate::puzzle::rollout::Pose;
 use crate::puzzle::scene::{Body, SIZE, Shape};
 
 /// Pixels of a line, at least one, in the scene.
-pub struct Span {
+pub(crate) struct Span {
     pub line: usize,
     pub start: usize,
     /// The pixel after the last.
@@ -13,7 +13,7 @@ pub struct Span {
 }
 
 /// Scan conversion of a body at a pose: the pixels whose centres lie in it.
-pub fn body_spans(body: &Body, [x, y, angle]: Pose, mut mark: impl FnMut(Span)) {
+pub(crate) fn body_spans(body: &Body, [x, y, angle]: Pose, mut mark: impl FnMut(Span)) {
     let placed = Body { x: x.into(), y: y.into(), angle: angle.into(), ..body.clone() };
     for shape in &placed.shapes {
         match shape {
@@ -27,7 +27,7 @@ pub fn body_spans(body: &Body, [x, y, angle]: Pose, mut mark: impl FnMut(Span)) 
 }
 
 /// The pixels of a disc; centre and radius in px.
-pub fn disc_spans(x: f64, y: f64, radius: f64, mark: impl FnMut(Span)) {
+pub(crate) fn disc_spans(x: f64, y: f64, radius: f64, mark: impl FnMut(Span)) {
     let ends = |height: f64| {
         let half = (radius * radius - (height - y) * (height - y)).max(0.0).sqrt();
         Some((x - half, x + half))
@@ -36,7 +36,7 @@ pub fn disc_spans(x: f64, y: f64, radius: f64, mark: impl FnMut(Span)) {
 }
 
 /// The pixels of a convex polygon; corners in px.
-pub fn polygon_spans(corners: &[[f64; 2]], mark: impl FnMut(Span)) {
+pub(crate) fn polygon_spans(corners: &[[f64; 2]], mark: impl FnMut(Span)) {
     let bottom = corners.iter().map(|corner| corner[1]).fold(f64::INFINITY, f64::min);
     let top = corners.iter().map(|corner| corner[1]).fold(f64::NEG_INFINITY, f64::max);
     let ends = |height: f64| {

@@ -17,12 +17,17 @@ const STRIDES: [usize; 4] = [8, 4, 2, 1];
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]
 pub enum CellOutcome {
+    /// No ball was tried there yet.
     Untried = 0,
+    /// No ball may be there.
     Invalid = 1,
+    /// The ball does not solve the scene.
     NotSolved = 2,
+    /// The ball solves the scene.
     Solved = 3,
 }
 
+/// A solve map, as far as it has been computed.
 pub struct SolveMap {
     scene: Scene,
     radius: f64,

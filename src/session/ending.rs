@@ -12,6 +12,7 @@ use crate::puzzle::rollout::{GOAL_STEPS, Rollout, STEPS_PER_SECOND};
 /// How a rollout ended. Its `Display` is the result in words.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Ending {
+    /// Whether the puzzle was solved.
     pub solved: bool,
     /// Number of simulated steps.
     pub steps: usize,
@@ -22,6 +23,7 @@ pub struct Ending {
 }
 
 impl Ending {
+    /// Returns the ending of a rollout.
     pub fn of(rollout: &Rollout) -> Ending {
         let longest_touch = (0..=rollout.steps).map(|step| touch_streak(rollout, step)).max().unwrap_or(0);
         let final_touch = touch_streak(rollout, rollout.steps);

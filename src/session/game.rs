@@ -20,19 +20,24 @@ pub const ATTEMPT_LIMIT: usize = MAX_ATTEMPTS;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Author {
+    /// The person.
     Player,
+    /// The nets.
     Model,
 }
 
 /// A valid ball and the ending of its rollout.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Attempt {
+    /// The ball, px.
     pub ball: Ball,
+    /// How its rollout ended.
     pub ending: Ending,
 }
 
 /// Why a ball is not accepted as an attempt.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[allow(missing_docs, reason = "the messages say it")]
 pub enum Refused {
     #[error(transparent)]
     Invalid(#[from] Invalid),
@@ -57,10 +62,12 @@ pub struct Game {
 }
 
 impl Game {
+    /// Returns a game without attempts.
     pub fn new(scene: Scene) -> Game {
         Game { scene, player: Vec::new(), model: Vec::new() }
     }
 
+    /// Returns the scene.
     pub fn scene(&self) -> &Scene {
         &self.scene
     }

@@ -11,17 +11,20 @@ use crate::puzzle::task::{Task, TaskId, goal_sentence, spread};
 /// A scene to play, and which it is.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Puzzle {
+    /// Which task or custom scene it is.
     pub id: PuzzleId,
     /// What was made, if it is a custom scene.
     pub custom: Option<CustomScene>,
     /// The goal sentence.
     pub goal: String,
+    /// The bodies and the goal.
     pub scene: Scene,
 }
 
 /// Which task or custom scene it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PuzzleId {
+    /// A task of the benchmark.
     Task(TaskId),
     /// SHA-256 of a custom scene: of its compact JSON without the name, with the keys in the order of the schema.
     Custom([u8; 32]),

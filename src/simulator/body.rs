@@ -189,6 +189,6 @@ impl SolverBody {
 }
 
 /// Converts a point from px.
-pub fn metres([x, y]: [f64; 2]) -> Vector {
+pub(crate) fn metres([x, y]: [f64; 2]) -> Vector {
     Vector::new((x / PX_PER_METRE) as f32, (y / PX_PER_METRE) as f32)
 }

@@ -13,21 +13,21 @@ use super::scalar::length;
 
 /// The accumulated impulse of a contact point, kg m/s. The solver of the next step starts from it (warm starting).
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Impulse {
+pub(crate) struct Impulse {
     pub normal: f32,
     pub tangent: f32,
 }
 
 /// A contact point: for each body the point of its shape, from its centre of mass, in its own frame, m.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct ContactPoint {
+pub(crate) struct ContactPoint {
     pub local_point_a: Vector,
     pub local_point_b: Vector,
     /// Its index in rapier's manifold.
     index: usize,
 }
 
-pub struct Contact {
+pub(crate) struct Contact {
     /// The two fixtures. A polygon comes before a circle.
     pub fixtures: [usize; 2],
     /// Their bodies.
@@ -53,7 +53,7 @@ pub struct Contact {
 }
 
 impl Contact {
-    pub fn new(fixtures: [usize; 2], all: &[Fixture]) -> Contact {
+    pub(crate) fn new(fixtures: [usize; 2], all: &[Fixture]) -> Contact {
         let [mut a, mut b] = fixtures;
         if all[a].circle_radius.is_some() && all[b].circle_radius.is_none() {
             (a, b) = (b, a);
@@ -76,12 +76,12 @@ impl Contact {
         }
     }
 
-    pub fn points(&self) -> &[ContactPoint] {
+    pub(crate) fn points(&self) -> &[ContactPoint] {
         &self.points[..self.point_count]
     }
 
     /// Returns the other body of the contact if `body` is one of its two.
-    pub fn other_body(&self, body: usize) -> Option<usize> {
+    pub(crate) fn other_body(&self, body: usize) -> Option<usize> {
         match self.bodies {
             [a, b] if a == body => Some(b),
             [a, b] if b == body => Some(a),
@@ -90,16 +90,16 @@ impl Contact {
     }
 
     /// Returns the accumulated impulse of a point in the last step.
-    pub fn impulse(&self, point: usize) -> Impulse {
+    pub(crate) fn impulse(&self, point: usize) -> Impulse {
         self.manifold.points[self.points[point].index].data
     }
 
-    pub fn store_impulse(&mut self, point: usize, impulse: Impulse) {
+    pub(crate) fn store_impulse(&mut self, point: usize, impulse: Impulse) {
         self.manifold.points[self.points[point].index].data = impulse;
     }
 
     /// Computes the manifold for the present positions of the bodies (b2Contact::Update).
-    pub fn update(&mut self, fixtures: &[Fixture], bodies: &[RigidBody]) {
+    pub(crate) fn update(&mut self, fixtures: &[Fixture], bodies: &[RigidBody]) {
         let [a, b] = self.fixtures.map(|fixture| &fixtures[fixture]);
         self.enabled = true;
         self.point_count = 0;
@@ -137,7 +137,7 @@ impl Contact {
     }
 
     /// Returns the world normal from a to b, given the frames of the two bodies.
-    pub fn normal(&self, a: &Pose, b: &Pose) -> Vector {
+    pub(crate) fn normal(&self, a: &Pose, b: &Pose) -> Vector {
         if self.both_circles {
             let delta = b.translation - a.translation;
             let length = length(delta);
@@ -149,7 +149,7 @@ impl Contact {
     }
 
     /// Returns the separation of the surfaces at a point, along the normal, m; negative if they overlap.
-    pub fn separation(&self, point: &ContactPoint, normal: Vector, a: &Pose, b: &Pose) -> f32 {
+    pub(crate) fn separation(&self, point: &ContactPoint, normal: Vector, a: &Pose, b: &Pose) -> f32 {
         (*b * point.local_point_b - *a * point.local_point_a).dot(normal) - self.radii[0] - self.radii[1]
     }
 }

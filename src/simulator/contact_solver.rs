@@ -13,7 +13,7 @@ use super::contact::{Contact, Impulse};
 use super::scalar::{max, min};
 
 /// A contact as the velocity solver sees it (b2ContactVelocityConstraint).
-pub struct VelocityConstraint {
+pub(crate) struct VelocityConstraint {
     contact: usize,
     bodies: [usize; 2],
     normal: Vector,
@@ -49,7 +49,7 @@ struct Block {
 impl VelocityConstraint {
     /// Prepares a contact for the present positions and velocities. With `warm_starting`, it starts from the impulses
     /// of the last step.
-    pub fn new(
+    pub(crate) fn new(
         index: usize,
         contact: &Contact,
         bodies: &[RigidBody],
@@ -236,7 +236,7 @@ impl VelocityConstraintPoint {
 }
 
 /// Changes the velocities so that no contact point approaches (WarmStart and SolveVelocityConstraints).
-pub fn solve_velocity_constraints(constraints: &mut [VelocityConstraint], solver_bodies: &mut [SolverBody]) {
+pub(crate) fn solve_velocity_constraints(constraints: &mut [VelocityConstraint], solver_bodies: &mut [SolverBody]) {
     for constraint in &*constraints {
         constraint.warm_start(solver_bodies);
     }
@@ -253,7 +253,7 @@ pub fn solve_velocity_constraints(constraints: &mut [VelocityConstraint], solver
 }
 
 /// Stores the impulses for the warm starting of the next step, which starts from none where they grow without limit.
-pub fn store_impulses(constraints: &[VelocityConstraint], contacts: &mut [Contact]) {
+pub(crate) fn store_impulses(constraints: &[VelocityConstraint], contacts: &mut [Contact]) {
     for constraint in constraints {
         for (i, point) in constraint.points[..constraint.point_count].iter().enumerate() {
             // The tangent impulse is at most the normal one times the friction coefficient.

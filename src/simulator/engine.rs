@@ -36,6 +36,7 @@ pub enum Engine {
 pub struct UnknownEngine(String);
 
 impl Engine {
+    /// All engines that are there.
     pub const ALL: &[Engine] = &[
         Engine::Box2d,
         #[cfg(not(target_arch = "wasm32"))]

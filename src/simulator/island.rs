@@ -13,7 +13,7 @@ use super::world::World;
 
 /// Bodies and contacts of an island, in the order in which they are solved.
 #[derive(Default)]
-pub struct Island {
+pub(crate) struct Island {
     pub bodies: Vec<usize>,
     pub contacts: Vec<usize>,
 }

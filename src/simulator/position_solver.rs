@@ -12,7 +12,7 @@ use super::scalar::min;
 /// One position iteration for a contact (SolvePositionConstraints): resolves the fraction `baumgarte` of the overlap at
 /// each of its points. A body that is not `movable` counts as static. Returns the smallest separation that it met, m,
 /// at most 0.
-pub fn solve_position_constraint(
+pub(crate) fn solve_position_constraint(
     contact: &Contact,
     bodies: &mut [RigidBody],
     solver_bodies: &[SolverBody],

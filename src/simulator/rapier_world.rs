@@ -16,7 +16,7 @@ use super::fixture::Fixture;
 use super::simulation::EngineWorld;
 use crate::puzzle::scene::Body;
 
-pub struct RapierWorld {
+pub(crate) struct RapierWorld {
     world: PhysicsWorld,
     bodies: Vec<Tracked>,
 }

@@ -5,16 +5,16 @@ use rapier2d::math::Vector;
 
 /// The length of a vector. `Vector::length` takes the square root from libm, which is a loop in wasm. The result is the
 /// same, because IEEE 754 prescribes the rounding.
-pub fn length(vector: Vector) -> f32 {
+pub(crate) fn length(vector: Vector) -> f32 {
     vector.length_squared().sqrt()
 }
 
 /// The larger of two numbers. `f32::max` treats NaN, which is a call in wasm.
-pub fn max(a: f32, b: f32) -> f32 {
+pub(crate) fn max(a: f32, b: f32) -> f32 {
     if a > b { a } else { b }
 }
 
 /// The smaller of two numbers, like `max`.
-pub fn min(a: f32, b: f32) -> f32 {
+pub(crate) fn min(a: f32, b: f32) -> f32 {
     if a < b { a } else { b }
 }

@@ -33,6 +33,7 @@ pub trait EngineWorld: Default {
 /// How a rollout ended, without its poses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Outcome {
+    /// Whether the task was solved.
     pub solved: bool,
     /// Number of steps until it was solved, else `MAX_STEPS`.
     pub steps: usize,

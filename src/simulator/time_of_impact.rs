@@ -22,7 +22,7 @@ const MARGIN: f32 = 1e-3;
 /// Returns the fraction of the rest of the sweeps after which two fixtures meet; `None` if they do not meet, or overlap
 /// from the start. `normal` is a guess of the direction from the first to the second, that of their contact: a unit
 /// vector, or zero for a contact that was never updated, which disables the shortcut.
-pub fn time_of_impact(fixtures: [&Fixture; 2], bodies: [&RigidBody; 2], normal: Vector) -> Option<f32> {
+pub(crate) fn time_of_impact(fixtures: [&Fixture; 2], bodies: [&RigidBody; 2], normal: Vector) -> Option<f32> {
     // Box2D's target: the radii overlap by three slops, to within a quarter of a slop.
     let radii: f32 = fixtures.iter().map(|fixture| fixture.radius()).sum();
     let circle_radii: f32 = fixtures.iter().filter_map(|fixture| fixture.circle_radius).sum();

@@ -4,7 +4,7 @@ use crate::puzzle::action::Invalid;
 use crate::puzzle::scene::{Body, Scene};
 
 /// Returns why a ball is invalid, with the name of the body that it overlaps.
-pub fn invalid_reason(why: Invalid, scene: &Scene) -> String {
+pub(crate) fn invalid_reason(why: Invalid, scene: &Scene) -> String {
     match why {
         Invalid::Overlaps(body) => format!("the ball overlaps the {}", scene.bodies[body].name()),
         why => why.to_string(),
@@ -12,7 +12,7 @@ pub fn invalid_reason(why: Invalid, scene: &Scene) -> String {
 }
 
 /// Describes a scene for people who cannot see it: every body with its position, object and goal first.
-pub fn describe_scene(scene: &Scene) -> String {
+pub(crate) fn describe_scene(scene: &Scene) -> String {
     let position = |body: &Body| format!("{} at x {:.0}, y {:.0}", body.name(), body.x, body.y);
     let (object, target) = (&scene.bodies[scene.body1], &scene.bodies[scene.body2]);
     let others: Vec<String> = (0..scene.bodies.len())

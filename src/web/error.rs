@@ -10,7 +10,7 @@ use super::puzzle_from_js::written;
 
 /// What went wrong, for code that handles it; people read the sentence.
 #[derive(Clone, Copy)]
-pub enum Code {
+pub(crate) enum Code {
     /// No such task.
     BadTask,
     /// A custom scene that may not be played.
@@ -19,6 +19,8 @@ pub enum Code {
     BadMap,
     /// Not weights of these nets.
     BadWeights,
+    /// Not a memory of attempts that this version and these weights can use.
+    BadMemory,
     /// An invalid ball.
     InvalidBall,
     /// All attempts are used.
@@ -38,6 +40,7 @@ impl Code {
             Code::BadScene => "bad_scene",
             Code::BadMap => "bad_map",
             Code::BadWeights => "bad_weights",
+            Code::BadMemory => "bad_memory",
             Code::InvalidBall => "invalid_ball",
             Code::AttemptLimit => "attempt_limit",
             Code::NoAttempt => "no_attempt",
@@ -48,14 +51,14 @@ impl Code {
 }
 
 /// Returns a JavaScript `Error` with a `code`.
-pub fn error(code: Code, sentence: impl Display) -> JsValue {
+pub(crate) fn error(code: Code, sentence: impl Display) -> JsValue {
     let error = js_sys::Error::new(&sentence.to_string());
     js_sys::Reflect::set(&error, &"code".into(), &code.name().into()).expect("an Error takes properties");
     error.into()
 }
 
 /// Converts a value to a plain JavaScript object: maps become objects, and `None` becomes `null`.
-pub fn to_js(value: &impl Serialize) -> Result<JsValue, JsValue> {
+pub(crate) fn to_js(value: &impl Serialize) -> Result<JsValue, JsValue> {
     let serializer = serde_wasm_bindgen::Serializer::json_compatible();
     value.serialize(&serializer).map_err(|reason| error(Code::BadData, reason))
 }
@@ -64,7 +67,7 @@ pub fn to_js(value: &impl Serialize) -> Result<JsValue, JsValue> {
 ///
 /// # Errors
 /// `bad_data` if it does not have the form of the type.
-pub fn from_js<T: serde::de::DeserializeOwned>(value: JsValue) -> Result<T, JsValue> {
+pub(crate) fn from_js<T: serde::de::DeserializeOwned>(value: JsValue) -> Result<T, JsValue> {
     serde_wasm_bindgen::from_value(value).map_err(|reason| error(Code::BadData, reason))
 }
 
@@ -72,7 +75,7 @@ pub fn from_js<T: serde::de::DeserializeOwned>(value: JsValue) -> Result<T, JsVa
 ///
 /// # Errors
 /// `bad_data` if it is not a whole number in the range; `rule` says what it has to be.
-pub fn whole_number(value: &JsValue, range: RangeInclusive<u32>, rule: impl Display) -> Result<u32, JsValue> {
+pub(crate) fn whole_number(value: &JsValue, range: RangeInclusive<u32>, rule: impl Display) -> Result<u32, JsValue> {
     let range = f64::from(*range.start())..=f64::from(*range.end());
     let number = value.as_f64().filter(|number| number.fract() == 0.0 && range.contains(number));
     let refused = || error(Code::BadData, format!("{rule}, not {}", written(value)));

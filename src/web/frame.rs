@@ -20,7 +20,7 @@ const STATIC_OPACITY: f64 = 0.6;
 
 /// What a frame shows.
 #[derive(Deserialize)]
-pub struct View {
+pub(crate) struct View {
     /// Steps since the start; a fraction lies between two steps.
     step: f64,
     /// The ball being placed.
@@ -69,7 +69,7 @@ struct Mark {
 
 impl View {
     /// A view of the end of the current recordings: every body in its last pose, whole paths.
-    pub fn ended(dark: bool) -> View {
+    pub(crate) fn ended(dark: bool) -> View {
         View {
             step: f64::INFINITY,
             ball: None,
@@ -87,13 +87,13 @@ impl View {
     }
 
     /// This view of another scene, in which the ball may or may not be placed.
-    pub fn checked_in(self, scene: &Scene) -> View {
+    pub(crate) fn checked_in(self, scene: &Scene) -> View {
         View { valid: self.ball.is_none_or(|ball| ball.check(scene).is_ok()), ..self }
     }
 }
 
 /// Draws a frame: the first of `recordings` with its bodies, the others as outlines over it.
-pub fn paint(
+pub(crate) fn paint(
     context: &CanvasRenderingContext2d,
     scene: &Scene,
     recordings: &[Recording],

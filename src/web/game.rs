@@ -22,6 +22,7 @@ const CUSTOM_NAME: &str = "Custom scene";
 /// What is said of a custom scene where a task has its story.
 const CUSTOM_STORY: &str = "A person made this scene. It is none of the benchmark's tasks.";
 
+/// A puzzle on the page: the attempts of player and model, and what is drawn of them.
 #[wasm_bindgen]
 pub struct Game {
     pub(super) puzzle: Puzzle,

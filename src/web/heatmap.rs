@@ -17,7 +17,7 @@ const DASH: usize = 2;
 const OUTLINE_WIDTH: f64 = 0.4;
 
 /// Draws a heatmap of 64 x 64 values in 0..=max, row 0 at the bottom, into a canvas of 64 x 64 pixels.
-pub fn paint(
+pub(crate) fn paint(
     context: &CanvasRenderingContext2d,
     map: ImaginedMap,
     values: &[f32],
@@ -32,7 +32,7 @@ pub fn paint(
 }
 
 /// Outlines what is strong in 64 x 64 values in 0..=1 by a smooth line; the canvas is square.
-pub fn outline(
+pub(crate) fn outline(
     context: &CanvasRenderingContext2d,
     values: &[f32],
     colour: &str,
@@ -54,7 +54,7 @@ pub fn outline(
 }
 
 /// Draws the outcomes of 64 x 64 cells, 4 x 4 pixels per cell; each outcome has its own colour and pattern.
-pub fn outcomes(context: &CanvasRenderingContext2d, outcomes: &[u8], dark: bool) -> Result<(), JsValue> {
+pub(crate) fn outcomes(context: &CanvasRenderingContext2d, outcomes: &[u8], dark: bool) -> Result<(), JsValue> {
     check_size(outcomes.len())?;
     let pixel = |index: usize| {
         let (x, y) = (index % (4 * SIDE), index / (4 * SIDE));
@@ -80,7 +80,7 @@ fn outcome_colour(outcome: u8, x: usize, y: usize, dark: bool) -> [u8; 4] {
 
 /// Draws the colour scale of a map, 0 at the left and the maximum at the right; the lowest row of pixels, if there
 /// are several, has the dashes of its outline.
-pub fn legend(context: &CanvasRenderingContext2d, map: ImaginedMap, dark: bool) -> Result<(), JsValue> {
+pub(crate) fn legend(context: &CanvasRenderingContext2d, map: ImaginedMap, dark: bool) -> Result<(), JsValue> {
     let (width, height) = canvas_size(context)?;
     let last = width.max(2) - 1;
     let mut pixels: Vec<u8> = (0..width).flat_map(|x| map.colour(x as f32 / last as f32, dark)).collect();

@@ -21,7 +21,7 @@ use crate::session::game::ATTEMPT_LIMIT;
 /// The imagined paths of one ball, as a frame draws them.
 #[derive(Deserialize)]
 #[serde(try_from = "PlainPaths")]
-pub struct ImaginedPaths {
+pub(crate) struct ImaginedPaths {
     /// The ball that they are imagined for.
     pub of: Ball,
     pub object: SampledPath,
@@ -33,7 +33,7 @@ pub struct ImaginedPaths {
 
 /// A path of the green object that is only hinted at.
 #[derive(Deserialize)]
-pub struct Hint {
+pub(crate) struct Hint {
     /// x and y in turn, px.
     pub object: Vec<f64>,
     /// 0..=1
@@ -121,7 +121,7 @@ fn probability(logit: f64) -> JsValue {
 }
 
 /// Returns paths as `{ object, ball }`, x and y in turn.
-pub fn paths_to_js(paths: &SampledPaths) -> Result<Object, JsValue> {
+pub(crate) fn paths_to_js(paths: &SampledPaths) -> Result<Object, JsValue> {
     let js = Object::new();
     for (name, path) in [("object", &paths.object), ("ball", &paths.ball)] {
         Reflect::set(&js, &name.into(), &Float32Array::from(path.as_flattened()))?;

@@ -11,7 +11,7 @@ use crate::puzzle::scene::Role;
 impl Painter<'_> {
     /// Marks the ball of another attempt with a small ring; the selected one also with its rim and a line from the
     /// place that it comes from.
-    pub fn mark(&self, ball: Ball, from: Option<[f64; 2]>, chosen: bool) -> Result<(), JsValue> {
+    pub(crate) fn mark(&self, ball: Ball, from: Option<[f64; 2]>, chosen: bool) -> Result<(), JsValue> {
         let context = self.context;
         let circle = |radius: f64, colour: &str, width: f64, style| {
             context.begin_path();
@@ -35,7 +35,7 @@ impl Painter<'_> {
     }
 
     /// Draws the gap between two points: a line with a dot at either end.
-    pub fn gap(&self, points: [[f64; 2]; 2]) -> Result<(), JsValue> {
+    pub(crate) fn gap(&self, points: [[f64; 2]; 2]) -> Result<(), JsValue> {
         let context = self.context;
         for (colour, width, radius) in [(self.palette.paper, 3.4, 2.8), (self.palette.ink, 1.4, 1.9)] {
             context.begin_path();
@@ -53,7 +53,7 @@ impl Painter<'_> {
     }
 
     /// Draws the path that a person has drawn, with a dot at its end.
-    pub fn sketch(&self, points: &[[f64; 2]]) -> Result<(), JsValue> {
+    pub(crate) fn sketch(&self, points: &[[f64; 2]]) -> Result<(), JsValue> {
         self.path(points.iter().copied(), Role::Green, LineStyle::Dashed)?;
         let Some(&[x, y]) = points.last() else { return Ok(()) };
         self.context.begin_path();

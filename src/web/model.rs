@@ -7,10 +7,14 @@
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
+use sha2::{Digest, Sha256};
+
 use super::error::{Code, error, to_js, whole_number};
+use super::memory::{Memory, TurnMemory};
 use super::puzzle_from_js::load;
 use crate::agents::Proposal;
 use crate::agents::memoized_model::MemoizedModel;
+use crate::agents::memory::Reminder;
 use crate::agents::ranking::probability_map;
 use crate::benchmark::folds::Fold;
 use crate::colour::imagined_maps::ImaginedMap;
@@ -29,6 +33,8 @@ const MAX_PROPOSALS: u32 = 1000;
 pub struct Model {
     pub(super) model: MemoizedModel,
     card: Card,
+    /// SHA-256 of the weights file, in hexadecimal.
+    weights: String,
     /// The tasks that it was trained on or chosen by, ascending.
     seen: Vec<TaskId>,
 }
@@ -39,23 +45,30 @@ struct TriedProposal {
     #[serde(flatten)]
     proposal: Proposal,
     ending: Ending,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    reminder: Option<Reminder>,
 }
 
 /// The model's turn on one puzzle.
 #[wasm_bindgen]
-pub struct Turn(turn::Turn);
+pub struct Turn {
+    turn: turn::Turn,
+    memory: Option<TurnMemory>,
+}
 
 #[wasm_bindgen]
 impl Model {
-    /// Loads the nets from the bytes of a weights file.
+    /// Loads the nets from the bytes of a weights file. Their SHA-256, in hexadecimal, is computed if it is not known.
     ///
     /// # Errors
     /// `bad_weights` if the file is damaged or belongs to other nets.
     #[wasm_bindgen(constructor)]
-    pub fn new(bytes: &[u8]) -> Result<Model, JsValue> {
+    pub fn new(bytes: &[u8], sha256: Option<String>) -> Result<Model, JsValue> {
         let (nets, card) = PathNet::load(bytes).map_err(|why| error(Code::BadWeights, why))?;
         let seen = Fold::new(card.setup, card.fold).all_train();
-        Ok(Model { model: MemoizedModel::new(nets), card, seen })
+        let computed = || Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect();
+        let weights = sha256.unwrap_or_else(computed);
+        Ok(Model { model: MemoizedModel::new(nets), card, weights, seen })
     }
 
     /// Returns how the weights were trained.
@@ -135,7 +148,38 @@ impl Model {
     ) -> Result<Turn, JsValue> {
         let Puzzle { id, scene, .. } = load(puzzle)?;
         let agent = self.model.start(&scene, id.seed(whole_seed(seed)?), ATTEMPT_LIMIT);
-        Ok(Turn(turn::Turn::new(scene, agent)))
+        Ok(Turn { turn: turn::Turn::new(scene, agent), memory: None })
+    }
+
+    /// Returns a memory of attempts for this model: an empty one, or that of JSON which `Memory.toJson` or
+    /// `pathlight agent --memory` wrote.
+    ///
+    /// # Errors
+    /// `bad_memory` if it is damaged, of another version, or learned with other weights.
+    pub fn memory(&self, json: Option<String>) -> Result<Memory, JsValue> {
+        Memory::new(&self.weights, json.as_deref())
+    }
+
+    /// Starts the model's turn on a task, in which it uses what a memory holds, and remembers each attempt. Draws
+    /// nothing at random.
+    ///
+    /// # Errors `bad_task` if there is no such task, `bad_scene` if the scene may not be played, `bad_memory` if the
+    /// memory is of other weights, `bad_weights` if these weights have no dynamics net.
+    #[wasm_bindgen(js_name = turnWith)]
+    pub fn turn_with(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "Puzzle")] puzzle: JsValue,
+        memory: &Memory,
+    ) -> Result<Turn, JsValue> {
+        let Puzzle { id, scene, .. } = load(puzzle)?;
+        memory.check_weights(&self.weights)?;
+        let lacking = || error(Code::BadWeights, "weights without a dynamics net cannot play with a memory");
+        if self.model.nets.dynamics.is_none() {
+            return Err(lacking());
+        }
+        let memory = memory.begin(id, &scene);
+        let agent = self.model.start_with(&scene, ATTEMPT_LIMIT, &memory.recollection).ok_or_else(lacking)?;
+        Ok(Turn { turn: turn::Turn::new(scene, agent), memory: Some(memory) })
     }
 
     /// Returns the maps of the paper's nets alone: base, target, action and placement in one Float32Array
@@ -162,10 +206,14 @@ impl Turn {
     /// `invalid_ball` if the model proposes an invalid ball.
     #[wasm_bindgen(unchecked_return_type = "TriedProposal | undefined")]
     pub fn attempt(&mut self) -> Result<JsValue, JsValue> {
-        match self.0.attempt().map_err(|why| error(Code::InvalidBall, why))? {
-            Some((proposal, rollout)) => to_js(&TriedProposal { proposal, ending: Ending::of(&rollout) }),
-            None => Ok(JsValue::UNDEFINED),
+        let attempt = self.turn.attempt().map_err(|why| error(Code::InvalidBall, why))?;
+        let Some((proposal, rollout)) = attempt else { return Ok(JsValue::UNDEFINED) };
+        let memory = self.memory.as_ref();
+        let reminder = memory.and_then(|memory| memory.recollection.reminder(proposal.ball));
+        if let Some(memory) = memory {
+            memory.observe(&proposal, rollout.solved);
         }
+        to_js(&TriedProposal { proposal, ending: Ending::of(&rollout), reminder })
     }
 }
 

@@ -29,7 +29,7 @@ const PATH_WIDTH: f64 = 1.6;
 /// Minimum width of a path, pixels of the canvas: `PATH_WIDTH` is hardly visible in a thumbnail.
 const MIN_PATH_PIXELS: f64 = 1.2;
 
-pub struct Painter<'a> {
+pub(crate) struct Painter<'a> {
     pub(super) context: &'a CanvasRenderingContext2d,
     pub(super) palette: &'static Palette,
     /// Canvas pixels per px of the scene.
@@ -38,7 +38,7 @@ pub struct Painter<'a> {
 
 /// Line style: solid for the player, dashed for the model, dotted for what is imagined.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub enum LineStyle {
+pub(crate) enum LineStyle {
     Solid,
     Dashed,
     Dotted,
@@ -46,7 +46,7 @@ pub enum LineStyle {
 
 impl<'a> Painter<'a> {
     /// Fills the whole canvas with the colour of the paper and sets the scene's units.
-    pub fn new(context: &'a CanvasRenderingContext2d, dark: bool) -> Result<Painter<'a>, JsValue> {
+    pub(crate) fn new(context: &'a CanvasRenderingContext2d, dark: bool) -> Result<Painter<'a>, JsValue> {
         let canvas = context.canvas().ok_or_else(|| error(Code::BadData, "the context has no canvas"))?;
         let side = f64::from(canvas.width());
         let painter = Painter { context, palette: palette(dark), scale: side / SIZE };
@@ -61,13 +61,13 @@ impl<'a> Painter<'a> {
     }
 
     /// Sets the opacity of the next bodies, 0..=1.
-    pub fn set_alpha(&self, alpha: f64) {
+    pub(crate) fn set_alpha(&self, alpha: f64) {
         self.context.set_global_alpha(alpha);
     }
 
     /// Draws a body in the colour of its role, at a pose or where the scene has it. A goal is hatched, the green object
     /// dotted.
-    pub fn body(&self, body: &Body, pose: Option<Pose>, goal: bool) -> Result<(), JsValue> {
+    pub(crate) fn body(&self, body: &Body, pose: Option<Pose>, goal: bool) -> Result<(), JsValue> {
         let [x, y, angle] = pose.map_or([body.x, body.y, body.angle], |pose| pose.map(f64::from));
         let context = self.context;
         let outline = body_path(body)?;
@@ -94,7 +94,7 @@ impl<'a> Painter<'a> {
     }
 
     /// Draws the outline of a body at a pose.
-    pub fn outline(&self, body: &Body, pose: Pose, style: LineStyle) -> Result<(), JsValue> {
+    pub(crate) fn outline(&self, body: &Body, pose: Pose, style: LineStyle) -> Result<(), JsValue> {
         let [x, y, angle] = pose.map(f64::from);
         self.context.save();
         self.context.translate(x, y)?;
@@ -106,7 +106,7 @@ impl<'a> Painter<'a> {
     }
 
     /// Draws the action ball; an invalid one is only outlined.
-    pub fn ball(&self, ball: Ball, angle: f64, valid: bool) -> Result<(), JsValue> {
+    pub(crate) fn ball(&self, ball: Ball, angle: f64, valid: bool) -> Result<(), JsValue> {
         let context = self.context;
         context.save();
         context.translate(ball.x, ball.y)?;
@@ -135,7 +135,7 @@ impl<'a> Painter<'a> {
     }
 
     /// Draws the knob that changes the radius of the ball, at its right.
-    pub fn knob(&self, ball: Ball, radius: f64) -> Result<(), JsValue> {
+    pub(crate) fn knob(&self, ball: Ball, radius: f64) -> Result<(), JsValue> {
         self.context.begin_path();
         self.context.arc(ball.x + ball.r, ball.y, radius, 0.0, TAU)?;
         self.context.set_fill_style_str(self.palette.paper);
@@ -146,7 +146,12 @@ impl<'a> Painter<'a> {
     }
 
     /// Draws a path through points of the scene, px.
-    pub fn path(&self, points: impl Iterator<Item = [f64; 2]>, role: Role, style: LineStyle) -> Result<(), JsValue> {
+    pub(crate) fn path(
+        &self,
+        points: impl Iterator<Item = [f64; 2]>,
+        role: Role,
+        style: LineStyle,
+    ) -> Result<(), JsValue> {
         self.context.begin_path();
         for [x, y] in points {
             self.context.line_to(x, y);
@@ -163,7 +168,7 @@ impl<'a> Painter<'a> {
     }
 
     /// Draws a progress ring round a point, filled to a fraction clockwise from the top.
-    pub fn ring(&self, [x, y]: [f64; 2], radius: f64, fraction: f64) -> Result<(), JsValue> {
+    pub(crate) fn ring(&self, [x, y]: [f64; 2], radius: f64, fraction: f64) -> Result<(), JsValue> {
         let top = TAU / 4.0;
         for (colour, width, fraction) in [(self.palette.ink, 5.0, 1.0), (self.palette.ring, 3.4, fraction)] {
             self.context.begin_path();
@@ -175,7 +180,7 @@ impl<'a> Painter<'a> {
     }
 
     /// Draws the canvas of a map over the whole scene.
-    pub fn overlay(&self, map: &HtmlCanvasElement, opacity: f64) -> Result<(), JsValue> {
+    pub(crate) fn overlay(&self, map: &HtmlCanvasElement, opacity: f64) -> Result<(), JsValue> {
         let side = self.scale * SIZE;
         self.context.set_transform(1.0, 0.0, 0.0, 1.0, 0.0, 0.0)?;
         self.context.set_global_alpha(opacity.clamp(0.0, 1.0));
@@ -271,7 +276,7 @@ fn body_path(body: &Body) -> Result<Path2d, JsValue> {
 }
 
 /// Returns the largest distance of a point of a body from its origin, px.
-pub fn bounding_radius(body: &Body) -> f64 {
+pub(crate) fn bounding_radius(body: &Body) -> f64 {
     let extent = |shape: &Shape| match shape {
         Shape::Circle(radius) => *radius,
         Shape::Polygon(corners) => corners.iter().map(|[x, y]| libm::hypot(*x, *y)).fold(0.0, f64::max),

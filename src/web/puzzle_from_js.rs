@@ -21,7 +21,7 @@ thread_local! {
 ///
 /// # Errors
 /// `bad_task` if there is no such task, `bad_scene` if the scene may not be played.
-pub fn load(puzzle: JsValue) -> Result<Puzzle, JsValue> {
+pub(crate) fn load(puzzle: JsValue) -> Result<Puzzle, JsValue> {
     if puzzle.is_object() {
         return Puzzle::read(plain_scene(&puzzle)).map_err(|problems| bad_scene(&problems));
     }
@@ -44,7 +44,7 @@ const BODY_KEYS: [&str; 9] = ["shape", "radius", "length", "thickness", "height"
 
 /// Returns what may be a custom scene as JSON: the keys that one has and nothing else, because a foreign file may be
 /// nested so deep that converting all of it overflows the stack.
-pub fn plain_scene(value: &JsValue) -> Value {
+pub(crate) fn plain_scene(value: &JsValue) -> Value {
     if !value.is_object() {
         return Value::Null;
     }
@@ -84,7 +84,7 @@ fn bad_scene(problems: &[Problem]) -> JsValue {
 }
 
 /// Returns a value that is no text as a person would write it, for the error that names it.
-pub fn written(value: &JsValue) -> String {
+pub(crate) fn written(value: &JsValue) -> String {
     // JSON has no NaN and no infinity.
     if let Some(number) = value.as_f64().filter(|number| !number.is_finite()) {
         return number.to_string();

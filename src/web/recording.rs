@@ -11,7 +11,7 @@ use crate::puzzle::scene::Scene;
 use crate::raster::{Bitmap, path_image};
 
 /// One rollout that is shown.
-pub struct Recording {
+pub(crate) struct Recording {
     /// `None` if the scene runs without a ball.
     pub ball: Option<Ball>,
     pub rollout: Rollout,
@@ -21,7 +21,7 @@ pub struct Recording {
 
 impl Recording {
     /// Returns the pose of a dynamic body at a step; a fraction is interpolated, and the last step holds afterwards.
-    pub fn pose(&self, step: f64, body: usize) -> Option<Pose> {
+    pub(crate) fn pose(&self, step: f64, body: usize) -> Option<Pose> {
         let step = step.clamp(0.0, self.rollout.steps as f64);
         let before = self.rollout.pose(step.floor() as usize, body)?;
         let after = self.rollout.pose(step.ceil() as usize, body)?;
@@ -30,14 +30,14 @@ impl Recording {
     }
 
     /// Returns the path of a body's origin from the start to a step, px.
-    pub fn path(&self, step: f64, body: usize) -> impl Iterator<Item = [f64; 2]> {
+    pub(crate) fn path(&self, step: f64, body: usize) -> impl Iterator<Item = [f64; 2]> {
         let last = (step.max(0.0) as usize).min(self.rollout.steps);
         let points = (0..=last).filter_map(move |step| self.rollout.pose(step, body));
         points.map(|[x, y, _]| [x.into(), y.into()])
     }
 
     /// Returns the paths of the green object and of the ball as masks: `{ object, ball }`.
-    pub fn path_masks(&self, scene: &Scene) -> Result<JsValue, JsValue> {
+    pub(crate) fn path_masks(&self, scene: &Scene) -> Result<JsValue, JsValue> {
         let to_array = |image: Bitmap| Float32Array::from(image.to_f32().collect::<Vec<_>>().as_slice());
         let paths = Object::new();
         let object = path_image(&scene.bodies[scene.body1], &self.rollout, scene.body1);
@@ -50,7 +50,7 @@ impl Recording {
     }
 
     /// Returns the intervals in which the green object touches the goal, each as its first and last step.
-    pub fn touches(&self) -> Vec<[u32; 2]> {
+    pub(crate) fn touches(&self) -> Vec<[u32; 2]> {
         let mut intervals: Vec<[u32; 2]> = Vec::new();
         for (step, _) in self.rollout.touching.iter().enumerate().filter(|&(_, &touches)| touches) {
             let step = step as u32;

@@ -79,20 +79,20 @@ fn tracks(scene: &Scene, imagined: &ImaginedPaths) -> [Track; 2] {
 
 impl Painter<'_> {
     /// Draws the ribbons of the imagined paths of the green object and of the ball.
-    pub fn ribbons(&self, scene: &Scene, imagined: &ImaginedPaths) -> Result<(), JsValue> {
+    pub(crate) fn ribbons(&self, scene: &Scene, imagined: &ImaginedPaths) -> Result<(), JsValue> {
         let parts =
             |track: Track| RIBBON_PARTS.iter().try_for_each(|&(width, opacity)| self.ribbon(&track, width, opacity));
         tracks(scene, imagined).into_iter().try_for_each(parts)
     }
 
     /// Draws the lines of these paths.
-    pub fn imagined_paths(&self, scene: &Scene, imagined: &ImaginedPaths) -> Result<(), JsValue> {
+    pub(crate) fn imagined_paths(&self, scene: &Scene, imagined: &ImaginedPaths) -> Result<(), JsValue> {
         let line = |track: Track| self.path(track.points.into_iter(), track.body.role, LineStyle::Dotted);
         tracks(scene, imagined).into_iter().try_for_each(line)
     }
 
     /// Draws an imagined path of the green object, without a ribbon.
-    pub fn hint(&self, scene: &Scene, hint: &Hint) -> Result<(), JsValue> {
+    pub(crate) fn hint(&self, scene: &Scene, hint: &Hint) -> Result<(), JsValue> {
         let object = &scene.bodies[scene.body1];
         self.context.begin_path();
         self.context.move_to(object.x, object.y);
@@ -107,7 +107,7 @@ impl Painter<'_> {
 
     /// Draws ghosts of the green object and of the ball: where they are imagined after a number of steps, or all along
     /// their paths.
-    pub fn ghosts(&self, scene: &Scene, imagined: &ImaginedPaths, step: Option<f64>) -> Result<(), JsValue> {
+    pub(crate) fn ghosts(&self, scene: &Scene, imagined: &ImaginedPaths, step: Option<f64>) -> Result<(), JsValue> {
         self.set_alpha(GHOST_OPACITY);
         for track in tracks(scene, imagined) {
             let positions = step.map_or_else(|| track.ghosts(), |step| vec![track.at(step)]);

@@ -296,7 +296,41 @@ export interface ImaginedBall {
 }
 
 /** A ball of the model's turn: proposed, then simulated. */
-export interface TriedProposal extends Attempt, Proposal {}
+export interface TriedProposal extends Attempt, Proposal {
+    /** In a turn with a memory: the earlier puzzle that changed the chance of this ball most, if one did noticeably. */
+    reminder?: Reminder;
+}
+
+/** The remembered puzzle that changed the chance of a ball most. */
+export interface Reminder {
+    /** Its number in the memory, from 1. */
+    puzzle: number;
+    /** Absent for a custom scene. */
+    task?: string;
+    /** By how much its attempts changed the logit of the ball. */
+    change: number;
+    /** The ball of the attempt that changed it most, as it was tried there, and whether it solved. */
+    ball: Ball;
+    solved: boolean;
+    /** Whether the scene is like that of the puzzle mirrored. */
+    mirrored: boolean;
+}
+
+/** A puzzle that is remembered: a task or, as plain data, the scene of a custom one. */
+export interface RememberedPuzzle {
+    /** From 1; puzzles that are forgotten keep their numbers. */
+    number: number;
+    task?: string;
+    scene?: Scene;
+    attempts: RememberedAttempt[];
+}
+
+export interface RememberedAttempt {
+    ball: Ball;
+    /** The chance, 0..1, that the ball was given before. */
+    chance: number;
+    solved: boolean;
+}
 
 /** A ball that the model considers before it chooses one. */
 export interface Candidate {
@@ -421,6 +455,7 @@ export type ErrorCode =
     | "bad_scene"
     | "bad_map"
     | "bad_weights"
+    | "bad_memory"
     | "invalid_ball"
     | "attempt_limit"
     | "no_attempt"

@@ -36,7 +36,8 @@ test("the sheet names the paper, the benchmark and what the model learned from",
   const page = await openPuzzle(session, { fragment: "&panel=imagine" });
   const [entry] = await page.evaluate(async () => (await (await fetch("assets/model.json")).json()).models);
   const { samples, tasks, epochs } = await card(entry.file);
-  await page.locator("#imagine [data-opens=about-dialog]").click();
+  await page.locator("#more-button").click();
+  await page.locator("#more [data-opens=about-dialog]").click();
   const about = page.locator("#about-dialog[open]");
   const text = await about.textContent();
   for (const said of ["Solving Physics Puzzles by Reasoning about Paths", "Harter", "2020", "PHYRE"])

@@ -5,7 +5,7 @@ import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { axeFindsNothingInLightAndDark } from "./axe.mjs";
 import { start } from "./harness.mjs";
-import { EASY, known, openPuzzle, playModelTurn, says, type } from "./page-actions.mjs";
+import { EASY, known, openPanel, openPuzzle, playModelTurn, says, type } from "./page-actions.mjs";
 
 let session;
 before(async () => (session = await start()));
@@ -74,7 +74,7 @@ for (const [screen, size] of Object.entries(SCREENS)) {
     });
     await page.locator("#imagined-in").filter({ hasText: "Imagined" }).waitFor();
     await axeFindsNothingInLightAndDark(page, "imagine");
-    await page.locator("#tab-compare").click();
+    await openPanel(page, "compare");
     await axeFindsNothingInLightAndDark(page, "compare, before");
     await playModelTurn(page);
     await axeFindsNothingInLightAndDark(page, "compare, after");
@@ -83,25 +83,23 @@ for (const [screen, size] of Object.entries(SCREENS)) {
   test(`how the model thinks on ${screen}`, async () => {
     const page = await openPuzzle(session, { ...size, fragment: "&panel=imagine", reducedMotion: true });
     await page.locator("#imagined-in").filter({ hasText: "Imagined" }).waitFor();
-    const tab = (name) => page.locator(`#tab-${name}`).click();
     await page.locator("#walkthrough-next").click();
-    await page.locator("[data-map=base] .map").press("ArrowUp");
     for (const sum of await page.locator("#imagine summary:visible").all()) await sum.click();
     await axeFindsNothingInLightAndDark(page, "a step of the story, read");
     await page.locator("#walkthrough-dots button:visible").last().click();
     await page.waitForTimeout(300);
     await axeFindsNothingInLightAndDark(page, "the last step of the story");
-    await tab("predict");
+    await openPanel(page, "predict");
     await axeFindsNothingInLightAndDark(page, "predict");
     await page.locator("#scene").press("Shift+ArrowDown");
     await page.locator("#predict-watch").click();
     await page.locator("#predict-result:visible").waitFor();
     await axeFindsNothingInLightAndDark(page, "predict, measured");
-    await tab("imagine");
+    await openPanel(page, "imagine");
     await page.locator("#walkthrough-all").click();
     await page.locator("#runs li").first().waitFor();
     await axeFindsNothingInLightAndDark(page, "imagined and real");
-    await tab("compare");
+    await openPanel(page, "compare");
     await page.waitForFunction(() => /panel=compare/.test(location.hash));
     await page.evaluate(
       (task) =>
@@ -110,12 +108,15 @@ for (const [screen, size] of Object.entries(SCREENS)) {
     );
     await page.reload();
     await page.locator("#model-turn:enabled").click();
-    await page.locator("#score-table:visible").waitFor({ timeout: 120_000 });
+    await page.locator("#score:visible").waitFor({ timeout: 120_000 });
     await page.locator("#proposal-next").click();
     await page.locator("#proposal-facts:visible").waitFor();
-    for (const sum of await page.locator("#compare summary:visible").all()) await sum.click();
+    for (const sum of await page.locator("#tabpanel-play summary:visible").all()) await sum.click();
     await axeFindsNothingInLightAndDark(page, "a ball of the model’s, and the score");
-    await tab("map");
+    await page.locator("#more-button").click();
+    await axeFindsNothingInLightAndDark(page, "the menu");
+    await page.keyboard.press("Escape");
+    await openPanel(page, "map");
     await page.locator("#solve-map-search").click();
     await page.locator("#solve-map-words").filter({ hasText: "tried so far" }).waitFor();
     await page.locator("#solve-map-placement").check();

@@ -6,7 +6,7 @@ import { readFile } from "node:fs/promises";
 import { after, before, test } from "node:test";
 import { axeFindsNothing } from "./axe.mjs";
 import { start } from "./harness.mjs";
-import { EASY, known, modelLoaded, openPuzzle, says, type } from "./page-actions.mjs";
+import { EASY, known, modelLoaded, openPuzzle, openShare, says, type } from "./page-actions.mjs";
 import { load } from "../../www/api/index.js";
 
 const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
@@ -111,8 +111,29 @@ test("a sheet that cannot be loaded is a sentence, and is asked for again", asyn
   const { page } = await solved();
   await page.route("**/share-dialog.js", (route) => route.abort());
   await page.locator("#solved-share").click();
-  await page.locator("#notice-text").filter({ hasText: "The sheet to share a result could not be loaded." }).waitFor();
+  await page.locator("#notice-text").filter({ hasText: "The sheet to share a puzzle could not be loaded." }).waitFor();
   session.takeProblems();
+});
+
+test("a puzzle that is not solved is shared as a question, and its run as a film", async () => {
+  const page = await openPuzzle(session, { reducedMotion: true });
+  await openShare(page);
+  assert.equal(await page.locator("#share-text").textContent(), "“Two Drops, 1 of 100”: can you solve it?");
+  assert.ok(await page.locator("#share-film").isHidden(), "nothing has run");
+  await page.locator("#share-dialog form button").click();
+  await type(page, (await known()).missing);
+  await page.locator("#run").click();
+  await says(page, /^Not solved/);
+  await openShare(page);
+  await page.locator("#share-film").click();
+  const [film] = await Promise.all([
+    page.waitForEvent("download", { timeout: 60_000 }),
+    page.locator("#share-save").filter({ hasText: "Save the film" }).click({ timeout: 60_000 }),
+  ]);
+  assert.equal(film.suggestedFilename(), "pathlight-00000-000.webm");
+  await page.locator("#lesson-button").click();
+  await page.locator("#lesson-dialog[open]").waitFor();
+  assert.ok(await page.locator("#share-dialog").isHidden());
 });
 
 for (const [screen, options] of Object.entries({ "a desktop": {}, "a phone": PHONE })) {

@@ -74,7 +74,7 @@ test("an attempt is deleted, by key too, and the list closes up", async () => {
   assert.equal(await (await focused(page)).getAttribute("aria-label"), "Delete attempt 1");
   await page.keyboard.press("Enter");
   assert.equal(await attempts(page), 0);
-  assert.equal(await page.locator("#play-empty").isVisible(), true);
+  assert.equal(await page.locator("#play-attempts").isVisible(), false);
 });
 
 test("while a new attempt runs, another is deleted, and the new one joins the list", async () => {

@@ -6,7 +6,7 @@ import { readFile } from "node:fs/promises";
 import { after, before, test } from "node:test";
 import { customScene } from "../../www/pkg/pathlight.js";
 import { start } from "./harness.mjs";
-import { EASY, attempts, known, modelLoaded, playModelTurn, says, type } from "./page-actions.mjs";
+import { EASY, attempts, inMore, known, modelLoaded, openPanel, playModelTurn, says, type } from "./page-actions.mjs";
 
 let session;
 let balls;
@@ -52,19 +52,19 @@ async function played() {
 
 test("the attempts of both come back after a reload", async () => {
   const page = await played();
-  await page.locator("#tab-compare").click();
+  await openPanel(page, "compare");
   await playModelTurn(page);
-  const [player, model] = [await titles(page, "player-attempts"), await titles(page, "model-attempts")];
+  const [player, model] = [await titles(page, "play-attempts"), await titles(page, "model-attempts")];
   assert.equal(player.length, 2);
   assert.ok(model.length >= 1);
   await page.reload();
   await page.locator("#model-attempts li").first().waitFor();
-  assert.deepEqual(await titles(page, "player-attempts"), player);
+  assert.deepEqual(await titles(page, "play-attempts"), player);
   assert.deepEqual(await titles(page, "model-attempts"), model);
-  await page.locator("#clear-attempts").click();
+  await inMore(page, () => page.locator("#clear-attempts").click());
   await page.reload();
   await modelLoaded(page);
-  assert.deepEqual([...(await titles(page, "player-attempts")), ...(await titles(page, "model-attempts"))], []);
+  assert.deepEqual([...(await titles(page, "play-attempts")), ...(await titles(page, "model-attempts"))], []);
   assert.equal(await stored(page), null);
 });
 
@@ -129,7 +129,10 @@ test("of two puzzles that differ in their names alone, one that is deleted leave
 
 test("attempts are saved with the progress, and read back on another device, also from a file of attempts", async () => {
   const page = await played();
-  const [lines] = await Promise.all([page.waitForEvent("download"), page.locator("#attempts-save").click()]);
+  const [lines] = await Promise.all([
+    page.waitForEvent("download"),
+    inMore(page, () => page.locator("#attempts-save").click()),
+  ]);
   await page.locator("#home").click();
   const [progress] = await Promise.all([page.waitForEvent("download"), page.locator("#progress-save").click()]);
   assert.deepEqual(

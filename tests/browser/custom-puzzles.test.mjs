@@ -6,7 +6,7 @@ import { readFile } from "node:fs/promises";
 import { after, before, test } from "node:test";
 import { axeFindsNothing } from "./axe.mjs";
 import { start } from "./harness.mjs";
-import { EASY, openPuzzle } from "./page-actions.mjs";
+import { EASY, inMore, openPuzzle } from "./page-actions.mjs";
 
 let session;
 before(async () => (session = await start()));
@@ -86,7 +86,10 @@ test("the table of the model’s balls quotes the name of the puzzle", async () 
   const page = await session.open(
     `/#scene=${await textOf(first, { ...SCENE, name: 'Over, "by hand"' })}&panel=compare`,
   );
-  const [table] = await Promise.all([page.waitForEvent("download"), page.locator("#proposal-save").click()]);
+  const [table] = await Promise.all([
+    page.waitForEvent("download"),
+    inMore(page, () => page.locator("#proposal-save").click()),
+  ]);
   const [head, ...rows] = (await readFile(await table.path(), "utf8")).trimEnd().split("\r\n");
   const name = '"Over, ""by hand""",';
   assert.ok(rows.length > 0 && rows.every((row) => row.startsWith(name)), rows[0]);

@@ -5,7 +5,20 @@ import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { axeFindsNothing } from "./axe.mjs";
 import { start } from "./harness.mjs";
-import { EASY, ball, click, dragTo, known, openPuzzle, picture, says, spot, waitForValue } from "./page-actions.mjs";
+import {
+  EASY,
+  ball,
+  click,
+  dragTo,
+  known,
+  openPanel,
+  openPuzzle,
+  openShare,
+  picture,
+  says,
+  spot,
+  waitForValue,
+} from "./page-actions.mjs";
 
 let session;
 before(async () => (session = await start()));
@@ -233,10 +246,10 @@ test("the edited scene is the puzzle of every panel: placed, run, played by the 
   await click(page, 30, 240);
   await page.locator("#run").click();
   await says(page, /attempt 1/);
-  await page.locator("#tab-compare").click();
+  await openPanel(page, "compare");
   await page.locator("#model-turn:enabled").click();
   await page.locator("#model-attempts li").first().waitFor({ timeout: 60_000 });
-  await page.locator("#tab-map").click();
+  await openPanel(page, "map");
   await page.locator("#solve-map-search").click();
   await page.locator("#solve-map-words").filter({ hasText: "tried so far" }).waitFor();
 });
@@ -280,6 +293,7 @@ test("what was typed counts for a run and for the link at once", async () => {
   assert.equal((await linked(page)).bodies[body1].x, bodies[body1].x + 3);
 
   await page.locator("#make-x").fill(String(bodies[body1].x + 5));
+  await openShare(page);
   await page.locator("#copy").click();
   await page.locator("#notice-text").filter({ hasText: "copied" }).waitFor();
   const other = await session.open("");

@@ -5,7 +5,7 @@ import { after, before, test } from "node:test";
 import { axeFindsNothing } from "./axe.mjs";
 import { LESSON, embed, imagined, single, wait, workers } from "./embedding.mjs";
 import { start } from "./harness.mjs";
-import { known } from "./page-actions.mjs";
+import { known, openPanel } from "./page-actions.mjs";
 
 let session;
 before(async () => (session = await start()));
@@ -35,7 +35,7 @@ for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
     assert.equal(names.length, 2);
     assert.match(names[1], /^Puzzle Funnel 00007:008$/);
     for (const panel of ["play", "imagine", "compare", "predict", "map"]) {
-      await two.locator(`#tab-${panel}`).click();
+      await openPanel(two, panel);
       await axeFindsNothing(page, panel, { all: true });
     }
     for (const show of ["showKeys", "showAbout"]) {

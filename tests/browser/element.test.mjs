@@ -5,7 +5,7 @@ import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { LESSON, embed, imagined, single, wait, workers } from "./embedding.mjs";
 import { start } from "./harness.mjs";
-import { focused, known } from "./page-actions.mjs";
+import { focused, known, openPanel } from "./page-actions.mjs";
 
 let session, models;
 before(async () => {
@@ -49,8 +49,10 @@ test("two puzzles in one page are played with the mouse, independently of each o
   });
   const { x, y } = await spot(one, solving[0], solving[1]);
   await page.mouse.click(x, y);
+  await one.locator("#more-button").click();
   await one.locator("#ball-r").fill(String(solving[2]));
   await one.locator("#ball-r").press("Tab");
+  await page.keyboard.press("Escape");
   assert.deepEqual(await ballOf(one), solving);
   assert.deepEqual(await ballOf(two), [0, 0, 0]);
   await one.locator("#run").click();
@@ -74,7 +76,7 @@ test("keys act only in the puzzle that has the focus", async () => {
   assert.equal(await (await focused(page)).getAttribute("id"), "scene");
   await page.keyboard.press("ArrowUp");
   await page.keyboard.press("3");
-  await two.locator("#compare").waitFor();
+  await two.locator("#make").waitFor();
   assert.ok(await one.locator("#play").isVisible(), "the other stays where it was");
   await page.keyboard.press("?");
   await two.locator("#keys-dialog[open]").waitFor();
@@ -299,7 +301,7 @@ for (const { attributes, words, playable = false } of [
     await page.locator("#problem").filter({ hasText: words }).waitFor();
     assert.equal(await page.locator("#scene").isVisible(), playable);
     if (playable) {
-      await page.locator("#tab-map").click();
+      await openPanel(page, "map");
       await page.locator("#problem").waitFor({ state: "hidden" });
     }
     await page.locator("pathlight-puzzle").evaluate((element) => {
@@ -314,7 +316,7 @@ for (const { attributes, words, playable = false } of [
 test("a puzzle that hides all panels of the model loads no weights", async () => {
   const page = await embed(session, single('task="00000:000" hide="imagine, compare,predict, map ,story"'));
   await page.locator("#run").waitFor();
-  for (const hidden of ["#tab-imagine", "#tab-compare", "#tab-predict", "#tab-map", "#story"])
+  for (const hidden of ["#tab-imagine", "#race", "#open-compare", "#story"])
     assert.ok(await page.locator(hidden).isHidden(), hidden);
   workers(page, 0);
 });
@@ -323,8 +325,8 @@ for (const width of [320, 400, 700, 1200]) {
   test(`${width} px wide, everything fits its container, whatever the window is`, async () => {
     const page = await embed(session, single('task="00007:008"', `width: ${width}px`));
     await page.locator("#scene").waitFor();
-    for (const panel of ["play", "imagine", "compare", "predict", "map"]) {
-      await page.locator(`#tab-${panel}`).click();
+    for (const panel of ["play", "imagine", "compare", "predict", "map", "make"]) {
+      await openPanel(page, panel);
       const sizes = await page
         .locator(".puzzle")
         .evaluate((puzzle) => [puzzle.scrollWidth, puzzle.clientWidth, puzzle.parentNode.host.clientWidth]);

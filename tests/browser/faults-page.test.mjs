@@ -10,6 +10,7 @@ import {
   EASY,
   attempts,
   known,
+  openPanel,
   openPuzzle,
   picture,
   playModelTurn,
@@ -164,7 +165,7 @@ test("a store with garbage, and with what another version has written", async ()
   await play(page);
   await page.reload();
   await page.locator("#play-attempts li").nth(1).waitFor();
-  await page.locator("#tab-compare").click();
+  await openPanel(page, "compare");
   await playModelTurn(page);
   await page.locator("#home").click();
   await page

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { start } from "./harness.mjs";
-import { openImagined, picture, watchFrames } from "./page-actions.mjs";
+import { inMore, openImagined, openPanel, picture, watchFrames } from "./page-actions.mjs";
 
 const MAPS = ["base", "target", "action", "placement", "success"];
 
@@ -64,7 +64,7 @@ test("a layer lies over the scene while it is on, as strongly as its opacity", a
   }
   await page.locator("[data-map=target] input").check();
   const strong = await picture(page);
-  await page.locator("#opacity").fill("0.3");
+  await inMore(page, () => page.locator("#opacity").fill("0.3"));
   assert.notEqual(await picture(page), strong);
   await page.waitForFunction(() => /layers=target/.test(location.hash) && /opacity=0.3/.test(location.hash));
 });
@@ -86,9 +86,9 @@ test("maps that are switched on stay over the scene while a ball is placed, unti
   await page.locator("#tab-play").click();
   const one = await picture(page);
   assert.notEqual(one, bare);
-  await page.locator("#tab-predict").click();
+  await openPanel(page, "predict");
   assert.equal(await picture(page), bare, "they would tell the answer");
-  await page.locator("#tab-compare").click();
+  await openPanel(page, "compare");
   assert.equal(await picture(page), one);
   await page.locator("#laid", { hasText: "Where green should go" }).waitFor();
   await page.locator("#laid-off").click();

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { start } from "./harness.mjs";
-import { known, openPuzzle, picture, playModelTurn, says, type } from "./page-actions.mjs";
+import { inMore, known, openPanel, openPuzzle, picture, playModelTurn, says, type } from "./page-actions.mjs";
 
 let session;
 before(async () => (session = await start()));
@@ -64,14 +64,14 @@ test("the line goes round the path of this run, and goes with its attempt", asyn
   }
   assert.notEqual(pictures[0], pictures[1]);
   await tab(page, "compare");
-  await page.locator("#clear-attempts").click();
+  await inMore(page, () => page.locator("#clear-attempts").click());
   await tab(page, "imagine");
   assert.equal(await run(page, "player").count(), 0);
   await page.locator("#overlap-empty:visible").waitFor();
 });
 
 async function tab(page, name) {
-  await page.locator(`#tab-${name}`).click();
+  await openPanel(page, name);
   return page;
 }
 
@@ -85,7 +85,7 @@ test("a run keeps the number of its attempt when others are deleted, and goes wi
   }
   await tab(page, "imagine");
   await run(page, "player").locator("h3", { hasText: "Your attempt 2" }).waitFor();
-  const remove = async () => (await tab(page, "compare")).locator("#player-attempts [data-act=remove]").first().click();
+  const remove = async () => (await tab(page, "compare")).locator("#play-attempts [data-act=remove]").first().click();
   await remove();
   await tab(page, "imagine");
   await run(page, "player").locator("h3", { hasText: "Your attempt 1" }).waitFor();

@@ -7,7 +7,18 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { start } from "./harness.mjs";
-import { EASY, attempts, known, modelLoaded, openPuzzle, playModelTurn, says, type } from "./page-actions.mjs";
+import {
+  EASY,
+  attempts,
+  inMore,
+  known,
+  modelLoaded,
+  openPanel,
+  openPuzzle,
+  playModelTurn,
+  says,
+  type,
+} from "./page-actions.mjs";
 
 let session;
 before(async () => (session = await start()));
@@ -26,7 +37,7 @@ async function played(options = {}) {
   await run(page, missing, /^Not solved/);
   await page.locator("#reset").click();
   await run(page, solving, /^Solved/);
-  await page.locator("#tab-compare").click();
+  await openPanel(page, "compare");
   await playModelTurn(page);
   return page;
 }
@@ -38,21 +49,21 @@ const titles = (page, list) =>
 
 /** The player's balls that are listed, in words. */
 const balls = (page) =>
-  page.locator("#player-attempts [data-act=replay]").evaluateAll((buttons) => buttons.map((button) => button.title));
+  page.locator("#play-attempts [data-act=replay]").evaluateAll((buttons) => buttons.map((button) => button.title));
 
 test("the attempts of both come back after a reload and after another puzzle, and are replayed", async () => {
   const page = await played();
-  const [player, model] = [await titles(page, "player-attempts"), await titles(page, "model-attempts")];
+  const [player, model] = [await titles(page, "play-attempts"), await titles(page, "model-attempts")];
   assert.equal(player.length, 2);
   assert.ok(model.length >= 1);
-  const verdict = await page.locator("#verdict").textContent();
+  const verdict = await page.locator("#race-verdict").textContent();
   await page.reload();
   await page.locator("#model-turn").filter({ hasText: "The model has played" }).waitFor();
-  assert.deepEqual(await titles(page, "player-attempts"), player);
+  assert.deepEqual(await titles(page, "play-attempts"), player);
   assert.deepEqual(await titles(page, "model-attempts"), model);
-  assert.equal(await page.locator("#verdict").textContent(), verdict);
+  assert.equal(await page.locator("#race-verdict").textContent(), verdict);
   assert.match(await page.locator("#task option:checked").textContent(), /✓ in 2$/, "the picker counts them alike");
-  await page.locator("#player-attempts [data-act=replay]").first().click();
+  await page.locator("#play-attempts [data-act=replay]").first().click();
   await says(page, /^Not solved. Your attempt 1/);
   await page.locator("#next").click();
   assert.equal(await attempts(page), 0);
@@ -64,15 +75,15 @@ test("another model has attempts of its own, and those of the first stay", async
   const page = await played();
   const model = await titles(page, "model-attempts");
   await page.locator("#tab-imagine").click();
-  await page.locator("#model-select").selectOption("cross-0");
+  await inMore(page, () => page.locator("#model-select").selectOption("cross-0"));
   await modelLoaded(page, "cross-0");
-  await page.locator("#tab-compare").click();
+  await openPanel(page, "compare");
   assert.deepEqual(await titles(page, "model-attempts"), []);
   await page.goBack();
   await page.locator("#tab-imagine").click();
-  await page.locator("#model-select").selectOption("within-0");
+  await inMore(page, () => page.locator("#model-select").selectOption("within-0"));
   await modelLoaded(page, "within-0");
-  await page.locator("#tab-compare").click();
+  await openPanel(page, "compare");
   await page.locator("#model-attempts li").first().waitFor();
   assert.deepEqual(await titles(page, "model-attempts"), model);
 });
@@ -81,22 +92,22 @@ test("a model that is asked for by its name, when it is there already as the fir
   const page = await played();
   const model = await titles(page, "model-attempts");
   await page.locator("#tab-imagine").click();
-  await page.locator("#model-select").selectOption("within-0");
-  await page.locator("#tab-compare").click();
+  await inMore(page, () => page.locator("#model-select").selectOption("within-0"));
+  await openPanel(page, "compare");
   await page.locator("#model-attempts li").first().waitFor();
   assert.deepEqual(await titles(page, "model-attempts"), model);
 });
 
 test("an attempt that is deleted, and all that are cleared, stay away", async () => {
   const page = await played();
-  await page.locator("#player-attempts [data-act=remove]").first().click();
+  await page.locator("#play-attempts [data-act=remove]").first().click();
   await page.reload();
   await page.locator("#model-attempts li").first().waitFor();
-  assert.equal((await titles(page, "player-attempts")).length, 1);
-  await page.locator("#clear-attempts").click();
+  assert.equal((await titles(page, "play-attempts")).length, 1);
+  await inMore(page, () => page.locator("#clear-attempts").click());
   await page.reload();
   await modelLoaded(page);
-  assert.deepEqual([...(await titles(page, "player-attempts")), ...(await titles(page, "model-attempts"))], []);
+  assert.deepEqual([...(await titles(page, "play-attempts")), ...(await titles(page, "model-attempts"))], []);
 });
 
 test("attempts of two tabs stay both", async () => {
@@ -118,22 +129,25 @@ test("attempts of two tabs stay both", async () => {
 
 test("the attempts saved at a puzzle are read back as those of the player and of the model", async () => {
   const page = await played();
-  const [player, model] = [await titles(page, "player-attempts"), await titles(page, "model-attempts")];
+  const [player, model] = [await titles(page, "play-attempts"), await titles(page, "model-attempts")];
   await page.locator("#tab-play").click();
-  const [file] = await Promise.all([page.waitForEvent("download"), page.locator("#attempts-save").click()]);
+  const [file] = await Promise.all([
+    page.waitForEvent("download"),
+    inMore(page, () => page.locator("#attempts-save").click()),
+  ]);
   const elsewhere = await session.open("/");
   await elsewhere.locator("#templates a").first().waitFor();
   await elsewhere.locator("#progress-file").setInputFiles(await file.path());
   await elsewhere.locator("#progress-words").filter({ hasText: "solved 1, in 2 attempts" }).waitFor();
   await elsewhere.goto(`${session.origin}/#task=${EASY}&panel=compare`);
   await elsewhere.locator("#model-attempts li").first().waitFor();
-  assert.deepEqual(await titles(elsewhere, "player-attempts"), player);
+  assert.deepEqual(await titles(elsewhere, "play-attempts"), player);
   assert.deepEqual(await titles(elsewhere, "model-attempts"), model);
 });
 
 test("all is saved to a file and read back whole on another device", async () => {
   const page = await played();
-  const [player, model] = [await titles(page, "player-attempts"), await titles(page, "model-attempts")];
+  const [player, model] = [await titles(page, "play-attempts"), await titles(page, "model-attempts")];
   await page.locator("#home").click();
   const [file] = await Promise.all([page.waitForEvent("download"), page.locator("#progress-save").click()]);
   const path = await file.path();
@@ -161,9 +175,9 @@ test("all is saved to a file and read back whole on another device", async () =>
   await elsewhere.locator("#progress-words").filter({ hasText: "solved 1, in 2 attempts" }).waitFor();
   await elsewhere.goto(`${session.origin}/#task=${EASY}&panel=compare`);
   await elsewhere.locator("#model-attempts li").first().waitFor();
-  assert.deepEqual(await titles(elsewhere, "player-attempts"), player);
+  assert.deepEqual(await titles(elsewhere, "play-attempts"), player);
   assert.deepEqual(await titles(elsewhere, "model-attempts"), model);
-  await elsewhere.locator("#score-rows th", { hasText: "Two Drops, 1 of 100" }).waitFor();
+  await elsewhere.locator("#score-words", { hasText: "over one puzzle" }).waitFor();
 
   // JSON lines of attempts alone are read too.
   const lines = join(tmpdir(), `pathlight-${process.pid}.jsonl`);

@@ -54,11 +54,10 @@ test("a puzzle is opened, solved and compared by keys alone", async () => {
   await page.keyboard.press("Space");
   await says(page, /^Solved! Your attempt 1/);
 
-  await page.keyboard.press("3");
-  await tabTo(page, "model-turn");
-  await page.locator("#model-turn:enabled").waitFor();
+  await page.locator("#race-it:enabled").waitFor();
+  await tabTo(page, "race-it");
   await page.keyboard.press("Enter");
-  await page.locator("#model-turn").filter({ hasText: "The model has played" }).waitFor({ timeout: 120_000 });
+  await page.locator("#race-it").filter({ hasText: "Watch it again" }).waitFor({ timeout: 120_000 });
 });
 
 test("keys step, pause, reset, change the puzzle and the panel", async () => {
@@ -92,7 +91,7 @@ test("keys step, pause, reset, change the puzzle and the panel", async () => {
   await page.locator("#imagine").waitFor();
   await tabTo(page, "tab-imagine");
   await page.keyboard.press("ArrowRight");
-  assert.equal(await focusedId(page), "tab-compare");
+  assert.equal(await focusedId(page), "tab-make");
   await page.keyboard.press("?");
   await page.locator("#keys-dialog[open]").waitFor();
   await page.keyboard.press("Escape");

@@ -38,34 +38,32 @@ test("a puzzle is left while pictures of attempts wait to be drawn", async () =>
 });
 
 test("sentences about a puzzle go with it", async () => {
-  const sentences = ["#attempts-words", "#save-words", "#make-said", "#make-alone"];
+  const sentences = ["#attempts-words", "#luck-words", "#make-said", "#make-alone"];
   const page = await openPuzzle(session, { fragment: "&panel=make", reducedMotion: true });
   await page.locator("#make-keep").click();
   await page.locator("#tab-play").click();
-  await page.locator("#watch").click();
-  await page.locator("#digest").click();
-  await page.locator("#save-film").click();
+  await type(page, (await known()).solving);
+  await page.locator("#run").click();
+  await page.locator("#luck-ask").click();
+  await page.locator("#more-button").click();
+  await page.locator("#attempts-save").click();
   for (const id of sentences) await page.locator(id).filter({ hasText: /./ }).waitFor({ state: "attached" });
-  await page.locator("#attempts-words").filter({ hasText: "SHA-256" }).waitFor();
+  await page.locator("#attempts-words").filter({ hasText: "One attempt is saved" }).waitFor();
   await page.evaluate(() => (location.hash = "#task=00001:000"));
   await page.locator("#run:enabled").waitFor();
   for (const id of sentences) await page.locator(id).filter({ hasNotText: /./ }).waitFor({ state: "attached" });
-  // The film was given up; that is no news of this puzzle.
-  await page.locator("#watch").click();
-  await says(page, /^That was the scene/);
-  await page.locator("#save-film").filter({ hasText: "Save the run" }).waitFor();
-  assert.equal(await page.locator("#save-words").textContent(), "");
 });
 
 test("an answer about a puzzle that was left is not shown", async () => {
   const page = await openPuzzle(session, { reducedMotion: true });
-  await page.locator("#watch").click();
+  await type(page, (await known()).solving);
+  await page.locator("#run").click();
   // The worker answers in order: the answer to the button comes before that to the search.
-  await page.locator("#digest").click();
+  await page.locator("#luck-ask").click();
   await page.evaluate(() => (location.hash = "#task=00001:000&panel=make"));
   await page.locator("#check-search").click();
   await page.locator("#check-words").filter({ hasText: "so far" }).waitFor();
-  assert.equal(await page.locator("#attempts-words").textContent(), "");
+  assert.equal(await page.locator("#luck-words").textContent(), "");
 });
 
 test("the colour scheme changes after a puzzle was left", async () => {

@@ -6,7 +6,7 @@ import { after, before, test } from "node:test";
 import { axeFindsNothing } from "./axe.mjs";
 import jsQR from "jsqr";
 import { start } from "./harness.mjs";
-import { EASY, openPuzzle, says, type } from "./page-actions.mjs";
+import { EASY, openLesson, openPuzzle, says, type } from "./page-actions.mjs";
 
 let session;
 before(async () => (session = await start()));
@@ -14,7 +14,7 @@ after(() => session.stop());
 
 async function openDialog(options = {}) {
   const page = await openPuzzle(session, options);
-  await page.locator("#lesson-button").click();
+  await openLesson(page);
   await page.locator("#lesson-dialog[open]").waitFor();
   return page;
 }
@@ -47,7 +47,7 @@ test("a code that could not be drawn once comes with the next link", async () =>
       throw new Error("no canvas");
     };
   });
-  await page.locator("#lesson-button").click();
+  await openLesson(page);
   await page.locator("#lesson-code-failure").filter({ hasText: "There is no QR code: no canvas." }).waitFor();
   await page.locator("#lesson-dialog [name=map]").uncheck();
   assert.equal(await coded(page), await address(page));
@@ -81,9 +81,8 @@ test("boxes by keys make the link, the preview and the code; the link opens just
   await pupil.locator("#predict:visible").waitFor();
   for (const hidden of [
     "#tabs",
-    "#copy",
+    "#share-button",
     "#presentation-button",
-    "#lesson-button",
     "#about-button",
     "#keys-button",
     "#next",
@@ -101,18 +100,17 @@ test("boxes by keys make the link, the preview and the code; the link opens just
 });
 
 test("what is hidden is nowhere told, in the sheets neither", async () => {
-  const page = await openPuzzle(session, { fragment: "&hide=imagine,predict,map,make,transport,fields,hint" });
+  const page = await openPuzzle(session, { fragment: "&hide=imagine,predict,map,transport,fields,hint" });
   await page.keyboard.press("?");
   const keys = await page.locator("#keys-dialog").innerText();
-  assert.match(keys, /1 to 2\s+Play, Compare/);
+  assert.match(keys, /1 to 2\s+Play, Make/);
   assert.doesNotMatch(keys, /Imagine|Predict|Map|story|step|undo/i);
   await page.keyboard.press("Escape");
   await page.locator("#about-button").click();
   assert.doesNotMatch(await page.locator("#about-dialog").innerText(), /imagine|nets|trained/i);
   await page.keyboard.press("Escape");
   assert.doesNotMatch(await page.locator("#play").innerText(), /drag|knob/i);
-  for (const hidden of ["#step", "#time", "#clock", "#speed", "#lesson-button"])
-    assert.ok(await page.locator(hidden).isHidden(), hidden);
+  for (const hidden of ["#step", "#time", "#clock", "#speed"]) assert.ok(await page.locator(hidden).isHidden(), hidden);
   await type(await openPuzzle(session, { fragment: "&hide=transport" }), [90, 190, 7]);
   assert.ok(await page.locator("#run").isVisible(), "a ball can be run");
   await page.goto(`${session.origin}/#hide=imagine,compare`);
@@ -123,7 +121,7 @@ test("what is hidden is nowhere told, in the sheets neither", async () => {
 test("in the presentation, locked there, with the ball", async () => {
   const page = await openPuzzle(session);
   await type(page, [90, 190, 7]);
-  await page.locator("#lesson-button").click();
+  await openLesson(page);
   await page.locator("#lesson-presentation").check();
   await page.locator("#lesson-ball").check();
   await page.locator("[name=tools]").uncheck();
@@ -140,7 +138,7 @@ test("in the presentation, locked there, with the ball", async () => {
 
 test("it is copied, or selected where the browser does not let the page copy", async () => {
   const page = await openPuzzle(session, { permissions: ["clipboard-read", "clipboard-write"] });
-  await page.locator("#lesson-button").click();
+  await openLesson(page);
   await page.locator("[name=map]").uncheck();
   await page.locator("#lesson-copy").click();
   await page.locator("#lesson-words", { hasText: "The link is copied." }).waitFor();
@@ -153,7 +151,7 @@ test("it is copied, or selected where the browser does not let the page copy", a
 test("without the library for QR codes it says so, and the link is there", async () => {
   const page = await openPuzzle(session);
   await page.route("**/lean-qr.js", (route) => route.fulfill({ status: 404 }));
-  await page.locator("#lesson-button").click();
+  await openLesson(page);
   await page.locator("#lesson-code-failure").filter({ hasText: "There is no QR code" }).waitFor();
   assert.match(await address(page), /#task=/);
   assert.ok(session.takeProblems().every((problem) => /404|lean-qr/.test(problem)));

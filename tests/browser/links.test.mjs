@@ -6,7 +6,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { start } from "./harness.mjs";
-import { EASY, attempts, ball, click, known, openPuzzle, says, type } from "./page-actions.mjs";
+import { EASY, attempts, ball, click, known, openPanel, openPuzzle, says, type } from "./page-actions.mjs";
 
 let session;
 before(async () => (session = await start()));
@@ -30,12 +30,13 @@ test("a link opens the same puzzle, panel, layers and ball", async () => {
 test("what the page shows is in its address, and opens again from there", async () => {
   const page = await openPuzzle(session);
   await type(page, [90, 190, 7]);
-  await page.locator("#tab-compare").click();
+  await openPanel(page, "compare");
   await page.waitForFunction(() => /ball=90,190,7/.test(location.hash) && /panel=compare/.test(location.hash));
   await page.reload();
   await page.locator("#scene").waitFor();
   assert.deepEqual(await ball(page), [90, 190, 7]);
-  assert.equal(await page.locator("#tab-compare").getAttribute("aria-selected"), "true");
+  assert.equal(await page.locator("#tab-play").getAttribute("aria-selected"), "true");
+  assert.equal(await page.locator("#open-compare").getAttribute("aria-expanded"), "true");
 });
 
 test("a link to the same puzzle without a ball leaves it, and back moves none; the address follows", async () => {
@@ -45,8 +46,7 @@ test("a link to the same puzzle without a ball leaves it, and back moves none; t
   await page.waitForFunction(() => /ball=90,190,7/.test(location.hash) && /panel=imagine/.test(location.hash));
   await page.locator("#tab-play").click();
   await page.waitForFunction(() => !/panel/.test(location.hash));
-  await page.locator("#ball-x").fill("91");
-  await page.locator("#ball-x").press("Tab");
+  await type(page, [91, 190, 7]);
   await page.goBack();
   await page.waitForFunction(() => /ball=91,190,7/.test(location.hash) && /panel=imagine/.test(location.hash));
   assert.deepEqual(await ball(page), [91, 190, 7]);
@@ -67,9 +67,19 @@ test("of a custom puzzle that cannot be read nothing is shown but why", async ()
 
 test("a link hides what a lesson leaves out, and goes on hiding it", async () => {
   const page = await openPuzzle(session, {
-    fragment: "&panel=imagine&hide=story,imagine,compare,watch,attempts,fields",
+    fragment: "&panel=imagine&hide=story,imagine,predict,map,compare,watch,attempts,fields",
   });
-  for (const hidden of ["#story", "#tab-imagine", "#tab-compare", "#imagine", "#watch", "#play-attempts", "#ball-x"]) {
+  for (const hidden of [
+    "#story",
+    "#tab-imagine",
+    "#race",
+    "#open-compare",
+    "#imagine",
+    "#more-button",
+    "#watch",
+    "#play-attempts",
+    "#ball-x",
+  ]) {
     assert.ok(await page.locator(hidden).isHidden(), hidden);
   }
   assert.ok(await page.locator("#play").isVisible(), "instead of the panel that is hidden");
@@ -85,7 +95,7 @@ test("a link hides what a lesson leaves out, and goes on hiding it", async () =>
   await page.locator("#home").click();
   await page.locator("#templates a").nth(2).click();
   assert.ok(await page.locator("#tab-imagine").isHidden(), "and on one from the grid");
-  assert.match(page.url(), /hide=story,fields,watch,attempts,imagine,compare/);
+  assert.match(page.url(), /hide=story,fields,watch,attempts,imagine,compare,predict,map/);
 });
 
 test("hide=puzzles: no button and no key leads to another puzzle", async () => {
@@ -100,17 +110,8 @@ test("hide=puzzles: no button and no key leads to another puzzle", async () => {
   await page.locator("#next").waitFor();
 });
 
-test("hide=puzzles: neither scoreboard nor notices nor grid lead to another puzzle", async () => {
-  const name = (await (await fetch(`${session.origin}/assets/model.json`)).json()).models[0].name;
-  const both = JSON.stringify({ tasks: { "00001:001": { attempts: 1, solved: 1 } } });
-  const localStorage = [
-    { name: "pathlight.progress", value: both },
-    { name: `pathlight.model.${name}`, value: both },
-  ];
-  const storageState = { cookies: [], origins: [{ origin: session.origin, localStorage }] };
-  const page = await openPuzzle(session, { fragment: "&panel=compare&hide=puzzles", storageState });
-  await page.locator("#score-rows th", { hasText: "Tray with Lips, 2 of 100" }).waitFor();
-  assert.equal(await page.locator("#score-rows a").count(), 0, "the scoreboard leads nowhere");
+test("hide=puzzles: neither notices nor grid lead to another puzzle", async () => {
+  const page = await openPuzzle(session, { fragment: "&hide=puzzles" });
   for (const link of ["task=00007:999&hide=puzzles", "layers=soup&hide=puzzles", "hide=puzzles"]) {
     await page.goto(`${session.origin}/#${link}`);
     await notice(page).waitFor();
@@ -124,11 +125,31 @@ test("hide=puzzles: neither scoreboard nor notices nor grid lead to another puzz
     );
     assert.ok(await page.locator("#gallery").isHidden(), link);
   }
-  // Other links keep what is hidden, and the model.
-  await page.goto(`${session.origin}/#task=${EASY}&panel=compare&hide=story,map&model=${name}`);
-  const link = page.locator("#score-rows a", { hasText: "Tray with Lips, 2 of 100" });
-  await link.waitFor();
-  assert.equal(await link.getAttribute("href"), `#task=00001:001&model=${name}&panel=compare&hide=story,map`);
+});
+
+for (const [panel, tab, label] of [
+  ["compare", "play", "The model’s balls, one by one"],
+  ["predict", "imagine", "Predict"],
+  ["map", "imagine", "Check the answer"],
+]) {
+  test(`panel=${panel} opens its part of the tab ${tab}`, async () => {
+    const page = await openPuzzle(session, { fragment: `&panel=${panel}` });
+    await page.locator(`#${panel}`).waitFor();
+    assert.equal(await page.locator(`#tab-${tab}`).getAttribute("aria-selected"), "true");
+    assert.equal(await page.locator(`#open-${panel}`).textContent(), label);
+    await page.locator(`#tab-${tab}`).click();
+    await page.locator(`#${panel}`).waitFor({ state: "hidden" });
+    assert.ok(await page.locator(`#${tab}`).isVisible());
+    await page.goBack();
+    await page.locator(`#${panel}`).waitFor();
+  });
+}
+
+test("a tab that has lost its own panel is named after what is left", async () => {
+  const page = await openPuzzle(session, { fragment: "&hide=imagine,map" });
+  await page.locator("#tab-imagine", { hasText: "Predict" }).click();
+  await page.locator("#predict").waitFor();
+  assert.ok(await page.locator("#parts-imagine").isHidden(), "there is nothing to switch");
 });
 
 test("a panel that the link hides does nothing, although the link names it", async () => {
@@ -259,7 +280,7 @@ test("without weights a person can still play", async () => {
       .locator("#imagine-trouble:visible")
       .filter({ hasText: "The model’s weights are missing here" })
       .waitFor();
-    await page.locator("#tab-compare").click();
+    await openPanel(page, "compare");
     await page.locator("#compare-trouble:visible").filter({ hasText: "weights are missing" }).waitFor();
     assert.ok(await page.locator("#model-turn").isDisabled());
     await page.locator("#tab-play").click();

@@ -5,7 +5,7 @@
 
 import { pathToFileURL } from "node:url";
 import { start } from "./harness.mjs";
-import { openImagined } from "./page-actions.mjs";
+import { inMore, openImagined } from "./page-actions.mjs";
 
 /** @typedef {import('playwright-core').Page} Page */
 /**
@@ -45,7 +45,8 @@ export async function playTurns(page, count) {
       (task) => void (location.hash = `#task=${task}&panel=compare`),
       index % 2 ? "00000:000" : "00002:007",
     );
-    if (await page.locator("#clear-attempts").isEnabled()) await page.locator("#clear-attempts").click();
+    if (await page.locator("#clear-attempts").isEnabled())
+      await inMore(page, () => page.locator("#clear-attempts").click());
     await page.locator("#model-turn:enabled").click();
     await page.locator("#model-turn").filter({ hasText: "The model has played" }).waitFor({ timeout: 120_000 });
   }

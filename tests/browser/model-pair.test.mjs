@@ -5,7 +5,7 @@ import { readFile } from "node:fs/promises";
 import { after, before, test } from "node:test";
 import { axeFindsNothing } from "./axe.mjs";
 import { start } from "./harness.mjs";
-import { modelLoaded, openPuzzle, says } from "./page-actions.mjs";
+import { inMore, modelLoaded, openPuzzle, says } from "./page-actions.mjs";
 
 let session;
 before(async () => (session = await start()));
@@ -29,6 +29,7 @@ const column = (page, index) => page.locator("#pair-columns > div").nth(index);
 async function sideBySide(options) {
   const [task, first] = await measured();
   const page = await openPuzzle(session, { task, fragment: "&panel=compare", ...options });
+  await page.locator("#more-button").click();
   await page.locator("#model-pair:visible").waitFor();
   await page.locator("#pair-run").press("Enter");
   await column(page, 1).waitFor();
@@ -39,7 +40,6 @@ test("each is named with what it has seen, its map, its balls and when it solves
   const { page, first } = await sideBySide();
   assert.equal(await page.locator("#pair-columns h3").allTextContents().then(String), "within-0,cross-0");
   assert.equal(await column(page, 1).locator(".model-badge").innerText(), "new to the model");
-  assert.equal(await column(page, 1).locator(".outcome-strip span").count(), first);
   assert.match(
     await column(page, 1).locator(".pair-outcome").textContent(),
     new RegExp(`^Solved on attempt ${first}\\. Its own guess of its first ball: .+ \\(.+ %\\)\\.$`),
@@ -65,9 +65,7 @@ test("each is named with what it has seen, its map, its balls and when it solves
 
 test("another model instead of the first clears them", async () => {
   const { page } = await sideBySide();
-  await page.locator("#tab-imagine").click();
   await page.locator("#model-select").selectOption("cross-0");
-  await page.locator("#tab-compare").click();
   assert.equal(await page.locator("#pair-columns > div").count(), 0);
   await page.locator("#pair-model option", { hasText: "within-0" }).waitFor({ state: "attached" });
 });
@@ -76,6 +74,7 @@ test("a second model that cannot be loaded is a sentence", async () => {
   const [task] = await measured();
   const page = await openPuzzle(session, { task, fragment: "&panel=compare" });
   await page.context().route("**/cross-0.safetensors", (route) => route.fulfill({ status: 404 }));
+  await page.locator("#more-button").click();
   await page.locator("#pair-run").click();
   await page.locator("#pair-words").filter({ hasText: "weights are missing here" }).waitFor();
   session.takeProblems();
@@ -94,17 +93,16 @@ for (const [screen, options] of Object.entries({
 test("a model that is chosen while the other one is loaded ends what was asked", async () => {
   const [task] = await measured();
   const page = await openPuzzle(session, { task, fragment: "&panel=compare" });
+  await page.locator("#more-button").click();
   await page.locator("#model-pair:visible").waitFor();
   let open = () => {};
   const gate = new Promise((resolve) => (open = () => resolve(null)));
   await page.context().route("**/cross-0.safetensors", (route) => gate.then(() => route.continue()));
   await page.locator("#pair-run").click();
   await page.locator("#pair-words").filter({ hasText: "Both models are playing" }).waitFor();
-  await page.locator("#tab-imagine").click();
   await page.locator("#model-select").selectOption("cross-0");
   open();
   await modelLoaded(page, "cross-0");
-  await page.locator("#tab-compare").click();
   assert.equal(await page.locator("#pair-words").textContent(), "", "nobody plays any longer");
   assert.equal(await page.locator("#pair-columns > div").count(), 0);
   await page.locator("#pair-model option", { hasText: "within-0" }).waitFor({ state: "attached" });
@@ -116,11 +114,13 @@ test("a ball of the other model is not taken for the one that is looked at", asy
     await page.locator("#proposals:visible").waitFor();
     // The first model needs a longer list.
     if (Number(await page.locator("#proposal-slider").getAttribute("max")) > first) {
-      await page.locator("#pair-run").click();
-      await column(page, 1).waitFor();
+      await inMore(page, async () => {
+        await page.locator("#pair-run").click();
+        await column(page, 1).waitFor();
+      });
       for (let number = 1; number <= first; number += 1) await page.locator("#proposal-next").click();
       await page.waitForFunction((first) => location.hash.includes(`proposal=${first}`), first);
-      await column(page, 1).locator("button").click();
+      await inMore(page, () => column(page, 1).locator("button").click());
       await page.waitForFunction(() => !location.hash.includes("proposal="));
       return;
     }

@@ -4,7 +4,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { start } from "./harness.mjs";
-import { click, known, openPuzzle, says, solvedTask, type, unsolvedTask } from "./page-actions.mjs";
+import { click, known, openPanel, openPuzzle, says, solvedTask, type, unsolvedTask } from "./page-actions.mjs";
 
 let session;
 before(async () => (session = await start()));
@@ -105,7 +105,7 @@ test("a run that begins before the model’s first attempt is there plays on", a
   const { missing } = await known(task);
   const page = await openPuzzle(session, { task });
   await type(page, missing);
-  await page.locator("#tab-compare").click();
+  await openPanel(page, "compare");
   await page.locator("#model-turn:enabled").waitFor();
   const words = await said(page);
   await page.locator("#model-turn").evaluate((button) => {

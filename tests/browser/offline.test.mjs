@@ -6,7 +6,7 @@ import { after, before, beforeEach, test } from "node:test";
 import { comeBack, eventually, imagine, kept, solve } from "./dist-page.mjs";
 import { plainDist } from "./dist-versions.mjs";
 import { start, startOn } from "./harness.mjs";
-import { EASY, modelLoaded, openPuzzle, playModelTurn } from "./page-actions.mjs";
+import { EASY, inMore, modelLoaded, openPanel, openPuzzle, playModelTurn } from "./page-actions.mjs";
 import { serveStatic } from "./static-server.mjs";
 
 /** A name of this machine that browsers do not trust as they trust 127.0.0.1. */
@@ -32,21 +32,24 @@ test("after one visit everything works without a network", async () => {
   const page = await session.openIn(context, `/#task=${EASY}`);
   await solve(page);
   await imagine(page);
-  await page.locator("#tab-compare").click();
+  await openPanel(page, "compare");
   await playModelTurn(page);
   await page.locator("#proposals:visible").waitFor();
-  await page.locator("#tab-predict").click();
+  await openPanel(page, "predict");
   for (const key of ["ArrowDown", "ArrowLeft", "ArrowDown"]) await page.locator("#scene").press(`Shift+${key}`);
   await page.locator("#predict-watch").click();
   await page.locator("#predict-cards canvas").first().waitFor();
-  await page.locator("#tab-map").click();
+  await openPanel(page, "map");
   await page.locator("#solve-map-search").click();
   await page.locator("#solve-map-words").filter({ hasText: "Every place tried" }).waitFor({ timeout: 120_000 });
   await page.locator("#tab-imagine").click();
-  await page.locator("#model-select").selectOption("cross-0");
+  await inMore(page, () => page.locator("#model-select").selectOption("cross-0"));
   await modelLoaded(page, "cross-0");
   await page.locator("#home").click();
   await page.locator("#templates canvas.drawn").first().waitFor();
+  await page.locator("[data-pick=learns] a").click();
+  await page.locator("#learns-play").click();
+  await page.locator("#learns-list li").first().waitFor({ state: "attached", timeout: 120_000 });
 
   await context.close();
   await server.start();

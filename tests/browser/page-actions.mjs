@@ -147,7 +147,40 @@ export async function modelLoaded(page, name = "") {
     .waitFor({ state: "attached" });
 }
 
-/** Lets the model play its turn to its end, in the panel Compare. */
+/** In whose tab the panels are that have none of their own. */
+const TAB_OF = { compare: "play", predict: "imagine", map: "imagine" };
+
+/**
+ * Opens a panel as a person does: its tab, and there its part.
+ * @param {Page} page
+ * @param {string} panel
+ */
+export async function openPanel(page, panel) {
+  await page.locator(`#tab-${TAB_OF[panel] ?? panel}`).click();
+  if (panel in TAB_OF) await page.locator(`#open-${panel}`).click();
+}
+
+/** Opens the menu “…”, and closes it after an action there. */
+export async function inMore(page, act) {
+  const menu = page.locator("#more");
+  if (!(await menu.isVisible())) await page.locator("#more-button").click();
+  await act();
+  if (await menu.isVisible()) await page.keyboard.press("Escape");
+}
+
+/** Opens the sheet on which a puzzle is shared. */
+export async function openShare(page) {
+  await page.locator("#share-button").click();
+  await page.locator("#share-dialog[open]").waitFor();
+}
+
+/** Opens the dialog that makes a link for a lesson. */
+export async function openLesson(page) {
+  await openShare(page);
+  await page.locator("#lesson-button").click();
+}
+
+/** Lets the model play its turn to its end, among the model's balls. */
 export async function playModelTurn(page) {
   await page.locator("#model-turn:enabled").click();
   await page.locator("#model-turn").filter({ hasText: "The model has played" }).waitFor({ timeout: 120_000 });
@@ -201,10 +234,12 @@ export async function known(task = EASY) {
 
 /** Types a ball into the fields. */
 export async function type(page, [x, y, r]) {
-  for (const [name, value] of Object.entries({ x, y, r })) {
-    await page.locator(`#ball-${name}`).fill(String(value));
-    await page.locator(`#ball-${name}`).press("Tab");
-  }
+  await inMore(page, async () => {
+    for (const [name, value] of Object.entries({ x, y, r })) {
+      await page.locator(`#ball-${name}`).fill(String(value));
+      await page.locator(`#ball-${name}`).press("Tab");
+    }
+  });
   // The page takes the ball once all three numbers are there.
   assert.deepEqual(await ball(page), [x, y, r]);
 }

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { start } from "./harness.mjs";
-import { ball, known, openPuzzle, says, spot } from "./page-actions.mjs";
+import { ball, known, openPanel, openPuzzle, says, spot } from "./page-actions.mjs";
 
 const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, deviceScaleFactor: 3 };
 
@@ -63,8 +63,10 @@ test("a solving ball is tapped, run and solved", async () => {
     solving: [x, y, r],
   } = await known();
   await page.touchscreen.tap(...(await spot(page, x, y)));
+  await page.locator("#more-button").tap();
   await page.locator("#ball-r").fill(String(r));
   await page.locator("#ball-r").press("Tab");
+  await page.keyboard.press("Escape");
   assert.deepEqual(await ball(page), [x, y, r]);
   await page.locator("#run").tap();
   await says(page, /^Solved!/);
@@ -79,7 +81,7 @@ for (const [width, height] of [
   test(`at ${width} x ${height} nothing sticks out and the scene stays in sight`, async () => {
     const page = await openPuzzle(session, { ...PHONE, viewport: { width, height } });
     for (const panel of ["play", "imagine", "compare", "predict", "map"]) {
-      await page.locator(`#tab-${panel}`).tap();
+      await openPanel(page, panel);
       const wide = await page.evaluate(() => document.documentElement.scrollWidth);
       assert.ok(wide <= width, `${panel}: ${wide} px wide`);
       const box = await page.locator("#scene").boundingBox();

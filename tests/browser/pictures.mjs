@@ -6,7 +6,7 @@ import { mkdir } from "node:fs/promises";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { start } from "./harness.mjs";
-import { known, openPuzzle, playModelTurn, says, type } from "./page-actions.mjs";
+import { inMore, known, openLesson, openPanel, openPuzzle, playModelTurn, says, type } from "./page-actions.mjs";
 
 const TASK = process.argv[2] ?? "00007:008";
 const folder = join(dirname(fileURLToPath(import.meta.url)), "..", "..", "target", "pictures");
@@ -77,22 +77,27 @@ for (const [screen, size] of Object.entries(SCREENS)) {
     await page.locator("[data-map=target] input").check();
     await page.locator("[data-map=placement] input").check();
     await take("imagine");
-    await page.locator("#imagine [data-opens=about-dialog]").click();
-    await take("about");
-    await page.keyboard.press("Escape");
+    await inMore(page, async () => {
+      await page.locator("[data-opens=about-dialog]").click();
+      await take("about");
+      await page.keyboard.press("Escape");
+    });
 
-    await page.locator("#tab-compare").click();
+    await openPanel(page, "compare");
     await playModelTurn(page);
     await take("compare");
 
     await page.locator("#proposal-slider").fill("8");
-    await page.locator("#score-title").scrollIntoViewIfNeeded();
+    await page.locator("#proposals").scrollIntoViewIfNeeded();
     await take("ball-by-ball");
     await page.locator("#proposal-close").click();
+    await page.locator("#more-button").click();
+    await take("menu");
     await page.locator("#pair-run").click();
     await page.locator("#pair-columns > div").nth(1).waitFor();
-    await page.locator("#pair-title").scrollIntoViewIfNeeded();
+    await page.locator("#pair-columns").scrollIntoViewIfNeeded();
     await take("two-models");
+    await page.keyboard.press("Escape");
 
     await page.locator("#tab-imagine").click();
     await page.locator("#overlap-how").scrollIntoViewIfNeeded();
@@ -105,19 +110,19 @@ for (const [screen, size] of Object.entries(SCREENS)) {
     await take("presentation");
     await page.keyboard.press("Escape");
     if (screen !== "phone") {
-      await page.locator("#lesson-button").click();
+      await openLesson(page);
       await page.locator("#lesson-code:visible").waitFor();
       await take("lesson-link");
       await page.keyboard.press("Escape");
     }
 
-    await page.locator("#tab-predict").click();
+    await openPanel(page, "predict");
     for (const key of ["ArrowDown", "ArrowDown", "ArrowLeft", "ArrowDown", "ArrowDown", "ArrowDown"])
       await page.locator("#scene").press(`Shift+${key}`);
     await page.locator("#predict-watch").click();
     await take("predict");
 
-    await page.locator("#tab-map").click();
+    await openPanel(page, "map");
     await page.locator("#solve-map-search").click();
     await page.locator("#solve-map-words").filter({ hasText: "Every place tried" }).waitFor({ timeout: 120_000 });
     await page.locator("#solve-map-placement").check();
@@ -132,6 +137,12 @@ for (const [screen, size] of Object.entries(SCREENS)) {
     await page.locator("#results-link").click();
     await page.locator("#results-templates a").first().waitFor();
     await take("results");
+    await page.locator("#home").click();
+    await page.locator("[data-pick=learns] a").click();
+    await page.locator("#learns-play").click();
+    await page.locator("#learns-finish").click();
+    await page.locator("#learns-play").filter({ hasText: "more" }).waitFor({ timeout: 120_000 });
+    await take("learns");
     await page.context().close();
   }
 }

@@ -25,6 +25,7 @@ export async function playThrough(page, origin) {
   } = await known();
   await click("scene", x / 256, 1 - y / 256);
   await page.waitForFunction(() => document.getElementById("puzzle")?.hasAttribute("ball"), { timeout: TIMEOUT });
+  await click("more-button");
   await click("ball-r");
   await page.evaluate(() =>
     /** @type {any} */ (document.getElementById("puzzle")).shadowRoot.getElementById("ball-r").select(),
@@ -36,6 +37,7 @@ export async function playThrough(page, origin) {
     { timeout: TIMEOUT },
     `,${r}`,
   );
+  await click("more-button");
   // Whatever the pixels of the window allow, the ball is now that which solves.
   const ball = await page.evaluate(() => document.getElementById("puzzle")?.getAttribute("ball"));
   assert.match(ball ?? "", new RegExp(`^\\d+,\\d+,${r}$`));
@@ -44,12 +46,13 @@ export async function playThrough(page, origin) {
   await says("status", /^Solved!/);
   await click("tab-imagine");
   await says("imagined-in", /Imagined in \d+ ms/);
-  await click("tab-compare");
+  await click("tab-play");
+  await click("open-compare");
   await click("model-turn");
   await says("model-turn", /The model has played/);
-  await says("verdict", /solved it on attempt/);
+  await says("race-verdict", /solved it on attempt/);
   await page.reload();
-  await says("verdict", /solved it on attempt/);
+  await says("race-verdict", /solved it on attempt/);
 }
 
 function saysInPage(id, source) {

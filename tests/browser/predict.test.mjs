@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { start } from "./harness.mjs";
-import { attempts, ball, dragTo, known, openPuzzle, picture, says, spot, type } from "./page-actions.mjs";
+import { attempts, ball, dragTo, known, openPanel, openPuzzle, picture, says, spot, type } from "./page-actions.mjs";
 
 let session;
 before(async () => (session = await start()));
@@ -85,7 +85,7 @@ test("with a ball the run is an attempt, and the model’s target path is measur
   assert.ok(await page.locator("#predict-run").isDisabled(), "there is no ball");
   await page.locator("#tab-play").click();
   await type(page, solving);
-  await page.locator("#tab-predict").click();
+  await openPanel(page, "predict");
   await page.locator("#predict-run").click();
   await says(page, /^Solved!/);
   assert.equal((await verdict(page)).length, 2);
@@ -166,7 +166,7 @@ test("maps that are switched on do not tell the answer here", async () => {
   assert.notEqual(await picture(page), bare, "they lie over the scene where they are switched on");
   await page.locator("#walkthrough-next").click();
   await page.waitForFunction(() => /step=/.test(location.hash));
-  await page.locator("#tab-predict").click();
+  await openPanel(page, "predict");
   await page.waitForTimeout(100);
   assert.equal(await picture(page), bare, "nor does the story");
 });

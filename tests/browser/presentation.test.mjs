@@ -5,7 +5,7 @@ import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { axeFindsNothing } from "./axe.mjs";
 import { start } from "./harness.mjs";
-import { EASY, ball, openPuzzle, picture, says, spot, type } from "./page-actions.mjs";
+import { EASY, ball, openPanel, openPuzzle, picture, says, spot, type } from "./page-actions.mjs";
 
 const STEPS = [
   "If you do nothing",
@@ -137,7 +137,7 @@ test("a key and a button of the page lead there and back, and the link says it",
   const page = await openPuzzle(session, { fragment: "&panel=compare" });
   await page.locator("#presentation-button").click();
   await page.locator("#presentation:visible").waitFor();
-  for (const hidden of ["header", "#tab-play", "#compare", "#goal"])
+  for (const hidden of ["header", "#tab-play", "#compare", "#more-button", "#goal"])
     assert.ok(await page.locator(hidden).isHidden(), hidden);
   await page.waitForFunction(() => /view=presentation/.test(location.hash));
   await page.keyboard.press("Escape");
@@ -197,12 +197,12 @@ for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
 test("Back after three tabs and two steps leads through them, and leaves the ball", async () => {
   const page = await openPuzzle(session);
   const wait = (pattern) => page.waitForFunction((source) => new RegExp(source).test(location.hash), pattern);
-  for (const panel of ["imagine", "compare", "map"]) {
+  for (const panel of ["imagine", "make", "imagine"]) {
     await page.locator(`#tab-${panel}`).click();
     await wait(`panel=${panel}`);
   }
   await page.goBack();
-  await page.locator("#compare:visible").waitFor();
+  await page.locator("#make:visible").waitFor();
   await page.goBack();
   await page.locator("#imagine:visible").waitFor();
   await imagined(page);
@@ -218,7 +218,7 @@ test("Back after three tabs and two steps leads through them, and leaves the bal
   await page.locator("#play:visible").waitFor();
   await type(page, [90, 190, 7]);
   await wait("ball=90,190,7");
-  await page.locator("#tab-compare").click();
+  await openPanel(page, "compare");
   await wait("panel=compare");
   await page.locator("#tab-play").click();
   await wait(`task=${EASY}&ball`);
@@ -236,7 +236,7 @@ test("Back that follows a tab at once leads to the tab before, as it was left", 
   await page.waitForTimeout(400);
   await page.evaluate(() => {
     const root = document.querySelector("pathlight-puzzle")?.shadowRoot;
-    for (const selector of ["[data-map=target] input", "#tab-compare"]) {
+    for (const selector of ["[data-map=target] input", "#tab-make"]) {
       const control = root?.querySelector(selector);
       if (control instanceof HTMLElement) control.click();
     }
@@ -246,7 +246,7 @@ test("Back that follows a tab at once leads to the tab before, as it was left", 
   await page.waitForFunction(() => location.hash.endsWith("&panel=imagine&layers=action"));
   assert.ok(!(await page.locator("[data-map=target] input").isChecked()));
   await page.goForward();
-  await page.locator("#compare:visible").waitFor();
+  await page.locator("#make:visible").waitFor();
 });
 
 test("a link to the presentation without a puzzle shows the grid and its header", async () => {

@@ -5,7 +5,17 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { after, before, test } from "node:test";
 import { start } from "./harness.mjs";
-import { EASY, attempts, known, modelLoaded, openPuzzle, playModelTurn, says, type } from "./page-actions.mjs";
+import {
+  EASY,
+  attempts,
+  known,
+  modelLoaded,
+  openPanel,
+  openPuzzle,
+  playModelTurn,
+  says,
+  type,
+} from "./page-actions.mjs";
 
 let session;
 before(async () => (session = await start()));
@@ -134,7 +144,7 @@ test("what is forgotten are the models’ attempts too, also what older versions
   await type(page, (await known()).missing);
   await page.locator("#run").click();
   await says(page, /^Not solved/);
-  await page.locator("#tab-compare").click();
+  await openPanel(page, "compare");
   await playModelTurn(page);
   await page.locator("#home").click();
   const saved = async () => {

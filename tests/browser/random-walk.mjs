@@ -58,6 +58,7 @@ const FRAGMENTS = [
   "#task=00007:008&panel=soup",
   "#view=results",
   "#view=results&model=cross-0",
+  "#view=learns",
   "#task=00000:000&ball=60,240,12",
   "#task=00000:000&panel=compare&model=cross-0",
   "#task=00001:005&view=presentation",
@@ -295,7 +296,10 @@ function controlInPage([kindPart, onePart]) {
   const all = [document, shadowRoot].flatMap((root) => [
     ...root.querySelectorAll('a[href], button, input:not([type=file]), select, summary, [tabindex="0"]'),
   ]);
-  const dialog = [...shadowRoot.querySelectorAll("dialog[open]"), ...document.querySelectorAll("dialog[open]")].at(-1);
+  const dialog = [
+    ...shadowRoot.querySelectorAll("dialog[open], :popover-open"),
+    ...document.querySelectorAll("dialog[open]"),
+  ].at(-1);
   const usable = all.filter((one) => {
     if (
       !one.checkVisibility({ visibilityProperty: true }) ||

@@ -4,7 +4,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { start } from "./harness.mjs";
-import { known, openImagined, openPuzzle, says, spot, type } from "./page-actions.mjs";
+import { known, openPuzzle, openShare, says, type } from "./page-actions.mjs";
 
 let session;
 before(async () => (session = await start()));
@@ -58,28 +58,6 @@ test("what is longer than the window never scrolls the page away", async () => {
   );
 });
 
-test("the value under a finger goes when something runs or another panel is shown", async () => {
-  const page = await openImagined(session, {
-    fragment: "&panel=imagine&layers=base",
-    hasTouch: true,
-    isMobile: true,
-    viewport: { width: 390, height: 844 },
-    reducedMotion: true,
-  });
-  const probe = page.locator("#probe");
-  const touch = async () => page.touchscreen.tap(...(await spot(page, 128, 200)));
-  await touch();
-  await probe.waitFor();
-  await page.locator("#run").tap();
-  await says(page, /olved/);
-  assert.ok(await probe.isHidden(), "running");
-  await page.locator("#reset").tap();
-  await touch();
-  await probe.waitFor();
-  await page.locator("#tab-compare").tap();
-  assert.ok(await probe.isHidden(), "another panel");
-});
-
 test("next stays under the pointer, whatever the picker says", async () => {
   const page = await openPuzzle(session, { reducedMotion: true });
   const left = async () => (await page.locator("#next").boundingBox()).x;
@@ -94,6 +72,7 @@ test("that the link is copied is said without moving anything, and goes by itsel
   const page = await openPuzzle(session, { permissions: ["clipboard-write"] });
   await page.clock.install();
   const top = (await page.locator("#scene").boundingBox()).y;
+  await openShare(page);
   await page.locator("#copy").click();
   await page.locator("#notice").filter({ hasText: "copied" }).waitFor();
   assert.equal((await page.locator("#scene").boundingBox()).y, top);

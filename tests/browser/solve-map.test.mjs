@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { start } from "./harness.mjs";
-import { known, modelLoaded, openPuzzle, picture, watchFrames } from "./page-actions.mjs";
+import { known, modelLoaded, openPanel, openPuzzle, picture, watchFrames } from "./page-actions.mjs";
 
 let session;
 before(async () => (session = await start()));
@@ -63,7 +63,7 @@ test("every place is tried in the end, for the ball’s own radius, and the plac
   // Few places are free for the largest ball, so that this takes little time.
   const page = await openPuzzle(session, { fragment: "&panel=predict&ball=128,200,32" });
   const bare = await picture(page);
-  await page.locator("#tab-map").click();
+  await openPanel(page, "map");
   assert.equal(await search(page).textContent(), "Try every place with radius 32");
   await search(page).click();
   await words(page)
@@ -75,11 +75,11 @@ test("every place is tried in the end, for the ball’s own radius, and the plac
   await page.waitForFunction(() => /layers=placement/.test(location.hash));
   assert.notEqual(await picture(page), alone);
   const lying = await picture(page);
-  await page.locator("#tab-predict").click();
+  await openPanel(page, "predict");
   await page.locator("#solve-map-placement").waitFor({ state: "hidden" });
   await page.waitForTimeout(100);
   assert.equal(await picture(page), bare, "in Predict neither map tells the answer");
-  await page.locator("#tab-map").click();
+  await openPanel(page, "map");
   await page.locator("#solve-map-placement").waitFor();
   await page.waitForTimeout(100);
   assert.equal(await picture(page), lying);

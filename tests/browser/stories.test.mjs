@@ -5,7 +5,7 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { after, before, test } from "node:test";
 import { start } from "./harness.mjs";
-import { openPuzzle, says, spot } from "./page-actions.mjs";
+import { inMore, openLesson, openPuzzle, says, spot } from "./page-actions.mjs";
 
 const SCREENS = {
   "a phone": { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true },
@@ -42,7 +42,7 @@ for (const [screen, options] of Object.entries(SCREENS)) {
     await page.locator("#caption-title", { hasText: "Funnel" }).waitFor();
   });
 
-  test(`a researcher exports the strip of a failure on ${screen}`, async () => {
+  test(`a researcher exports the balls of a failure on ${screen}`, async () => {
     const page = await session.open("/", { ...options, reducedMotion: "reduce" });
     await page.locator("#results-link").click();
     await page.locator("#results-filter").selectOption("failures");
@@ -52,12 +52,15 @@ for (const [screen, options] of Object.entries(SCREENS)) {
       .filter({ hasText: /within-0\s*new to the model/ })
       .waitFor();
     // The outcomes are not told before somebody looks at a ball: they would tell how the race ends.
-    await page.locator("#proposal-strip span").nth(99).waitFor({ state: "attached" });
-    assert.ok(await page.locator("#proposal-strip").isHidden());
+    await page.locator("#proposals").waitFor();
+    assert.ok(await page.locator("#proposal-outcomes").isHidden());
     await page.locator("#proposal-next").click();
-    await page.locator("#proposal-strip span").nth(99).waitFor();
+    await page.locator("#proposal-outcomes").waitFor();
     await page.locator("#proposal-origin").filter({ hasText: "it was the likeliest" }).waitFor();
-    const [file] = await Promise.all([page.waitForEvent("download"), page.locator("#proposal-save").click()]);
+    const [file] = await Promise.all([
+      page.waitForEvent("download"),
+      inMore(page, () => page.locator("#proposal-save").click()),
+    ]);
     assert.match(file.suggestedFilename(), /^pathlight-\d{5}-\d{3}-within-0\.csv$/);
     const lines = (await readFile(await file.path(), "utf8")).trimEnd().split("\r\n");
     assert.equal(lines.length, 101);
@@ -71,7 +74,7 @@ for (const [screen, options] of Object.entries(SCREENS)) {
 test("a teacher makes the link for the class out of the presentation", async () => {
   const page = await openPuzzle(session, { task: "00007:008", fragment: "&view=presentation&step=target" });
   await page.keyboard.press("Escape");
-  await page.locator("#lesson-button").click();
+  await openLesson(page);
   for (const name of ["imagine", "compare", "map", "make", "predict", "puzzles", "tools", "forecast"])
     await page.locator(`#lesson-dialog [name=${name}]`).uncheck();
   const link = await page.locator("#lesson-address").inputValue();

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { start } from "./harness.mjs";
-import { ball, click, dragTo, openPuzzle, says, spot, type, waitForValue } from "./page-actions.mjs";
+import { ball, click, dragTo, inMore, openPuzzle, says, spot, type, waitForValue } from "./page-actions.mjs";
 
 let session;
 before(async () => (session = await start()));
@@ -94,8 +94,10 @@ test("in a field, Ctrl+Z takes back the placement and what was being typed", asy
   await type(page, [100, 200, 10]);
   await page.locator("#scene").focus();
   await page.keyboard.press("ArrowUp");
-  await page.locator("#ball-x").fill("7");
-  await page.keyboard.press("Control+z");
+  await inMore(page, async () => {
+    await page.locator("#ball-x").fill("7");
+    await page.keyboard.press("Control+z");
+  });
   await shows(page, "100,200,10");
 });
 

@@ -150,6 +150,7 @@ test("any link is a state of the page that its own link leads back to", async ()
     "task=00007:008&model=within-0&panel=imagine&step=target&view=presentation&layers=base,target&opacity=0.5",
     "scene=q1YqSy0qzszPU7Iy0lFKyk_JTC0GsgxqAQ&ball=100,200,10&challenge=7&hide=puzzles,imagine&forecast=on&proposal=3",
     "view=results",
+    "view=learns&model=cross-0",
   ];
   check(
     fc.property(damaged(links), (hash) => {

@@ -9,7 +9,7 @@ import { axeFindsNothing } from "./axe.mjs";
 import { cachedVersions, comeBack, eventually, imagine, kept, sentence, solve, versionOf } from "./dist-page.mjs";
 import { changedDist, plainDist, temporaryFolder } from "./dist-versions.mjs";
 import { startOn } from "./harness.mjs";
-import { EASY, focused, modelLoaded, openPuzzle } from "./page-actions.mjs";
+import { EASY, focused, inMore, modelLoaded, openPuzzle } from "./page-actions.mjs";
 import { serveStatic } from "./static-server.mjs";
 
 let first;
@@ -35,7 +35,7 @@ test("an update while the page is open is offered, and taken when the person say
   // The server has no file of the old version any more; the worker and the weights are loaded only now.
   await page.locator("#next").click();
   await imagine(page);
-  await page.locator("#model-select").selectOption("cross-0");
+  await inMore(page, () => page.locator("#model-select").selectOption("cross-0"));
   await modelLoaded(page, "cross-0");
   await page.locator("#previous").click();
   await solve(page);
@@ -134,7 +134,7 @@ test("of two open pages one takes the new version, and the other goes on in the 
   // Its worker is started anew, and fetches the weights of the other model.
   await sentence(other).waitFor();
   await imagine(other);
-  await other.locator("#model-select").selectOption("cross-0");
+  await inMore(other, () => other.locator("#model-select").selectOption("cross-0"));
   await modelLoaded(other, "cross-0");
   assert.equal(await versionOf(other), old);
   assert.deepEqual((await cachedVersions(other)).sort(), [old, renewed].sort());

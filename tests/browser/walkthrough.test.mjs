@@ -1,9 +1,9 @@
-// The walkthrough of the maps, and the probe under the pointer: by mouse, touch and keys, from a link too.
+// The walkthrough of the maps: by mouse, touch and keys, from a link too.
 
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { start } from "./harness.mjs";
-import { click, openImagined, openPuzzle, picture, spot } from "./page-actions.mjs";
+import { click, openImagined, openPuzzle, picture } from "./page-actions.mjs";
 
 const MAPS = ["base", "target", "action", "placement", "success"];
 /** The maps that each step lays over the scene and leaves in the panel. */
@@ -139,40 +139,6 @@ test("keys go through the steps", async () => {
     await page.keyboard.press("Enter");
     assert.deepEqual((await shown(page)).rows, maps);
   }
-});
-
-test("the mouse reads the maps that lie over the scene", async () => {
-  const page = await imagine();
-  await page.locator("[data-map=base] input").check();
-  const summary = await page.locator("[data-map=base] .numbers").textContent();
-  const [, x, y] = summary.match(/x (\d+), y (\d+)/).map(Number);
-  await page.mouse.move(...(await spot(page, x, y)));
-  const peak = await page.locator("[data-map=base] .scale span").last().textContent();
-  const note = await page.locator("#probe").textContent();
-  assert.ok(note.startsWith(`If you do nothing ${peak}`), `${note}: its peak is ${peak}`);
-  assert.match(await page.locator("[data-map=base] .value").textContent(), new RegExp(`^${peak} at x ${x}, y `));
-  assert.match(await page.locator("[data-map=placement] .value").textContent(), /^\d\.\d\d at/, "all are read");
-  await page.mouse.move(2, 2);
-  await page.locator("#probe").waitFor({ state: "hidden" });
-});
-
-test("a finger reads too, and its values stay", async () => {
-  const page = await imagine({ hasTouch: true, viewport: { width: 390, height: 844 } });
-  await page.locator("#walkthrough-next").tap();
-  await page.touchscreen.tap(...(await spot(page, 100, 200)));
-  assert.match(
-    await page.locator("#probe:visible").textContent(),
-    /^If you do nothing \d\.\d\dx (99|100|101), y (199|200|201)$/,
-  );
-});
-
-test("arrow keys on a small map read it", async () => {
-  const page = await imagine();
-  await page.locator("[data-map=target] .map").focus();
-  await page.keyboard.press("ArrowRight");
-  await page.keyboard.press("Shift+ArrowUp");
-  assert.match(await page.locator("#announcement").textContent(), /^x 132, y 160: \d\.\d\d$/);
-  assert.match(await page.locator("[data-map=target] .value").textContent(), /^\d\.\d\d at x 132, y 160$/);
 });
 
 test("it ends with the futures of the likeliest balls, and with the one that is tried first", async () => {

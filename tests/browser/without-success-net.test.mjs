@@ -40,10 +40,6 @@ test("the maps of the paper are drawn, and the other says that there is none", a
   assert.doesNotMatch(await success.locator(".how").textContent(), /the success net|dynamics/i);
   // Its name does not tell what it has learned from, its card does.
   assert.match(await page.locator("#model-words").textContent(), / knows all 25 kinds of puzzles\.$/);
-  const box = await page.locator("#scene").boundingBox();
-  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
-  assert.match(await page.locator("#probe").textContent(), /Where to start \d\.\d\dWhere it would work none/);
-  assert.match(await success.locator(".value").textContent(), /^none at x/);
   await page.locator("#walkthrough-dots button:visible").last().click();
   assert.match(await page.locator("#announcement").textContent(), /^Where to start\. Where .+\. It is most sure /);
 });

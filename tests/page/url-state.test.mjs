@@ -2,7 +2,15 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { INITIAL_STATE, formatFragment, hrefOf, parseFragment } from "../../www/state/url-state.js";
+import {
+  INITIAL_STATE,
+  formatFragment,
+  hrefOf,
+  pageViewHref,
+  pageViewOf,
+  parseFragment,
+  showsHome,
+} from "../../www/state/url-state.js";
 import { viewOf, withoutPresentation } from "../../www/state/view.js";
 
 /** @type {import("../../www/state/url-state.js").State} */
@@ -119,4 +127,23 @@ test("the model’s guess is shown to those who like it, but neither in a challe
 test("the presentation is left for the panel of its story", () => {
   assert.deepEqual(withoutPresentation({ step: "action" }), { view: null, panel: "imagine" });
   assert.deepEqual(withoutPresentation({ step: null }), { view: null });
+});
+
+test("a view of the page stands in place of the grid, unless a puzzle is shown or the link hides it", () => {
+  for (const view of /** @type {const} */ (["results", "learns"])) {
+    const href = pageViewHref(view, { ...FULL, hide: ["tools"] }) ?? "";
+    const { state, problem } = parseFragment(href);
+    assert.equal(problem, null);
+    assert.deepEqual(
+      [pageViewOf(state), state.model, state.hide, showsHome(state)],
+      [view, "cross-0", ["tools"], false],
+    );
+    assert.equal(pageViewOf({ ...state, task: "00007:008" }), null);
+    for (const hidden of /** @type {const} */ (["imagine", "compare", "puzzles"])) {
+      /** @type {typeof state} */
+      const hiding = { ...state, hide: [hidden] };
+      assert.deepEqual([pageViewOf(hiding), pageViewHref(view, hiding)], [null, null]);
+    }
+  }
+  assert.equal(pageViewOf({ ...INITIAL_STATE, view: "presentation" }), null);
 });

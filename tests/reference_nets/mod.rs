@@ -85,10 +85,9 @@ fn relu(x: Vec<f32>) -> Vec<f32> {
 
 /// Weight and bias; a 2 x 2 kernel becomes the 4 x 4 kernel whose centre it is.
 fn layer_of(file: &SafeTensors, layer: &str) -> (Vec<f32>, Vec<f32>) {
-    let values = |name: &str| -> (Vec<usize>, Vec<f32>) {
+    let values = |name: &str| {
         let view = file.tensor(&format!("{layer}.{name}")).expect("every layer has weight and bias");
-        let pairs = view.data().chunks_exact(2).map(|pair| f16::from_le_bytes([pair[0], pair[1]]).to_f32());
-        (view.shape().to_vec(), pairs.collect())
+        (view.shape().to_vec(), values_of(file, &format!("{layer}.{name}")))
     };
     let (shape, weight) = values("weight");
     let (_, bias) = values("bias");
@@ -102,6 +101,25 @@ fn layer_of(file: &SafeTensors, layer: &str) -> (Vec<f32>, Vec<f32>) {
         whole[pair * 16 + (row + 1) * 4 + column + 1] = value;
     }
     (whole, bias)
+}
+
+/// The values of a parameter: in half precision, or as multiples of a step of which few need more than a byte.
+fn values_of(file: &SafeTensors, name: &str) -> Vec<f32> {
+    let bytes = |name: &str| file.tensor(name).map(|view| view.data().to_vec());
+    let pair = |pair: &[u8]| [pair[0], pair[1]];
+    let four = |four: &[u8]| [four[0], four[1], four[2], four[3]];
+    let data = bytes(name).expect("a parameter");
+    let Ok(step) = bytes(&format!("{name}.step")) else {
+        return data.chunks_exact(2).map(|bytes| f16::from_le_bytes(pair(bytes)).to_f32()).collect();
+    };
+    let step = f32::from_le_bytes(four(&step));
+    let mut values: Vec<f32> = data.iter().map(|&byte| f32::from(byte as i8) * step).collect();
+    if let (Ok(outliers), Ok(at)) = (bytes(&format!("{name}.outliers")), bytes(&format!("{name}.outliers.at"))) {
+        for (multiple, index) in outliers.chunks_exact(2).zip(at.chunks_exact(4)) {
+            values[u32::from_le_bytes(four(index)) as usize] = f32::from(i16::from_le_bytes(pair(multiple))) * step;
+        }
+    }
+    values
 }
 
 /// 4 x 4, stride 2, padding 1. Weight: out, in, row, column.

@@ -24,10 +24,13 @@ import { readWeights } from "./weights.js";
 /** @typedef {import("../pkg/pathlight.js").ImaginedBall} ImaginedBall */
 /** @typedef {import("../pkg/pathlight.js").Luck} Luck */
 /** @typedef {import("../pkg/pathlight.js").Maps} Maps */
+/** @typedef {import("../pkg/pathlight.js").Memory} Memory */
 /** @typedef {import("../pkg/pathlight.js").ModelCard} ModelCard */
 /** @typedef {import("../pkg/pathlight.js").CustomScene} CustomScene */
 /** @typedef {import("../pkg/pathlight.js").Puzzle} Puzzle */
 /** @typedef {import("../pkg/pathlight.js").Proposal} Proposal */
+/** @typedef {import("../pkg/pathlight.js").Reminder} Reminder */
+/** @typedef {import("../pkg/pathlight.js").RememberedPuzzle} RememberedPuzzle */
 /** @typedef {import("../pkg/pathlight.js").Rollout} Rollout */
 /** @typedef {import("../pkg/pathlight.js").Scene} Scene */
 /** @typedef {import("../pkg/pathlight.js").SceneLimits} SceneLimits */
@@ -86,7 +89,7 @@ export class Pathlight {
     const names = list.map((one) => one.name);
     const entry = list[name ? names.indexOf(name) : 0];
     if (!entry) throw failure("no_model", `There is no model “${name}” here. There is: ${names.join(", ")}.`);
-    this.#use(await readWeights(entry, onProgress));
+    this.#use(await readWeights(entry, onProgress), entry.sha256);
     return { name: entry.name, names };
   }
 
@@ -109,9 +112,12 @@ export class Pathlight {
     );
   }
 
-  /** @param {Uint8Array} bytes */
-  #use(bytes) {
-    const fresh = new wasm.Model(bytes);
+  /**
+   * @param {Uint8Array} bytes
+   * @param {string} [sha256] theirs, if it is known
+   */
+  #use(bytes, sha256) {
+    const fresh = new wasm.Model(bytes, sha256);
     this.free();
     this.#model = fresh;
   }
@@ -317,17 +323,33 @@ export class Pathlight {
   /**
    * The model's turn: tries the balls that it proposes, one each time the next value is asked for, until one solves the
    * task or all 100 have been tried.
+   *
+   * With a memory, the model uses what attempts at earlier puzzles taught, and remembers these. An attempt then names
+   * the puzzle that it was reminded of. It throws `bad_memory` for the memory of other weights, and `bad_weights` if
+   * the weights have no dynamics net.
    * @param {Puzzle} task
-   * @param {{ seed?: number }} [options] `seed`: as that of `propose`
+   * @param {{ seed?: number, memory?: Memory | null }} [options] `seed`: as that of `propose`; without effect with a
+   *   memory
    * @returns {Generator<TriedProposal, void, void>}
    */
-  *turn(task, { seed = 0 } = {}) {
-    const turn = this.#loaded.turn(task, seed);
+  *turn(task, { seed = 0, memory = null } = {}) {
+    const turn = memory ? this.#loaded.turnWith(task, memory) : this.#loaded.turn(task, seed);
     try {
       for (let attempt = turn.attempt(); attempt; attempt = turn.attempt()) yield attempt;
     } finally {
       turn.free();
     }
+  }
+
+  /**
+   * Returns a memory of attempts for the model that is loaded: an empty one, or the one that `toJson` of a memory, or
+   * `pathlight agent --memory`, wrote. Throws `bad_memory` if that is damaged, of another version, or learned with
+   * other weights. Free it when it is no longer needed.
+   * @param {string} [json]
+   * @returns {Memory}
+   */
+  memory(json) {
+    return this.#loaded.memory(json);
   }
 
   /**

@@ -43,6 +43,7 @@ export class Luck extends Component {
     this.#call?.abort();
     this.#call = null;
     this.#asked = null;
+    setText(this.byId("luck-words"), "");
   }
 
   /** The ball of the attempt that is shown, if it is the player's and solved. */

@@ -1,13 +1,11 @@
 // Attempts as files: saves those at the open puzzle, opens files of anybody, simulates each attempt again in the
-// worker, says whether the same comes out to the bit, and replays it. Also the badge on a run that has ended: the first
-// characters of its digest.
+// worker, says whether the same comes out to the bit, and replays it.
 
 import { Component } from "../widgets/component.js";
 import { AGENTS_VERSION } from "../shell/constants.js";
 import { createButton, setText } from "../widgets/dom.js";
 import { pathlight } from "../shell/page-api.js";
 import { sceneName } from "../puzzles/puzzle-name.js";
-import { readNativeAttempts } from "../model/native-attempts.js";
 import { MOST_ATTEMPTS, readAttempts, saveAttempts } from "./attempt-file.js";
 import { textOfScene } from "../editor/scene-link.js";
 
@@ -15,8 +13,6 @@ import { textOfScene } from "../editor/scene-link.js";
 /** @typedef {import("../pkg/pathlight.js").Verification} Verification */
 /** @typedef {import("../pkg/pathlight.js").Ball} Ball */
 
-/** Characters of a digest that are shown, enough to tell two runs apart. */
-const BADGE_LENGTH = 8;
 /** Attempts that go to the worker at once. */
 const BATCH = 50;
 /** The most attempts of a file that are listed. */
@@ -25,7 +21,6 @@ const LISTED = 500;
 export class Replays extends Component {
   #client;
   #input = this.byId("attempts-file", HTMLInputElement);
-  #badge = this.byId("digest", HTMLButtonElement);
   /**
    * Runs while the worker is asked.
    * @type {AbortController | null}
@@ -33,11 +28,6 @@ export class Replays extends Component {
   #call = null;
   /** The sentence about the attempts that are listed. They are a file's, not the puzzle's, and stay when it is left. */
   #listWords = "";
-  /**
-   * The run whose line is known: simulated once, not at every change.
-   * @type {{ shown: object | null, phase: string, line: AttemptLine } | null}
-   */
-  #known = null;
 
   /**
    * @param {import("../widgets/dom.js").Root} root
@@ -49,13 +39,11 @@ export class Replays extends Component {
     this.byId("attempts-save").addEventListener("click", () => this.#save());
     this.byId("attempts-open").addEventListener("click", () => this.#input.click());
     this.#input.addEventListener("change", () => this.#open());
-    this.#badge.addEventListener("click", () => this.#explain());
   }
 
   /** @param {import("../play/session.js").Session} session */
   open(session) {
     super.open(session);
-    this.#known = null;
     this.listen("change", () => this.#update());
     this.#update();
   }
@@ -178,6 +166,8 @@ export class Replays extends Component {
 
   /** @param {AttemptLine} attempt */
   async #replay({ task, scene, ball }) {
+    // It would cover what runs.
+    this.byId("more").hidePopover();
     const text = scene ? await textOfScene(pathlight.customScene(scene)) : null;
     this.requestState({
       task: text === null ? (task ?? null) : null,
@@ -191,45 +181,11 @@ export class Replays extends Component {
     else this.session?.watch();
   }
 
-  #explain() {
-    const line = this.#line;
-    if (!line) return;
-    this.#tell(async (signal) => {
-      const native = await readNativeAttempts();
-      const [again, ...others] = await this.#client.call("verify", [[line, ...native]], signal);
-      const agrees =
-        again.verdict === "same"
-          ? "A second instance of the simulator has just computed the same, to the bit."
-          : again.reason;
-      const same = others.filter(({ verdict }) => verdict === "same").length;
-      return `${line.digest.slice(0, BADGE_LENGTH)}… is the SHA-256 of all poses of this run. ${agrees} ${native.length ? `Of ${native.length} runs whose digests the native program has shipped, this browser computes ${same} to the bit. ` : ""}Save the attempts, and “pathlight verify” compares this one too.`;
-    });
-  }
-
-  /** The line of the run that is shown and has ended, or null. */
-  get #line() {
-    const { session } = this;
-    if (!session?.finished || session.phase === "compare" || session.placing) return null;
-    if (this.#known?.shown !== session.shown || this.#known.phase !== session.phase) {
-      this.#known = {
-        shown: session.shown,
-        phase: session.phase,
-        line: pathlight.attemptLine(session.puzzle, session.shown?.ball ?? null),
-      };
-    }
-    return this.#known.line;
-  }
-
   #update() {
     const { session } = this;
     if (!session) return;
     this.byId("attempts-save", HTMLButtonElement).disabled =
       session.attempts.standing("player").used + session.attempts.standing("model").used === 0;
-    const line = this.#line;
-    this.#badge.hidden = line === null;
-    if (!line) return;
-    setText(this.#badge, `#${line.digest.slice(0, BADGE_LENGTH)}`);
-    this.#badge.setAttribute("aria-label", `Digest of this run: ${line.digest.slice(0, BADGE_LENGTH)}`);
   }
 
   /** @param {string} words */

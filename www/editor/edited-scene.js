@@ -293,10 +293,5 @@ export class EditedScene extends EventTarget {
   }
 }
 
-/**
- * @param {number} value
- * @param {number} grid
- */
-function nearest(value, grid) {
-  return Math.round(value / grid) * grid;
-}
+/** @type {(value: number, grid: number) => number} */
+const nearest = (value, grid) => Math.round(value / grid) * grid;

@@ -5,7 +5,6 @@
 
 import { paintEditedScene, palette } from "../pkg/pathlight.js";
 import { Component } from "../widgets/component.js";
-import { setText } from "../widgets/dom.js";
 import { pathlight } from "../shell/page-api.js";
 import { SCENE_SIZE } from "../shell/constants.js";
 import { EditorPen } from "./editor-pen.js";
@@ -14,6 +13,7 @@ import { wordsOf } from "./body-words.js";
 import { EditedScene } from "./edited-scene.js";
 import { drawDecoration } from "./knobs.js";
 import { LiveScene } from "./live-scene.js";
+import { sceneOf } from "./plain-scene.js";
 import { textOfScene } from "./scene-link.js";
 
 /** @typedef {import("../pkg/pathlight.js").CustomScene} CustomScene */
@@ -23,7 +23,7 @@ import { textOfScene } from "./scene-link.js";
 const REST = 300;
 
 export class Editor extends Component {
-  pen = new EditorPen(
+  #pen = new EditorPen(
     () => this.#edited,
     () => this.#leaveRun(),
     () => this.#commit(),
@@ -50,7 +50,7 @@ export class Editor extends Component {
     super(root);
     this.#client = client;
     this.#live = new LiveScene(root, client);
-    this.#live.addEventListener("live", () => this.dispatchEvent(new Event("edit")));
+    this.#live.addEventListener("live", () => this.#tellEdit());
     this.#fields = new BodyFields(root);
     this.byId("make-undo").addEventListener("click", () => this.undo());
     this.byId("make-redo").addEventListener("click", () => this.redo());
@@ -67,7 +67,7 @@ export class Editor extends Component {
     super.open(session);
     if (this.#edited && JSON.stringify(this.#edited.scene) !== JSON.stringify(sceneOf(session))) this.#setEdited(null);
     this.listenTo(session, "wanted", (event) => this.#onWanted(/** @type {CustomEvent} */ (event).detail));
-    this.listen("change", () => this.dispatchEvent(new Event("edit")));
+    this.listen("change", () => this.#tellEdit());
   }
 
   close() {
@@ -111,21 +111,28 @@ export class Editor extends Component {
     return this.#problems.length > 0 ? null : this.scene;
   }
 
+  #tellEdit() {
+    this.dispatchEvent(new Event("edit"));
+    this.changeOverlay();
+  }
+
   /** @param {string} name */
   rename(name) {
     this.#edited?.rename(name);
   }
 
-  /** The maps to lay over the scene; none are imagined of what may not be played. */
-  get maps() {
-    return this.session?.placing && this.playable ? this.#live.canvases : [];
+  get overlay() {
+    if (!this.#visible) return null;
+    // None are imagined of what may not be played.
+    const maps = this.session?.placing && this.playable ? this.#live.canvases : [];
+    return { maps, painter: this.#painter, pen: this.#pen };
   }
 
   /**
    * Draws the edited scene; null while something runs, which the session draws.
    * @type {import("../play/canvas.js").Painter | null}
    */
-  get painter() {
+  get #painter() {
     const edited = this.#edited;
     if (!edited || !this.session?.placing) return null;
     return (context, view, maps) => {
@@ -173,7 +180,7 @@ export class Editor extends Component {
       this.#applySnap();
       this.#onChange(edited);
     } else {
-      this.dispatchEvent(new Event("edit"));
+      this.#tellEdit();
     }
   }
 
@@ -186,9 +193,9 @@ export class Editor extends Component {
     this.#problems = pathlight.sceneProblems(edited.scene);
     this.#live.follow(edited.scene, this.#problems.length === 0);
     this.#scheduleUpdate();
-    this.dispatchEvent(new Event("edit"));
+    this.#tellEdit();
     clearTimeout(this.#timer);
-    if (!this.pen.dragging) this.#timer = setTimeout(() => this.#commit(), REST);
+    if (!this.#pen.dragging) this.#timer = setTimeout(() => this.#commit(), REST);
     if (this.session?.refusal) this.session.refuse(null);
     this.#tellSession();
   }
@@ -286,18 +293,7 @@ export class Editor extends Component {
   }
 }
 
-/**
- * The scene of an open puzzle in the form in which it is edited.
- * @param {import("../play/session.js").Session} session
- * @returns {CustomScene}
- */
-function sceneOf({ puzzle, about }) {
-  return typeof puzzle === "string" ? { ...pathlight.customScene(puzzle), name: `${about.name}, edited` } : puzzle;
-}
-
 /** @param {string} text */
 function listItem(text) {
-  const item = document.createElement("li");
-  setText(item, text);
-  return item;
+  return Object.assign(document.createElement("li"), { textContent: text });
 }

@@ -1,10 +1,20 @@
-// A custom scene without anything else that its JSON may hold, with its keys in one order, so that equal scenes have
-// equal JSON.
+// Custom scenes as they are edited and kept: a puzzle as one, and a scene without anything else that its JSON may hold,
+// with its keys in one order, so that equal scenes have equal JSON.
 
+import { pathlight } from "../shell/page-api.js";
 import { SIZES, sizeOf } from "./body-geometry.js";
 
 /** @typedef {import("../pkg/pathlight.js").CustomScene} CustomScene */
 /** @typedef {import("../pkg/pathlight.js").CustomBody} CustomBody */
+
+/**
+ * The scene of an open puzzle in the form in which it is edited.
+ * @param {import("../play/session.js").Session} session
+ * @returns {CustomScene}
+ */
+export function sceneOf({ puzzle, about }) {
+  return typeof puzzle === "string" ? { ...pathlight.customScene(puzzle), name: `${about.name}, edited` } : puzzle;
+}
 
 /**
  * @param {CustomScene} scene one that may be played

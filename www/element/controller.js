@@ -10,13 +10,16 @@ import { byId, find, setText } from "../widgets/dom.js";
 import { hideParts } from "../widgets/hidden-parts.js";
 import { sameBall } from "../puzzles/ball.js";
 import { INITIAL_STATE, formatFragment, formatState, parseState, showsPuzzle } from "../state/url-state.js";
-import { viewOf, withoutPresentation } from "../state/view.js";
+import { viewOf, withPresentation, withoutPresentation } from "../state/view.js";
 import { AskedPuzzle } from "./asked-puzzle.js";
 import { Components } from "./components.js";
+import { connectOpeners, showDialog } from "./dialogs.js";
 import { onPuzzleKey } from "./keys.js";
 import { ModelStarter } from "./model-starter.js";
 
 /** @typedef {import("../state/url-state.js").State} State */
+
+/** @typedef {import("./pathlight-puzzle.js").HrefOf} HrefOf */
 
 /**
  * An attempt of the player's that has run to its end; the task is null for a custom scene.
@@ -47,8 +50,8 @@ export class PuzzleController extends EventTarget {
    * @param {ShadowRoot} root
    * @param {WebAssembly.Module} module
    * @param {import("../storage/progress.js").Progress} progress
-   * @param {() => ((task: string, panel: import("../state/url-state.js").Panel) => string | null) | null} hrefOf
-   *   returns the function that knows the addresses of other puzzles, or null if there is no way to them
+   * @param {() => HrefOf | null} hrefOf returns the function that knows the addresses of other puzzles, or null if
+   *   there is no way to them
    */
   constructor(root, module, progress, hrefOf) {
     super();
@@ -64,16 +67,13 @@ export class PuzzleController extends EventTarget {
       client: this.#client,
       progress,
       preferences: this.#preferences,
-      hrefOf: (/** @type {string} */ task, /** @type {import("../state/url-state.js").Panel} */ panel) =>
-        hrefOf()?.(task, panel) ?? null,
+      hrefOf: /** @type {HrefOf} */ ((task, panel) => hrefOf()?.(task, panel) ?? null),
     };
     this.#components = new Components(parts, (component) => this.#listenTo(component));
     this.#components.afterSolving.addEventListener("share", (event) =>
       this.dispatchEvent(new CustomEvent("share", { detail: /** @type {CustomEvent} */ (event).detail })),
     );
-    for (const button of root.querySelectorAll("button[data-opens]")) {
-      button.addEventListener("click", () => this.showDialog(button.getAttribute("data-opens") ?? ""));
-    }
+    connectOpeners(root);
     root.addEventListener("keydown", (event) => this.onKeydown(/** @type {KeyboardEvent} */ (event)));
   }
 
@@ -183,22 +183,20 @@ export class PuzzleController extends EventTarget {
     });
   }
 
-  /**
-   * Shows the scene and one sentence, or all panels again. The story begins with the goal, unless the person was in the
-   * middle of it.
-   */
+  /** Shows the scene and one sentence, or all panels again. */
   togglePresentation() {
-    const { view, step, panel } = this.#state;
-    this.#changeState(
-      view === "presentation"
-        ? withoutPresentation(this.#state)
-        : { view: "presentation", step: panel === "imagine" ? step : null },
-    );
+    const state = this.#state;
+    this.#changeState(state.view === "presentation" ? withoutPresentation(state) : withPresentation(state));
   }
 
   /** Resolves when the state is that of what is seen. */
   async settle() {
     await this.#components.panels?.editor.settle();
+  }
+
+  /** Fires "share" for the open puzzle. */
+  share() {
+    this.#components.afterSolving.share();
   }
 
   /** Leads through the open puzzle, step by step. */
@@ -208,10 +206,7 @@ export class PuzzleController extends EventTarget {
 
   /** @param {string} id */
   showDialog(id) {
-    const dialog = byId(this.#root, id, HTMLDialogElement);
-    dialog.showModal();
-    // Its heading, so that it is read from the beginning. In frames browsers refuse the attribute autofocus.
-    dialog.querySelector("h2")?.focus();
+    showDialog(this.#root, id);
   }
 
   /** @param {import("../pkg/pathlight.js").Puzzle} puzzle */

@@ -1,7 +1,7 @@
 // What the keyboard shortcuts of a puzzle act on. Those in the scene are in play/gestures.js, what the keys are is in
 // widgets/shortcuts.js.
 
-import { visiblePanels } from "../state/view.js";
+import { visibleTabs } from "../state/view.js";
 import { onShortcut } from "../widgets/shortcuts.js";
 
 /**
@@ -29,7 +29,7 @@ export function onPuzzleKey(event, { components, session, state, showPanel, show
     undoing: state.panel === "make" ? (panels?.editor ?? null) : (session?.placement ?? null),
     scene: canvas,
     showPanel: (index) => {
-      const panel = visiblePanels(state)[index];
+      const panel = visibleTabs(state)[index];
       if (panel) showPanel(panel);
     },
     showKeys: () => !locked && showKeys(),

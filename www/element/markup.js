@@ -1,12 +1,10 @@
-// The shadow tree of a puzzle: scene, transport, panels, their templates and dialogs. It is the only markup that is
-// made from text, and the text is constant. Ids are unique in each shadow tree.
+// The shadow tree of a puzzle: scene, transport, tabs and dialogs; the panels come later, each with its own markup. It
+// is the only markup that is made from text, and the text is constant. Ids are unique in each shadow tree.
 
-import { EDITOR_MARKUP } from "../editor/editor-markup.js";
-import { PANELS_MARKUP } from "./panels-markup.js";
+import { MORE_MARKUP } from "./more-markup.js";
+import { TABS_MARKUP } from "./tabs-markup.js";
 
-const template = document.createElement("template");
-// Nothing but constants: no text of a link, a file or a model.
-template.innerHTML = `
+const PUZZLE = `
 <svg class="sprite" aria-hidden="true">
   <symbol id="icon-run" viewBox="0 0 24 24"><path d="M7 4.5v15l12-7.5z"/></symbol>
   <symbol id="icon-pause" viewBox="0 0 24 24"><path d="M6 5h4v14H6zM14 5h4v14h-4z"/></symbol>
@@ -16,6 +14,7 @@ template.innerHTML = `
   <symbol id="icon-next" viewBox="0 0 24 24"><path d="m8.5 5 7 7-7 7" class="line"/></symbol>
   <symbol id="icon-undo" viewBox="0 0 24 24"><path d="M9 5 4.5 9.5 9 14M5 9.5h8.5a5 5 0 0 1 0 10H9" class="line"/></symbol>
   <symbol id="icon-redo" viewBox="0 0 24 24"><path d="m15 5 4.5 4.5L15 14M19 9.5h-8.5a5 5 0 0 0 0 10H15" class="line"/></symbol>
+  <symbol id="icon-more" viewBox="0 0 24 24"><circle cx="5.5" cy="12" r="1.9"/><circle cx="12" cy="12" r="1.9"/><circle cx="18.5" cy="12" r="1.9"/></symbol>
   <symbol id="icon-compare" viewBox="0 0 24 24"><circle cx="9.5" cy="12" r="5.5" class="line"/><circle cx="14.5" cy="12" r="5.5" class="line dashed"/></symbol>
   <symbol id="icon-delete" viewBox="0 0 24 24"><path d="M5 7h14M10 7V4.5h4V7M7 7l.8 12.5h8.4L17 7M10.3 10.5v5.5M13.7 10.5v5.5" class="line"/></symbol>
 </svg>
@@ -26,7 +25,6 @@ template.innerHTML = `
   <div class="scene-area">
     <div class="scene">
       <canvas id="scene" tabindex="0" role="application" aria-roledescription="puzzle scene" aria-labelledby="goal" aria-describedby="description"></canvas>
-      <p id="probe" aria-hidden="true" hidden></p>
       <p id="scene-label" aria-hidden="true" hidden></p>
       <div id="celebration" aria-hidden="true" hidden></div>
     </div>
@@ -79,18 +77,10 @@ template.innerHTML = `
     </section>
     <p id="challenge" hidden></p>
     <p id="goal"></p>
-    <div class="tabs" id="tabs" role="tablist" aria-label="Panels">
-      <button type="button" role="tab" id="tab-play" aria-controls="play" data-hideable="play">Play</button>
-      <button type="button" role="tab" id="tab-imagine" aria-controls="imagine" data-hideable="imagine">Imagine</button>
-      <button type="button" role="tab" id="tab-compare" aria-controls="compare" data-hideable="compare">Compare</button>
-      <button type="button" role="tab" id="tab-predict" aria-controls="predict" data-hideable="predict">Predict</button>
-      <button type="button" role="tab" id="tab-map" aria-controls="map" data-hideable="map">Map</button>
-      <button type="button" role="tab" id="tab-make" aria-controls="make" data-hideable="make">Make</button>
-    </div>
-
-    ${PANELS_MARKUP}
-    ${EDITOR_MARKUP}
+    <p id="laid" data-hideable="imagine" hidden><span></span> <button type="button" id="laid-off">Take it off</button></p>
+    ${TABS_MARKUP}
   </div>
+  ${MORE_MARKUP}
 </div>
 
 <p class="visually-hidden" id="announcement" lang="en" role="status"></p>
@@ -100,40 +90,6 @@ template.innerHTML = `
     <button type="button" data-act="replay"><b></b><span class="mark" aria-hidden="true"></span><span class="words"></span></button>
     <button type="button" data-act="overlay"><svg aria-hidden="true"><use href="#icon-compare"/></svg></button>
     <button type="button" data-act="remove"><svg aria-hidden="true"><use href="#icon-delete"/></svg></button>
-  </li>
-</template>
-
-<template id="pair-column">
-  <div>
-    <h3></h3>
-    <p class="model-badge"><span></span></p>
-    <p class="small model-words"></p>
-    <div class="overlap-card"><canvas class="scene-layer" width="256" height="256" aria-hidden="true"></canvas><canvas class="shade-layer" width="64" height="64" role="img"></canvas></div>
-    <p class="small pair-place"></p>
-    <div class="outcome-strip" aria-hidden="true"></div>
-    <p class="pair-outcome"></p>
-    <button type="button"></button>
-  </div>
-</template>
-
-<template id="run-row"><li><h3></h3><ul class="overlap-cards"></ul></li></template>
-
-<template id="overlap-card">
-  <li>
-    <div class="overlap-card"><canvas class="scene-layer" width="256" height="256" aria-hidden="true"></canvas><canvas class="shade-layer" width="64" height="64" aria-hidden="true"></canvas><canvas class="outline-layer" width="512" height="512" role="img"></canvas></div>
-    <p><b></b> <span></span></p>
-  </li>
-</template>
-
-<template id="map-row">
-  <li>
-    <label><input type="checkbox"> <b></b></label>
-    <div class="map" tabindex="0" role="application"><canvas class="scene-layer" width="256" height="256" aria-hidden="true"></canvas><canvas class="shade-layer" width="64" height="64" role="img"></canvas></div>
-    <p class="meaning"></p>
-    <div class="scale" aria-hidden="true"><span>0</span><canvas class="legend" width="64" height="4"></canvas><span class="peak"></span></div>
-    <p class="value" aria-hidden="true"></p>
-    <p class="summary"></p>
-    <details><summary>How?</summary><p class="how"></p><p class="numbers"></p></details>
   </li>
 </template>
 
@@ -147,9 +103,9 @@ template.innerHTML = `
     <dt data-hideable="transport"><kbd>.</kbd> <kbd>,</kbd></dt><dd data-hideable="transport">one step forward, one back</dd>
     <dt><kbd>R</kbd></dt><dd>back to placing</dd>
     <dt data-hideable="puzzles"><kbd>[</kbd> <kbd>]</kbd></dt><dd data-hideable="puzzles">previous, next puzzle</dd>
-    <dt data-hideable="compare"><kbd>N</kbd></dt><dd data-hideable="compare">in Compare: the model’s next ball with another outcome, with <kbd>Shift</kbd> the one before</dd>
+    <dt data-hideable="compare"><kbd>N</kbd></dt><dd data-hideable="compare">among the model’s balls: the next one with another result, with <kbd>Shift</kbd> the one before</dd>
     <dt><kbd>V</kbd></dt><dd>the presentation: the scene and one sentence, in large type; <kbd>Esc</kbd> leaves it<span data-hideable="imagine">, <kbd>←</kbd> <kbd>→</kbd> or <kbd>PgUp</kbd> <kbd>PgDn</kbd> go through the story</span></dd>
-    <dt id="keys-of-panels"><kbd>1</kbd> to <kbd>6</kbd></dt><dd id="key-panels"></dd>
+    <dt id="keys-of-panels"><kbd>1</kbd> to <kbd>3</kbd></dt><dd id="key-panels"></dd>
     <dt><kbd>?</kbd></dt><dd>this sheet</dd>
   </dl>
   <form method="dialog"><button>Close</button></form>
@@ -175,7 +131,16 @@ template.innerHTML = `
 </dialog>
 `;
 
-/** A copy of the shadow tree of a puzzle. */
+/** The shadow tree of a puzzle, without the panels that come later. */
 export function puzzleMarkup() {
-  return /** @type {DocumentFragment} */ (template.content.cloneNode(true));
+  return fragmentOf(PUZZLE);
+}
+
+/**
+ * @param {string} markup nothing but constants: no text of a link, a file or a model
+ */
+export function fragmentOf(markup) {
+  const template = document.createElement("template");
+  template.innerHTML = markup;
+  return template.content;
 }

@@ -42,6 +42,8 @@ const STATE_ATTRIBUTES = [
   "hide",
 ];
 
+/** Attributes that are properties too, besides those of the state; `stage` is the old name of `step`. */
+const OTHER_ATTRIBUTES = ["stage", "theme"];
 /** The attributes that are on or off. */
 const FLAGS = ["fill", "remember"];
 
@@ -57,11 +59,26 @@ const darkScheme = matchMedia("(prefers-color-scheme: dark)");
  * Fires, all bubbling:
  *   "statechange"  the person has changed the state; `detail` is the State
  *   "attempt"      an attempt of the player's has run to its end, or was left; `detail` is a PlayedAttempt
- *   "share"        the person wants to share a result; `detail` is a Result. Only if `hrefOf` is set
+ *   "share"        the person wants to share a result; `detail` is a Result. Only if `hrefOf` is set, or by `share()`
  *   "modelchange"  the model's status changes; `detail` is { name, status: "off" | "loading" | "ready" | "failed" }
  */
 export class PathlightPuzzle extends HTMLElement {
-  static observedAttributes = [...STATE_ATTRIBUTES, "stage", "theme", ...FLAGS];
+  static observedAttributes = [...STATE_ATTRIBUTES, ...OTHER_ATTRIBUTES, ...FLAGS];
+
+  static {
+    for (const name of [...STATE_ATTRIBUTES, ...OTHER_ATTRIBUTES]) {
+      const attribute = name === "stage" ? "step" : name;
+      Object.defineProperty(this.prototype, name, {
+        get() {
+          return this.getAttribute(attribute);
+        },
+        set(value) {
+          if (name === "ball") this.#ballGiven = true;
+          this.#setAttribute(attribute, value);
+        },
+      });
+    }
+  }
 
   /** @type {HrefOf | null} */
   #hrefOf = null;
@@ -137,7 +154,7 @@ export class PathlightPuzzle extends HTMLElement {
   attributeChangedCallback(name, _, value) {
     // React 18 writes `remember={false}` so.
     if (value === "false" && FLAGS.includes(name)) this.removeAttribute(name);
-    if (name === "stage") this.step = value;
+    if (name === "stage") this.#setAttribute("step", value);
     if (name === "ball") this.#ballGiven = true;
     this.#scheduleUpdate();
   }
@@ -153,122 +170,6 @@ export class PathlightPuzzle extends HTMLElement {
       Reflect.deleteProperty(this, name);
       Reflect.set(this, name, value);
     }
-  }
-
-  /** The puzzle, "00007:008"; null for none. */
-  get task() {
-    return this.getAttribute("task");
-  }
-  set task(value) {
-    this.#setAttribute("task", value);
-  }
-  /** A custom scene, as the link to it holds it; null for a task. */
-  get scene() {
-    return this.getAttribute("scene");
-  }
-  set scene(value) {
-    this.#setAttribute("scene", value);
-  }
-  /** The name of the model; null for the first. */
-  get model() {
-    return this.getAttribute("model");
-  }
-  set model(value) {
-    this.#setAttribute("model", value);
-  }
-  /** "play", "imagine", "compare", "predict", "map" or "make"; null for "play". */
-  get panel() {
-    return this.getAttribute("panel");
-  }
-  set panel(value) {
-    this.#setAttribute("panel", value);
-  }
-  /**
-   * The step that the walkthrough is at: "base", "target", "action", "placement", "imagined" or "run"; null for all
-   * together.
-   */
-  get step() {
-    return this.getAttribute("step");
-  }
-  set step(value) {
-    this.#setAttribute("step", value);
-  }
-  /** @deprecated The old name of `step`. */
-  get stage() {
-    return this.step;
-  }
-  set stage(value) {
-    this.step = value;
-  }
-  /** "presentation" for the scene and one sentence, in large type; null for all panels. */
-  get view() {
-    return this.getAttribute("view");
-  }
-  set view(value) {
-    this.#setAttribute("view", value);
-  }
-  /** The number of the model's ball that is looked at, from 1; null for none. */
-  get proposal() {
-    return this.getAttribute("proposal");
-  }
-  set proposal(value) {
-    this.#setAttribute("proposal", value);
-  }
-  /**
-   * The maps that lie over the scene: their names, with commas between them; null for those that the panel or the step
-   * lays there by itself.
-   */
-  get layers() {
-    return this.getAttribute("layers");
-  }
-  set layers(value) {
-    this.#setAttribute("layers", value);
-  }
-  /** How much the maps cover, 0 to 1. */
-  get opacity() {
-    return this.getAttribute("opacity");
-  }
-  set opacity(value) {
-    this.#setAttribute("opacity", value);
-  }
-  /**
-   * "on" if the model's guess for the ball being placed is shown, "off" if not; null for what the person likes, where
-   * that is remembered, else off.
-   */
-  get forecast() {
-    return this.getAttribute("forecast");
-  }
-  set forecast(value) {
-    this.#setAttribute("forecast", value);
-  }
-  /** The ball that is being placed: "x,y,r" in px of the scene; null for none. */
-  get ball() {
-    return this.getAttribute("ball");
-  }
-  set ball(value) {
-    this.#ballGiven = true;
-    this.#setAttribute("ball", value);
-  }
-  /** The attempt at which somebody solved the puzzle, whom the player is to beat; null for none. */
-  get challenge() {
-    return this.getAttribute("challenge");
-  }
-  set challenge(value) {
-    this.#setAttribute("challenge", value);
-  }
-  /** The names of the parts that are hidden, with commas between them. */
-  get hide() {
-    return this.getAttribute("hide");
-  }
-  set hide(value) {
-    this.#setAttribute("hide", value);
-  }
-  /** "light", "dark" or "auto"; null for "auto", which follows the system. */
-  get theme() {
-    return this.getAttribute("theme");
-  }
-  set theme(value) {
-    this.#setAttribute("theme", value);
   }
 
   /**
@@ -303,6 +204,11 @@ export class PathlightPuzzle extends HTMLElement {
    */
   focus(options) {
     this.#root.getElementById("scene")?.focus(options);
+  }
+
+  /** Fires "share" for the open puzzle, as when the person wants to share it. */
+  share() {
+    this.#call((controller) => controller.share());
   }
 
   /** Leads through the open puzzle, step by step. */
@@ -429,17 +335,20 @@ export class PathlightPuzzle extends HTMLElement {
     const ballGiven = this.#ballGiven;
     this.#ballGiven = false;
     if (!controller) {
-      const { task, scene } = this.#awaited ?? this;
-      if (task !== null || scene !== null) this.#loadOnce();
+      const asked = this.#awaited
+        ? this.#awaited.task !== null || this.#awaited.scene !== null
+        : this.hasAttribute("task") || this.hasAttribute("scene");
+      if (asked) this.#loadOnce();
       return;
     }
-    const { theme } = this;
+    const theme = this.getAttribute("theme");
     controller.setTheme(theme === "dark" || (theme !== "light" && darkScheme.matches));
     if (this.#awaited) return this.#applyAwaited(controller);
     // The ball that was placed in one puzzle does not go on to the next.
     const { task, scene } = controller.texts;
     const shown = task ?? scene;
-    if (shown && !ballGiven && (task !== this.task || scene !== this.scene)) this.ball = null;
+    const isAnother = task !== this.getAttribute("task") || scene !== this.getAttribute("scene");
+    if (shown && !ballGiven && isAnother) this.removeAttribute("ball");
     controller.applyTexts(
       STATE_ATTRIBUTES.filter((name) => this.hasAttribute(name)).map((name) => [name, this.getAttribute(name) ?? ""]),
     );

@@ -4,5 +4,10 @@
 export const SCENE_TASK = "00005:018";
 /** The puzzle of the introduction: easy, and new to every model that Pathlight comes with. */
 export const FIRST_TASK = "00014:603";
+/**
+ * A puzzle of the kind at which memory helps most, of those that are new to the model that learns while a person
+ * watches.
+ */
+export const LEARNT_TASK = "00015:014";
 /** The puzzle that a person who makes one begins with. */
 export const MADE_FROM = "00000:000";

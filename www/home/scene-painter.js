@@ -71,7 +71,7 @@ export class ScenePainter {
 
   /**
    * Draws a body, a goal hatched and the green object with a dot.
-   * @param {RecordedBody} body
+   * @param {Pick<RecordedBody, "role" | "parts">} body
    * @param {number[]} pose
    * @param {boolean} [goal]
    */

@@ -32,7 +32,7 @@ const WATCHED_STEPS = 4;
 
 /**
  * A call takes its arguments and returns its answer. A long one is a generator: each value that it yields is sent as an
- * update, then messages are let in, and a cancel ends it. Only the first five need weights.
+ * update, then messages are let in, and a cancel ends it. Only the first six need weights.
  */
 const calls = {
   /**
@@ -78,6 +78,21 @@ const calls = {
    * @param {Puzzle} puzzle
    */
   turn: (puzzle) => pathlight.turn(puzzle),
+
+  /**
+   * Plays a puzzle with what the model remembers of earlier ones. Returns its tries, and what it remembers after them.
+   * @param {Puzzle} puzzle
+   * @param {string | null} remembered as JSON; null for nothing
+   */
+  *learn(puzzle, remembered) {
+    const memory = pathlight.memory(remembered ?? undefined);
+    try {
+      const tries = yield* eachOf(pathlight.turn(puzzle, { memory }), (attempt) => attempt);
+      return { tries, memory: memory.toJson() };
+    } finally {
+      memory.free();
+    }
+  },
 
   /**
    * Runs the scene without a ball. Returns where the green object was, x, y, x, y, … in px, every few steps and at the

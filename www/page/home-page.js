@@ -5,7 +5,7 @@ import { hideParts } from "../widgets/hidden-parts.js";
 import { byId } from "../widgets/dom.js";
 import { Gallery } from "../widgets/gallery.js";
 import { TEMPLATES } from "../puzzles/templates.js";
-import { resultsHref, showsHome } from "../state/url-state.js";
+import { pageViewHref, showsHome } from "../state/url-state.js";
 import { readRecording } from "../home/recording.js";
 import { CustomGallery } from "./custom-gallery.js";
 import { Picks } from "./picks.js";
@@ -59,7 +59,7 @@ export class HomePage {
     this.#hero.setState(state);
     this.gallery.setState(state);
     this.#customGallery.setState(state);
-    const results = resultsHref(state);
+    const results = pageViewHref("results", state);
     const link = byId(document, "results-link", HTMLAnchorElement);
     link.hidden = results === null;
     link.href = results ?? "#";

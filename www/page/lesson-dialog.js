@@ -3,7 +3,8 @@
 
 import { PathlightPuzzle } from "../element/pathlight-puzzle.js";
 import { byId } from "../widgets/dom.js";
-import { HIDEABLE, PANELS, formatFragment } from "../state/url-state.js";
+import { PANELS } from "../state/panels.js";
+import { HIDEABLE, formatFragment } from "../state/url-state.js";
 import { visiblePanels } from "../state/view.js";
 
 /** @typedef {import("../state/url-state.js").State} State */
@@ -15,21 +16,17 @@ import { visiblePanels } from "../state/view.js";
 
 /**
  * The parts that a link can hide, as the dialog lists them.
- * @type {Record<Hideable, string>}
+ * @type {Partial<Record<Hideable, string>>}
  */
 const NAMES = {
-  play: "Play",
-  imagine: "Imagine",
-  compare: "Compare",
-  predict: "Predict",
-  map: "Map",
-  make: "Make",
+  ...Object.fromEntries(PANELS.map(({ name, label }) => [name, label])),
+  compare: "The race against the model",
   story: "The sentence that hints at the solution",
   hint: "How to place the ball",
   fields: "The fields of the ball, undo and redo",
   watch: "The button that runs the scene without a ball",
   attempts: "The list of attempts",
-  save: "The buttons that save a picture or a film",
+  save: "The button that saves all maps as one picture",
   forecast: "What the model thinks of the ball",
   transport: "The time line and single steps",
   speed: "The speed",
@@ -55,8 +52,8 @@ export class LessonDialog {
 
   constructor() {
     /** @type {(part: Hideable) => boolean} */
-    const isPanel = (part) => PANELS.some((panel) => panel === part);
-    byId(document, "lesson-panels").append(...PANELS.map((part) => this.#row(part)));
+    const isPanel = (part) => PANELS.some(({ name }) => name === part);
+    byId(document, "lesson-panels").append(...PANELS.map(({ name }) => this.#row(name)));
     byId(document, "lesson-parts").append(...HIDEABLE.filter((part) => !isPanel(part)).map((part) => this.#row(part)));
     this.#dialog.addEventListener("change", () => this.#update());
     this.#dialog.addEventListener("close", () => this.#removePreview());
@@ -116,9 +113,9 @@ export class LessonDialog {
     const lesson = this.#lesson;
     const panels = visiblePanels(lesson);
     // One panel stays.
-    for (const panel of PANELS) {
-      const box = this.#boxes.get(panel);
-      if (box) box.disabled = panels.length === 1 && panels[0] === panel;
+    for (const { name } of PANELS) {
+      const box = this.#boxes.get(name);
+      if (box) box.disabled = panels.length === 1 && panels[0] === name;
     }
     const address = new URL(`#${formatFragment(lesson)}`, location.href);
     this.#address.value = address.href;

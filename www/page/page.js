@@ -3,13 +3,14 @@
 
 import { DARK_PALETTE, LIGHT_PALETTE } from "../pkg/constants.js";
 import { PathlightPuzzle } from "../element/pathlight-puzzle.js";
+import { loadWasm } from "../loading/load-wasm.js";
 import { byId, find } from "../widgets/dom.js";
 import { hideParts } from "../widgets/hidden-parts.js";
 import { dismissNotice, showDone, showNotice } from "../widgets/notice.js";
 import { sceneName } from "../puzzles/puzzle-name.js";
 import { leavesPlainKeys } from "../widgets/shortcuts.js";
 import { TEMPLATES, templateOf } from "../puzzles/templates.js";
-import { INITIAL_STATE, hrefOf, resultsHref, showsPuzzle } from "../state/url-state.js";
+import { INITIAL_STATE, PAGE_VIEWS, hrefOf, pageViewOf, showsPuzzle } from "../state/url-state.js";
 import { sharedProgress } from "../storage/progress.js";
 import { knownScene, sceneOfText } from "../editor/scene-link.js";
 import { FIRST_TASK } from "../home/home-tasks.js";
@@ -19,6 +20,9 @@ import { LessonDialog } from "./lesson-dialog.js";
 import { ProgressView } from "./progress-view.js";
 
 /** @typedef {import("../state/url-state.js").State} State */
+
+/** @type {Record<string, string>} */
+const VIEW_TITLES = { results: "Results", learns: "It learns while you watch" };
 
 const darkScheme = matchMedia("(prefers-color-scheme: dark)");
 const taskPicker = byId(document, "task", HTMLSelectElement);
@@ -32,6 +36,8 @@ export class Page {
   #address = new Address((own) => this.#onNavigation(own));
   /** @type {import("./results-view.js").ResultsView | null} */
   #results = null;
+  /** @type {import("./learns-view.js").LearnsView | null} */
+  #learns = null;
   /** @type {LessonDialog | null} */
   #lessonDialog = null;
 
@@ -48,9 +54,13 @@ export class Page {
     this.#onClick("previous", () => this.#stepPuzzle(-1));
     this.#onClick("next", () => this.#stepPuzzle(1));
     this.#onClick("random", () => this.#openRandomPuzzle());
+    this.#onClick("share-button", () => this.#puzzle.share());
     this.#onClick("copy", () => this.#copyLink());
     this.#onClick("presentation-button", () => this.#puzzle.togglePresentation());
-    this.#onClick("lesson-button", () => (this.#lessonDialog ??= new LessonDialog()).show(this.#state));
+    this.#onClick("lesson-button", () => {
+      byId(document, "share-dialog", HTMLDialogElement).close();
+      (this.#lessonDialog ??= new LessonDialog()).show(this.#state);
+    });
     this.#onClick("about-button", () => this.#puzzle.showAbout());
     this.#onClick("keys-button", () => this.#puzzle.showKeys());
     this.#onClick("skip", (event) => {
@@ -137,11 +147,13 @@ export class Page {
   #applyState(state) {
     const cameFromHome = this.#home.hasFocus;
     const shown = showsPuzzle(state);
-    const showsResults = !shown && state.view === "results" && resultsHref(state) !== null;
+    const view = pageViewOf(state);
     this.#home.show(state);
-    byId(document, "results").hidden = !showsResults;
-    if (showsResults) this.#showResults(state.model);
-    for (const id of ["title", "copy", "presentation-button", "skip"]) byId(document, id).hidden = !shown;
+    for (const name of PAGE_VIEWS) byId(document, name).hidden = name !== view;
+    if (view === "results") this.#showResults(state.model);
+    if (view === "learns") this.#showLearns();
+    else this.#learns?.stop();
+    for (const id of ["title", "share-button", "presentation-button", "skip"]) byId(document, id).hidden = !shown;
     // First, so that the worker imagines while the page goes on.
     this.#puzzle.state = state;
     this.#applyTitle(state);
@@ -162,7 +174,7 @@ export class Page {
       );
     const name = scene === null ? (task !== null && templateOf(task)?.name) || "" : sceneName(knownScene(scene));
     byId(document, "puzzle-name").textContent = name;
-    const title = name ? `${name}${task ? ` ${task}` : ""}` : view === "results" ? "Results" : "";
+    const title = name ? `${name}${task ? ` ${task}` : ""}` : (view && VIEW_TITLES[view]) || "";
     document.title = title ? `${title} – Pathlight` : "Pathlight";
     find(document, ".picker").hidden = task === null;
     if (task !== null) this.#progressView.showTask(task);
@@ -250,6 +262,21 @@ export class Page {
     this.#results.show(model);
   }
 
+  async #showLearns() {
+    try {
+      const { LearnsView } = await import("./learns-view.js");
+      this.#learns ??= new LearnsView(await loadWasm(), (task, model) =>
+        hrefOf({ ...this.#state, model }, task, "compare"),
+      );
+    } catch {
+      return showNotice(
+        "This part of the page could not be loaded. Check the connection; if Pathlight has been updated meanwhile, load the page again.",
+      );
+    }
+    // The person may have gone on meanwhile.
+    if (pageViewOf(this.#state) === "learns") this.#learns.show();
+  }
+
   /** @param {import("../play/after-solving.js").Result} result */
   async #share(result) {
     try {
@@ -257,14 +284,15 @@ export class Page {
       this.#shareDialog ??= new ShareDialog(TEMPLATES);
     } catch {
       return showNotice(
-        "The sheet to share a result could not be loaded. Check the connection; if Pathlight has been updated meanwhile, load the page again.",
+        "The sheet to share a puzzle could not be loaded. Check the connection; if Pathlight has been updated meanwhile, load the page again.",
       );
     }
     // The result can be drawn only while its puzzle is open.
-    if (result.isOpen()) this.#shareDialog.show(result, darkScheme.matches);
+    if (result.isOpen()) this.#shareDialog.show(result, this.#state, darkScheme.matches);
   }
 
   async #copyLink() {
+    byId(document, "share-dialog", HTMLDialogElement).close();
     await this.#puzzle.settle();
     this.#address.write(this.#state);
     this.#address.flush();

@@ -1,13 +1,13 @@
-// What the home page offers above the kinds of puzzles: the puzzle of the day, one that the model does not solve, and
-// making one.
+// What the home page offers above the kinds of puzzles: the puzzle of the day, one that the model does not solve,
+// watching it learn, and making one.
 
 import { find } from "../widgets/dom.js";
 import { LazyThumbnails } from "../widgets/lazy-thumbnails.js";
 import { difficultyName, solveRateOf } from "../puzzles/difficulty.js";
 import { pathlight } from "../shell/page-api.js";
 import { puzzleName } from "../puzzles/puzzle-name.js";
-import { hrefOf } from "../state/url-state.js";
-import { MADE_FROM } from "../home/home-tasks.js";
+import { hrefOf, pageViewHref } from "../state/url-state.js";
+import { LEARNT_TASK, MADE_FROM } from "../home/home-tasks.js";
 import { dayWords, taskOfDay } from "./daily.js";
 
 /** @typedef {import("../widgets/gallery.js").Template} Template */
@@ -62,6 +62,13 @@ export class Picks {
         unsolved,
         hrefOf(state, unsolved),
       );
+    this.#show(
+      "learns",
+      "Watch it learn",
+      "Twenty puzzles of a kind it has never seen",
+      LEARNT_TASK,
+      pageViewHref("learns", state),
+    );
     const words = "Drag things around, play it, send it to a friend";
     this.#show("make", "Make your own", words, MADE_FROM, hrefOf(state, MADE_FROM, "make"));
   }
@@ -96,7 +103,7 @@ export class Picks {
       words.append(line("strong", title), line("span", detail));
       link.replaceChildren(canvas, words);
     }
-    link.hidden = false;
+    find(document, `#picks [data-pick=${name}]`, HTMLElement).hidden = href === null;
   }
 }
 

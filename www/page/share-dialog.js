@@ -1,11 +1,11 @@
-// The sheet on which a person shares a result: a picture or a short film, a text, and a link that challenges others.
-// Loaded when it is first needed. What is shared goes to the system’s share sheet where there is one, else to the
-// clipboard or a file.
+// The sheet on which a person shares a puzzle: a picture or a short film, a text, and a link that challenges others.
+// The page adds the link to what is seen, and the one for a lesson. Loaded when it is first needed. What is shared goes
+// to the system’s share sheet where there is one, else to the clipboard or a file.
 
 import { palette } from "../pkg/pathlight.js";
 import { byId } from "../widgets/dom.js";
 import { difficultyWords } from "../puzzles/difficulty.js";
-import { download } from "../widgets/download.js";
+import { download, fileName } from "../widgets/download.js";
 import { puzzleName } from "../puzzles/puzzle-name.js";
 import { INITIAL_STATE, formatFragment } from "../state/url-state.js";
 import { dayWords, taskOfDay } from "./daily.js";
@@ -26,6 +26,8 @@ export class ShareDialog {
   #withBall = byId(document, "share-ball", HTMLInputElement);
   /** @type {Result | null} */
   #result = null;
+  /** The address of the puzzle with the challenge, without the ball. */
+  #link = "";
   #dark = false;
   /**
    * What is shared: the picture, or the film once there is one.
@@ -58,16 +60,19 @@ export class ShareDialog {
 
   /**
    * @param {Result} result
+   * @param {import("../state/url-state.js").State} state
    * @param {boolean} dark
    */
-  async show(result, dark) {
+  async show(result, { task, scene }, dark) {
     this.#result = result;
+    const challenge = task === null ? null : result.solvedAt;
+    this.#link = `${location.origin}${location.pathname}#${formatFragment({ ...INITIAL_STATE, task, scene, challenge })}`;
     this.#dark = dark;
     this.#withBall.checked = false;
     this.#say("");
     byId(document, "share-text").textContent = this.#words(result);
     await this.#draw();
-    this.#filmButton.hidden = !filmFormat();
+    this.#filmButton.hidden = !filmFormat() || !result.openRun;
     if (result.isOpen()) this.#dialog.showModal();
   }
 
@@ -92,7 +97,7 @@ export class ShareDialog {
   async #film() {
     const result = this.#result;
     const format = filmFormat();
-    if (!result || !format) return;
+    if (!result?.openRun || !format) return;
     const recording = (this.#recording = new AbortController());
     const canvas = filmCanvas();
     canvas.setAttribute("aria-hidden", "true");
@@ -139,9 +144,8 @@ export class ShareDialog {
    */
   #offer(blob, extension) {
     // Browsers refuse to share a media type with parameters.
-    this.#file = new File([blob], `pathlight-${this.#result?.task.replace(":", "-")}.${extension}`, {
-      type: blob.type.split(";")[0],
-    });
+    const { task, name } = this.#result ?? {};
+    this.#file = new File([blob], fileName(`pathlight ${task ?? name}`, extension), { type: blob.type.split(";")[0] });
     byId(document, "share-save").textContent = extension === "png" ? "Save the picture" : "Save the film";
     byId(document, "share-system").hidden = !navigator.canShare?.({ files: [this.#file] });
   }
@@ -149,7 +153,8 @@ export class ShareDialog {
   /** @param {Result} result */
   #words(result) {
     const today = new Date();
-    const name = puzzleName(result.task);
+    const name = nameOf(result);
+    if (result.solvedAt === null) return [`“${name}”: can you solve it?`, modelWords(result)].filter(Boolean).join(" ");
     if (
       result.task ===
       taskOfDay(
@@ -169,12 +174,6 @@ export class ShareDialog {
     ]
       .filter(Boolean)
       .join(" ");
-  }
-
-  /** The address of the puzzle with the challenge, without the ball. */
-  get #link() {
-    const { task = null, solvedAt = null } = this.#result ?? {};
-    return `${location.origin}${location.pathname}#${formatFragment({ ...INITIAL_STATE, task, challenge: solvedAt })}`;
   }
 
   async #share() {
@@ -214,12 +213,19 @@ export class ShareDialog {
  * @param {Result} result
  */
 function linesOf(result) {
+  const { task, solvedAt } = result;
+  const solved = solvedAt === 1 ? "Solved at the first attempt" : `Solved in ${solvedAt} attempts`;
   return {
-    name: puzzleName(result.task),
-    solved: result.solvedAt === 1 ? "Solved at the first attempt" : `Solved in ${result.solvedAt} attempts`,
+    name: nameOf(result),
+    solved: solvedAt ? solved : "Can you solve it?",
     model: modelWords(result),
-    difficulty: difficultyWords(result.task),
+    difficulty: task ? difficultyWords(task) : "",
   };
+}
+
+/** @param {Result} result */
+function nameOf({ task, name }) {
+  return task ? puzzleName(task) : name;
 }
 
 /** @param {Result} result */

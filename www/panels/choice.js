@@ -1,6 +1,6 @@
 // The last steps of the story, for a model that imagines balls: what it imagines for each ball that it considers, and
 // what comes of the one that it tries first. Nothing of it is shown for another model, which does not choose so. Fires
-// "choice" when there is something else to lay over the scene.
+// "choice" when there is something else to say.
 
 import { Component } from "../widgets/component.js";
 import { setText } from "../widgets/dom.js";
@@ -89,10 +89,7 @@ export class Choice extends Component {
     return this.#running === null || (this.session?.finished ?? true);
   }
 
-  /**
-   * What to lay over the scene, or null.
-   * @returns {Partial<import("../play/canvas.js").Overlay> | null}
-   */
+  /** @returns {Partial<import("../play/canvas.js").Overlay> | null} */
   get overlay() {
     if (!this.#step || !this.#considered) return null;
     const { candidates } = this.#considered;
@@ -178,6 +175,7 @@ export class Choice extends Component {
       setText(this.byId("choice-result"), this.result);
       setText(this.byId("choice-how"), how);
     }
+    this.changeOverlay();
     this.dispatchEvent(new Event("choice"));
   }
 

@@ -1,5 +1,4 @@
-// The race: the model's turn, the attempts of player and model side by side in the panel Compare, and in Play how both
-// stand. Nothing of the model's result is told before it has run.
+// The race: the model's turn, and how both stand. Nothing of the model's result is told before it has run.
 
 import { Component } from "../widgets/component.js";
 import { ATTEMPT_LIMIT } from "../shell/constants.js";
@@ -14,8 +13,6 @@ export class Compare extends Component {
   #turnButton = this.byId("model-turn", HTMLButtonElement);
   #raceButton = this.byId("race-it", HTMLButtonElement);
   #trouble = new TroubleBox(this.byId("compare-trouble"));
-  /** @type {import("../state/url-state.js").Panel | null} */
-  #panel = null;
   /**
    * The turn that the model is playing.
    * @type {AbortController | null}
@@ -39,7 +36,6 @@ export class Compare extends Component {
     this.#turnButton.addEventListener("click", () => (this.#turn ? this.#stopTurn() : this.#playTurn()));
     this.#raceButton.addEventListener("click", () => this.#race());
     this.byId("model-skip").addEventListener("click", () => this.#show?.skip());
-    this.byId("compare-both").addEventListener("click", () => this.session?.compare(true));
     this.byId("clear-attempts").addEventListener("click", () => {
       this.#stopTurn();
       this.session?.clearAllAttempts();
@@ -58,20 +54,6 @@ export class Compare extends Component {
     super.close();
     this.#endTurn();
     this.#callFailure = null;
-    this.#panel = null;
-  }
-
-  /**
-   * When the person comes to this panel, both paths are shown over each other if there is something to show.
-   * @param {import("../state/view.js").View} view
-   */
-  setState({ panel, proposal }) {
-    const arrived = panel === "compare" && this.#panel !== null && this.#panel !== "compare";
-    this.#panel = panel;
-    // The model's turn goes on.
-    if (!arrived || proposal || !this.session || this.#show) return;
-    const { placing, playback, hiddenAuthor } = this.session;
-    if ((placing || !playback.playing) && hiddenAuthor !== "model") this.session.compare(false);
   }
 
   /** Ends the turn that is being played; the worker's late attempts are dropped. */
@@ -161,12 +143,10 @@ export class Compare extends Component {
     this.#turnButton.disabled = this.#client.status !== "ready" || over;
     setText(this.#turnButton, this.#turn ? "Stop the model" : over ? "The model has played" : "Let the model play");
     this.byId("model-skip").hidden = !this.#show;
-    for (const id of ["compare-both", "clear-attempts"])
-      this.byId(id, HTMLButtonElement).disabled = player.used + model.used === 0;
+    this.byId("clear-attempts", HTMLButtonElement).disabled = player.used + model.used === 0;
     const racing = this.#turn !== null || hidden === "model";
     const verdict =
       hidden === "player" ? "Your attempt is running." : racing ? "The model is playing." : this.session.game.verdict();
-    setText(this.byId("verdict"), verdict);
     this.#updateRace({ player, model, racing, verdict });
   }
 

@@ -1,6 +1,6 @@
 // The model's guess: while a person places the ball, the paths that the model imagines for this very ball lie over the
 // scene, and its chance stands below. After a run they stay beside the real paths until the ball changes. The switch is
-// by the run button in Play, and is remembered. Fires "forecast" when what lies over the scene may have changed.
+// by the run button in Play, and is remembered.
 
 import { Component } from "../widgets/component.js";
 import { sameBall } from "../puzzles/ball.js";
@@ -55,14 +55,19 @@ export class Forecast extends Component {
   }
 
   /** @param {import("../state/view.js").View} view */
-  setState({ forecast, panel, view }) {
+  setState({ forecast, tab, view }) {
     this.#on = this.#box.checked = forecast;
-    this.#offered = panel === "play" && view === null;
+    this.#offered = tab === "play" && view === null;
     this.#follow();
   }
 
-  /** What to lay over the scene, or null. While the ball is dragged it may be that of a moment ago. */
-  get paths() {
+  get overlay() {
+    const imagined = this.#paths;
+    return imagined && { imagined };
+  }
+
+  /** While the ball is dragged they may be those of a moment ago. */
+  get #paths() {
     return this.#ball && this.#imaginer.paths;
   }
 
@@ -88,13 +93,13 @@ export class Forecast extends Component {
     const line = this.byId("forecast-words");
     const words = this.#on && !unable ? this.#words() : "";
     line.hidden = words === "";
-    this.byId("forecast-how").hidden = !this.paths;
+    this.byId("forecast-how").hidden = !this.#paths;
     if (line.textContent !== words) {
       setText(line, words);
       clearTimeout(this.#timer);
-      if (this.paths) this.#timer = setTimeout(() => this.announce(words), REST);
+      if (this.#paths) this.#timer = setTimeout(() => this.announce(words), REST);
     }
-    this.dispatchEvent(new Event("forecast"));
+    this.changeOverlay();
   }
 
   #words() {

@@ -2,16 +2,16 @@
 // scene. Other components read the maps here; "maps" is fired when they have come or gone, "switch" when the person
 // switches one on or off.
 
-import { paintLegend, paintOutline } from "../pkg/pathlight.js";
+import { paintLegend } from "../pkg/pathlight.js";
 import { Component } from "../widgets/component.js";
 import { GRID_SIDE, MAPS, PAPER_MAPS } from "../shell/constants.js";
 import { contextOf, find, setText } from "../widgets/dom.js";
 import { pathlight } from "../shell/page-api.js";
 import { summary } from "../model/map-summary.js";
-import { modelWords } from "../model/model-words.js";
 import { mapWords } from "../model/place-words.js";
 import { MAP_TEXT, netWords } from "../model/map-text.js";
 import { sentence } from "../text/sentence.js";
+import { MapOutline } from "./map-outline.js";
 import { TroubleBox } from "./trouble-box.js";
 
 /** @typedef {import("../pkg/pathlight.js").MapName} MapName */
@@ -22,14 +22,10 @@ import { TroubleBox } from "./trouble-box.js";
  * third replaces the oldest.
  */
 const MAX_SHADED = 2;
-/** Width of the canvas of an outline, which is laid over the whole scene. */
-const OUTLINE_SIDE = 1024;
 
 export class Imagine extends Component {
   #client;
   #scenePicture;
-  #opacity = this.byId("opacity", HTMLInputElement);
-  #modelSelect = this.byId("model-select", HTMLSelectElement);
   /** @type {Record<MapName, ReturnType<Imagine["createRow"]>>} */
   #rows;
   /**
@@ -37,6 +33,11 @@ export class Imagine extends Component {
    * @type {MapName[]}
    */
   #checked = [];
+  /**
+   * The maps that lie over the scene.
+   * @type {MapName[]}
+   */
+  #layers = [];
   /** @type {Imagined | null} */
   #imagined = null;
   #trouble = new TroubleBox(this.byId("imagine-trouble"));
@@ -64,12 +65,6 @@ export class Imagine extends Component {
     const rows = MAPS.map((mapName) => /** @type {const} */ ([mapName, this.createRow(mapName)]));
     this.#rows = /** @type {Record<MapName, ReturnType<Imagine["createRow"]>>} */ (Object.fromEntries(rows));
     this.byId("maps").replaceChildren(...MAPS.map((mapName) => this.#rows[mapName].element));
-    this.byId("laid-off").addEventListener("click", () => {
-      this.requestState({ layers: null });
-      this.byId("scene").focus({ preventScroll: true });
-    });
-    this.#opacity.addEventListener("input", () => this.requestState({ opacity: Number(this.#opacity.value) }));
-    this.#modelSelect.addEventListener("change", () => this.requestState({ model: this.#modelSelect.value }));
     client.addEventListener("change", () => this.#onClientChange());
   }
 
@@ -90,8 +85,8 @@ export class Imagine extends Component {
   /** @param {import("../state/view.js").View} view */
   setState(view) {
     this.#shown = view.panel === "imagine";
+    this.#layers = view.layers;
     this.#paintScenes();
-    this.#opacity.value = String(view.opacity);
     const added = view.checkedLayers.filter((mapName) => !this.#checked.includes(mapName));
     this.#checked = [...this.#checked.filter((mapName) => view.checkedLayers.includes(mapName)), ...added];
     for (const mapName of MAPS) {
@@ -100,10 +95,6 @@ export class Imagine extends Component {
       element.classList.toggle("on", box.checked);
     }
     this.byId("outlines-note").hidden = view.checkedLayers.length <= MAX_SHADED;
-    const laid = ["play", "compare"].includes(view.panel) ? view.layers : [];
-    this.byId("laid").hidden = laid.length === 0;
-    const names = laid.map((mapName) => `“${MAP_TEXT[mapName].name}”`).join(" and ");
-    setText(find(this.byId("laid"), "span"), `Over the scene: ${names}.`);
   }
 
   /** @param {boolean} dark */
@@ -113,6 +104,10 @@ export class Imagine extends Component {
     this.#scenesDrawn = false;
     this.#paintScenes();
     this.#paint();
+  }
+
+  get overlay() {
+    return { maps: this.canvasesOf(this.#layers) };
   }
 
   /** The maps of the open puzzle; null until they have been imagined. */
@@ -140,40 +135,10 @@ export class Imagine extends Component {
    */
   canvasesOf(mapNames) {
     if (!this.#imagined) return [];
-    return mapNames.flatMap((mapName, index) =>
-      index < MAX_SHADED ? [this.#rows[mapName].map.canvas, this.#outlineOf(mapName)] : [this.#outlineOf(mapName)],
-    );
-  }
-
-  /**
-   * The outline of a map. It is made when it is first asked for, because it is large and most are not asked for.
-   * @param {MapName} mapName
-   */
-  #outlineOf(mapName) {
-    const row = this.#rows[mapName];
-    if (!row.outline) {
-      const canvas = document.createElement("canvas");
-      canvas.width = canvas.height = OUTLINE_SIDE;
-      row.outline = contextOf(canvas);
-      this.#paintOutline(mapName);
-    }
-    return row.outline.canvas;
-  }
-
-  /** @param {MapName} mapName */
-  #paintOutline(mapName) {
-    const { outline } = this.#rows[mapName];
-    if (!outline) return;
-    outline.clearRect(0, 0, OUTLINE_SIDE, OUTLINE_SIDE);
-    const values = this.#imagined?.maps[mapName];
-    if (!values) return;
-    const most = Math.max(...values);
-    paintOutline(
-      outline,
-      mapName,
-      values.map((value) => value / most),
-      this.dark,
-    );
+    return mapNames.flatMap((mapName, index) => {
+      const { map, outline } = this.#rows[mapName];
+      return index < MAX_SHADED ? [map.canvas, outline.canvas] : [outline.canvas];
+    });
   }
 
   /**
@@ -217,7 +182,7 @@ export class Imagine extends Component {
       box,
       scene: find(element, ".scene-layer", HTMLCanvasElement),
       map: contextOf(find(element, ".shade-layer", HTMLCanvasElement)),
-      outline: /** @type {CanvasRenderingContext2D | null} */ (null),
+      outline: new MapOutline(mapName),
       legend: contextOf(find(element, ".legend", HTMLCanvasElement)),
       how,
       peak: find(element, ".peak"),
@@ -245,15 +210,10 @@ export class Imagine extends Component {
   }
 
   /**
-   * Says what the model is and how it makes its maps, and offers the others, where there are several.
+   * Says how the model makes its maps.
    * @param {import("../model/worker.js").LoadedModel} loaded
    */
-  #onLoaded({ name, names, card }) {
-    setText(this.byId("model-words"), `${name} ${modelWords(card)}.`);
-    this.byId("model-choice").hidden = names.length < 2;
-    this.#modelSelect.replaceChildren(
-      ...names.map((model) => new Option(model, model, model === name, model === name)),
-    );
+  #onLoaded({ card }) {
     for (const mapName of MAPS) {
       if (PAPER_MAPS.includes(mapName)) continue;
       setText(this.#rows[mapName].how, `${MAP_TEXT[mapName].how} ${netWords(card, PAPER_MAPS.length).how}`.trim());
@@ -289,6 +249,7 @@ export class Imagine extends Component {
     this.#imagined = imagined;
     this.#paint();
     this.dispatchEvent(new Event("maps"));
+    this.changeOverlay();
   }
 
   /** Draws the scene that lies under each map. */
@@ -301,13 +262,13 @@ export class Imagine extends Component {
   #paint() {
     const imagined = this.#imagined;
     for (const mapName of MAPS) {
-      const { map, peak, summary: said, numbers } = this.#rows[mapName];
+      const { map, outline, peak, summary: said, numbers } = this.#rows[mapName];
       const values = imagined?.maps[mapName];
       map.clearRect(0, 0, GRID_SIDE, GRID_SIDE);
       // Each map is drawn up to its own peak, which the legend names.
       const most = values ? Math.max(...values) : 0;
       if (values) pathlight.paintMap(map, mapName, values, { max: most, dark: this.dark });
-      this.#paintOutline(mapName);
+      outline.draw(values, this.dark);
       setText(peak, values ? most.toFixed(2) : "");
       // Weights may come without a net that scores balls.
       const words = this.words(mapName) || (imagined ? "this model has no such map" : "not imagined yet");

@@ -11,7 +11,6 @@ import { mapWords } from "../model/place-words.js";
 import { MAP_TEXT } from "../model/map-text.js";
 import { SharedClient } from "../model/shared-client.js";
 import { sentence } from "../text/sentence.js";
-import { OutcomeStrip } from "./outcome-strip.js";
 
 /** @typedef {import("../pkg/pathlight.js").MapName} MapName */
 /** @typedef {import("../pkg/pathlight.js").TriedProposal} TriedProposal */
@@ -149,8 +148,6 @@ export class ModelPair extends Component {
     const words = map && this.session ? mapWords(map, pathlight.scene(this.session.puzzle)) : "it has no such map";
     shade.setAttribute("aria-label", `${MAP_TEXT[mapName].name}: ${words}`);
     find(column, ".pair-place").textContent = sentence(words);
-    const strip = new OutcomeStrip(find(column, ".outcome-strip"), (number) => this.#show(tried, number));
-    strip.show(tried);
     find(column, ".pair-outcome").textContent = outcomeWords(tried);
     const button = find(column, "button");
     const last = tried.length;
@@ -166,6 +163,7 @@ export class ModelPair extends Component {
    * @param {number} number
    */
   #show(tried, number) {
+    this.byId("more").hidePopover();
     this.session?.preview(number, tried[number - 1].ball, true, true);
   }
 }

@@ -20,10 +20,10 @@ const LARGE_KEY_STEP = 24;
 
 export class Predict extends Component {
   /**
-   * The line that is drawn, px. Fires "sketch" when it has changed.
+   * The line that is drawn, px.
    * @type {Point[]}
    */
-  sketch = [];
+  #sketch = [];
   #imagine;
   #visible = false;
   #playerCard;
@@ -66,6 +66,11 @@ export class Predict extends Component {
     this.#visible = panel === "predict";
   }
 
+  /** @returns {{ sketch: Point[], pen: import("../play/gestures.js").Pen } | null} */
+  get overlay() {
+    return this.#visible ? { sketch: this.#sketch, pen: this } : null;
+  }
+
   /** @param {boolean} dark */
   setTheme(dark) {
     super.setTheme(dark);
@@ -87,10 +92,10 @@ export class Predict extends Component {
    */
   draw(point) {
     const next = inside(point);
-    const last = this.sketch.at(-1);
+    const last = this.#sketch.at(-1);
     if (!last) this.#setSketch([next]);
-    else if (Math.hypot(next[0] - last[0], next[1] - last[1]) >= MIN_SEGMENT && this.sketch.length < MAX_POINTS)
-      this.#setSketch([...this.sketch, next]);
+    else if (Math.hypot(next[0] - last[0], next[1] - last[1]) >= MIN_SEGMENT && this.#sketch.length < MAX_POINTS)
+      this.#setSketch([...this.#sketch, next]);
   }
 
   /**
@@ -104,12 +109,12 @@ export class Predict extends Component {
     this.#leaveRun();
     if (direction) {
       const [startX, startY] = this.session.game.objectStart();
-      const [x, y] = this.sketch.at(-1) ?? [startX, startY];
-      const line = this.sketch.length ? this.sketch : [/** @type {Point} */ ([x, y])];
+      const [x, y] = this.#sketch.at(-1) ?? [startX, startY];
+      const line = this.#sketch.length ? this.#sketch : [/** @type {Point} */ ([x, y])];
       const distance = shiftKey ? LARGE_KEY_STEP : KEY_STEP;
       this.#setSketch([...line, inside([x + direction[0] * distance, y + direction[1] * distance])]);
     } else {
-      this.#setSketch(this.sketch.slice(0, -1));
+      this.#setSketch(this.#sketch.slice(0, -1));
     }
     return true;
   }
@@ -121,16 +126,16 @@ export class Predict extends Component {
 
   /** @param {Point[]} line */
   #setSketch(line) {
-    this.sketch = line;
+    this.#sketch = line;
     if (this.session) this.session.sketched = line.length > 0;
     this.#update();
-    this.dispatchEvent(new Event("sketch"));
+    this.changeOverlay();
   }
 
   #update() {
     const session = this.session;
     if (!session) return;
-    const end = this.sketch.at(-1);
+    const end = this.#sketch.at(-1);
     this.byId("predict-watch", HTMLButtonElement).disabled = !end;
     this.byId("predict-run", HTMLButtonElement).disabled = !end || !session.ball || session.invalidReason !== null;
     this.byId("predict-wipe", HTMLButtonElement).disabled = !end;
@@ -159,7 +164,7 @@ export class Predict extends Component {
     const player = this.#playerCard.draw({
       ...shared,
       name: "You",
-      values: game.sketchMask(new Float64Array(this.sketch.flat())),
+      values: game.sketchMask(new Float64Array(this.#sketch.flat())),
     });
     this.#modelCard.element.hidden = !modelMap;
     if (!modelMap) return `You were right by ${percent(player)}.`;
@@ -179,3 +184,22 @@ export class Predict extends Component {
 function inside([x, y]) {
   return [Math.min(Math.max(x, 0), SCENE_SIZE), Math.min(Math.max(y, 0), SCENE_SIZE)];
 }
+
+/** @type {import("./panel-module.js").PanelModule} */
+export const PREDICT = {
+  markup: `
+<p>Which way will the green object go? Draw its path in the scene. Then run, and see who was closer: you or the model.</p>
+<p class="actions">
+  <button type="button" id="predict-watch" class="primary">Run without ball</button>
+  <button type="button" id="predict-run">Run with ball</button>
+  <button type="button" id="predict-wipe">Wipe</button>
+</p>
+<p id="predict-words"></p>
+<section id="predict-result" aria-label="Prediction and reality" hidden>
+  <ul class="overlap-cards" id="predict-cards"></ul>
+  <details><summary>How is it measured?</summary><p>Your line counts as if the green object had slid along it. What is shaded and what was real, inside the line, are laid over each other: 100 % means that both are the same. The model is measured alike: its base path if there is no ball, its target path if there is one. It has not seen your ball.</p></details>
+</section>
+<p class="hint">Draw with the mouse or a finger. With keys, in the scene: arrows draw on from the green object, with <kbd>Shift</kbd> further; <kbd>Backspace</kbd> takes a piece back.</p>
+`,
+  create: ({ root, imagine, scenePicture }) => [new Predict(root, imagine, scenePicture)],
+};

@@ -1,7 +1,6 @@
-// The model's proposals, one by one, whether it has tried them or not: the outcome of each, whether it may be placed,
-// what the model imagined for it, and where it comes from. The one that is looked at is shown at its end at once, with
-// its paths, imagined and real, over the scene and the balls before it marked. Its number is in the address. Fires
-// "imagined" when there are other imagined paths to show.
+// The model's proposals, one by one, whether it has tried them or not: the outcome of each, what the model imagined for
+// it, and where it comes from. The one that is looked at is shown at its end at once, with its paths, imagined and
+// real, over the scene and the balls before it marked. Its number is in the address.
 
 import { Component } from "../widgets/component.js";
 import { ATTEMPT_LIMIT } from "../shell/constants.js";
@@ -12,8 +11,7 @@ import { chanceWords, errorWords } from "../model/chance-words.js";
 import { ballsCsv, otherOutcome, outcomesWords } from "../model/outcomes.js";
 import { sameBall } from "../puzzles/ball.js";
 import { sentence } from "../text/sentence.js";
-import { OutcomeStrip } from "./outcome-strip.js";
-import { originWords, rejectedWords } from "./proposal-words.js";
+import { originWords, sourceOf } from "./proposal-origin.js";
 import { TroubleBox } from "./trouble-box.js";
 
 /** @typedef {import("../pkg/pathlight.js").TriedProposal} Proposal */
@@ -24,7 +22,6 @@ export class Proposals extends Component {
   #imagine;
   #imaginer;
   #slider = this.byId("proposal-slider", HTMLInputElement);
-  #strip = new OutcomeStrip(this.byId("proposal-strip"), (number) => this.#request(number));
   /**
    * Null until the model has proposed them.
    * @type {Proposal[] | null}
@@ -41,6 +38,8 @@ export class Proposals extends Component {
    */
   #shown = null;
   #visible = false;
+  /** Are the balls saved once they are there? */
+  #saves = false;
   #trouble = new TroubleBox(this.byId("proposals-trouble"));
   /**
    * The call to the worker that counts.
@@ -62,7 +61,7 @@ export class Proposals extends Component {
     this.#imaginer = new BallImaginer(client);
     this.#imaginer.addEventListener("answer", () => {
       this.#updateFacts(this.#proposals ?? []);
-      this.dispatchEvent(new Event("imagined"));
+      this.changeOverlay();
     });
     this.#slider.addEventListener("input", () => this.#request(Number(this.#slider.value)));
     this.byId("proposal-back").addEventListener("click", () => this.#request((this.#requested ?? 2) - 1));
@@ -86,6 +85,7 @@ export class Proposals extends Component {
 
   close() {
     super.close();
+    this.#saves = false;
     this.#drop();
     this.#imaginer.forget();
     this.#shown = null;
@@ -99,31 +99,25 @@ export class Proposals extends Component {
     this.#show();
   }
 
-  /** Is one of the balls being looked at? */
-  get active() {
-    return this.#visible && this.#shown !== null && this.#proposals !== null;
-  }
-
-  /**
-   * The balls to mark over the scene.
-   * @returns {import("../pkg/pathlight.js").Mark[]}
-   */
-  get marks() {
-    if (!this.active) return [];
-    return (this.#proposals ?? []).slice(0, this.#shown ?? 0).map((proposal, index) => {
-      const chosen = index + 1 === this.#shown;
-      return { ball: proposal.ball, from: chosen ? this.#sourceOf(proposal) : null, chosen };
-    });
+  /** The ball that is looked at, and where it comes from: a place on the map that orders them, if a map does. */
+  get overlay() {
+    const shown = this.#shown;
+    if (!this.#visible || shown === null || !this.#proposals) return null;
+    /** @type {import("../pkg/pathlight.js").MapName} */
+    const source = this.#imagine.maps?.success ? "success" : "placement";
+    return {
+      maps: this.#able ? [] : this.#imagine.canvasesOf([source]),
+      marks: this.#proposals.slice(0, shown).map((proposal, index, proposals) => {
+        const chosen = index + 1 === shown;
+        return { ball: proposal.ball, from: chosen ? sourceOf(proposal, proposals) : null, chosen };
+      }),
+      imagined: this.#answer ? this.#imaginer.paths : null,
+    };
   }
 
   /** Does the model imagine balls? Then it learns from its attempts, and the list ends with the ball that solves. */
-  get able() {
+  get #able() {
     return this.#imaginer.able;
-  }
-
-  /** The imagined paths of the ball that is looked at, or null. */
-  get paths() {
-    return this.active && this.#answer ? this.#imaginer.paths : null;
   }
 
   /** What the model imagines for the ball that is looked at; null until it has come. */
@@ -132,17 +126,11 @@ export class Proposals extends Component {
     return sameBall(answer?.of, this.session?.shown?.ball) ? answer : null;
   }
 
-  /** May the outcomes be told: has the model played, or does the person look at its balls anyway? */
-  get #told() {
-    if (!this.session || this.#shown !== null) return this.#shown !== null;
-    const { solved_at: solvedAt, used } = this.session.attempts.standing("model");
-    return (solvedAt !== null || used === ATTEMPT_LIMIT) && this.session.hiddenAuthor !== "model";
-  }
-
-  /** The outcomes would tell how the race ends. */
-  #hideOutcomes() {
-    const told = this.#told;
-    for (const id of ["proposal-strip", "proposal-outcomes", "proposal-key"]) this.byId(id).hidden = !told;
+  /** The outcomes tell how the race ends: only when the model has played, or the person looks at its balls anyway. */
+  #tellOutcomes() {
+    const { solved_at: solvedAt = null, used } = this.session?.attempts.standing("model") ?? {};
+    const played = (solvedAt !== null || used === ATTEMPT_LIMIT) && this.session?.hiddenAuthor !== "model";
+    this.byId("proposal-outcomes").hidden = this.#shown === null && !played;
   }
 
   /** @param {number} number */
@@ -166,9 +154,17 @@ export class Proposals extends Component {
     else this.#request(other + 1);
   }
 
+  /** Saves the balls as soon as they are there; the model may still be on its way. */
   #save() {
+    this.#saves = true;
+    this.#load();
+    this.#saveIfThere();
+  }
+
+  #saveIfThere() {
     const { loaded } = this.#client;
-    if (!this.session || !this.#proposals || !loaded) return;
+    if (!this.#saves || !this.session || !this.#proposals || !loaded) return;
+    this.#saves = false;
     const { id, name } = this.session.about;
     const task = id ?? name;
     const csv = ballsCsv(this.#proposals, {
@@ -193,8 +189,8 @@ export class Proposals extends Component {
   }
 
   async #load() {
-    if (!this.#visible || this.#proposals || this.#call || this.#callFailure || !this.session || !this.#imagine.maps)
-      return;
+    const wanted = this.#visible || this.#saves;
+    if (!wanted || this.#proposals || this.#call || this.#callFailure || !this.session || !this.#imagine.maps) return;
     const call = (this.#call = new AbortController());
     try {
       const proposals = await this.#client.call("propose", [this.session.puzzle], call.signal);
@@ -205,14 +201,9 @@ export class Proposals extends Component {
       if (this.#call === call) {
         this.#call = null;
         this.#show();
+        this.#saveIfThere();
       }
     }
-  }
-
-  #retry() {
-    this.#callFailure = null;
-    this.#load();
-    this.#update();
   }
 
   #update() {
@@ -222,11 +213,14 @@ export class Proposals extends Component {
     this.byId("proposals-failure").hidden = this.#client.failure !== null;
     this.#trouble.update(this.#client, this.#callFailure, {
       restartModel: () => this.requestModel(),
-      repeatCall: () => this.#retry(),
+      repeatCall: () => {
+        this.#callFailure = null;
+        this.#load();
+        this.#update();
+      },
     });
     this.byId("proposals").hidden = !proposals || proposals.length === 0;
-    this.#strip.show(proposals ?? []);
-    this.#hideOutcomes();
+    this.#tellOutcomes();
     if (!session || !proposals?.length) return this.#updateFacts([]);
     setText(this.byId("proposal-outcomes"), outcomesWords(proposals));
     this.#slider.max = String(proposals.length);
@@ -258,7 +252,7 @@ export class Proposals extends Component {
    * @param {Session} session
    */
   #onSessionChange(session) {
-    this.#hideOutcomes();
+    this.#tellOutcomes();
     const { shown } = session;
     const ball = this.#shown === null ? null : this.#proposals?.[this.#shown - 1]?.ball;
     // A ball of another model may have the same number.
@@ -285,7 +279,6 @@ export class Proposals extends Component {
   #updateFacts(proposals) {
     const number = this.#shown;
     const shown = this.session?.shown;
-    this.#strip.select(number);
     this.byId("proposal-facts").hidden = number === null;
     this.byId("proposal-close").hidden = number === null;
     this.byId("proposal-hint").hidden = number !== null;
@@ -296,31 +289,18 @@ export class Proposals extends Component {
     const proposal = proposals[number - 1];
     const [x, y, r] = proposal.ball;
     setText(this.byId("proposal-ball"), `x ${x}, y ${y}, radius ${r}`);
-    setText(this.byId("proposal-valid"), rejectedWords(proposal));
     setText(
       this.byId("proposal-outcome"),
-      `${shown.ending.solved ? "✓" : "×"} ${sentence(shown.words)} ${shown.tried || this.able ? "" : "It was not tried in its turn."}`,
+      `${shown.ending.solved ? "✓" : "×"} ${sentence(shown.words)} ${shown.tried || this.#able ? "" : "It was not tried in its turn."}`,
     );
     setText(this.byId("proposal-origin"), originWords(proposal, this.#imagine.maps?.placement));
     const real = this.session?.game.sampledPaths();
-    this.byId("proposal-imagined").hidden = this.byId("proposal-imagined-term").hidden = !this.able;
+    this.byId("proposal-imagined").hidden = this.byId("proposal-imagined-term").hidden = !this.#able;
     setText(
       this.byId("proposal-imagined"),
       this.#answer && real
         ? `${sentence(chanceWords(this.#answer.imagined.probability))} ${errorWords(this.#answer.imagined, real)}`
         : "",
     );
-  }
-
-  /**
-   * The place that a ball comes from, px, or null.
-   * @param {Proposal} proposal
-   * @returns {[x: number, y: number] | null}
-   */
-  #sourceOf({ origin }) {
-    if (origin.kind === "map") return [origin.x, origin.y];
-    if (origin.kind !== "perturbed" || !this.#proposals) return null;
-    const [x, y] = this.#proposals[origin.number - 1].ball;
-    return [x, y];
   }
 }

@@ -35,7 +35,6 @@ export class SolveMapPanel extends Component {
   #search = new Search(() => this.#onEnd());
 
   /**
-   * Fires "map" when there is more to see.
    * @param {import("../widgets/dom.js").Root} root
    * @param {import("../model/shared-client.js").SharedClient} client
    * @param {import("./imagine.js").Imagine} imagine
@@ -92,9 +91,9 @@ export class SolveMapPanel extends Component {
     this.#paint();
   }
 
-  /** The canvases to lay over the scene. */
-  get canvases() {
-    return this.#visible && this.#outcomes ? [this.#context.canvas] : [];
+  get overlay() {
+    if (!this.#visible || !this.#outcomes) return null;
+    return { maps: [this.#context.canvas, ...(this.#imagine.overlay?.maps ?? [])] };
   }
 
   /** The radius that the next search is for, px. */
@@ -129,7 +128,7 @@ export class SolveMapPanel extends Component {
   #paint() {
     if (this.#outcomes) paintOutcomes(this.#context, this.#outcomes, this.dark);
     this.#update();
-    this.dispatchEvent(new Event("map"));
+    this.changeOverlay();
   }
 
   #update() {
@@ -178,3 +177,21 @@ export class SolveMapPanel extends Component {
 function roughPercent(fraction, qualifier = "") {
   return fraction > 0 && fraction < 0.01 ? "less than 1 %" : `${qualifier}${percent(fraction)}`;
 }
+
+/** @type {import("./panel-module.js").PanelModule} */
+export const MAP = {
+  markup: `
+<p>Where could the red ball start, so that the puzzle is solved? The computer tries every place: roughly at first, then finer.</p>
+<p class="actions"><button type="button" id="solve-map-search" class="primary"></button></p>
+<p class="loading" id="solve-map-progress" hidden><label>Trying <progress max="1" value="0"></progress></label></p>
+<p id="solve-map-words"></p>
+<ul class="samples">
+  <li><canvas width="256" height="256" data-outcome="3" aria-hidden="true"></canvas> solves it</li>
+  <li><canvas width="256" height="256" data-outcome="2" aria-hidden="true"></canvas> does not</li>
+  <li><canvas width="256" height="256" data-outcome="1" aria-hidden="true"></canvas> no room</li>
+</ul>
+<label class="check" data-hideable="imagine"><input type="checkbox" id="solve-map-placement"> Compare with the model’s guess</label>
+<p class="hint">The radius is that of your ball. Each place is tried by a whole simulation, in a worker beside the page.</p>
+`,
+  create: ({ root, client, imagine }) => [new SolveMapPanel(root, client, imagine)],
+};

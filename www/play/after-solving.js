@@ -1,5 +1,6 @@
 // After the player has solved a puzzle: a small celebration over the scene, and in the panel Play what to do next; and
-// before, what a challenge asks for. Fires "share", a CustomEvent with a Result, when the person wants to share it.
+// before, what a challenge asks for. Fires "share", a CustomEvent with a Result, when the person wants to share the
+// puzzle, solved or not.
 
 import { Component } from "../widgets/component.js";
 import { setText } from "../widgets/dom.js";
@@ -12,13 +13,15 @@ import { paintStill } from "./still.js";
 /**
  * What a person shares.
  * @typedef {object} Result
- * @property {string} task
- * @property {number} solvedAt the attempt that solved it
+ * @property {string | null} task null for a custom scene
+ * @property {string} name the puzzle's
+ * @property {number | null} solvedAt the attempt that solved it; null if none has
  * @property {{ used: number, solvedAt: number | null } | null} model how the model did; null if it has not played
  * @property {(context: CanvasRenderingContext2D, dark: boolean, ball: boolean) => void} paint draws the scene into a
- *   square canvas, with the ball and the paths of that attempt if `ball`; only until the puzzle is left
+ *   square canvas, with the ball and the paths of that attempt, or as it is seen, if `ball`; only until the puzzle is
+ *   left
  * @property {() => boolean} isOpen whether the puzzle has not been left
- * @property {() => Run} openRun shows that attempt again
+ * @property {(() => Run) | null} openRun shows that attempt, or what has run, again; null if nothing has
  */
 
 /**
@@ -59,7 +62,7 @@ export class AfterSolving extends Component {
     this.#hrefOf = hrefOf;
     this.#celebration.append(...Array.from({ length: SPARKS }, (_, index) => spark(index)));
     this.#by.addEventListener("change", () => this.#update());
-    this.byId("solved-share").addEventListener("click", () => this.#share());
+    this.byId("solved-share").addEventListener("click", () => this.share());
   }
 
   /** @param {Session} session */
@@ -90,7 +93,7 @@ export class AfterSolving extends Component {
       session && session.hiddenAuthor !== "player" ? session.attempts.standing("player").solved_at : null;
     const section = this.byId("solved");
     // What is new stands at the top of the panel.
-    if (section.hidden && solvedAt !== null) this.byId("play").scrollTop = 0;
+    if (section.hidden && solvedAt !== null) this.byId("tabpanel-play").scrollTop = 0;
     section.hidden = solvedAt === null;
     this.byId("challenge").hidden = this.#challenge === null;
     if (this.#challenge !== null) setText(this.byId("challenge"), challengeWords(this.#challenge, solvedAt));
@@ -124,36 +127,37 @@ export class AfterSolving extends Component {
     );
   }
 
-  #share() {
+  share() {
     const { session } = this;
-    const solvedAt = session?.attempts.standing("player").solved_at;
-    if (!session || !solvedAt) return;
+    if (!session) return;
+    // What still runs for the first time is not told.
+    const solvedAt = session.hiddenAuthor === null ? session.attempts.standing("player").solved_at : null;
     const { used, solved_at: modelSolvedAt } = session.attempts.standing("model");
-    const {
-      game,
-      about: { id },
-    } = session;
-    if (id === null) return;
+    const { game, about, placing } = session;
     /** @type {Result} */
     const detail = {
-      task: id,
+      task: about.id,
+      name: about.name,
       solvedAt,
       model: used > 0 ? { used, solvedAt: modelSolvedAt } : null,
-      paint: (context, dark, ball) =>
-        ball ? game.paintAttempt(context, "player", solvedAt, dark) : game.paintThumbnail(context, dark),
+      paint: (context, dark, ball) => {
+        if (!ball) game.paintThumbnail(context, dark);
+        else if (solvedAt) game.paintAttempt(context, "player", solvedAt, dark);
+        else paintStill(session, context, session.playback.step, dark);
+      },
       isOpen: () => session === this.session,
-      openRun: () => this.#openRun(session, solvedAt),
+      openRun: solvedAt || !placing ? () => this.#openRun(session, solvedAt) : null,
     };
     this.dispatchEvent(new CustomEvent("share", { detail }));
   }
 
   /**
    * @param {Session} session
-   * @param {number} number
+   * @param {number | null} number of the attempt; null for what is shown
    * @returns {Run}
    */
   #openRun(session, number) {
-    session.replay("player", number);
+    if (number) session.replay("player", number);
     session.seek(session.playback.last);
     const { shown } = session;
     const isShown = () => session === this.session && session.shown === shown;

@@ -18,6 +18,7 @@ import { Gestures } from "./gestures.js";
  * @property {import("../pkg/pathlight.js").ImaginedPaths | null} imagined what the model imagines for a ball
  * @property {NonNullable<import("../pkg/pathlight.js").View["hints"]>} hints paths that are only hinted at
  * @property {Painter | null} painter draws instead of the session's puzzle
+ * @property {import("./gestures.js").Pen | null} pen takes pointer and keys; null: the ball is placed
  */
 
 /**
@@ -25,6 +26,8 @@ import { Gestures } from "./gestures.js";
  *   void} Painter
  */
 
+/** @type {Overlay} */
+const NO_OVERLAY = { maps: [], opacity: 1, marks: [], sketch: [], imagined: null, hints: [], painter: null, pen: null };
 /** Radius of the knob, CSS px. */
 const KNOB_RADIUS = 6;
 
@@ -41,7 +44,7 @@ export class SceneCanvas extends Component {
     () => this.#scale,
   );
   /** @type {Overlay} */
-  #overlay = { maps: [], opacity: 1, marks: [], sketch: [], imagined: null, hints: [], painter: null };
+  #overlay = NO_OVERLAY;
 
   /** @param {import("../widgets/dom.js").Root} root */
   constructor(root) {
@@ -71,13 +74,12 @@ export class SceneCanvas extends Component {
   }
 
   /**
-   * Sets what lies over the scene, and who takes pointer and keys (null: the ball is placed).
-   * @param {Overlay} overlay
-   * @param {import("./gestures.js").Pen | null} pen
+   * Sets what lies over the scene.
+   * @param {Partial<Overlay>} overlay
    */
-  setOverlay(overlay, pen) {
-    this.#overlay = overlay;
-    this.#gestures.setPen(pen);
+  setOverlay(overlay) {
+    this.#overlay = { ...NO_OVERLAY, ...overlay };
+    this.#gestures.setPen(this.#overlay.pen);
     this.draw();
   }
 
@@ -94,7 +96,7 @@ export class SceneCanvas extends Component {
   #paint() {
     const session = this.session;
     if (!session || this.#canvas.width < 2) return;
-    const { maps, painter, ...overlay } = this.#overlay;
+    const { maps, painter, opacity, marks, sketch, imagined, hints } = this.#overlay;
     const view = {
       step: session.playback.step,
       ball: session.ball,
@@ -103,7 +105,7 @@ export class SceneCanvas extends Component {
       // The paths of a race are not told before it is run.
       whole: session.phase === "compare" && session.finished,
       approach: session.approach,
-      ...overlay,
+      ...{ opacity, marks, sketch, imagined, hints },
       dark: this.dark,
     };
     if (painter) painter(this.#context, view, maps);

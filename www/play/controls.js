@@ -52,7 +52,6 @@ export class Controls extends Component {
     onClick("redo", (session) => session.placement.redo());
     this.#time.addEventListener("input", () => this.session?.seek(Number(this.#time.value)));
     this.byId("speed").addEventListener("change", () => this.#applySpeed());
-    this.byId("ball-form").addEventListener("submit", (event) => event.preventDefault());
     this.#radius.addEventListener("input", () => this.session?.placement.resize(Number(this.#radius.value), "radius"));
     for (const field of this.#fields) field.addEventListener("change", () => this.#onTyped());
   }

@@ -5,6 +5,7 @@
 
 import { NAME } from "../storage/attempts.js";
 import { ATTEMPT_LIMIT, MAPS, MAX_RADIUS, MIN_RADIUS, SCENE_SIZE } from "../shell/constants.js";
+import { PANELS } from "./panels.js";
 
 /** @typedef {import("../pkg/pathlight.js").Ball} Ball */
 /** @typedef {import("../pkg/pathlight.js").MapName} MapName */
@@ -15,7 +16,7 @@ export const MAP_STEPS = /** @type {const} */ (["base", "target", "action", "pla
 export const CHOICE_STEPS = /** @type {const} */ (["imagined", "run"]);
 /** @typedef {typeof CHOICE_STEPS[number]} ChoiceStep */
 /** @typedef {typeof MAP_STEPS[number] | ChoiceStep} Step */
-export const PANELS = /** @type {const} */ (["play", "imagine", "compare", "predict", "map", "make"]);
+const PANEL_NAMES = PANELS.map(({ name }) => name);
 /** What a link can hide: the panels, of which one stays, and what the document marks with data-hideable. */
 export const HIDEABLE = /** @type {const} */ ([
   "puzzles",
@@ -28,15 +29,16 @@ export const HIDEABLE = /** @type {const} */ ([
   "forecast",
   "transport",
   "speed",
-  "play",
-  "imagine",
-  "compare",
-  "predict",
-  "map",
-  "make",
+  ...PANEL_NAMES,
   "save",
 ]);
-/** @typedef {typeof PANELS[number]} Panel */
+/**
+ * What the page can show instead of the grid: the results of the models, and the model as it learns from puzzle to
+ * puzzle.
+ */
+export const PAGE_VIEWS = /** @type {const} */ (["results", "learns"]);
+/** @typedef {typeof PAGE_VIEWS[number]} PageView */
+/** @typedef {import("./panels.js").Panel} Panel */
 /** @typedef {typeof HIDEABLE[number]} Hideable */
 
 /**
@@ -46,8 +48,8 @@ export const HIDEABLE = /** @type {const} */ ([
  * @property {string | null} model a name in assets/model.json, or null for the first
  * @property {Panel} panel as the address names it; it may be hidden, see `viewOf`
  * @property {Step | null} step the step that the walkthrough is at, or null for all together
- * @property {"presentation" | "results" | null} view "presentation" for the scene and one sentence, in large type;
- *   "results", with no task, for the results of the models instead of the grid; null for all panels
+ * @property {"presentation" | PageView | null} view "presentation" for the scene and one sentence, in large type; with
+ *   no task, what is shown instead of the grid; null for all panels
  * @property {number | null} proposal the number of the model's ball that is looked at, from 1, or null
  * @property {MapName[] | null} layers the maps to lay over the scene, in the order of MAPS; null for those that the
  *   panel lays there by itself, see `viewOf`
@@ -115,9 +117,9 @@ const CODECS = {
   task: { format: String, parse: (text) => (/^\d{5}:\d{3}$/.test(text) ? text : undefined) },
   scene: { format: String, parse: (text) => (PACKED.test(text) ? text : undefined) },
   model: { format: String, parse: (text) => (NAME.test(text) ? text : undefined) },
-  panel: oneOf(PANELS),
+  panel: oneOf(PANEL_NAMES),
   step: oneOf([...MAP_STEPS, ...CHOICE_STEPS], RENAMED_STEPS),
-  view: oneOf(["presentation", "results"]),
+  view: oneOf(["presentation", ...PAGE_VIEWS]),
   proposal: ATTEMPT,
   layers: someOf(MAPS),
   opacity: { format: String, parse: (text) => (/^(0|1|0?\.\d+)$/.test(text) ? Number(text) : undefined) },
@@ -248,8 +250,16 @@ export function showsPuzzle({ task, scene }) {
  * @param {State} state
  */
 export function showsHome(state) {
-  const showsResults = state.view === "results" && resultsHref(state) !== null;
-  return !showsPuzzle(state) && !showsResults && !state.hide.includes("puzzles");
+  return !showsPuzzle(state) && pageViewOf(state) === null && !state.hide.includes("puzzles");
+}
+
+/**
+ * What a state shows instead of the grid, or null.
+ * @param {State} state
+ */
+export function pageViewOf(state) {
+  const view = PAGE_VIEWS.find((view) => view === state.view);
+  return view && !showsPuzzle(state) && pageViewHref(view, state) !== null ? view : null;
 }
 
 /** How many parts of a link that cannot be read are named. */
@@ -273,12 +283,14 @@ function decoded(text) {
 }
 
 /**
- * The address of the results of the models. Null if the link that the person came by hides the puzzles or the model.
+ * The address of what is shown instead of the grid. Null if the link that the person came by hides the puzzles or the
+ * model.
+ * @param {PageView} view
  * @param {State} state
  */
-export function resultsHref({ model, hide }) {
+export function pageViewHref(view, { model, hide }) {
   if (hide.some((part) => part === "puzzles" || part === "imagine" || part === "compare")) return null;
-  return `#${formatFragment({ ...INITIAL_STATE, view: "results", model, hide })}`;
+  return `#${formatFragment({ ...INITIAL_STATE, view, model, hide })}`;
 }
 
 /**

@@ -1,18 +1,18 @@
 // What the page shows for a state: of what the address names, what is not hidden and belongs to the panel that is
 // shown. Knows nothing of the document.
 
-import { PANELS } from "./url-state.js";
+import { PANELS, TABS, factsOf, tabOf } from "./panels.js";
 
 /** @typedef {import("../pkg/pathlight.js").MapName} MapName */
-/** @typedef {import("./url-state.js").Panel} Panel */
+/** @typedef {import("./panels.js").Panel} Panel */
 /** @typedef {import("./url-state.js").State} State */
 /** @typedef {import("./url-state.js").Step} Step */
 
 /**
- * What is on the page: the state, but `panel` is the one that is shown, which is never hidden, and `layers` are those
- * that lie over the scene there; `checkedLayers` are those that are switched on. `forecast` is whether it is seen
- * there.
- * @typedef {State & { layers: MapName[], checkedLayers: MapName[], forecast: boolean }} View
+ * What is on the page: the state, but `panel` is the one that is shown, which is never hidden, in the tab `tab`, and
+ * `layers` are those that lie over the scene there; `checkedLayers` are those that are switched on. `forecast` is
+ * whether it is seen there.
+ * @typedef {State & { tab: Panel, layers: MapName[], checkedLayers: MapName[], forecast: boolean }} View
  */
 
 /**
@@ -40,8 +40,18 @@ export const STEP_LAYERS = {
  * @returns {Panel[]}
  */
 export function visiblePanels({ hide }) {
-  const visible = PANELS.filter((name) => !hide.includes(name));
+  const visible = PANELS.map(({ name }) => name).filter((name) => !hide.includes(name));
   return visible.length > 0 ? visible : ["play"];
+}
+
+/**
+ * What the tabs open that are not hidden: of each the first panel that is not.
+ * @param {State} state
+ * @returns {Panel[]}
+ */
+export function visibleTabs(state) {
+  const visible = visiblePanels(state);
+  return TABS.flatMap(({ name }) => visible.find((panel) => tabOf(panel) === name) ?? []);
 }
 
 /**
@@ -52,14 +62,15 @@ export function visiblePanels({ hide }) {
  */
 export function viewOf(state, guess = false) {
   const panel = shownPanel(state);
+  const tab = tabOf(panel);
   // Whoever is challenged plays alone.
   const wanted = state.forecast ?? (guess && state.challenge === null && state.view === null);
   // It belongs to placing the ball; in Predict it would reveal the answer.
   const forecast =
-    wanted && panel === "play" && !["forecast", "imagine"].some((part) => state.hide.some((one) => one === part));
+    wanted && tab === "play" && !["forecast", "imagine"].some((part) => state.hide.some((one) => one === part));
   const own = state.step ? STEP_LAYERS[state.step] : FIRST_LAYERS;
   const checkedLayers = state.layers ?? (panel === "imagine" ? own : []);
-  return { ...state, panel, forecast, layers: visibleLayers(state, panel, checkedLayers), checkedLayers };
+  return { ...state, panel, tab, forecast, layers: visibleLayers(state, panel, checkedLayers), checkedLayers };
 }
 
 /**
@@ -84,18 +95,19 @@ function shownPanel(state) {
 function visibleLayers({ hide, step, view }, panel, layers) {
   if (hide.includes("imagine")) return [];
   if (view === "presentation" && step) return STEP_LAYERS[step];
-  switch (panel) {
-    case "imagine":
-      return layers;
-    case "map":
-      return layers.filter((layer) => layer === "placement");
-    case "predict":
-      // They would reveal the answer while the player draws a prediction.
-      return [];
-    default:
-      // Those that the person switched on stay to be played by; the one of a walkthrough's step does not.
-      return step ? [] : layers;
-  }
+  const { maps } = factsOf(panel);
+  if (maps) return layers.filter((layer) => maps.includes(layer));
+  // Those that the person switched on stay to be played by; the one of a walkthrough's step does not.
+  return step ? [] : layers;
+}
+
+/**
+ * What changes when the presentation begins: the story begins with the goal, unless the person was in the middle of it.
+ * @param {Pick<State, "step" | "panel">} state
+ * @returns {Partial<State>}
+ */
+export function withPresentation({ step, panel }) {
+  return { view: "presentation", step: panel === "imagine" ? step : null };
 }
 
 /**

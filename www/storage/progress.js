@@ -293,10 +293,7 @@ const compareVersions = (a, b) => a.simulator - b.simulator || (a.agents ?? 0) -
 /** @type {Partial<Record<"kept" | "forgotten", Progress>>} */
 const shared = {};
 
-/**
- * The progress that is kept in this browser, or the one that is forgotten with the page.
- * @param {"kept" | "forgotten"} which
- */
+/** @param {"kept" | "forgotten"} which the one that is kept in this browser, or forgotten with the page */
 export function sharedProgress(which) {
   return (shared[which] ??= new Progress(which === "kept"));
 }

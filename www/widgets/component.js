@@ -1,12 +1,14 @@
 // The lifecycle that every part of a puzzle shares. element/controller.js holds one list of components and calls on
 // each of them:
 //
-//   setTheme(dark)    at the start, and whenever the colour scheme changes, also while no puzzle is open open(session)
-// a puzzle has been opened; at most one is open at a time setState(view)    the state has changed; also after every
-// open, and while no puzzle is open close()           the puzzle is being left, also when another follows. Its session
-// and the wasm memory behind it are freed right afterwards, so nothing of it may be kept or called: running worker
-// calls are aborted, and listeners on the session are dropped by the base class
+// - `setTheme(dark)` at the start, and whenever the colour scheme changes, also while no puzzle is open.
+// - `open(session)` when a puzzle has been opened; at most one is open at a time.
+// - `setState(view)` when the state has changed; also after every open, and while no puzzle is open.
+// - `close()` when the puzzle is being left, also when another follows. Its session and the wasm memory behind it are
+//   freed right afterwards, so nothing of it may be kept or called: running worker calls are aborted, and listeners on
+//   the session are dropped by the base class.
 //
+// What a component lays over the scene is its `overlay`; it says by `changeOverlay` that this has changed.
 // A component finds its elements in the root that it is given, so that several puzzles live in one page. It asks for
 // another state by `requestState` (event "staterequest") and for the model to be started once more by `requestModel`
 // (event "modelrequest").
@@ -56,6 +58,19 @@ export class Component extends EventTarget {
   /** @param {boolean} dark */
   setTheme(dark) {
     this.dark = dark;
+  }
+
+  /**
+   * What lies over the scene now; null for nothing.
+   * @returns {Partial<import("../play/canvas.js").Overlay> | null}
+   */
+  get overlay() {
+    return null;
+  }
+
+  /** @protected */
+  changeOverlay() {
+    this.dispatchEvent(new Event("overlay"));
   }
 
   /**

@@ -1,5 +1,5 @@
-// The keyboard shortcuts of a puzzle; those of its scene are in play/gestures.js. A field that is typed in, a list and
-// a dialog keep their own keys.
+// The keyboard shortcuts of a puzzle; those of its scene are in play/gestures.js. A field that is typed in, a list, a
+// dialog and a menu keep their own keys.
 
 /** @typedef {import("../play/session.js").Session} Session */
 
@@ -15,7 +15,7 @@
  * @property {(by: 1 | -1) => void} goToOtherOutcome
  */
 
-const OWN_KEYS = "input:not([type=range], [type=checkbox], [type=radio]), select, dialog";
+const OWN_KEYS = "input:not([type=range], [type=checkbox], [type=radio]), select, dialog, [popover]";
 
 /**
  * Acts on a key that was pressed in the puzzle, or in the page with the focus nowhere.

@@ -10,7 +10,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::puzzle::action::Ball;
-use crate::puzzle::scene::Scene;
+use crate::puzzle::scene::{Body, Scene, Shape};
 use crate::puzzle::task::TaskId;
 pub use recollection::{Recollection, Reminder};
 pub use saved::MemoryError;
@@ -61,7 +61,9 @@ impl Settings {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum PuzzleSource {
+    /// A task of the benchmark.
     Task(TaskId),
+    /// A scene that is no task.
     Scene(Box<Scene>),
 }
 
@@ -73,19 +75,40 @@ impl PuzzleSource {
             PuzzleSource::Scene(_) => None,
         }
     }
+
+    /// Rounds the numbers of a scene, so that any parser reads the same bits.
+    fn rounded(mut self) -> PuzzleSource {
+        if let PuzzleSource::Scene(scene) = &mut self {
+            for Body { x, y, angle, shapes, .. } in &mut scene.bodies {
+                let of_shapes = shapes.iter_mut().flat_map(|shape| match shape {
+                    Shape::Circle(radius) => std::slice::from_mut(radius),
+                    Shape::Polygon(corners) => corners.as_flattened_mut(),
+                });
+                for number in [x, y, angle].into_iter().chain(of_shapes) {
+                    *number = rounded(*number, LENGTHS);
+                }
+            }
+        }
+        self
+    }
 }
 
 /// An attempt that is remembered.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Attempt {
+    /// The ball, px.
     pub ball: Ball,
     /// The chance that the agent gave it before, 0..=1, rounded to `CHANCES`, so that any parser reads the same bits.
     pub chance: f64,
+    /// Whether it solved the puzzle.
     pub solved: bool,
 }
 
 /// Steps of the chances.
 const CHANCES: f64 = 10_000.0;
+
+/// Steps of a px, and of a radian.
+const LENGTHS: f64 = 1_000_000.0;
 
 #[derive(Clone, Debug, PartialEq)]
 struct RememberedPuzzle {
@@ -115,6 +138,7 @@ impl Default for Memory {
 }
 
 impl Memory {
+    /// Returns a memory of nothing.
     pub fn new(settings: Settings) -> Memory {
         Memory { settings, puzzles: Vec::new(), forgotten: 0 }
     }
@@ -131,8 +155,24 @@ impl Memory {
     /// Remembers an attempt at the puzzle that was begun last, and the chance that the agent gave it.
     pub fn observe(&mut self, ball: Ball, chance: f64, solved: bool) {
         let Some(puzzle) = self.puzzles.last_mut() else { return };
-        puzzle.attempts.push(Attempt { ball, chance: rounded(chance), solved });
+        let ball = Ball { x: rounded(ball.x, LENGTHS), y: rounded(ball.y, LENGTHS), r: rounded(ball.r, LENGTHS) };
+        puzzle.attempts.push(Attempt { ball, chance: rounded(chance, CHANCES), solved });
         self.forget_oldest();
+    }
+
+    /// Whether this puzzle was begun last.
+    pub fn is_at(&self, source: &PuzzleSource) -> bool {
+        self.puzzles.last().is_some_and(|last| last.source == source.clone().rounded())
+    }
+
+    /// Remembers somebody else's attempt at any puzzle. The chance of the ball is that of a random one, given the
+    /// attempts at earlier puzzles.
+    pub fn observe_other(&mut self, source: PuzzleSource, scene: &Scene, ball: Ball, solved: bool) {
+        let going_on = if self.is_at(&source) { self.puzzles.pop() } else { None };
+        let puzzle = going_on.unwrap_or_else(|| RememberedPuzzle::new(source, scene));
+        let chance = self.recall(&puzzle).chance_of_random(ball);
+        self.puzzles.push(puzzle);
+        self.observe(ball, chance, solved);
     }
 
     /// Forgets everything.
@@ -173,12 +213,15 @@ impl Memory {
 
 impl RememberedPuzzle {
     fn new(source: PuzzleSource, scene: &Scene) -> RememberedPuzzle {
+        let source = source.rounded();
+        let scene = if let PuzzleSource::Scene(rounded) = &source { rounded } else { scene };
         let centre = |body: usize| [scene.bodies[body].x, scene.bodies[body].y];
         let anchors = [scene.body1, scene.body2].map(centre);
-        RememberedPuzzle { source, sketch: SceneSketch::of(scene), anchors, attempts: Vec::new() }
+        let sketch = SceneSketch::of(scene);
+        RememberedPuzzle { source, sketch, anchors, attempts: Vec::new() }
     }
 }
 
-fn rounded(chance: f64) -> f64 {
-    (chance * CHANCES).round() / CHANCES
+fn rounded(number: f64, steps: f64) -> f64 {
+    (number * steps).round() / steps
 }

@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::{Memory, RememberedPuzzle, Settings};
 use crate::agents::imagined_candidates::CANDIDATES;
 use crate::agents::online::Candidate;
-use crate::agents::random;
+use crate::agents::{random, sigmoid};
 use crate::puzzle::action::{Ball, Obstacles};
 use crate::puzzle::sampled_paths::{SAMPLES, SampledPaths};
 use crate::puzzle::scene::{SIZE, Scene};
@@ -61,6 +61,7 @@ pub struct Reminder {
     pub change: f64,
     /// The ball of the attempt that moved it most, as it was tried there.
     pub ball: Ball,
+    /// Whether that attempt solved its puzzle.
     pub solved: bool,
     /// Whether the scene is like that of the puzzle mirrored.
     pub mirrored: bool,
@@ -106,6 +107,11 @@ impl Recollection {
     /// Returns by how much the memory moves the logit of a ball.
     pub fn change(&self, ball: Ball) -> f64 {
         self.attempts.iter().map(|attempt| self.change_by(attempt, ball)).sum()
+    }
+
+    /// Returns the chance, 0..=1, of a ball about which only the memory knows anything.
+    pub fn chance_of_random(&self, ball: Ball) -> f64 {
+        sigmoid(RANDOM_LOGIT + self.change(ball))
     }
 
     /// Returns the puzzle that moved the logit of a ball most, if one did noticeably.

@@ -1,11 +1,12 @@
 //! A memory as JSON, to be kept between runs.
 //!
 //! `{"version","weights","forgotten","puzzles":[{"task" or "scene","attempts":[{"ball","chance","solved"},…]},…]}`. A
-//! scene is kept whole, without its sketch, so that a later version may compare scenes in another way.
+//! scene is kept whole, without its sketch, so that a later version may compare scenes in another way. All numbers have
+//! few digits: a parser may read others one bit off.
 
 use serde::{Deserialize, Serialize};
 
-use super::{Attempt, Memory, PuzzleSource, RememberedPuzzle, rounded};
+use super::{Attempt, CHANCES, Memory, PuzzleSource, RememberedPuzzle, rounded};
 use crate::puzzle::scene_form::FormFault;
 use crate::puzzle::task::{Task, TaskError};
 
@@ -14,6 +15,7 @@ const VERSION: u32 = 1;
 
 /// Why a memory cannot be used.
 #[derive(Debug, thiserror::Error)]
+#[allow(missing_docs, reason = "the messages say it")]
 pub enum MemoryError {
     #[error("this is no memory, or it is damaged: {0}")]
     Json(#[from] serde_json::Error),
@@ -103,7 +105,7 @@ impl SavedPuzzle {
             }
         };
         for (attempt, Attempt { ball, chance, .. }) in self.attempts.iter().enumerate() {
-            if ball.check(&scene).is_err() || !(0.0..=1.0).contains(chance) || rounded(*chance) != *chance {
+            if ball.check(&scene).is_err() || !(0.0..=1.0).contains(chance) || rounded(*chance, CHANCES) != *chance {
                 return Err(MemoryError::Attempt { puzzle, attempt: attempt + 1 });
             }
         }

@@ -11,24 +11,24 @@ const SIDE: usize = 16;
 const POOLED: usize = CELLS_PER_ROW / SIDE;
 
 /// The value of a cell that is covered, with all cells around it.
-pub const COVERED: u8 = 255;
+pub(crate) const COVERED: u8 = 255;
 
 /// A scene, pooled and blurred.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct SceneSketch(Vec<u8>);
+pub(crate) struct SceneSketch(Vec<u8>);
 
 impl SceneSketch {
-    pub fn of(scene: &Scene) -> SceneSketch {
+    pub(crate) fn of(scene: &Scene) -> SceneSketch {
         SceneSketch(scene_coverage(scene).iter().flat_map(|channel| blurred(&pooled(channel))).collect())
     }
 
     /// Returns the sketch flipped left to right.
-    pub fn mirrored(&self) -> SceneSketch {
+    pub(crate) fn mirrored(&self) -> SceneSketch {
         SceneSketch(self.0.chunks_exact(SIDE).flat_map(|row| row.iter().rev()).copied().collect())
     }
 
     /// Returns the sum of the squared differences of all cells, where 1 is a covered cell beside one that is free.
-    pub fn squared_distance(&self, other: &SceneSketch) -> f64 {
+    pub(crate) fn squared_distance(&self, other: &SceneSketch) -> f64 {
         let squares = self.0.iter().zip(&other.0).map(|(&a, &b)| u32::from(a.abs_diff(b)).pow(2));
         f64::from(squares.sum::<u32>()) / f64::from(u32::from(COVERED).pow(2))
     }

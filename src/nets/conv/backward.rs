@@ -13,7 +13,7 @@ use super::matmul::{Matrix, matmul};
 use super::weight_gradient::WeightGradient;
 
 /// Gradients of the loss with respect to the input, the weights and the bias of a layer.
-pub struct Gradients {
+pub(crate) struct Gradients {
     /// Zeros if nobody needs it.
     pub x: Vec<f32>,
     pub weight: Vec<f32>,
@@ -23,7 +23,7 @@ pub struct Gradients {
 impl Layer<'_> {
     /// Gradients of `conv_down` from its input, its output and the gradient `dy` with respect to its output; that with
     /// respect to the input only if `input_needs_it`.
-    pub fn conv_down_backward(&self, x: &[f32], y: &[f32], dy: &[f32], input_needs_it: bool) -> Gradients {
+    pub(crate) fn conv_down_backward(&self, x: &[f32], y: &[f32], dy: &[f32], input_needs_it: bool) -> Gradients {
         let geometry = &self.geometry;
         let mut dx = vec![0.0; x.len()];
         let zeros = vec![0.0; geometry.fine_channels];
@@ -56,7 +56,7 @@ impl Layer<'_> {
 
     /// Gradients of `conv_up` from its input, its output if a ReLU follows, and the gradient `dy` with respect to its
     /// output.
-    pub fn conv_up_backward(&self, x: &[f32], y: Option<&[f32]>, dy: &[f32]) -> Gradients {
+    pub(crate) fn conv_up_backward(&self, x: &[f32], y: Option<&[f32]>, dy: &[f32]) -> Gradients {
         let geometry = &self.geometry;
         let channels = geometry.coarse_channels;
         let cells = geometry.coarse_cells();

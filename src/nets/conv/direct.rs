@@ -23,7 +23,7 @@ const ROW_REGISTERS: usize = if cfg!(target_arch = "wasm32") { 8 } else { 4 };
 const WIDEST: usize = 32;
 
 /// A layer with its input and output images, whose sizes are those of `geometry`.
-pub struct DirectConv<'a> {
+pub(crate) struct DirectConv<'a> {
     pub geometry: &'a Geometry,
     /// `[coarse_channels, fine_channels, 4, 4]`.
     pub weight: &'a [f32],
@@ -38,7 +38,7 @@ pub struct DirectConv<'a> {
 
 impl DirectConv<'_> {
     /// Whether the tiles fit a layer.
-    pub fn fits(geometry: &Geometry) -> bool {
+    pub(crate) fn fits(geometry: &Geometry) -> bool {
         let whole = |channels: usize| channels.is_multiple_of(8);
         geometry.kernel == 4
             && geometry.coarse_side.is_multiple_of(8)
@@ -47,12 +47,12 @@ impl DirectConv<'_> {
     }
 
     /// Fine images in, coarse images out.
-    pub fn conv_down(self) {
+    pub(crate) fn conv_down(self) {
         vectorize(ConvDown(self));
     }
 
     /// Coarse images in, fine images out.
-    pub fn conv_up(self) {
+    pub(crate) fn conv_up(self) {
         vectorize(ConvUp(self));
     }
 }

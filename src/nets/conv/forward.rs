@@ -21,14 +21,14 @@ const DIRECT_GROUP: usize = 4;
 
 /// A layer with its weights, `[coarse_channels, fine_channels, kernel, kernel]`.
 #[derive(Clone, Copy)]
-pub struct Layer<'a> {
+pub(crate) struct Layer<'a> {
     pub geometry: Geometry,
     pub weight: &'a [f32],
 }
 
 impl Layer<'_> {
     /// Convolution, bias and ReLU: `[batch, fine_channels, 2 n, 2 n]` to `[batch, coarse_channels, n, n]`.
-    pub fn conv_down(&self, x: &[f32], bias: &[f32]) -> Vec<f32> {
+    pub(crate) fn conv_down(&self, x: &[f32], bias: &[f32]) -> Vec<f32> {
         let geometry = &self.geometry;
         let channels = geometry.coarse_channels;
         let cells = geometry.coarse_cells();
@@ -56,7 +56,7 @@ impl Layer<'_> {
 
     /// Transposed convolution, bias, and ReLU if `relu`: `[batch, coarse_channels, n, n]` to
     /// `[batch, fine_channels, 2 n, 2 n]`.
-    pub fn conv_up(&self, x: &[f32], bias: &[f32], relu: bool) -> Vec<f32> {
+    pub(crate) fn conv_up(&self, x: &[f32], bias: &[f32], relu: bool) -> Vec<f32> {
         let geometry = &self.geometry;
         let batch = x.len() / geometry.coarse_len();
         let mut y = vec![0.0; batch * geometry.fine_len()];
@@ -83,13 +83,13 @@ impl Layer<'_> {
     }
 
     /// The weights as a matrix `[coarse_channels, patch_len]`.
-    pub fn matrix(&self) -> Matrix<'_> {
+    pub(crate) fn matrix(&self) -> Matrix<'_> {
         let patch = self.geometry.patch_len();
         Matrix::new(self.weight, self.geometry.coarse_channels, patch, patch)
     }
 
     /// Coarse images `[samples, coarse_channels, coarse_cells]` as `[coarse_channels, samples * coarse_cells]`.
-    pub fn channels_first(&self, images: &[f32], samples: usize) -> Vec<f32> {
+    pub(crate) fn channels_first(&self, images: &[f32], samples: usize) -> Vec<f32> {
         let cells = self.geometry.coarse_cells();
         let mut transposed = Vec::with_capacity(images.len());
         for channel in 0..self.geometry.coarse_channels {
@@ -102,7 +102,7 @@ impl Layer<'_> {
     }
 
     /// Calls `work` for every group of samples with its part of `out`, which has `len` values per sample.
-    pub fn for_each_group(&self, out: &mut [f32], len: usize, work: impl Fn(Group, &mut [f32]) + Sync) {
+    pub(crate) fn for_each_group(&self, out: &mut [f32], len: usize, work: impl Fn(Group, &mut [f32]) + Sync) {
         let samples = self.group_samples();
         let work = |(index, out): (usize, &mut [f32])| {
             work(Group { first: index * samples, samples: out.len() / len }, out);
@@ -130,19 +130,19 @@ fn at_least(value: f32, least: f32) -> f32 {
 
 /// Consecutive samples of a batch.
 #[derive(Clone, Copy)]
-pub struct Group {
+pub(crate) struct Group {
     pub first: usize,
     pub samples: usize,
 }
 
 impl Group {
     /// Where their fine images lie in the batch.
-    pub fn fine(&self, geometry: &Geometry) -> std::ops::Range<usize> {
+    pub(crate) fn fine(&self, geometry: &Geometry) -> std::ops::Range<usize> {
         self.range(geometry.fine_len())
     }
 
     /// Where their coarse images lie in the batch.
-    pub fn coarse(&self, geometry: &Geometry) -> std::ops::Range<usize> {
+    pub(crate) fn coarse(&self, geometry: &Geometry) -> std::ops::Range<usize> {
         self.range(geometry.coarse_len())
     }
 
@@ -152,7 +152,7 @@ impl Group {
 }
 
 /// The im2col matrix of a group's fine images, `[patch_len, samples * coarse_cells]`.
-pub struct Columns {
+pub(crate) struct Columns {
     pub data: Vec<f32>,
     /// Columns: `samples * coarse_cells`.
     pub count: usize,
@@ -162,14 +162,14 @@ pub struct Columns {
 }
 
 impl Columns {
-    pub fn zeros(geometry: &Geometry, samples: usize) -> Columns {
+    pub(crate) fn zeros(geometry: &Geometry, samples: usize) -> Columns {
         let count = samples * geometry.coarse_cells();
         // Rows whose distance is a power of two would all fall on the same cache lines.
         let stride = if count >= 64 { count + 16 } else { count };
         Columns { data: vec![0.0; geometry.patch_len() * stride], count, stride, samples }
     }
 
-    pub fn im2col(geometry: &Geometry, images: &[f32], samples: usize) -> Columns {
+    pub(crate) fn im2col(geometry: &Geometry, images: &[f32], samples: usize) -> Columns {
         let mut columns = Columns::zeros(geometry, samples);
         for (sample, image) in images.chunks_exact(geometry.fine_len()).enumerate() {
             geometry.im2col(image, &mut columns.data[sample * geometry.coarse_cells()..], columns.stride);
@@ -177,13 +177,13 @@ impl Columns {
         columns
     }
 
-    pub fn col2im(&self, geometry: &Geometry, images: &mut [f32]) {
+    pub(crate) fn col2im(&self, geometry: &Geometry, images: &mut [f32]) {
         for (sample, image) in images.chunks_exact_mut(geometry.fine_len()).enumerate().take(self.samples) {
             geometry.col2im(&self.data[sample * geometry.coarse_cells()..], self.stride, image);
         }
     }
 
-    pub fn matrix(&self, geometry: &Geometry) -> Matrix<'_> {
+    pub(crate) fn matrix(&self, geometry: &Geometry) -> Matrix<'_> {
         Matrix::new(&self.data, geometry.patch_len(), self.count, self.stride)
     }
 }

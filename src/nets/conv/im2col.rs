@@ -7,7 +7,7 @@
 
 /// How a fine image and a coarse one meet.
 #[derive(Clone, Copy, Debug)]
-pub struct Geometry {
+pub(crate) struct Geometry {
     /// Channels of the fine image.
     pub fine_channels: usize,
     /// Channels of the coarse image.
@@ -20,27 +20,27 @@ pub struct Geometry {
 
 impl Geometry {
     /// Cells of one channel of a coarse image.
-    pub fn coarse_cells(&self) -> usize {
+    pub(crate) fn coarse_cells(&self) -> usize {
         self.coarse_side * self.coarse_side
     }
 
     /// Cells of one channel of a fine image.
-    pub fn fine_cells(&self) -> usize {
+    pub(crate) fn fine_cells(&self) -> usize {
         4 * self.coarse_cells()
     }
 
     /// Values of a coarse image in all channels.
-    pub fn coarse_len(&self) -> usize {
+    pub(crate) fn coarse_len(&self) -> usize {
         self.coarse_channels * self.coarse_cells()
     }
 
     /// Values of a fine image in all channels.
-    pub fn fine_len(&self) -> usize {
+    pub(crate) fn fine_len(&self) -> usize {
         self.fine_channels * self.fine_cells()
     }
 
     /// Values of a patch in all fine channels.
-    pub fn patch_len(&self) -> usize {
+    pub(crate) fn patch_len(&self) -> usize {
         self.fine_channels * self.taps()
     }
 
@@ -62,7 +62,7 @@ impl Geometry {
 
     /// Copies the patches of one sample into columns: `[fine_channels, 2 n, 2 n]` to `[patch_len, coarse_cells]`, whose
     /// rows begin `stride` values apart. `columns` begins at the sample's first column and holds zeros.
-    pub fn im2col(&self, image: &[f32], columns: &mut [f32], stride: usize) {
+    pub(crate) fn im2col(&self, image: &[f32], columns: &mut [f32], stride: usize) {
         let (side, kernel) = (self.coarse_side, self.kernel);
         for (channel, plane) in image.chunks_exact(self.fine_cells()).enumerate() {
             let first = channel * self.taps();
@@ -82,7 +82,7 @@ impl Geometry {
     }
 
     /// Adds columns up where `im2col` took them from: `[patch_len, coarse_cells]` to `[fine_channels, 2 n, 2 n]`.
-    pub fn col2im(&self, columns: &[f32], stride: usize, image: &mut [f32]) {
+    pub(crate) fn col2im(&self, columns: &[f32], stride: usize, image: &mut [f32]) {
         let (side, kernel) = (self.coarse_side, self.kernel);
         for (channel, plane) in image.chunks_exact_mut(self.fine_cells()).enumerate() {
             let first = channel * self.taps();

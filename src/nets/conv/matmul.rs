@@ -9,7 +9,7 @@ use pulp::{Simd, WithSimd};
 use super::simd::{load, multiply_add, vectorize, vectorize_by_four};
 
 /// Rows of `a` that `few_columns` takes at once: their number must be a multiple of this, unless `b` is one column.
-pub const TILE_ROWS: usize = 8;
+pub(crate) const TILE_ROWS: usize = 8;
 
 /// Most columns of `b` for which gemm does not pay off.
 #[cfg(not(target_arch = "wasm32"))]
@@ -18,7 +18,7 @@ const FEW_COLUMNS: usize = 32;
 /// A matrix in a slice. Element (row, column) is `data[row * row_stride + column * column_stride]`, and every element
 /// lies within the slice: only the constructor sets the fields, and the unsafe call below relies on it.
 #[derive(Clone, Copy)]
-pub struct Matrix<'a> {
+pub(crate) struct Matrix<'a> {
     data: &'a [f32],
     rows: usize,
     columns: usize,
@@ -28,21 +28,21 @@ pub struct Matrix<'a> {
 
 impl<'a> Matrix<'a> {
     /// Returns a row-major matrix whose rows begin `stride` values apart. Panics if it does not fit the slice.
-    pub fn new(data: &'a [f32], rows: usize, columns: usize, stride: usize) -> Matrix<'a> {
+    pub(crate) fn new(data: &'a [f32], rows: usize, columns: usize, stride: usize) -> Matrix<'a> {
         let matrix = Matrix { data, rows, columns, row_stride: stride, column_stride: 1 };
         assert!(rows > 0 && columns > 0 && (rows - 1) * stride + columns <= data.len(), "the matrix fits its slice");
         matrix
     }
 
     /// Returns the transpose, without copying.
-    pub fn transposed(self) -> Matrix<'a> {
+    pub(crate) fn transposed(self) -> Matrix<'a> {
         let Matrix { data, rows, columns, row_stride, column_stride } = self;
         Matrix { data, rows: columns, columns: rows, row_stride: column_stride, column_stride: row_stride }
     }
 }
 
 /// `out = a b`; the rows of `out` begin `stride` values apart.
-pub fn matmul(out: &mut [f32], stride: usize, a: Matrix, b: Matrix) {
+pub(crate) fn matmul(out: &mut [f32], stride: usize, a: Matrix, b: Matrix) {
     assert!(a.columns == b.rows && (a.rows - 1) * stride + b.columns <= out.len(), "the product fits its slice");
     #[cfg(not(target_arch = "wasm32"))]
     if b.column_stride != 1 || b.columns > FEW_COLUMNS || !(b.columns == 1 || b.columns.is_multiple_of(4)) {

@@ -28,6 +28,7 @@ mod direct;
 mod forward;
 mod im2col;
 mod matmul;
+pub(crate) mod panels;
 mod planes;
 mod simd;
 #[cfg(feature = "training")]
@@ -35,11 +36,10 @@ mod weight_gradient;
 
 use forward::Layer;
 use im2col::Geometry;
-pub use matmul::{Matrix, matmul};
 
 /// Whether layers of these output channels divide into whole tiles of the kernels. A net asserts it of its widths at
 /// compile time.
-pub const fn fit_tiles(widths: &[usize]) -> bool {
+pub(crate) const fn fit_tiles(widths: &[usize]) -> bool {
     let mut index = 0;
     while index < widths.len() {
         if !widths[index].is_multiple_of(matmul::TILE_ROWS) {
@@ -51,7 +51,7 @@ pub const fn fit_tiles(widths: &[usize]) -> bool {
 }
 
 /// Returns a fresh layer for `conv_down`, from `input` to `output` channels; the kernel is 4 or 2 cells wide.
-pub fn new_conv_down(input: usize, output: usize, kernel: usize, device: &Device) -> Conv2d {
+pub(crate) fn new_conv_down(input: usize, output: usize, kernel: usize, device: &Device) -> Conv2d {
     let padding = (kernel - 2) / 2;
     Conv2dConfig::new([input, output], [kernel; 2])
         .with_stride([2; 2])
@@ -60,13 +60,13 @@ pub fn new_conv_down(input: usize, output: usize, kernel: usize, device: &Device
 }
 
 /// Returns a fresh layer for `conv_up`, from `input` to `output` channels; the kernel is 4 or 2 cells wide.
-pub fn new_conv_up(input: usize, output: usize, kernel: usize, device: &Device) -> ConvTranspose2d {
+pub(crate) fn new_conv_up(input: usize, output: usize, kernel: usize, device: &Device) -> ConvTranspose2d {
     let padding = (kernel - 2) / 2;
     ConvTranspose2dConfig::new([input, output], [kernel; 2]).with_stride([2; 2]).with_padding([padding; 2]).init(device)
 }
 
 /// Stride-2 convolution followed by ReLU: `[batch, fine channels, 2 n, 2 n]` to `[batch, coarse channels, n, n]`.
-pub fn conv_down(layer: &Conv2d, x: Tensor<4>) -> Tensor<4> {
+pub(crate) fn conv_down(layer: &Conv2d, x: Tensor<4>) -> Tensor<4> {
     let bias = layer.bias.as_ref().expect("every layer has a bias").val();
     Tensor::from_dispatch(Dispatch::conv_down(
         x.into_dispatch(),
@@ -77,7 +77,7 @@ pub fn conv_down(layer: &Conv2d, x: Tensor<4>) -> Tensor<4> {
 
 /// Stride-2 transposed convolution, followed by ReLU if `relu`: `[batch, coarse channels, n, n]` to
 /// `[batch, fine channels, 2 n, 2 n]`.
-pub fn conv_up(layer: &ConvTranspose2d, x: Tensor<4>, relu: bool) -> Tensor<4> {
+pub(crate) fn conv_up(layer: &ConvTranspose2d, x: Tensor<4>, relu: bool) -> Tensor<4> {
     let bias = layer.bias.as_ref().expect("every layer has a bias").val();
     Tensor::from_dispatch(Dispatch::conv_up(
         x.into_dispatch(),
@@ -90,7 +90,7 @@ pub fn conv_up(layer: &ConvTranspose2d, x: Tensor<4>, relu: bool) -> Tensor<4> {
 /// The two layers on the tensors of a backend. Stride 2; kernel 4 with padding 1, or kernel 2 without padding.
 /// Weights: `[coarse channels, fine channels, kernel, kernel]`.
 #[backend_extension(Flex, NdArray: cfg(feature = "ndarray"), Autodiff: cfg(feature = "training"))]
-pub trait StridedConv: Backend {
+pub(crate) trait StridedConv: Backend {
     /// See `conv_down`.
     fn conv_down(x: FloatTensor<Self>, weight: FloatTensor<Self>, bias: FloatTensor<Self>) -> FloatTensor<Self> {
         let padding = (weight.shape()[2] - 2) / 2;

@@ -1,7 +1,7 @@
 //! Images within a border of zeros, as the direct convolutions read them. Used by `direct` and `weight_gradient`.
 
 /// The channels of an image within a border of zeros.
-pub struct Planes {
+pub(crate) struct Planes {
     pub data: Vec<f32>,
     /// Values of a channel.
     pub len: usize,
@@ -11,13 +11,13 @@ pub struct Planes {
 
 impl Planes {
     /// Room for coarse images of this side.
-    pub fn new(channels: usize, side: usize) -> Planes {
+    pub(crate) fn new(channels: usize, side: usize) -> Planes {
         let row = side + 2;
         Planes { data: vec![0.0; channels * row * row], len: row * row, row }
     }
 
     /// Room for fine images of side `2 side`, split into phases.
-    pub fn with_phases(channels: usize, side: usize) -> Planes {
+    pub(crate) fn with_phases(channels: usize, side: usize) -> Planes {
         let (rows, row) = (2 * side + 2, 2 * (side + 1));
         Planes { data: vec![0.0; channels * rows * row], len: rows * row, row }
     }
@@ -25,13 +25,13 @@ impl Planes {
     /// Where the pairs of neighbouring taps of a 4 x 4 kernel begin: for each of its rows, columns 0 and 2 in the even
     /// phase, and columns 1 and 3 in the odd phase.
     #[inline(always)]
-    pub fn pairs_of_taps(&self) -> [usize; 8] {
+    pub(crate) fn pairs_of_taps(&self) -> [usize; 8] {
         std::array::from_fn(|pair| pair / 2 * self.row + pair % 2 * (self.row / 2))
     }
 
     /// Copies an image of this side inside the border.
     #[inline(always)]
-    pub fn fill(&mut self, image: &[f32], side: usize) {
+    pub(crate) fn fill(&mut self, image: &[f32], side: usize) {
         for (plane, cells) in self.data.chunks_exact_mut(self.len).zip(image.chunks_exact(side * side)) {
             for (row, cells) in plane[self.row..].chunks_exact_mut(self.row).zip(cells.chunks_exact(side)) {
                 row[1..=side].copy_from_slice(cells);
@@ -42,7 +42,7 @@ impl Planes {
     /// Copies a fine image of side `2 side` inside the border. In each row, the padded columns of even number come
     /// before those of odd number, `side + 1` each.
     #[inline(always)]
-    pub fn fill_with_phases(&mut self, image: &[f32], side: usize) {
+    pub(crate) fn fill_with_phases(&mut self, image: &[f32], side: usize) {
         for (plane, cells) in self.data.chunks_exact_mut(self.len).zip(image.chunks_exact(4 * side * side)) {
             for (row, cells) in plane[self.row..].chunks_exact_mut(self.row).zip(cells.chunks_exact(2 * side)) {
                 // The border moves every column by one: the odd columns of the image are even ones here.

@@ -9,7 +9,7 @@
 use pulp::{Simd, WithSimd};
 
 /// Runs `work` on the widest registers that the kernels are written for.
-pub fn vectorize<W: WithSimd>(work: W) -> W::Output {
+pub(crate) fn vectorize<W: WithSimd>(work: W) -> W::Output {
     #[cfg(target_arch = "x86_64")]
     {
         if let Some(simd) = pulp::x86::V3::try_new() {
@@ -23,7 +23,7 @@ pub fn vectorize<W: WithSimd>(work: W) -> W::Output {
 }
 
 /// Runs `work` on registers of four lanes.
-pub fn vectorize_by_four<W: WithSimd>(work: W) -> W::Output {
+pub(crate) fn vectorize_by_four<W: WithSimd>(work: W) -> W::Output {
     #[cfg(target_arch = "x86_64")]
     if let Some(simd) = pulp::x86::V2::try_new() {
         return Simd::vectorize(simd, work);
@@ -47,13 +47,13 @@ fn baseline<W: WithSimd>(work: W) -> W::Output {
 
 /// The values of a register, from `at` on.
 #[inline(always)]
-pub fn load<S: Simd>(values: &[f32], at: usize) -> S::f32s {
+pub(crate) fn load<S: Simd>(values: &[f32], at: usize) -> S::f32s {
     S::as_simd_f32s(&values[at..at + S::F32_LANES]).0[0]
 }
 
 /// Adds the products of a weight and some registers to sums, each rounded twice.
 #[inline(always)]
-pub fn multiply_add<S: Simd, const REGISTERS: usize>(
+pub(crate) fn multiply_add<S: Simd, const REGISTERS: usize>(
     simd: S,
     sums: &mut [S::f32s; REGISTERS],
     weight: f32,

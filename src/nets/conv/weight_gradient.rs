@@ -14,7 +14,7 @@ const CHANNELS: usize = 4;
 
 /// The images of some samples, and where the gradient `[coarse_channels, fine_channels, 4, 4]` is written to. The layer
 /// is one that `DirectConv::fits`.
-pub struct WeightGradient<'a> {
+pub(crate) struct WeightGradient<'a> {
     pub geometry: &'a Geometry,
     pub coarse: &'a [f32],
     pub fine: &'a [f32],
@@ -22,7 +22,7 @@ pub struct WeightGradient<'a> {
 }
 
 impl WeightGradient<'_> {
-    pub fn compute(self) {
+    pub(crate) fn compute(self) {
         vectorize(self);
     }
 }

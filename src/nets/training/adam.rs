@@ -21,7 +21,7 @@ const CHUNK: usize = 1 << 14;
 
 /// Adam with the constants of the paper.
 #[derive(Clone)]
-pub struct FusedAdam;
+pub(crate) struct FusedAdam;
 
 impl Optimizer for FusedAdam {
     type State<const D: usize> = AdamState<D>;

@@ -18,6 +18,7 @@ pub enum Schedule {
     WarmupLinear {
         /// Learning rate that the two factors scale.
         peak: f64,
+        /// Number of first steps over which it rises.
         warmup_steps: usize,
     },
 }

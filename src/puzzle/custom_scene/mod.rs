@@ -1,6 +1,5 @@
 //! Custom scenes: the scenes that people make, as they are edited, shared and stored. Versioned JSON, of which
 //! `assets/scene.schema.json` is the schema (`pathlight tasks --schema`).
-//!
 //! A body is a shape with its lengths, a place, and whether it moves; colours follow from the goal. `read` takes JSON
 //! from anywhere and `limit_problems` names what the limits refuse; `session::scene_check` adds what only the simulator
 //! knows, and is the way to a scene that may be played.
@@ -60,6 +59,7 @@ pub struct CustomScene {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(not(target_arch = "wasm32"), derive(schemars::JsonSchema))]
 pub struct CustomBody {
+    /// Shape and lengths.
     #[serde(flatten)]
     pub dimensions: Dimensions,
     /// Position of the origin, px.
@@ -234,7 +234,7 @@ mod tests {
     use crate::puzzle::task::Task;
     use crate::puzzle::templates::TEMPLATES;
 
-    pub fn scene() -> Value {
+    pub(super) fn scene() -> Value {
         json!({"version": 1, "name": "Over the wall", "body1": 0, "body2": 1, "bodies": [
             {"shape": "ball", "radius": 12.5, "x": 60, "y": 200, "angle": 0, "dynamic": true},
             {"shape": "bar", "length": 80, "thickness": 5.12, "x": 200, "y": 2.56, "angle": 0, "dynamic": false},
@@ -242,7 +242,7 @@ mod tests {
     }
 
     /// The first problem of this scene with one value replaced.
-    pub fn problem(pointer: &str, value: Value) -> Problem {
+    pub(super) fn problem(pointer: &str, value: Value) -> Problem {
         let mut scene = scene();
         *scene.pointer_mut(pointer).expect("a value of the scene") = value;
         let problems = CustomScene::read(scene).map_or_else(|problems| problems, |scene| scene.limit_problems());

@@ -6,31 +6,31 @@
 use rand_mt::Mt;
 
 /// One stream of draws.
-pub struct RandomState {
+pub(crate) struct RandomState {
     words: Mt,
     /// The second of a pair of normal draws; other draws in between do not discard it.
     spare: Option<f64>,
 }
 
 impl RandomState {
-    pub fn new(seed: usize) -> Self {
+    pub(crate) fn new(seed: usize) -> Self {
         RandomState { words: Mt::new(seed.try_into().expect("a seed has 32 bits")), spare: None }
     }
 
     /// Draws a number in [0, 1) from 53 bits of two words (`random_sample`).
-    pub fn unit(&mut self) -> f64 {
+    pub(crate) fn unit(&mut self) -> f64 {
         let high = f64::from(self.words.next_u32() >> 5);
         let low = f64::from(self.words.next_u32() >> 6);
         (high * 67_108_864.0 + low) / 9_007_199_254_740_992.0
     }
 
     /// Draws a number in [low, high).
-    pub fn uniform(&mut self, low: f64, high: f64) -> f64 {
+    pub(crate) fn uniform(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.unit()
     }
 
     /// Draws from the standard normal distribution, by Marsaglia's polar method (`randn`).
-    pub fn normal(&mut self) -> f64 {
+    pub(crate) fn normal(&mut self) -> f64 {
         if let Some(spare) = self.spare.take() {
             return spare;
         }
@@ -47,7 +47,7 @@ impl RandomState {
     }
 
     /// Draws an integer in low..high by masked rejection sampling. A single choice draws nothing.
-    pub fn randint(&mut self, low: usize, high: usize) -> usize {
+    pub(crate) fn randint(&mut self, low: usize, high: usize) -> usize {
         let range = (high - 1 - low) as u32;
         if range == 0 {
             return low;

@@ -4,7 +4,7 @@ use super::{Flag, Lin, Params, Template, skip, task_numbers};
 use crate::puzzle::layout::{Ball, Bar, dynamic_body, scene, static_body};
 use crate::puzzle::scene::{SIZE, Scene};
 
-pub static TEMPLATE: Template = Template {
+pub(crate) static TEMPLATE: Template = Template {
     number: 1,
     name: "Tray with Lips",
     story: "A ball drops onto a shelf with flared ends; get it over the lip and against the tall strip at the wall.",

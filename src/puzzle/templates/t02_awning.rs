@@ -4,7 +4,7 @@ use super::{Mul, Params, Template, skip, task_numbers};
 use crate::puzzle::layout::{Ball, Bar, dynamic_body, scene, static_body};
 use crate::puzzle::scene::{SIZE, Scene};
 
-pub static TEMPLATE: Template = Template {
+pub(crate) static TEMPLATE: Template = Template {
     number: 2,
     name: "Awning",
     story: "A ball drops onto the middle of a ledge; make it reach the floor instead of resting there.",

@@ -4,7 +4,7 @@ use super::{Lin, Params, Template, skip, task_numbers};
 use crate::puzzle::layout::{Bar, Jar, dynamic_body, scene, static_body};
 use crate::puzzle::scene::{SIZE, Scene};
 
-pub static TEMPLATE: Template = Template {
+pub(crate) static TEMPLATE: Template = Template {
     number: 3,
     name: "Topple to the Wall",
     story: "A pole stands upright in a small jar; knock it against the strip on the nearer side wall.",

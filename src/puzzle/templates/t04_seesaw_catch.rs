@@ -4,7 +4,7 @@ use super::{Lin, Params, Template, skip, task_numbers};
 use crate::puzzle::layout::{Ball, Bar, BodyBuilder, dynamic_body, scene, static_body};
 use crate::puzzle::scene::{SIZE, Scene};
 
-pub static TEMPLATE: Template = Template {
+pub(crate) static TEMPLATE: Template = Template {
     number: 4,
     name: "Seesaw Catch",
     story: "A ball falls towards a beam that lies across a round pivot; make it stay on the beam.",

@@ -4,7 +4,7 @@ use super::{Mul, Params, Template, skip, task_numbers};
 use crate::puzzle::layout::{Ball, Bar, Jar, dynamic_body, scene, static_body};
 use crate::puzzle::scene::{SIZE, Scene};
 
-pub static TEMPLATE: Template = Template {
+pub(crate) static TEMPLATE: Template = Template {
     number: 5,
     name: "Miss the Jar",
     story: "A ball hangs right over a jar; make it land on the floor instead.",

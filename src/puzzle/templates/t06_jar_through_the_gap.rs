@@ -4,7 +4,7 @@ use super::{Lin, Params, Template, skip, task_numbers};
 use crate::puzzle::layout::{Ball, Bar, Jar, dynamic_body, scene, static_body};
 use crate::puzzle::scene::{SIZE, Scene};
 
-pub static TEMPLATE: Template = Template {
+pub(crate) static TEMPLATE: Template = Template {
     number: 6,
     name: "Jar through the Gap",
     story: "An upturned jar falls through the gap in a floor; bring the ball that lies on that floor to it.",

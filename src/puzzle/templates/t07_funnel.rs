@@ -4,7 +4,7 @@ use super::{Lin, Params, Template, Words, skip, task_numbers};
 use crate::puzzle::layout::{Ball, Bar, dynamic_body, scene, static_body};
 use crate::puzzle::scene::{SIZE, Scene};
 
-pub static TEMPLATE: Template = Template {
+pub(crate) static TEMPLATE: Template = Template {
     number: 7,
     name: "Funnel",
     story: "A ball falls through a funnel; make it land on the short pad in the corner, behind the raised block.",

@@ -4,7 +4,7 @@ use super::{Ints, Lin, Params, Template, Words, skip, task_numbers};
 use crate::puzzle::layout::{Ball, Bar, Jar, dynamic_body, scene, static_body};
 use crate::puzzle::scene::{SIZE, Scene};
 
-pub static TEMPLATE: Template = Template {
+pub(crate) static TEMPLATE: Template = Template {
     number: 8,
     name: "Stairs and Jar",
     story: "Tilted steps lead down to the right; guide the ball into the guarded jar below one of them.",

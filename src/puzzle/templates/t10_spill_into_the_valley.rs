@@ -4,7 +4,7 @@ use super::{Lin, Params, Template, task_numbers};
 use crate::puzzle::layout::{Ball, Bar, Jar, dynamic_body, scene, static_body};
 use crate::puzzle::scene::{SIZE, Scene};
 
-pub static TEMPLATE: Template = Template {
+pub(crate) static TEMPLATE: Template = Template {
     number: 10,
     name: "Spill into the Valley",
     story: "A jar with a ball inside lies on the left slope of a valley; get the ball to the right slope.",

@@ -4,7 +4,7 @@ use super::{Lin, Params, Template, skip, task_numbers};
 use crate::puzzle::layout::{Ball, Bar, dynamic_body, scene, static_body};
 use crate::puzzle::scene::{SIZE, Scene};
 
-pub static TEMPLATE: Template = Template {
+pub(crate) static TEMPLATE: Template = Template {
     number: 11,
     name: "Two Slopes",
     story: "A ball falls onto the upper left or the lower right of two slopes; make it rest against the right one.",

@@ -7,7 +7,7 @@ use super::{Ints, Params, Template, evenly, task_numbers};
 use crate::puzzle::layout::{Ball, Bar, BodyBuilder, dynamic_body, scene, static_body};
 use crate::puzzle::scene::{SIZE, Scene};
 
-pub static TEMPLATE: Template = Template {
+pub(crate) static TEMPLATE: Template = Template {
     number: 12,
     name: "Switchback Pegs",
     story: "A ball falls among rows of pegs that climb away from alternate sides; get it down to the floor.",
@@ -54,7 +54,7 @@ fn row(random: &mut RandomState, y: f64, mirrored: bool) -> Vec<[f64; 2]> {
 }
 
 /// Returns a peg at each point that is in the scene; points are fractions of it.
-pub fn pegs(points: Vec<[f64; 2]>, scale: f64) -> impl Iterator<Item = BodyBuilder> {
+pub(crate) fn pegs(points: Vec<[f64; 2]>, scale: f64) -> impl Iterator<Item = BodyBuilder> {
     let inside = points.into_iter().filter(|point| point.iter().all(|at| (0.0..=1.0).contains(at)));
     inside.map(move |[x, y]| static_body(Ball(scale)).at(SIZE * x, SIZE * y))
 }

@@ -8,7 +8,7 @@ use super::{Ints, Params, Template, task_numbers};
 use crate::puzzle::layout::{Ball, Bar, dynamic_body, scene, static_body};
 use crate::puzzle::scene::{SIZE, Scene};
 
-pub static TEMPLATE: Template = Template {
+pub(crate) static TEMPLATE: Template = Template {
     number: 13,
     name: "Peg Thicket",
     story: "A ball falls into two wandering, branching chains of pegs; get it through to the floor.",

@@ -4,7 +4,7 @@ use super::{Flag, Lin, Params, Template, task_numbers};
 use crate::puzzle::layout::{Ball, Bar, dynamic_body, scene, static_body};
 use crate::puzzle::scene::{SIZE, Scene};
 
-pub static TEMPLATE: Template = Template {
+pub(crate) static TEMPLATE: Template = Template {
     number: 14,
     name: "Over the Divide",
     story: "A ball lands beside a thin post; get it past the hanging divider to the other half of the floor.",

@@ -5,7 +5,7 @@ use crate::puzzle::dimensions::radians;
 use crate::puzzle::layout::{Ball, Bar, dynamic_body, scene, static_body};
 use crate::puzzle::scene::{SIZE, Scene};
 
-pub static TEMPLATE: Template = Template {
+pub(crate) static TEMPLATE: Template = Template {
     number: 15,
     name: "Cradle",
     story: "A ball sits in a tiny cradle in mid-air; kick it out and down to the floor.",

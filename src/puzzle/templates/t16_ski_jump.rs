@@ -7,7 +7,7 @@ use crate::puzzle::dimensions::radians;
 use crate::puzzle::layout::{Ball, Bar, BodyBuilder, dynamic_body, scene, static_body};
 use crate::puzzle::scene::{SIZE, Scene};
 
-pub static TEMPLATE: Template = Template {
+pub(crate) static TEMPLATE: Template = Template {
     number: 16,
     name: "Ski Jump",
     story: "A ball rolls down a ramp behind a smaller one and over a kicker; make it land on the short strip of floor.",

@@ -4,7 +4,7 @@ use super::{Lin, Params, Template, task_numbers};
 use crate::puzzle::layout::{Ball, Bar, dynamic_body, scene, static_body};
 use crate::puzzle::scene::{SIZE, Scene};
 
-pub static TEMPLATE: Template = Template {
+pub(crate) static TEMPLATE: Template = Template {
     number: 17,
     name: "Ball on a Post",
     story: "A ball is balanced on an upright pole right below a ceiling; tip it down to the floor.",

@@ -4,7 +4,7 @@ use super::{Lin, List, Params, Template, skip, task_numbers};
 use crate::puzzle::layout::{Ball, Bar, dynamic_body, scene, static_body};
 use crate::puzzle::scene::{SIZE, Scene};
 
-pub static TEMPLATE: Template = Template {
+pub(crate) static TEMPLATE: Template = Template {
     number: 19,
     name: "Chaperone",
     story: "Two balls fall one above the other; make the upper one come to rest on the raised pad with little rims.",

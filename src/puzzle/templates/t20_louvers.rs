@@ -4,7 +4,7 @@ use super::{Ints, Lin, Params, Template, skip, task_numbers};
 use crate::puzzle::layout::{Ball, Bar, dynamic_body, scene, static_body};
 use crate::puzzle::scene::{SIZE, Scene};
 
-pub static TEMPLATE: Template = Template {
+pub(crate) static TEMPLATE: Template = Template {
     number: 20,
     name: "Louvers",
     story: "A ball falls down the slot between a stack of louvers and a split wall; get it to the floor behind the wall.",

@@ -5,7 +5,7 @@ use crate::puzzle::dimensions::radians;
 use crate::puzzle::layout::{Ball, Bar, Jar, dynamic_body, scene, static_body};
 use crate::puzzle::scene::{SIZE, Scene};
 
-pub static TEMPLATE: Template = Template {
+pub(crate) static TEMPLATE: Template = Template {
     number: 21,
     name: "Teeter Gap",
     story: "A ball rolls from a ramp over a plank on two round supports; get it across to the fixed jar.",

@@ -4,7 +4,7 @@ use super::{Lin, Params, Template, skip, task_numbers};
 use crate::puzzle::layout::{Ball, Bar, Jar, dynamic_body, scene, static_body};
 use crate::puzzle::scene::{SIZE, Scene};
 
-pub static TEMPLATE: Template = Template {
+pub(crate) static TEMPLATE: Template = Template {
     number: 22,
     name: "Tip into the Jar",
     story: "A ball lies on a small tilted plate; bring it to the ball in the jar below.",

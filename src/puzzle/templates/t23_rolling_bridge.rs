@@ -4,7 +4,7 @@ use super::{Lin, Params, Template, skip, task_numbers};
 use crate::puzzle::layout::{Ball, Bar, Jar, dynamic_body, scene, static_body};
 use crate::puzzle::scene::{SIZE, Scene};
 
-pub static TEMPLATE: Template = Template {
+pub(crate) static TEMPLATE: Template = Template {
     number: 23,
     name: "Rolling Bridge",
     story: "A plank with a small ball on its end lies on a big loose ball; get the small one to the ball in the far jar.",

@@ -4,7 +4,7 @@ use super::{Flag, Lin, Params, Template, skip, task_numbers};
 use crate::puzzle::layout::{Ball, Bar, dynamic_body, scene, static_body};
 use crate::puzzle::scene::{SIZE, Scene};
 
-pub static TEMPLATE: Template = Template {
+pub(crate) static TEMPLATE: Template = Template {
     number: 24,
     name: "Hole and Plug",
     story: "A slightly larger ball drops into the hole of a raised floor first; get the other ball down to the ground.",

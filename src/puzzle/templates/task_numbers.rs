@@ -6,7 +6,7 @@
 use super::TASKS;
 
 /// Returns the numbers of the runs. There must be `TASKS` of them, ascending.
-pub const fn task_numbers(runs: &str) -> [u16; TASKS] {
+pub(crate) const fn task_numbers(runs: &str) -> [u16; TASKS] {
     let text = runs.as_bytes();
     let mut numbers = [0; TASKS];
     let (mut count, mut at) = (0, 0);

@@ -5,6 +5,9 @@ use std::sync::Arc;
 
 use tract_onnx::prelude::*;
 
+/// Values of an image.
+pub const IMAGE: usize = 5 * 64 * 64;
+
 pub struct Nets(Arc<TypedRunnableModel>);
 
 impl Nets {
@@ -14,11 +17,14 @@ impl Nets {
         Ok(Nets(model.into_runnable()?))
     }
 
-    /// Returns the maps of a scene, one after the other.
-    pub fn imagine(&self, scene: &[f32]) -> TractResult<Vec<f32>> {
-        let scene = Tensor::from_shape(&[1, 5, 64, 64], scene)?;
+    /// Returns the maps of a scene, one after the other, from the images of the scene, one after the other.
+    pub fn imagine(&self, images: &[f32]) -> TractResult<Vec<f32>> {
+        let mut inputs = tvec!();
+        for image in images.chunks(IMAGE) {
+            inputs.push(Tensor::from_shape(&[1, 5, 64, 64], image)?.into());
+        }
         let mut maps = Vec::new();
-        for map in self.0.run(tvec!(scene.into()))? {
+        for map in self.0.run(inputs)? {
             maps.extend_from_slice(map.to_plain_array_view::<f32>()?.as_slice().expect("contiguous"));
         }
         Ok(maps)
@@ -27,7 +33,7 @@ impl Nets {
 
 #[cfg(target_arch = "wasm32")]
 mod exports {
-    use super::Nets;
+    use super::{IMAGE, Nets};
 
     /// Allocates this number of bytes; they are never freed.
     #[unsafe(no_mangle)]
@@ -44,11 +50,11 @@ mod exports {
     }
 
     /// # Safety
-    /// `scene` points to 5 x 64 x 64 values allocated by `room`, `maps` to as many as there are in all maps.
+    /// `images` points to `count` images allocated by `room`, `maps` to as many values as there are in all maps.
     #[unsafe(no_mangle)]
-    pub unsafe extern "C" fn imagine(nets: &Nets, scene: *const f32, maps: *mut f32) {
-        let scene = unsafe { std::slice::from_raw_parts(scene, 5 * 64 * 64) };
-        let found = nets.imagine(scene).expect("the shapes are right");
+    pub unsafe extern "C" fn imagine(nets: &Nets, images: *const f32, count: usize, maps: *mut f32) {
+        let images = unsafe { std::slice::from_raw_parts(images, count * IMAGE) };
+        let found = nets.imagine(images).expect("the shapes are right");
         unsafe { std::slice::from_raw_parts_mut(maps, found.len()) }.copy_from_slice(&found);
     }
 }

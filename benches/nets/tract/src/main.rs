@@ -1,4 +1,4 @@
-//! The nets natively by tract, one thread: tract-nets ONNX SCENE. One implementation of `make bench`.
+//! The nets natively by tract, one thread: tract-nets ONNX IMAGE…. One implementation of `make bench`.
 
 use std::{env, fs};
 
@@ -10,10 +10,10 @@ mod repeat;
 
 fn main() {
     let arguments: Vec<String> = env::args().skip(1).collect();
-    let [onnx, scene] = &arguments[..] else { panic!("give the ONNX file and the scene") };
+    let [onnx, images @ ..] = &arguments[..] else { panic!("give the ONNX file and the images of the scene") };
     let nets = Nets::load(&fs::read(onnx).expect("the ONNX file")).expect("tract reads the file");
-    let bytes = fs::read(scene).expect("the scene");
-    let scene: Vec<f32> = bytes.as_chunks().0.iter().map(|&number| f32::from_le_bytes(number)).collect();
-    let imagine = || nets.imagine(&scene).expect("the shapes are right");
+    let bytes: Vec<u8> = images.iter().flat_map(|image| fs::read(image).expect("an image")).collect();
+    let images: Vec<f32> = bytes.as_chunks().0.iter().map(|&number| f32::from_le_bytes(number)).collect();
+    let imagine = || nets.imagine(&images).expect("the shapes are right");
     repeat(&format!("{:?}", imagine()), || stopwatch(imagine));
 }

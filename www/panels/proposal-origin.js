@@ -1,4 +1,4 @@
-// Where a ball that the model proposes comes from, in words.
+// Where a ball that the model proposes comes from: the place, and in words.
 
 import { chanceWords, percent } from "../model/chance-words.js";
 import { valueAt } from "../model/map-summary.js";
@@ -31,10 +31,14 @@ function imaginedWords({ prior, probability, lowered_by: number }) {
 }
 
 /**
- * Whether a ball may be placed, and how many draws before it were passed over.
+ * The place that a ball comes from, px, or null.
  * @param {Proposal} proposal
+ * @param {Proposal[]} before those before it
+ * @returns {[x: number, y: number] | null}
  */
-export function rejectedWords({ rejected }) {
-  if (rejected === 0) return "Yes.";
-  return `Yes. ${rejected} ${rejected === 1 ? "draw" : "draws"} before it ${rejected === 1 ? "was" : "were"} passed over: not allowed, or a ball that it had already. They do not count.`;
+export function sourceOf({ origin }, before) {
+  if (origin.kind === "map") return [origin.x, origin.y];
+  if (origin.kind !== "perturbed") return null;
+  const [x, y] = before[origin.number - 1].ball;
+  return [x, y];
 }

@@ -1,0 +1,132 @@
+//! What the model remembers of attempts at earlier puzzles, as JavaScript keeps it. Turns share it: they use it and add
+//! to it.
+
+use std::cell::RefCell;
+use std::rc::Rc;
+
+use serde::Serialize;
+use wasm_bindgen::prelude::*;
+
+use super::describe::invalid_reason;
+use super::error::{Code, error, to_js};
+use super::puzzle_from_js::load;
+use super::scripting::ball_from;
+use crate::agents::Proposal;
+use crate::agents::memory::{self, MemoryError, PuzzleSource, Recollection};
+use crate::puzzle::action::Ball;
+use crate::puzzle::scene::Scene;
+use crate::session::puzzle::{Puzzle, PuzzleId};
+
+/// A memory of attempts. It belongs to the weights that it was made for.
+#[wasm_bindgen]
+pub struct Memory {
+    memory: Rc<RefCell<memory::Memory>>,
+    /// SHA-256 of the weights.
+    weights: String,
+}
+
+/// What a turn uses of a memory, and where it adds to it.
+pub(crate) struct TurnMemory {
+    memory: Rc<RefCell<memory::Memory>>,
+    source: PuzzleSource,
+    scene: Scene,
+    /// What the attempts at earlier puzzles say.
+    pub recollection: Recollection,
+}
+
+impl Memory {
+    pub(super) fn new(weights: &str, json: Option<&str>) -> Result<Memory, JsValue> {
+        let mut memory = memory::Memory::default();
+        if let Some(json) = json {
+            memory.read_json(json.as_bytes(), Some(weights)).map_err(bad_memory)?;
+        }
+        Ok(Memory { memory: Rc::new(RefCell::new(memory)), weights: weights.to_string() })
+    }
+
+    pub(super) fn check_weights(&self, weights: &str) -> Result<(), JsValue> {
+        if self.weights == weights { Ok(()) } else { Err(bad_memory(MemoryError::Weights)) }
+    }
+
+    pub(super) fn begin(&self, id: PuzzleId, scene: &Scene) -> TurnMemory {
+        let source = source_of(id, scene);
+        let recollection = self.memory.borrow_mut().begin(source.clone(), scene);
+        TurnMemory { memory: Rc::clone(&self.memory), source, scene: scene.clone(), recollection }
+    }
+}
+
+#[wasm_bindgen]
+impl Memory {
+    /// Returns the number of attempts that are remembered.
+    pub fn attempts(&self) -> usize {
+        self.memory.borrow().attempts()
+    }
+
+    /// Returns the puzzles that are remembered, in the order in which they were played.
+    #[wasm_bindgen(unchecked_return_type = "RememberedPuzzle[]")]
+    pub fn puzzles(&self) -> Result<JsValue, JsValue> {
+        #[derive(Serialize)]
+        struct RememberedPuzzle<'a> {
+            number: usize,
+            #[serde(flatten)]
+            source: &'a PuzzleSource,
+            attempts: &'a [memory::Attempt],
+        }
+        let memory = self.memory.borrow();
+        let puzzles = memory.puzzles().filter(|(_, _, attempts)| !attempts.is_empty());
+        to_js(
+            &puzzles
+                .map(|(number, source, attempts)| RememberedPuzzle { number, source, attempts })
+                .collect::<Vec<_>>(),
+        )
+    }
+
+    /// Remembers an attempt that somebody else has made. The attempts of a turn with this memory are remembered
+    /// without it.
+    ///
+    /// # Errors
+    /// `bad_task` if there is no such task, `bad_scene` if the scene may not be played, `bad_data` if it is not a ball,
+    /// `invalid_ball` if it may not be placed.
+    pub fn remember(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "Puzzle")] puzzle: JsValue,
+        #[wasm_bindgen(unchecked_param_type = "Ball")] ball: JsValue,
+        solved: bool,
+    ) -> Result<(), JsValue> {
+        let Puzzle { id, scene, .. } = load(puzzle)?;
+        let ball: Ball = ball_from(ball)?;
+        ball.check(&scene).map_err(|why| error(Code::InvalidBall, invalid_reason(why, &scene)))?;
+        self.memory.borrow_mut().observe_other(source_of(id, &scene), &scene, ball, solved);
+        Ok(())
+    }
+
+    /// Forgets everything.
+    pub fn forget(&self) {
+        self.memory.borrow_mut().forget();
+    }
+
+    /// Returns the memory as JSON, from which `Model.memory` makes it again.
+    #[wasm_bindgen(js_name = toJson)]
+    pub fn to_json(&self) -> String {
+        self.memory.borrow().to_json(Some(&self.weights))
+    }
+}
+
+impl TurnMemory {
+    /// Remembers the outcome of a ball.
+    pub(crate) fn observe(&self, proposal: &Proposal, solved: bool) {
+        let mut memory = self.memory.borrow_mut();
+        // All may be forgotten, or another puzzle begun, in the middle of a turn.
+        if !memory.is_at(&self.source) {
+            memory.begin(self.source.clone(), &self.scene);
+        }
+        memory.observe(proposal.ball, proposal.chance().unwrap_or_default(), solved);
+    }
+}
+
+fn source_of(id: PuzzleId, scene: &Scene) -> PuzzleSource {
+    id.task().map_or_else(|| PuzzleSource::Scene(Box::new(scene.clone())), PuzzleSource::Task)
+}
+
+fn bad_memory(why: MemoryError) -> JsValue {
+    error(Code::BadMemory, why)
+}

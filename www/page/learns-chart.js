@@ -1,0 +1,85 @@
+// How many tries each puzzle took with a memory and without, as a chart: a mark for each puzzle, and a line through the
+// mean of the last few.
+
+import { runningMeans } from "./learns-words.js";
+
+/** @typedef {import("./learns-words.js").Played} Played */
+
+const SVG = "http://www.w3.org/2000/svg";
+/** The size of the chart, in its own units. */
+const WIDTH = 320;
+const HEIGHT = 150;
+/** The tries at which a line is drawn. */
+const TICKS = [1, 3, 10, 30, 100];
+/** At least so many puzzles have room. */
+const ROOM = 20;
+
+/**
+ * @param {Played[]} all
+ * @param {number} limit the tries that there are
+ */
+export function learnsChart(all, limit) {
+  const chart = element("svg", {
+    viewBox: `-28 -12 ${WIDTH + 36} ${HEIGHT + 40}`,
+    role: "img",
+    "aria-label": "Tries for each puzzle, with memory and without; the list below has the numbers",
+  });
+  const room = Math.max(ROOM, Math.ceil(all.length / ROOM) * ROOM);
+  const across = (/** @type {number} */ index) => ((index + 0.5) * WIDTH) / room;
+  const up = (/** @type {number} */ tries) => HEIGHT * (1 - Math.log(tries) / Math.log(limit));
+  for (const tries of TICKS) {
+    const y = up(tries);
+    chart.append(
+      element("path", { d: `M0 ${y.toFixed(1)}H${WIDTH}`, class: "grid" }),
+      text(String(tries), { x: -6, y: y + 4, "text-anchor": "end" }),
+    );
+  }
+  for (const number of [1, room / 2, room])
+    chart.append(text(String(number), { x: across(number - 1), y: HEIGHT + 15, "text-anchor": "middle" }));
+  chart.append(text("puzzle", { x: WIDTH / 4, y: HEIGHT + 15, "text-anchor": "middle" }));
+  for (const series of /** @type {const} */ (["fresh", "learned"])) {
+    const firsts = all.map((played) => played[series]);
+    const means = runningMeans(firsts.map((first) => first ?? limit));
+    const points = means.map((mean, index) => `${across(index).toFixed(1)} ${up(mean).toFixed(1)}`);
+    if (points.length > 1) chart.append(element("path", { d: `M${points.join("L")}`, class: series }));
+    chart.append(...firsts.map((first, index) => mark(series, first, across(index), up(first ?? limit))));
+  }
+  return chart;
+}
+
+/**
+ * A disc with a memory, a square without; a cross if the puzzle was not solved.
+ * @param {"learned" | "fresh"} series
+ * @param {number | null} first
+ * @param {number} x
+ * @param {number} y
+ */
+function mark(series, first, x, y) {
+  if (first === null) {
+    const d = `M${x - 3} ${y - 3}l6 6m0 -6l-6 6`;
+    return element("path", { d, class: `mark ${series}` });
+  }
+  return series === "learned"
+    ? element("circle", { cx: x, cy: y, r: 3.4, class: series })
+    : element("rect", { x: x - 2.8, y: y - 2.8, width: 5.6, height: 5.6, class: series });
+}
+
+/**
+ * @param {string} words
+ * @param {Record<string, string | number>} attributes
+ */
+function text(words, attributes) {
+  const created = element("text", attributes);
+  created.textContent = words;
+  return created;
+}
+
+/**
+ * @param {string} name
+ * @param {Record<string, string | number>} attributes
+ */
+function element(name, attributes) {
+  const created = document.createElementNS(SVG, name);
+  for (const [key, value] of Object.entries(attributes)) created.setAttribute(key, String(value));
+  return created;
+}

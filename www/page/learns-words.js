@@ -1,0 +1,100 @@
+// What the page says of puzzles that the model has played with a memory and without, and when each try is shown. Knows
+// nothing of the document.
+
+import { templateOf } from "../puzzles/templates.js";
+
+/** @typedef {import("../pkg/pathlight.js").Reminder} Reminder */
+
+/**
+ * A puzzle that was played twice: the try, from 1, that solved it with the memory, and without; null if none did.
+ * `reminder` is what the ball of the last try with the memory owes to an earlier puzzle.
+ * @typedef {{ task: string, learned: number | null, fresh: number | null, reminder: Reminder | null }} Played
+ */
+/**
+ * A try that is shown, from 1, and from when to when, s.
+ * @typedef {{ number: number, start: number, end: number }} ShownTry
+ */
+
+/** Tries before the last that are shown. */
+const MOST_SHOWN = 5;
+/** How long the last try is shown, and how long all before it together at most, s. */
+const LAST = 1.1;
+const BEFORE = 1;
+/** How long one of them is shown at most, s. */
+const ONE = 0.4;
+/** Puzzles of which the curve shows the mean. */
+const WINDOW = 5;
+
+/**
+ * Which of some tries are shown, and when: the last at length, a few before it in short.
+ * @param {number} count
+ * @returns {ShownTry[]}
+ */
+export function shownTries(count) {
+  const before = Math.min(count - 1, MOST_SHOWN);
+  const each = before ? Math.min(BEFORE / before, ONE) : 0;
+  const shown = Array.from({ length: before }, (_, index) => ({
+    number: 1 + Math.round((index * (count - 1)) / before),
+    start: index * each,
+    end: (index + 1) * each,
+  }));
+  return [...shown, { number: count, start: before * each, end: before * each + LAST }];
+}
+
+/**
+ * For each puzzle the geometric mean of its tries and of those of the few before it.
+ * @param {number[]} tries
+ */
+export function runningMeans(tries) {
+  return tries.map((_, index) => {
+    const latest = tries.slice(Math.max(index + 1 - WINDOW, 0), index + 1);
+    return Math.exp(latest.reduce((sum, count) => sum + Math.log(count), 0) / latest.length);
+  });
+}
+
+/**
+ * @param {number | null} first
+ * @param {number} limit the tries that there are
+ */
+export function triesWords(first, limit) {
+  if (first === null) return `not in ${limit} tries`;
+  return first === 1 ? "at once" : `on try ${first}`;
+}
+
+/**
+ * Which puzzle helped, like ", as in puzzle 3"; empty if none did.
+ * @param {Played} played
+ * @param {string[]} earlier the tasks of its kind that were played before it, in order
+ */
+export function reminderWords({ task, learned, reminder }, earlier) {
+  if (learned === null || !reminder?.solved || !reminder.task || reminder.change < 0) return "";
+  const number = earlier.indexOf(reminder.task) + 1;
+  const other = templateOf(reminder.task) === templateOf(task) ? "" : `${templateOf(reminder.task)?.name} `;
+  const name = number ? `puzzle ${number}` : `${other}${reminder.task}`;
+  return `, as in ${name}${reminder.mirrored ? ", mirrored" : ""}`;
+}
+
+/**
+ * A puzzle in a sentence.
+ * @param {Played} played
+ * @param {string[]} earlier the tasks of its kind that were played before it, in order
+ * @param {number} limit
+ */
+export function playedWords(played, earlier, limit) {
+  const { learned, fresh } = played;
+  const solved = learned === null ? `${triesWords(null, limit)}` : `solved ${triesWords(learned, limit)}`;
+  return `${solved}${reminderWords(played, earlier)}. Without memory: ${triesWords(fresh, limit)}.`;
+}
+
+/**
+ * All puzzles in a sentence.
+ * @param {Played[]} all
+ * @param {number} limit
+ */
+export function totalWords(all, limit) {
+  const sum = (/** @type {(number | null)[]} */ firsts) =>
+    firsts.reduce((/** @type {number} */ sum, first) => sum + (first ?? limit), 0);
+  const [learned, fresh] = [sum(all.map(({ learned }) => learned)), sum(all.map(({ fresh }) => fresh))];
+  const tries = (/** @type {number} */ count) => `${count.toLocaleString("en")} ${count === 1 ? "try" : "tries"}`;
+  return `${all.length} puzzle${all.length === 1 ? "" : "s"} took it ${tries(learned)} with its memory, and ${tries(fresh)} without.`;
+}
