@@ -6,7 +6,7 @@ import { readFile } from "node:fs/promises";
 import { after, before, test } from "node:test";
 import { axeFindsNothing } from "./axe.mjs";
 import { start } from "./harness.mjs";
-import { EASY, known, modelLoaded, openPuzzle, openShare, says, type } from "./page-actions.mjs";
+import { EASY, known, modelLoaded, openPuzzle, openShare, pause, says, type } from "./page-actions.mjs";
 import { load } from "../../www/api/index.js";
 
 const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
@@ -327,7 +327,7 @@ test("a sheet that comes when the next puzzle is open stays away", async () => {
   await says(page, /place the red ball/);
   open();
   await loaded;
-  await page.waitForTimeout(500);
+  await pause(page);
   assert.equal(await page.locator("#share-dialog[open]").count(), 0);
 });
 
