@@ -7,11 +7,11 @@ import { start } from "./harness.mjs";
 import { memoryOf, openPuzzles, playTurns } from "./memory.mjs";
 import { openImagined } from "./page-actions.mjs";
 
-/** So much of the heap is noise, bytes. */
+/** The noise of the heap's size, bytes. */
 const NOISE = 400_000;
 /**
- * By so much the wasm of the worker grows over its first turns, because its allocator fragments, bytes; after some thirty
- * turns it stays.
+ * How much the wasm of the worker grows over its first turns, because its allocator fragments, bytes. After some thirty
+ * turns it grows no more.
  */
 const FRAGMENTS = 1_000_000;
 

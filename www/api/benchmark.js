@@ -1,5 +1,5 @@
-// What needs no weights: tasks and scenes, the simulator, solutions, verification, the figures, and drawing. The methods
-// of `Pathlight` that index.js inherits from here.
+// What needs no weights: tasks and scenes, the simulator, solutions, verification, the figures, and drawing. The class
+// `Pathlight` of index.js inherits it.
 
 import * as wasm from "../pkg/pathlight.js";
 
@@ -24,8 +24,8 @@ import * as wasm from "../pkg/pathlight.js";
 /** @typedef {import("../pkg/pathlight.js").Verification} Verification */
 
 /**
- * The benchmark and its simulator. A task is named by its id; a custom scene, which is an object, takes the place of any
- * task.
+ * The benchmark and its simulator. A task is named by its id; a custom scene, which is an object, takes the place of
+ * any task.
  */
 export class Benchmark {
   /**

@@ -1,5 +1,5 @@
-// Where a state leads: what it shows (a puzzle, the home page, or what stands instead of it), and the addresses of other
-// puzzles and views, which keep the model and what is hidden.
+// What a state shows (a puzzle, the home page, or what stands instead of it), and the addresses of other puzzles and
+// views, which keep the model and what is hidden.
 
 import { INITIAL_STATE, PAGE_VIEWS, formatFragment } from "./url-state.js";
 
