@@ -6,6 +6,7 @@ pub mod action;
 pub mod custom_scene;
 pub mod dimensions;
 pub mod layout;
+pub mod nearest_place;
 pub mod recorded_paths;
 pub mod rollout;
 pub mod sampled_paths;

@@ -9,7 +9,8 @@ use super::error::{Code, error, from_js, to_js};
 use super::paint::LineStyle;
 use super::puzzle_from_js::load;
 use super::recording::Recording;
-use crate::puzzle::action::Ball;
+use crate::puzzle::action::{Ball, Obstacles};
+use crate::puzzle::nearest_place::nearest_place;
 use crate::puzzle::scene::Body;
 use crate::puzzle::templates::TEMPLATES;
 use crate::raster::trail_image;
@@ -21,6 +22,9 @@ const CUSTOM_NAME: &str = "Custom scene";
 
 /// What is said of a custom scene where a task has its story.
 const CUSTOM_STORY: &str = "A person made this scene. It is none of the benchmark's tasks.";
+
+/// How far the centre of an invalid ball may be from the place that it goes to instead, px.
+const REACH: f64 = 64.0;
 
 /// A puzzle on the page: the attempts of player and model, and what is drawn of them.
 #[wasm_bindgen]
@@ -90,6 +94,13 @@ impl Game {
     #[wasm_bindgen(js_name = whyInvalid)]
     pub fn why_invalid(&self, x: f64, y: f64, r: f64) -> Option<String> {
         Ball { x, y, r }.check(&self.puzzle.scene).err().map(|why| invalid_reason(why, &self.puzzle.scene))
+    }
+
+    /// Returns the nearest valid ball of the same radius, if one is not far away.
+    #[wasm_bindgen(js_name = nearestPlace, unchecked_return_type = "Ball | undefined")]
+    pub fn nearest_place(&self, x: f64, y: f64, r: f64) -> Option<Vec<f64>> {
+        let place = nearest_place(Ball { x, y, r }, &Obstacles::new(&self.puzzle.scene), REACH)?;
+        Some(<[f64; 3]>::from(place).to_vec())
     }
 
     /// Makes an attempt of the player's, shows its rollout and returns it.

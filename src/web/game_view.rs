@@ -163,6 +163,24 @@ impl Game {
         let (recording, _) = self.simulate_again(who, number)?;
         frame::paint(context, &self.puzzle.scene, &[recording], &View::ended(dark), &[])
     }
+
+    /// Draws the ends of an attempt of the player's and of one of the model's over each other into a square canvas,
+    /// with their whole paths; the model's lines are dashed.
+    ///
+    /// # Errors
+    /// `no_attempt` if player or model have made fewer.
+    #[wasm_bindgen(js_name = paintPair)]
+    pub fn paint_pair(
+        &self,
+        context: &CanvasRenderingContext2d,
+        player: usize,
+        model: usize,
+        dark: bool,
+    ) -> Result<(), JsValue> {
+        let (player, _) = self.simulate_again("player", player)?;
+        let (model, _) = self.simulate_again("model", model)?;
+        frame::paint(context, &self.puzzle.scene, &[player, model], &View::ended(dark), &[])
+    }
 }
 
 impl Game {

@@ -87,7 +87,6 @@ for (const [screen, size] of Object.entries(SCREENS)) {
     for (const sum of await page.locator("#imagine summary:visible").all()) await sum.click();
     await axeFindsNothingInLightAndDark(page, "a step of the story, read");
     await page.locator("#walkthrough-dots button:visible").last().click();
-    await page.waitForTimeout(300);
     await axeFindsNothingInLightAndDark(page, "the last step of the story");
     await openPanel(page, "predict");
     await axeFindsNothingInLightAndDark(page, "predict");

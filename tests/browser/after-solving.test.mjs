@@ -6,7 +6,7 @@ import { readFile } from "node:fs/promises";
 import { after, before, test } from "node:test";
 import { axeFindsNothing } from "./axe.mjs";
 import { start } from "./harness.mjs";
-import { EASY, known, modelLoaded, openPuzzle, openShare, says, type } from "./page-actions.mjs";
+import { EASY, known, modelLoaded, openPuzzle, openShare, pause, playModelTurn, says, type } from "./page-actions.mjs";
 import { load } from "../../www/api/index.js";
 
 const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
@@ -180,6 +180,18 @@ for (const [screen, options] of Object.entries({ "a desktop": {}, "a phone": PHO
   });
 }
 
+test("once the model has solved it too, the picture shows both paths", async () => {
+  const { page } = await solved();
+  await playModelTurn(page);
+  await page.locator("#solved-share").click();
+  assert.equal(await page.locator("#share-ball-words").textContent(), "Show my path and the model’s in the picture");
+  const picture = page.locator("#share-picture");
+  const without = await picture.getAttribute("src");
+  await page.locator("#share-ball").check();
+  await page.waitForFunction((src) => document.querySelector("#share-picture")?.getAttribute("src") !== src, without);
+  assert.match(await picture.getAttribute("alt"), /The model needed/);
+});
+
 test("the result is a short film too, with the run in the card, which is saved and shared like the picture", async () => {
   const { page } = await solved();
   await page.evaluate(() =>
@@ -327,7 +339,7 @@ test("a sheet that comes when the next puzzle is open stays away", async () => {
   await says(page, /place the red ball/);
   open();
   await loaded;
-  await page.waitForTimeout(500);
+  await pause(page);
   assert.equal(await page.locator("#share-dialog[open]").count(), 0);
 });
 

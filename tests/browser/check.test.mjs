@@ -5,7 +5,7 @@ import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { axeFindsNothing } from "./axe.mjs";
 import { start } from "./harness.mjs";
-import { ball, known, openPuzzle, says, type } from "./page-actions.mjs";
+import { ball, known, openPuzzle, pause, says, type } from "./page-actions.mjs";
 
 let session;
 before(async () => (session = await start()));
@@ -68,7 +68,7 @@ test("what is edited so that it may not be played is not searched, nor is what i
   // What was edited a moment ago is searched: its puzzle does not end the search when it comes.
   await page.locator("#check-search:enabled").click();
   await page.locator("#check-words").filter({ hasText: "so far" }).waitFor();
-  await page.waitForTimeout(600);
+  await pause(page, 600);
   assert.match(await page.locator("#check-words").textContent(), /\d balls/);
 });
 
@@ -79,7 +79,7 @@ test("the search can be stopped, and says what it has found so far", async () =>
   await page.locator("#check-search").filter({ hasText: "Stop" }).click();
   await page.locator("#check-progress").waitFor({ state: "hidden" });
   const words = await page.locator("#check-words").textContent();
-  await page.waitForTimeout(400);
+  await pause(page, 400);
   assert.equal(await page.locator("#check-words").textContent(), words);
 });
 

@@ -6,14 +6,15 @@ import { after, before, test } from "node:test";
 import { axeFindsNothing } from "./axe.mjs";
 import { start } from "./harness.mjs";
 import {
-  EASY,
   ball,
   click,
   dragTo,
+  EASY,
   known,
   openPanel,
   openPuzzle,
   openShare,
+  pause,
   picture,
   says,
   spot,
@@ -52,7 +53,7 @@ async function waitForScene(page, passes) {
     const scene = await linked(page);
     if (passes(scene)) return scene;
     assert.ok(Date.now() < end, JSON.stringify(scene));
-    await page.waitForTimeout(20);
+    await pause(page, 20);
   }
 }
 
@@ -108,7 +109,7 @@ test("a finger drags the knobs: a bar is turned and resized", async () => {
     await touch.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: await at(from) });
     await touch.send("Input.dispatchTouchEvent", { type: "touchMove", touchPoints: await at(to) });
     await touch.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
-    await page.waitForTimeout(100);
+    await pause(page, 100);
   };
   const [x, y] = [await value(page, "x"), await value(page, "y")];
   await drag([x + 32, y], [x + 50, y]);
@@ -221,7 +222,7 @@ test("a scene that may not be played says which body is in the way, and the puzz
   await page.locator("#make-y").press("Enter");
   await page.locator("#make-problems:visible").filter({ hasText: "green ball" }).waitFor();
   assert.equal(await page.locator("#make-keep").isDisabled(), true);
-  await page.waitForTimeout(600);
+  await pause(page, 600);
   assert.deepEqual(await linked(page), good);
   await page.locator("#make-undo").click();
   await page.locator("#make-problems").waitFor({ state: "hidden" });
@@ -288,7 +289,7 @@ test("what was typed counts for a run and for the link at once", async () => {
   await page.locator("#make-watch").click();
   await says(page, /^The scene without a ball/);
   await page.waitForFunction(() => location.hash.includes("scene="));
-  await page.waitForTimeout(600);
+  await pause(page, 600);
   await says(page, /^(The scene without a ball|That was the scene)/);
   assert.equal((await linked(page)).bodies[body1].x, bodies[body1].x + 3);
 

@@ -5,7 +5,7 @@ import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { LESSON, embed, imagined, single, wait, workers } from "./embedding.mjs";
 import { start } from "./harness.mjs";
-import { focused, known, openPanel } from "./page-actions.mjs";
+import { focused, known, openPanel, pause } from "./page-actions.mjs";
 
 let session, models;
 before(async () => {
@@ -233,7 +233,7 @@ test("a puzzle that is removed frees its worker and its memory, and can be playe
   await status(page.locator("#one"), /^Solved!/);
   // A puzzle that is moved within its page keeps its attempts.
   await page.evaluate(() => document.querySelector("main")?.prepend(globalThis.puzzles[0]));
-  await page.waitForTimeout(100);
+  await pause(page, 100);
   assert.equal(await page.locator("#one #play-attempts li").count(), 1);
 });
 

@@ -7,9 +7,10 @@ import { after, before, test } from "node:test";
 import { start } from "./harness.mjs";
 import { assertConsistent } from "./invariants.mjs";
 import {
-  EASY,
   attempts,
+  EASY,
   known,
+  modelLoaded,
   openPanel,
   openPuzzle,
   picture,
@@ -231,12 +232,11 @@ test("canvases without memory: a sentence says so, and what to do", async () => 
 
 test("a scene whose canvas the browser has emptied is drawn again", async () => {
   const page = await openPuzzle(session);
-  await page.waitForTimeout(300);
+  await modelLoaded(page);
   const before = await picture(page);
   await page.locator("#scene").evaluate((canvas) => {
     canvas.getContext("2d").reset();
     canvas.dispatchEvent(new Event("contextrestored"));
   });
-  await page.waitForTimeout(300);
   assert.equal(await picture(page), before);
 });

@@ -4,7 +4,19 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { start } from "./harness.mjs";
-import { EASY, ball, dragTo, known, modelLoaded, openPuzzle, picture, says, spot, type } from "./page-actions.mjs";
+import {
+  ball,
+  dragTo,
+  EASY,
+  known,
+  modelLoaded,
+  openPuzzle,
+  pause,
+  picture,
+  says,
+  spot,
+  type,
+} from "./page-actions.mjs";
 
 const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 
@@ -204,7 +216,7 @@ test("a ball that may not be placed is not imagined", async () => {
 test("it reveals nothing in Predict", async () => {
   const page = await open("&ball=128,230,8&panel=predict");
   await modelLoaded(page);
-  await page.waitForTimeout(300);
+  await pause(page, 300);
   const there = await picture(page);
   await page.goto(`${session.origin}/#task=${EASY}&ball=128,230,8&panel=predict`);
   await page.waitForFunction(() => !/forecast/.test(location.hash));
@@ -214,11 +226,11 @@ test("it reveals nothing in Predict", async () => {
 for (const hide of ["forecast", "imagine", "puzzles,imagine,compare,predict,map"]) {
   test(`a link with hide=${hide} hides it, also if the link switches it on`, async () => {
     const page = await openPuzzle(session, { fragment: `&ball=128,230,8&hide=${hide}` });
-    await page.waitForTimeout(500);
+    await pause(page);
     const bare = await picture(page);
     assert.ok(await page.locator("#forecast-on").isHidden());
     await page.goto(`${session.origin}/#task=${EASY}&ball=128,230,8&hide=${hide}&forecast=on`);
-    await page.waitForTimeout(500);
+    await pause(page);
     assert.ok(await page.locator("#forecast-on").isHidden());
     assert.equal(await picture(page), bare);
   });

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { start } from "./harness.mjs";
-import { inMore, openImagined, openPanel, picture, watchFrames } from "./page-actions.mjs";
+import { inMore, openImagined, openPanel, picture } from "./page-actions.mjs";
 
 const MAPS = ["base", "target", "action", "placement", "success"];
 
@@ -69,14 +69,12 @@ test("a layer lies over the scene while it is on, as strongly as its opacity", a
   await page.waitForFunction(() => /layers=target/.test(location.hash) && /opacity=0.3/.test(location.hash));
 });
 
-test("another puzzle is imagined afresh, and the page stays alive meanwhile", async () => {
+test("another puzzle is imagined afresh", async () => {
   const page = await imagine();
   const before = await picture(page, "[data-map=base] .map canvas[role=img]");
-  const longestGap = await watchFrames(page);
   await page.locator("#next").click();
   await page.locator("#imagined-in").filter({ hasText: "Imagined" }).waitFor();
   assert.notEqual(await picture(page, "[data-map=base] .map canvas[role=img]"), before);
-  assert.ok((await longestGap()) < 1000, "the page does not freeze");
 });
 
 test("maps that are switched on stay over the scene while a ball is placed, until they are taken off", async () => {

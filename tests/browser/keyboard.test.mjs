@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { start } from "./harness.mjs";
-import { ball, focused, known, openPuzzle, says, waitForValue } from "./page-actions.mjs";
+import { ball, focused, known, openPuzzle, pause, says, waitForValue } from "./page-actions.mjs";
 
 let session;
 before(async () => (session = await start()));
@@ -76,7 +76,7 @@ test("keys step, pause, reset, change the puzzle and the panel", async () => {
   await waitForValue(page, "#time", (value) => Number(value) > 10);
   await page.keyboard.press("Space");
   const paused = await time.inputValue();
-  await page.waitForTimeout(200);
+  await pause(page, 200);
   assert.equal(await time.inputValue(), paused);
   await page.keyboard.press("r");
   await says(page, /Good spot/);

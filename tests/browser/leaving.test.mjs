@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { start } from "./harness.mjs";
-import { attempts, known, openPuzzle, says, type, unsolvedTask } from "./page-actions.mjs";
+import { attempts, known, openPuzzle, pause, says, type, unsolvedTask } from "./page-actions.mjs";
 
 let session;
 before(async () => (session = await start()));
@@ -30,7 +30,7 @@ test("a puzzle is left while pictures of attempts wait to be drawn", async () =>
   assert.ok((await page.locator("#model-attempts canvas:not(.drawn)").count()) > 0, "some are not drawn yet");
   await page.locator("#home").click();
   await page.locator("#templates canvas.drawn").first().waitFor();
-  await page.waitForTimeout(400);
+  await pause(page, 400);
   assert.ok(await page.locator("#notice").isHidden());
   // Its attempts come back with it, and their pictures are drawn.
   await page.goBack();
@@ -75,7 +75,7 @@ test("the colour scheme changes after a puzzle was left", async () => {
   await page.locator("#home").click();
   await page.locator("#templates canvas.drawn").first().waitFor();
   await page.emulateMedia({ colorScheme: "dark", reducedMotion: "reduce" });
-  await page.waitForTimeout(300);
+  await pause(page, 300);
   assert.ok(await page.locator("#notice").isHidden());
 });
 

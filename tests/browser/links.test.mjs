@@ -6,7 +6,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { start } from "./harness.mjs";
-import { EASY, attempts, ball, click, known, openPanel, openPuzzle, says, type } from "./page-actions.mjs";
+import { attempts, ball, click, EASY, known, openPanel, openPuzzle, pause, says, type } from "./page-actions.mjs";
 
 let session;
 before(async () => (session = await start()));
@@ -163,7 +163,7 @@ test("a panel that the link hides does nothing, although the link names it", asy
   await page.locator('#task option:checked[value="00007:008"]').waitFor({ state: "attached" });
   await page.locator("#imagined-in").filter({ hasText: "Imagined" }).waitFor({ state: "attached" });
   // Longer than the model takes to propose, if it is asked.
-  await page.waitForTimeout(1500);
+  await pause(page, 1500);
   await says(page, /place the red ball/);
 });
 

@@ -4,7 +4,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { start } from "./harness.mjs";
-import { click, known, openPanel, openPuzzle, says, solvedTask, type, unsolvedTask } from "./page-actions.mjs";
+import { click, known, openPanel, openPuzzle, pause, says, solvedTask, type, unsolvedTask } from "./page-actions.mjs";
 
 let session;
 before(async () => (session = await start()));
@@ -48,7 +48,7 @@ test("the show can be stopped; only what was shown counts", async () => {
   await turn(page).filter({ hasText: "Let the model play" }).waitFor();
   const count = await made(page);
   assert.ok(count >= 3 && count < 10, `${count} attempts`);
-  await page.waitForTimeout(1000);
+  await pause(page, 1000);
   assert.equal(await made(page), count);
   await says(page, /place the red ball/);
   const words = await said(page);
@@ -78,7 +78,7 @@ test("another puzzle ends the show", async () => {
   await says(page, /The model tries: attempt 2/);
   await page.locator("#next").click();
   await says(page, /place the red ball/);
-  await page.waitForTimeout(500);
+  await pause(page);
   await says(page, /place the red ball/);
   assert.equal(await made(page), 0);
 });
@@ -96,7 +96,7 @@ test("what the person does meanwhile is not overridden by the result", async () 
   await says(page, /The model tries: attempt 2/);
   await click(page, 128, 240);
   await turn(page).filter({ hasText: "The model has played" }).waitFor({ timeout: 60_000 });
-  await page.waitForTimeout(500);
+  await pause(page);
   await says(page, /^(Good spot|Not here)/);
 });
 

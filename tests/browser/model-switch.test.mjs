@@ -10,6 +10,7 @@ import {
   modelLoaded,
   openPanel,
   openPuzzle,
+  pause,
   playModelTurn,
   says,
   type,
@@ -80,7 +81,7 @@ test("a turn of the first model ends", async () => {
   await page.locator("#model-turn:enabled").click();
   await page.locator("#model-attempts li").first().waitFor();
   await choose(page, second);
-  await page.waitForTimeout(500);
+  await pause(page);
   assert.equal(await made(page), 0);
   assert.equal(await page.locator("#model-turn").textContent(), "Let the model play");
   assert.equal(await stored(page, second), null);

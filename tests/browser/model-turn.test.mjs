@@ -8,6 +8,7 @@ import {
   known,
   openPanel,
   openPuzzle,
+  pause,
   picture,
   playModelTurn,
   says,
@@ -65,7 +66,7 @@ test("its turn can be stopped, and taken up again with the same balls", async ()
     await made(page),
   ];
   assert.ok(count >= 1 && count < 100, `${count} attempts`);
-  await page.waitForTimeout(500);
+  await pause(page);
   assert.equal(await made(page), count, "a stopped model makes no more attempts");
   await playModelTurn(page);
   assert.equal(await made(page), 100);

@@ -6,7 +6,7 @@ import { after, before, beforeEach, test } from "node:test";
 import { comeBack, eventually, imagine, kept, solve } from "./dist-page.mjs";
 import { plainDist } from "./dist-versions.mjs";
 import { start, startOn } from "./harness.mjs";
-import { EASY, inMore, modelLoaded, openPanel, openPuzzle, playModelTurn } from "./page-actions.mjs";
+import { EASY, inMore, modelLoaded, openPanel, openPuzzle, pause, playModelTurn } from "./page-actions.mjs";
 import { serveStatic } from "./static-server.mjs";
 
 /** A name of this machine that browsers do not trust as they trust 127.0.0.1. */
@@ -92,7 +92,7 @@ test("an error of the server ends nothing", async () => {
         .slice(0, 2),
     [503, 503],
   );
-  await page.waitForTimeout(500);
+  await pause(page);
   assert.equal(await page.locator("#update").count(), 0);
   const context = page.context();
   await page.close();

@@ -72,21 +72,13 @@ export async function waitForValue(page, selector, passes) {
 }
 
 /**
- * Watches the frames of the page; returns a function that returns the longest time between two of them, ms.
+ * Leaves the page the time in which something would happen that must not. On a slow machine a wrong page may pass; a
+ * right one never fails.
  * @param {Page} page
+ * @param {number} [time] ms
  */
-export async function watchFrames(page) {
-  const frames = await page.evaluateHandle(() => {
-    const watched = { longest: 0, last: performance.now() };
-    const onFrame = (now) => {
-      watched.longest = Math.max(watched.longest, now - watched.last);
-      watched.last = now;
-      requestAnimationFrame(onFrame);
-    };
-    requestAnimationFrame(onFrame);
-    return watched;
-  });
-  return () => frames.evaluate(({ longest }) => longest);
+export async function pause(page, time = 500) {
+  await page.waitForTimeout(time);
 }
 
 /**
@@ -248,7 +240,7 @@ export async function type(page, [x, y, r]) {
  * Waits until what has changed is painted: a canvas is drawn at the frame that follows.
  * @param {Page} page
  */
-async function painted(page) {
+export async function painted(page) {
   await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
 }
 

@@ -76,6 +76,22 @@ test("an invalid ball is outlined, named and never counts", async () => {
   assert.equal(await attempts(page), 0);
 });
 
+test("a ball that is dropped where it may not lie slides to the nearest place", async () => {
+  const page = await openPuzzle(session);
+  await type(page, [128, 200, 12]);
+  await dragTo(page, [
+    [128, 200],
+    [60, 252],
+  ]);
+  await says(page, /^Not here/);
+  await page.mouse.up();
+  await says(page, /Good spot/);
+  const [x, y, r] = await ball(page);
+  assert.ok(Math.abs(x - 60) <= 1 && y === 256 - r && r === 12, `it lies at ${x}, ${y}`);
+  await page.keyboard.press("Control+z");
+  assert.deepEqual(await ball(page), [128, 200, 12]);
+});
+
 test("a field that is emptied goes on showing the ball", async () => {
   const page = await openPuzzle(session);
   await type(page, [128, 200, 12]);

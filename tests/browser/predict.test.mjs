@@ -3,7 +3,19 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { start } from "./harness.mjs";
-import { attempts, ball, dragTo, known, openPanel, openPuzzle, picture, says, spot, type } from "./page-actions.mjs";
+import {
+  attempts,
+  ball,
+  dragTo,
+  known,
+  openPanel,
+  openPuzzle,
+  pause,
+  picture,
+  says,
+  spot,
+  type,
+} from "./page-actions.mjs";
 
 let session;
 before(async () => (session = await start()));
@@ -106,7 +118,7 @@ test("a finger draws, and nothing scrolls", async () => {
   await touch("touchStart", [40, 200]);
   for (const y of [170, 140, 110, 80]) await touch("touchMove", [60, y]);
   // The finger rests before it lifts: the browser takes a tap after a quick swipe for the end of that swipe.
-  await page.waitForTimeout(200);
+  await pause(page, 200);
   await touch("touchMove", [60, 80]);
   await touch("touchEnd");
   await page
@@ -159,7 +171,7 @@ test("maps that are switched on do not tell the answer here", async () => {
   const page = await predict();
   const bare = await picture(page);
   await page.goto(`${session.origin}/#task=00000:000&panel=predict&layers=base,target`);
-  await page.waitForTimeout(300);
+  await pause(page, 300);
   assert.equal(await picture(page), bare);
   await page.locator("#tab-imagine").click();
   await page.locator("#imagined-in").filter({ hasText: "Imagined" }).waitFor();
@@ -167,7 +179,7 @@ test("maps that are switched on do not tell the answer here", async () => {
   await page.locator("#walkthrough-next").click();
   await page.waitForFunction(() => /step=/.test(location.hash));
   await openPanel(page, "predict");
-  await page.waitForTimeout(100);
+  await pause(page, 100);
   assert.equal(await picture(page), bare, "nor does the story");
 });
 

@@ -232,8 +232,7 @@ test("Back after three tabs and two steps leads through them, and leaves the bal
 test("Back that follows a tab at once leads to the tab before, as it was left", async () => {
   const page = await openPuzzle(session);
   await page.locator("#tab-imagine").click();
-  await page.locator("#imagine:visible").waitFor();
-  await page.waitForTimeout(400);
+  await page.waitForFunction(() => location.hash.endsWith("&panel=imagine"));
   await page.evaluate(() => {
     const root = document.querySelector("pathlight-puzzle")?.shadowRoot;
     for (const selector of ["[data-map=target] input", "#tab-make"]) {

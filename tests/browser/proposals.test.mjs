@@ -9,6 +9,7 @@ import {
   inMore,
   openPanel,
   openPuzzle,
+  pause,
   picture,
   playModelTurn,
   says,
@@ -202,6 +203,6 @@ test("a number past the last ball of this puzzle leaves the address", async () =
   await page.evaluate(() => (location.hash = location.hash.replace(/proposal=\d+/, "proposal=90")));
   await page.waitForFunction(() => !location.hash.includes("proposal=90"));
   // The address is written a moment after what it tells.
-  await page.waitForTimeout(600);
+  await pause(page, 600);
   assert.doesNotMatch(page.url(), /proposal=/);
 });

@@ -3,7 +3,18 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { start } from "./harness.mjs";
-import { attempts, known, openPuzzle, palette, picture, pixels, says, type, waitForValue } from "./page-actions.mjs";
+import {
+  attempts,
+  known,
+  openPuzzle,
+  palette,
+  pause,
+  picture,
+  pixels,
+  says,
+  type,
+  waitForValue,
+} from "./page-actions.mjs";
 
 let session;
 before(async () => (session = await start()));
@@ -66,7 +77,7 @@ test("pause, step, scrub and go on", async () => {
   const time = page.locator("#time");
   const paused = Number(await time.inputValue());
   const scene = await picture(page);
-  await page.waitForTimeout(300);
+  await pause(page, 300);
   assert.equal(Number(await time.inputValue()), paused, "paused stays paused");
   await page.locator("#step").click();
   assert.equal(Number(await time.inputValue()), paused + 1);

@@ -4,7 +4,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { start } from "./harness.mjs";
-import { openPuzzle } from "./page-actions.mjs";
+import { openPuzzle, pause } from "./page-actions.mjs";
 
 let session;
 before(async () => (session = await start()));
@@ -102,7 +102,7 @@ test("a late answer to a puzzle that was left is dropped", async () => {
   });
   await page.locator("#imagined-in").filter({ hasText: "Imagined" }).waitFor();
   const settled = await labels();
-  await page.waitForTimeout(500);
+  await pause(page);
   assert.deepEqual(await labels(), settled);
   const fresh = await openPuzzle(session, { fragment: "&panel=imagine" });
   await fresh.locator("#imagined-in").filter({ hasText: "Imagined" }).waitFor();

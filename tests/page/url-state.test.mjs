@@ -2,15 +2,8 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import {
-  INITIAL_STATE,
-  formatFragment,
-  hrefOf,
-  pageViewHref,
-  pageViewOf,
-  parseFragment,
-  showsHome,
-} from "../../www/state/url-state.js";
+import { hrefOf, pageViewHref, pageViewOf, showsHome } from "../../www/state/links.js";
+import { INITIAL_STATE, formatFragment, parseFragment } from "../../www/state/url-state.js";
 import { viewOf, withoutPresentation } from "../../www/state/view.js";
 
 /** @type {import("../../www/state/url-state.js").State} */

@@ -3,9 +3,10 @@
 // draws.
 //
 // A task is named by its id, like "00007:008"; a custom scene, which is an object, takes the place of any task. Lengths
-// are in px: a scene is 256 x 256, y up. The file is over 300 lines long for its JSDoc.
+// are in px: a scene is 256 x 256, y up. What needs no weights is in benchmark.js.
 
 import * as wasm from "../pkg/pathlight.js";
+import { Benchmark } from "./benchmark.js";
 import { failure } from "./failure.js";
 import { addressOf, compileWasm, readFile } from "./files.js";
 import { readModelList } from "./model-files.js";
@@ -74,7 +75,7 @@ export async function load({ wasm: source, model, weights, onProgress } = {}) {
  * What `load` returns. Methods throw an Error with a `code`: `bad_task` if there is no such task, `bad_scene` if an own
  * scene may not be played, `bad_data` for other arguments that do not have the agreed form.
  */
-export class Pathlight {
+export class Pathlight extends Benchmark {
   /** @type {wasm.Model | null} */
   #model = null;
 
@@ -151,132 +152,6 @@ export class Pathlight {
   }
 
   /**
-   * Returns the 25 templates, each with the ids of its 100 tasks.
-   * @returns {Template[]}
-   */
-  templates() {
-    return wasm.templates();
-  }
-
-  /**
-   * Returns the tasks of one of PHYRE's folds.
-   * @param {Setup} setup
-   * @param {number} number 0 to 9
-   * @returns {Fold}
-   */
-  fold(setup, number) {
-    return wasm.fold(setup, number);
-  }
-
-  /**
-   * Returns how hard a task of the benchmark is: the share of uniform valid balls that solve it.
-   * @param {string} task
-   * @returns {Difficulty}
-   */
-  difficulty(task) {
-    return wasm.difficulty(String(task));
-  }
-
-  /**
-   * Returns the share of uniform valid balls that solve each task, 0..1: of the first template's tasks in turn, then of
-   * the next template's.
-   * @returns {Float64Array}
-   */
-  solveRates() {
-    return wasm.solveRates();
-  }
-
-  /**
-   * Returns a task in words: its name, its goal and a description of its scene.
-   * @param {Puzzle} task
-   * @returns {About}
-   */
-  about(task) {
-    const game = new wasm.Game(task);
-    try {
-      return game.about();
-    } finally {
-      game.free();
-    }
-  }
-
-  /**
-   * Returns the scene of a task.
-   * @param {Puzzle} task
-   * @returns {Scene}
-   */
-  scene(task) {
-    return wasm.scene(task);
-  }
-
-  /**
-   * Returns a task in the form of custom scenes, in which it can be changed and played.
-   * @param {Puzzle} task
-   * @returns {CustomScene}
-   */
-  customScene(task) {
-    return wasm.customScene(task);
-  }
-
-  /**
-   * Returns all reasons why a value is no custom scene that may be played; none if it may. Takes a fraction of a
-   * millisecond, and throws for no value.
-   * @param {unknown} scene
-   * @returns {SceneProblem[]}
-   */
-  sceneProblems(scene) {
-    return wasm.sceneProblems(scene);
-  }
-
-  /**
-   * Returns the SHA-256 of a custom scene without its name, in hexadecimal: equal for scenes that play alike.
-   * @param {CustomScene} scene
-   * @returns {string}
-   */
-  sceneDigest(scene) {
-    return wasm.sceneDigest(scene);
-  }
-
-  /**
-   * Returns the limits of custom scenes.
-   * @returns {SceneLimits}
-   */
-  sceneLimits() {
-    return wasm.sceneLimits();
-  }
-
-  /**
-   * Returns the image that the four nets see: the channels green object, blue goal, purple goal, gray and black, each
-   * of 64 x 64 zeros and ones, row 0 at the bottom.
-   * @param {Puzzle} task
-   * @returns {Float32Array} `[5, 64, 64]`
-   */
-  raster(task) {
-    return wasm.raster(task);
-  }
-
-  /**
-   * Returns why a ball is invalid in a task, as a phrase; undefined if it is valid.
-   * @param {Puzzle} task
-   * @param {Ball} ball
-   * @returns {string | undefined}
-   */
-  whyInvalid(task, ball) {
-    return wasm.whyInvalid(task, ball);
-  }
-
-  /**
-   * Simulates a task with a ball, or alone without one. An invalid ball is no error: the status of its rollout is
-   * `invalid`.
-   * @param {Puzzle} task
-   * @param {Ball | null} [ball]
-   * @returns {Rollout}
-   */
-  simulate(task, ball = null) {
-    return wasm.simulate(task, ball);
-  }
-
-  /**
    * Returns the maps that the nets imagine, each of 64 x 64 values in 0..1, row 0 at the bottom. It throws
    * `no_weights` if none are loaded, as all methods that need the model do.
    * @param {Puzzle} task
@@ -350,123 +225,5 @@ export class Pathlight {
    */
   memory(json) {
     return this.#loaded.memory(json);
-  }
-
-  /**
-   * Maps where a ball of a radius solves a task. Tries one of the 64 x 64 cells each time the next value is asked for;
-   * a value is the fraction of the cells that has been tried, and `outcomes`, which returns a copy of the map at the
-   * time of the call, also after the last value: for each cell 0 untried, 1 invalid, 2 not solved, 3 solved.
-   * @param {Puzzle} task
-   * @param {number} radius 2 to 32 px
-   * @returns {Generator<{ progress: number, outcomes: () => Uint8Array }, void, void>}
-   */
-  *solveMap(task, radius) {
-    const map = new wasm.SolveMap(task, radius);
-    /** @type {Uint8Array | null} */
-    let final = null;
-    const outcomes = () => final?.slice() ?? map.outcomes();
-    try {
-      for (let more = true; more;) {
-        more = map.advance();
-        yield { progress: map.progress(), outcomes };
-      }
-    } finally {
-      final = map.outcomes();
-      map.free();
-    }
-  }
-
-  /**
-   * Searches the whole action space for solutions. Tries one valid ball each time the next value is asked for; `found`
-   * returns what is known at the time of the call, also after the last value.
-   * @param {Puzzle} task
-   * @returns {Generator<{ found: () => FoundSolutions }, void, void>}
-   */
-  *solutionSearch(task) {
-    const search = new wasm.SolutionSearch(task);
-    /** @type {FoundSolutions | null} */
-    let final = null;
-    const found = () => final ?? search.found();
-    try {
-      for (let more = true; more;) {
-        more = search.advance();
-        yield { found };
-      }
-    } finally {
-      final = search.found();
-      search.free();
-    }
-  }
-
-  /**
-   * Returns whether a ball solves by luck: of the 27 balls within a pixel in x, y and radius, how many solve.
-   * @param {Puzzle} task
-   * @param {Ball} ball
-   * @returns {Luck}
-   */
-  luck(task, ball) {
-    return wasm.luck(task, ball);
-  }
-
-  /**
-   * Simulates a ball, or the scene alone without one, and returns the line that `pathlight verify` and `verifyAttempt`
-   * check.
-   * @param {Puzzle} task
-   * @param {Ball | null} [ball]
-   * @returns {AttemptLine}
-   */
-  attemptLine(task, ball = null) {
-    return wasm.attemptLine(task, ball);
-  }
-
-  /**
-   * Simulates the attempt of a line again, and returns whether it is the same to the bit. Throws for no value.
-   * @param {unknown} line
-   * @returns {Verification}
-   */
-  verifyAttempt(line) {
-    return wasm.verifyAttempt(line);
-  }
-
-  /**
-   * Returns PHYRE's auccess of an agent, 0..100.
-   * @param {(number | null)[]} firstSolved for each task the number, from 1, of the first attempt that solved it; null
-   *   if none did
-   * @returns {number}
-   */
-  auccess(firstSolved) {
-    return wasm.auccess(firstSolved);
-  }
-
-  /**
-   * Returns the soft IoU of two maps of 64 x 64 values in 0..1: from 0 (nothing in common) to 1 (equal).
-   * @param {GridMap} one
-   * @param {GridMap} other
-   * @returns {number}
-   */
-  softIou(one, other) {
-    return wasm.softIou(one, other);
-  }
-
-  /**
-   * Draws the scene of a task so that it fills a square canvas. In a browser only, as all methods that draw.
-   * @param {CanvasRenderingContext2D} context
-   * @param {Puzzle} task
-   * @param {{ dark?: boolean }} [options]
-   */
-  paintScene(context, task, { dark = false } = {}) {
-    wasm.paintThumbnail(context, task, dark);
-  }
-
-  /**
-   * Draws a map into a canvas of 64 x 64 pixels, which the page scales up. The colours run from 0, which is
-   * transparent, to `max`.
-   * @param {CanvasRenderingContext2D} context
-   * @param {MapName} mapName
-   * @param {GridMap} map
-   * @param {{ max?: number, dark?: boolean }} [options]
-   */
-  paintMap(context, mapName, map, { max = 1, dark = false } = {}) {
-    wasm.paintMap(context, mapName, map, max, dark);
   }
 }

@@ -9,7 +9,8 @@ import { Preferences } from "../storage/preferences.js";
 import { byId, find, setText } from "../widgets/dom.js";
 import { hideParts } from "../widgets/hidden-parts.js";
 import { sameBall } from "../puzzles/ball.js";
-import { INITIAL_STATE, formatFragment, formatState, parseState, showsPuzzle } from "../state/url-state.js";
+import { showsPuzzle } from "../state/links.js";
+import { INITIAL_STATE, formatFragment, formatState, parseState } from "../state/url-state.js";
 import { viewOf, withPresentation, withoutPresentation } from "../state/view.js";
 import { AskedPuzzle } from "./asked-puzzle.js";
 import { Components } from "./components.js";
@@ -212,10 +213,8 @@ export class PuzzleController extends EventTarget {
   /** @param {import("../pkg/pathlight.js").Puzzle} puzzle */
   #openPuzzle(puzzle) {
     const session = new Session(puzzle, () => reducedMotion.matches);
-    find(this.#root, ".puzzle").setAttribute(
-      "aria-label",
-      `Puzzle ${session.about.name} ${session.about.id ?? ""}`.trim(),
-    );
+    const { name, id } = session.about;
+    find(this.#root, ".puzzle").setAttribute("aria-label", `Puzzle ${name} ${id ?? ""}`.trim());
     session.addEventListener("change", () => this.#onSessionChange(session));
     session.addEventListener("attempted", () => this.#onAttempted(session));
     this.#components.open(session);

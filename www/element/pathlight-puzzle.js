@@ -13,45 +13,22 @@
 //
 // This file knows only the element; everything else is loaded once the wasm is there.
 
-import { afterFrame } from "../loading/after-frame.js";
-import { loadWasm } from "../loading/load-wasm.js";
-import { puzzleMarkup } from "./markup.js";
-import { Placeholder, placeholderSheet } from "./placeholder.js";
-import { loadStyleSheets } from "./style-sheets.js";
+import {
+  FLAGS,
+  PROPERTY_ATTRIBUTES,
+  STATE_ATTRIBUTES,
+  currentName,
+  setAttribute,
+  stateTexts,
+  takeEarlyProperties,
+} from "./attributes.js";
+import { PuzzleLoader } from "./puzzle-loader.js";
 
 /** @typedef {import("../state/url-state.js").State} State */
 /** @typedef {import("../state/url-state.js").Panel} Panel */
 /** @typedef {import("./controller.js").PlayedAttempt} PlayedAttempt */
 /** @typedef {import("../play/after-solving.js").Result} Result */
 /** @typedef {(task: string, panel: Panel) => string | null} HrefOf */
-
-/** The attributes that make up the state; state/url-state.js knows their values. */
-const STATE_ATTRIBUTES = [
-  "task",
-  "scene",
-  "model",
-  "panel",
-  "step",
-  "view",
-  "proposal",
-  "layers",
-  "opacity",
-  "forecast",
-  "ball",
-  "challenge",
-  "hide",
-];
-
-/** Attributes that are properties too, besides those of the state; `stage` is the old name of `step`. */
-const OTHER_ATTRIBUTES = ["stage", "theme"];
-/** The attributes that are on or off. */
-const FLAGS = ["fill", "remember"];
-
-/**
- * Frames that a page has for itself before a puzzle with nothing to show is made: its first pictures are in the
- * second.
- */
-const FRAMES_FOR_THE_PAGE = 3;
 
 const darkScheme = matchMedia("(prefers-color-scheme: dark)");
 
@@ -63,18 +40,17 @@ const darkScheme = matchMedia("(prefers-color-scheme: dark)");
  *   "modelchange"  the model's status changes; `detail` is { name, status: "off" | "loading" | "ready" | "failed" }
  */
 export class PathlightPuzzle extends HTMLElement {
-  static observedAttributes = [...STATE_ATTRIBUTES, ...OTHER_ATTRIBUTES, ...FLAGS];
+  static observedAttributes = [...PROPERTY_ATTRIBUTES, ...FLAGS];
 
   static {
-    for (const name of [...STATE_ATTRIBUTES, ...OTHER_ATTRIBUTES]) {
-      const attribute = name === "stage" ? "step" : name;
+    for (const name of PROPERTY_ATTRIBUTES) {
       Object.defineProperty(this.prototype, name, {
         get() {
-          return this.getAttribute(attribute);
+          return this.getAttribute(currentName(name));
         },
         set(value) {
           if (name === "ball") this.#ballGiven = true;
-          this.#setAttribute(attribute, value);
+          setAttribute(this, currentName(name), value);
         },
       });
     }
@@ -83,7 +59,11 @@ export class PathlightPuzzle extends HTMLElement {
   /** @type {HrefOf | null} */
   #hrefOf = null;
   #root = this.attachShadow({ mode: "open" });
-  #placeholder = new Placeholder();
+  #loader = new PuzzleLoader(this.#root, {
+    remembers: () => this.hasAttribute("remember"),
+    hrefOf: () => this.#hrefOf,
+    onLoad: (controller) => this.#onLoad(controller),
+  });
   /** @type {import("./controller.js").PuzzleController | null} */
   #controller = null;
   /**
@@ -96,43 +76,21 @@ export class PathlightPuzzle extends HTMLElement {
    * @type {((controller: import("./controller.js").PuzzleController) => void)[]}
    */
   #awaitedCalls = [];
-  /** Is the puzzle on its way, there, or failed since the element was connected? */
-  #begun = false;
-  #failed = false;
   #updating = false;
   /** Has the ball been set since the last update? */
   #ballGiven = false;
   /** Ends what the element listens to while it is connected. */
   #disconnected = new AbortController();
 
-  constructor() {
-    super();
-    this.#root.adoptedStyleSheets = [placeholderSheet];
-    this.#root.append(this.#placeholder.element);
-  }
-
   connectedCallback() {
-    this.#takeEarlyProperties();
+    takeEarlyProperties(this, ["hrefOf", "state", ...PathlightPuzzle.observedAttributes]);
     this.#disconnected.abort();
     this.#disconnected = new AbortController();
     const { signal } = this.#disconnected;
     darkScheme.addEventListener("change", () => this.#scheduleUpdate(), { signal });
     addEventListener("pagehide", () => this.#controller?.onPageHide(), { signal });
-    if (!this.#controller) this.#prepare();
+    if (!this.#controller) this.#loader.prepare(() => this.isConnected);
     this.#scheduleUpdate();
-  }
-
-  /**
-   * Starts what the puzzle waits for longest. One with nothing to show leaves the page some frames for its own first
-   * picture.
-   */
-  async #prepare() {
-    const sheets = loadStyleSheets();
-    // `#load` handles what becomes of them.
-    sheets.catch(() => {});
-    await Promise.allSettled([loadWasm(), sheets]);
-    for (let frame = 0; frame < FRAMES_FOR_THE_PAGE; frame += 1) await afterFrame();
-    if (this.isConnected) this.#loadOnce();
   }
 
   disconnectedCallback() {
@@ -142,7 +100,7 @@ export class PathlightPuzzle extends HTMLElement {
       this.#disconnected.abort();
       this.#controller?.release();
       // One that has failed is tried again where it is connected next.
-      if (this.#failed) this.#begun = this.#failed = false;
+      this.#loader.forgetFailure();
     });
   }
 
@@ -154,22 +112,9 @@ export class PathlightPuzzle extends HTMLElement {
   attributeChangedCallback(name, _, value) {
     // React 18 writes `remember={false}` so.
     if (value === "false" && FLAGS.includes(name)) this.removeAttribute(name);
-    if (name === "stage") this.#setAttribute("step", value);
+    if (currentName(name) !== name) setAttribute(this, currentName(name), value);
     if (name === "ball") this.#ballGiven = true;
     this.#scheduleUpdate();
-  }
-
-  /**
-   * Takes over the properties that were set before this file had defined the element: they are the object's own, and
-   * hide the accessors.
-   */
-  #takeEarlyProperties() {
-    for (const name of ["hrefOf", "state", ...PathlightPuzzle.observedAttributes]) {
-      if (!Object.hasOwn(this, name)) continue;
-      const value = Reflect.get(this, name);
-      Reflect.deleteProperty(this, name);
-      Reflect.set(this, name, value);
-    }
   }
 
   /**
@@ -257,46 +202,9 @@ export class PathlightPuzzle extends HTMLElement {
     else this.#awaitedCalls.push(act);
   }
 
-  #loadOnce() {
-    if (!this.#begun) this.#load();
-  }
-
-  async #load() {
-    this.#begun = true;
-    try {
-      const [module, sheets] = await Promise.all([loadWasm(), loadStyleSheets()]);
-      const [{ PuzzleController }, { sharedProgress }] = await Promise.all([
-        import("./controller.js"),
-        import("../storage/progress.js"),
-      ]);
-      this.#root.adoptedStyleSheets = [placeholderSheet, ...sheets];
-      this.#root.append(puzzleMarkup());
-      const progress = sharedProgress(this.hasAttribute("remember") ? "kept" : "forgotten");
-      this.#controller = this.#listened(new PuzzleController(this.#root, module, progress, () => this.#hrefOf));
-    } catch (error) {
-      const { code, message } = /** @type {Error & { code?: string }} */ (error);
-      this.#failed = true;
-      this.#placeholder.showFailure(message, () => this.#loadAgain());
-      this.#root.replaceChildren(this.#placeholder.element);
-      // An error without a code is a bug of ours.
-      if (!code) reportError(error);
-      return;
-    }
-    this.#placeholder.element.remove();
-    this.#update();
-    for (const act of this.#awaitedCalls.splice(0)) this.#call(act);
-  }
-
-  async #loadAgain() {
-    this.#placeholder.showLoading();
-    await this.#load();
-    // The focus was on the button that has gone.
-    if (this.#controller) this.focus();
-    else this.#placeholder.focus();
-  }
-
   /** @param {import("./controller.js").PuzzleController} controller */
-  #listened(controller) {
+  #onLoad(controller) {
+    this.#controller = controller;
     controller.addEventListener("statechange", () => {
       this.#reflect(controller);
       this.#dispatch("statechange", controller.state);
@@ -308,7 +216,8 @@ export class PathlightPuzzle extends HTMLElement {
     controller.addEventListener("attempt", (event) =>
       this.#dispatch("attempt", /** @type {CustomEvent<PlayedAttempt>} */ (event).detail),
     );
-    return controller;
+    this.#update();
+    for (const act of this.#awaitedCalls.splice(0)) this.#call(act);
   }
 
   /**
@@ -338,7 +247,7 @@ export class PathlightPuzzle extends HTMLElement {
       const asked = this.#awaited
         ? this.#awaited.task !== null || this.#awaited.scene !== null
         : this.hasAttribute("task") || this.hasAttribute("scene");
-      if (asked) this.#loadOnce();
+      if (asked) this.#loader.load();
       return;
     }
     const theme = this.getAttribute("theme");
@@ -349,9 +258,7 @@ export class PathlightPuzzle extends HTMLElement {
     const shown = task ?? scene;
     const isAnother = task !== this.getAttribute("task") || scene !== this.getAttribute("scene");
     if (shown && !ballGiven && isAnother) this.removeAttribute("ball");
-    controller.applyTexts(
-      STATE_ATTRIBUTES.filter((name) => this.hasAttribute(name)).map((name) => [name, this.getAttribute(name) ?? ""]),
-    );
+    controller.applyTexts(stateTexts(this));
   }
 
   /** @param {import("./controller.js").PuzzleController} controller */
@@ -368,16 +275,7 @@ export class PathlightPuzzle extends HTMLElement {
    * @param {import("./controller.js").PuzzleController} controller
    */
   #reflect({ texts }) {
-    for (const name of STATE_ATTRIBUTES) this.#setAttribute(name, texts[name]);
-  }
-
-  /**
-   * @param {string} name
-   * @param {string | null} value
-   */
-  #setAttribute(name, value) {
-    if (value === null || value === undefined) this.removeAttribute(name);
-    else if (value !== this.getAttribute(name)) this.setAttribute(name, value);
+    for (const name of STATE_ATTRIBUTES) setAttribute(this, name, texts[name]);
   }
 }
 

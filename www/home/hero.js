@@ -2,7 +2,7 @@
 // the wasm.
 
 import { byId, setText } from "../widgets/dom.js";
-import { hrefOf, showsHome } from "../state/url-state.js";
+import { hrefOf, showsHome } from "../state/links.js";
 import { SCENE_TASK } from "./home-tasks.js";
 import { MovingScene } from "./moving-scene.js";
 import { readRecording } from "./recording.js";

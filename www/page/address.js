@@ -1,7 +1,8 @@
 // The address of the page and its history: another puzzle, a tab and a step are entries of their own; anything else, a
 // place of the ball say, changes the present one a little later.
 
-import { formatFragment, parseFragment, showsPuzzle } from "../state/url-state.js";
+import { showsPuzzle } from "../state/links.js";
+import { formatFragment, parseFragment } from "../state/url-state.js";
 
 /** @typedef {import("../state/url-state.js").State} State */
 

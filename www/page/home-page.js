@@ -5,7 +5,7 @@ import { hideParts } from "../widgets/hidden-parts.js";
 import { byId } from "../widgets/dom.js";
 import { Gallery } from "../widgets/gallery.js";
 import { TEMPLATES } from "../puzzles/templates.js";
-import { pageViewHref, showsHome } from "../state/url-state.js";
+import { pageViewHref, showsHome } from "../state/links.js";
 import { readRecording } from "../home/recording.js";
 import { CustomGallery } from "./custom-gallery.js";
 import { Picks } from "./picks.js";

@@ -6,7 +6,8 @@ import { byId } from "../widgets/dom.js";
 import { hideParts } from "../widgets/hidden-parts.js";
 import { showNotice } from "../widgets/notice.js";
 import { loadWasm } from "../loading/load-wasm.js";
-import { parseFragment, showsHome } from "../state/url-state.js";
+import { showsHome } from "../state/links.js";
+import { parseFragment } from "../state/url-state.js";
 
 const reload = () => location.reload();
 

@@ -10,13 +10,15 @@ import { dismissNotice, showDone, showNotice } from "../widgets/notice.js";
 import { sceneName } from "../puzzles/puzzle-name.js";
 import { leavesPlainKeys } from "../widgets/shortcuts.js";
 import { TEMPLATES, templateOf } from "../puzzles/templates.js";
-import { INITIAL_STATE, PAGE_VIEWS, hrefOf, pageViewOf, showsPuzzle } from "../state/url-state.js";
+import { hrefOf, pageViewOf, showsPuzzle } from "../state/links.js";
+import { INITIAL_STATE, PAGE_VIEWS } from "../state/url-state.js";
 import { sharedProgress } from "../storage/progress.js";
 import { knownScene, sceneOfText } from "../editor/scene-link.js";
 import { FIRST_TASK } from "../home/home-tasks.js";
 import { Address } from "./address.js";
 import { HomePage } from "./home-page.js";
 import { LessonDialog } from "./lesson-dialog.js";
+import { loadPart } from "./load-part.js";
 import { ProgressView } from "./progress-view.js";
 
 /** @typedef {import("../state/url-state.js").State} State */
@@ -40,6 +42,11 @@ export class Page {
   #learns = null;
   /** @type {LessonDialog | null} */
   #lessonDialog = null;
+  /**
+   * The address of a puzzle with the balls of a model.
+   * @type {(task: string, model: string | null) => string | null}
+   */
+  #hrefInCompare = (task, model) => hrefOf({ ...this.#state, model }, task, "compare");
 
   /** @param {import("../home/hero.js").Hero} hero */
   constructor(hero) {
@@ -251,44 +258,30 @@ export class Page {
 
   /** @param {string | null} model */
   async #showResults(model) {
-    try {
+    this.#results ??= await loadPart("The page of the results", async () => {
       const { ResultsView } = await import("./results-view.js");
-      this.#results ??= new ResultsView(TEMPLATES, (task, model) => hrefOf({ ...this.#state, model }, task, "compare"));
-    } catch {
-      return showNotice(
-        "The page of the results could not be loaded. Check the connection; if Pathlight has been updated meanwhile, load the page again.",
-      );
-    }
-    this.#results.show(model);
+      return new ResultsView(TEMPLATES, this.#hrefInCompare);
+    });
+    this.#results?.show(model);
   }
 
   async #showLearns() {
-    try {
+    this.#learns ??= await loadPart("This part of the page", async () => {
       const { LearnsView } = await import("./learns-view.js");
-      this.#learns ??= new LearnsView(await loadWasm(), (task, model) =>
-        hrefOf({ ...this.#state, model }, task, "compare"),
-      );
-    } catch {
-      return showNotice(
-        "This part of the page could not be loaded. Check the connection; if Pathlight has been updated meanwhile, load the page again.",
-      );
-    }
+      return new LearnsView(await loadWasm(), this.#hrefInCompare);
+    });
     // The person may have gone on meanwhile.
-    if (pageViewOf(this.#state) === "learns") this.#learns.show();
+    if (pageViewOf(this.#state) === "learns") this.#learns?.show();
   }
 
   /** @param {import("../play/after-solving.js").Result} result */
   async #share(result) {
-    try {
+    this.#shareDialog ??= await loadPart("The sheet to share a puzzle", async () => {
       const { ShareDialog } = await import("./share-dialog.js");
-      this.#shareDialog ??= new ShareDialog(TEMPLATES);
-    } catch {
-      return showNotice(
-        "The sheet to share a puzzle could not be loaded. Check the connection; if Pathlight has been updated meanwhile, load the page again.",
-      );
-    }
+      return new ShareDialog(TEMPLATES);
+    });
     // The result can be drawn only while its puzzle is open.
-    if (result.isOpen()) this.#shareDialog.show(result, this.#state, darkScheme.matches);
+    if (result.isOpen()) this.#shareDialog?.show(result, this.#state, darkScheme.matches);
   }
 
   async #copyLink() {

@@ -6,7 +6,7 @@ import { LazyThumbnails } from "../widgets/lazy-thumbnails.js";
 import { difficultyName, solveRateOf } from "../puzzles/difficulty.js";
 import { pathlight } from "../shell/page-api.js";
 import { puzzleName } from "../puzzles/puzzle-name.js";
-import { hrefOf, pageViewHref } from "../state/url-state.js";
+import { hrefOf, pageViewHref } from "../state/links.js";
 import { LEARNT_TASK, MADE_FROM } from "../home/home-tasks.js";
 import { dayWords, taskOfDay } from "./daily.js";
 

@@ -69,6 +69,10 @@ export class ShareDialog {
     this.#link = `${location.origin}${location.pathname}#${formatFragment({ ...INITIAL_STATE, task, scene, challenge })}`;
     this.#dark = dark;
     this.#withBall.checked = false;
+    const both = result.solvedAt && result.model?.solvedAt;
+    byId(document, "share-ball-words").textContent = both
+      ? "Show my path and the model’s in the picture"
+      : "Show my ball in the picture";
     this.#say("");
     byId(document, "share-text").textContent = this.#words(result);
     await this.#draw();

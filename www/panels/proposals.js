@@ -5,10 +5,10 @@
 import { Component } from "../widgets/component.js";
 import { ATTEMPT_LIMIT } from "../shell/constants.js";
 import { setText } from "../widgets/dom.js";
-import { download, fileName } from "../widgets/download.js";
 import { BallImaginer } from "../model/ball-imaginer.js";
 import { chanceWords, errorWords } from "../model/chance-words.js";
-import { ballsCsv, otherOutcome, outcomesWords } from "../model/outcomes.js";
+import { otherOutcome, outcomesWords } from "../model/outcomes.js";
+import { saveBalls } from "../model/save-balls.js";
 import { sameBall } from "../puzzles/ball.js";
 import { sentence } from "../text/sentence.js";
 import { originWords, sourceOf } from "./proposal-origin.js";
@@ -166,14 +166,7 @@ export class Proposals extends Component {
     if (!this.#saves || !this.session || !this.#proposals || !loaded) return;
     this.#saves = false;
     const { id, name } = this.session.about;
-    const task = id ?? name;
-    const csv = ballsCsv(this.#proposals, {
-      task,
-      model: loaded.name,
-      seen: this.#imagine.seen ?? false,
-      simulator: loaded.card.simulator,
-    });
-    download(fileName(`pathlight ${task} ${loaded.name}`, "csv"), new Blob([csv], { type: "text/csv" }));
+    saveBalls(this.#proposals, { task: id ?? name, seen: this.#imagine.seen ?? false, loaded });
   }
 
   /** Forgets the proposals: they are another puzzle's or another model's. */

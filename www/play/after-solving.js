@@ -18,8 +18,8 @@ import { paintStill } from "./still.js";
  * @property {number | null} solvedAt the attempt that solved it; null if none has
  * @property {{ used: number, solvedAt: number | null } | null} model how the model did; null if it has not played
  * @property {(context: CanvasRenderingContext2D, dark: boolean, ball: boolean) => void} paint draws the scene into a
- *   square canvas, with the ball and the paths of that attempt, or as it is seen, if `ball`; only until the puzzle is
- *   left
+ *   square canvas; if `ball`, with the ball and the paths of that attempt and of the model's that solved it, or as it
+ *   is seen if there is none; only until the puzzle is left
  * @property {() => boolean} isOpen whether the puzzle has not been left
  * @property {(() => Run) | null} openRun shows that attempt, or what has run, again; null if nothing has
  */
@@ -142,6 +142,7 @@ export class AfterSolving extends Component {
       model: used > 0 ? { used, solvedAt: modelSolvedAt } : null,
       paint: (context, dark, ball) => {
         if (!ball) game.paintThumbnail(context, dark);
+        else if (solvedAt && modelSolvedAt) game.paintPair(context, solvedAt, modelSolvedAt, dark);
         else if (solvedAt) game.paintAttempt(context, "player", solvedAt, dark);
         else paintStill(session, context, session.playback.step, dark);
       },

@@ -129,6 +129,8 @@ export class Gestures {
     const drag = this.#drag;
     this.#drag = null;
     if (drag?.kind === "pen") this.#pen?.end?.();
+    // The person may have taken the ball elsewhere meanwhile.
+    else if (drag && sameBall(this.#session()?.ball, drag.ball)) this.#session()?.placement.settle(drag);
   }
 
   /**

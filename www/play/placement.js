@@ -16,14 +16,14 @@ export class Placement extends EventTarget {
    * @type {string | null}
    */
   invalidReason = null;
-  #whyInvalid;
+  #game;
   /** @type {UndoStack<Ball | null>} */
   #balls = new UndoStack(/** @type {Ball | null} */ (null));
 
-  /** @param {(ball: Ball) => string | undefined} whyInvalid why a ball may not be placed */
-  constructor(whyInvalid) {
+  /** @param {Pick<import("../pkg/pathlight.js").Game, "whyInvalid" | "nearestPlace">} game */
+  constructor(game) {
     super();
-    this.#whyInvalid = whyInvalid;
+    this.#game = game;
   }
 
   /**
@@ -83,6 +83,15 @@ export class Placement extends EventTarget {
     this.invalidReason = null;
   }
 
+  /**
+   * Moves a ball that may not lie where it is to the nearest place where it may, if that is not far away.
+   * @param {unknown} gesture the one that has left it there
+   */
+  settle(gesture) {
+    const place = this.ball && this.invalidReason !== null ? this.#game.nearestPlace(...this.ball) : null;
+    if (place) this.place(place, gesture);
+  }
+
   get canUndo() {
     return this.#balls.canUndo;
   }
@@ -102,7 +111,7 @@ export class Placement extends EventTarget {
   /** @param {Ball | null} ball */
   #set(ball) {
     this.ball = ball;
-    this.invalidReason = (ball && this.#whyInvalid(ball)) ?? null;
+    this.invalidReason = (ball && this.#game.whyInvalid(...ball)) ?? null;
     this.dispatchEvent(new Event("change"));
   }
 }

@@ -44,7 +44,7 @@ export class Session extends Display {
     super(new Game(puzzle), prefersReducedMotion);
     this.puzzle = puzzle;
     this.about = this.game.about();
-    this.placement = new Placement((ball) => this.game.whyInvalid(...ball));
+    this.placement = new Placement(this.game);
     this.attempts = new Attempts(this.game);
     this.placement.addEventListener("change", () => this.#onPlaced());
     this.attempts.addEventListener("change", () => this.emit("change"));

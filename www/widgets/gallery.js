@@ -5,7 +5,7 @@ import { difficultyName, solveRateOf } from "../puzzles/difficulty.js";
 import { LazyThumbnails } from "./lazy-thumbnails.js";
 import { SCENE_SIZE } from "../shell/constants.js";
 import { pathlight } from "../shell/page-api.js";
-import { hrefOf } from "../state/url-state.js";
+import { hrefOf } from "../state/links.js";
 
 /** @typedef {import("../pkg/pathlight.js").Template} Template */
 
