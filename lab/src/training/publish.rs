@@ -1,7 +1,8 @@
 //! Copies trained weights to where the page loads them from.
 //!
-//! They are rounded there, so that each takes one byte instead of two, and named by their setup and fold. The list of all
-//! weights beside them has the hash by which the page checks a download, and the size by which it shows the progress.
+//! They are rounded there, so that each takes one byte instead of two, and named by their setup and fold. The list of
+//! all weights beside them has the hash by which the page checks a download, and the size by which it shows the
+//! progress.
 
 use std::fs;
 use std::path::{Path, PathBuf};
