@@ -1,4 +1,4 @@
-//! Which of the balls that the success net scores fit into a scene, of any of its radii on any of its cells.
+//! Which of the balls that the success net scores, one for each radius and cell, fit into a scene.
 //!
 //! Where a ball fits, every smaller one fits too. So it is enough to know how many of the radii fit on each cell, and
 //! one clearance for each cell tells. Used by `ranking`.

@@ -41,8 +41,8 @@ pub(super) fn candidates_of(read: &ReadScene, scene: &Scene, count: usize) -> Op
     (!candidates.is_empty()).then_some(candidates)
 }
 
-/// Returns candidates, and balls that solved like scenes, with the logits that a memory gives them. The net only ranks
-/// them: on scenes unlike those of its training it is overconfident, and no attempt could outweigh its logits.
+/// Returns candidates, and balls that solved similar scenes, with the logits that a memory gives them. The net only
+/// ranks them: on scenes unlike those of its training it is overconfident, and no attempt could outweigh its logits.
 pub fn remembered(
     mut candidates: Vec<Candidate>,
     read: &ReadScene,

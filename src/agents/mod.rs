@@ -124,7 +124,7 @@ pub fn propose(nets: &PathNet, scene: &Scene, seed: u64, count: usize) -> Vec<Pr
     propose_from(imagined_candidates(nets, scene, CANDIDATES), nets, scene, seed, count)
 }
 
-/// `start` with candidates that have been imagined.
+/// `start` with candidates that have been imagined already.
 fn start_from(
     candidates: Option<Vec<Candidate>>,
     nets: &PathNet,
@@ -138,7 +138,7 @@ fn start_from(
     }
 }
 
-/// `propose` with candidates that have been imagined.
+/// `propose` with candidates that have been imagined already.
 fn propose_from(
     candidates: Option<Vec<Candidate>>,
     nets: &PathNet,

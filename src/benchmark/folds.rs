@@ -1,7 +1,7 @@
 //! PHYRE's ten folds in two setups: which tasks an agent is trained on and which it is tested on.
 //!
 //! `within`: four fifths of the tasks of each template are for training, one fifth for testing. `cross`: four fifths of
-//! the templates are for training, one fifth for testing. One fifth of what is for training is the dev part. All parts
+//! the templates are for training, one fifth for testing. One fifth of the training part is the dev part. All parts
 //! are cut from lists in PHYRE's `stable_shuffle`, with PHYRE's salts.
 
 use std::fmt;

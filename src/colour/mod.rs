@@ -1,6 +1,7 @@
 //! The colours of scenes and of maps, the same on the page and in the figures.
 //!
-//! `palette` has those of the roles and of the paper, `maps` those of the maps. Used by `web` and `commands`.
+//! `palette` has those of the roles and of the paper, `imagined_maps` those of the maps. Used by `nets`, `web` and the
+//! figures of the lab.
 
 pub mod imagined_maps;
 pub mod palette;

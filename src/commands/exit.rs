@@ -1,4 +1,4 @@
-//! How a command ends; the lab's binary ends so too.
+//! How a command ends, in the lab's binary too.
 
 use std::io;
 use std::process::ExitCode;

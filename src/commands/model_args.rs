@@ -20,7 +20,7 @@ impl ModelArgs {
     /// Returns the nets of a fold.
     ///
     /// # Errors
-    /// If the file cannot be read, or its nets were trained on another fold and so may know the test tasks of this.
+    /// If the file cannot be read, or its nets were trained on another fold and so may know this fold's test tasks.
     pub fn load(&self, fold: FoldId) -> anyhow::Result<PathNet> {
         Ok(self.load_with_digest(fold)?.0)
     }

@@ -1,4 +1,4 @@
-//! The commands that are now those of the lab's binary.
+//! The commands that have moved to the lab's binary.
 
 use std::ffi::OsStr;
 

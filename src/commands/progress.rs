@@ -1,7 +1,6 @@
 //! The progress of a long command on standard error: a bar on a terminal, else a line now and then.
 //!
-//! The lab's binary shows its progress so too. Never touches standard output. A closed standard error does not stop the
-//! work.
+//! The lab's binary uses it too. Never touches standard output. A closed standard error does not stop the work.
 
 use std::io::{self, Write};
 use std::time::{Duration, Instant};

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::benchmark::folds::{FoldId, Setup};
 
-/// Weights that were trained on another fold than that whose test tasks they should solve.
+/// Weights that were trained on a fold other than the one whose test tasks they are to solve.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error(
     "the weights were trained on {} {}, so they may have seen the test tasks of {} {}: use other weights",

@@ -72,7 +72,7 @@ impl PathNet {
         PathNet::load_on(bytes, &flex())
     }
 
-    /// As `load`, to run on burn's ndarray backend, which it has deprecated: the reference of the differential tests.
+    /// Like `load`, but on burn's deprecated ndarray backend: the reference of the differential tests.
     #[cfg(feature = "ndarray")]
     #[allow(deprecated)]
     pub fn load_on_ndarray(bytes: &[u8]) -> Result<(PathNet, Card), WeightsError> {

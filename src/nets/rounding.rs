@@ -1,10 +1,10 @@
 //! Rounds weights so that they compress: `pathlight-lab publish weights` uses this on what the page downloads.
 //!
 //! Every weight becomes a multiple of its tensor's step, a power of two that depends on the standard deviation of the
-//! tensor. Half precision holds such multiples exactly, so a weights file stays what it is. Most bits that carry only
-//! noise are then zero, and brotli leaves them out. A uniform step costs the least accuracy for the entropy it saves:
-//! fewer bits of mantissa would keep small weights needlessly precise, and one range for a whole channel is set by its
-//! largest weight, some ten standard deviations.
+//! tensor. Half precision holds such multiples exactly, and nearly all of them fit into a byte (`stored`). The bits
+//! that carry only noise are gone, so brotli shrinks the file too. A uniform step costs the least accuracy for the
+//! entropy it saves: fewer bits of mantissa would keep small weights needlessly precise, and one range for a whole
+//! channel is set by its largest weight, some ten standard deviations.
 
 use burn::module::{Module, ModuleMapper, Param};
 use burn::tensor::{Tensor, TensorData};

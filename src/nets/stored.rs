@@ -135,8 +135,8 @@ struct Multiples {
     outliers: Vec<(u32, i16)>,
 }
 
-/// Returns values as multiples of the largest power of two that divides all; `None` if they take less room in half
-/// precision, or are no such multiples: only there is a negative zero.
+/// Returns values as multiples of the largest power of two that divides them all; `None` if they take less room in half
+/// precision, if a multiple does not fit into two bytes, or if one is a negative zero, which is no multiple.
 fn multiples(values: &[f16]) -> Option<Multiples> {
     /// What the names and shapes of three more tensors take in the header, bytes.
     const HEADER: usize = 300;

@@ -1,4 +1,4 @@
-//! The success net: scores every action at once, how likely a ball of any radius at any place solves the scene.
+//! The success net: scores every action at once by how likely a ball of any radius at any place solves the scene.
 //!
 //! A U-Net (`u_net`) that returns one map of logits for each of a few radii, and learns from balls with their outcome.
 //! The paper has no such net. Agents that order balls by it need fewer attempts.

@@ -1,4 +1,4 @@
-//! Weights files: safetensors of numbers in half precision, or in less (`stored`), whose metadata is a card with the
+//! Weights files: safetensors in half precision or in one byte per weight (`stored`), whose metadata is a card with the
 //! settings of the training.
 //!
 //! The names of the tensors are the paths of the parameters in `PathNet` (`base.down.0.weight`). A file that does not

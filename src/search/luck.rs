@@ -1,5 +1,5 @@
-//! Luck or plan: whether a ball that solves does so by a hair. Of the balls within a pixel of it, how many solve too,
-//! and does the ball itself solve in another engine, which the wasm lacks?
+//! Luck or plan: how robust a solution is. Counts how many of the balls within a pixel of it solve too, and tries the
+//! ball itself in the second engine, which the wasm lacks.
 
 use serde::Serialize;
 

@@ -1,7 +1,7 @@
 //! The engines by name: a scene and perhaps a ball in, a rollout out, whichever computes it.
 //!
 //! The first is the port of Box2D's step, on which everything else stands; rapier2d's own pipeline is a second opinion.
-//! The wasm goes without it: compressed it would be some 360 kB larger, by two thirds.
+//! The wasm leaves it out: with it, the compressed wasm would be some 360 kB, or two thirds, larger.
 
 use std::fmt;
 use std::str::FromStr;
@@ -43,7 +43,7 @@ impl Engine {
         Engine::Rapier,
     ];
 
-    /// Whether it is the first engine, which goes without saying.
+    /// Whether it is the first engine, which output does not name.
     pub fn is_first(&self) -> bool {
         *self == Engine::default()
     }

@@ -71,11 +71,12 @@ impl TryFrom<PlainPaths> for ImaginedPaths {
 #[wasm_bindgen]
 impl Model {
     /// Imagines what a ball of a task leads to: the paths of the green object and of the ball, and the probability that
-    /// it solves. Undefined if the weights have no dynamics net. The task of the last call is kept as the net has read
-    /// it, so that the next of its balls costs little.
+    /// it solves. Undefined if the weights have no dynamics net. What the net has read of the last task is kept, so
+    /// further balls of it cost little.
     ///
-    /// # Errors `bad_task` if there is no such task, `bad_scene` if the scene may not be played, `bad_data` if it is
-    /// not a ball, `invalid_ball`.
+    /// # Errors
+    /// `bad_task` if there is no such task, `bad_scene` if the scene may not be played, `bad_data` if it is not a ball,
+    /// `invalid_ball`.
     #[wasm_bindgen(js_name = imagineBall, unchecked_return_type = "ImaginedBall | undefined")]
     pub fn imagine_ball(
         &self,

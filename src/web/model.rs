@@ -139,8 +139,9 @@ impl Model {
 
     /// Starts the model's turn on a task. The same seed leads to the same attempts.
     ///
-    /// # Errors `bad_task` if there is no such task, `bad_scene` if the scene may not be played, `bad_data` if the seed
-    /// is out of range or not a whole number.
+    /// # Errors
+    /// `bad_task` if there is no such task, `bad_scene` if the scene may not be played, `bad_data` if the seed is out
+    /// of range or not a whole number.
     pub fn turn(
         &self,
         #[wasm_bindgen(unchecked_param_type = "Puzzle")] puzzle: JsValue,
@@ -163,8 +164,9 @@ impl Model {
     /// Starts the model's turn on a task, in which it uses what a memory holds, and remembers each attempt. Draws
     /// nothing at random.
     ///
-    /// # Errors `bad_task` if there is no such task, `bad_scene` if the scene may not be played, `bad_memory` if the
-    /// memory is of other weights, `bad_weights` if these weights have no dynamics net.
+    /// # Errors
+    /// `bad_task` if there is no such task, `bad_scene` if the scene may not be played, `bad_memory` if the memory
+    /// is of other weights, `bad_weights` if these weights have no dynamics net.
     #[wasm_bindgen(js_name = turnWith)]
     pub fn turn_with(
         &self,

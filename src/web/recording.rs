@@ -1,5 +1,5 @@
-//! A rollout that is shown: its ball, and the interpolated pose of every body at any time. Used by `puzzle`,
-//! `puzzle_view` and `frame`; draws nothing itself.
+//! A rollout that is shown: its ball, and the interpolated pose of every body at any time. Used by `game`, `game_view`
+//! and `frame`; draws nothing itself.
 
 use js_sys::{Float32Array, Object, Reflect};
 use wasm_bindgen::JsValue;

@@ -14,8 +14,9 @@ pub struct SolveMap(solve_map::SolveMap);
 impl SolveMap {
     /// Returns a map without outcomes. The radius is in px.
     ///
-    /// # Errors `bad_task` if there is no such task, `bad_scene` if the scene may not be played, `invalid_ball` if the
-    /// radius is not a ball's.
+    /// # Errors
+    /// `bad_task` if there is no such task, `bad_scene` if the scene may not be played, `invalid_ball` if the radius is
+    /// not a ball's.
     #[wasm_bindgen(constructor)]
     pub fn new(
         #[wasm_bindgen(unchecked_param_type = "Puzzle")] puzzle: JsValue,

@@ -139,7 +139,7 @@ export type MapName = "base" | "target" | "action" | "placement" | "success";
 /** A map or a mask: 64 x 64 values in 0..1, row by row, row 0 at the bottom. */
 export type GridMap = Float32Array;
 
-/** The maps of a task; weights may have no success net. */
+/** The maps of a task; weights with neither a success net nor a dynamics net have no `success`. */
 export type Maps = Record<Exclude<MapName, "success">, GridMap> & { success?: GridMap };
 
 /** Who places the ball. */

@@ -72,8 +72,8 @@ export async function load({ wasm: source, model, weights, onProgress } = {}) {
 }
 
 /**
- * What `load` returns. Methods throw an Error with a `code`: `bad_task` if there is no such task, `bad_scene` if an own
- * scene may not be played, `bad_data` for other arguments that do not have the agreed form.
+ * What `load` returns. Methods throw an Error with a `code`: `bad_task` if there is no such task, `bad_scene` if a
+ * custom scene may not be played, `bad_data` for other arguments that do not have the agreed form.
  */
 export class Pathlight extends Benchmark {
   /** @type {wasm.Model | null} */

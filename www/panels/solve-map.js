@@ -1,6 +1,6 @@
-// The Map panel: where a ball of this radius solves the puzzle, found by simulating it at every place, coarsely at
-// first and then finer. The worker does it, sends its progress, and can be stopped. The model's placement map can be
-// laid over it.
+// The part Check the answer of Imagine: where a ball of this radius solves the puzzle, found by simulating it at every
+// place, coarsely at first and then finer. The worker does it, sends its progress, and can be stopped. The model's
+// placement map can be laid over it.
 
 import { paintOutcomes } from "../pkg/pathlight.js";
 import { Component } from "../widgets/component.js";

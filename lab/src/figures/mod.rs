@@ -1,5 +1,4 @@
-//! Draws the figures of the results as SVG, each with a text alternative, and a page that shows
-//! them.
+//! Draws the figures of the results as SVG, each with a text alternative, and a page that shows them.
 //!
 //! A module per figure draws it from the files of what was measured; nothing is measured here. The same files
 //! yield the same bytes.

@@ -15,7 +15,7 @@ pub fn training_folder(fold: FoldId) -> PathBuf {
 /// Reads the nets of a fold, and how they were trained; without a path, the shipped ones.
 ///
 /// # Errors
-/// If the file cannot be read, or its nets were trained on another fold and so may know the test tasks of this.
+/// If the file cannot be read, or its nets were trained on another fold and so may know this fold's test tasks.
 pub fn load_nets(path: Option<&Path>, fold: FoldId) -> anyhow::Result<(PathNet, Card)> {
     let path = path.map_or_else(|| format!("assets/{fold}.safetensors").into(), Path::to_path_buf);
     let name = path.display();

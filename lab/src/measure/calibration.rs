@@ -1,4 +1,4 @@
-//! How often balls solve to which the model gives a chance, on test tasks of a fold.
+//! Calibration: whether the chances that the model gives to balls come true, on the test tasks of a fold.
 //!
 //! Uniformly random balls, as a person may place them, few of which the model finds likely; and some of the candidates
 //! that the model itself considers, from the likeliest on.

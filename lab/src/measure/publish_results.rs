@@ -1,5 +1,4 @@
-//! Collects the measurements of the shipped models into the small file from which the page
-//! shows them.
+//! Collects the measurements of the shipped models into the small file from which the page shows them.
 //!
 //! For each model the first solving attempt of every agent on every test task of its fold, and the calibration of its
 //! chances.

@@ -1,7 +1,7 @@
 //! Copies trained weights to where the page loads them from.
 //!
-//! They are rounded there, so that a compressed download is about half as large, and named by their setup and fold. The
-//! list of all weights beside them has the hash by which the page checks a download, and the size that tells its
+//! They are rounded there, so that each takes one byte instead of two, and named by their setup and fold. The list of
+//! all weights beside them has the hash by which the page checks a download, and the size by which it shows the
 //! progress.
 
 use std::fs;

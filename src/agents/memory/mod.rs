@@ -1,5 +1,5 @@
-//! A memory of attempts that outlives the puzzle. What an attempt taught changes the chances of like balls in like
-//! scenes, from puzzle to puzzle.
+//! A memory of attempts that outlives the puzzle. What an attempt taught changes the chances of similar balls in
+//! similar scenes, from puzzle to puzzle.
 //!
 //! Kernel logistic regression, learned online (Kivinen, Smola and Williamson 2004). The logit of a ball is the prior's,
 //! plus one term for each remembered attempt: its weight times the likeness of the two scenes times the likeness of the
@@ -40,7 +40,7 @@ pub struct Settings {
     pub failure: f64,
     /// A failure counts as if at least this chance had been expected.
     pub least_expected: f64,
-    /// At most this number of balls that solved like scenes become candidates.
+    /// At most this number of balls that solved similar scenes become candidates.
     pub suggestions: usize,
 }
 

@@ -48,7 +48,7 @@ impl Backward<Flex, 3> for ConvUp {
     }
 }
 
-/// Registers the gradients for those of input, weights and bias that need one.
+/// Registers the gradients of input, weights and bias, as far as they are needed.
 fn register(
     parents: [Option<NodeId>; 3],
     [x, weight, _]: &SavedTensors,

@@ -1,6 +1,6 @@
 //! Auccess of agents that carry what attempts taught from task to task, as PHYRE's DQN-O does (Bakhtin et al. 2019):
-//! they meet the tasks of a fold one after the other, and are never reset. Another setting than that of `evaluate`,
-//! whose agents forget every task; so the results have files and tables of their own.
+//! they meet the tasks of a fold one after the other, and are never reset. This differs from `evaluate`, whose agents
+//! forget every task, so the results have files and tables of their own.
 //!
 //! Only counted attempts are simulated. What one run simulated is not simulated again for the next.
 
