@@ -6,7 +6,18 @@ import { readFile } from "node:fs/promises";
 import { after, before, test } from "node:test";
 import { axeFindsNothing } from "./axe.mjs";
 import { start } from "./harness.mjs";
-import { EASY, known, modelLoaded, openPuzzle, openShare, pause, playModelTurn, says, type } from "./page-actions.mjs";
+import {
+  EASY,
+  known,
+  modelLoaded,
+  openPanel,
+  openPuzzle,
+  openShare,
+  pause,
+  playModelTurn,
+  says,
+  type,
+} from "./page-actions.mjs";
 import { load } from "../../www/api/index.js";
 
 const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
@@ -182,8 +193,10 @@ for (const [screen, options] of Object.entries({ "a desktop": {}, "a phone": PHO
 
 test("once the model has solved it too, the picture shows both paths", async () => {
   const { page } = await solved();
+  await openPanel(page, "compare");
   await playModelTurn(page);
   await page.locator("#solved-share").click();
+  await page.locator("#share-dialog[open]").waitFor();
   assert.equal(await page.locator("#share-ball-words").textContent(), "Show my path and the model’s in the picture");
   const picture = page.locator("#share-picture");
   const without = await picture.getAttribute("src");
