@@ -69,8 +69,7 @@ export class ShareDialog {
     this.#link = `${location.origin}${location.pathname}#${formatFragment({ ...INITIAL_STATE, task, scene, challenge })}`;
     this.#dark = dark;
     this.#withBall.checked = false;
-    const both = result.solvedAt && result.model?.solvedAt;
-    byId(document, "share-ball-words").textContent = both
+    byId(document, "share-ball-words").textContent = solvedByBoth(result)
       ? "Show my path and the model’s in the picture"
       : "Show my ball in the picture";
     this.#say("");
@@ -85,6 +84,7 @@ export class ShareDialog {
     if (!result) return;
     const canvas = Object.assign(document.createElement("canvas"), { width: WIDTH, height: HEIGHT });
     const lines = linesOf(result);
+    if (this.#withBall.checked && solvedByBoth(result)) lines.model += " Its path is dashed.";
     paintResultCard(canvas, palette(this.#dark), lines, (context) =>
       result.paint(context, this.#dark, this.#withBall.checked),
     );
@@ -225,6 +225,11 @@ function linesOf(result) {
     model: modelWords(result),
     difficulty: task ? difficultyWords(task) : "",
   };
+}
+
+/** @param {Result} result */
+function solvedByBoth({ solvedAt, model }) {
+  return solvedAt !== null && typeof model?.solvedAt === "number";
 }
 
 /** @param {Result} result */
