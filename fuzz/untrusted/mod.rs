@@ -8,6 +8,7 @@ use std::path::Path;
 use std::str;
 
 use pathlight::agents;
+use pathlight::agents::memory::Memory;
 use pathlight::nets::PathNet;
 use pathlight::nets::success_net::logit_index;
 use pathlight::puzzle::custom_scene::{CustomScene, sentences};
@@ -44,7 +45,7 @@ mod commands {
 pub type Target = fn(&[u8]);
 
 /// All targets by name.
-pub const ALL: [(&str, Target); 9] = [
+pub const ALL: [(&str, Target); 10] = [
     ("scene", scene),
     ("task", task),
     ("batch", batch),
@@ -52,6 +53,7 @@ pub const ALL: [(&str, Target); 9] = [
     ("solutions", solutions),
     ("labels", labels),
     ("agent", agent),
+    ("memory", memory),
     ("attempts", attempts),
     ("simulator", simulator),
 ];
@@ -145,6 +147,18 @@ pub fn agent(bytes: &[u8]) {
             Err(why) => says_why(&why),
         }
     }
+}
+
+/// A file of what an agent remembers.
+pub fn memory(bytes: &[u8]) {
+    let read = |json: &[u8]| {
+        let mut memory = Memory::default();
+        memory.read_json(json, None).map(|()| memory)
+    };
+    let Ok(memory) = read(bytes).inspect_err(says_why) else { return };
+    let written = memory.to_json(None);
+    let again = read(written.as_bytes()).expect("a memory that was written");
+    assert_eq!(again.to_json(None), written, "a memory is read as it was written");
 }
 
 /// A line of an attempt that the page exports, imports and verifies.

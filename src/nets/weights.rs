@@ -29,11 +29,11 @@ const CARD: &str = "pathlight";
 #[allow(missing_docs, reason = "the messages say it")]
 pub enum WeightsError {
     #[error("not a safetensors file ({0}): download or train the weights again")]
-    NotSafetensors(#[from] safetensors::SafeTensorError),
+    NotSafetensors(safetensors::SafeTensorError),
     #[error("the file does not record how it was trained: write weights with `pathlight-lab train paths`")]
     NoCard,
     #[error("the card of the weights cannot be read ({0}): write weights with `pathlight-lab train paths`")]
-    BadCard(#[from] serde_json::Error),
+    BadCard(serde_json::Error),
     #[error("the weights lack `{0}`: they belong to other nets")]
     Missing(String),
     #[error(
@@ -60,7 +60,7 @@ pub enum WeightsError {
 impl PathNet {
     pub(super) fn load_on(bytes: &[u8], device: &Device) -> Result<(PathNet, Card), WeightsError> {
         let card = read_card(bytes)?;
-        let file = SafeTensors::deserialize(bytes)?;
+        let file = SafeTensors::deserialize(bytes).map_err(WeightsError::NotSafetensors)?;
         let mut nets = PathNet::new(device);
         if file.names().iter().any(|name| name.starts_with("success.") || name.starts_with("judge.")) {
             nets.success = Some(SuccessNet::new(device));
@@ -93,7 +93,10 @@ impl Dqn {
     pub fn load(bytes: &[u8]) -> Result<(Dqn, DqnCard), WeightsError> {
         let card = card_of(bytes)?;
         let device = flex();
-        Ok((load(Dqn::new(&device), &SafeTensors::deserialize(bytes)?, &device)?, card))
+        Ok((
+            load(Dqn::new(&device), &SafeTensors::deserialize(bytes).map_err(WeightsError::NotSafetensors)?, &device)?,
+            card,
+        ))
     }
 
     /// Returns the bytes of a weights file of this net.
@@ -144,7 +147,7 @@ pub fn read_card(bytes: &[u8]) -> Result<Card, WeightsError> {
 fn card_of<C: DeserializeOwned>(bytes: &[u8]) -> Result<C, WeightsError> {
     let (_, header) = SafeTensors::read_metadata(bytes)?;
     let card = header.metadata().as_ref().and_then(|metadata| metadata.get(CARD)).ok_or(WeightsError::NoCard)?;
-    Ok(serde_json::from_str(card)?)
+    serde_json::from_str(card).map_err(WeightsError::BadCard)
 }
 
 /// Replaces every parameter by that of the file.

@@ -69,6 +69,8 @@ fn assert_refused(args: &[&str], words: &str) {
     let said = stderr(&output);
     let is_error = said.lines().any(|line| line.starts_with("error: "));
     assert!(is_error && said.contains(words), "{args:?} said {said:?} without {words:?}");
+    let cause = said.trim_end().rsplit(": ").next().expect("one part at least");
+    assert_eq!(said.matches(cause).count(), 1, "{args:?} said a cause twice: {said:?}");
 }
 
 /// Writes the shipped weights without their dynamics net; returns the file.

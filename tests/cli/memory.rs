@@ -65,6 +65,7 @@ fn a_memory_in_a_file_goes_on_where_it_ended() {
         assert_refused(&[&RANDOM[..], &memory].concat(), words);
         assert_eq!(fs::read_to_string(&file).expect("a file"), content, "it is left as it was");
     }
+    assert_refused(&["agent", "--weights", &file], "not a safetensors file");
 }
 
 #[test]

@@ -18,7 +18,7 @@ const VERSION: u32 = 1;
 #[allow(missing_docs, reason = "the messages say it")]
 pub enum MemoryError {
     #[error("this is no memory, or it is damaged: {0}")]
-    Json(#[from] serde_json::Error),
+    Json(serde_json::Error),
     #[error("this memory has version {0}, but this program reads version {VERSION}: begin a new one")]
     Version(u32),
     #[error("this memory was learned with other weights: use those, or begin a new one")]
@@ -44,7 +44,7 @@ struct Saved {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     weights: Option<String>,
     /// Puzzles forgotten before the first.
-    forgotten: usize,
+    forgotten: u32,
     puzzles: Vec<SavedPuzzle>,
 }
 
@@ -62,7 +62,7 @@ impl Memory {
         let saved = Saved {
             version: VERSION,
             weights: weights.map(str::to_string),
-            forgotten: self.forgotten,
+            forgotten: u32::try_from(self.forgotten).unwrap_or(u32::MAX),
             puzzles: puzzles
                 .map(|RememberedPuzzle { source, attempts, .. }| SavedPuzzle {
                     source: source.clone(),
@@ -79,17 +79,18 @@ impl Memory {
     /// # Errors
     /// If it is damaged, of another version, or learned with other weights; then nothing has changed.
     pub fn read_json(&mut self, json: &[u8], weights: Option<&str>) -> Result<(), MemoryError> {
-        let Head { version } = serde_json::from_slice(json)?;
+        let Head { version } = serde_json::from_slice(json).map_err(MemoryError::Json)?;
         if version != VERSION {
             return Err(MemoryError::Version(version));
         }
-        let saved: Saved = serde_json::from_slice(json)?;
+        let saved: Saved = serde_json::from_slice(json).map_err(MemoryError::Json)?;
         if saved.weights.as_deref() != weights {
             return Err(MemoryError::Weights);
         }
-        let numbered = saved.puzzles.into_iter().zip(saved.forgotten.saturating_add(1)..);
+        let forgotten = saved.forgotten as usize;
+        let numbered = saved.puzzles.into_iter().zip(forgotten + 1..);
         self.puzzles = numbered.map(|(puzzle, number)| puzzle.check(number)).collect::<Result<_, _>>()?;
-        self.forgotten = saved.forgotten;
+        self.forgotten = forgotten;
         self.forget_oldest();
         Ok(())
     }
