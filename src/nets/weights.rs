@@ -145,7 +145,7 @@ pub fn read_card(bytes: &[u8]) -> Result<Card, WeightsError> {
 
 /// The card of a file, for the nets that it should belong to.
 fn card_of<C: DeserializeOwned>(bytes: &[u8]) -> Result<C, WeightsError> {
-    let (_, header) = SafeTensors::read_metadata(bytes)?;
+    let (_, header) = SafeTensors::read_metadata(bytes).map_err(WeightsError::NotSafetensors)?;
     let card = header.metadata().as_ref().and_then(|metadata| metadata.get(CARD)).ok_or(WeightsError::NoCard)?;
     serde_json::from_str(card).map_err(WeightsError::BadCard)
 }

@@ -2,6 +2,8 @@
 // without; paused, skipped, left, forgotten; by keyboard, without motion, and where the weights are missing.
 
 import assert from "node:assert/strict";
+import { createHash } from "node:crypto";
+import { readFile } from "node:fs/promises";
 import { after, before, test } from "node:test";
 import { axeFindsNothing } from "./axe.mjs";
 import { start } from "./harness.mjs";
@@ -162,4 +164,27 @@ test("a link that hides the model or the puzzles does not show it", async () => 
     assert.ok(await page.locator("#learns").isHidden());
     assert.ok(await page.locator("[data-pick=learns] a").isHidden());
   }
+});
+
+test("a carried run in the browser leaves the memory that it leaves in Node", async (context) => {
+  /**
+   * The memory after six puzzles of a kind. Runs in the page too.
+   * @param {[api: string, options: object]} from
+   */
+  const memoryAfter = async ([api, options]) => {
+    const { load } = await import(api);
+    const pathlight = await load(options);
+    const memory = pathlight.memory();
+    const { tasks } = pathlight.templates()[14];
+    for (const task of tasks.slice(0, 6)) Array.from(pathlight.turn(task, { memory }));
+    return memory.toJson();
+  };
+  const root = new URL("../../", import.meta.url);
+  const weights = await readFile(new URL("assets/cross-0.safetensors", root));
+  const page = await session.open("/");
+  const inPage = await page.evaluate(memoryAfter, ["/api/index.js", { model: "cross-0" }]);
+  const inNode = await memoryAfter([new URL("www/api/index.js", root).href, { weights }]);
+  assert.equal(inPage, inNode);
+  assert.ok(JSON.parse(inNode).puzzles.length === 6);
+  context.diagnostic(`SHA-256 of the memory: ${createHash("sha256").update(inNode).digest("hex")}`);
 });
