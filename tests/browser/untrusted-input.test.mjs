@@ -54,6 +54,7 @@ before(async () => {
   await load({ weights: null });
   page = {
     ...(await import("../../www/state/url-state.js")),
+    ...(await import("../../www/state/links.js")),
     ...(await import("../../www/state/view.js")),
     ...(await import("../../www/storage/progress.js")),
     ...(await import("../../www/storage/progress-file.js")),

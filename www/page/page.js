@@ -266,12 +266,12 @@ export class Page {
   }
 
   async #showLearns() {
-    this.#learns ??= await loadPart("This part of the page", async () => {
+    const learns = await loadPart("This part of the page", async () => {
       const { LearnsView } = await import("./learns-view.js");
-      return new LearnsView(await loadWasm(), this.#hrefInCompare);
+      return (this.#learns ??= new LearnsView(await loadWasm(), this.#hrefInCompare));
     });
     // The person may have gone on meanwhile.
-    if (pageViewOf(this.#state) === "learns") this.#learns?.show();
+    if (pageViewOf(this.#state) === "learns") learns?.show();
   }
 
   /** @param {import("../play/after-solving.js").Result} result */
