@@ -92,11 +92,9 @@ impl Dqn {
     /// If the bytes are not a weights file of this net.
     pub fn load(bytes: &[u8]) -> Result<(Dqn, DqnCard), WeightsError> {
         let card = card_of(bytes)?;
+        let file = SafeTensors::deserialize(bytes).map_err(WeightsError::NotSafetensors)?;
         let device = flex();
-        Ok((
-            load(Dqn::new(&device), &SafeTensors::deserialize(bytes).map_err(WeightsError::NotSafetensors)?, &device)?,
-            card,
-        ))
+        Ok((load(Dqn::new(&device), &file, &device)?, card))
     }
 
     /// Returns the bytes of a weights file of this net.

@@ -193,16 +193,30 @@ for (const [screen, options] of Object.entries({ "a desktop": {}, "a phone": PHO
 
 test("once the model has solved it too, the picture shows both paths", async () => {
   const { page } = await solved();
+  /** The pixels of the scene in the picture that shows the ball. */
+  const sceneWithBall = async () => {
+    await page.locator("#solved-share").click();
+    await page.locator("#share-dialog[open]").waitFor();
+    const picture = page.locator("#share-picture");
+    const without = await picture.getAttribute("src");
+    await page.locator("#share-ball").check();
+    await page.waitForFunction((src) => document.querySelector("#share-picture")?.getAttribute("src") !== src, without);
+    return picture.evaluate(async (/** @type {HTMLImageElement} */ image) => {
+      await image.decode();
+      const context = new OffscreenCanvas(630, 630).getContext("2d");
+      context?.drawImage(image, 0, 0);
+      return String(context?.getImageData(0, 0, 630, 630).data);
+    });
+  };
+  const words = page.locator("#share-ball-words");
+  const alone = await sceneWithBall();
+  assert.equal(await words.textContent(), "Show my ball in the picture");
+  await page.locator("#share-dialog form button").click();
   await openPanel(page, "compare");
   await playModelTurn(page);
-  await page.locator("#solved-share").click();
-  await page.locator("#share-dialog[open]").waitFor();
-  assert.equal(await page.locator("#share-ball-words").textContent(), "Show my path and the model’s in the picture");
-  const picture = page.locator("#share-picture");
-  const without = await picture.getAttribute("src");
-  await page.locator("#share-ball").check();
-  await page.waitForFunction((src) => document.querySelector("#share-picture")?.getAttribute("src") !== src, without);
-  assert.match(await picture.getAttribute("alt"), /The model needed .+\. Its path is dashed\.$/);
+  assert.notEqual(await sceneWithBall(), alone);
+  assert.equal(await words.textContent(), "Show my path and the model’s in the picture");
+  assert.match(await page.locator("#share-picture").getAttribute("alt"), /The model needed .+\. Its path is dashed\.$/);
 });
 
 test("the result is a short film too, with the run in the card, which is saved and shared like the picture", async () => {

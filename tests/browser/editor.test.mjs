@@ -6,14 +6,15 @@ import { after, before, test } from "node:test";
 import { axeFindsNothing } from "./axe.mjs";
 import { start } from "./harness.mjs";
 import {
+  EASY,
   ball,
   click,
   dragTo,
-  EASY,
   known,
   openPanel,
   openPuzzle,
   openShare,
+  painted,
   pause,
   picture,
   says,
@@ -53,7 +54,7 @@ async function waitForScene(page, passes) {
     const scene = await linked(page);
     if (passes(scene)) return scene;
     assert.ok(Date.now() < end, JSON.stringify(scene));
-    await pause(page, 20);
+    await painted(page);
   }
 }
 

@@ -7,8 +7,8 @@ import { after, before, test } from "node:test";
 import { start } from "./harness.mjs";
 import { assertConsistent } from "./invariants.mjs";
 import {
-  attempts,
   EASY,
+  attempts,
   known,
   modelLoaded,
   openPanel,

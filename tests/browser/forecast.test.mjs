@@ -5,9 +5,9 @@ import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { start } from "./harness.mjs";
 import {
+  EASY,
   ball,
   dragTo,
-  EASY,
   known,
   modelLoaded,
   openPuzzle,

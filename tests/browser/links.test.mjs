@@ -6,7 +6,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { start } from "./harness.mjs";
-import { attempts, ball, click, EASY, known, openPanel, openPuzzle, pause, says, type } from "./page-actions.mjs";
+import { EASY, attempts, ball, click, known, openPanel, openPuzzle, pause, says, type } from "./page-actions.mjs";
 
 let session;
 before(async () => (session = await start()));

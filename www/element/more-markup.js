@@ -23,7 +23,10 @@ export const MORE_MARKUP = `
       <p class="small" id="attempts-words"></p>
       <ol id="attempts-read" class="replays" data-hideable="puzzles"></ol>
     </div>
-    <p class="actions"><button type="button" id="clear-attempts">Clear attempts</button> <button type="button" id="proposal-save" data-hideable="compare" inert>Save the model’s balls as CSV</button></p>
+    <p class="actions">
+      <button type="button" id="clear-attempts">Clear attempts</button>
+      <button type="button" id="proposal-save" data-hideable="compare" inert>Save the model’s balls as CSV</button>
+    </p>
   </section>
   <div data-hideable="compare" inert><section class="section" id="model-pair" aria-labelledby="pair-title" hidden>
   <h2 id="pair-title">Two models side by side</h2>

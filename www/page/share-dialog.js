@@ -229,7 +229,7 @@ function linesOf(result) {
 
 /** @param {Result} result */
 function solvedByBoth({ solvedAt, model }) {
-  return solvedAt !== null && typeof model?.solvedAt === "number";
+  return Boolean(solvedAt && model?.solvedAt);
 }
 
 /** @param {Result} result */

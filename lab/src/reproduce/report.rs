@@ -61,7 +61,7 @@ fn head(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
          test task; but in the setup within, the search that found the training tasks' solutions also started from \
          known solutions of test tasks of the same template.\n\n\
          - **online**: the dynamics net imagines candidates, and a Gaussian process learns from each attempt, by the \
-         likeness of imagined paths and of balls; **by balls**: by that of balls alone.\n\
+         similarity of imagined paths and of balls; **by balls**: by that of balls alone.\n\
          - **dynamics**: the same candidates in the order that the net gives them, as if each attempt ended as \
          imagined.\n\
          - **success net**: a net that sees the scene alone orders the balls. The dynamics net is trained from it.\n\

@@ -2,10 +2,10 @@
 //! similar scenes, from puzzle to puzzle.
 //!
 //! Kernel logistic regression, learned online (Kivinen, Smola and Williamson 2004). The logit of a ball is the prior's,
-//! plus one term for each remembered attempt: its weight times the likeness of the two scenes times the likeness of the
-//! two balls. Its weight says how unexpected its outcome was. Mirrored scenes count too. Natively and in wasm the sums
-//! are the same to the bit: they use libm and a fixed order, and files keep all numbers exactly. Knows no simulator and
-//! no net.
+//! plus one term for each remembered attempt: its weight times the similarity of the two scenes times the similarity
+//! of the two balls. Its weight says how unexpected its outcome was. Mirrored scenes count too. Natively and in wasm
+//! the sums are the same to the bit: they use libm and a fixed order, and files keep all numbers exactly. Knows no
+//! simulator and no net.
 
 use serde::{Deserialize, Serialize};
 
@@ -26,12 +26,12 @@ pub const CAPACITY: usize = 4000;
 /// What makes attempts alike, and how much they teach.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
-    /// Distance of two sketches at which the likeness of their scenes has fallen to 0.61; infinite if all scenes are
+    /// Distance of two sketches at which the similarity of their scenes has fallen to 0.61; infinite if all scenes are
     /// alike.
     pub scene_length: f64,
-    /// Distance of two balls in x, y and radius, px, at which their likeness has fallen to 0.61.
+    /// Distance of two balls in x, y and radius, px, at which their similarity has fallen to 0.61.
     pub ball_length: f64,
-    /// Shares of three likenesses of balls, by position in the scene, relative to the green object, and relative to
+    /// Shares of three similarities of balls, by position in the scene, relative to the green object, and relative to
     /// its goal.
     pub shares: [f64; 3],
     /// By how much a wholly unexpected success raises the logit of the same ball.

@@ -11,7 +11,7 @@ use crate::puzzle::sampled_paths::{SAMPLES, SampledPaths};
 use crate::puzzle::scene::{SIZE, Scene};
 use crate::puzzle::task::TaskId;
 
-/// A likeness of e to minus this, 0.001, or less counts as 0.
+/// A similarity of e to minus this, 0.001, or less counts as 0.
 const NEGLIGIBLE: f64 = 6.9;
 
 /// The logit of a random ball before anything is known: one in fifty.
@@ -40,8 +40,8 @@ struct Recalled {
     /// As it was tried there.
     ball: Ball,
     solved: bool,
-    /// The likeness of the scenes, 0..=1.
-    likeness: f64,
+    /// The similarity of the scenes, 0..=1.
+    similarity: f64,
     /// How much it moves the logit of a ball just like it.
     weight: f64,
     /// The matching positions in this scene, px: the same position, the same offset from the green object, and the
@@ -74,8 +74,8 @@ impl Memory {
         let length = self.settings.scene_length;
         for (number, earlier) in (self.forgotten + 1..).zip(&self.puzzles) {
             for (mirrored, sketch) in [(false, &puzzle.sketch), (true, &mirrored_sketch)] {
-                let likeness = gaussian(earlier.sketch.squared_distance(sketch), length);
-                if likeness == 0.0 {
+                let similarity = gaussian(earlier.sketch.squared_distance(sketch), length);
+                if similarity == 0.0 {
                     continue;
                 }
                 let seen = |[x, y]: [f64; 2]| if mirrored { [SIZE - x, y] } else { [x, y] };
@@ -92,8 +92,8 @@ impl Memory {
                         mirrored,
                         ball: attempt.ball,
                         solved: attempt.solved,
-                        likeness,
-                        weight: likeness * self.surprise(attempt),
+                        similarity,
+                        weight: similarity * self.surprise(attempt),
                         places: [[x, y], to_object, to_goal],
                     }
                 }));
@@ -150,7 +150,7 @@ impl Recollection {
         let mut solved: Vec<&Recalled> = self.attempts.iter().filter(|attempt| attempt.solved).collect();
         // The sort is stable: of equal ones the later comes first.
         solved.reverse();
-        solved.sort_by(|a, b| b.likeness.total_cmp(&a.likeness));
+        solved.sort_by(|a, b| b.similarity.total_cmp(&a.similarity));
         let obstacles = Obstacles::new(scene);
         let mut balls: Vec<Ball> = Vec::new();
         for Recalled { ball, places, .. } in solved {
@@ -188,11 +188,11 @@ impl Recollection {
     /// By how much an attempt moves the logit of a ball.
     fn change_by(&self, attempt: &Recalled, ball: Ball) -> f64 {
         let dr = ball.r - attempt.ball.r;
-        let likeness = self.settings.shares.iter().zip(attempt.places).map(|(&share, [x, y])| {
+        let similarity = self.settings.shares.iter().zip(attempt.places).map(|(&share, [x, y])| {
             let [dx, dy] = [ball.x - x, ball.y - y];
             if share == 0.0 { 0.0 } else { share * gaussian(dx * dx + dy * dy + dr * dr, self.settings.ball_length) }
         });
-        attempt.weight * likeness.sum::<f64>()
+        attempt.weight * similarity.sum::<f64>()
     }
 }
 
