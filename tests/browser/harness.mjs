@@ -124,6 +124,7 @@ class Session {
 async function startServer(serve) {
   if (!existsSync(binary)) throw new Error(`${binary} is missing: run make build`);
   const child = spawn(binary, ["serve", "--port", "0", ...serve], { cwd: root, stdio: ["ignore", "pipe", "pipe"] });
+  const closed = once(child, "close");
   let said = "";
   child.stderr.on("data", (text) => (said += text));
   process.once("exit", () => child.kill());
@@ -131,6 +132,8 @@ async function startServer(serve) {
     const origin = line.match(/http:\/\/[^/]+/)?.[0];
     if (origin) return { origin, stop: () => stopped(child) };
   }
+  // What it says of the reason may come after the end of its output.
+  await closed;
   throw new Error(`pathlight serve did not start: ${said}`);
 }
 
