@@ -17,7 +17,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let agent = agents::start(&nets, &task.scene, task.id.seed(0), 100);
     let mut turn = Turn::new(task.scene, agent);
     while let Some((proposal, rollout)) = turn.attempt()? {
-        println!("{:?}: {}", proposal.ball, Ending::of(&rollout));
+        let Ending { solved, longest_touch, .. } = Ending::of(&rollout);
+        println!("{:?}: solved {solved}, {longest_touch} steps on the goal", proposal.ball);
     }
     Ok(())
 }

@@ -37,16 +37,36 @@ pub struct AttemptLine {
     pub digest: String,
 }
 
-/// What became of an attempt that was simulated again.
+/// What became of an attempt that was simulated again. Each `reason` is a sentence.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-#[serde(tag = "verdict", content = "reason", rename_all = "snake_case")]
+#[serde(tag = "verdict", rename_all = "snake_case")]
+#[allow(missing_docs, reason = "the fields are those of `AttemptLine`, as they are now")]
 pub enum Verdict {
     /// Status, steps and every bit of every pose.
     Same,
     /// In which it differs.
-    OtherOutcome(String),
+    OtherOutcome { status: Status, steps: usize, reason: String },
     /// Why it cannot be simulated.
-    NotValid(String),
+    NotValid { fault: LineFault, reason: String },
+}
+
+/// What is wrong with an attempt that cannot be simulated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum LineFault {
+    /// It does not have the form of an attempt.
+    Form,
+    /// Its task, scene or engine is none that can be simulated.
+    Puzzle,
+    /// Its ball may not be placed.
+    Ball,
+}
+
+impl Verdict {
+    /// Returns that an attempt cannot be simulated.
+    pub fn not_valid(fault: LineFault, reason: impl Into<String>) -> Verdict {
+        Verdict::NotValid { fault, reason: reason.into() }
+    }
 }
 
 impl AttemptLine {
@@ -100,15 +120,16 @@ impl AttemptLine {
     /// ```
     pub fn verify(&self) -> Verdict {
         if self.digest.len() != 64 || !self.digest.bytes().all(|byte| matches!(byte, b'0'..=b'9' | b'a'..=b'f')) {
-            return Verdict::NotValid("`digest` is not a SHA-256: it has 64 hexadecimal digits, in lower case.".into());
+            let reason = "`digest` is not a SHA-256: it has 64 hexadecimal digits, in lower case.";
+            return Verdict::not_valid(LineFault::Form, reason);
         }
         let again = match (self.puzzle(), self.ball, self.status) {
-            (Err(why), ..) => return Verdict::NotValid(why),
+            (Err(why), ..) => return Verdict::not_valid(LineFault::Puzzle, why),
             (Ok(puzzle), None, Status::Invalid) => AttemptLine::placing_no_ball(&puzzle, self.engine),
             (Ok(puzzle), ball, _) => AttemptLine::of(&puzzle, ball, self.engine),
         };
         if again.status == Status::Invalid && self.status != Status::Invalid {
-            return Verdict::NotValid("The ball may not be placed there.".to_string());
+            return Verdict::not_valid(LineFault::Ball, "The ball may not be placed there.");
         }
         let version = match (self.simulator, again.simulator) {
             (one, other) if one == other => String::new(),
@@ -119,12 +140,15 @@ impl AttemptLine {
             Status::NotSolved => "not solved",
             Status::Invalid => "invalid",
         };
-        if (again.status, again.steps) != (self.status, self.steps) {
+        let AttemptLine { status, steps, .. } = again;
+        if (status, steps) != (self.status, self.steps) {
             let [said, found] = [self, &again].map(|line| format!("{} after {} steps", name(line.status), line.steps));
-            return Verdict::OtherOutcome(format!("The line says {said}, but it is {found}.{version}"));
+            let reason = format!("The line says {said}, but it is {found}.{version}");
+            return Verdict::OtherOutcome { status, steps, reason };
         }
         if again.digest != self.digest {
-            return Verdict::OtherOutcome(format!("The outcome is the same, but the poses differ.{version}"));
+            let reason = format!("The outcome is the same, but the poses differ.{version}");
+            return Verdict::OtherOutcome { status, steps, reason };
         }
         Verdict::Same
     }
@@ -147,18 +171,21 @@ mod tests {
     #[test]
     fn an_attempt_is_the_same_until_a_part_of_it_changes() {
         assert_eq!(line().verify(), Verdict::Same);
-        let other = |line: AttemptLine| matches!(line.verify(), Verdict::OtherOutcome(_));
+        let other = |line: AttemptLine| matches!(line.verify(), Verdict::OtherOutcome { .. });
         assert!(other(AttemptLine { steps: 3, ..line() }));
         assert!(other(AttemptLine { status: Status::Solved, ..line() }));
         assert!(other(AttemptLine { digest: "0".repeat(64), ..line() }));
         assert!(other(AttemptLine { ball: Some(Ball { x: 129.0, y: 250.0, r: 4.0 }), ..line() }));
         for digest in [line().digest.to_uppercase(), line().digest[1..].to_string(), "g".repeat(64), "é".repeat(32)] {
             let verdict = AttemptLine { digest, ..line() }.verify();
-            assert!(matches!(&verdict, Verdict::NotValid(why) if why.contains("64 hexadecimal digits")), "{verdict:?}");
+            assert!(
+                matches!(&verdict, Verdict::NotValid { reason, .. } if reason.contains("64 hexadecimal digits")),
+                "{verdict:?}"
+            );
         }
         let outside = Some(Ball { x: 1.0, y: 250.0, r: 4.0 });
-        assert!(matches!(AttemptLine { ball: outside, ..line() }.verify(), Verdict::NotValid(_)));
-        assert!(matches!(AttemptLine { task: None, ..line() }.verify(), Verdict::NotValid(_)));
+        assert!(matches!(AttemptLine { ball: outside, ..line() }.verify(), Verdict::NotValid { .. }));
+        assert!(matches!(AttemptLine { task: None, ..line() }.verify(), Verdict::NotValid { .. }));
     }
 
     #[test]
@@ -167,7 +194,7 @@ mod tests {
         let custom = Puzzle::custom(&CustomScene::of(&task.scene).expect("the four shapes")).expect("a scene");
         let custom = AttemptLine::of(&custom, line().ball, Engine::default());
         assert_eq!((&custom.digest, custom.verify()), (&line().digest, Verdict::Same));
-        assert!(matches!(AttemptLine { scene: Some(Value::Null), ..custom }.verify(), Verdict::NotValid(_)));
+        assert!(matches!(AttemptLine { scene: Some(Value::Null), ..custom }.verify(), Verdict::NotValid { .. }));
     }
 
     #[test]
@@ -178,7 +205,7 @@ mod tests {
         let alone = AttemptLine::of(&puzzle, None, Engine::default());
         assert_eq!(alone.verify(), Verdict::Same);
         for claim in [AttemptLine { steps: 3, ..nothing.clone() }, AttemptLine { digest: alone.digest, ..nothing }] {
-            assert!(matches!(claim.verify(), Verdict::OtherOutcome(_)));
+            assert!(matches!(claim.verify(), Verdict::OtherOutcome { .. }));
         }
     }
 
@@ -187,7 +214,10 @@ mod tests {
         let (first, second) = (line(), in_engine(Engine::Rapier));
         assert_eq!(second.verify(), Verdict::Same);
         assert_ne!(first.digest, second.digest);
-        assert!(matches!(AttemptLine { engine: Engine::Box2d, ..second.clone() }.verify(), Verdict::OtherOutcome(_)));
+        assert!(matches!(
+            AttemptLine { engine: Engine::Box2d, ..second.clone() }.verify(),
+            Verdict::OtherOutcome { .. }
+        ));
         let [first, second] = [first, second].map(|line| serde_json::to_value(line).expect("plain data"));
         assert_eq!((first.get("engine"), &second["engine"]), (None, &Value::from("rapier")));
     }

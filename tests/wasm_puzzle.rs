@@ -33,7 +33,7 @@ fn open(id: &str) -> Game {
 fn balls(game: &Game) -> impl Iterator<Item = (f64, f64, f64)> {
     let all = (1..25).flat_map(|x| (1..25).flat_map(move |y| [4, 10, 20].map(|r| (x * 10, y * 10, r))));
     all.map(|(x, y, r)| (f64::from(x), f64::from(y), f64::from(r)))
-        .filter(|&(x, y, r)| game.why_invalid(x, y, r).is_none())
+        .filter(|&(x, y, r)| game.why_invalid(x, y, r).is_ok_and(|reason| reason.is_undefined()))
 }
 
 #[wasm_bindgen_test]
@@ -44,11 +44,10 @@ fn every_template_opens_with_its_name_and_goal() {
     for template in list {
         assert_eq!(template["tasks"].as_array().expect("tasks").len(), 100);
         let first = template["tasks"][0].as_str().expect("an id");
-        let about = json(open(first).about().expect("words"));
+        let about = json(open(first).about().expect("facts"));
         assert_eq!(about["id"], first);
-        assert_eq!(about["name"], template["name"]);
-        assert!(about["goal"].as_str().expect("a goal").starts_with("Make sure the green "));
-        assert!(about["description"].as_str().expect("a description").contains("the goal is the "));
+        assert_eq!(about["name"], Value::Null);
+        assert_eq!(about["scene"], json(scene(first.into()).expect("a scene")));
     }
 }
 
@@ -63,13 +62,12 @@ fn an_unknown_task_is_an_error_with_a_code() {
 fn an_invalid_ball_names_what_it_overlaps_and_does_not_count() {
     let mut game = open(TASK);
     // Two Drops has a green ball; a red one at its place overlaps it.
-    let line = json(game.about().expect("words"))["description"].as_str().expect("a text").to_string();
-    let place = line.split("green ball at x ").nth(1).expect("its place");
-    let coordinates = place.split(|c: char| !c.is_ascii_digit()).filter_map(|digits| digits.parse().ok());
-    let coordinates: Vec<f64> = coordinates.take(2).collect();
-    let (x, y) = (coordinates[0], coordinates[1]);
-    assert_eq!(game.why_invalid(x, y, 5.0).as_deref(), Some("the ball overlaps the green ball"));
-    assert_eq!(game.why_invalid(1.0, 250.0, 9.0).as_deref(), Some("the ball sticks out of the scene"));
+    let scene = json(game.about().expect("facts"))["scene"].clone();
+    let [x, y] = ["x", "y"].map(|key| scene["bodies"][0][key].as_f64().expect("a number"));
+    let why = |x, y, r| json(game.why_invalid(x, y, r).expect("a reason"));
+    assert_eq!(why(x, y, 5.0), serde_json::json!({"kind": "overlaps", "body": 0}));
+    assert_eq!(why(1.0, 250.0, 9.0), serde_json::json!({"kind": "outside"}));
+    assert!(game.why_invalid(128.0, 250.0, 4.0).expect("none").is_undefined());
     assert_eq!(code(game.attempt(x, y, 5.0).expect_err("refused")), "invalid_ball");
     assert_eq!(json(game.standing("player").expect("a score"))["used"], 0);
     assert_eq!(game.steps(), 0);
@@ -275,7 +273,7 @@ fn values_have_the_fields_that_their_types_declare() {
     listed.sort_unstable();
     assert_eq!(fields(&attempt), listed);
     assert_eq!(fields(&attempt["ending"]), declared("Ending"));
-    assert_eq!(fields(&json(game.about().expect("words"))), declared("About"));
+    assert_eq!(fields(&json(game.about().expect("facts"))), declared("About"));
     assert_eq!(fields(&json(game.standing("player").expect("a standing"))), declared("Standing"));
     assert_eq!(fields(&json(constants().expect("constants"))), declared("Constants"));
     assert_eq!(fields(&json(palette(true).expect("colours"))), declared("Palette"));
@@ -408,8 +406,8 @@ fn a_custom_scene_takes_the_place_of_its_task() {
     let custom = custom_scene(TASK.into()).expect("a task");
     assert_eq!(json(scene(custom.clone()).expect("a scene")), json(scene(TASK.into()).expect("a scene")));
     assert_eq!(raster(custom.clone()).expect("channels"), raster(TASK.into()).expect("channels"));
-    let about = json(Game::new(custom.clone()).expect("it opens").about().expect("words"));
-    assert_eq!((&about["id"], &about["name"]), (&Value::Null, &Value::from("Custom scene")));
+    let about = json(Game::new(custom.clone()).expect("it opens").about().expect("facts"));
+    assert_eq!((&about["id"], &about["name"]), (&Value::Null, &Value::Null));
     assert_eq!(scene_problems(custom.clone()).map(json).expect("a list"), serde_json::json!([]));
     let line = |puzzle: JsValue| json(attempt_line(puzzle, JsValue::NULL).expect("a line"));
     let (of_custom, of_task) = (line(custom.clone()), line(TASK.into()));

@@ -166,7 +166,7 @@ pub fn attempts(bytes: &[u8]) {
     let Ok(line) = serde_json::from_slice::<AttemptLine>(bytes).inspect_err(says_why) else { return };
     match line.verify() {
         Verdict::Same => {}
-        Verdict::OtherOutcome(why) | Verdict::NotValid(why) => says_why(&why),
+        Verdict::OtherOutcome { reason, .. } | Verdict::NotValid { reason, .. } => says_why(&reason),
     }
 }
 

@@ -5,7 +5,7 @@ use std::io::{self, Read, Write};
 use std::process::ExitCode;
 
 use anyhow::Context;
-use pathlight::verification::{AttemptLine, Verdict};
+use pathlight::verification::{AttemptLine, LineFault, Verdict};
 use rayon::prelude::*;
 
 use super::json_lines::{Numbered, parse};
@@ -47,8 +47,8 @@ impl Args {
         }
         let count = |matches: fn(&Verdict) -> bool| verdicts.iter().filter(|(_, verdict)| matches(verdict)).count();
         let same = count(|verdict| matches!(verdict, Verdict::Same));
-        let other = count(|verdict| matches!(verdict, Verdict::OtherOutcome(_)));
-        let not_valid = count(|verdict| matches!(verdict, Verdict::NotValid(_)));
+        let other = count(|verdict| matches!(verdict, Verdict::OtherOutcome { .. }));
+        let not_valid = count(|verdict| matches!(verdict, Verdict::NotValid { .. }));
         say(&format!("{same} the same to the bit, {other} with another outcome, {not_valid} not valid"));
         Ok(ExitCode::from(if not_valid > 0 { 2 } else { u8::from(other > 0) }))
     }
@@ -57,6 +57,6 @@ impl Args {
 fn verdict(line: &[u8]) -> Verdict {
     match parse::<AttemptLine>(line, "`simulate --verifiable` writes attempts, and the page exports them") {
         Ok(attempt) => attempt.verify(),
-        Err(reason) => Verdict::NotValid(format!("The line is not an attempt: {reason}.")),
+        Err(reason) => Verdict::not_valid(LineFault::Form, format!("The line is not an attempt: {reason}.")),
     }
 }

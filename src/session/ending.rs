@@ -1,15 +1,12 @@
-//! The end of a rollout in brief: whether it solved the puzzle and how long the object touched the goal, in numbers and
-//! in words.
+//! The end of a rollout in brief: whether it solved the puzzle and how long the object touched the goal.
 //!
 //! Used by `game`, and by the page to show the touch while a rollout plays.
 
-use std::fmt;
-
 use serde::{Deserialize, Serialize};
 
-use crate::puzzle::rollout::{GOAL_STEPS, Rollout, STEPS_PER_SECOND};
+use crate::puzzle::rollout::{GOAL_STEPS, Rollout};
 
-/// How a rollout ended. Its `Display` is the result in words.
+/// How a rollout ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Ending {
     /// Whether the puzzle was solved.
@@ -37,23 +34,6 @@ pub fn touch_streak(rollout: &Rollout, step: usize) -> usize {
     rollout.touching[..=step.min(rollout.steps)].iter().rev().take(GOAL_STEPS).take_while(|&&touches| touches).count()
 }
 
-impl fmt::Display for Ending {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let seconds = |steps: usize| match steps as f64 / STEPS_PER_SECOND as f64 {
-            short if short < 0.05 => "a moment".to_string(),
-            long => format!("{long:.1} s"),
-        };
-        match self {
-            Ending { solved: true, steps, .. } => write!(f, "solved after {}", seconds(*steps)),
-            Ending { longest_touch: 0, .. } => write!(f, "never touched"),
-            Ending { final_touch, .. } if *final_touch > 0 => {
-                write!(f, "touching for {} when time ran out", seconds(*final_touch))
-            }
-            Ending { longest_touch, .. } => write!(f, "touched for {}, then lost", seconds(*longest_touch)),
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -64,14 +44,16 @@ mod tests {
     }
 
     #[test]
-    fn an_ending_in_words() {
-        let words = |touching: &[bool], solved| Ending::of(&rollout(touching, solved)).to_string();
+    fn the_longest_touch_and_the_last_are_counted() {
+        let touches = |touching: &[bool], solved| {
+            let Ending { longest_touch, final_touch, .. } = Ending::of(&rollout(touching, solved));
+            (longest_touch, final_touch)
+        };
         let (yes, no) = ([true; 84], [false; 10]);
-        assert_eq!(words(&no, false), "never touched");
-        assert_eq!(words(&[&no[..], &yes, &no, &yes[..6], &no].concat(), false), "touched for 1.4 s, then lost");
-        assert_eq!(words(&[&no[..], &yes[..1], &no].concat(), false), "touched for a moment, then lost");
-        assert_eq!(words(&[&no[..], &yes].concat(), false), "touching for 1.4 s when time ran out");
-        assert_eq!(words(&[&[false; 133][..], &[true; GOAL_STEPS]].concat(), true), "solved after 5.2 s");
+        assert_eq!(touches(&no, false), (0, 0));
+        assert_eq!(touches(&[&no[..], &yes, &no, &yes[..6], &no].concat(), false), (84, 0));
+        assert_eq!(touches(&[&no[..], &yes[..6], &no, &yes].concat(), false), (84, 84));
+        assert_eq!(touches(&[&[false; 133][..], &[true; GOAL_STEPS]].concat(), true), (GOAL_STEPS, GOAL_STEPS));
     }
 
     #[test]

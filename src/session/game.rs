@@ -141,32 +141,6 @@ impl Game {
         best.map(|(index, attempt)| (index + 1, *attempt))
     }
 
-    /// Compares player and model in words.
-    pub fn verdict(&self) -> String {
-        let (player, model) = (self.standing(Author::Player), self.standing(Author::Model));
-        match (player.solved_at, model.solved_at) {
-            (Some(you), Some(it)) if you < it => {
-                format!("You solved it on attempt {you}, the model on attempt {it}. You were quicker.")
-            }
-            (Some(you), Some(it)) if you > it => {
-                format!("The model solved it on attempt {it}, you on attempt {you}. The model was quicker.")
-            }
-            (Some(you), Some(_)) => format!("You and the model both solved it on attempt {you}. A draw."),
-            (Some(you), None) if model.used == 0 => {
-                format!("You solved it on attempt {you}. The model has not had its turn.")
-            }
-            (Some(you), None) => format!("You solved it on attempt {you}. The model has not, in {}.", model.used),
-            (None, Some(it)) if player.used == 0 => {
-                format!("The model solved it on attempt {it}. Now you: you have not tried yet.")
-            }
-            (None, Some(it)) => format!("The model solved it on attempt {it}. You have not yet, in {}.", player.used),
-            (None, None) if player.used + model.used == 0 => "Nobody has tried yet.".to_string(),
-            (None, None) => {
-                format!("Not solved yet: {} by you, {} by the model.", tries(player.used), tries(model.used))
-            }
-        }
-    }
-
     fn number_of(&self, who: Author, ball: Ball) -> Option<usize> {
         self.attempts(who).iter().position(|attempt| attempt.ball == ball).map(|index| index + 1)
     }
@@ -182,10 +156,6 @@ impl Game {
             Author::Model => &mut self.model,
         }
     }
-}
-
-fn tries(count: usize) -> String {
-    format!("{count} attempt{}", if count == 1 { "" } else { "s" })
 }
 
 #[cfg(test)]
@@ -267,17 +237,5 @@ mod tests {
         assert!(game.remove(Author::Player, 2));
         assert_eq!(game.standing(Author::Player), Standing { used: ATTEMPT_LIMIT - 1, solved_at: Some(2) });
         assert_eq!(game.record(Author::Player, attempt(1, false, 0)), Ok(ATTEMPT_LIMIT));
-    }
-
-    #[test]
-    fn the_verdict_names_the_quicker() {
-        let mut game = game();
-        assert_eq!(game.verdict(), "Nobody has tried yet.");
-        game.record(Author::Player, attempt(0, false, 0)).expect("valid");
-        assert_eq!(game.verdict(), "Not solved yet: 1 attempt by you, 0 attempts by the model.");
-        game.record(Author::Model, attempt(0, true, GOAL_STEPS)).expect("valid");
-        assert_eq!(game.verdict(), "The model solved it on attempt 1. You have not yet, in 1.");
-        game.record(Author::Player, attempt(1, true, GOAL_STEPS)).expect("valid");
-        assert_eq!(game.verdict(), "The model solved it on attempt 1, you on attempt 2. The model was quicker.");
     }
 }

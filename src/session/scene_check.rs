@@ -1,7 +1,7 @@
 //! Whether a custom scene may be played: the limits of its form, and that nothing overlaps at the start deeper than the
 //! engine separates. The page asks this for every frame of a drag.
 
-use crate::puzzle::custom_scene::{CustomScene, MAX_OVERLAP, Problem};
+use crate::puzzle::custom_scene::{CustomScene, Fault, MAX_OVERLAP, Problem};
 use crate::puzzle::scene::Scene;
 use crate::simulator::penetration::overlaps;
 
@@ -17,7 +17,8 @@ pub fn problems(custom: &CustomScene) -> Vec<Problem> {
             let sentence = format!(
                 "The {first} and the {second} overlap by {depth:.1} px, more than {MAX_OVERLAP}: move them apart."
             );
-            Problem { body: Some(overlap.bodies[0]), other: Some(overlap.bodies[1]), sentence }
+            let fault = Fault::Overlap { by: depth, most: MAX_OVERLAP };
+            Problem { other: Some(overlap.bodies[1]), ..Problem::of_body(overlap.bodies[0], fault, sentence) }
         }));
     }
     problems

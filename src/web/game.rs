@@ -4,24 +4,17 @@
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
-use super::describe::{describe_scene, invalid_reason};
+use super::describe::invalid_reason;
 use super::error::{Code, error, from_js, to_js};
 use super::paint::LineStyle;
 use super::puzzle_from_js::load;
 use super::recording::Recording;
-use crate::puzzle::action::{Ball, Obstacles};
+use crate::puzzle::action::{Ball, Invalid, Obstacles};
 use crate::puzzle::nearest_place::nearest_place;
-use crate::puzzle::scene::Body;
-use crate::puzzle::templates::TEMPLATES;
+use crate::puzzle::scene::{Body, Scene};
 use crate::raster::trail_image;
 use crate::session::game::{self, Attempt, Author, Refused};
 use crate::session::puzzle::Puzzle;
-
-/// The name of a custom scene that has none.
-const CUSTOM_NAME: &str = "Custom scene";
-
-/// What is said of a custom scene where a task has its story.
-const CUSTOM_STORY: &str = "A person made this scene. It is none of the benchmark's tasks.";
 
 /// How far the centre of an invalid ball may be from the place that it goes to instead, px.
 const REACH: f64 = 64.0;
@@ -40,14 +33,36 @@ pub struct Game {
 pub(super) struct ListedAttempt {
     /// From 1.
     number: usize,
-    words: String,
     #[serde(flatten)]
     attempt: Attempt,
 }
 
 impl ListedAttempt {
     pub(super) fn new(number: usize, attempt: Attempt) -> ListedAttempt {
-        ListedAttempt { number, words: attempt.ending.to_string(), attempt }
+        ListedAttempt { number, attempt }
+    }
+}
+
+/// Why a ball on the page is invalid; the page has the words.
+#[derive(Serialize)]
+#[serde(tag = "kind", rename_all = "snake_case")]
+enum InvalidBall {
+    Radius,
+    Outside,
+    /// The index of a body of the scene.
+    Overlaps {
+        body: usize,
+    },
+}
+
+impl InvalidBall {
+    fn of(why: Invalid) -> InvalidBall {
+        match why {
+            Invalid::Radius => InvalidBall::Radius,
+            Invalid::Overlaps(body) => InvalidBall::Overlaps { body },
+            // The scene of a puzzle can be simulated, so what is left is a place far away.
+            Invalid::Outside | Invalid::OutOfRange | Invalid::Scene(_) => InvalidBall::Outside,
+        }
     }
 }
 
@@ -64,36 +79,28 @@ impl Game {
         Ok(Game { puzzle, game, recordings: Vec::new() })
     }
 
-    /// Returns the name of the puzzle, its goal and a description of its scene.
+    /// Returns what the puzzle is.
     #[wasm_bindgen(unchecked_return_type = "About")]
     pub fn about(&self) -> Result<JsValue, JsValue> {
         #[derive(Serialize)]
         struct About<'a> {
             /// Null for a custom scene.
             id: Option<String>,
-            name: &'a str,
-            story: &'a str,
-            goal: &'a str,
-            description: String,
+            /// Null for a task, and for a custom scene without one.
+            name: Option<&'a str>,
+            scene: &'a Scene,
         }
-        let id = self.puzzle.id.task();
-        let (name, story) = match id.map(|task| TEMPLATES[task.template]) {
-            Some(template) => (template.name, template.story),
-            None => (self.puzzle.name().unwrap_or(CUSTOM_NAME), CUSTOM_STORY),
-        };
-        to_js(&About {
-            id: id.map(String::from),
-            name,
-            story,
-            goal: &self.puzzle.goal,
-            description: describe_scene(&self.puzzle.scene),
-        })
+        let Puzzle { id, scene, .. } = &self.puzzle;
+        to_js(&About { id: id.task().map(String::from), name: self.puzzle.name(), scene })
     }
 
-    /// Returns why a ball is invalid, as a phrase; undefined if it is valid.
-    #[wasm_bindgen(js_name = whyInvalid)]
-    pub fn why_invalid(&self, x: f64, y: f64, r: f64) -> Option<String> {
-        Ball { x, y, r }.check(&self.puzzle.scene).err().map(|why| invalid_reason(why, &self.puzzle.scene))
+    /// Returns why a ball is invalid; undefined if it is valid.
+    #[wasm_bindgen(js_name = whyInvalid, unchecked_return_type = "InvalidBall | undefined")]
+    pub fn why_invalid(&self, x: f64, y: f64, r: f64) -> Result<JsValue, JsValue> {
+        match (Ball { x, y, r }).check(&self.puzzle.scene) {
+            Ok(()) => Ok(JsValue::UNDEFINED),
+            Err(why) => to_js(&InvalidBall::of(why)),
+        }
     }
 
     /// Returns the nearest valid ball of the same radius, if one is not far away.
@@ -154,11 +161,6 @@ impl Game {
     #[wasm_bindgen(unchecked_return_type = "Standing")]
     pub fn standing(&self, #[wasm_bindgen(unchecked_param_type = "Author")] who: &str) -> Result<JsValue, JsValue> {
         to_js(&self.game.standing(author_named(who)?))
-    }
-
-    /// Returns a comparison of player and model in a sentence.
-    pub fn verdict(&self) -> String {
-        self.game.verdict()
     }
 
     /// Removes one attempt of an author's; the numbers of later ones decrease by one.

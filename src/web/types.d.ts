@@ -57,9 +57,20 @@ export interface SceneProblem {
     body: number | null;
     /** The second body, if the problem is between two. */
     other: number | null;
+    /** What is wrong. */
+    fault: SceneFault;
     /** What is wrong and what helps. */
     sentence: string;
 }
+
+/** What is wrong with a custom scene; lengths in px. */
+export type SceneFault =
+    | { kind: "unreadable" | "own_goal" | "static_object" | "place" }
+    | { kind: "bodies"; count: number; least: number; most: number }
+    | { kind: "name"; most: number }
+    | { kind: "length"; key: "radius" | "length" | "thickness" | "height"; length: number; least: number; most: number }
+    | { kind: "sticks_out" | "sticks_out_of_corner" | "outside"; by: number }
+    | { kind: "overlap"; by: number; most: number };
 
 /** The limits of custom scenes: least and most, lengths in px. */
 export interface SceneLimits {
@@ -117,11 +128,11 @@ export interface AttemptLine {
     digest: string;
 }
 
-/** What became of an attempt that was simulated again; the reason is a sentence. */
+/** What became of an attempt that was simulated again: status and steps as they are now; the reason is a sentence. */
 export type Verification =
     | { verdict: "same" }
-    | { verdict: "other_outcome"; reason: string }
-    | { verdict: "not_valid"; reason: string };
+    | { verdict: "other_outcome"; status: Status; steps: number; reason: string }
+    | { verdict: "not_valid"; fault: "form" | "puzzle" | "ball"; reason: string };
 
 /** What an agent has to generalise to: new tasks of templates that it was trained on, or new templates. */
 export type Setup = "within" | "cross";
@@ -202,15 +213,17 @@ export interface Palette {
     ink: string;
 }
 
-/** A puzzle in words. */
+/** What an open puzzle is. */
 export interface About {
     /** Null for a custom scene. */
     id: string | null;
-    name: string;
-    story: string;
-    goal: string;
-    description: string;
+    /** What its maker calls it; null for a task, and for a scene without a name. */
+    name: string | null;
+    scene: Scene;
 }
+
+/** Why a ball on the page is invalid; `body` is an index into the scene's bodies. */
+export type InvalidBall = { kind: "radius" | "outside" } | { kind: "overlaps"; body: number };
 
 /** How a rollout ended; lengths in steps. */
 export interface Ending {
@@ -245,8 +258,6 @@ export interface Attempt {
 export interface ListedAttempt extends Attempt {
     /** From 1; 0 if the attempt does not count. */
     number: number;
-    /** The ending as a phrase. */
-    words: string;
 }
 
 /** How an author is doing. */

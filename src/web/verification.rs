@@ -12,7 +12,7 @@ use crate::puzzle::rollout::Status;
 use crate::puzzle::task::{TaskError, TaskId};
 use crate::search::{luck, solution_search};
 use crate::simulator::{Engine, UnknownEngine};
-use crate::verification::{AttemptLine, Verdict};
+use crate::verification::{AttemptLine, LineFault, Verdict};
 
 /// The search for solutions of a scene over the whole action space, one ball per call.
 #[wasm_bindgen]
@@ -70,12 +70,12 @@ pub fn attempt_line(
 #[wasm_bindgen(js_name = verifyAttempt, unchecked_return_type = "Verification")]
 pub fn verify_attempt(#[wasm_bindgen(unchecked_param_type = "unknown")] line: JsValue) -> Result<JsValue, JsValue> {
     let verdict = match read_names(&line) {
-        Err(unknown) => Verdict::NotValid(format!("This cannot be simulated: {unknown}.")),
+        Err(unknown) => Verdict::not_valid(LineFault::Puzzle, format!("This cannot be simulated: {unknown}.")),
         Ok((task, engine)) => match read_line(&line, task, engine) {
             Some(line) => line.verify(),
-            None => Verdict::NotValid(
-                "This is not an attempt: it is a JSON object with `task` or `scene`, `ball`, `simulator`, `status`, `steps` and `digest`."
-                    .to_string(),
+            None => Verdict::not_valid(
+                LineFault::Form,
+                "This is not an attempt: it is a JSON object with `task` or `scene`, `ball`, `simulator`, `status`, `steps` and `digest`.",
             ),
         },
     };

@@ -12,7 +12,10 @@ use serde::{Deserialize, Serialize};
 use super::dimensions::Dimensions;
 use super::scene::{Body, Role, SIZE, Scene};
 
+mod problem;
 mod read;
+
+pub use problem::{Fault, Problem, sentences};
 
 /// The version of the format.
 pub const VERSION: u32 = 1;
@@ -74,29 +77,6 @@ pub struct CustomBody {
     pub dynamic: bool,
 }
 
-/// Why a custom scene may not be played.
-#[derive(Clone, Debug, PartialEq, Serialize, thiserror::Error)]
-#[error("{sentence}")]
-pub struct Problem {
-    /// The body that has it, as an index into `bodies`; none if it is the scene's.
-    pub body: Option<usize>,
-    /// The second body, if it is between two.
-    pub other: Option<usize>,
-    /// What is wrong and what helps.
-    pub sentence: String,
-}
-
-/// Returns the sentences of problems as one text.
-pub fn sentences(problems: &[Problem]) -> String {
-    problems.iter().map(|problem| problem.sentence.as_str()).collect::<Vec<_>>().join(" ")
-}
-
-impl Problem {
-    fn of_scene(sentence: impl Into<String>) -> Problem {
-        Problem { body: None, other: None, sentence: sentence.into() }
-    }
-}
-
 impl CustomScene {
     /// Returns a scene in this form; `None` if it has a body that is none of the four shapes.
     ///
@@ -122,32 +102,34 @@ impl CustomScene {
         if !BODIES.contains(&count) {
             let (least, most) = BODIES.into_inner();
             let remedy = if count < least { "fewer: add some" } else { "more: remove some" };
-            problems
-                .push(Problem::of_scene(format!("A scene has {least} to {most} bodies, and this one has {remedy}.")));
+            problems.push(Problem::of_scene(
+                Fault::Bodies { count, least, most },
+                format!("A scene has {least} to {most} bodies, and this one has {remedy}."),
+            ));
         }
         if self.name.as_ref().is_some_and(|name| name.chars().count() > NAME_LENGTH) {
-            problems.push(Problem::of_scene(format!("The name is longer than {NAME_LENGTH} characters: shorten it.")));
+            problems.push(Problem::of_scene(
+                Fault::Name { most: NAME_LENGTH },
+                format!("The name is longer than {NAME_LENGTH} characters: shorten it."),
+            ));
         }
         for (name, index) in [("body1", self.body1), ("body2", self.body2)] {
             if index >= count {
-                problems.push(Problem::of_scene(format!(
+                problems.push(Problem::unreadable(format!(
                     "`{name}` is {index}, but the bodies run from 0: choose one of them."
                 )));
             }
         }
         if self.body1 == self.body2 {
-            problems
-                .push(Problem::of_scene("The green object cannot be its own goal: choose another body as the goal."));
+            problems.push(Problem::of_scene(
+                Fault::OwnGoal,
+                "The green object cannot be its own goal: choose another body as the goal.",
+            ));
         } else if self.bodies.get(self.body1).is_some_and(|body| !body.dynamic) {
-            let sentence =
-                "The green object is static, so it never reaches a goal: make it dynamic, or choose another.";
-            problems.push(Problem { body: Some(self.body1), other: None, sentence: sentence.to_string() });
+            let why = "The green object is static, so it never reaches a goal: make it dynamic, or choose another.";
+            problems.push(Problem::of_body(self.body1, Fault::StaticObject, why));
         }
-        let of_bodies = self.bodies.iter().enumerate().filter_map(|(index, _)| {
-            let sentence = self.body_problem(index)?;
-            Some(Problem { body: Some(index), other: None, sentence })
-        });
-        problems.extend(of_bodies);
+        problems.extend((0..count).filter_map(|index| self.body_problem(index)));
         problems
     }
 
@@ -175,21 +157,28 @@ impl CustomScene {
     }
 
     /// Returns the first problem of a body by itself.
-    fn body_problem(&self, index: usize) -> Option<String> {
+    fn body_problem(&self, index: usize) -> Option<Problem> {
         let CustomBody { dimensions, x, y, angle, dynamic } = self.bodies[index];
         let name = self.body_name(index);
+        let problem = |fault, sentence: String| Some(Problem::of_body(index, fault, sentence));
         for (key, length, allowed) in dimensions.lengths() {
             if !allowed.contains(&length) {
                 let (least, most) = allowed.into_inner();
                 let remedy = if length > most { "smaller" } else { "larger" };
-                return Some(format!(
-                    "The {key} of the {name} is {} px, but may be {least} to {most}: make it {remedy}.",
-                    px(length)
-                ));
+                return problem(
+                    Fault::Length { key, length, least, most },
+                    format!(
+                        "The {key} of the {name} is {} px, but may be {least} to {most}: make it {remedy}.",
+                        px(length)
+                    ),
+                );
             }
         }
         if !(x.is_finite() && y.is_finite() && (-TAU..=TAU).contains(&angle)) {
-            return Some(format!("The {name} has no place: its angle is between -2π and 2π, and x and y are numbers."));
+            return problem(
+                Fault::Place,
+                format!("The {name} has no place: its angle is between -2π and 2π, and x and y are numbers."),
+            );
         }
         let [left, bottom, right, top] = self.body(index).bounds();
         if dynamic {
@@ -197,16 +186,27 @@ impl CustomScene {
             let over = over_a_corner(&self.body(index));
             let remedy = "move it inside or make it smaller";
             if out > MAX_OVERLAP {
-                Some(format!("The {name} sticks out of the scene by {} px: {remedy}.", px(out)))
+                problem(
+                    Fault::SticksOut { by: out },
+                    format!("The {name} sticks out of the scene by {} px: {remedy}.", px(out)),
+                )
             } else if over > OVER_CORNER {
-                Some(format!("The {name} sticks out of a corner of the scene by {} px: {remedy}.", px(over)))
+                problem(
+                    Fault::SticksOutOfCorner { by: over },
+                    format!("The {name} sticks out of a corner of the scene by {} px: {remedy}.", px(over)),
+                )
             } else {
                 None
             }
         } else {
             let away = [-right, -top, left - SIZE, bottom - SIZE].into_iter().fold(0.0, f64::max);
-            (away > OUTSIDE)
-                .then(|| format!("The {name} is {} px outside of the scene: move it nearer, or remove it.", px(away)))
+            if away <= OUTSIDE {
+                return None;
+            }
+            problem(
+                Fault::Outside { by: away },
+                format!("The {name} is {} px outside of the scene: move it nearer, or remove it.", px(away)),
+            )
         }
     }
 }

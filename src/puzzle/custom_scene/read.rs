@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value};
 
-use super::{CustomBody, CustomScene, Problem, VERSION};
+use super::{CustomBody, CustomScene, Fault, Problem, VERSION};
 
 impl CustomScene {
     /// Reads a scene from JSON. Keys that it does not know are ignored.
@@ -11,24 +11,24 @@ impl CustomScene {
     /// All values that do not have the form of the schema; limits are not looked at.
     pub fn read(value: Value) -> Result<CustomScene, Vec<Problem>> {
         let Value::Object(mut keys) = value else {
-            return Err(vec![Problem::of_scene(
+            return Err(vec![Problem::unreadable(
                 "This is not a scene: it is a JSON object with `version`, `body1`, `body2` and `bodies`.",
             )]);
         };
         match keys.get("version") {
             Some(version) if version.as_f64() == Some(f64::from(VERSION)) => {}
             Some(version) => {
-                return Err(vec![Problem::of_scene(format!(
+                return Err(vec![Problem::unreadable(format!(
                     "This is a scene of version {version}, and this Pathlight reads version {VERSION}: use a newer one."
                 ))]);
             }
             None if keys.contains_key("id") && keys.contains_key("params") => {
-                return Err(vec![Problem::of_scene(
+                return Err(vec![Problem::unreadable(
                     "This is a task as `pathlight tasks --json` prints it: use `pathlight tasks --custom` to make a scene of it.",
                 )]);
             }
             None => {
-                return Err(vec![Problem::of_scene(format!(
+                return Err(vec![Problem::unreadable(format!(
                     "A scene has `\"version\": {VERSION}`, and this one has none: add it if it is a scene."
                 ))]);
             }
@@ -40,20 +40,20 @@ impl CustomScene {
                 for (index, value) in values.into_iter().enumerate() {
                     match serde_json::from_value(value) {
                         Ok(body) => bodies.push(without_negative_zero(body)),
-                        Err(reason) => problems.push(Problem {
-                            body: Some(index),
-                            other: None,
-                            sentence: format!("Body {index} cannot be read: {reason}. Correct it as the schema says."),
-                        }),
+                        Err(reason) => problems.push(Problem::of_body(
+                            index,
+                            Fault::Unreadable,
+                            format!("Body {index} cannot be read: {reason}. Correct it as the schema says."),
+                        )),
                     }
                 }
             }
-            _ => problems.push(Problem::of_scene("`bodies` of a scene is a list of bodies: add it.")),
+            _ => problems.push(Problem::unreadable("`bodies` of a scene is a list of bodies: add it.")),
         }
         let index = |name: &str, problems: &mut Vec<Problem>| {
             let index = keys.get(name).and_then(whole_number);
             if index.is_none() {
-                problems.push(Problem::of_scene(format!(
+                problems.push(Problem::unreadable(format!(
                     "`{name}` of a scene is the index of one of its bodies, from 0: correct it."
                 )));
             }
@@ -85,7 +85,7 @@ fn name_of(keys: &Map<String, Value>) -> Result<Option<String>, Problem> {
     match keys.get("name") {
         None | Some(Value::Null) => Ok(None),
         Some(Value::String(name)) => Ok(Some(name.clone())),
-        Some(_) => Err(Problem::of_scene("`name` of a scene is a text: correct it, or leave it out.")),
+        Some(_) => Err(Problem::unreadable("`name` of a scene is a text: correct it, or leave it out.")),
     }
 }
 
