@@ -1,7 +1,7 @@
-// Compresses files in advance, for servers that send FILE.br or FILE.gz in place of FILE:
-// node scripts/compress.mjs FILE… writes both beside each.
+// Compresses files in advance, for servers that send FILE.br or FILE.gz in place of FILE.
 //
-// Results are kept in target/compressed, named by the hash of the content, because each file of weights takes 15 s.
+// Results are kept in target/compressed, named by the hash of the content: at the best quality each file of weights
+// takes 15 s.
 
 import { createHash } from "node:crypto";
 import { mkdir, readFile, rename, writeFile } from "node:fs/promises";
@@ -13,8 +13,9 @@ import { brotliCompress, constants, gzip } from "node:zlib";
 const KEPT = fileURLToPath(new URL("../target/compressed", import.meta.url));
 /** Brotli's quality for weights. The highest takes twice as long and makes them 1 % larger. */
 const WEIGHTS_QUALITY = 10;
-/** Files that a person waits for are announced, bytes. */
-const SLOW = 4_000_000;
+/** Files that a person waits for are announced: bytes, and from which quality on. */
+const SLOW = 3_000_000;
+const SLOW_QUALITY = 10;
 /** Images do not become smaller. */
 const COMPRESSIBLE = /\.(html|css|js|json|jsonl|svg|txt|wasm|webmanifest|safetensors)$/;
 
@@ -52,7 +53,8 @@ function bestQuality(path) {
  * @param {Record<number, number>} params
  */
 function brotli(path, content, params) {
-  if (content.length > SLOW) console.error(`== compressing ${basename(path)} (some seconds, once)`);
+  if (content.length > SLOW && params[constants.BROTLI_PARAM_QUALITY] >= SLOW_QUALITY)
+    console.error(`== compressing ${basename(path)} (some seconds, once)`);
   return promisify(brotliCompress)(content, { params });
 }
 
@@ -72,6 +74,3 @@ async function keptOr(name, compress) {
   await rename(`${path}.${process.pid}`, path);
   return result;
 }
-
-if (process.argv[1] === fileURLToPath(import.meta.url))
-  await Promise.all(process.argv.slice(2).map(async (path) => writeCompressed(path, await readFile(path))));
