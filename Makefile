@@ -35,7 +35,7 @@ BUNDLE := scripts/install-tools js-tools && node scripts/bundle-page.mjs
 .PHONY: play check test test-cluster bench build package dist timings pictures film clean
 
 play: $(PACKAGE)
-	@[ -x target/release/pathlight-serve ] || echo "== compiling the server (about a minute on 2 cores, once)"
+	@[ -x target/release/pathlight-serve ] || echo "== compiling the server (half a minute on 2 cores, once)"
 	@cargo build --release --workspace --bin pathlight-serve
 	@page=$(PAGE); \
 	$(BUNDLE) || { echo "warning: the page could not be bundled, so it starts more slowly; run make play again when npm reaches its registry" >&2; page=www; }; \

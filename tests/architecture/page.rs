@@ -7,7 +7,7 @@ use crate::rule::{Never, Only, Rule, unknown_files};
 /// the wasm package, of which all may import what the API does not have. Imports in JSDoc are types only and are not
 /// looked at.
 const LAYERS: [&str; 18] = [
-    "pkg", "api", "storage", "shell", "loading", "puzzles", "state", "text", "widgets", "model", "play", "panels",
+    "pkg", "api", "text", "storage", "shell", "loading", "puzzles", "state", "widgets", "model", "play", "panels",
     "editor", "attempts", "element", "home", "page", "offline",
 ];
 
@@ -17,7 +17,7 @@ const PLAYER_ONLY: [&str; 6] = ["Game", "paintEditedScene", "palette", "paintLeg
 const RULES: &[Rule] = &[
     Rule {
         words: &["innerHTML", "outerHTML", "insertAdjacentHTML", "document.write"],
-        files: Only(&["element/markup.js"]),
+        files: Only(&["element/markup.js", "text/translate.js"]),
         reason: "text of a link, a file or a model must not become markup",
     },
     Rule {

@@ -23,7 +23,7 @@ import { load } from "../../www/api/index.js";
 const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 
 let session;
-before(async () => (session = await start()));
+before(async () => (session = await start({ sources: true })));
 after(() => session.stop());
 
 /** A puzzle that has just been solved at the second attempt. */
@@ -244,7 +244,7 @@ test("the result is a short film too, with the run in the card, which is saved a
   );
   assert.notEqual(await pixels(0, 400), scene);
   assert.equal(await pixels(410, 390), words);
-  await done("The film is there");
+  await done("The film is ready");
   assert.equal(await card.count(), 0);
   const [file] = await Promise.all([
     page.waitForEvent("download"),
@@ -263,7 +263,7 @@ test("the result is a short film too, with the run in the card, which is saved a
   await film.click();
   await page.locator("#share-progress:visible").waitFor();
   await film.filter({ hasText: "Stop" }).click();
-  await done("given up");
+  await done("film was stopped");
   await page.evaluate(
     () =>
       (MediaRecorder.prototype.start = () => {

@@ -29,7 +29,7 @@ async function tried(options = {}) {
 
 test("every attempt has a picture of its own, with its ball in it", async () => {
   const page = await tried({ deviceScaleFactor: 2 });
-  const red = (await palette(page)).red;
+  const red = palette.red;
   const pictures = new Set();
   for (const number of [1, 2]) {
     await row(page, number).locator("canvas.drawn").waitFor();

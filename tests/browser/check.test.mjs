@@ -40,12 +40,12 @@ test("a puzzle that can be solved: how many balls do, and the easiest only when 
   const words = await page.locator("#check-words").textContent();
   assert.match(
     words,
-    /It can be solved: [\d,]+ of [\d,]+ balls solve it, .* %\. Of the benchmark’s puzzles \d+ % are harder\./,
+    /It can be solved: [\d,]+ of [\d,]+ balls solve it, .*%\. \d+% of the benchmark’s puzzles are harder\./,
   );
   assert.equal(await page.locator("#check-ball").textContent(), "");
   assert.equal(page.url().includes("ball="), false);
   await page.locator("#check-reveal").click();
-  await page.locator("#check-ball").filter({ hasText: "lies in the scene" }).waitFor();
+  await page.locator("#check-ball").filter({ hasText: "is in the scene" }).waitFor();
   await page.locator("#tab-play").click();
   assert.ok((await ball(page))[2] > 0);
   await page.locator("#run").click();
@@ -62,7 +62,7 @@ test("what is edited so that it may not be played is not searched, nor is what i
   await page.locator("#check-search:disabled").filter({ hasText: "Search" }).waitFor();
   await page
     .locator("#check-words")
-    .filter({ hasText: /^First mend what stands above/ })
+    .filter({ hasText: /^Fix the problems above first/ })
     .waitFor();
   for (let step = 0; step < 4; step += 1) await page.locator("#scene").press("Shift+ArrowDown");
   // What was edited a moment ago is searched: its puzzle does not end the search when it comes.
@@ -88,7 +88,7 @@ test("a scene that nothing solves says none found, and one that solves itself sa
   await impossible.locator("#check-search").click();
   await impossible
     .locator("#check-words")
-    .filter({ hasText: /^None found in [\d,]+ balls\. A ball between/ })
+    .filter({ hasText: /^No solution found in [\d,]+ balls\. A ball between/ })
     .waitFor({ timeout: 120_000 });
   assert.equal(await impossible.locator("#check-reveal").isVisible(), false);
   const itself = await openScene(scene({ x: 100, y: 120 }, { x: 100, y: 10 }));

@@ -12,7 +12,7 @@ let session;
 let balls;
 let scene;
 before(async () => {
-  session = await start();
+  session = await start({ sources: true });
   balls = await known();
   scene = { ...customScene(EASY), name: "Mine" };
 });
@@ -149,7 +149,7 @@ test("attempts are saved with the progress, and read back on another device, als
     const elsewhere = await session.open("/", { reducedMotion: "reduce" });
     await elsewhere.locator("#templates a").first().waitFor();
     await elsewhere.locator("#progress-file").setInputFiles(await file.path());
-    await elsewhere.locator("#notice-text").filter({ hasText: "Read back: 1 puzzle, with 2 attempts." }).waitFor();
+    await elsewhere.locator("#notice-text").filter({ hasText: "Loaded: 1 puzzle, with 2 attempts." }).waitFor();
     await elsewhere.goto(page.url().replace(/#.*/, await hashOf(elsewhere)));
     await elsewhere.locator("#play-attempts li").nth(1).waitFor();
   }

@@ -14,7 +14,9 @@ export const versionOf = (page) =>
 /** Makes the page look for another version, as it does when it comes back into sight. */
 export const comeBack = (page) => page.evaluate(() => void document.dispatchEvent(new Event("visibilitychange")));
 export const sentence = (page) =>
-  page.locator("#update").filter({ hasText: "A new version of Pathlight is available." });
+  page
+    .locator("#update:has(span:not([hidden])):visible")
+    .filter({ hasText: "A new version of Pathlight is available." });
 export const cachedVersions = (page) =>
   page.evaluate(async () => (await caches.keys()).map((name) => name.split("/").at(-2)));
 

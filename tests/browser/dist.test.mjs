@@ -76,7 +76,7 @@ test("its policy is in the page, and keeps scripts from elsewhere out", async ()
   const page = await session.open("/");
   await assertPolicyHolds(session, page);
 
-  const served = await start();
+  const served = await start({ sources: true });
   const { headers } = await fetch(served.origin);
   await served.stop();
   const policy = await page.locator("meta[http-equiv=Content-Security-Policy]").getAttribute("content");

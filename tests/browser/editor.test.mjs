@@ -23,7 +23,7 @@ import {
 } from "./page-actions.mjs";
 
 let session;
-before(async () => (session = await start()));
+before(async () => (session = await start({ sources: true })));
 after(() => session.stop());
 
 /** Opens a puzzle on the panel Make, with its maps. */

@@ -8,7 +8,7 @@ import { start } from "./harness.mjs";
 import { known, openPanel } from "./page-actions.mjs";
 
 let session;
-before(async () => (session = await start()));
+before(async () => (session = await start({ sources: true })));
 after(() => session.stop());
 
 /** Plays a ball that solves the puzzle. */
@@ -104,10 +104,10 @@ test("the maps over the scene follow the theme", async () => {
   await wait(async () => (await pictureOf(changed)) === (await pictureOf(dark)), "the same picture");
 });
 
-test("in a page of another language and direction it stays English, from left to right", async () => {
+test("in a page of a language that it does not speak it is English, from left to right", async () => {
   const page = await embed(
     session,
-    single('task="00000:000"').replace('<html lang="en">', '<html lang="de" dir="rtl">'),
+    single('task="00000:000"').replace('<html lang="en">', '<html lang="ar" dir="rtl">'),
   );
   await page.locator("#scene").waitFor();
   const wrong = await page.locator("pathlight-puzzle").evaluate(({ shadowRoot }) =>
@@ -123,6 +123,11 @@ test("in a page of another language and direction it stays English, from left to
       .evaluate(({ shadowRoot }) => shadowRoot.querySelectorAll(".puzzle, dialog").length),
     3,
   );
+});
+
+test("in a German page it speaks German, also to an English browser", async () => {
+  const page = await embed(session, single('task="00000:000"').replace('<html lang="en">', '<html lang="de">'));
+  await page.locator("#goal:lang(de)").filter({ hasText: "Die grüne Kugel soll" }).waitFor();
 });
 
 for (const { what, files, answer, words } of [

@@ -9,7 +9,7 @@ import { focused, known, openPanel, pause } from "./page-actions.mjs";
 
 let session, models;
 before(async () => {
-  session = await start();
+  session = await start({ sources: true });
   models = (await (await fetch(`${session.origin}/assets/model.json`)).json()).models.map(({ name }) => name);
 });
 after(() => session.stop());

@@ -22,7 +22,7 @@ import {
 
 let session, balls;
 before(async () => {
-  session = await start();
+  session = await start({ sources: true });
   balls = await known();
 });
 after(() => session.stop());
@@ -79,7 +79,7 @@ test("a worker that is killed in the middle of a turn: what it has tried stays, 
         throw new Error("killed");
       }),
   );
-  const trouble = page.locator("#compare-trouble:visible").filter({ hasText: /worker has stopped.*killed/ });
+  const trouble = page.locator("#compare-trouble:visible").filter({ hasText: /model has stopped.*killed/ });
   await trouble.waitFor();
   await assertConsistent(page);
   await trouble.getByRole("button", { name: "Try again" }).click();

@@ -84,7 +84,7 @@ test("a ball that may not lie there is no step back, and it is told why", async 
   await page.mouse.click(...(await spot(page, 20, 230)));
   await guide(page, 3, /Good spot/);
   for (let step = 0; step < 2; step += 1) await page.keyboard.press("Shift+ArrowLeft");
-  await guide(page, 3, /^Not here: The ball .+ needs a free spot/);
+  await guide(page, 3, /^Not here: .+\. The ball needs a free spot/);
   // A ball that is put down at the edge slides in.
   await page.mouse.click(...(await spot(page, 2, 230)));
   await guide(page, 3, /Good spot/);

@@ -21,7 +21,7 @@ import {
 const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 
 let session;
-before(async () => (session = await start()));
+before(async () => (session = await start({ sources: true })));
 after(() => session.stop());
 
 const words = (page) => page.locator("#forecast-words").textContent();
@@ -51,7 +51,7 @@ async function imagined(page, ball, task = EASY) {
 async function followsTheBall(page) {
   const { probability } = await imagined(page, await ball(page));
   const percent = Math.round(100 * probability);
-  await forecasts(page, new RegExp(`^The model’s guess: [a-z’ ]+ \\((${percent}|under 1|over 99) %\\)\\.$`));
+  await forecasts(page, new RegExp(`^The model’s guess: [a-z’ ]+ \\((${percent}|under 1|over 99)%\\)\\.$`));
 }
 
 test("newcomers see it, in plain words; the switch is by the run button, and is remembered", async () => {
@@ -89,7 +89,7 @@ test("a hopeless ball is told so in plain words", async () => {
   const { probability } = await imagined(page, [8, 248, 2]);
   assert.ok(probability < 0.05);
   await type(page, [8, 248, 2]);
-  await forecasts(page, /^The model’s guess: almost surely won’t work \((under 1|\d) %\)\.$/);
+  await forecasts(page, /^The model’s guess: almost surely won’t work \((under 1|\d)%\)\.$/);
 });
 
 test("it follows the mouse", async () => {
@@ -179,7 +179,7 @@ test("after a run it stays beside the real paths until the ball changes", async 
   await says(page, /^Not solved/);
   const said = await forecasts(
     page,
-    /^The model’s guess was: .+ \(.+ %\)\. Its path for green was \d+ px off, on average\.$/,
+    /^The model’s guess was: .+ \(.+%\)\. Its path for green was \d+ px off, on average\.$/,
   );
   const { object } = await imagined(page, missing);
   const real = await page.evaluate(async ([[x, y, r], task]) => {

@@ -24,14 +24,14 @@ test("every template opens from the grid with its scene and its goal", async () 
   const page = await session.open("/");
   const links = page.locator("#templates a");
   await links.first().waitFor();
-  const colours = await palette(page);
+  const colours = palette;
   for (let index = 0; index < 25; index += 1) {
     const name = await links.nth(index).locator("strong").textContent();
     await links.nth(index).click();
     await page.locator("#scene").waitFor();
     assert.equal(await page.locator("#puzzle-name").textContent(), name);
     const goal = await page.locator("#goal").textContent();
-    const [, target] = goal.match(/^Make sure the green \w+ is touching the (blue|purple) [\w ]+\.$/) ?? [];
+    const [, target] = goal.match(/^Get the green \w+ to touch the (blue|purple) [\w ]+ for 3 seconds\.$/) ?? [];
     assert.ok(target, `${name}: ${goal}`);
     for (const role of ["green", target]) {
       assert.ok((await pixels(page, colours[role])) > 20, `${name}: the ${role} body is drawn`);

@@ -43,13 +43,13 @@ test("without a click and without the wasm, futures fan out, one is picked, and 
   const caption = page.locator("#hero-caption");
   assert.match(await caption.textContent(), /^It imagines 40 futures/);
   await phase(page, "pick");
-  assert.match(await caption.textContent(), /picks one: over 99 % sure/);
+  assert.match(await caption.textContent(), /picks one: over 99% sure/);
   await phase(page, "real");
   await moves(page);
   open();
   await page.locator("#templates canvas.drawn").first().waitFor();
   await phase(page, "result");
-  assert.match(await caption.textContent(), /^Solved! Its guess was \d+ % off\.$/);
+  assert.match(await caption.textContent(), /^Solved! Its guess was \d+% off\.$/);
   await phase(page, "imagine");
   assert.deepEqual(weights, []);
 });

@@ -14,7 +14,7 @@ const run = (page, who) => page.locator(`#runs [data-runner=${who}]`);
 /** The overlaps of a run, in percent: of the green object, and of the ball if there is one. */
 async function overlapsOf(page, who) {
   const texts = await run(page, who).locator(".overlap-cards b").allTextContents();
-  return texts.map((text) => Number(text.match(/^(\d+) %$/)[1]));
+  return texts.map((text) => Number(text.match(/^(\d+)%$/)[1]));
 }
 
 test("runs of the player, of the model and without a ball stand beside each other with their overlaps", async () => {
@@ -46,7 +46,7 @@ test("runs of the player, of the model and without a ball stand beside each othe
   }
   assert.match(
     await page.locator("#overlap-words").textContent(),
-    /Your attempt 1: green object \d+ %, red ball \d+ %; The model’s attempt \d+: green object/,
+    /Your attempt 1: green object \d+%, red ball \d+%; The model’s attempt \d+: green object/,
   );
 });
 

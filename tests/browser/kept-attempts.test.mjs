@@ -170,7 +170,7 @@ test("all is saved to a file and read back whole on another device", async () =>
   await elsewhere.locator("#progress-file").setInputFiles(path);
   await elsewhere
     .locator("#notice-text")
-    .filter({ hasText: `Read back: 1 puzzle, with ${2 + model.length} attempts.` })
+    .filter({ hasText: `Loaded: 1 puzzle, with ${2 + model.length} attempts.` })
     .waitFor();
   await elsewhere.locator("#progress-words").filter({ hasText: "solved 1, in 2 attempts" }).waitFor();
   await elsewhere.goto(`${session.origin}/#task=${EASY}&panel=compare`);
@@ -245,12 +245,12 @@ test("two devices: what one has solved at once stays so when it reads the otherâ
     await first.locator("#progress-file").setInputFiles(await file.path());
     await first
       .locator("#notice-text")
-      .filter({ hasText: "Read back: 1 puzzle, with 2 attempts. New here: 2 attempts, 0 solved puzzles." })
+      .filter({ hasText: "Loaded: 1 puzzle, with 2 attempts. New here: 2 attempts, 0 solved puzzles." })
       .waitFor();
   };
   await read();
   await first.locator("#notice button", { hasText: "Undo" }).click();
-  await first.locator("#notice-text").filter({ hasText: "gone again" }).waitFor();
+  await first.locator("#notice-text").filter({ hasText: "as it was before" }).waitFor();
   assert.equal(await first.locator("#progress-words").textContent(), before);
   await read();
   await first.locator("#progress-words").filter({ hasText: "tried 1 puzzle and solved 1, in 3 attempts." }).waitFor();
@@ -289,7 +289,7 @@ test("a file with a longer turn of other agents takes nothing away", async () =>
     JSON.stringify({ tasks: {}, attempts: Array.from({ length: 90 }, (_, index) => line(20 + 2 * index)) }),
   );
   await page.locator("#progress-file").setInputFiles({ name: "file.json", mimeType: "application/json", buffer });
-  await page.locator("#notice-text").filter({ hasText: "Read back" }).waitFor();
+  await page.locator("#notice-text").filter({ hasText: "Loaded" }).waitFor();
   await page.goto(`${session.origin}/#task=${EASY}&panel=compare`);
   await page.locator("#model-attempts li").first().waitFor();
   assert.deepEqual(await titles(page, "model-attempts"), model);

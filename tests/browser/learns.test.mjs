@@ -9,7 +9,7 @@ import { axeFindsNothing } from "./axe.mjs";
 import { start } from "./harness.mjs";
 
 let session;
-before(async () => (session = await start()));
+before(async () => (session = await start({ sources: true })));
 after(() => session.stop());
 
 const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true };
@@ -49,11 +49,11 @@ test("from the home page: twenty puzzles, of which it solves the later ones soon
   await says(page, "Play 20 more");
   const words = await page.locator("#learns-total").textContent();
   const [, learned, fresh] =
-    /^20 puzzles took it ([\d,]+) tries with its memory, and ([\d,]+) tries without\.$/.exec(words) ?? [];
+    /^20 puzzles took it ([\d,]+) attempts with its memory, and ([\d,]+) attempts without\.$/.exec(words) ?? [];
   const [withMemory, without] = [learned, fresh].map((number) => Number(number.replace(",", "")));
   assert.ok(withMemory < without / 2, words);
   const rows = await played(page).allTextContents();
-  assert.match(rows.join("\n"), /solved at once, as in puzzle \d+\. Without memory: (on try|not in 100)/);
+  assert.match(rows.join("\n"), /solved at once, as in puzzle \d+\. Without memory: (on attempt|not solved in 100)/);
   assert.equal(await page.locator("#learns-chart :is(circle, path.mark.learned)").count(), 20);
   assert.equal(await page.locator("#learns-chart :is(rect, path.mark.fresh)").count(), 20);
   assert.equal(await page.locator("#learns-memory").textContent(), "It remembers 20 puzzles.");
@@ -71,7 +71,7 @@ test("the tries at a puzzle are shown in short; it pauses, goes on, and skips to
   const page = await open(PHONE);
   await play(page).tap();
   const tries = page.locator("#learns-fresh .tries");
-  await tries.filter({ hasText: /^Try \d+$/ }).waitFor({ timeout: 120_000 });
+  await tries.filter({ hasText: /^Attempt \d+$/ }).waitFor({ timeout: 120_000 });
   assert.equal(await played(page).count(), 0);
   await play(page).tap();
   await says(page, "Go on");
@@ -84,7 +84,7 @@ test("the tries at a puzzle are shown in short; it pauses, goes on, and skips to
   await says(page, "Pause");
   await until(page, 2);
   assert.notEqual(await frame(), paused);
-  assert.match(await status(page).textContent(), /^Puzzle \d: (solved|not in)/);
+  assert.match(await status(page).textContent(), /^Puzzle \d: (solved|not solved)/);
 });
 
 test("another kind starts its own chart; all is forgotten at a press", async () => {

@@ -6,7 +6,7 @@ import { start } from "./harness.mjs";
 import { attempts, known, openPuzzle, pause, says, type, unsolvedTask } from "./page-actions.mjs";
 
 let session;
-before(async () => (session = await start()));
+before(async () => (session = await start({ sources: true })));
 after(() => session.stop());
 
 test("a puzzle is left while pictures of attempts wait to be drawn", async () => {

@@ -9,7 +9,7 @@ import { start } from "./harness.mjs";
 import { EASY, openLesson, openPuzzle, says, type } from "./page-actions.mjs";
 
 let session;
-before(async () => (session = await start()));
+before(async () => (session = await start({ sources: true })));
 after(() => session.stop());
 
 async function openDialog(options = {}) {

@@ -253,7 +253,7 @@ test("a worker that dies is a sentence, and can be started again", async () => {
   );
   await page
     .locator("#imagine-trouble:visible")
-    .filter({ hasText: /worker has stopped.*gone/ })
+    .filter({ hasText: /model has stopped.*gone/ })
     .waitFor();
   session.takeProblems();
   await page.locator("#imagine-trouble button").click();

@@ -82,7 +82,7 @@ function words({ heap, pageWasm, workerWasm, elements }) {
 }
 
 async function measure(puzzles, turns) {
-  const session = await start();
+  const session = await start({ sources: true });
   const page = await openImagined(session, { reducedMotion: true });
   // What is kept once, for all puzzles, is there after the first of every template.
   await openPuzzles(page, 25);

@@ -16,7 +16,7 @@ const NOISE = 400_000;
 const FRAGMENTS = 1_000_000;
 
 let session;
-before(async () => (session = await start()));
+before(async () => (session = await start({ sources: true })));
 after(() => session.stop());
 
 test("fifty puzzles and ten turns", async () => {

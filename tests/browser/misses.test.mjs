@@ -34,7 +34,7 @@ test("a miss ends as soon as nothing changes any more, and its record stays whol
   await page.locator("#run").click();
   const words = await says(
     page,
-    /^Not solved\. Your attempt 1: closest [\d.]+ px, at [\d.]+ s; everything lies still\.$/,
+    /^Not solved\. Your attempt 1: missed by [\d.]+ px, at [\d.]+ s; everything lies still\.$/,
   );
   const last = Number(await page.locator("#time").getAttribute("max"));
   const width = 3 * rollout.bodies.length;
@@ -62,13 +62,13 @@ test("the gap is drawn where it was smallest, marked on the time line, and a but
   await type(page, ball);
   assert.ok(await page.locator("#see-closest").isHidden());
   await page.locator("#run").click();
-  const [, gap, seconds] = (await says(page, /closest/)).match(/closest ([\d.]+) px, at ([\d.]+) s/).map(Number);
+  const [, gap, seconds] = (await says(page, /missed by/)).match(/missed by ([\d.]+) px, at ([\d.]+) s/).map(Number);
   assert.ok(gap > 0 && gap < 256);
   assert.match(
     await page.locator("#time").evaluate((time) => time.style.getPropertyValue("--touches")),
     /var\(--text\)/,
   );
-  const { ink } = await palette(page);
+  const { ink } = palette;
   const drawn = await pixels(page, ink);
   await page.locator("#see-closest").focus();
   await page.keyboard.press("Enter");

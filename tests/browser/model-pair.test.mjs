@@ -42,7 +42,7 @@ test("each is named with what it has seen, its map, its balls and when it solves
   assert.equal(await column(page, 1).locator(".model-badge").innerText(), "new to the model");
   assert.match(
     await column(page, 1).locator(".pair-outcome").textContent(),
-    new RegExp(`^Solved on attempt ${first}\\. Its own guess of its first ball: .+ \\(.+ %\\)\\.$`),
+    new RegExp(`^Solved on attempt ${first}\\. Its own guess for its first ball: .+ \\(.+%\\)\\.$`),
   );
   await page
     .locator("#pair-words")

@@ -2,32 +2,40 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { modelWords } from "../../www/model/model-words.js";
-import { netWords } from "../../www/model/map-text.js";
+import { ballNetOf } from "../../www/model/ball-net.js";
+import { text } from "../../www/text/text.js";
+
+const { nets, knows } = text.model;
 
 test("the net that scores balls is named, and no other", () => {
-  const dynamics = netWords({ dynamics: {} }, 4);
-  assert.match(dynamics.intro, /four small nets .+ and the dynamics net scores balls\.$/);
-  assert.match(dynamics.about, /^It has four small neural nets\. .+Another net, the dynamics net, imagines/);
-  assert.doesNotMatch(Object.values(dynamics).join(" "), /success/i);
-  const success = netWords({ success: {} }, 4);
-  assert.match(success.intro, /and the success net scores balls\.$/);
-  assert.match(success.about, /Another net, the success net, says/);
-  assert.doesNotMatch(Object.values(success).join(" "), /dynamics/i);
+  for (const [net, other] of /** @type {const} */ ([
+    ["dynamics", "success"],
+    ["success", "dynamics"],
+  ])) {
+    assert.equal(ballNetOf({ [net]: {} }), net);
+    assert.match(
+      nets.intro(4, net),
+      new RegExp(`five small nets .+: four make maps, and the ${net} net scores balls\\.$`),
+    );
+    assert.match(
+      nets.about(4, net),
+      new RegExp(`^It has five small neural nets, .+ Four of them .+The last one, the ${net} net,`),
+    );
+    assert.doesNotMatch(`${nets.intro(4, net)} ${nets.about(4, net)} ${nets.how[net]}`, new RegExp(other, "i"));
+  }
   for (const card of [{}, undefined]) {
-    const { intro, about, how } = netWords(card, 4);
-    assert.equal(intro, "Before anything moves, four small nets imagine, one after the other.");
-    assert.doesNotMatch(about, /another net/i);
-    assert.equal(how, "");
+    assert.equal(ballNetOf(card), null);
+    assert.equal(nets.intro(4, null), "Before anything moves, four small nets imagine, one after the other.");
+    assert.doesNotMatch(nets.about(4, null), /the last one/i);
   }
 });
 
-test("the number of nets is that of the paper's maps", () => {
-  assert.match(netWords({}, 5).intro, /five small nets/);
-  assert.match(netWords({}, 12).about, /^It has 12 small neural nets/);
+test("the number of nets is that of the paper's maps, and one more if balls are scored", () => {
+  assert.match(nets.intro(5, null), /five small nets/);
+  assert.match(nets.about(12, null), /^It has 12 small neural nets/);
 });
 
 test("what a model has learned from follows from the setup of its card, whatever its name", () => {
-  assert.match(modelWords({ setup: "within" }), /all 25 kinds/);
-  assert.match(modelWords({ setup: "cross" }), /20 of the 25 kinds/);
+  assert.match(knows.within, /all 25 kinds/);
+  assert.match(knows.cross, /20 of the 25 kinds/);
 });

@@ -93,7 +93,7 @@ test("an error of the server ends nothing", async () => {
     [503, 503],
   );
   await pause(page);
-  assert.equal(await page.locator("#update").count(), 0);
+  assert.equal(await page.locator("#update:visible").count(), 0);
   const context = page.context();
   await page.close();
   await context.setOffline(true);
@@ -173,7 +173,7 @@ test("a browser can install the page", async () => {
 });
 
 test("the sources are shown without a service worker", async () => {
-  const sources = await start();
+  const sources = await start({ sources: true });
   const page = await sources.open("/");
   await page.locator("#templates canvas.drawn").first().waitFor();
   assert.deepEqual(await page.evaluate(async () => (await navigator.serviceWorker.getRegistrations()).length), 0);

@@ -36,7 +36,7 @@ export async function openPuzzle(session, options = {}) {
 }
 
 /** In a page: its person has seen the story, and prefers to guess alone. */
-function becomeRegular() {
+export function becomeRegular() {
   try {
     localStorage.setItem("pathlight.story", "told");
     localStorage.setItem("pathlight.guess", "off");
@@ -260,9 +260,7 @@ export async function pixels(page, colour, selector = "#scene") {
 }
 
 /** The colours of the roles, as the wasm draws them on light paper. */
-export async function palette(page) {
-  return page.evaluate(async () => (await import("/pkg/pathlight.js")).palette(false));
-}
+export { LIGHT_PALETTE as palette } from "../../www/pkg/constants.js";
 
 /** A picture of the scene, to see whether it has changed. */
 export async function picture(page, selector = "#scene") {

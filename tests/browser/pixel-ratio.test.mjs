@@ -16,7 +16,7 @@ test("a page that is moved to a screen of another pixel ratio draws its scene at
   // The size in CSS px stays, as it does on a real screen, whatever the emulated window does.
   await scene.evaluate(({ style }) => Object.assign(style, { width: "300px", height: "300px" }));
   await drawnAt(300);
-  const { green } = await palette(page);
+  const { green } = palette;
   const before = await pixels(page, green);
   const devtools = await page.context().newCDPSession(page);
   // Chromium tells media queries of an emulated ratio only when the window changes too.

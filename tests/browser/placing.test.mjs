@@ -20,7 +20,7 @@ import {
 } from "./page-actions.mjs";
 
 let session;
-before(async () => (session = await start()));
+before(async () => (session = await start({ sources: true })));
 after(() => session.stop());
 
 test("a click places the ball there, in whole px", async () => {
@@ -33,7 +33,7 @@ test("a click places the ball there, in whole px", async () => {
   const [atX, atY, r] = await ball(page);
   assert.ok(Math.abs(atX - x) <= 1 && Math.abs(atY - y) <= 1, `${atX}, ${atY}`);
   assert.ok(Number.isInteger(atX) && Number.isInteger(atY) && r >= 2);
-  assert.ok((await pixels(page, (await palette(page)).red)) > 50);
+  assert.ok((await pixels(page, palette.red)) > 50);
 });
 
 test("a drag moves the ball, the knob and the wheel change its radius", async () => {
@@ -66,7 +66,7 @@ test("an invalid ball is outlined, named and never counts", async () => {
   const page = await openPuzzle(session);
   const { invalid } = await known();
   await type(page, invalid);
-  const words = await says(page, /^Not here: The ball (sticks out of the scene|overlaps the [\w ]+)\.$/);
+  const words = await says(page, /^Not here: (too close to the edge|the ball overlaps the [\w ]+)\.$/);
   // It is announced, in the only live region; a dialog and another view may have their own.
   const live = page.locator(":is([role=status], [aria-live], output):not(dialog *, [hidden] *)");
   assert.equal(await live.count(), 1);

@@ -18,7 +18,7 @@ import {
 } from "./page-actions.mjs";
 
 let session;
-before(async () => (session = await start()));
+before(async () => (session = await start({ sources: true })));
 after(() => session.stop());
 
 async function predict(options) {
@@ -42,17 +42,17 @@ function green(page) {
 }
 
 const VERDICT =
-  /^(You were closer: \d+ %, the model \d+ %|The model was closer: \d+ %, you \d+ %|A draw: both were right by \d+ %)\.$/;
+  /^(You were closer: \d+%, the model \d+%|The model was closer: \d+%, you \d+%|A draw: both were \d+% right)\.$/;
 
 async function verdict(page) {
   await page.locator("#predict-words").filter({ hasText: VERDICT }).waitFor();
   const percentages = await page.locator("#predict-cards b").allTextContents();
-  return percentages.map((percentage) => Number(percentage.match(/^(\d+) %$/)[1]));
+  return percentages.map((percentage) => Number(percentage.match(/^(\d+)%$/)[1]));
 }
 
 test("a line is drawn with the mouse, places no ball, and is measured when it has run", async () => {
   const page = await predict();
-  await says(page, /Draw in the scene/);
+  await says(page, /Draw the path/);
   assert.ok(await page.locator("#predict-watch").isDisabled(), "there is nothing to measure yet");
   const before = await picture(page);
   const [x, y] = await green(page);
@@ -62,7 +62,7 @@ test("a line is drawn with the mouse, places no ball, and is measured when it ha
   ]);
   await page
     .locator("#predict-words")
-    .filter({ hasText: /^Your line ends at x \d+, y (9|10|11)\.$/ })
+    .filter({ hasText: /^Your line ends at x \d+, y (9|10|11)\. Ready\? Run it\.$/ })
     .waitFor();
   assert.notEqual(await picture(page), before, "the line is in the scene");
   assert.doesNotMatch(page.url(), /ball=/);
@@ -76,10 +76,10 @@ test("a line is drawn with the mouse, places no ball, and is measured when it ha
     [10, 240],
     [250, 240],
   ]);
-  await says(page, /Draw in the scene/);
+  await says(page, /Draw the path/);
   await page.locator("#predict-watch").click();
   const [wild] = await verdict(page);
-  assert.ok(wild < straight, `${wild} % is less than ${straight} %`);
+  assert.ok(wild < straight, `${wild}% is less than ${straight}%`);
 
   await page.locator("#predict-wipe").click();
   assert.equal(await page.locator("#predict-words").textContent(), "Nothing drawn yet.");
@@ -123,7 +123,7 @@ test("a finger draws, and nothing scrolls", async () => {
   await touch("touchEnd");
   await page
     .locator("#predict-words")
-    .filter({ hasText: /^Your line ends at x (59|60|61), y (79|80|81)\.$/ })
+    .filter({ hasText: /^Your line ends at x (59|60|61), y (79|80|81)\. Ready\? Run it\.$/ })
     .waitFor();
   assert.equal(await page.evaluate(() => scrollY), 0);
   await page.locator("#predict-watch").tap();
@@ -162,7 +162,7 @@ test("a line that is wiped while the pen is down begins again where the pen goes
   await page.mouse.up();
   await page
     .locator("#predict-words")
-    .filter({ hasText: /^Your line ends at x (79|80|81), y (149|150|151)\.$/ })
+    .filter({ hasText: /^Your line ends at x (79|80|81), y (149|150|151)\. Ready\? Run it\.$/ })
     .waitFor();
   assert.ok(await page.locator("#notice").isHidden());
 });

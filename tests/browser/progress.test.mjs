@@ -196,7 +196,7 @@ for (const [what, kept, tried] of [
 for (const [what, words, forbid] of [
   [
     "asked",
-    "keeps nothing for the page",
+    "does not let the page store anything",
     () =>
       Object.defineProperty(globalThis, "localStorage", {
         get: () => {

@@ -24,7 +24,7 @@ after(() => session.stop());
 // Many of the model's balls fail there.
 const HARD = await unsolvedTask();
 const ORIGIN =
-  /^By .+ (it was the likeliest .+ \(.+ %\)\.|its chance was .+ % before the first attempt\. Then ball \d+ failed, and it resembles this one, .+ of those left\.)$/;
+  /^(Of all balls not tried yet, .+ \(.+%\)\.|Before the first attempt .+%\. Then ball \d+ failed, .+ the best of those not tried yet\.)$/;
 
 async function compare(fragment = "", task = HARD) {
   const page = await openPuzzle(session, { task, fragment: `&panel=compare${fragment}`, reducedMotion: true });
@@ -126,7 +126,7 @@ test("each shows what the model imagined for it, beside what really happened", a
   const page = await compare("&proposal=1");
   const imagined = page.locator("#proposal-imagined");
   await imagined
-    .filter({ hasText: /^[A-Z][a-z’ ]+ \(.+ %\)\. Its path for green was \d+ px off, on average\.$/ })
+    .filter({ hasText: /^[A-Z][a-z’ ]+ \(.+%\)\. Its path for green was \d+ px off, on average\.$/ })
     .waitFor();
   const first = await picture(page);
   await page.locator("#proposal-next").click();
@@ -159,10 +159,13 @@ test("the outcomes are counted, a key leads to another one, and all are saved, a
 
   await openPanel(page, "compare");
   await page.locator("#proposal-next").click();
-  const count = (outcome) => outcomes.filter((one) => one === outcome).length;
+  const some = (outcome, one, more) => {
+    const count = outcomes.filter((other) => other === outcome).length;
+    return `${count} ${count === 1 ? one : more}`;
+  };
   assert.equal(
     await page.locator("#proposal-outcomes").textContent(),
-    `Of ${total} balls 1 solves the puzzle, with ${count("touched")} the green object touches its goal for a while, with ${count("missed")} never.`,
+    `Of ${total} balls, 1 solves the puzzle, ${some("touched", "gets", "get")} green to touch its goal for a while, and ${some("missed", "never does", "never do")}.`,
   );
   const first = await page.locator("#proposal-facts dt").first().textContent();
   assert.equal(first, "Why this one", "where it comes from stands first");

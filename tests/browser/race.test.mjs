@@ -48,7 +48,7 @@ test("the player wins, and nothing is told before both have run", async () => {
   await says(page, /over each other; the second is dashed/, 60_000);
   await page.locator("#run").click();
   await page.locator("#time").fill("0");
-  const { green } = await palette(page);
+  const { green } = palette;
   const early = await pixels(page, green);
   await page.locator("#time").press("End");
   await verdict(page, /^You solved it on attempt 1, the model on attempt \d+\. You were quicker\.$/);
@@ -63,7 +63,7 @@ test("the player loses: the model is right at once, and no good news is told", a
   const [task] = await solvedTask((attempt) => attempt === 1);
   const page = await played(task, "missing", { reducedMotion: true });
   await race(page).click();
-  await verdict(page, /^The model solved it on attempt 1\. You have not yet, in 1\.$/);
+  await verdict(page, /^The model solved it on attempt 1\. You have not yet, in 1 attempt\.$/);
   await says(page, /^The model solved it, you did not\. Your attempt 1: /);
   assert.equal(await page.locator("#status").getAttribute("data-kind"), "missed");
   await race(page).filter({ hasText: "Watch it again" }).click();

@@ -9,7 +9,7 @@ import { start } from "./harness.mjs";
 import { modelLoaded } from "./page-actions.mjs";
 
 let session;
-before(async () => (session = await start()));
+before(async () => (session = await start({ sources: true })));
 after(() => session.stop());
 
 /** What was measured, by the evaluation's own files. */
@@ -98,7 +98,7 @@ test("the chances are laid beside what happened, as a chart and in numbers", asy
   const last = bins.candidates[9];
   assert.deepEqual(rows[9].slice(3), [
     last.balls.toLocaleString("en"),
-    `${((100 * last.solved) / last.balls).toFixed(1)} %`,
+    `${((100 * last.solved) / last.balls).toFixed(1)}%`,
   ]);
   assert.ok((await page.locator("#calibration-chart rect").count()) === 10);
 });

@@ -33,7 +33,7 @@ test('a solving ball runs to "Solved!", with the ring while the goal holds', asy
   const words = await says(page, /^Solved! Your attempt 1: solved after \d+\.\d s\.$/);
   // The clock has stopped at what the words say.
   assert.equal(await seconds(page), parseFloat(words.match(/after ([\d.]+)/)[1]));
-  assert.ok((await pixels(page, (await palette(page)).ring)) > 30, "the ring is full at the end");
+  assert.ok((await pixels(page, palette.ring)) > 30, "the ring is full at the end");
   assert.match(await page.locator("#play-count").textContent(), /solved on attempt 1/);
 });
 
@@ -43,7 +43,7 @@ test("the ring lies round an object on the floor, whose edge cuts it off", async
   await type(page, (await known(task)).solving);
   await page.locator("#run").click();
   await says(page, /^Solved!/);
-  const { ring } = await palette(page);
+  const { ring } = palette;
   assert.ok((await pixels(page, ring)) > 30);
   const atTheEdge = await page.locator("#scene").evaluate((canvas, ring) => {
     const expected = [1, 3, 5].map((at) => parseInt(ring.slice(at, at + 2), 16));
@@ -62,7 +62,7 @@ test("a miss says why, and joins the list", async () => {
   await page.locator("#run").click();
   await says(
     page,
-    /^Not solved\. Your attempt 1: (closest [\d.]+ px, at [\d.]+ s|touched for .+, then lost|touching for .+ when time ran out)(; everything lies still)?\.$/,
+    /^Not solved\. Your attempt 1: (missed by [\d.]+ px, at [\d.]+ s|never got closer|touched for .+, then lost|touching for .+ when time ran out)(; everything lies still)?\.$/,
   );
   assert.equal(await attempts(page), 1);
 });
@@ -170,9 +170,9 @@ test("with reduced motion a run shows its end and its path at once", async () =>
   assert.match(status, /^Not solved/, "at once");
   const time = page.locator("#time");
   assert.equal(await time.inputValue(), await time.getAttribute("max"));
-  const ended = await pixels(page, (await palette(page)).green);
+  const ended = await pixels(page, palette.green);
   await time.fill("0");
-  assert.ok(ended > (await pixels(page, (await palette(page)).green)) + 20, "the path of the green object is drawn");
+  assert.ok(ended > (await pixels(page, palette.green)) + 20, "the path of the green object is drawn");
 });
 
 test("the path is drawn as it goes", async () => {
@@ -180,7 +180,7 @@ test("the path is drawn as it goes", async () => {
   const { missing } = await known();
   await type(page, missing);
   await page.locator("#run").click();
-  const red = (await palette(page)).red;
+  const red = palette.red;
   const lengths = [];
   const last = Number(await page.locator("#time").getAttribute("max"));
   for (const fraction of [0, 0.3, 0.6]) {

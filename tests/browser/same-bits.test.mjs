@@ -30,7 +30,7 @@ test(
     const node = await computeInNode(sample);
     context.diagnostic(`Node: ${digestOf(node)}`);
     assert.deepEqual(node, native, "Node");
-    const session = await start();
+    const session = await start({ sources: true });
     /** @type {{ newPage: () => Promise<any>, close: () => Promise<void> }[]} */
     const browsers = [];
     const pageIn = async (browser) => {

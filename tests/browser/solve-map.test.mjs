@@ -6,7 +6,7 @@ import { start } from "./harness.mjs";
 import { known, modelLoaded, openPanel, openPuzzle, painted, pause, picture } from "./page-actions.mjs";
 
 let session;
-before(async () => (session = await start()));
+before(async () => (session = await start({ sources: true })));
 after(() => session.stop());
 
 const words = (page) => page.locator("#solve-map-words");
@@ -18,7 +18,7 @@ test("the map grows while the page stays alive, and ends when it is told to", as
   await search(page).click();
   await page.locator("#solve-map-progress:visible").waitFor();
   await words(page)
-    .filter({ hasText: /^[1-9]\d? % tried so far: (about \d+|less than 1) % of the places solve it with radius 12/ })
+    .filter({ hasText: /^[1-9]\d?% tried so far: (about \d+|less than 1)% of the places solve it with radius 12/ })
     .waitFor();
   assert.notEqual(await picture(page), bare, "what is known is in the scene");
   const first = parseInt((await words(page).textContent()) ?? "", 10);
@@ -66,7 +66,9 @@ test("every place is tried in the end, for the ball’s own radius, and the plac
   assert.equal(await search(page).textContent(), "Try every place with radius 32");
   await search(page).click();
   await words(page)
-    .filter({ hasText: /^Every place tried: .+ of the places solve it with radius 32, and at \d+ % no ball may be\./ })
+    .filter({
+      hasText: /^Every place tried: .+ of the places solve it with radius 32, and \d+% have no room for a ball\./,
+    })
     .waitFor({ timeout: 120_000 });
   await page.locator("#solve-map-progress").waitFor({ state: "hidden" });
   const alone = await picture(page);

@@ -56,7 +56,7 @@ for (const [screen, options] of Object.entries(SCREENS)) {
     assert.ok(await page.locator("#proposal-outcomes").isHidden());
     await page.locator("#proposal-next").click();
     await page.locator("#proposal-outcomes").waitFor();
-    await page.locator("#proposal-origin").filter({ hasText: "it was the likeliest" }).waitFor();
+    await page.locator("#proposal-origin").filter({ hasText: "the best chance" }).waitFor();
     const [file] = await Promise.all([
       page.waitForEvent("download"),
       inMore(page, () => page.locator("#proposal-save").click()),

@@ -7,7 +7,7 @@ import { start } from "./harness.mjs";
 import { openPuzzle, pause } from "./page-actions.mjs";
 
 let session;
-before(async () => (session = await start()));
+before(async () => (session = await start({ sources: true })));
 after(() => session.stop());
 
 /** Opens a puzzle whose first worker throws at the first call of this name. */
@@ -60,11 +60,11 @@ test("an error in the search for all solutions", async () => {
 });
 
 for (const { what, error, words } of [
-  { what: "trapped", error: "new WebAssembly.RuntimeError('unreachable')", words: "worker has stopped (unreachable)" },
+  { what: "trapped", error: "new WebAssembly.RuntimeError('unreachable')", words: "model has stopped (unreachable)" },
   {
     what: "panicked",
     error: "Object.assign(new Error('no such cell'), { code: 'panic' })",
-    words: "worker has stopped (no such cell)",
+    words: "model has stopped (no such cell)",
   },
 ]) {
   test(`a worker whose wasm has ${what} is not used again`, async () => {
@@ -84,7 +84,7 @@ test("a search after a trap starts another worker", async () => {
     "new WebAssembly.RuntimeError('unreachable')",
     "&panel=map&ball=128,200,32",
   );
-  await page.locator("#imagine-trouble").filter({ hasText: "worker has stopped" }).waitFor({ state: "attached" });
+  await page.locator("#imagine-trouble").filter({ hasText: "model has stopped" }).waitFor({ state: "attached" });
   await page.locator("#solve-map-search").click();
   await page.locator("#solve-map-words").filter({ hasText: "tried" }).waitFor();
 });

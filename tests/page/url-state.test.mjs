@@ -63,7 +63,7 @@ test("what cannot be read is named, and the rest holds", () => {
     assert.deepEqual(state, { ...INITIAL_STATE, model: "cross-0" }, part);
     assert.ok(problem?.includes(`“${part}”`), `${part}: ${problem}`);
   }
-  assert.match(parseFragment("a=1&b=2&c=3&d=4").problem ?? "", /“a=1” and “b=2” and “c=3” and more/);
+  assert.match(parseFragment("a=1&b=2&c=3&d=4").problem ?? "", /“a=1”, “b=2”, “c=3” and more/);
   assert.match(parseFragment("%E0%A4%A=x").problem ?? "", /%E0%A4%A/);
 });
 

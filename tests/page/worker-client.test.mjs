@@ -5,6 +5,7 @@ import { getEventListeners } from "node:events";
 import { test } from "node:test";
 import { LOADED, MODULE, settled, workers } from "./fake-worker.mjs";
 import { WorkerClient } from "../../www/model/worker-client.js";
+import { useLanguage } from "../../www/text/text.js";
 
 const TASK = "00007:008";
 
@@ -57,6 +58,19 @@ test("an error of the worker rejects its call with the code", async () => {
   await assert.rejects(call, { code: "invalid_ball", message: "No room." });
 });
 
+test("a page in another language says an error by its code", async () => {
+  await useLanguage("de");
+  try {
+    const client = new WorkerClient(MODULE);
+    client.start("within-7");
+    workers.at(-1)?.answer("load", { error: { code: "no_model", message: "There is no model “within-7” here." } });
+    await settled();
+    assert.deepEqual(client.failure, { code: "no_model", message: "Dieses Modell gibt es hier nicht." });
+  } finally {
+    await useLanguage("en");
+  }
+});
+
 test("an abort cancels the call, and late messages are not heard", async () => {
   const { client, worker } = await ready();
   const call = new AbortController();
@@ -89,7 +103,7 @@ test("a crash rejects all open calls with a sentence, and those that follow", as
   const calls = [client.call("imagine", [TASK], signal), client.call("watch", [TASK], signal)];
   worker.answer("watch", { error: { code: "crashed", message: "unreachable" } });
   for (const call of [...calls, client.call("watch", [TASK], signal)])
-    await assert.rejects(call, { message: "The model’s worker has stopped (unreachable)." });
+    await assert.rejects(call, { message: "The model has stopped (unreachable)." });
   assert.deepEqual([client.status, client.failure?.code, client.alive], ["failed", "crashed", false]);
   assert.ok(worker.terminated);
 });

@@ -3,6 +3,7 @@
 
 import { download, fileName } from "../widgets/download.js";
 import { FileProblem, inSlices, linesOf } from "../storage/sliced-work.js";
+import { text as catalogue } from "../text/text.js";
 
 /** @typedef {import("../pkg/pathlight.js").AttemptLine} AttemptLine */
 
@@ -32,7 +33,7 @@ export function saveAttempts(name, lines) {
  * @param {Parameters<typeof inSlices>[1]} [slices]
  */
 export async function readAttempts(file, slices) {
-  if (file.size > MAX_SIZE) throw foreign(file.name, `it is larger than ${MAX_SIZE / 1e6} MB`);
+  if (file.size > MAX_SIZE) throw foreign(file.name, catalogue.attempts.file.tooLarge(MAX_SIZE / 1e6));
   return inSlices(attemptsOfText(file.name, await file.text()), slices);
 }
 
@@ -50,7 +51,7 @@ function* attemptsOfText(name, text) {
     else left += 1;
     yield done;
   }
-  if (attempts.length === 0) throw foreign(name, "it is empty");
+  if (attempts.length === 0) throw foreign(name, catalogue.attempts.file.empty);
   return { attempts, left };
 }
 
@@ -60,15 +61,16 @@ function* attemptsOfText(name, text) {
  * @param {number} number
  */
 function parsedLine(name, line, number) {
-  if (line.length > MAX_LINE) throw foreign(name, `line ${number} is too long`);
+  const { tooLong, notJson, tooDeep } = catalogue.attempts.file;
+  if (line.length > MAX_LINE) throw foreign(name, tooLong(number));
   /** @type {unknown} */
   let value;
   try {
     value = JSON.parse(line);
   } catch {
-    throw foreign(name, `line ${number} is not JSON`);
+    throw foreign(name, notJson(number));
   }
-  if (isDeeper(value, MAX_DEPTH)) throw foreign(name, `line ${number} is nested too deeply`);
+  if (isDeeper(value, MAX_DEPTH)) throw foreign(name, tooDeep(number));
   return value;
 }
 
@@ -87,5 +89,5 @@ function isDeeper(value, depth) {
  * @param {string} why
  */
 function foreign(name, why) {
-  return new FileProblem(`${name} is not a file of attempts from Pathlight: ${why}. Nothing was changed.`);
+  return new FileProblem(catalogue.attempts.file.foreign(name, why));
 }

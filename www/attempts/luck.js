@@ -2,6 +2,7 @@
 
 import { Component } from "../widgets/component.js";
 import { sameBall } from "../puzzles/ball.js";
+import { text } from "../text/text.js";
 import { setText } from "../widgets/dom.js";
 
 /** At least this share of the balls beside it solves: a plan. At most the other: luck. */
@@ -60,10 +61,10 @@ export class Luck extends Component {
     this.#call?.abort();
     const call = (this.#call = new AbortController());
     this.#asked = ball;
-    this.#say("The computer tries the balls beside yours.");
+    this.#say(text.attempts.luck.asking);
     try {
       const found = await this.#client.call("luck", [session.puzzle, ball], call.signal);
-      if (!call.signal.aborted) this.#say(words(found));
+      if (!call.signal.aborted) this.#say(luckWords(found));
     } catch (error) {
       if (!call.signal.aborted) this.#say(/** @type {Error} */ (error).message);
     }
@@ -87,8 +88,9 @@ export class Luck extends Component {
 }
 
 /** @param {import("../pkg/pathlight.js").Luck} found */
-function words({ valid, solved }) {
+function luckWords({ valid, solved }) {
   const share = solved / valid;
-  const verdict = share >= PLAN ? "A plan" : share <= LUCK ? "Mostly luck" : "Some of both";
-  return `${verdict}: of the ${valid} balls within a pixel of yours in place and radius, ${solved} solve it.`;
+  const words = text.attempts.luck;
+  const verdict = share >= PLAN ? "plan" : share <= LUCK ? "luck" : "both";
+  return words.found(words.verdict[verdict], valid, solved);
 }

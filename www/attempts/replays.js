@@ -2,10 +2,11 @@
 // worker, says whether the same comes out to the bit, and replays it.
 
 import { Component } from "../widgets/component.js";
-import { AGENTS_VERSION } from "../shell/constants.js";
+import { AGENTS_VERSION, SIMULATOR_VERSION } from "../shell/constants.js";
 import { createButton, setText } from "../widgets/dom.js";
 import { pathlight } from "../shell/page-api.js";
 import { sceneName } from "../puzzles/puzzle-name.js";
+import { text } from "../text/text.js";
 import { MOST_ATTEMPTS, readAttempts, saveAttempts } from "./attempt-file.js";
 import { textOfScene } from "../editor/scene-link.js";
 
@@ -57,7 +58,7 @@ export class Replays extends Component {
   #save() {
     const { session } = this;
     if (!session) return;
-    const { name } = session.about;
+    const { name } = session;
     const made = [
       ...attemptsBy("player", session.attempts.of("player")),
       ...attemptsBy(session.attempts.modelName ?? "model", session.attempts.of("model")),
@@ -69,7 +70,7 @@ export class Replays extends Component {
         name,
         lines.map((line, index) => ({ ...line, ...made[index] })),
       );
-      return `${lines.length === 1 ? "One attempt is" : `${lines.length} attempts are`} saved: “pathlight verify” simulates them again.`;
+      return text.attempts.replays.saved(lines.length);
     });
   }
 
@@ -77,18 +78,18 @@ export class Replays extends Component {
     const [file] = this.#input.files ?? [];
     this.#input.value = "";
     if (!file) return;
+    const words = text.attempts.replays;
     this.#tell(async (signal) => {
       const { attempts, left } = await readAttempts(file, {
         signal,
-        onProgress: (done) => setText(this.byId("attempts-words"), `${Math.floor(100 * done)} % of the file is read.`),
+        onProgress: (done) => setText(this.byId("attempts-words"), words.read(Math.floor(100 * done) / 100)),
       });
-      if (!signal.aborted) this.#say("Each attempt is simulated again.");
+      if (!signal.aborted) this.#say(words.begun);
       const { done, same } = await this.#verify(attempts, signal);
-      const sentences = [`${file.name}: ${same} of ${done} attempts come out the same to the bit.`];
-      if (done < attempts.length) sentences.push(`You stopped before the other ${attempts.length - done}.`);
-      if (done > LISTED) sentences.push(`The first ${LISTED} are listed.`);
-      if (left > 0)
-        sentences.push(`${left} more are in the file: the page reads ${MOST_ATTEMPTS}, “pathlight verify” all.`);
+      const sentences = [words.result(file.name, same, done)];
+      if (done < attempts.length) sentences.push(words.stopped(attempts.length - done));
+      if (done > LISTED) sentences.push(words.listed(LISTED));
+      if (left > 0) sentences.push(words.left(left, MOST_ATTEMPTS));
       return (this.#listWords = sentences.join(" "));
     });
   }
@@ -100,9 +101,10 @@ export class Replays extends Component {
    */
   async #verify(attempts, signal) {
     const list = this.byId("attempts-read");
+    const words = text.attempts.replays;
     const stop = new AbortController();
     const last = document.createElement("li");
-    last.append(createButton("Stop", () => stop.abort()));
+    last.append(createButton(words.stop, () => stop.abort()));
     list.replaceChildren(last);
     let [done, same] = [0, 0];
     while (done < attempts.length && !stop.signal.aborted && !signal.aborted) {
@@ -114,7 +116,7 @@ export class Replays extends Component {
       last.before(...listed.map((attempt, index) => this.#item(attempt, verifications[index])));
       same += verifications.filter(({ verdict }) => verdict === "same").length;
       done += batch.length;
-      setText(this.byId("attempts-words"), `${done} of ${attempts.length} attempts are simulated again.`);
+      setText(this.byId("attempts-words"), words.simulated(done, attempts.length));
     }
     last.remove();
     return { done, same };
@@ -144,23 +146,24 @@ export class Replays extends Component {
   #item(line, verification) {
     const item = document.createElement("li");
     if (verification.verdict === "not_valid") {
-      item.textContent = verification.reason;
+      item.textContent = text.attempts.replays.unplayable[verification.fault];
       return item;
     }
     // What was simulated again has the form of an attempt.
     const attempt = /** @type {AttemptLine} */ (line);
     const { task, scene, ball, status, steps } = attempt;
     const puzzle = task ?? sceneName(scene);
-    const place = ball ? `x ${ball[0]}, y ${ball[1]}, radius ${ball[2]}` : "no ball";
+    const words = text.attempts.replays;
+    const place = ball ? words.ball(...ball) : words.noBall;
     if (verification.verdict === "same" && status === "invalid") {
-      item.textContent = `${puzzle}, ${place}: not valid, the same`;
+      item.textContent = `${puzzle}, ${place}: ${words.invalid}`;
       return item;
     }
-    const words =
+    const outcome =
       verification.verdict === "same"
-        ? `${status === "solved" ? "solved" : "not solved"} in ${steps} steps, the same to the bit`
-        : verification.reason;
-    item.append(createButton(`${puzzle}, ${place}: ${words}`, () => this.#replay(attempt)));
+        ? words[status === "solved" ? "solved" : "missed"](steps)
+        : otherWords(attempt, verification);
+    item.append(createButton(`${puzzle}, ${place}: ${outcome}`, () => this.#replay(attempt)));
     return item;
   }
 
@@ -168,10 +171,10 @@ export class Replays extends Component {
   async #replay({ task, scene, ball }) {
     // It would cover what runs.
     this.byId("more").hidePopover();
-    const text = scene ? await textOfScene(pathlight.customScene(scene)) : null;
+    const packed = scene ? await textOfScene(pathlight.customScene(scene)) : null;
     this.requestState({
-      task: text === null ? (task ?? null) : null,
-      scene: text,
+      task: packed === null ? (task ?? null) : null,
+      scene: packed,
       ball: null,
       proposal: null,
       challenge: null,
@@ -209,4 +212,16 @@ function attemptsBy(by, attempts) {
     final_touch,
     agents,
   }));
+}
+
+/**
+ * What came of an attempt instead of what its line says.
+ * @param {AttemptLine} said
+ * @param {Pick<AttemptLine, "status" | "steps">} found
+ */
+function otherWords(said, found) {
+  const words = text.attempts.replays;
+  const version = said.simulator === SIMULATOR_VERSION ? "" : ` ${words.version(said.simulator, SIMULATOR_VERSION)}`;
+  const isSame = said.status === found.status && said.steps === found.steps;
+  return (isSame ? words.otherPoses : words.otherOutcome(words.outcome(said), words.outcome(found))) + version;
 }

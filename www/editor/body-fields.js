@@ -1,9 +1,10 @@
 // The bodies of the edited scene as a list to select from, and the numbers of the selected one as fields.
 
+import { text } from "../text/text.js";
 import { Component } from "../widgets/component.js";
 import { createButton, setText } from "../widgets/dom.js";
 import { SIZES, sizeOf } from "./body-geometry.js";
-import { degreesOf, nameOf, rounded } from "./body-words.js";
+import { degreesOf, nameOf, roleOf, rounded } from "./body-words.js";
 
 /** @typedef {import("./edited-scene.js").EditedScene} EditedScene */
 
@@ -58,10 +59,10 @@ export class BodyFields extends Component {
       thickness: sizeOf(body, "thickness"),
     };
     for (const [name, field] of Object.entries(this.#fields)) {
-      const text = String(rounded(values[/** @type {keyof typeof values} */ (name)]));
-      if (field.value !== text) field.value = text;
+      const typed = String(rounded(values[/** @type {keyof typeof values} */ (name)]));
+      if (field.value !== typed) field.value = typed;
     }
-    setText(this.byId("make-size-label"), size);
+    setText(this.byId("make-size-label"), text.editor.sizes[size]);
     this.byId("make-thickness-label").hidden = second === undefined;
     const { body1, body2 } = edited.scene;
     this.#dynamic.checked = body.dynamic;
@@ -74,14 +75,14 @@ export class BodyFields extends Component {
 
   /** @param {EditedScene | null} edited */
   #updateList(edited) {
-    const names = edited ? edited.scene.bodies.map((_, index) => nameOf(edited.scene, index)) : [];
-    while (this.#list.children.length > names.length) this.#list.lastElementChild?.remove();
-    while (this.#list.children.length < names.length) this.#list.append(this.#item(this.#list.children.length));
-    names.forEach((name, index) => {
+    const count = edited?.scene.bodies.length ?? 0;
+    while (this.#list.children.length > count) this.#list.lastElementChild?.remove();
+    while (this.#list.children.length < count) this.#list.append(this.#item(this.#list.children.length));
+    edited?.scene.bodies.forEach((_, index) => {
       const button = /** @type {HTMLButtonElement} */ (this.#list.children[index].firstElementChild);
-      setText(button, name);
-      button.dataset.role = name.split(" ")[0];
-      button.setAttribute("aria-pressed", String(index === edited?.selected));
+      setText(button, nameOf(edited.scene, index));
+      button.dataset.role = roleOf(edited.scene, index);
+      button.setAttribute("aria-pressed", String(index === edited.selected));
     });
   }
 

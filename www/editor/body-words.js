@@ -1,15 +1,14 @@
 // The bodies of a custom scene in words and numbers, as a person reads them.
 
+import { text } from "../text/text.js";
 import { SIZES, sizeOf } from "./body-geometry.js";
 
 /** @typedef {import("../pkg/pathlight.js").CustomScene} CustomScene */
 /** @typedef {import("../pkg/pathlight.js").CustomBody} CustomBody */
+/** @typedef {import("../pkg/pathlight.js").Body["role"]} Role */
 
 /** Numbers that are typed are rounded to hundredths. */
 const PLACES = 100;
-
-/** @type {Record<CustomBody["shape"], string>} */
-const SHAPE_NAMES = { ball: "ball", bar: "bar", jar: "jar", standing_sticks: "standing sticks" };
 
 /**
  * A body in words: its colour and shape, with its index where several are alike, as the checks name it.
@@ -17,9 +16,10 @@ const SHAPE_NAMES = { ball: "ball", bar: "bar", jar: "jar", standing_sticks: "st
  * @param {number} index
  */
 export function nameOf(scene, index) {
-  const name = plainName(scene, index);
-  const alike = scene.bodies.filter((_, at) => plainName(scene, at) === name).length;
-  return alike > 1 ? `${name} (body ${index})` : name;
+  const role = roleOf(scene, index);
+  const { shape } = scene.bodies[index];
+  const alike = scene.bodies.filter((body, at) => body.shape === shape && roleOf(scene, at) === role);
+  return text.editor.bodies.name({ role, shape }, alike.length > 1 ? index : null);
 }
 
 /**
@@ -28,12 +28,26 @@ export function nameOf(scene, index) {
  * @param {number | null} index null: no body
  */
 export function wordsOf(scene, index) {
-  if (index === null) return "Nothing is selected.";
+  const { none, described } = text.editor.bodies;
+  if (index === null) return none;
   const body = scene.bodies[index];
-  const name = nameOf(scene, index);
-  const sizes = SIZES[body.shape].map((size) => `${size} ${rounded(sizeOf(body, size))}`);
-  const numbers = [`x ${rounded(body.x)}`, `y ${rounded(body.y)}`, `turned by ${degreesOf(body)} degrees`, ...sizes];
-  return `${name[0].toUpperCase()}${name.slice(1)}: ${numbers.join(", ")}, ${body.dynamic ? "moves" : "is fixed"}.`;
+  const place = { x: rounded(body.x), y: rounded(body.y), degrees: degreesOf(body) };
+  /** @type {[import("./body-geometry.js").Size, number][]} */
+  const sizes = SIZES[body.shape].map((size) => [size, rounded(sizeOf(body, size))]);
+  return described(nameOf(scene, index), place, sizes, body.dynamic);
+}
+
+/**
+ * The colour of a body, which says what it is there for.
+ * @param {CustomScene} scene
+ * @param {number} index
+ * @returns {Role}
+ */
+export function roleOf({ body1, body2, bodies }, index) {
+  const { dynamic } = bodies[index];
+  if (index === body1) return "green";
+  if (index === body2) return dynamic ? "blue" : "purple";
+  return dynamic ? "gray" : "black";
 }
 
 /**
@@ -52,15 +66,4 @@ export function wrapped(degrees) {
 /** @param {number} value */
 export function rounded(value) {
   return Math.round(value * PLACES) / PLACES;
-}
-
-/**
- * @param {CustomScene} scene
- * @param {number} index
- */
-function plainName({ body1, body2, bodies }, index) {
-  const { shape, dynamic } = bodies[index];
-  const colour =
-    index === body1 ? "green" : index === body2 ? (dynamic ? "blue" : "purple") : dynamic ? "gray" : "black";
-  return `${colour} ${SHAPE_NAMES[shape]}`;
 }

@@ -2,6 +2,7 @@
 // compares with the benchmark. The easiest ball stays hidden until it is asked for. It can be stopped, and ends when
 // the puzzle is left. What is edited so that it may not be played is not searched.
 
+import { text } from "../text/text.js";
 import { Component } from "../widgets/component.js";
 import { find, setText } from "../widgets/dom.js";
 import { Search } from "../model/search.js";
@@ -92,20 +93,16 @@ export class Check extends Component {
 
   #update() {
     const found = this.#found;
-    setText(this.#button, this.#search.running ? "Stop" : "Search for solutions");
+    const { stop, search, blocked, easiest } = text.editor.check;
+    setText(this.#button, this.#search.running ? stop : search);
     this.byId("check-progress").hidden = !this.#search.running;
     find(this.byId("check-progress"), "progress", HTMLProgressElement).value = found?.progress ?? 0;
     this.#button.disabled = this.#blocked;
-    const blocked = this.#blocked ? "First mend what stands above: then it can be searched." : null;
-    setText(this.byId("check-words"), blocked ?? this.#search.failure ?? (found ? words(found) : ""));
+    const trouble = this.#blocked ? blocked : this.#search.failure;
+    setText(this.byId("check-words"), trouble ?? (found ? words(found) : ""));
     const ball = found?.easiest ?? null;
     this.byId("check-reveal").hidden = ball === null || this.#revealed;
-    setText(
-      this.byId("check-ball"),
-      ball && this.#revealed
-        ? `The easiest ball is at x ${ball[0]}, y ${ball[1]} with radius ${ball[2]}: it lies in the scene now. Press Run.`
-        : "",
-    );
+    setText(this.byId("check-ball"), ball && this.#revealed ? easiest(...ball) : "");
   }
 }
 
@@ -114,21 +111,12 @@ export class Check extends Component {
  * @param {FoundSolutions} found
  */
 function words({ progress, valid, solved, solves_itself: solvesItself, rank }) {
+  const { check } = text.editor;
+  const ended = progress === 1;
   const sentences = [];
-  if (solvesItself) sentences.push("The scene solves itself, without any ball.");
-  const tried = `${valid.toLocaleString("en")} balls${progress < 1 ? " so far" : ""}`;
-  sentences.push(
-    solved === 0
-      ? `None found in ${tried}.`
-      : `It can be solved: ${solved.toLocaleString("en")} of ${tried} solve it, ${share(solved / valid)}.`,
-  );
-  if (progress === 1 && solved > 0 && rank !== null)
-    sentences.push(`Of the benchmark’s puzzles ${Math.round(100 * rank)} % are harder.`);
-  if (progress === 1 && solved === 0) sentences.push("A ball between those of the grid may still solve it.");
+  if (solvesItself) sentences.push(check.solvesItself);
+  sentences.push(solved === 0 ? check.none(valid, ended) : check.found(solved, valid, ended));
+  if (ended && solved > 0 && rank !== null) sentences.push(check.harder(rank));
+  if (ended && solved === 0) sentences.push(check.between);
   return sentences.join(" ");
-}
-
-/** @param {number} fraction */
-function share(fraction) {
-  return fraction < 0.001 ? "less than one in a thousand" : `${(100 * fraction).toFixed(fraction < 0.01 ? 1 : 0)} %`;
 }

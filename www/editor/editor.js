@@ -10,6 +10,7 @@ import { SCENE_SIZE } from "../shell/constants.js";
 import { EditorPen } from "./editor-pen.js";
 import { BodyFields } from "./body-fields.js";
 import { wordsOf } from "./body-words.js";
+import { sentencesOf } from "./problem-words.js";
 import { EditedScene } from "./edited-scene.js";
 import { drawDecoration } from "./knobs.js";
 import { LiveScene } from "./live-scene.js";
@@ -221,9 +222,7 @@ export class Editor extends Component {
     const edited = this.#edited;
     // Last: a puzzle that is opened announces its state.
     if (edited && (await this.#becomePuzzle()))
-      this.announce(
-        [wordsOf(edited.scene, edited.selected), ...this.#problems.map(({ sentence }) => sentence)].join(" "),
-      );
+      this.announce([wordsOf(edited.scene, edited.selected), ...sentencesOf(this.#problems, edited.scene)].join(" "));
   }
 
   /**
@@ -261,8 +260,8 @@ export class Editor extends Component {
    * left meanwhile.
    */
   async settle() {
-    const [problem] = this.#problems;
-    if (problem && this.#visible) this.session?.refuse(problem.sentence);
+    const [problem] = this.#edited ? sentencesOf(this.#problems, this.#edited.scene) : [];
+    if (problem && this.#visible) this.session?.refuse(problem);
     else if (await this.#becomePuzzle()) return this.session;
     return null;
   }
@@ -286,7 +285,7 @@ export class Editor extends Component {
       /** @type {HTMLButtonElement} */ (button).disabled = !edited.canAdd;
     const list = this.byId("make-problems");
     list.hidden = this.#problems.length === 0;
-    const sentences = this.#problems.map(({ sentence }) => sentence);
+    const sentences = sentencesOf(this.#problems, edited.scene);
     if (Array.from(list.children, (item) => item.textContent).join() !== sentences.join())
       list.replaceChildren(...sentences.map(listItem));
     this.#fields.update();

@@ -6,9 +6,9 @@ import { Component } from "../widgets/component.js";
 import { GRID_SIDE, MAPS } from "../shell/constants.js";
 import { contextOf, setText } from "../widgets/dom.js";
 import { pathlight } from "../shell/page-api.js";
+import { text } from "../text/text.js";
 import { LatestCall } from "../model/latest-call.js";
 import { summary } from "../model/map-summary.js";
-import { MAP_TEXT } from "../model/map-text.js";
 
 /** @typedef {import("../pkg/pathlight.js").CustomScene} CustomScene */
 /** @typedef {import("../pkg/pathlight.js").MapName} MapName */
@@ -135,7 +135,7 @@ export class LiveScene extends Component {
     box.checked = mapName === "base";
     box.addEventListener("change", () => this.dispatchEvent(new Event("live")));
     const label = document.createElement("label");
-    label.append(canvas, box, ` ${MAP_TEXT[mapName].name}`);
+    label.append(canvas, box, ` ${text.model.steps[mapName].name}`);
     const element = document.createElement("li");
     element.append(label);
     return { mapName, element, box, map: contextOf(canvas) };
@@ -156,11 +156,11 @@ export class LiveScene extends Component {
       if (values) pathlight.paintMap(map, mapName, values, { max: Math.max(...values), dark: this.dark });
       map.canvas.setAttribute(
         "aria-label",
-        `${MAP_TEXT[mapName].name}: ${values ? summary(values) : "not imagined yet"}`,
+        `${text.model.steps[mapName].name}: ${values ? summary(values) : text.editor.live.notYet}`,
       );
     }
     const { status, failure } = this.#client;
-    const words = failure?.message ?? this.#failure ?? (status === "loading" ? "The model is still loading." : "");
+    const words = failure?.message ?? this.#failure ?? (status === "loading" ? text.editor.live.loading : "");
     setText(this.byId("make-maps-words"), words);
     this.dispatchEvent(new Event("live"));
   }
@@ -168,7 +168,7 @@ export class LiveScene extends Component {
 
 /** @param {Watched} watched */
 function aloneWords({ path, solved }) {
-  if (solved) return "Without a ball the scene solves itself: there is nothing left to do.";
+  const { solvesItself, ends } = text.editor.live;
   const [x, y] = path.slice(-2);
-  return `Without a ball the green object ends at x ${Math.round(x)}, y ${Math.round(y)}.`;
+  return solved ? solvesItself : ends(x, y);
 }

@@ -2,6 +2,7 @@
 // with its keys in one order, so that equal scenes have equal JSON.
 
 import { pathlight } from "../shell/page-api.js";
+import { text } from "../text/text.js";
 import { SIZES, sizeOf } from "./body-geometry.js";
 
 /** @typedef {import("../pkg/pathlight.js").CustomScene} CustomScene */
@@ -12,8 +13,8 @@ import { SIZES, sizeOf } from "./body-geometry.js";
  * @param {import("../play/session.js").Session} session
  * @returns {CustomScene}
  */
-export function sceneOf({ puzzle, about }) {
-  return typeof puzzle === "string" ? { ...pathlight.customScene(puzzle), name: `${about.name}, edited` } : puzzle;
+export function sceneOf({ puzzle, name }) {
+  return typeof puzzle === "string" ? { ...pathlight.customScene(puzzle), name: text.puzzles.edited(name) } : puzzle;
 }
 
 /**

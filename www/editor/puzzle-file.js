@@ -5,7 +5,9 @@ import { download, fileName } from "../widgets/download.js";
 import { pathlight } from "../shell/page-api.js";
 import { sceneName } from "../puzzles/puzzle-name.js";
 import { FileProblem, inSlices } from "../storage/sliced-work.js";
+import { text } from "../text/text.js";
 import { plainScene } from "./plain-scene.js";
+import { problemWords } from "./problem-words.js";
 
 /** @typedef {import("../pkg/pathlight.js").CustomScene} CustomScene */
 
@@ -40,23 +42,18 @@ function jsonBlob(value) {
  * @returns {Promise<CustomScene[]>}
  */
 export async function readPuzzles(file, slices) {
-  if (/\.jsonl$/i.test(file.name)) {
-    throw new FileProblem(
-      `${file.name} is a file of attempts, not of puzzles: open a puzzle, and then the file by “Open attempts”. Nothing was changed.`,
-    );
-  }
-  const foreign = `${file.name} is not a file of puzzles from Pathlight. Nothing was changed.`;
-  if (file.size > MAX_SIZE)
-    throw new FileProblem(`${file.name} is larger than ${MAX_SIZE / 1e6} MB. Split it. Nothing was changed.`);
+  const { attempts, foreign, tooLarge, empty } = text.editor.file;
+  if (/\.jsonl$/i.test(file.name)) throw new FileProblem(attempts(file.name));
+  if (file.size > MAX_SIZE) throw new FileProblem(tooLarge(file.name, MAX_SIZE / 1e6));
   /** @type {unknown} */
   let value;
   try {
     value = JSON.parse(await file.text());
   } catch {
-    throw new FileProblem(foreign);
+    throw new FileProblem(foreign(file.name));
   }
   const scenes = Array.isArray(value) ? value : [value];
-  if (scenes.length === 0) throw new FileProblem(`${file.name} holds no puzzle.`);
+  if (scenes.length === 0) throw new FileProblem(empty(file.name));
   return inSlices(playable(file.name, scenes), slices);
 }
 
@@ -70,8 +67,8 @@ function* playable(name, scenes) {
   for (const scene of scenes) {
     const [problem] = pathlight.sceneProblems(scene);
     if (problem) {
-      const which = scenes.length > 1 ? `Puzzle ${plain.length + 1} of ${name}` : name;
-      throw new FileProblem(`${which} cannot be played: ${problem.sentence} Nothing was changed.`);
+      const place = scenes.length > 1 ? plain.length + 1 : null;
+      throw new FileProblem(text.editor.file.unplayable(name, place, problemWords(problem, scene)));
     }
     yield plain.push(plainScene(scene)) / scenes.length;
   }

@@ -3,7 +3,9 @@
 
 import { failure } from "../api/failure.js";
 import { pathlight } from "../shell/page-api.js";
+import { text as catalogue } from "../text/text.js";
 import { plainScene } from "./plain-scene.js";
+import { problemWords } from "./problem-words.js";
 
 /** @typedef {import("../pkg/pathlight.js").CustomScene} CustomScene */
 
@@ -73,13 +75,10 @@ export async function sceneOfText(text) {
     );
     scene = JSON.parse(await inflated(new Blob([bytes])));
   } catch {
-    throw failure(
-      "bad_data",
-      "This link holds a custom puzzle, but it is damaged: perhaps a part of it is missing. Ask for it again.",
-    );
+    throw failure("bad_data", catalogue.editor.link.damaged);
   }
   const [problem] = pathlight.sceneProblems(scene);
-  if (problem) throw failure("bad_data", `This link holds a custom puzzle that cannot be played: ${problem.sentence}`);
+  if (problem) throw failure("bad_data", catalogue.editor.link.unplayable(problemWords(problem, scene)));
   const plain = plainScene(scene);
   remember(text, plain);
   return plain;
@@ -97,6 +96,7 @@ async function inflated(deflated) {
     const { done, value } = await reader.read();
     if (done) return json;
     json += value;
-    if (json.length > MAX_JSON) throw new RangeError("more than a scene");
+    // More than a scene.
+    if (json.length > MAX_JSON) throw new RangeError();
   }
 }

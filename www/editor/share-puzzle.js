@@ -1,5 +1,6 @@
 // What can be done with the puzzle that has been made: name it, keep it in this browser, save it as a file.
 
+import { text } from "../text/text.js";
 import { Component } from "../widgets/component.js";
 import { setText } from "../widgets/dom.js";
 import { sceneName } from "../puzzles/puzzle-name.js";
@@ -37,9 +38,7 @@ export class SharePuzzle extends Component {
     if (!scene) return;
     const { failure } = customPuzzles().add([plainScene(scene)]);
     this.#kept = scene;
-    this.#say(
-      failure ?? `“${sceneName(scene)}” is kept in this browser: it is in the grid, after the benchmark’s puzzles.`,
-    );
+    this.#say(failure ?? text.editor.kept(sceneName(scene)));
   }
 
   /** @param {string} words */

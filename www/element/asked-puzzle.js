@@ -2,6 +2,7 @@
 
 import { TASKS } from "../puzzles/templates.js";
 import { knownScene, sceneOfText } from "../editor/scene-link.js";
+import { text as catalogue } from "../text/text.js";
 
 /** @typedef {import("../state/url-state.js").State} State */
 
@@ -38,7 +39,7 @@ export class AskedPuzzle {
    */
   problemOf({ task, scene }) {
     if (scene !== null) return this.#unreadable?.text === scene ? this.#unreadable.sentence : null;
-    return task === null || KNOWN_TASKS.has(task) ? null : `There is no puzzle ${task}.`;
+    return task === null || KNOWN_TASKS.has(task) ? null : catalogue.element.noPuzzle(task);
   }
 
   /** @param {string} text */

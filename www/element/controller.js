@@ -12,6 +12,7 @@ import { sameBall } from "../puzzles/ball.js";
 import { showsPuzzle } from "../state/links.js";
 import { INITIAL_STATE, formatFragment, formatState, parseState } from "../state/url-state.js";
 import { viewOf, withPresentation, withoutPresentation } from "../state/view.js";
+import { text } from "../text/text.js";
 import { AskedPuzzle } from "./asked-puzzle.js";
 import { Components } from "./components.js";
 import { connectOpeners, showDialog } from "./dialogs.js";
@@ -94,9 +95,7 @@ export class PuzzleController extends EventTarget {
     try {
       if (!(await this.#components.addPanels(panel === "play" && view === null))) return;
     } catch (error) {
-      this.#showProblem(
-        "The panels of this puzzle could not be loaded. Check the connection, and load the page again.",
-      );
+      this.#showProblem(text.element.noPanels);
       throw error;
     }
     if (this.#session) this.#startModel();
@@ -125,10 +124,8 @@ export class PuzzleController extends EventTarget {
   applyTexts(texts) {
     const { state, unread } = parseState(texts);
     if (formatFragment(state) !== formatFragment(this.#state)) this.apply(state);
-    const words = unread.map(([key, text]) => `${key}="${text}"`);
-    if (words.length)
-      this.#showProblem(`This puzzle is asked for with ${words.join(" and ")}, which Pathlight does not understand.`);
-    else this.#showProblem(this.#asked.problemOf(state));
+    const attributes = unread.map(([key, value]) => `${key}="${value}"`);
+    this.#showProblem(attributes.length ? text.element.unread(attributes) : this.#asked.problemOf(state));
   }
 
   /**
@@ -213,8 +210,7 @@ export class PuzzleController extends EventTarget {
   /** @param {import("../pkg/pathlight.js").Puzzle} puzzle */
   #openPuzzle(puzzle) {
     const session = new Session(puzzle, () => reducedMotion.matches);
-    const { name, id } = session.about;
-    find(this.#root, ".puzzle").setAttribute("aria-label", `Puzzle ${name} ${id ?? ""}`.trim());
+    find(this.#root, ".puzzle").setAttribute("aria-label", text.element.puzzle(session.name, session.about.id));
     session.addEventListener("change", () => this.#onSessionChange(session));
     session.addEventListener("attempted", () => this.#onAttempted(session));
     this.#components.open(session);

@@ -1,10 +1,12 @@
 // The shadow tree of a puzzle: scene, transport, tabs and dialogs; the panels come later, each with its own markup. It
-// is the only markup that is made from text, and the text is constant. Ids are unique in each shadow tree.
+// is the only markup that is made from text, and all text in it is the catalogue's. Ids are unique in each shadow tree.
 
-import { MORE_MARKUP } from "./more-markup.js";
-import { TABS_MARKUP } from "./tabs-markup.js";
+import { language } from "../text/language.js";
+import { text } from "../text/text.js";
+import { moreMarkup } from "./more-markup.js";
+import { tabsMarkup } from "./tabs-markup.js";
 
-const PUZZLE = `
+const ICONS = `
 <svg class="sprite" aria-hidden="true">
   <symbol id="icon-run" viewBox="0 0 24 24"><path d="M7 4.5v15l12-7.5z"/></symbol>
   <symbol id="icon-pause" viewBox="0 0 24 24"><path d="M6 5h4v14H6zM14 5h4v14h-4z"/></symbol>
@@ -18,38 +20,43 @@ const PUZZLE = `
   <symbol id="icon-compare" viewBox="0 0 24 24"><circle cx="9.5" cy="12" r="5.5" class="line"/><circle cx="14.5" cy="12" r="5.5" class="line dashed"/></symbol>
   <symbol id="icon-delete" viewBox="0 0 24 24"><path d="M5 7h14M10 7V4.5h4V7M7 7l.8 12.5h8.4L17 7M10.3 10.5v5.5M13.7 10.5v5.5" class="line"/></symbol>
 </svg>
+`;
 
-<p id="problem" lang="en" role="alert" hidden></p>
+function sceneMarkup() {
+  const words = text.element.scene;
+  const { story } = text.element;
+  return `
+<p id="problem" lang="${language}" role="alert" hidden></p>
 
-<div class="puzzle" id="puzzle" lang="en" role="group" hidden>
+<div class="puzzle" id="puzzle" lang="${language}" role="group" hidden>
   <div class="scene-area">
     <div class="scene">
-      <canvas id="scene" tabindex="0" role="application" aria-roledescription="puzzle scene" aria-labelledby="goal" aria-describedby="description"></canvas>
+      <canvas id="scene" tabindex="0" role="application" aria-roledescription="${words.role}" aria-labelledby="goal" aria-describedby="description"></canvas>
       <p id="scene-label" aria-hidden="true" hidden></p>
       <div id="celebration" aria-hidden="true" hidden></div>
     </div>
     <p class="visually-hidden" id="description"></p>
-    <div class="transport" role="group" aria-label="Playback">
-      <button type="button" id="run" class="primary"><svg><use id="run-icon" href="#icon-run"/></svg><span id="run-label">Run</span></button>
+    <div class="transport" role="group" aria-label="${words.playback}">
+      <button type="button" id="run" class="primary"><svg><use id="run-icon" href="#icon-run"/></svg><span id="run-label">${text.play.run.run}</span></button>
       <div class="timeline" data-hideable="transport">
-      <button type="button" id="step" title="One step  ."><svg><use href="#icon-step"/></svg><span class="visually-hidden">One step</span></button>
-      <input type="range" id="time" min="0" max="0" value="0" step="1" aria-label="Time" disabled>
-      <span id="clock" aria-hidden="true">0.0 s</span>
-      <label data-hideable="speed"><span class="visually-hidden">Speed</span><select id="speed">
+      <button type="button" id="step" title="${words.step}  ."><svg><use href="#icon-step"/></svg><span class="visually-hidden">${words.step}</span></button>
+      <input type="range" id="time" min="0" max="0" value="0" step="1" aria-label="${words.time}" disabled>
+      <span id="clock" aria-hidden="true">${text.play.time(0)}</span>
+      <label data-hideable="speed"><span class="visually-hidden">${words.speed}</span><select id="speed">
         <option value="0.25">0.25×</option><option value="0.5">0.5×</option><option value="1" selected>1×</option><option value="2">2×</option><option value="4">4×</option>
       </select></label>
       </div>
-      <button type="button" id="reset" title="Back to placing  R"><svg><use href="#icon-reset"/></svg><span class="visually-hidden">Reset</span></button>
+      <button type="button" id="reset" title="${words.back}  R"><svg><use href="#icon-reset"/></svg><span class="visually-hidden">${words.reset}</span></button>
     </div>
     <div class="status-row">
       <p id="status"></p>
-      <button type="button" id="see-closest" title="Shows the moment at which the green object was nearest to its goal" hidden>See it</button>
-      <div id="goal-meter" role="meter" aria-label="How long the green object has touched its goal" aria-valuemin="0" hidden>
+      <button type="button" id="see-closest" title="${words.closest}" hidden>${words.seeIt}</button>
+      <div id="goal-meter" role="meter" aria-label="${words.touched}" aria-valuemin="0" hidden>
         <svg viewBox="0 0 24 24" aria-hidden="true"><circle cx="12" cy="12" r="9"/><circle cx="12" cy="12" r="9" pathLength="100" class="filled"/></svg>
         <span></span>
       </div>
       <div id="forecast" inert data-hideable="imagine">
-        <label class="switch" data-hideable="forecast"><input type="checkbox" role="switch" id="forecast-on"> <span>The model’s guess</span></label>
+        <label class="switch" data-hideable="forecast"><input type="checkbox" role="switch" id="forecast-on"> <span>${words.guess}</span></label>
         <p id="forecast-words" hidden></p>
       </div>
     </div>
@@ -63,27 +70,27 @@ const PUZZLE = `
       <p id="caption-result"></p>
       <p class="model-badge" data-hideable="imagine"></p>
       <div class="actions">
-        <span class="dots" role="group" aria-label="Story" data-hideable="imagine">
-          <button type="button" id="caption-back" title="Back  ←"><svg><use href="#icon-previous"/></svg><span class="visually-hidden">Back</span></button>
-          <button type="button" id="caption-next" title="Next  →"><svg><use href="#icon-next"/></svg><span class="visually-hidden">Next</span></button>
-          <button type="button" id="caption-play"><svg><use id="caption-play-icon" href="#icon-run"/></svg><span id="caption-play-label">Play</span></button>
+        <span class="dots" role="group" aria-label="${story.label}" data-hideable="imagine">
+          <button type="button" id="caption-back" title="${story.back}  ←"><svg><use href="#icon-previous"/></svg><span class="visually-hidden">${story.back}</span></button>
+          <button type="button" id="caption-next" title="${story.next}  →"><svg><use href="#icon-next"/></svg><span class="visually-hidden">${story.next}</span></button>
+          <button type="button" id="caption-play"><svg><use id="caption-play-icon" href="#icon-run"/></svg><span id="caption-play-label"></span></button>
         </span>
-        <button type="button" id="presentation-leave" data-hideable="tools" title="All panels  Esc">All panels</button>
+        <button type="button" id="presentation-leave" data-hideable="tools" title="${story.leave}  Esc">${story.leave}</button>
       </div>
     </section>
-    <section id="guide" aria-label="Introduction" hidden>
+    <section id="guide" aria-label="${words.introduction}" hidden>
       <p id="guide-words"></p>
-      <p class="actions"><button type="button" id="guide-act" class="primary"></button> <button type="button" id="guide-skip">Leave the introduction</button> <span class="small" id="guide-count"></span></p>
+      <p class="actions"><button type="button" id="guide-act" class="primary"></button> <button type="button" id="guide-skip">${words.leaveIntroduction}</button> <span class="small" id="guide-count"></span></p>
     </section>
     <p id="challenge" hidden></p>
     <p id="goal"></p>
-    <p id="laid" data-hideable="imagine" hidden><span></span> <button type="button" id="laid-off">Take it off</button></p>
-    ${TABS_MARKUP}
+    <p id="laid" data-hideable="imagine" hidden><span></span> <button type="button" id="laid-off">${words.takeOff}</button></p>
+    ${tabsMarkup()}
   </div>
-  ${MORE_MARKUP}
+  ${moreMarkup()}
 </div>
 
-<p class="visually-hidden" id="announcement" lang="en" role="status"></p>
+<p class="visually-hidden" id="announcement" lang="${language}" role="status"></p>
 
 <template id="attempt-row">
   <li>
@@ -92,48 +99,59 @@ const PUZZLE = `
     <button type="button" data-act="remove"><svg aria-hidden="true"><use href="#icon-delete"/></svg></button>
   </li>
 </template>
+`;
+}
 
-<dialog id="keys-dialog" lang="en" aria-labelledby="keys-title">
-  <h2 id="keys-title">Keys</h2>
+function keysMarkup() {
+  const words = text.element.keys;
+  return `
+<dialog id="keys-dialog" lang="${language}" aria-labelledby="keys-title">
+  <h2 id="keys-title">${words.title}</h2>
   <dl>
-    <dt><kbd>←</kbd> <kbd>→</kbd> <kbd>↑</kbd> <kbd>↓</kbd></dt><dd>in the scene: move the ball by 1, with <kbd>Shift</kbd> by 10</dd>
-    <dt><kbd>+</kbd> <kbd>−</kbd></dt><dd>in the scene: larger, smaller</dd>
-    <dt data-hideable="fields"><kbd>Ctrl</kbd> <kbd>Z</kbd>, <kbd>Ctrl</kbd> <kbd>Y</kbd></dt><dd data-hideable="fields">undo, redo a placement</dd>
-    <dt><kbd>Space</kbd></dt><dd>run, pause, go on</dd>
-    <dt data-hideable="transport"><kbd>.</kbd> <kbd>,</kbd></dt><dd data-hideable="transport">one step forward, one back</dd>
-    <dt><kbd>R</kbd></dt><dd>back to placing</dd>
-    <dt data-hideable="puzzles"><kbd>[</kbd> <kbd>]</kbd></dt><dd data-hideable="puzzles">previous, next puzzle</dd>
-    <dt data-hideable="compare"><kbd>N</kbd></dt><dd data-hideable="compare">among the model’s balls: the next one with another result, with <kbd>Shift</kbd> the one before</dd>
-    <dt><kbd>V</kbd></dt><dd>the presentation: the scene and one sentence, in large type; <kbd>Esc</kbd> leaves it<span data-hideable="imagine">, <kbd>←</kbd> <kbd>→</kbd> or <kbd>PgUp</kbd> <kbd>PgDn</kbd> go through the story</span></dd>
-    <dt id="keys-of-panels"><kbd>1</kbd> to <kbd>3</kbd></dt><dd id="key-panels"></dd>
-    <dt><kbd>?</kbd></dt><dd>this sheet</dd>
+    <dt><kbd>←</kbd> <kbd>→</kbd> <kbd>↑</kbd> <kbd>↓</kbd></dt><dd>${words.move}</dd>
+    <dt><kbd>+</kbd> <kbd>−</kbd></dt><dd>${words.resize}</dd>
+    <dt data-hideable="fields"><kbd>${words.ctrl}</kbd> <kbd>Z</kbd>, <kbd>${words.ctrl}</kbd> <kbd>Y</kbd></dt><dd data-hideable="fields">${words.undo}</dd>
+    <dt><kbd>${words.space}</kbd></dt><dd>${words.run}</dd>
+    <dt data-hideable="transport"><kbd>.</kbd> <kbd>,</kbd></dt><dd data-hideable="transport">${words.step}</dd>
+    <dt><kbd>R</kbd></dt><dd>${words.reset}</dd>
+    <dt data-hideable="puzzles"><kbd>[</kbd> <kbd>]</kbd></dt><dd data-hideable="puzzles">${words.puzzles}</dd>
+    <dt data-hideable="compare"><kbd>N</kbd></dt><dd data-hideable="compare">${words.outcome}</dd>
+    <dt><kbd>V</kbd></dt><dd>${words.presentation}<span data-hideable="imagine">, ${words.story}</span></dd>
+    <dt id="keys-of-panels"><kbd>1</kbd> ${words.to} <kbd>3</kbd></dt><dd id="key-panels"></dd>
+    <dt><kbd>?</kbd></dt><dd>${words.sheet}</dd>
   </dl>
-  <form method="dialog"><button>Close</button></form>
-</dialog>
-
-<dialog id="about-dialog" lang="en" aria-labelledby="about-title">
-  <h2 id="about-title" tabindex="-1">About Pathlight</h2>
-  <p>You choose where one red ball starts. After that nobody touches anything: balls fall and roll, bars tip, and everything bumps into everything else. <span data-hideable="compare">The model plays by the same rules, in the same simulator.</span></p>
-  <div data-hideable="imagine">
-  <h3>How the model thinks</h3>
-  <p id="about-nets"></p>
-  <h3>How it was trained</h3>
-  <p>Nobody told it the laws of motion. It was shown solved puzzles: the scene, the way that the green object takes by itself, the ways that it and the red ball take when the puzzle is solved, and where that ball began. Each time, all its numbers were shifted a little, so that the next maps would come closer.</p>
-  <p id="card">No model is loaded.</p>
-  <dl id="card-entries"></dl>
-  </div>
-  <h3>Where the ideas come from</h3>
-  <p data-hideable="imagine">The nets: Augustin Harter, Andrew Melnik, Gaurav Kumar, Dhruv Agarwal, Animesh Garg and Helge Ritter, <a href="https://arxiv.org/abs/2011.07357">Solving Physics Puzzles by Reasoning about Paths</a> (2020).</p>
-  <p>The puzzles: the 25 ball templates of <a href="https://phyre.ai">PHYRE</a>, a benchmark for physical reasoning by Anton Bakhtin and others (2019).</p>
-  <p>All of this runs in your browser. Nothing that you do here leaves your device.</p>
-  <p>Pathlight is free software under the Apache License 2.0, and made with the work of many others: <a id="licences" target="_blank">their names and licences</a>.</p>
-  <form method="dialog"><button>Close</button></form>
+  <form method="dialog"><button>${text.element.close}</button></form>
 </dialog>
 `;
+}
+
+function aboutMarkup() {
+  const words = text.element.about;
+  return `
+<dialog id="about-dialog" lang="${language}" aria-labelledby="about-title">
+  <h2 id="about-title" tabindex="-1">${words.title}</h2>
+  <p>${words.rules} <span data-hideable="compare">${words.sameRules}</span></p>
+  <div data-hideable="imagine">
+  <h3>${words.thinks}</h3>
+  <p id="about-nets"></p>
+  <h3>${words.training}</h3>
+  <p>${words.trained}</p>
+  <p id="card">${words.noModel}</p>
+  <dl id="card-entries"></dl>
+  </div>
+  <h3>${words.sources}</h3>
+  <p data-hideable="imagine">${words.paper}</p>
+  <p>${words.benchmark}</p>
+  <p>${words.local}</p>
+  <p>${words.licences}</p>
+  <form method="dialog"><button>${text.element.close}</button></form>
+</dialog>
+`;
+}
 
 /** The shadow tree of a puzzle, without the panels that come later. */
 export function puzzleMarkup() {
-  return fragmentOf(PUZZLE);
+  return fragmentOf(ICONS + sceneMarkup() + keysMarkup() + aboutMarkup());
 }
 
 /**

@@ -30,7 +30,7 @@ const MODULES = { imagine: IMAGINE, compare: COMPARE, predict: PREDICT, map: MAP
  */
 export function createPanelComponents(parts, canvas) {
   const { root, client, preferences } = parts;
-  for (const [name, { markup }] of Object.entries(MODULES)) byId(root, name).append(fragmentOf(markup));
+  for (const [name, { markup }] of Object.entries(MODULES)) byId(root, name).append(fragmentOf(markup()));
   const scenePicture = new ScenePicture(root);
   const imagine = new Imagine(root, client, scenePicture);
   const all = [

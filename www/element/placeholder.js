@@ -1,6 +1,8 @@
 // What stands in for a puzzle that is on its way, in the size that it is going to have, or says why there is none.
 // Nothing is inherited from the page around it.
 
+import { language } from "../text/language.js";
+import { text } from "../text/text.js";
 import { createButton } from "../widgets/dom.js";
 
 export const placeholderSheet = new CSSStyleSheet();
@@ -20,7 +22,6 @@ export class Placeholder {
 
   constructor() {
     this.element.className = "placeholder";
-    this.element.lang = "en";
   }
 
   showLoading() {
@@ -36,8 +37,9 @@ export class Placeholder {
   showFailure(message, onRetry) {
     const sentence = document.createElement("p");
     sentence.textContent = message;
+    this.element.lang = language;
     this.element.setAttribute("role", "alert");
-    this.element.replaceChildren(sentence, createButton("Try again", onRetry));
+    this.element.replaceChildren(sentence, createButton(text.element.tryAgain, onRetry));
   }
 
   /** Puts the focus on the button, if there is one. */

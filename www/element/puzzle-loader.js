@@ -3,6 +3,7 @@
 
 import { afterFrame } from "../loading/after-frame.js";
 import { loadWasm } from "../loading/load-wasm.js";
+import { useLanguage } from "../text/text.js";
 import { puzzleMarkup } from "./markup.js";
 import { Placeholder, placeholderSheet } from "./placeholder.js";
 import { loadStyleSheets } from "./style-sheets.js";
@@ -66,7 +67,9 @@ export class PuzzleLoader {
     this.#begun = true;
     let controller;
     try {
-      const [module, sheets] = await Promise.all([loadWasm(), loadStyleSheets()]);
+      // A page has one language: its own, or else the browser's.
+      const words = useLanguage(document.documentElement.lang || null, ...navigator.languages);
+      const [module, sheets] = await Promise.all([loadWasm(), loadStyleSheets(), words]);
       const [{ PuzzleController }, { sharedProgress }] = await Promise.all([
         import("./controller.js"),
         import("../storage/progress.js"),

@@ -2,6 +2,7 @@
 
 import { failure } from "../api/failure.js";
 import { readFile } from "../api/files.js";
+import { text } from "../text/text.js";
 
 const ADDRESSES = [
   new URL("../base.css", import.meta.url),
@@ -24,9 +25,8 @@ export function loadStyleSheets() {
 
 /** @param {URL} address */
 async function readSheet(address) {
-  const bytes = await readFile(address, (reason, status) => {
-    const remedy = status === 404 ? "Build or install Pathlight again." : "Check the connection and try again.";
-    return failure("no_style", `Pathlight’s style sheet could not be loaded: ${reason} for ${address}. ${remedy}`);
-  });
+  const bytes = await readFile(address, (reason, status) =>
+    failure("no_style", text.element.style[status === 404 ? "missing" : "unreachable"](reason, address.href)),
+  );
   return new CSSStyleSheet().replace(new TextDecoder().decode(bytes));
 }

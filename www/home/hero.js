@@ -3,15 +3,12 @@
 
 import { byId, setText } from "../widgets/dom.js";
 import { hrefOf, showsHome } from "../state/links.js";
+import { text } from "../text/text.js";
 import { SCENE_TASK } from "./home-tasks.js";
 import { MovingScene } from "./moving-scene.js";
 import { readRecording } from "./recording.js";
 
 /** @typedef {import("../state/url-state.js").State} State */
-
-const TITLE = "Watch a tiny AI imagine what happens. Then beat it.";
-/** For who came by a link that hides the model. */
-const TITLE_WITHOUT_MODEL = "Pick a puzzle";
 
 export class Hero {
   #started = false;
@@ -19,7 +16,8 @@ export class Hero {
   /** @param {State} state */
   setState(state) {
     if (showsHome(state)) this.#start();
-    setText(byId(document, "gallery-title"), state.hide.includes("imagine") ? TITLE_WITHOUT_MODEL : TITLE);
+    const { title, titleWithoutModel } = text.home;
+    setText(byId(document, "gallery-title"), state.hide.includes("imagine") ? titleWithoutModel : title);
     // With the first model, whose guess it is.
     const recorded = { ...state, model: null };
     byId(document, "hero-play", HTMLAnchorElement).href = hrefOf(recorded, SCENE_TASK) ?? "#";

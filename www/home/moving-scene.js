@@ -2,6 +2,7 @@
 // at the end of the run, as it does at once under reduced motion. It can be paused and played again.
 
 import { DARK_PALETTE, LIGHT_PALETTE } from "../pkg/constants.js";
+import { text } from "../text/text.js";
 import { byId, contextOf, setText } from "../widgets/dom.js";
 import { Story } from "./story.js";
 
@@ -60,7 +61,7 @@ export class MovingScene {
   /** @param {boolean} paused */
   #setPaused(paused) {
     this.#paused = paused;
-    setText(this.#pause, paused ? "Play" : "Pause");
+    setText(this.#pause, paused ? text.home.replay : text.home.pause);
     this.#last = 0;
     this.#draw();
     this.#schedule();

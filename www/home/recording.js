@@ -47,10 +47,10 @@ const ADDRESS = new URL("../assets/home.json", import.meta.url);
 /** @type {Promise<Recording> | null} */
 let read = null;
 
-/** Returns the recording. Rejects with a sentence for the person. */
+/** Returns the recording. Nobody is told if it cannot be read: the page stands without it. */
 export function readRecording() {
-  read ??= readFile(ADDRESS, (reason) =>
-    failure("bad_data", `The scene of the home page could not be loaded: ${reason} for ${ADDRESS}.`),
-  ).then((bytes) => new Response(bytes).json());
+  read ??= readFile(ADDRESS, (reason) => failure("bad_data", `${reason}: ${ADDRESS}`)).then((bytes) =>
+    new Response(bytes).json(),
+  );
   return read;
 }

@@ -3,6 +3,7 @@
 
 import { percent } from "../model/chance-words.js";
 import { SCENE_SIZE, STEPS_PER_SECOND } from "../shell/constants.js";
+import { text } from "../text/text.js";
 import { ScenePainter, curve } from "./scene-painter.js";
 
 /** @typedef {import("../pkg/pathlight.js").Palette} Palette */
@@ -81,15 +82,16 @@ export class Story {
    */
   wordsOf(phase) {
     const { futures, imagined, miss, solved } = this.#scene;
+    const words = text.home.story;
     switch (phase) {
       case "imagine":
-        return `It imagines ${futures.length} futures…`;
+        return words.imagine(futures.length);
       case "pick":
-        return `…and picks one: ${percent(imagined.probability)} sure.`;
+        return words.pick(percent(imagined.probability));
       case "real":
-        return "Now the real ball drops.";
+        return words.real;
       case "result":
-        return `${solved ? "Solved! " : ""}Its guess was ${percent(miss / SCENE_SIZE)} off.`;
+        return (solved ? words.solved : words.missed)(percent(miss / SCENE_SIZE));
     }
   }
 

@@ -3,7 +3,9 @@
 
 // By the path from another folder: in a bundle this import stays, in a file that lies in one.
 import { compileWasm } from "./compile-wasm.js";
+import { failure } from "../api/failure.js";
 import { load as loadPathlight } from "../api/index.js";
+import { text } from "../text/text.js";
 
 /** @type {Promise<WebAssembly.Module> | null} */
 let loaded = null;
@@ -24,7 +26,9 @@ export function loadWasm() {
 loadWasm().catch(() => {});
 
 async function load() {
-  const module = await compileWasm();
+  const module = await compileWasm().catch(({ code, message }) => {
+    throw failure(code, text.reading.wasm.failed(message));
+  });
   await loadPathlight({ wasm: module, weights: null });
   return module;
 }

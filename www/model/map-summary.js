@@ -2,6 +2,7 @@
 // place-words.js says in words of the scene what a map shows.
 
 import { CELL_SIZE, GRID_SIDE } from "../shell/constants.js";
+import { text } from "../text/text.js";
 
 /** @typedef {import("../pkg/pathlight.js").GridMap} GridMap */
 
@@ -23,7 +24,7 @@ export function valueAt(map, [x, y]) {
 export function summary(map) {
   const peak = map.reduce((best, value, cell) => (value > map[best] ? cell : best), 0);
   const [x, y] = [peak % GRID_SIDE, Math.floor(peak / GRID_SIDE)].map((cell) => cell * CELL_SIZE + CELL_SIZE / 2);
-  return `strongest at x ${x}, y ${y}; ${sides(map)}`;
+  return text.model.map.strongest(x, y, sides(map));
 }
 
 /**
@@ -34,5 +35,5 @@ export function sides(map) {
   const total = map.reduce((sum, value) => sum + value, 0);
   const left = map.reduce((sum, value, cell) => sum + (cell % GRID_SIDE < GRID_SIDE / 2 ? value : 0), 0);
   const percent = total ? Math.round((100 * left) / total) : 50;
-  return `${percent} percent on the left, ${100 - percent} on the right`;
+  return text.model.map.sides(percent, 100 - percent);
 }

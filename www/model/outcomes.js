@@ -2,6 +2,7 @@
 // nothing of the document.
 
 import { STEPS_PER_SECOND } from "../shell/constants.js";
+import { text } from "../text/text.js";
 import { toCsv } from "./csv.js";
 
 /** @typedef {import("../pkg/pathlight.js").TriedProposal} TriedProposal */
@@ -36,9 +37,10 @@ export function otherOutcome(tried, index, by) {
  */
 export function outcomesWords(tried) {
   const count = (/** @type {Outcome} */ outcome) => tried.filter((one) => outcomeOf(one) === outcome).length;
+  const words = text.model.outcomes;
   const solving = count("solved");
-  if (tried.length === 1 && solving === 1) return "Its first idea works.";
-  return `Of ${tried.length} ${tried.length === 1 ? "ball" : "balls"} ${solving} ${solving === 1 ? "solves" : "solve"} the puzzle, with ${count("touched")} the green object touches its goal for a while, with ${count("missed")} never.`;
+  if (tried.length === 1 && solving === 1) return words.first;
+  return words.counted(tried.length, solving, count("touched"), count("missed"));
 }
 
 /**

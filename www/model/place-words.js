@@ -2,11 +2,13 @@
 // it, and for whoever wants to say where a map points. Knows nothing of the document.
 
 import { CELL_SIZE, GRID_SIDE, SCENE_SIZE } from "../shell/constants.js";
+import { text } from "../text/text.js";
 
 /** @typedef {import("../pkg/pathlight.js").Scene} Scene */
 /** @typedef {import("../pkg/pathlight.js").Body} Body */
 /** @typedef {import("../pkg/pathlight.js").GridMap} GridMap */
 /** @typedef {[x: number, y: number]} Point px of the scene */
+/** @typedef {import("../text/en/places.js").Named} Named */
 
 /** So near a body a place is "just" beside it, px. */
 const JUST = 8;
@@ -34,14 +36,14 @@ export function mapWords(map, scene) {
     if (value >= STRONG * map[peak] && distance(cell) > distance(far)) far = cell;
   });
   const [first, second] = [at, centreOf(far)].map((point) => placeWords(point, scene, names));
-  return distance(far) >= APART && first !== second ? `most sure ${first}, also sure ${second}` : `most sure ${first}`;
+  return text.places.map(first, distance(far) >= APART && first !== second ? second : null);
 }
 
 /**
  * A place in words: beside which body it is, or in which part of the scene.
  * @param {Point} point
  * @param {Scene} scene
- * @param {string[]} [names] of the bodies
+ * @param {Named[]} [names] of the bodies
  */
 export function placeWords([x, y], scene, names = bodyNames(scene)) {
   let nearest = { distance: Infinity, dx: 0, dy: 0, index: -1 };
@@ -50,64 +52,56 @@ export function placeWords([x, y], scene, names = bodyNames(scene)) {
     if (found.distance < nearest.distance) nearest = { ...found, index };
   });
   const { distance, dx, dy, index } = nearest;
-  if (distance <= 0) return `on the ${names[index]}`;
+  if (distance <= 0) return text.places.beside("on", false, names[index]);
   if (distance < NEAR) {
-    const direction = Math.abs(dy) >= Math.abs(dx) ? (dy > 0 ? "above" : "below") : dx > 0 ? "right of" : "left of";
-    return `${distance < JUST ? "just " : ""}${direction} the ${names[index]}`;
+    const side = Math.abs(dy) >= Math.abs(dx) ? (dy > 0 ? "above" : "below") : dx > 0 ? "right" : "left";
+    return text.places.beside(side, distance < JUST, names[index]);
   }
-  const [across, up] = [x, y].map((coordinate) => Math.min(Math.floor((3 * coordinate) / SCENE_SIZE), 2));
-  const height = ["low", "half way up", "high up"][up];
-  return across === 1
-    ? up === 1
-      ? "in the middle"
-      : `${height} in the middle`
-    : `${height} on the ${across ? "right" : "left"}`;
+  const third = (/** @type {number} */ coordinate) =>
+    /** @type {0 | 1 | 2} */ (Math.min(Math.floor((3 * coordinate) / SCENE_SIZE), 2));
+  return text.places.part(third(x), third(y));
 }
 
 /**
- * A name for each body, which tells those of one kind apart by where they are: "green ball", "left slope", "upper bar".
+ * What tells each body from the others: its kind and colour, and where it is among those alike. "green ball", "left
+ * slope", "upper bar".
  * @param {Scene} scene
+ * @returns {Named[]}
  */
 export function bodyNames({ bodies, body1, body2 }) {
-  const kinds = bodies.map((body, index) =>
-    index === body1 || index === body2 || body.dynamic ? `${body.role} ${kindOf(body)}` : kindOf(body),
-  );
-  return kinds.map((kind, index) => {
-    const alike = bodies.filter((_, other) => kinds[other] === kind);
-    return alike.length > 1 ? distinct(kind, bodies[index], alike) : kind;
+  const names = bodies.map((body, index) => ({
+    kind: kindOf(body),
+    role: index === body1 || index === body2 || body.dynamic ? body.role : null,
+  }));
+  return names.map(({ kind, role }, index) => {
+    const alike = bodies.filter((_, other) => names[other].kind === kind && names[other].role === role);
+    return { kind, role, among: alike.length > 1 ? placeAmong(bodies[index], alike) : null };
   });
 }
 
-/** @param {Body} body */
+/**
+ * @param {Body} body
+ * @returns {import("../text/en/places.js").Kind}
+ */
 function kindOf({ shape, angle, dynamic }) {
   if (shape === "standing_sticks") return "sticks";
   if (shape !== "bar") return shape;
   const tilt = Math.abs(Math.atan(Math.tan(angle)));
-  if (tilt > Math.PI / 2 - LYING) return "upright bar";
+  if (tilt > Math.PI / 2 - LYING) return "upright";
   return tilt > LYING && !dynamic ? "slope" : "bar";
 }
 
 /**
- * The name of a body that tells it from others of its kind.
- * @param {string} kind
+ * Where a body is among others, along the axis along which they are spread.
  * @param {Body} body
  * @param {Body[]} alike
  */
-function distinct(kind, body, alike) {
+function placeAmong(body, alike) {
   /** @type {(axis: "x" | "y") => number} */
   const spread = (axis) => Math.max(...alike.map((one) => one[axis])) - Math.min(...alike.map((one) => one[axis]));
   const axis = spread("x") >= spread("y") ? "x" : "y";
   const place = alike.toSorted((one, other) => one[axis] - other[axis]).indexOf(body);
-  const [first, middle, last] = axis === "x" ? ["left", "middle", "right"] : ["lower", "middle", "upper"];
-  if (alike.length === 2) return `${place ? last : first} ${kind}`;
-  if (alike.length === 3) return `${[first, middle, last][place]} ${kind}`;
-  return `${ordinal(place + 1)} ${kind} from ${axis === "x" ? "the left" : "below"}`;
-}
-
-/** @param {number} number from 1 */
-function ordinal(number) {
-  const suffix = number % 100 > 10 && number % 100 < 14 ? "th" : (["th", "st", "nd", "rd"][number % 10] ?? "th");
-  return `${number}${suffix}`;
+  return /** @type {const} */ ({ axis, place, count: alike.length });
 }
 
 /**

@@ -5,6 +5,7 @@
 
 import { failure } from "../api/failure.js";
 import { readFile } from "../api/files.js";
+import { text } from "../text/text.js";
 import { toCsv } from "./csv.js";
 
 /**
@@ -27,6 +28,9 @@ import { toCsv } from "./csv.js";
  * @property {{ random: Bin[], candidates: Bin[] }} calibration
  */
 
+/** The agents in the order shown. */
+export const AGENTS = /** @type {const} */ (["online", "dynamics", "success", "paper", "random"]);
+
 const ADDRESS = new URL("../assets/results.json", import.meta.url);
 
 /** @type {Promise<ModelResults[]> | null} */
@@ -47,16 +51,10 @@ export function readResults() {
 
 async function load() {
   const bytes = await readFile(ADDRESS, (reason) =>
-    failure(
-      "no_weights",
-      `The results could not be loaded: ${reason} for ${ADDRESS}. Check the connection and try again.`,
-    ),
+    failure("no_weights", text.model.results.notLoaded(reason, ADDRESS.href)),
   );
   const { models } = await new Response(bytes).json().catch(() => {
-    throw failure(
-      "bad_data",
-      `The results are damaged: what ${ADDRESS} holds is not JSON. Write it again by “pathlight-lab publish results”.`,
-    );
+    throw failure("bad_data", text.model.results.damaged(ADDRESS.href));
   });
   return models;
 }

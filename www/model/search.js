@@ -1,6 +1,8 @@
 // A search of the worker's that goes on until it is done, fails, or is stopped. Knows nothing of what is searched, nor
 // of the document.
 
+import { text } from "../text/text.js";
+
 export class Search {
   /**
    * Why the last search failed, and what to do, or null.
@@ -27,8 +29,7 @@ export class Search {
     try {
       await ask(call.signal);
     } catch (error) {
-      if (!call.signal.aborted)
-        this.failure = `The search ended: ${/** @type {Error} */ (error).message} Press the button to search again.`;
+      if (!call.signal.aborted) this.failure = text.model.searchEnded(/** @type {Error} */ (error).message);
     }
     if (call === this.#call) this.stop();
   }

@@ -3,6 +3,7 @@
 // WorkerClient, and follows the one that it uses at present. Whoever takes a model sees it "loading" first, even if it
 // has been loaded for another puzzle, and so forgets what came from the model before.
 
+import { text } from "../text/text.js";
 import { WorkerClient } from "./worker-client.js";
 
 /**
@@ -87,7 +88,7 @@ export class SharedClient extends EventTarget {
    * @type {WorkerClient["call"]}
    */
   call(name, args, signal, onUpdate) {
-    if (!this.#client) throw new Error("The model has not been started.");
+    if (!this.#client) throw new Error(text.model.worker.notStarted);
     return this.#client.call(name, args, signal, onUpdate);
   }
 

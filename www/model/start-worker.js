@@ -1,5 +1,7 @@
 // Finds the worker's code and starts it.
 
+import { text } from "../text/text.js";
+
 /** @type {string | undefined} */
 let scriptAddress;
 
@@ -22,9 +24,5 @@ function importingScript() {
 
 /** Returns a sentence for the person: not even the worker's code could be loaded. */
 export function whyNoWorker() {
-  const remedy =
-    globalThis.origin === "null"
-      ? "A frame with the attribute sandbox has to allow its own origin (allow-same-origin)."
-      : "A page with a Content Security Policy has to allow workers (worker-src).";
-  return `The model’s worker could not be loaded. If Pathlight has been updated meanwhile, load the page again. ${remedy}`;
+  return text.model.worker.notLoaded(globalThis.origin === "null");
 }

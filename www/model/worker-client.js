@@ -3,6 +3,7 @@
 // answers. A worker that crashes rejects every open call with a sentence, and can be started again. The calls are
 // declared in worker.js.
 
+import { text } from "../text/text.js";
 import { createWorker, whyNoWorker } from "./start-worker.js";
 
 /** @typedef {import("./worker.js").Calls} Calls */
@@ -70,7 +71,7 @@ export class WorkerClient extends EventTarget {
    * @param {string | null} name
    */
   async start(name) {
-    this.#terminate("The model was started again.");
+    this.#terminate(text.model.worker.startedAgain);
     this.requestedName = name;
     this.#set({ status: "loading" });
     /** @type {Worker | null} */
@@ -120,7 +121,7 @@ export class WorkerClient extends EventTarget {
   #request(call, args, signal, onUpdate = () => {}) {
     const worker = this.#worker;
     if (signal?.aborted) return Promise.reject(signal.reason);
-    if (!worker) return Promise.reject(new Error(this.failure?.message ?? "The model has not been started."));
+    if (!worker) return Promise.reject(new Error(this.failure?.message ?? text.model.worker.notStarted));
     const id = this.#nextId++;
     worker.postMessage({ id, call, args });
     let onAbort = () => {};
@@ -146,21 +147,21 @@ export class WorkerClient extends EventTarget {
     if (!call) return;
     if (update !== undefined) return call.onUpdate(update);
     this.#pending.delete(id);
-    if (error) call.reject(Object.assign(new Error(error.message), { code: error.code }));
-    else call.resolve(value);
+    if (!error) return call.resolve(value);
+    const { code, message } = error;
+    call.reject(Object.assign(new Error(text.model.worker.failed(code, message)), { code }));
   }
 
   /** @param {string | undefined} reason none if not even its code could be loaded */
   #onCrash(reason) {
-    const message =
-      reason === undefined ? whyNoWorker() : `The model’s worker has stopped${reason ? ` (${reason})` : ""}.`;
+    const message = reason === undefined ? whyNoWorker() : text.model.worker.stopped(reason);
     this.#terminate(message);
     this.#set({ status: "failed", failure: { code: "crashed", message } });
   }
 
   /** Ends the worker and forgets the model. */
   stop() {
-    this.#terminate("Another model was started.");
+    this.#terminate(text.model.worker.other);
     this.requestedName = null;
     this.#set({ status: "off" });
   }

@@ -17,7 +17,8 @@ import { load as loadPathlight } from "../api/index.js";
  */
 /**
  * An error for the person. Codes that the page knows: "no_model" (no model of this name), "crashed" (the wasm trapped,
- * so the worker must not be used again). Others come from the wasm exports and are only shown.
+ * so the worker must not be used again). Others come from the API, and only choose the words in which the page says
+ * them.
  * @typedef {{ code: string, message: string }} Failure
  */
 

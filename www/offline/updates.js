@@ -107,30 +107,30 @@ async function isGone() {
  * @param {() => void} act what the person may choose
  */
 function offer(act) {
-  if (document.getElementById("update")) return;
-  const bar = document.createElement("aside");
-  bar.id = "update";
-  bar.ariaLabel = "Update";
-  const sentence = document.createElement("p");
-  sentence.role = "status";
+  // It stands in index.html, in the language of the page, so that its words need no module.
+  const bar = document.getElementById("update");
+  const sentence = bar?.querySelector("span");
+  if (!bar?.hidden || !sentence) return;
   const closed = new AbortController();
+  const { signal } = closed;
   /** @type {EventTarget | undefined} */
   let focusedBefore;
   const close = () => {
     const hasFocus = bar.contains(document.activeElement);
     closed.abort();
-    bar.remove();
+    bar.hidden = sentence.hidden = true;
     if (hasFocus && focusedBefore instanceof HTMLElement) focusedBefore.focus({ preventScroll: true });
   };
   const leavesPage = (/** @type {FocusEvent} */ event) => {
     const [element] = event.composedPath();
     if (isInside(bar, event.relatedTarget) && !isInside(bar, element)) focusedBefore = element;
   };
-  document.addEventListener("focusout", leavesPage, { signal: closed.signal });
-  bar.append(sentence, button("Load the new version", act), button("Later", close));
-  document.body.append(bar);
+  document.addEventListener("focusout", leavesPage, { signal });
+  document.getElementById("update-load")?.addEventListener("click", act, { signal });
+  document.getElementById("update-later")?.addEventListener("click", close, { signal });
+  bar.hidden = false;
   // Screen readers read what changes in an element that they know already.
-  setTimeout(() => (sentence.textContent = "A new version of Pathlight is available."), LIVE_REGION_DELAY);
+  setTimeout(() => (sentence.hidden = signal.aborted), LIVE_REGION_DELAY);
 }
 
 /**
@@ -169,16 +169,4 @@ async function leave(scope, releaseVersion) {
   } finally {
     location.reload();
   }
-}
-
-/**
- * @param {string} label
- * @param {() => void} act
- */
-function button(label, act) {
-  const element = document.createElement("button");
-  element.type = "button";
-  element.textContent = label;
-  element.addEventListener("click", act);
-  return element;
 }

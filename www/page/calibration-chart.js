@@ -1,5 +1,7 @@
-// How often the chances that a model gives to balls come true, as a chart and as a table: where it says 30 %, three of
+// How often the chances that a model gives to balls come true, as a chart and as a table: where it says 30%, three of
 // ten balls should solve.
+
+import { text } from "../text/text.js";
 
 /** @typedef {import("../model/results.js").Bin} Bin */
 /** @typedef {{ random: Bin[], candidates: Bin[] }} Calibration */
@@ -18,15 +20,15 @@ export function calibrationChart({ random, candidates }) {
   const chart = element("svg", {
     viewBox: `-20 -5 ${SIDE + 30} ${SIDE + 18}`,
     role: "img",
-    "aria-label": "Chance given and share that solves; the table has the numbers",
+    "aria-label": text.results.calibration.chart,
   });
-  for (const percent of [0, 50, 100]) {
+  for (const at of [0, 50, 100]) {
     const [across, up] = [
-      element("text", { x: percent, y: SIDE + 9, "text-anchor": "middle" }),
-      element("text", { x: -3, y: SIDE - percent + 2, "text-anchor": "end" }),
+      element("text", { x: at, y: SIDE + 9, "text-anchor": "middle" }),
+      element("text", { x: -3, y: SIDE - at + 2, "text-anchor": "end" }),
     ];
-    across.textContent = up.textContent = `${percent} %`;
-    chart.append(across, up, element("path", { d: `M${percent} 0V${SIDE}M0 ${percent}H${SIDE}`, class: "grid" }));
+    across.textContent = up.textContent = text.format.percent(at / 100);
+    chart.append(across, up, element("path", { d: `M${at} 0V${SIDE}M0 ${at}H${SIDE}`, class: "grid" }));
   }
   chart.append(element("path", { d: `M0 ${SIDE}L${SIDE} 0`, class: "diagonal" }));
   for (const [kind, bins] of Object.entries({ random, candidates })) {
@@ -58,23 +60,23 @@ export function calibrationTable({ random, candidates }) {
   return random.map((bin, index) => {
     const head = document.createElement("th");
     head.scope = "row";
-    head.textContent = `${(100 * index) / random.length} to ${(100 * (index + 1)) / random.length} %`;
+    head.textContent = text.results.calibration.range(index / random.length, (index + 1) / random.length);
     const row = document.createElement("tr");
     row.append(
       head,
       ...[bin, candidates[index]].flatMap(({ balls, solved }) => [
-        cell(balls.toLocaleString("en")),
-        cell(balls ? `${((100 * solved) / balls).toFixed(1)} %` : "–"),
+        cell(text.format.number(balls)),
+        cell(balls ? text.format.percent(solved / balls, 1) : "–"),
       ]),
     );
     return row;
   });
 }
 
-/** @param {string} text */
-function cell(text) {
+/** @param {string} words */
+function cell(words) {
   const element = document.createElement("td");
-  element.textContent = text;
+  element.textContent = words;
   return element;
 }
 

@@ -14,6 +14,7 @@ import { MOST_PUZZLES, customPuzzles } from "../storage/puzzle-store.js";
 import { atOnce, inSlices } from "../storage/sliced-work.js";
 import { readPuzzles, savePuzzles } from "../editor/puzzle-file.js";
 import { textOfScene } from "../editor/scene-link.js";
+import { text } from "../text/text.js";
 import { readChosen } from "./file-reading.js";
 
 /** @typedef {import("../pkg/pathlight.js").CustomScene} CustomScene */
@@ -89,9 +90,8 @@ export class CustomGallery {
    * @param {File[]} files
    */
   async #open(files) {
-    if (this.#state.hide.includes("puzzles"))
-      return showNotice("This link shows one puzzle alone, so no file is opened here.");
-    const name = files.length === 1 ? files[0].name : `${files.length} files`;
+    if (this.#state.hide.includes("puzzles")) return showNotice(text.page.custom.hidden);
+    const name = files.length === 1 ? files[0].name : text.page.files.several(files.length);
     const read = await readChosen(name, async (slices) => {
       const scenes = [];
       for (const file of files) scenes.push(await readPuzzles(file, slices));
@@ -108,11 +108,11 @@ export class CustomGallery {
     this.#stop.abort();
     const { signal } = (this.#stop = new AbortController());
     const kept = new Map(this.#store.scenes.map((scene) => [JSON.stringify(scene), scene]));
-    for (const [text, { item, canvas }] of this.#shown) {
-      if (kept.has(text)) continue;
+    for (const [json, { item, canvas }] of this.#shown) {
+      if (kept.has(json)) continue;
       item.remove();
       this.#thumbnails.remove(canvas);
-      this.#shown.delete(text);
+      this.#shown.delete(json);
     }
     byId(document, "custom-empty").hidden = kept.size > 0;
     byId(document, "custom-save").hidden = kept.size === 0;
@@ -125,9 +125,9 @@ export class CustomGallery {
 
   /** @param {Map<string, CustomScene>} kept */
   *#showing(kept) {
-    for (const [text, scene] of kept) {
-      if (!this.#shown.has(text) && pathlight.sceneProblems(scene).length === 0)
-        this.#shown.set(text, this.#show(scene));
+    for (const [json, scene] of kept) {
+      if (!this.#shown.has(json) && pathlight.sceneProblems(scene).length === 0)
+        this.#shown.set(json, this.#show(scene));
       yield this.#shown.size / kept.size;
     }
     this.#mark();
@@ -160,12 +160,12 @@ export class CustomGallery {
     const mark = document.createElement("em");
     const link = document.createElement("a");
     link.append(canvas, title, mark);
-    textOfScene(scene).then((text) => {
-      link.dataset.scene = text;
+    textOfScene(scene).then((linked) => {
+      link.dataset.scene = linked;
       this.#setHref(link);
     });
-    const remove = createButton("Delete", () => this.#remove(scene));
-    remove.setAttribute("aria-label", `Delete ${sceneName(scene)}`);
+    const remove = createButton(text.page.custom.remove, () => this.#remove(scene));
+    remove.setAttribute("aria-label", text.page.custom.removeNamed(sceneName(scene)));
     const item = document.createElement("li");
     item.append(link, remove);
     this.#list.append(item);
@@ -180,7 +180,8 @@ export class CustomGallery {
     const attempts = this.#progress.attemptsAt(key);
     // One that is the same but for its name has the same attempts.
     if (![...this.#shown.values()].some((shown) => shown.key === key)) this.#progress.forget(key);
-    showNotice(`“${sceneName(scene)}” is deleted.`, [["Undo", () => this.#bringBack(scene, attempts)]]);
+    const { removed, undo } = text.page.custom;
+    showNotice(removed(sceneName(scene)), [[undo, () => this.#bringBack(scene, attempts)]]);
   }
 
   /**
@@ -191,7 +192,7 @@ export class CustomGallery {
     const { failure } = this.#store.add([scene]);
     if (failure) return showNotice(failure);
     atOnce(this.#progress.merging(attempts));
-    showNotice(`“${sceneName(scene)}” is back.`);
+    showNotice(text.page.custom.back(sceneName(scene)));
   }
 }
 
@@ -202,14 +203,11 @@ export class CustomGallery {
  * @param {number} left those for which there is no room
  */
 function keptWords(added, known, left) {
+  const words = text.page.custom;
   const sentences = [];
-  if (added === 1) sentences.push("One puzzle is kept: it is in the grid, after the benchmark’s.");
-  if (added > 1) sentences.push(`${added} puzzles are kept: they are in the grid, after the benchmark’s.`);
-  if (known > 0) sentences.push(`${known === 1 ? "One is" : `${known} are`} there already.`);
-  if (left > 0)
-    sentences.push(
-      `No room for ${left}: the page keeps ${MOST_PUZZLES} puzzles. They stay in the file; delete some first.`,
-    );
+  if (added > 0) sentences.push(words.kept(added));
+  if (known > 0) sentences.push(words.known(known));
+  if (left > 0) sentences.push(words.left(left, MOST_PUZZLES));
   return sentences.join(" ");
 }
 
@@ -219,8 +217,8 @@ function keptWords(added, known, left) {
  */
 function wordsOf(attempts) {
   if (attempts.length === 0) return "";
-  const solved = attempts.some(({ ending }) => ending.solved);
-  return `${solved ? "✓ solved" : "× not solved"}, in ${attempts.length} attempt${attempts.length === 1 ? "" : "s"}`;
+  const { solved, missed } = text.page.custom;
+  return (attempts.some(({ ending }) => ending.solved) ? solved : missed)(attempts.length);
 }
 
 /** @param {DragEvent} event */

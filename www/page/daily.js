@@ -9,20 +9,6 @@ const LEAST_SOLVE_RATE = 0.01;
  * before all have come.
  */
 const STRIDE = 7919;
-const MONTHS = [
-  "January",
-  "February",
-  "March",
-  "April",
-  "May",
-  "June",
-  "July",
-  "August",
-  "September",
-  "October",
-  "November",
-  "December",
-];
 /** ms */
 const DAY = 86_400_000;
 
@@ -35,10 +21,4 @@ export function taskOfDay(date, tasks) {
   const possible = tasks.filter((task) => solveRateOf(task) >= LEAST_SOLVE_RATE);
   const day = Date.UTC(date.getFullYear(), date.getMonth(), date.getDate()) / DAY;
   return possible[(day * STRIDE) % possible.length];
-}
-
-/** @param {Date} date */
-export function dayWords(date) {
-  // Not by toLocaleDateString, whose first call loads the data of a language, some 20 ms.
-  return `${date.getDate()} ${MONTHS[date.getMonth()]} ${date.getFullYear()}`;
 }

@@ -2,6 +2,7 @@
 
 import { dismissNotice, showNotice } from "../widgets/notice.js";
 import { FileProblem } from "../storage/sliced-work.js";
+import { text } from "../text/text.js";
 
 /**
  * Returns what `read` returns, or null if that was stopped or has failed.
@@ -11,20 +12,21 @@ import { FileProblem } from "../storage/sliced-work.js";
  * @returns {Promise<T | null>}
  */
 export async function readChosen(name, read) {
+  const { reading, stop: stopLabel, stopped, failed } = text.page.files;
   const stop = new AbortController();
   let shown = "";
   const onProgress = (/** @type {number} */ done) => {
-    const words = `Reading ${name}: ${Math.floor(done * 10) * 10} %`;
-    if (words !== shown) showNotice((shown = words), [["Stop", () => stop.abort()]]);
+    const words = reading(name, Math.floor(done * 10) / 10);
+    if (words !== shown) showNotice((shown = words), [[stopLabel, () => stop.abort()]]);
   };
   try {
     const result = await read({ signal: stop.signal, onProgress });
     if (shown) dismissNotice();
     return result;
   } catch (error) {
-    if (stop.signal.aborted) showNotice(`Reading ${name} was stopped. Nothing was changed.`);
+    if (stop.signal.aborted) showNotice(stopped(name));
     else if (error instanceof FileProblem) showNotice(error.message);
-    else showNotice(`${name} could not be read. If it was moved or changed, choose it again. Nothing was changed.`);
+    else showNotice(failed(name));
     return null;
   }
 }

@@ -5,8 +5,9 @@ import { DARK_PALETTE, LIGHT_PALETTE } from "../pkg/constants.js";
 import { ScenePainter } from "../home/scene-painter.js";
 import { ATTEMPT_LIMIT } from "../shell/constants.js";
 import { pathlight } from "../shell/page-api.js";
+import { text } from "../text/text.js";
 import { contextOf, find, setText } from "../widgets/dom.js";
-import { shownTries, triesWords } from "./learns-words.js";
+import { shownTries } from "./learns-words.js";
 
 /** @typedef {import("../pkg/pathlight.js").TriedProposal} TriedProposal */
 /** @typedef {import("./learns-words.js").ShownTry} ShownTry */
@@ -117,9 +118,9 @@ export class LearnsBoard {
   /** @param {ShownTry} shown */
   #words({ number, end }) {
     const isOver = number === this.#tries.length && this.#time >= end;
-    if (!isOver) return `Try ${number}`;
-    const solved = this.#tries[number - 1].ending.solved;
-    return solved ? `Solved ${triesWords(number, ATTEMPT_LIMIT)}` : `Not in ${number} tries`;
+    if (!isOver) return text.learns.try(number);
+    const { solved, missed } = text.learns;
+    return this.#tries[number - 1].ending.solved ? solved(number, ATTEMPT_LIMIT) : missed(number);
   }
 
   /**

@@ -1,6 +1,7 @@
 // How many tries each puzzle took with a memory and without, as a chart: a mark for each puzzle, and a line through the
 // mean of the last few.
 
+import { text } from "../text/text.js";
 import { runningMeans } from "./learns-words.js";
 
 /** @typedef {import("./learns-words.js").Played} Played */
@@ -22,7 +23,7 @@ export function learnsChart(all, limit) {
   const chart = element("svg", {
     viewBox: `-28 -12 ${WIDTH + 36} ${HEIGHT + 40}`,
     role: "img",
-    "aria-label": "Tries for each puzzle, with memory and without; the list below has the numbers",
+    "aria-label": text.learns.chartLabel,
   });
   const room = Math.max(ROOM, Math.ceil(all.length / ROOM) * ROOM);
   const across = (/** @type {number} */ index) => ((index + 0.5) * WIDTH) / room;
@@ -31,12 +32,12 @@ export function learnsChart(all, limit) {
     const y = up(tries);
     chart.append(
       element("path", { d: `M0 ${y.toFixed(1)}H${WIDTH}`, class: "grid" }),
-      text(String(tries), { x: -6, y: y + 4, "text-anchor": "end" }),
+      label(String(tries), { x: -6, y: y + 4, "text-anchor": "end" }),
     );
   }
   for (const number of [1, room / 2, room])
-    chart.append(text(String(number), { x: across(number - 1), y: HEIGHT + 15, "text-anchor": "middle" }));
-  chart.append(text("puzzle", { x: WIDTH / 4, y: HEIGHT + 15, "text-anchor": "middle" }));
+    chart.append(label(String(number), { x: across(number - 1), y: HEIGHT + 15, "text-anchor": "middle" }));
+  chart.append(label(text.learns.axis, { x: WIDTH / 4, y: HEIGHT + 15, "text-anchor": "middle" }));
   for (const series of /** @type {const} */ (["fresh", "learned"])) {
     const firsts = all.map((played) => played[series]);
     const means = runningMeans(firsts.map((first) => first ?? limit));
@@ -68,7 +69,7 @@ function mark(series, first, x, y) {
  * @param {string} words
  * @param {Record<string, string | number>} attributes
  */
-function text(words, attributes) {
+function label(words, attributes) {
   const created = element("text", attributes);
   created.textContent = words;
   return created;

@@ -1,6 +1,7 @@
 // What came of the puzzles that were played, as a chart and as a list in words.
 
 import { ATTEMPT_LIMIT } from "../shell/constants.js";
+import { text } from "../text/text.js";
 import { byId } from "../widgets/dom.js";
 import { learnsChart } from "./learns-chart.js";
 import { playedWords } from "./learns-words.js";
@@ -38,7 +39,7 @@ export class LearnsList {
     const href = this.#hrefOf(played.task);
     const name = document.createElement(href ? "a" : "span");
     if (href) name.setAttribute("href", href);
-    name.textContent = `Puzzle ${index + 1}`;
+    name.textContent = text.learns.puzzle(index + 1);
     const earlier = all.slice(0, index).map(({ task }) => task);
     const item = document.createElement("li");
     item.append(name, `: ${playedWords(played, earlier, ATTEMPT_LIMIT)}`);

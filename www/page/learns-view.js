@@ -7,6 +7,7 @@ import { readResults } from "../model/results.js";
 import { ATTEMPT_LIMIT } from "../shell/constants.js";
 import { LEARNT_TASK } from "../home/home-tasks.js";
 import { TEMPLATES } from "../puzzles/templates.js";
+import { text } from "../text/text.js";
 import { byId, setText } from "../widgets/dom.js";
 import { PausableClock } from "./pausable-clock.js";
 import { LearnsBoard } from "./learns-board.js";
@@ -146,7 +147,7 @@ export class LearnsView {
     this.#played.clear();
     this.#memory = null;
     this.#onKind();
-    setText(byId(document, "learns-status"), "It has forgotten everything.");
+    setText(byId(document, "learns-status"), text.learns.forgotten);
     this.#play.focus();
   }
 
@@ -211,7 +212,7 @@ export class LearnsView {
   async #showGame(task, { played, learned, fresh, memory }, signal) {
     const boards = [this.#learned, this.#fresh];
     const longest = Math.max(this.#learned.show(task, learned), this.#fresh.show(task, fresh));
-    setText(byId(document, "learns-puzzle"), `Puzzle ${this.#all.length + 1}`);
+    setText(byId(document, "learns-puzzle"), text.learns.puzzle(this.#all.length + 1));
     if (!this.#hurries && !reducedMotion.matches)
       await this.#clock.run(longest, signal, (time) => boards.forEach((board) => board.setTime(time)));
     for (const board of boards) board.setTime(Infinity);
@@ -219,7 +220,7 @@ export class LearnsView {
     this.#played.set(this.#kinds.chosen.id, [...this.#all, played]);
     const earlier = this.#all.slice(0, -1).map(({ task }) => task);
     const words = playedWords(played, earlier, ATTEMPT_LIMIT);
-    setText(byId(document, "learns-status"), `Puzzle ${this.#all.length}: ${words}`);
+    setText(byId(document, "learns-status"), text.learns.status(this.#all.length, words));
     this.#update();
     await this.#clock.run(this.#hurries ? 0 : reducedMotion.matches ? STILL : PAUSE, signal);
   }
@@ -237,7 +238,7 @@ export class LearnsView {
         if (status === "loading") return;
         this.#client.removeEventListener("change", look);
         if (status === "ready") resolve();
-        else reject(new Error(failure?.message ?? "The model was left."));
+        else reject(new Error(failure?.message ?? text.learns.left));
       };
       this.#client.addEventListener("change", look);
       signal.addEventListener("abort", () => {
@@ -250,8 +251,8 @@ export class LearnsView {
 
   #onClient() {
     const { status, progress } = this.#client;
-    const percent = progress === null ? "" : ` ${Math.floor(100 * progress)} %`;
-    setText(byId(document, "learns-loading"), status === "loading" ? `Fetching the model …${percent}` : "");
+    const done = progress && Math.floor(100 * progress) / 100;
+    setText(byId(document, "learns-loading"), status === "loading" ? text.learns.fetching(done) : "");
   }
 
   /** Shows what was played, and what can be done. */
@@ -259,24 +260,16 @@ export class LearnsView {
     const [all, left, playing] = [this.#all, this.#left.length, this.#row !== null];
     this.#list.show(all);
     const more = Math.min(left, ROW);
-    const words = !playing
-      ? `${all.length ? "Play" : "Let it play"} ${more}${all.length ? " more" : ""}`
-      : this.#clock.paused
-        ? "Go on"
-        : "Pause";
-    setText(this.#play, words);
+    const { play, playMore, goOn, pause, remembers, remembersNothing } = text.learns;
+    const toPlay = all.length ? playMore(more) : play(more);
+    setText(this.#play, playing ? (this.#clock.paused ? goOn : pause) : toPlay);
     this.#play.disabled = !playing && left === 0;
     this.#next.disabled = this.#finish.disabled = !playing;
     this.#forget.disabled = this.#memory === null;
     setText(byId(document, "learns-total"), all.length ? totalWords(all, ATTEMPT_LIMIT) : "");
     if (!playing) setText(byId(document, "learns-puzzle"), "");
     const played = [...this.#played.values()].flat();
-    setText(
-      byId(document, "learns-memory"),
-      played.length
-        ? `It remembers ${played.length} puzzle${played.length === 1 ? "" : "s"}.`
-        : "It remembers nothing yet.",
-    );
+    setText(byId(document, "learns-memory"), played.length ? remembers(played.length) : remembersNothing);
   }
 
   /** @param {unknown} error null if there is none any more */

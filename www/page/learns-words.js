@@ -2,6 +2,7 @@
 // nothing of the document.
 
 import { templateOf } from "../puzzles/templates.js";
+import { text } from "../text/text.js";
 
 /** @typedef {import("../pkg/pathlight.js").Reminder} Reminder */
 
@@ -53,25 +54,18 @@ export function runningMeans(tries) {
 }
 
 /**
- * @param {number | null} first
- * @param {number} limit the tries that there are
- */
-export function triesWords(first, limit) {
-  if (first === null) return `not in ${limit} tries`;
-  return first === 1 ? "at once" : `on try ${first}`;
-}
-
-/**
  * Which puzzle helped, like ", as in puzzle 3"; empty if none did.
  * @param {Played} played
  * @param {string[]} earlier the tasks of its kind that were played before it, in order
  */
 export function reminderWords({ task, learned, reminder }, earlier) {
   if (learned === null || !reminder?.solved || !reminder.task || reminder.change < 0) return "";
-  const number = earlier.indexOf(reminder.task) + 1;
-  const other = templateOf(reminder.task) === templateOf(task) ? "" : `${templateOf(reminder.task)?.name} `;
-  const name = number ? `puzzle ${number}` : `${other}${reminder.task}`;
-  return `, as in ${name}${reminder.mirrored ? ", mirrored" : ""}`;
+  const place = earlier.indexOf(reminder.task) + 1;
+  const { same, other } = text.learns.helped;
+  if (place) return same(place, reminder.mirrored);
+  const template = templateOf(reminder.task);
+  const kind = template === templateOf(task) ? "" : (template?.name ?? "");
+  return other(kind, reminder.task, reminder.mirrored);
 }
 
 /**
@@ -81,9 +75,7 @@ export function reminderWords({ task, learned, reminder }, earlier) {
  * @param {number} limit
  */
 export function playedWords(played, earlier, limit) {
-  const { learned, fresh } = played;
-  const solved = learned === null ? `${triesWords(null, limit)}` : `solved ${triesWords(learned, limit)}`;
-  return `${solved}${reminderWords(played, earlier)}. Without memory: ${triesWords(fresh, limit)}.`;
+  return text.learns.played(played.learned, played.fresh, limit, reminderWords(played, earlier));
 }
 
 /**
@@ -94,7 +86,5 @@ export function playedWords(played, earlier, limit) {
 export function totalWords(all, limit) {
   const sum = (/** @type {(number | null)[]} */ firsts) =>
     firsts.reduce((/** @type {number} */ sum, first) => sum + (first ?? limit), 0);
-  const [learned, fresh] = [sum(all.map(({ learned }) => learned)), sum(all.map(({ fresh }) => fresh))];
-  const tries = (/** @type {number} */ count) => `${count.toLocaleString("en")} ${count === 1 ? "try" : "tries"}`;
-  return `${all.length} puzzle${all.length === 1 ? "" : "s"} took it ${tries(learned)} with its memory, and ${tries(fresh)} without.`;
+  return text.learns.total(all.length, sum(all.map(({ learned }) => learned)), sum(all.map(({ fresh }) => fresh)));
 }

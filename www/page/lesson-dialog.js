@@ -6,33 +6,16 @@ import { byId } from "../widgets/dom.js";
 import { PANELS } from "../state/panels.js";
 import { HIDEABLE, formatFragment } from "../state/url-state.js";
 import { visiblePanels } from "../state/view.js";
+import { text } from "../text/text.js";
 
 /** @typedef {import("../state/url-state.js").State} State */
 /** @typedef {import("../state/url-state.js").Hideable} Hideable */
+/** @typedef {import("../state/panels.js").Panel} Panel */
 /**
- * @typedef {{ generate: (text: string) => { toCanvas: (canvas: HTMLCanvasElement, colours: { on: number[], off:
+ * @typedef {{ generate: (address: string) => { toCanvas: (canvas: HTMLCanvasElement, colours: { on: number[], off:
  *   number[] }) => void } }} QrLibrary
  */
 
-/**
- * The parts that a link can hide, as the dialog lists them.
- * @type {Partial<Record<Hideable, string>>}
- */
-const NAMES = {
-  ...Object.fromEntries(PANELS.map(({ name, label }) => [name, label])),
-  compare: "The race against the model",
-  story: "The sentence that hints at the solution",
-  hint: "How to place the ball",
-  fields: "The fields of the ball, undo and redo",
-  watch: "The button that runs the scene without a ball",
-  attempts: "The list of attempts",
-  save: "The button that saves all maps as one picture",
-  forecast: "What the model thinks of the ball",
-  transport: "The time line and single steps",
-  speed: "The speed",
-  puzzles: "The ways to other puzzles",
-  tools: "The buttons at the top",
-};
 /** The size of the page that the preview shows, CSS px. */
 const PREVIEW_WIDTH = 1280;
 /** Names of this machine, which mean another one elsewhere. */
@@ -85,7 +68,7 @@ export class LessonDialog {
     this.#boxes.set(part, box);
     const label = document.createElement("label");
     label.className = "check";
-    label.append(box, ` ${NAMES[part]}`);
+    label.append(box, ` ${text.sharing.lesson.parts[part] ?? text.element.panels[/** @type {Panel} */ (part)]}`);
     const row = document.createElement("li");
     row.append(label);
     return row;
@@ -135,7 +118,7 @@ export class LessonDialog {
       generate(address).toCanvas(canvas, { on: [0, 0, 0], off: [255, 255, 255] });
       failure.textContent = "";
     } catch (error) {
-      failure.textContent = `There is no QR code: ${/** @type {Error} */ (error).message}. The address above works without it.`;
+      failure.textContent = text.sharing.lesson.noCode(/** @type {Error} */ (error).message);
     }
     canvas.hidden = failure.textContent !== "";
     failure.hidden = failure.textContent === "";
@@ -146,10 +129,9 @@ export class LessonDialog {
     const words = byId(document, "lesson-words");
     try {
       await navigator.clipboard.writeText(this.#address.value);
-      words.textContent = "The link is copied.";
+      words.textContent = text.sharing.lesson.copied;
     } catch {
-      words.textContent =
-        "This browser does not let the page copy: the address is selected, copy it with the keys or the menu.";
+      words.textContent = text.sharing.lesson.notCopied;
     }
   }
 

@@ -8,19 +8,30 @@ import { showNotice } from "../widgets/notice.js";
 import { loadWasm } from "../loading/load-wasm.js";
 import { showsHome } from "../state/links.js";
 import { parseFragment } from "../state/url-state.js";
+import { LANGUAGES, language } from "../text/language.js";
+import { text, useLanguage } from "../text/text.js";
+import { translate } from "../text/translate.js";
 
 const reload = () => location.reload();
 
 /** @param {unknown} error */
 function showCrash(error) {
   const reason = error instanceof Error ? error.message : String(error);
-  showNotice(`Something in Pathlight broke: ${reason.replace(/\.$/, "")}. Load the page again to go on.`, [
-    ["Load it again", reload],
-  ]);
+  showNotice(text.page.broken.crash(reason.replace(/\.$/, "")), [[text.page.broken.reload, reload]]);
 }
 
 addEventListener("error", ({ error, message }) => showCrash(error ?? message));
 addEventListener("unhandledrejection", ({ reason }) => showCrash(reason));
+
+// First of all, so that no word is read before.
+await useLanguage(new URLSearchParams(location.search).get("lang"), ...navigator.languages);
+document.documentElement.lang = language;
+translate(document);
+byId(document, "languages").append(
+  ...Object.entries(LANGUAGES)
+    .filter(([name]) => name !== language)
+    .map(languageLink),
+);
 
 /** The top of the home page, which needs no wasm; at once if it is what the address asks for. */
 const hero = new Hero();
@@ -29,6 +40,16 @@ if (showsHome(state)) {
   hero.setState(state);
   hideParts(document, state.hide);
   byId(document, "gallery").hidden = false;
+}
+
+/**
+ * A link to the page in another language.
+ * @param {[name: string, itself: string]} language
+ */
+function languageLink([name, itself]) {
+  const link = document.createElement("a");
+  Object.assign(link, { href: `?lang=${name}`, lang: name, hreflang: name, textContent: itself });
+  return link;
 }
 
 // Awaited, because offline/updates.js waits for this module before it keeps files for later.
@@ -41,6 +62,6 @@ await loadWasm().then(
   (error) => {
     // The notice says it once for the page and its puzzle. Loads the same address again, with what follows # in it.
     byId(document, "puzzle").hidden = true;
-    showNotice(/** @type {Error} */ (error).message, [["Try again", reload]]);
+    showNotice(/** @type {Error} */ (error).message, [[text.page.broken.tryAgain, reload]]);
   },
 );

@@ -14,6 +14,7 @@ import { hrefOf, pageViewOf, showsPuzzle } from "../state/links.js";
 import { INITIAL_STATE, PAGE_VIEWS } from "../state/url-state.js";
 import { sharedProgress } from "../storage/progress.js";
 import { knownScene, sceneOfText } from "../editor/scene-link.js";
+import { text } from "../text/text.js";
 import { FIRST_TASK } from "../home/home-tasks.js";
 import { Address } from "./address.js";
 import { HomePage } from "./home-page.js";
@@ -22,9 +23,6 @@ import { loadPart } from "./load-part.js";
 import { ProgressView } from "./progress-view.js";
 
 /** @typedef {import("../state/url-state.js").State} State */
-
-/** @type {Record<string, string>} */
-const VIEW_TITLES = { results: "Results", learns: "It learns while you watch" };
 
 const darkScheme = matchMedia("(prefers-color-scheme: dark)");
 const taskPicker = byId(document, "task", HTMLSelectElement);
@@ -126,18 +124,19 @@ export class Page {
       (own || state.ball === null) && state.task === this.#state.task && state.scene === this.#state.scene;
     if (ballStays) state.ball = this.#state.ball;
     const gallery = hrefOf(state, null);
-    if (problem) showNotice(problem, gallery ? [["All puzzles", gallery]] : []);
+    const words = text.page.links;
+    if (problem) showNotice(problem, gallery ? [[words.all, gallery]] : []);
     if (state.task !== null && !templateOf(state.task)?.tasks.includes(state.task)) {
       const template = templateOf(state.task);
       const first = template && hrefOf(state, template.tasks[0]);
       /** @type {[string, string][]} */
       const links = [];
-      if (template && first) links.push([`The first puzzle of ${template.name}`, first]);
-      if (gallery) links.push(["All puzzles", gallery]);
-      showNotice(`This link asks for puzzle ${state.task}, which does not exist.`, links);
+      if (template && first) links.push([words.first(template.name), first]);
+      if (gallery) links.push([words.all, gallery]);
+      showNotice(words.noPuzzle(state.task), links);
       state.task = null;
     } else if (!showsPuzzle(state) && !gallery && !problem) {
-      showNotice("This link names no puzzle, and hides the list of them.");
+      showNotice(words.hidesAll);
     }
     // There is nothing to present, and the way out of it is the puzzle's.
     if (!showsPuzzle(state) && state.view === "presentation") state.view = null;
@@ -172,7 +171,8 @@ export class Page {
    * Names the puzzle in the header and in the title of the page.
    * @param {State} state
    */
-  #applyTitle({ task, scene, view }) {
+  #applyTitle(state) {
+    const { task, scene } = state;
     // Its name is known once it has been read; the puzzle itself says if it cannot be.
     if (scene !== null && !knownScene(scene))
       sceneOfText(scene).then(
@@ -181,8 +181,9 @@ export class Page {
       );
     const name = scene === null ? (task !== null && templateOf(task)?.name) || "" : sceneName(knownScene(scene));
     byId(document, "puzzle-name").textContent = name;
-    const title = name ? `${name}${task ? ` ${task}` : ""}` : (view && VIEW_TITLES[view]) || "";
-    document.title = title ? `${title} – Pathlight` : "Pathlight";
+    const view = pageViewOf(state);
+    const title = name ? `${name}${task ? ` ${task}` : ""}` : view && text.page.views[view];
+    document.title = title ? text.page.title(title) : text.page.name;
     find(document, ".picker").hidden = task === null;
     if (task !== null) this.#progressView.showTask(task);
   }
@@ -258,7 +259,7 @@ export class Page {
 
   /** @param {string | null} model */
   async #showResults(model) {
-    this.#results ??= await loadPart("The page of the results", async () => {
+    this.#results ??= await loadPart(text.page.notLoaded.results, async () => {
       const { ResultsView } = await import("./results-view.js");
       return new ResultsView(TEMPLATES, this.#hrefInCompare);
     });
@@ -266,7 +267,7 @@ export class Page {
   }
 
   async #showLearns() {
-    const learns = await loadPart("This part of the page", async () => {
+    const learns = await loadPart(text.page.notLoaded.learns, async () => {
       const { LearnsView } = await import("./learns-view.js");
       return (this.#learns ??= new LearnsView(await loadWasm(), this.#hrefInCompare));
     });
@@ -276,7 +277,7 @@ export class Page {
 
   /** @param {import("../play/after-solving.js").Result} result */
   async #share(result) {
-    this.#shareDialog ??= await loadPart("The sheet to share a puzzle", async () => {
+    this.#shareDialog ??= await loadPart(text.page.notLoaded.share, async () => {
       const { ShareDialog } = await import("./share-dialog.js");
       return new ShareDialog(TEMPLATES);
     });
@@ -291,9 +292,9 @@ export class Page {
     this.#address.flush();
     try {
       await navigator.clipboard.writeText(location.href);
-      showDone("The link to what you see is copied.");
+      showDone(text.page.links.copied);
     } catch {
-      showNotice(`This browser does not let the page copy. The link is ${location.href}`);
+      showNotice(text.page.links.notCopied(location.href));
     }
   }
 }

@@ -8,7 +8,8 @@ import { pathlight } from "../shell/page-api.js";
 import { puzzleName } from "../puzzles/puzzle-name.js";
 import { hrefOf, pageViewHref } from "../state/links.js";
 import { LEARNT_TASK, MADE_FROM } from "../home/home-tasks.js";
-import { dayWords, taskOfDay } from "./daily.js";
+import { text } from "../text/text.js";
+import { taskOfDay } from "./daily.js";
 
 /** @typedef {import("../widgets/gallery.js").Template} Template */
 
@@ -50,27 +51,16 @@ export class Picks {
 
   /** @param {import("../state/url-state.js").State} state */
   update(state) {
+    const words = text.home.picks;
     const today = new Date();
     const daily = taskOfDay(today, this.#tasks);
-    this.#show("day", "Puzzle of the day", `${dayWords(today)}: ${factsOf(daily)}`, daily, hrefOf(state, daily));
+    const facts = words.dayFacts(text.page.day(today), factsOf(daily));
+    this.#show("day", words.day, facts, daily, hrefOf(state, daily));
     const unsolved = this.#unsolvedBy(state.model);
     if (unsolved)
-      this.#show(
-        "unsolved",
-        "It never solved this",
-        `Can you? ${factsOf(unsolved)}`,
-        unsolved,
-        hrefOf(state, unsolved),
-      );
-    this.#show(
-      "learns",
-      "Watch it learn",
-      "Twenty puzzles of a kind it has never seen",
-      LEARNT_TASK,
-      pageViewHref("learns", state),
-    );
-    const words = "Drag things around, play it, send it to a friend";
-    this.#show("make", "Make your own", words, MADE_FROM, hrefOf(state, MADE_FROM, "make"));
+      this.#show("unsolved", words.unsolved, words.canYou(factsOf(unsolved)), unsolved, hrefOf(state, unsolved));
+    this.#show("learns", words.learns, words.learnsFacts, LEARNT_TASK, pageViewHref("learns", state));
+    this.#show("make", words.make, words.makeFacts, MADE_FROM, hrefOf(state, MADE_FROM, "make"));
   }
 
   /**
@@ -112,15 +102,15 @@ export class Picks {
  * @param {string} task
  */
 function factsOf(task) {
-  return `${puzzleName(task)}, ${difficultyName(solveRateOf(task))}`;
+  return text.home.picks.facts(puzzleName(task), difficultyName(solveRateOf(task)));
 }
 
 /**
  * @param {string} tag
- * @param {string} text
+ * @param {string} words
  */
-function line(tag, text) {
+function line(tag, words) {
   const element = document.createElement(tag);
-  element.textContent = text;
+  element.textContent = words;
   return element;
 }

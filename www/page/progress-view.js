@@ -9,6 +9,7 @@ import { PLAYER } from "../storage/attempts.js";
 import { MOST_ATTEMPTS } from "../storage/progress.js";
 import { progressJson, progressOfText } from "../storage/progress-file.js";
 import { FileProblem, inSlices } from "../storage/sliced-work.js";
+import { text } from "../text/text.js";
 import { readChosen } from "./file-reading.js";
 
 /** @typedef {import("../widgets/gallery.js").Template} Template */
@@ -55,7 +56,7 @@ export class ProgressView {
     if (String(listed) !== String(tasks))
       picker.replaceChildren(...tasks.map((task) => new Option(this.#label(task), task)));
     picker.value = id;
-    picker.title = `Puzzle ${id}`;
+    picker.title = text.page.picker.puzzle(id);
   }
 
   #update() {
@@ -63,7 +64,10 @@ export class ProgressView {
     const all = player.sum(this.#templates.flatMap(({ tasks }) => tasks));
     const custom = sumOf(this.#progress.ofCustomScenes);
     byId(document, "progress").hidden = all.tried + custom.tried === 0;
-    byId(document, "progress-words").textContent = `${totalWords(all, custom)}${unkeptWords(this.#progress.unkept)}`;
+    byId(document, "progress-words").textContent = [
+      ...totalWords(all, custom),
+      ...unkeptWords(this.#progress.unkept),
+    ].join(" ");
     for (const template of this.#templates)
       this.#gallery.mark(template, templateWords(player.sum(template.tasks), template.tasks.length));
     for (const option of byId(document, "task", HTMLSelectElement).options)
@@ -76,10 +80,11 @@ export class ProgressView {
    */
   #label(task) {
     const tasks = this.#templates.find((template) => template.tasks.includes(task))?.tasks ?? [task];
-    const place = `${tasks.indexOf(task) + 1} of ${tasks.length}`;
+    const words = text.page.picker;
+    const place = words.place(tasks.indexOf(task) + 1, tasks.length);
     const { attempts, solved } = this.#progress.player.of(task);
-    if (solved) return `${place} ✓ in ${solved}`;
-    return attempts ? `${place} × in ${attempts}` : place;
+    if (solved) return words.solved(place, solved);
+    return attempts ? words.tried(place, attempts) : place;
   }
 
   #save() {
@@ -94,8 +99,7 @@ export class ProgressView {
     const [file] = input.files ?? [];
     if (!file) return;
     const read = await readChosen(file.name, async (slices) => {
-      if (file.size > MAX_SIZE)
-        throw new FileProblem(`${file.name} is larger than ${MAX_SIZE / 1e6} MB. Split it. Nothing was changed.`);
+      if (file.size > MAX_SIZE) throw new FileProblem(text.page.files.tooLarge(file.name, MAX_SIZE / 1e6));
       const digestOf = (/** @type {any} */ scene) => pathlight.sceneDigest(scene);
       const { attempts, counts, unread } = await inSlices(progressOfText(await file.text(), digestOf), slices);
       return { ...(await inSlices(this.#progress.merging(attempts, counts), slices)), unread };
@@ -103,23 +107,22 @@ export class ProgressView {
     input.value = "";
     if (!read) return;
     const { failure, attempts: unkept } = this.#progress.unkept;
-    showNotice(`${readWords(read)}${failure && unkept ? unkeptWords({ failure, attempts: unkept }) : ""}`, [
-      ["Undo", () => this.#undo(read.undo)],
-      ...(failure ? [/** @type {[string, () => void]} */ (["Save all to a file", () => this.#save()])] : []),
+    const sentences = [...readWords(read), ...(unkept ? unkeptWords({ failure, attempts: unkept }) : [])];
+    const words = text.page.progress;
+    showNotice(sentences.join(" "), [
+      [words.undo, () => this.#undo(read.undo)],
+      ...(failure ? [/** @type {[string, () => void]} */ ([words.saveAll, () => this.#save()])] : []),
     ]);
   }
 
   /** @param {() => void} undo */
   #undo(undo) {
     undo();
-    showNotice("What was read is gone again.");
+    showNotice(text.page.progress.gone);
   }
 }
 
 /** @typedef {{ tried: number, solved: number, attempts: number }} Sum */
-
-/** @type {(count: number, noun: string) => string} */
-const counted = (count, noun) => `${count.toLocaleString("en")} ${noun}${count === 1 ? "" : "s"}`;
 
 /**
  * Of the player's attempts at custom scenes: how many scenes were tried, how many are solved, and how many attempts
@@ -139,38 +142,27 @@ function sumOf(kept) {
  * @param {Sum} custom of custom puzzles
  */
 function totalWords(all, custom) {
+  const words = text.page.progress;
   const sentences = [];
-  if (all.tried)
-    sentences.push(
-      `So far you have tried ${counted(all.tried, "puzzle")} and solved ${all.solved}, in ${counted(all.attempts, "attempt")}.`,
-    );
-  if (custom.tried)
-    sentences.push(
-      `Of your own puzzles you have tried ${custom.tried} and solved ${custom.solved}, in ${counted(custom.attempts, "attempt")}.`,
-    );
-  return sentences.join(" ");
+  if (all.tried) sentences.push(words.soFar(all.tried, all.solved, all.attempts));
+  if (custom.tried) sentences.push(words.custom(custom.tried, custom.solved, custom.attempts));
+  return sentences;
 }
 
 /** @param {import("../storage/progress.js").Merged & { unread: number }} read */
 function readWords({ puzzles, attempts, added, solved, left, unread }) {
-  const sentences = [
-    `Read back: ${counted(puzzles, "puzzle")}, with ${counted(attempts, "attempt")}.`,
-    `New here: ${counted(added, "attempt")}, ${counted(solved, "solved puzzle")}.`,
-  ];
-  if (left)
-    sentences.push(
-      `${counted(left, "attempt")} stay in the file alone: this browser keeps 100 of one player at a puzzle, 1,000 at custom puzzles, and ${MOST_ATTEMPTS.toLocaleString("en")} in all.`,
-    );
-  if (unread) sentences.push(`Not read: ${counted(unread, "line")} without a valid attempt.`);
-  return sentences.join(" ");
+  const words = text.page.progress;
+  const sentences = [words.readBack(puzzles, attempts), words.added(added, solved)];
+  if (left) sentences.push(words.left(left, MOST_ATTEMPTS));
+  if (unread) sentences.push(words.unread(unread));
+  return sentences;
 }
 
 /** @param {import("../storage/progress.js").Progress["unkept"]} unkept */
 function unkeptWords({ failure, attempts }) {
-  if (failure === "forbidden") return " This browser keeps nothing for the page: it is forgotten when you close it.";
-  if (failure === "full")
-    return ` This browser has no room left: ${counted(attempts, "attempt")} are lost when you close the page, unless you save them to a file.`;
-  return "";
+  const words = text.page.progress;
+  if (failure === "forbidden") return [words.forbidden];
+  return failure === "full" ? [words.full(attempts)] : [];
 }
 
 /**
@@ -179,6 +171,5 @@ function unkeptWords({ failure, attempts }) {
  * @param {number} total
  */
 function templateWords({ tried, solved, attempts }, total) {
-  if (tried === 0) return "";
-  return `${solved ? "✓" : "×"} ${solved} of ${total} solved, in ${counted(attempts, "attempt")}`;
+  return tried === 0 ? "" : text.page.progress.ofKind(solved, total, attempts);
 }

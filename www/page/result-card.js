@@ -1,6 +1,7 @@
 // Paints a result as a picture, or as a frame of a film: 1200 x 630 pixels, the size that messengers and networks show
 // whole, or in that ratio.
 
+import { text } from "../text/text.js";
 import { contextOf } from "../widgets/dom.js";
 
 export const WIDTH = 1200;
@@ -35,35 +36,35 @@ export function paintResultCard(canvas, palette, lines, paintScene) {
   const width = WIDTH - left - MARGIN;
   context.textBaseline = "top";
   let top = MARGIN + 8;
-  /** @type {[text: string, size: number, weight: number, colour: string, gap: number][]} */
+  /** @type {[words: string, size: number, weight: number, colour: string, gap: number][]} */
   const texts = [
-    ["Pathlight", 34, 700, palette.gray, 40],
+    [text.page.name, 34, 700, palette.gray, 40],
     [lines.name, 46, 700, palette.ink, 34],
     [lines.solved, 62, 700, palette.green, 28],
     [lines.model, 40, 500, palette.ink, 34],
     [lines.difficulty, 28, 400, palette.gray, 0],
   ];
-  for (const [text, size, weight, colour, gap] of texts) {
+  for (const [words, size, weight, colour, gap] of texts) {
     context.font = `${weight} ${size}px ${FONT}`;
     context.fillStyle = colour;
-    for (const line of wrapped(context, text, width)) {
+    for (const line of wrapped(context, words, width)) {
       context.fillText(line, left, top);
       top += size * 1.2;
     }
-    if (text) top += gap;
+    if (words) top += gap;
   }
 }
 
 /**
  * The lines of a text that fit a width.
  * @param {CanvasRenderingContext2D} context
- * @param {string} text
+ * @param {string} words
  * @param {number} width
  */
-function wrapped(context, text, width) {
+function wrapped(context, words, width) {
   /** @type {string[]} */
   const lines = [];
-  for (const word of text.split(" ").filter(Boolean)) {
+  for (const word of words.split(" ").filter(Boolean)) {
     const longer = lines.length ? `${lines.at(-1)} ${word}` : word;
     if (lines.length && context.measureText(longer).width <= width) lines[lines.length - 1] = longer;
     else lines.push(word);

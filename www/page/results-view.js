@@ -1,10 +1,9 @@
 // The results page: all test tasks of the shipped models' folds by template, with the attempt that solved each first,
 // as links; how often the chances that a model gives come true; and the whole as CSV.
 
-import { auccessWords, outcomeCount } from "./results-words.js";
 import { calibrationChart, calibrationTable } from "./calibration-chart.js";
-import { AGENT_NAMES, modelWords } from "../model/model-words.js";
-import { readResults, resultsCsv } from "../model/results.js";
+import { AGENTS, readResults, resultsCsv } from "../model/results.js";
+import { text } from "../text/text.js";
 import { byId } from "../widgets/dom.js";
 import { download } from "../widgets/download.js";
 
@@ -78,10 +77,10 @@ export class ResultsView {
 
   #onModel() {
     const chosen = this.#agent.value;
-    const agents = Object.keys(AGENT_NAMES).filter((agent) => agent in this.#chosen.first_solved);
-    this.#agent.replaceChildren(
-      ...agents.map((agent) => new Option(`${agent}: ${AGENT_NAMES[agent]}`, agent, false, agent === chosen)),
-    );
+    const agents = AGENTS.filter((agent) => agent in this.#chosen.first_solved);
+    const nameOf = (/** @type {(typeof AGENTS)[number]} */ agent) =>
+      text.results.namedAgent(agent, text.model.agents[agent]);
+    this.#agent.replaceChildren(...agents.map((agent) => new Option(nameOf(agent), agent, false, agent === chosen)));
     this.#update();
   }
 
@@ -89,10 +88,17 @@ export class ResultsView {
     const model = this.#chosen;
     const firsts = model.first_solved[this.#agent.value];
     const passes = FILTERS[this.#filter.value];
-    byId(document, "results-about").textContent =
-      `${model.name} ${modelWords(model)}; it has never seen these ${model.tasks.length} puzzles.`;
-    byId(document, "results-summary").textContent =
-      `${outcomeCount(firsts)} ${auccessWords(model.auccess[this.#agent.value])}`;
+    const words = text.results;
+    const within = (/** @type {number} */ most) => firsts.filter((first) => first !== null && first <= most).length;
+    byId(document, "results-about").textContent = words.about(
+      model.name,
+      text.model.knows[model.setup],
+      model.tasks.length,
+    );
+    byId(document, "results-summary").textContent = [
+      words.outcome([100, 10, 1].map(within), firsts.length),
+      words.auccess(model.auccess[this.#agent.value]),
+    ].join(" ");
     const rows = this.#templates.flatMap((template) => this.#row(template, model, firsts, passes) ?? []);
     byId(document, "results-templates").replaceChildren(...rows);
     byId(document, "results-empty").hidden = rows.length > 0;
@@ -118,8 +124,8 @@ export class ResultsView {
     heading.textContent = name;
     const count = document.createElement("span");
     count.className = "count";
-    count.textContent = ` ${all.filter(({ first }) => first !== null).length} of ${all.length} solved`;
-    heading.append(count);
+    count.textContent = text.results.ofKind(all.filter(({ first }) => first !== null).length, all.length);
+    heading.append(" ", count);
     const list = document.createElement("ul");
     list.append(...listed.map((one) => this.#cell(one, model.name)));
     const item = document.createElement("li");
@@ -137,7 +143,7 @@ export class ResultsView {
     if (href) cell.setAttribute("href", href);
     cell.className = first === null ? "missed" : first === 1 ? "at-once" : "solved";
     cell.textContent = first === null ? "×" : String(first);
-    const words = `${task}, ${first === null ? "not solved" : `solved on attempt ${first}`}`;
+    const words = first === null ? text.results.missed(task) : text.results.solved(task, first);
     cell.title = words;
     cell.setAttribute("aria-label", words);
     const item = document.createElement("li");

@@ -8,8 +8,9 @@ import { difficultyWords } from "../puzzles/difficulty.js";
 import { download, fileName } from "../widgets/download.js";
 import { puzzleName } from "../puzzles/puzzle-name.js";
 import { INITIAL_STATE, formatFragment } from "../state/url-state.js";
-import { dayWords, taskOfDay } from "./daily.js";
 import { filmFormat } from "../attempts/film.js";
+import { text } from "../text/text.js";
+import { taskOfDay } from "./daily.js";
 import { HEIGHT, WIDTH, paintResultCard } from "./result-card.js";
 import { filmCanvas, recordResult } from "./result-film.js";
 
@@ -70,8 +71,8 @@ export class ShareDialog {
     this.#dark = dark;
     this.#withBall.checked = false;
     byId(document, "share-ball-words").textContent = solvedByBoth(result)
-      ? "Show my path and the model’s in the picture"
-      : "Show my ball in the picture";
+      ? text.sharing.showPaths
+      : text.sharing.showBall;
     this.#say("");
     byId(document, "share-text").textContent = this.#words(result);
     await this.#draw();
@@ -84,11 +85,11 @@ export class ShareDialog {
     if (!result) return;
     const canvas = Object.assign(document.createElement("canvas"), { width: WIDTH, height: HEIGHT });
     const lines = linesOf(result);
-    if (this.#withBall.checked && solvedByBoth(result)) lines.model += " Its path is dashed.";
+    if (this.#withBall.checked && solvedByBoth(result)) lines.model += ` ${text.sharing.card.dashed}`;
     paintResultCard(canvas, palette(this.#dark), lines, (context) =>
       result.paint(context, this.#dark, this.#withBall.checked),
     );
-    this.#picture.alt = `${lines.name}. ${lines.solved}. ${lines.model}`;
+    this.#picture.alt = text.sharing.card.alt(lines.name, lines.solved, lines.model);
     /** @type {Blob | null} */
     const blob = await new Promise((resolve) => canvas.toBlob(resolve, "image/png"));
     if (!blob) return;
@@ -107,11 +108,12 @@ export class ShareDialog {
     canvas.setAttribute("aria-hidden", "true");
     this.#picture.before(canvas);
     this.#picture.hidden = true;
-    this.#filmButton.textContent = "Stop recording";
+    this.#filmButton.textContent = text.sharing.stop;
     this.#say("");
     this.#progress.value = 0;
     this.#progress.hidden = false;
-    let words = "The film was given up.";
+    const { done } = text.sharing;
+    let words = done.filmStopped;
     try {
       const [dark, colours] = [this.#dark, palette(this.#dark)];
       const film = await recordResult(
@@ -128,16 +130,16 @@ export class ShareDialog {
       );
       if (film) {
         this.#offer(film, format.extension);
-        words = "The film is there: save or share it. It shows your ball.";
+        words = done.film;
       }
     } catch {
-      words = "This browser could not record the film. The picture can be saved.";
+      words = done.filmFailed;
     }
     canvas.remove();
     this.#progress.hidden = true;
     this.#picture.hidden = false;
     this.#recording = null;
-    this.#filmButton.textContent = "Make a film";
+    this.#filmButton.textContent = text.sharing.film;
     this.#say(words);
   }
 
@@ -150,7 +152,8 @@ export class ShareDialog {
     // Browsers refuse to share a media type with parameters.
     const { task, name } = this.#result ?? {};
     this.#file = new File([blob], fileName(`pathlight ${task ?? name}`, extension), { type: blob.type.split(";")[0] });
-    byId(document, "share-save").textContent = extension === "png" ? "Save the picture" : "Save the film";
+    const { savePicture, saveFilm } = text.sharing;
+    byId(document, "share-save").textContent = extension === "png" ? savePicture : saveFilm;
     byId(document, "share-system").hidden = !navigator.canShare?.({ files: [this.#file] });
   }
 
@@ -158,7 +161,8 @@ export class ShareDialog {
   #words(result) {
     const today = new Date();
     const name = nameOf(result);
-    if (result.solvedAt === null) return [`“${name}”: can you solve it?`, modelWords(result)].filter(Boolean).join(" ");
+    const words = text.sharing;
+    if (result.solvedAt === null) return [words.ask(name), modelWords(result)].filter(Boolean).join(" ");
     if (
       result.task ===
       taskOfDay(
@@ -168,42 +172,36 @@ export class ShareDialog {
     ) {
       const misses = result.solvedAt - 1;
       const marks = misses > MOST_MARKS ? `${misses} × 🔴 ` : "🔴".repeat(misses);
-      return `Pathlight, ${dayWords(today)}: ${name}\n${marks}🟢\n${modelWords(result)}`.trim();
+      return `${words.day(text.page.day(today), name)}\n${marks}🟢\n${modelWords(result)}`.trim();
     }
-    const how = result.solvedAt === 1 ? "at the first attempt" : `in ${result.solvedAt} attempts`;
-    return [
-      `I solved Pathlight’s puzzle “${name}” ${how}.`,
-      modelWords(result),
-      result.solvedAt === 1 ? "Can you match it?" : "Can you do better?",
-    ]
-      .filter(Boolean)
-      .join(" ");
+    const challenge = result.solvedAt === 1 ? words.match : words.better;
+    return [words.solved(name, result.solvedAt), modelWords(result), challenge].filter(Boolean).join(" ");
   }
 
   async #share() {
     if (!this.#file) return;
-    const { textContent: text } = byId(document, "share-text");
+    const { textContent } = byId(document, "share-text");
     try {
-      await navigator.share({ files: [this.#file], text: text ?? "", url: this.#link });
+      await navigator.share({ files: [this.#file], text: textContent ?? "", url: this.#link });
     } catch (error) {
-      if (/** @type {Error} */ (error).name !== "AbortError")
-        this.#say("This browser could not share it. Copy the text, or save the picture.");
+      if (/** @type {Error} */ (error).name !== "AbortError") this.#say(text.sharing.done.shareFailed);
     }
   }
 
   async #copy() {
     try {
       await navigator.clipboard.writeText(`${byId(document, "share-text").textContent}\n${this.#link}`);
-      this.#say("The text and the link are copied.");
+      this.#say(text.sharing.done.copied);
     } catch {
-      this.#say(`This browser does not let the page copy. The link is ${this.#link}`);
+      this.#say(text.page.links.notCopied(this.#link));
     }
   }
 
   #save() {
     if (!this.#file) return;
     download(this.#file.name, this.#file);
-    this.#say(this.#file.type.startsWith("image") ? "The picture is saved." : "The film is saved.");
+    const { pictureSaved, filmSaved } = text.sharing.done;
+    this.#say(this.#file.type.startsWith("image") ? pictureSaved : filmSaved);
   }
 
   /** @param {string} sentence */
@@ -218,10 +216,10 @@ export class ShareDialog {
  */
 function linesOf(result) {
   const { task, solvedAt } = result;
-  const solved = solvedAt === 1 ? "Solved at the first attempt" : `Solved in ${solvedAt} attempts`;
+  const { solved, ask } = text.sharing.card;
   return {
     name: nameOf(result),
-    solved: solvedAt ? solved : "Can you solve it?",
+    solved: solvedAt ? solved(solvedAt) : ask,
     model: modelWords(result),
     difficulty: task ? difficultyWords(task) : "",
   };
@@ -240,6 +238,6 @@ function nameOf({ task, name }) {
 /** @param {Result} result */
 function modelWords({ model }) {
   if (!model) return "";
-  if (model.solvedAt === null) return `The model did not solve it in ${model.used}.`;
-  return model.solvedAt === 1 ? "The model needed one attempt." : `The model needed ${model.solvedAt}.`;
+  const { modelSolved, modelMissed } = text.sharing;
+  return model.solvedAt === null ? modelMissed(model.used) : modelSolved(model.solvedAt);
 }

@@ -8,7 +8,8 @@ import { BallImaginer } from "../model/ball-imaginer.js";
 import { chanceWords, errorWords } from "../model/chance-words.js";
 import { sameBall } from "../puzzles/ball.js";
 import { sentence } from "../text/sentence.js";
-import { STEP_TEXT } from "../model/map-text.js";
+import { text } from "../text/text.js";
+import { endingWords } from "../play/ending-words.js";
 
 /** @typedef {import("../state/url-state.js").ChoiceStep} ChoiceStep */
 /** @typedef {import("../model/worker.js").Considered} Considered */
@@ -169,7 +170,7 @@ export class Choice extends Component {
 
   #update() {
     if (this.#step) {
-      const { name, meaning, how } = STEP_TEXT[this.#step];
+      const { name, meaning, how } = text.model.steps[this.#step];
       setText(this.byId("choice-title"), name);
       setText(this.byId("choice-meaning"), meaning);
       setText(this.byId("choice-result"), this.result);
@@ -181,23 +182,24 @@ export class Choice extends Component {
 
   /** What it was for the open puzzle, in a sentence or two. */
   get result() {
+    const words = text.panels.choice;
     if (this.#failure) return this.#failure;
-    if (!this.#considered) return this.#answered ? "The model finds no ball to try." : "The model is choosing.";
+    if (!this.#considered) return this.#answered ? words.none : words.choosing;
     if (this.#step === "run") return this.#ending;
     const { candidates } = this.#considered;
     const likely = candidates.filter(({ probability }) => probability > 0.5).length;
-    return `It had ${candidates.length} ideas, and believes in ${likely === 0 ? "none" : likely} of them.`;
+    return words.ideas(candidates.length, likely);
   }
 
   /** What comes of the chosen ball, beside what was imagined. */
   get #ending() {
     const { answer } = this.#imaginer;
     const { session } = this;
-    if (!session?.finished || !session.shown) return "Dotted: what the model imagined. Dashed: what really happens.";
-    const ended = `${session.shown.ending.solved ? "It worked" : "It did not work"}: ${sentence(session.shown.words)}`;
+    if (!session?.finished || !session.shown) return text.panels.choice.running;
+    const ended = text.panels.choice.ended(session.shown.ending.solved, sentence(endingWords(session.shown.ending)));
     const real = session.game.sampledPaths();
-    return answer && real
-      ? `The model’s guess was: ${chanceWords(answer.imagined.probability)}. ${ended} ${errorWords(answer.imagined, real)}`
-      : ended;
+    if (!answer || !real) return ended;
+    const { imagined } = answer;
+    return text.panels.forecast.guessWas(chanceWords(imagined.probability), ended, errorWords(imagined, real));
   }
 }

@@ -1,7 +1,8 @@
-// The race and the model's balls one by one: the markup, as constant text, and the components. The race itself is part
+// The race and the model's balls one by one: the markup and the components. The race itself is part
 // of the panel Play (play/play-markup.js), two models side by side of the menu (element/more-markup.js).
 
 import { AttemptList } from "../play/attempt-list.js";
+import { text } from "../text/text.js";
 import { byId } from "../widgets/dom.js";
 import { Compare } from "./compare.js";
 import { ModelPair } from "./model-pair.js";
@@ -10,28 +11,30 @@ import { Scoreboard } from "./scoreboard.js";
 
 /** @type {import("./panel-module.js").PanelModule} */
 export const COMPARE = {
-  markup: `
+  markup() {
+    const words = text.panels.proposals;
+    return `
 <p class="model-badge"></p>
-<p class="actions"><button type="button" id="model-turn">Let the model play</button></p>
-<div id="proposals-failure"><div id="proposals-trouble" class="trouble" role="alert" hidden><p></p><button type="button">Try again</button></div></div>
+<p class="actions"><button type="button" id="model-turn">${text.panels.compare.play}</button></p>
+<div id="proposals-failure"><div id="proposals-trouble" class="trouble" role="alert" hidden><p></p><button type="button"></button></div></div>
 <section class="part" id="proposals" aria-labelledby="open-compare" hidden>
   <p class="small" id="proposal-outcomes"></p>
   <div class="steps">
-    <button type="button" id="proposal-back" title="Ball before"><svg><use href="#icon-previous"/></svg><span class="visually-hidden">Ball before</span></button>
-    <input type="range" id="proposal-slider" min="1" step="1" value="1" aria-label="Which of the model’s balls">
-    <button type="button" id="proposal-next" title="Next ball"><svg><use href="#icon-next"/></svg><span class="visually-hidden">Next ball</span></button>
+    <button type="button" id="proposal-back" title="${words.back}"><svg><use href="#icon-previous"/></svg><span class="visually-hidden">${words.back}</span></button>
+    <input type="range" id="proposal-slider" min="1" step="1" value="1" aria-label="${words.which}">
+    <button type="button" id="proposal-next" title="${words.next}"><svg><use href="#icon-next"/></svg><span class="visually-hidden">${words.next}</span></button>
     <span id="proposal-number">–</span>
   </div>
-  <p class="actions"><button type="button" id="proposal-other" title="Next different result  N">Next different result</button></p>
+  <p class="actions"><button type="button" id="proposal-other" title="${words.other}  N">${words.other}</button></p>
   <p class="hint" id="proposal-none"></p>
-  <p class="hint" id="proposal-hint">The model has up to a hundred balls ready. Step through them and see where each comes from and what it does.</p>
+  <p class="hint" id="proposal-hint">${words.hint}</p>
   <dl class="facts" id="proposal-facts" hidden>
-    <dt>Why this one</dt><dd id="proposal-origin"></dd>
-    <dt>Ball</dt><dd id="proposal-ball"></dd>
-    <dt>Outcome</dt><dd id="proposal-outcome"></dd>
-    <dt id="proposal-imagined-term">Imagined</dt><dd id="proposal-imagined"></dd>
+    <dt>${words.why}</dt><dd id="proposal-origin"></dd>
+    <dt>${words.ball}</dt><dd id="proposal-ball"></dd>
+    <dt>${words.outcome}</dt><dd id="proposal-outcome"></dd>
+    <dt id="proposal-imagined-term">${words.imagined}</dt><dd id="proposal-imagined"></dd>
   </dl>
-  <p><button type="button" id="proposal-close" hidden>Back to placing</button></p>
+  <p><button type="button" id="proposal-close" hidden>${words.close}</button></p>
 </section>
 <template id="pair-column">
   <div>
@@ -44,7 +47,8 @@ export const COMPARE = {
     <button type="button"></button>
   </div>
 </template>
-`,
+`;
+  },
   create: ({ root, module, client, progress, imagine, scenePicture }) => [
     new AttemptList(root, byId(root, "model-attempts"), byId(root, "model-count"), "model"),
     new Compare(root, client),

@@ -2,9 +2,11 @@
 
 import { Component } from "../widgets/component.js";
 import { ATTEMPT_LIMIT } from "../shell/constants.js";
+import { text } from "../text/text.js";
 import { setText } from "../widgets/dom.js";
 import { ModelShow } from "./model-show.js";
 import { TroubleBox } from "./trouble-box.js";
+import { verdictWords } from "../play/verdict.js";
 
 /** @typedef {import("../play/session.js").Session} Session */
 
@@ -137,16 +139,16 @@ export class Compare extends Component {
       repeatCall: () => this.#playTurn(),
     });
     if (!this.session) return;
+    const words = text.panels.compare;
     const [player, model] = [this.session.attempts.standing("player"), this.session.attempts.standing("model")];
     const over = this.#over;
     const hidden = this.session.hiddenAuthor;
     this.#turnButton.disabled = this.#client.status !== "ready" || over;
-    setText(this.#turnButton, this.#turn ? "Stop the model" : over ? "The model has played" : "Let the model play");
+    setText(this.#turnButton, this.#turn ? words.stop : over ? words.played : words.play);
     this.byId("model-skip").hidden = !this.#show;
     this.byId("clear-attempts", HTMLButtonElement).disabled = player.used + model.used === 0;
     const racing = this.#turn !== null || hidden === "model";
-    const verdict =
-      hidden === "player" ? "Your attempt is running." : racing ? "The model is playing." : this.session.game.verdict();
+    const verdict = hidden === "player" ? words.running : racing ? words.playing : verdictWords(player, model);
     this.#updateRace({ player, model, racing, verdict });
   }
 
@@ -158,12 +160,14 @@ export class Compare extends Component {
    * @param {string} race.verdict
    */
   #updateRace({ player, model, racing, verdict }) {
+    const words = text.panels.compare;
     const running = this.session?.hiddenAuthor === "player";
-    setText(this.byId("race-player"), running ? "trying …" : standingWords(player, "not yet"));
-    setText(this.byId("race-model"), racing ? "trying …" : standingWords(model, "?"));
+    setText(this.byId("race-player"), running ? words.trying : standingWords(player, words.notYet));
+    setText(this.byId("race-model"), racing ? words.trying : standingWords(model, "?"));
     const told = model.used > 0 && !racing && !running;
-    setText(this.byId("race-verdict"), told ? verdict : player.used === 0 ? "You first: drop a ball." : "");
-    setText(this.#raceButton, this.#turn ? "Stop" : this.#over && !racing ? "Watch it again" : "Race it");
+    setText(this.byId("race-verdict"), told ? verdict : player.used === 0 ? words.first : "");
+    const start = this.#over && !racing ? words.again : text.play.panel.raceIt;
+    setText(this.#raceButton, this.#turn ? words.stopRace : start);
     this.#raceButton.disabled =
       this.#client.status !== "ready" || player.used === 0 || running || (racing && this.#turn === null);
     this.#raceButton.classList.toggle("primary", player.solved_at !== null && !this.#over);
@@ -176,6 +180,5 @@ export class Compare extends Component {
  */
 function standingWords({ used, solved_at: solvedAt }, none) {
   if (used === 0) return none;
-  if (solvedAt !== null) return `✓ on attempt ${solvedAt}`;
-  return `not yet, ${used === 1 ? "1 attempt" : `${used} attempts`}`;
+  return solvedAt === null ? text.panels.compare.missed(used) : text.panels.compare.solved(solvedAt);
 }

@@ -4,6 +4,7 @@
 
 import { Component } from "../widgets/component.js";
 import { sameBall } from "../puzzles/ball.js";
+import { text } from "../text/text.js";
 import { setText } from "../widgets/dom.js";
 import { BallImaginer } from "../model/ball-imaginer.js";
 import { chanceWords, errorWords } from "../model/chance-words.js";
@@ -105,15 +106,14 @@ export class Forecast extends Component {
   #words() {
     const { able, answer, failure } = this.#imaginer;
     const { session } = this;
+    const words = text.panels.forecast;
     if (failure) return failure;
     if (!session || !this.#ball) return "";
-    if (!able) return "The model is still loading.";
-    if (!answer) return "The model is guessing.";
+    if (!able) return words.loading;
+    if (!answer) return words.guessing;
     const chance = chanceWords(answer.imagined.probability);
     const ended = session.finished && sameBall(answer.of, session.shown?.ball);
     const real = ended ? session.game.sampledPaths() : undefined;
-    return real
-      ? `The model’s guess was: ${chance}. ${errorWords(answer.imagined, real)}`
-      : `The model’s guess: ${chance}.`;
+    return real ? words.guessWas(chance, errorWords(answer.imagined, real)) : words.guess(chance);
   }
 }

@@ -9,8 +9,9 @@ import { contextOf, find, setText } from "../widgets/dom.js";
 import { pathlight } from "../shell/page-api.js";
 import { summary } from "../model/map-summary.js";
 import { mapWords } from "../model/place-words.js";
-import { MAP_TEXT, netWords } from "../model/map-text.js";
+import { ballNetOf } from "../model/ball-net.js";
 import { sentence } from "../text/sentence.js";
+import { text } from "../text/text.js";
 import { MapOutline } from "./map-outline.js";
 import { TroubleBox } from "./trouble-box.js";
 
@@ -166,13 +167,13 @@ export class Imagine extends Component {
 
   /** @param {MapName} mapName */
   createRow(mapName) {
-    const text = MAP_TEXT[mapName];
+    const words = text.model.steps[mapName];
     const element = this.fromTemplate("map-row");
     element.dataset.map = mapName;
-    find(element, "b").textContent = text.name;
-    find(element, ".meaning").textContent = text.meaning;
+    find(element, "b").textContent = words.name;
+    find(element, ".meaning").textContent = words.meaning;
     const how = find(element, ".how");
-    how.textContent = text.how;
+    how.textContent = words.how;
     const box = find(element, "input", HTMLInputElement);
     box.addEventListener("change", () => this.#toggle(mapName, box.checked));
     // The small map is its switch too; keys have the box.
@@ -214,9 +215,11 @@ export class Imagine extends Component {
    * @param {import("../model/worker.js").LoadedModel} loaded
    */
   #onLoaded({ card }) {
+    const ballNet = ballNetOf(card);
     for (const mapName of MAPS) {
       if (PAPER_MAPS.includes(mapName)) continue;
-      setText(this.#rows[mapName].how, `${MAP_TEXT[mapName].how} ${netWords(card, PAPER_MAPS.length).how}`.trim());
+      const { how } = text.model.steps[mapName];
+      setText(this.#rows[mapName].how, ballNet ? `${how} ${text.model.nets.how[ballNet]}` : how);
     }
   }
 
@@ -261,6 +264,7 @@ export class Imagine extends Component {
 
   #paint() {
     const imagined = this.#imagined;
+    const { noMap, notYet, described, inNumbers, took } = text.panels.imagine;
     for (const mapName of MAPS) {
       const { map, outline, peak, summary: said, numbers } = this.#rows[mapName];
       const values = imagined?.maps[mapName];
@@ -269,18 +273,13 @@ export class Imagine extends Component {
       const most = values ? Math.max(...values) : 0;
       if (values) pathlight.paintMap(map, mapName, values, { max: most, dark: this.dark });
       outline.draw(values, this.dark);
-      setText(peak, values ? most.toFixed(2) : "");
+      setText(peak, values ? text.format.number(most, 2) : "");
       // Weights may come without a net that scores balls.
-      const words = this.words(mapName) || (imagined ? "this model has no such map" : "not imagined yet");
-      map.canvas.setAttribute("aria-label", `${MAP_TEXT[mapName].name}: ${words}`);
+      const words = this.words(mapName) || (imagined ? noMap : notYet);
+      map.canvas.setAttribute("aria-label", described(text.model.steps[mapName].name, words));
       setText(said, sentence(words));
-      setText(numbers, values ? `In numbers: ${summary(values)}.` : "");
+      setText(numbers, values ? inNumbers(summary(values)) : "");
     }
-    setText(this.byId("imagined-in"), imagined ? timing(imagined) : "");
+    setText(this.byId("imagined-in"), imagined ? took(Math.max(1, imagined.milliseconds)) : "");
   }
-}
-
-/** @param {Imagined} imagined */
-function timing({ milliseconds }) {
-  return `Imagined in ${Math.max(1, Math.round(milliseconds))} ms.`;
 }

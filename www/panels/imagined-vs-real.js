@@ -4,8 +4,9 @@
 
 import { Component } from "../widgets/component.js";
 import { sameBall } from "../puzzles/ball.js";
+import { text } from "../text/text.js";
 import { find, setText } from "../widgets/dom.js";
-import { OverlapCard, percent } from "./overlap-card.js";
+import { OverlapCard } from "./overlap-card.js";
 
 /** @typedef {import("../pkg/pathlight.js").Ball} Ball */
 /** @typedef {import("../pkg/pathlight.js").MapName} MapName */
@@ -93,7 +94,7 @@ export class ImaginedVsReal extends Component {
       if (number === run.number) continue;
       changed = true;
       if (number === 0) this.#runs.delete(author);
-      else this.#runs.set(author, { ...run, number, title: titleOf(author, number) });
+      else this.#runs.set(author, { ...run, number, title: text.panels.imaginedVsReal.attempt(author, number) });
     }
     const current = state.kind === "compare" ? state.pair : (session.shown ?? state.kind);
     if (finished && !placing && current !== this.#lastRead) {
@@ -108,7 +109,8 @@ export class ImaginedVsReal extends Component {
 
   #paint() {
     const maps = this.session && this.#imagine.maps;
-    const words = [];
+    const words = text.panels.imaginedVsReal;
+    const runs = [];
     const rows = [];
     for (const [runner, mapName] of RUNNERS) {
       const run = this.#runs.get(runner);
@@ -117,15 +119,15 @@ export class ImaginedVsReal extends Component {
       const row = this.fromTemplate("run-row");
       row.dataset.runner = runner;
       find(row, "h3").textContent = title;
-      const green = this.#addCard(row, "Green object", mapName, maps[mapName], object);
-      const red = ball && this.#addCard(row, "Red ball", "action", maps.action, ball);
-      words.push(`${title}: green object ${green}${red ? `, red ball ${red}` : ""}`);
+      const green = this.#addCard(row, words.green, mapName, maps[mapName], object);
+      const red = ball ? this.#addCard(row, words.red, "action", maps.action, ball) : null;
+      runs.push(words.run(title, green, red));
       rows.push(row);
     }
     this.byId("runs").replaceChildren(...rows);
     this.byId("overlap-empty").hidden = rows.length > 0;
     this.byId("overlap-how").hidden = rows.length === 0;
-    setText(this.byId("overlap-words"), words.length ? `As imagined – ${words.join("; ")}.` : "");
+    setText(this.byId("overlap-words"), runs.length ? words.all(runs) : "");
   }
 
   /**
@@ -137,32 +139,22 @@ export class ImaginedVsReal extends Component {
    * @param {Float32Array} real
    */
   #addCard(row, name, mapName, values, real) {
-    if (!values) return "unknown";
+    if (!values) return text.panels.imaginedVsReal.unknown;
     const card = new OverlapCard(this.fromTemplate("overlap-card"), this.#scenePicture);
     find(row, ".overlap-cards").append(card.element);
-    return percent(card.draw({ name, mapName, values, real, dark: this.dark }));
+    return text.format.percent(card.draw({ name, mapName, values, real, dark: this.dark }));
   }
 }
-
-/** @type {{ runner: Runner, title: string }} */
-const watchedRun = { runner: "alone", title: "Without a ball" };
 
 /**
  * @param {import("../play/shown.js").ShownAttempt | null} attempt
  * @returns {{ runner: Runner, title: string, number?: number, placed?: Ball }}
  */
 function runOf(attempt) {
-  if (!attempt) return watchedRun;
+  const words = text.panels.imaginedVsReal;
+  if (!attempt) return { runner: "alone", title: words.alone };
   const { author, number, ball, preview, opened } = attempt;
-  if (opened) return { runner: author, title: "The opened attempt" };
-  if (preview) return { runner: author, title: `The model’s ball ${number}` };
-  return { runner: author, title: titleOf(author, number), number, placed: ball };
-}
-
-/**
- * @param {import("../pkg/pathlight.js").Author} author
- * @param {number} number
- */
-function titleOf(author, number) {
-  return `${author === "player" ? "Your" : "The model’s"} attempt ${number}`;
+  if (opened) return { runner: author, title: words.opened };
+  if (preview) return { runner: author, title: words.ball(number) };
+  return { runner: author, title: words.attempt(author, number), number, placed: ball };
 }

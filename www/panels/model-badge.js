@@ -4,8 +4,8 @@
 import { Component } from "../widgets/component.js";
 import { PAPER_MAPS } from "../shell/constants.js";
 import { setText } from "../widgets/dom.js";
-import { modelWords, seenWords } from "../model/model-words.js";
-import { netWords } from "../model/map-text.js";
+import { ballNetOf } from "../model/ball-net.js";
+import { text } from "../text/text.js";
 
 export class ModelBadge extends Component {
   #client;
@@ -34,17 +34,18 @@ export class ModelBadge extends Component {
   #update() {
     const { loaded } = this.#client;
     const known = this.#imagine.seen;
-    const { intro, about } = netWords(loaded?.card, PAPER_MAPS.length);
-    setText(this.byId("imagine-intro"), intro);
-    setText(this.byId("about-nets"), `${about} The panel Imagine shows all maps, and under “How?” what each net sees.`);
+    const { nets, knows, seen: practised, unseen } = text.model;
+    const ballNet = ballNetOf(loaded?.card);
+    setText(this.byId("imagine-intro"), nets.intro(PAPER_MAPS.length, ballNet));
+    setText(this.byId("about-nets"), text.panels.model.nets(nets.about(PAPER_MAPS.length, ballNet)));
     for (const { element, name, seen } of this.#badges) {
       element.hidden = !loaded;
       if (!loaded) continue;
       setText(name, loaded.name);
-      element.title = modelWords(loaded.card);
+      element.title = knows[loaded.card.setup];
       seen.hidden = known === null;
       seen.dataset.seen = String(known);
-      setText(seen, known === null ? "" : seenWords(known));
+      setText(seen, known === null ? "" : known ? practised : unseen);
     }
   }
 }

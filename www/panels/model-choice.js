@@ -2,7 +2,7 @@
 
 import { Component } from "../widgets/component.js";
 import { setText } from "../widgets/dom.js";
-import { modelWords } from "../model/model-words.js";
+import { text } from "../text/text.js";
 
 export class ModelChoice extends Component {
   #client;
@@ -30,7 +30,7 @@ export class ModelChoice extends Component {
     const { loaded } = this.#client;
     if (!loaded) return;
     const { name, names, card } = loaded;
-    setText(this.byId("model-words"), `${name} ${modelWords(card)}.`);
+    setText(this.byId("model-words"), text.panels.model.named(name, text.model.knows[card.setup]));
     this.byId("model-choice").hidden = names.length < 2;
     this.#select.replaceChildren(...names.map((model) => new Option(model, model, model === name, model === name)));
   }

@@ -6,11 +6,10 @@ import { MAPS } from "../shell/constants.js";
 import { contextOf, find, setText } from "../widgets/dom.js";
 import { pathlight } from "../shell/page-api.js";
 import { chanceWords } from "../model/chance-words.js";
-import { modelWords, seenWords } from "../model/model-words.js";
 import { mapWords } from "../model/place-words.js";
-import { MAP_TEXT } from "../model/map-text.js";
 import { SharedClient } from "../model/shared-client.js";
 import { sentence } from "../text/sentence.js";
+import { text } from "../text/text.js";
 
 /** @typedef {import("../pkg/pathlight.js").MapName} MapName */
 /** @typedef {import("../pkg/pathlight.js").TriedProposal} TriedProposal */
@@ -52,7 +51,9 @@ export class ModelPair extends Component {
     this.#other = new SharedClient(module);
     this.#scenePicture = scenePicture;
     this.#mapName.append(
-      ...MAPS.map((mapName) => new Option(MAP_TEXT[mapName].name, mapName, mapName === "target", mapName === "target")),
+      ...MAPS.map(
+        (mapName) => new Option(text.model.steps[mapName].name, mapName, mapName === "target", mapName === "target"),
+      ),
     );
     this.#mapName.addEventListener("change", () => this.#paint());
     this.#name.addEventListener("change", () => this.#clear());
@@ -103,7 +104,7 @@ export class ModelPair extends Component {
     const call = (this.#call = new AbortController());
     const names = [loaded.name, this.#name.value];
     this.#asked = loaded.name;
-    this.#say("Both models are playing.");
+    this.#say(text.panels.modelPair.playing);
     try {
       await started(this.#other, names[1], call.signal);
       const ask = async (/** @type {SharedClient} */ client, /** @type {string} */ name) => {
@@ -135,23 +136,24 @@ export class ModelPair extends Component {
   /** @param {Side} side */
   #column({ name, card, imagined: { maps, seen }, tried }) {
     const column = this.fromTemplate("pair-column");
+    const { noMap, watch } = text.panels.modelPair;
     find(column, "h3").textContent = name;
-    find(column, ".model-words").textContent = sentence(modelWords(card));
+    find(column, ".model-words").textContent = sentence(text.model.knows[card.setup]);
     const badge = find(column, ".model-badge span");
     badge.dataset.seen = String(seen);
-    badge.textContent = seenWords(seen);
+    badge.textContent = seen ? text.model.seen : text.model.unseen;
     const mapName = /** @type {MapName} */ (this.#mapName.value);
     const map = maps[mapName];
     this.#scenePicture.drawOn(find(column, ".scene-layer", HTMLCanvasElement));
     const shade = find(column, ".shade-layer", HTMLCanvasElement);
     if (map) pathlight.paintMap(contextOf(shade), mapName, map, { max: Math.max(...map), dark: this.dark });
-    const words = map && this.session ? mapWords(map, pathlight.scene(this.session.puzzle)) : "it has no such map";
-    shade.setAttribute("aria-label", `${MAP_TEXT[mapName].name}: ${words}`);
+    const words = map && this.session ? mapWords(map, pathlight.scene(this.session.puzzle)) : noMap;
+    shade.setAttribute("aria-label", text.panels.imagine.described(text.model.steps[mapName].name, words));
     find(column, ".pair-place").textContent = sentence(words);
     find(column, ".pair-outcome").textContent = outcomeWords(tried);
     const button = find(column, "button");
     const last = tried.length;
-    button.textContent = `Watch its ball ${last}`;
+    button.textContent = watch(last);
     button.hidden = last === 0;
     button.addEventListener("click", () => this.#show(tried, last));
     return column;
@@ -200,11 +202,10 @@ function solvedAt(tried) {
 /** @param {TriedProposal[]} tried */
 function outcomeWords(tried) {
   const solved = solvedAt(tried);
-  const ended = solved ? `Solved on attempt ${solved}.` : `Not solved in ${tried.length} attempts.`;
+  const words = text.panels.modelPair;
+  const ended = solved ? words.solved(solved) : words.missed(tried.length);
   const origin = tried[0]?.origin;
-  return origin?.kind === "imagined"
-    ? `${ended} Its own guess of its first ball: ${chanceWords(origin.probability)}.`
-    : ended;
+  return origin?.kind === "imagined" ? `${ended} ${words.guess(chanceWords(origin.probability))}` : ended;
 }
 
 /** @param {Side[]} sides */
@@ -212,9 +213,8 @@ function verdictOf(sides) {
   const attempts = sides.map(({ tried }) => solvedAt(tried) ?? Infinity);
   const [fewer, more] = attempts.toSorted((one, other) => one - other);
   const { name } = sides[attempts.indexOf(fewer)];
-  if (fewer === Infinity) return "Neither model solves this puzzle.";
-  if (more === Infinity) return `Only ${name} solves this puzzle.`;
-  return fewer === more
-    ? `Both solve it on attempt ${fewer}.`
-    : `${name} needs fewer attempts: ${fewer} instead of ${more}.`;
+  const words = text.panels.modelPair;
+  if (fewer === Infinity) return words.neither;
+  if (more === Infinity) return words.only(name);
+  return fewer === more ? words.both(fewer) : words.quicker(name, fewer, more);
 }

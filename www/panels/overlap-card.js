@@ -4,9 +4,7 @@
 import { paintOutline } from "../pkg/pathlight.js";
 import { contextOf, find } from "../widgets/dom.js";
 import { pathlight } from "../shell/page-api.js";
-
-/** @param {number} fraction */
-export const percent = (fraction) => `${Math.round(100 * fraction)} %`;
+import { text } from "../text/text.js";
 
 export class OverlapCard {
   element;
@@ -43,9 +41,9 @@ export class OverlapCard {
     this.#outline.clearRect(0, 0, canvas.width, canvas.height);
     paintOutline(this.#outline, "real", real, dark);
     const fraction = pathlight.softIou(values, real);
-    find(this.element, "b").textContent = percent(fraction);
+    find(this.element, "b").textContent = text.format.percent(fraction);
     find(this.element, "span").textContent = name;
-    canvas.setAttribute("aria-label", `${name}, and a line round the real path: they overlap by ${percent(fraction)}`);
+    canvas.setAttribute("aria-label", text.panels.overlap(name, fraction));
     return fraction;
   }
 }

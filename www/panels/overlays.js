@@ -3,8 +3,8 @@
 
 import { Component } from "../widgets/component.js";
 import { find, setText } from "../widgets/dom.js";
-import { MAP_TEXT } from "../model/map-text.js";
 import { factsOf } from "../state/panels.js";
+import { text } from "../text/text.js";
 
 /** The opacity of the paths of old misses. */
 const GHOST = 0.2;
@@ -44,8 +44,8 @@ export class Overlays extends Component {
     // In Play nothing else says which maps they are.
     const laid = tab === "play" ? layers : [];
     this.byId("laid").hidden = laid.length === 0;
-    const names = laid.map((mapName) => `“${MAP_TEXT[mapName].name}”`).join(" and ");
-    setText(find(this.byId("laid"), "span"), `Over the scene: ${names}.`);
+    const names = laid.map((mapName) => text.model.steps[mapName].name);
+    setText(find(this.byId("laid"), "span"), text.panels.laid(names));
     this.#opacity = opacity;
     this.session?.edit({ tool: factsOf(panel).tool ?? "ball" });
     this.#update();

@@ -5,7 +5,8 @@
 import { Component } from "../widgets/component.js";
 import { SCENE_SIZE } from "../shell/constants.js";
 import { ARROW_KEYS } from "../play/gestures.js";
-import { OverlapCard, percent } from "./overlap-card.js";
+import { text } from "../text/text.js";
+import { OverlapCard } from "./overlap-card.js";
 
 /** @typedef {import("../play/canvas.js").Point} Point */
 /** @typedef {import("../play/session.js").Session} Session */
@@ -145,8 +146,8 @@ export class Predict extends Component {
     const words = measured
       ? this.#measure(session)
       : end
-        ? `Your line ends at x ${Math.round(end[0])}, y ${Math.round(end[1])}.`
-        : "Nothing drawn yet.";
+        ? text.panels.predict.ends(...end)
+        : text.panels.predict.nothing;
     if (this.byId("predict-words").textContent === words) return;
     this.byId("predict-words").textContent = words;
     if (this.#visible) this.announce(words);
@@ -157,23 +158,22 @@ export class Predict extends Component {
    * @param {Session} session
    */
   #measure({ game, phase }) {
+    const words = text.panels.predict;
     const mapName = phase === "watch" ? "base" : "target";
     const real = game.pathMasks()[0].object;
     const modelMap = this.#imagine.maps?.[mapName];
     const shared = { mapName: /** @type {import("../pkg/pathlight.js").MapName} */ (mapName), real, dark: this.dark };
     const player = this.#playerCard.draw({
       ...shared,
-      name: "You",
+      name: words.you,
       values: game.sketchMask(new Float64Array(this.#sketch.flat())),
     });
     this.#modelCard.element.hidden = !modelMap;
-    if (!modelMap) return `You were right by ${percent(player)}.`;
-    const model = this.#modelCard.draw({ ...shared, name: "The model", values: modelMap });
-    const [playerWords, modelWords] = [percent(player), percent(model)];
-    if (playerWords === modelWords) return `A draw: both were right by ${playerWords}.`;
-    return player > model
-      ? `You were closer: ${playerWords}, the model ${modelWords}.`
-      : `The model was closer: ${modelWords}, you ${playerWords}.`;
+    if (!modelMap) return words.alone(text.format.percent(player));
+    const model = this.#modelCard.draw({ ...shared, name: words.model, values: modelMap });
+    const [you, it] = [text.format.percent(player), text.format.percent(model)];
+    if (you === it) return words.draw(you);
+    return player > model ? words.player(you, it) : words.modelCloser(you, it);
   }
 }
 
@@ -187,19 +187,22 @@ function inside([x, y]) {
 
 /** @type {import("./panel-module.js").PanelModule} */
 export const PREDICT = {
-  markup: `
-<p>Which way will the green object go? Draw its path in the scene. Then run, and see who was closer: you or the model.</p>
+  markup() {
+    const words = text.panels.predict;
+    return `
+<p>${words.intro}</p>
 <p class="actions">
-  <button type="button" id="predict-watch" class="primary">Run without ball</button>
-  <button type="button" id="predict-run">Run with ball</button>
-  <button type="button" id="predict-wipe">Wipe</button>
+  <button type="button" id="predict-watch" class="primary">${words.watch}</button>
+  <button type="button" id="predict-run">${words.run}</button>
+  <button type="button" id="predict-wipe">${words.wipe}</button>
 </p>
 <p id="predict-words"></p>
-<section id="predict-result" aria-label="Prediction and reality" hidden>
+<section id="predict-result" aria-label="${words.result}" hidden>
   <ul class="overlap-cards" id="predict-cards"></ul>
-  <details><summary>How is it measured?</summary><p>Your line counts as if the green object had slid along it. What is shaded and what was real, inside the line, are laid over each other: 100 % means that both are the same. The model is measured alike: its base path if there is no ball, its target path if there is one. It has not seen your ball.</p></details>
+  <details><summary>${words.measured}</summary><p>${words.measuredHow}</p></details>
 </section>
-<p class="hint">Draw with the mouse or a finger. With keys, in the scene: arrows draw on from the green object, with <kbd>Shift</kbd> further; <kbd>Backspace</kbd> takes a piece back.</p>
-`,
+<p class="hint">${words.hint}</p>
+`;
+  },
   create: ({ root, imagine, scenePicture }) => [new Predict(root, imagine, scenePicture)],
 };

@@ -3,6 +3,7 @@
 // puzzle is out of sight.
 
 import { withoutPresentation } from "../state/view.js";
+import { text } from "../text/text.js";
 import { Component } from "../widgets/component.js";
 import { setText } from "../widgets/dom.js";
 
@@ -89,11 +90,8 @@ export class Presentation extends Component {
   #update() {
     if (!this.#on || !this.session) return;
     const { shown, playing } = this.#walkthrough;
-    const {
-      goal,
-      about: { name },
-    } = this.session;
-    setText(this.byId("caption-step"), shown ? `${shown.number} of ${shown.count}` : "");
+    const { goal, name } = this.session;
+    setText(this.byId("caption-step"), shown ? text.panels.of(shown.number, shown.count) : "");
     setText(this.byId("caption-title"), shown?.name ?? name);
     setText(this.byId("caption"), shown?.meaning ?? goal);
     setText(this.byId("caption-result"), shown?.result ?? "");
@@ -102,7 +100,7 @@ export class Presentation extends Component {
     setText(label, shown?.name ?? "");
     this.byId("caption-back").setAttribute("aria-disabled", String(!shown));
     this.byId("caption-next").setAttribute("aria-disabled", String(shown !== null && shown.number === shown.count));
-    setText(this.byId("caption-play-label"), playing ? "Pause" : "Play");
+    setText(this.byId("caption-play-label"), playing ? text.panels.imagine.pause : text.panels.imagine.play);
     this.byId("caption-play-icon", SVGUseElement).setAttribute("href", playing ? "#icon-pause" : "#icon-run");
   }
 }

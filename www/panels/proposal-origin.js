@@ -2,6 +2,7 @@
 
 import { chanceWords, percent } from "../model/chance-words.js";
 import { valueAt } from "../model/map-summary.js";
+import { text } from "../text/text.js";
 
 /** @typedef {import("../pkg/pathlight.js").TriedProposal} Proposal */
 
@@ -10,24 +11,22 @@ import { valueAt } from "../model/map-summary.js";
  * @param {Float32Array} [placement] the placement map, if there is one
  */
 export function originWords({ origin }, placement) {
-  if (origin.kind === "perturbed") return `Ball ${origin.number}, moved at random.`;
-  if (origin.kind === "imagined") return imaginedWords(origin);
-  if (origin.kind === "success")
-    return `The success net: after what was tried before, this ball has the highest probability of solving, ${Math.round(100 * origin.probability)} %.`;
-  if (origin.kind === "uniform") return "Random: the placement map shows no place where a ball may be.";
-  const { x, y } = origin;
-  const value = placement ? ` it is ${valueAt(placement, [x, y]).toFixed(2)} at x ${x}, y ${y}.` : "";
-  return `The placement map:${value} From there the ball was moved to cover more of the map.`;
-}
-
-/**
- * Why a ball that was imagined is next.
- * @param {Extract<Proposal["origin"], { kind: "imagined" }>} origin
- */
-function imaginedWords({ prior, probability, lowered_by: number }) {
-  if (number === null)
-    return `By what the model imagines it was the likeliest to solve the puzzle of all balls not tried yet: ${chanceWords(probability)}.`;
-  return `By what the model imagines its chance was ${percent(prior)} before the first attempt. Then ball ${number} failed, and it resembles this one, by where it starts or by what happened: ${percent(probability)}, but still the likeliest of those left.`;
+  const words = text.panels.proposals.origin;
+  switch (origin.kind) {
+    case "perturbed":
+      return words.perturbed(origin.number);
+    case "success":
+      return words.success(origin.probability);
+    case "uniform":
+      return words.uniform;
+    case "map":
+      return words.map(placement ? valueAt(placement, [origin.x, origin.y]) : null, origin.x, origin.y);
+    case "imagined": {
+      const { prior, probability, lowered_by: number } = origin;
+      if (number === null) return words.likeliest(chanceWords(probability));
+      return words.lowered(percent(prior), number, percent(probability));
+    }
+  }
 }
 
 /**

@@ -11,8 +11,10 @@ import { otherOutcome, outcomesWords } from "../model/outcomes.js";
 import { saveBalls } from "../model/save-balls.js";
 import { sameBall } from "../puzzles/ball.js";
 import { sentence } from "../text/sentence.js";
+import { text } from "../text/text.js";
 import { originWords, sourceOf } from "./proposal-origin.js";
 import { TroubleBox } from "./trouble-box.js";
+import { endingWords } from "../play/ending-words.js";
 
 /** @typedef {import("../pkg/pathlight.js").TriedProposal} Proposal */
 /** @typedef {import("../play/session.js").Session} Session */
@@ -148,7 +150,7 @@ export class Proposals extends Component {
     if (!this.#visible || !proposals?.length) return;
     const index = this.#requested === null ? 0 : this.#requested - 1;
     const other = otherOutcome(proposals, index, by);
-    const words = other === null ? `No ball ${by > 0 ? "after" : "before"} this one has another result.` : "";
+    const words = other === null ? text.panels.proposals.noOther(by) : "";
     setText(this.byId("proposal-none"), words);
     if (other === null) this.announce(words);
     else this.#request(other + 1);
@@ -165,8 +167,8 @@ export class Proposals extends Component {
     const { loaded } = this.#client;
     if (!this.#saves || !this.session || !this.#proposals || !loaded) return;
     this.#saves = false;
-    const { id, name } = this.session.about;
-    saveBalls(this.#proposals, { task: id ?? name, seen: this.#imagine.seen ?? false, loaded });
+    const task = this.session.about.id ?? this.session.name;
+    saveBalls(this.#proposals, { task, seen: this.#imagine.seen ?? false, loaded });
   }
 
   /** Forgets the proposals: they are another puzzle's or another model's. */
@@ -270,21 +272,20 @@ export class Proposals extends Component {
 
   /** @param {Proposal[]} proposals */
   #updateFacts(proposals) {
-    const number = this.#shown;
-    const shown = this.session?.shown;
+    const words = text.panels.proposals;
+    const [number, shown] = [this.#shown, this.session?.shown];
     this.byId("proposal-facts").hidden = number === null;
     this.byId("proposal-close").hidden = number === null;
     this.byId("proposal-hint").hidden = number !== null;
-    setText(this.byId("proposal-number"), number === null ? "–" : `${number} of ${proposals.length}`);
+    setText(this.byId("proposal-number"), number === null ? "–" : text.panels.of(number, proposals.length));
     this.#slider.value = String(number ?? 1);
-    this.#slider.setAttribute("aria-valuetext", number === null ? "none" : `${number}`);
+    this.#slider.setAttribute("aria-valuetext", number === null ? words.none : `${number}`);
     if (number === null || !shown) return;
     const proposal = proposals[number - 1];
-    const [x, y, r] = proposal.ball;
-    setText(this.byId("proposal-ball"), `x ${x}, y ${y}, radius ${r}`);
+    setText(this.byId("proposal-ball"), words.place(...proposal.ball));
     setText(
       this.byId("proposal-outcome"),
-      `${shown.ending.solved ? "✓" : "×"} ${sentence(shown.words)} ${shown.tried || this.#able ? "" : "It was not tried in its turn."}`,
+      `${shown.ending.solved ? "✓" : "×"} ${sentence(endingWords(shown.ending))} ${shown.tried || this.#able ? "" : words.notTried}`,
     );
     setText(this.byId("proposal-origin"), originWords(proposal, this.#imagine.maps?.placement));
     const real = this.session?.game.sampledPaths();

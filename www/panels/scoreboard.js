@@ -3,6 +3,7 @@
 // it. The model's progress is kept beside the player's, for each model by its name.
 
 import { Component } from "../widgets/component.js";
+import { text } from "../text/text.js";
 import { setText } from "../widgets/dom.js";
 import { pathlight } from "../shell/page-api.js";
 
@@ -41,7 +42,6 @@ export class Scoreboard extends Component {
     if (!model || tasks.length === 0) return;
     /** @param {import("../storage/author.js").Author} author */
     const score = (author) => Math.round(pathlight.auccess(tasks.map((task) => author.of(task).solved)));
-    const over = tasks.length === 1 ? "one puzzle" : `${tasks.length} puzzles`;
-    setText(this.byId("score-words"), `Points over ${over}: you ${score(player)}, the model ${score(model)}`);
+    setText(this.byId("score-words"), text.panels.score(tasks.length, score(player), score(model)));
   }
 }

@@ -8,7 +8,7 @@ import { FIRST_RADIUS, GRID_SIDE, SCENE_SIZE } from "../shell/constants.js";
 import { contextOf, find, setText } from "../widgets/dom.js";
 import { sides } from "../model/map-summary.js";
 import { Search } from "../model/search.js";
-import { percent } from "./overlap-card.js";
+import { text } from "../text/text.js";
 
 /** The outcomes of a place that are counted, as the wasm numbers them. */
 const [INVALID, SOLVED] = [1, 3];
@@ -135,7 +135,7 @@ export class SolveMapPanel extends Component {
     if (!this.session) return;
     setText(
       this.byId("solve-map-search"),
-      this.#search.running ? "Stop" : `Try every place with radius ${this.#nextRadius}`,
+      this.#search.running ? text.panels.solveMap.stop : text.panels.solveMap.start(this.#nextRadius),
     );
     this.byId("solve-map-progress").hidden = !this.#search.running;
     find(this.byId("solve-map-progress"), "progress", HTMLProgressElement).value = this.#progress;
@@ -148,13 +148,9 @@ export class SolveMapPanel extends Component {
     /** @param {number} which */
     const count = (which) => outcomes.reduce((sum, outcome) => sum + Number(outcome === which), 0);
     const [solving, invalid] = [count(SOLVED), count(INVALID)].map((places) => places / outcomes.length);
-    const { tried, least } =
-      this.#progress < 1
-        ? { tried: `${percent(this.#progress)} tried so far: `, least: "about " }
-        : { tried: "Every place tried: ", least: "" };
-    const all = `${tried}${roughPercent(solving, least)} of the places solve it with radius ${this.#radius}, and at ${roughPercent(invalid)} no ball may be.`;
+    const all = text.panels.solveMap.tried(this.#progress, solving, invalid, this.#radius);
     if (solving === 0) return all;
-    return `${all} Those that solve it: ${sides(solved)}.${this.#agreement(solved)}`;
+    return [all, text.panels.solveMap.sides(sides(solved)), this.#agreement(solved)].join(" ").trim();
   }
 
   /**
@@ -166,32 +162,27 @@ export class SolveMapPanel extends Component {
     if (!map || this.#hidesModel) return "";
     const total = map.reduce((sum, value) => sum + value, 0);
     const right = map.reduce((sum, value, cell) => sum + value * solved[cell], 0);
-    return total ? ` The model lays ${percent(right / total)} of its placement map on such places.` : "";
+    return total ? text.panels.solveMap.agrees(right / total) : "";
   }
-}
-
-/**
- * @param {number} fraction
- * @param {string} [qualifier] before a rounded number
- */
-function roughPercent(fraction, qualifier = "") {
-  return fraction > 0 && fraction < 0.01 ? "less than 1 %" : `${qualifier}${percent(fraction)}`;
 }
 
 /** @type {import("./panel-module.js").PanelModule} */
 export const MAP = {
-  markup: `
-<p>Where could the red ball start, so that the puzzle is solved? The computer tries every place: roughly at first, then finer.</p>
+  markup() {
+    const words = text.panels.solveMap;
+    return `
+<p>${words.intro}</p>
 <p class="actions"><button type="button" id="solve-map-search" class="primary"></button></p>
-<p class="loading" id="solve-map-progress" hidden><label>Trying <progress max="1" value="0"></progress></label></p>
+<p class="loading" id="solve-map-progress" hidden><label>${words.trying} <progress max="1" value="0"></progress></label></p>
 <p id="solve-map-words"></p>
 <ul class="samples">
-  <li><canvas width="256" height="256" data-outcome="3" aria-hidden="true"></canvas> solves it</li>
-  <li><canvas width="256" height="256" data-outcome="2" aria-hidden="true"></canvas> does not</li>
-  <li><canvas width="256" height="256" data-outcome="1" aria-hidden="true"></canvas> no room</li>
+  <li><canvas width="256" height="256" data-outcome="3" aria-hidden="true"></canvas> ${words.solves}</li>
+  <li><canvas width="256" height="256" data-outcome="2" aria-hidden="true"></canvas> ${words.doesNot}</li>
+  <li><canvas width="256" height="256" data-outcome="1" aria-hidden="true"></canvas> ${words.noRoom}</li>
 </ul>
-<label class="check" data-hideable="imagine"><input type="checkbox" id="solve-map-placement"> Compare with the model’s guess</label>
-<p class="hint">The radius is that of your ball. Each place is tried by a whole simulation, in a worker beside the page.</p>
-`,
+<label class="check" data-hideable="imagine"><input type="checkbox" id="solve-map-placement"> ${words.compare}</label>
+<p class="hint">${words.hint}</p>
+`;
+  },
   create: ({ root, client, imagine }) => [new SolveMapPanel(root, client, imagine)],
 };

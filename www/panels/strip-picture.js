@@ -6,7 +6,7 @@ import { GRID_SIDE, MAPS } from "../shell/constants.js";
 import { contextOf } from "../widgets/dom.js";
 import { download, fileName } from "../widgets/download.js";
 import { pathlight } from "../shell/page-api.js";
-import { MAP_TEXT } from "../model/map-text.js";
+import { text } from "../text/text.js";
 import { paintStill } from "../play/still.js";
 
 /** Width and height of one picture, the space around it, and the height of the title and of a name, pixels. */
@@ -51,11 +51,12 @@ export class StripPicture extends Component {
   #save() {
     const { session } = this;
     if (!session) return;
-    const { name, id } = session.about;
+    const { name } = session;
+    const { id } = session.about;
     const canvas = strip(this.#cells(session), `${name} ${id ?? ""}`, this.dark);
     canvas.toBlob((blob) => {
       if (blob) download(fileName(`${name} ${id ?? ""} strip`, "png"), blob);
-      this.announce(blob ? "The strip is saved." : "This browser could not make the picture.");
+      this.announce(blob ? text.panels.strip.saved : text.panels.strip.failed);
     }, "image/png");
   }
 
@@ -65,23 +66,24 @@ export class StripPicture extends Component {
    */
   #cells(session) {
     const { maps } = this.#imagine;
+    const words = text.panels.strip;
     // Weights may come without a net that scores balls.
     const imagined = MAPS.flatMap((mapName) => {
       const values = maps?.[mapName];
       return values
         ? [
             {
-              name: MAP_TEXT[mapName].name,
+              name: text.model.steps[mapName].name,
               paint: (/** @type {CanvasRenderingContext2D} */ context) => this.#paintMap(context, mapName, values),
             },
           ]
         : [];
     });
     return [
-      { name: "Puzzle", paint: ({ canvas }) => this.#scenePicture.drawOn(canvas) },
+      { name: words.puzzle, paint: ({ canvas }) => this.#scenePicture.drawOn(canvas) },
       ...imagined,
       {
-        name: session.placing ? "The ball" : "What happens",
+        name: session.placing ? words.ball : words.result,
         paint: (context) => paintStill(session, context, session.playback.step, this.dark),
       },
     ];
@@ -116,12 +118,12 @@ function strip(cells, title, dark) {
   const { canvas } = context;
   context.fillStyle = paper;
   context.fillRect(0, 0, canvas.width, canvas.height);
-  const words = (/** @type {string} */ text, /** @type {number} */ x, /** @type {number} */ y) => {
+  const write = (/** @type {string} */ words, /** @type {number} */ x, /** @type {number} */ y) => {
     context.fillStyle = ink;
-    context.fillText(text, x, y);
+    context.fillText(words, x, y);
   };
   context.font = "600 26px system-ui, sans-serif";
-  words(title, GAP, 40);
+  write(title, GAP, 40);
   context.font = "20px system-ui, sans-serif";
   context.textAlign = "center";
   cells.forEach(({ name, paint }, index) => {
@@ -133,7 +135,7 @@ function strip(cells, title, dark) {
     context.strokeStyle = ink;
     context.strokeRect(x + 0.5, HEAD + 0.5, SIDE - 1, SIDE - 1);
     context.globalAlpha = 1;
-    words(name, x + SIDE / 2, HEAD + SIDE + 28);
+    write(name, x + SIDE / 2, HEAD + SIDE + 28);
   });
   return canvas;
 }

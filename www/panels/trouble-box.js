@@ -1,6 +1,7 @@
 // The box in a panel that says what went wrong with the model, with a button that tries again. Used by all panels that
 // call the worker.
 
+import { text } from "../text/text.js";
 import { find, setText } from "../widgets/dom.js";
 
 /** @typedef {import("../model/shared-client.js").SharedClient} SharedClient */
@@ -29,7 +30,7 @@ export class TroubleBox {
     const message = failure?.message ?? callFailure;
     this.#box.hidden = message === null;
     setText(find(this.#box, "p"), message ?? "");
-    setText(this.#button, failure?.code === "no_model" ? "Use the model that is here" : "Try again");
+    setText(this.#button, failure?.code === "no_model" ? text.panels.trouble.otherModel : text.panels.trouble.tryAgain);
     this.#onRetry = failure ? restartModel : repeatCall;
   }
 }

@@ -7,7 +7,7 @@ import { Component } from "../widgets/component.js";
 import { CHOICE_STEPS, MAP_STEPS } from "../state/url-state.js";
 import { STEP_LAYERS } from "../state/view.js";
 import { createButton, setText } from "../widgets/dom.js";
-import { STEP_TEXT } from "../model/map-text.js";
+import { text } from "../text/text.js";
 
 /** @typedef {import("../state/url-state.js").Step} Step */
 
@@ -115,7 +115,7 @@ export class Walkthrough extends Component {
   /** The step that is shown: its place from 1, in how many, and in words; null for all together. */
   get shown() {
     if (!this.#step || !this.#visible) return null;
-    const { name, meaning } = STEP_TEXT[this.#step];
+    const { name, meaning } = text.model.steps[this.#step];
     return { number: this.#index + 1, count: this.#steps.length, name, meaning, result: this.#result };
   }
 
@@ -124,7 +124,7 @@ export class Walkthrough extends Component {
     const mapName = MAP_STEPS.find((one) => one === this.#step);
     if (!mapName) return this.#choice.result;
     const words = this.#imagine.words(mapName);
-    return words && `It is ${words}.`;
+    return words && text.panels.walkthrough.here(words);
   }
 
   #onChoice() {
@@ -151,7 +151,8 @@ export class Walkthrough extends Component {
     this.byId("walkthrough-back").setAttribute("aria-disabled", String(index < 0));
     this.byId("walkthrough-next").setAttribute("aria-disabled", String(index === steps.length - 1));
     this.byId("walkthrough-all").setAttribute("aria-pressed", String(step === null));
-    setText(this.byId("walkthrough-step"), step ? `Step ${index + 1} of ${steps.length}` : "All together");
+    const words = text.panels.walkthrough;
+    setText(this.byId("walkthrough-step"), step ? words.step(index + 1, steps.length) : words.all);
     if (changed) this.#announceStep();
     this.dispatchEvent(new Event("step"));
   }
@@ -172,8 +173,8 @@ export class Walkthrough extends Component {
    */
   #createDot(step, index) {
     const dot = createButton(String(index + 1), () => this.#select(step));
-    dot.title = STEP_TEXT[step].name;
-    dot.setAttribute("aria-label", `Step ${index + 1}: ${STEP_TEXT[step].name}`);
+    dot.title = text.model.steps[step].name;
+    dot.setAttribute("aria-label", text.panels.walkthrough.dot(index + 1, dot.title));
     return dot;
   }
 
@@ -219,7 +220,7 @@ export class Walkthrough extends Component {
   }
 
   #updatePlayButton() {
-    setText(this.byId("walkthrough-play-label"), this.#timer ? "Pause" : "Play");
+    setText(this.byId("walkthrough-play-label"), this.#timer ? text.panels.imagine.pause : text.panels.imagine.play);
     this.byId("walkthrough-play-icon", SVGUseElement).setAttribute("href", this.#timer ? "#icon-pause" : "#icon-run");
     this.dispatchEvent(new Event("step"));
   }

@@ -4,6 +4,7 @@
 
 import { Component } from "../widgets/component.js";
 import { setText } from "../widgets/dom.js";
+import { text } from "../text/text.js";
 import { kindOf, nextByDifficulty } from "../puzzles/difficulty.js";
 import { TASKS } from "../puzzles/templates.js";
 import { paintStill } from "./still.js";
@@ -98,8 +99,7 @@ export class AfterSolving extends Component {
     this.byId("challenge").hidden = this.#challenge === null;
     if (this.#challenge !== null) setText(this.byId("challenge"), challengeWords(this.#challenge, solvedAt));
     if (!session || solvedAt === null) return;
-    this.byId("solved-title").textContent =
-      solvedAt === 1 ? "Solved at the first attempt!" : `Solved in ${solvedAt} attempts!`;
+    this.byId("solved-title").textContent = text.play.afterSolving.title(solvedAt);
     // A custom scene has no id: nothing comes after it, and no link leads to it.
     const { id } = session.about;
     const reason = `${id} ${solvedAt} ${this.#by.value}`;
@@ -137,7 +137,7 @@ export class AfterSolving extends Component {
     /** @type {Result} */
     const detail = {
       task: about.id,
-      name: about.name,
+      name: session.name,
       solvedAt,
       model: used > 0 ? { used, solvedAt: modelSolvedAt } : null,
       paint: (context, dark, ball) => {
@@ -188,12 +188,10 @@ export class AfterSolving extends Component {
  * @param {number | null} solvedAt
  */
 function challengeWords(challenge, solvedAt) {
-  const asked = challenge === 1 ? "at the first attempt" : `in ${challenge} attempts`;
-  if (solvedAt === null) return `A challenge: somebody solved this puzzle ${asked}. Can you?`;
-  if (solvedAt < challenge) return `You have beaten the challenge: it was solved ${asked}.`;
-  return solvedAt === challenge
-    ? "You are as quick as the one who challenged you."
-    : `The challenge was solved ${asked}.`;
+  const words = text.play.afterSolving.challenge;
+  if (solvedAt === null) return words.asked(challenge);
+  if (solvedAt === challenge) return words.equal;
+  return solvedAt < challenge ? words.beaten(challenge) : words.missed(challenge);
 }
 
 /**

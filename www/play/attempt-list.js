@@ -4,7 +4,9 @@
 import { Component } from "../widgets/component.js";
 import { ATTEMPT_LIMIT } from "../shell/constants.js";
 import { find, setText } from "../widgets/dom.js";
+import { text } from "../text/text.js";
 import { LazyThumbnails } from "../widgets/lazy-thumbnails.js";
+import { endingWords } from "./ending-words.js";
 import { visibleAttempts } from "./shown.js";
 
 /** @typedef {import("./session.js").Session} Session */
@@ -98,7 +100,7 @@ export class AttemptList extends Component {
     }
     setText(
       this.#count,
-      used === 0 ? "" : solvedAt ? `solved on attempt ${solvedAt}` : `${used} of ${ATTEMPT_LIMIT}, not solved`,
+      used === 0 ? "" : solvedAt ? text.play.attempts.solved(solvedAt) : text.play.attempts.missed(used, ATTEMPT_LIMIT),
     );
     const current = visibleAttempts(session.state)
       .filter(({ author }) => author === this.#author)
@@ -110,20 +112,20 @@ export class AttemptList extends Component {
   }
 
   /** @param {import("./session.js").ListedAttempt} attempt */
-  #row({ number, words, ball: [x, y, r], ending }) {
+  #row({ number, ball: [x, y, r], ending }) {
     const row = this.fromTemplate("attempt-row");
     row.dataset.number = String(number);
     find(row, "b").textContent = String(number);
     const mark = find(row, ".mark");
     mark.textContent = ending.solved ? "✓" : "×";
     mark.classList.toggle("solved", ending.solved);
-    find(row, ".words").textContent = words;
+    find(row, ".words").textContent = endingWords(ending);
     const replay = find(row, "[data-act=replay]");
-    replay.title = `Replay: ball at x ${x}, y ${y}, radius ${r}`;
+    replay.title = text.play.attempts.replay(x, y, r);
     replay.prepend(this.#thumbnails.add(SIDE));
-    setLabel(find(row, "[data-act=overlay]"), `Compare attempt ${number}`);
+    setLabel(find(row, "[data-act=overlay]"), text.play.attempts.compare(number));
     const remove = find(row, "[data-act=remove]");
-    setLabel(remove, `Delete attempt ${number}`);
+    setLabel(remove, text.play.attempts.remove(number));
     if (this.#author !== "player") remove.remove();
     return row;
   }

@@ -12,10 +12,10 @@ import {
 import { afterFrame } from "../loading/after-frame.js";
 import { difficultyWords } from "../puzzles/difficulty.js";
 import { find, setText } from "../widgets/dom.js";
-import { sentence } from "../text/sentence.js";
+import { text } from "../text/text.js";
+import { statusOf } from "./status.js";
 
 /** @typedef {import("./session.js").Session} Session */
-/** @typedef {import("./shown.js").ShownAttempt} ShownAttempt */
 
 /** Half of the width of the mark where the object came nearest, as a fraction of the time line. */
 const CLOSEST_WIDTH = 0.004;
@@ -61,10 +61,10 @@ export class Controls extends Component {
     super.open(session);
     this.#applySpeed();
     this.byId("goal").textContent = session.goal;
-    this.byId("story").textContent = session.about.story;
+    this.byId("story").textContent = session.story;
     this.byId("difficulty").textContent = "";
     afterFrame().then(() => session === this.session && this.#showDifficulty(session));
-    this.byId("description").textContent = session.about.description;
+    this.byId("description").textContent = session.description;
     this.listen("change", () => this.#update(session));
     this.listen("draw", () => this.#updateTime(session));
     this.#update(session);
@@ -72,7 +72,7 @@ export class Controls extends Component {
 
   /** @param {Session} session */
   #showDifficulty({ about: { id } }) {
-    this.byId("difficulty").textContent = id ? `Puzzle ${id}, ${difficultyWords(id)}.` : "";
+    this.byId("difficulty").textContent = id ? text.puzzles.facts(id, difficultyWords(id)) : "";
   }
 
   #applySpeed() {
@@ -93,10 +93,19 @@ export class Controls extends Component {
     const { placing, phase, game, ball } = session;
     const { playing, last, ended } = session.playback;
     const drops = placing && (session.state.tool !== "line" || ball);
-    const label = placing ? (drops ? "Drop it" : "Run") : playing ? "Pause" : ended ? "Replay" : "Go on";
+    const words = text.play.run;
+    const label = placing
+      ? drops
+        ? words.drop
+        : words.run
+      : playing
+        ? words.pause
+        : ended
+          ? words.replay
+          : words.goOn;
     setText(this.byId("run-label"), label);
     this.byId("run-icon", SVGUseElement).setAttribute("href", playing ? "#icon-pause" : "#icon-run");
-    this.byId("run").title = `${label}  Space`;
+    this.byId("run").title = `${label}  ${text.element.keys.space}`;
     this.#time.disabled = placing;
     this.#time.max = String(last);
     this.byId("reset", HTMLButtonElement).disabled = placing;
@@ -111,12 +120,12 @@ export class Controls extends Component {
     else this.#time.style.setProperty("--touches", "none");
     this.#fields.forEach((field, index) => setValue(field, String(ball?.[index] ?? "")));
     setValue(this.#radius, String(ball?.[2] ?? FIRST_RADIUS));
-    const { kind, words } = statusOf(session);
+    const { kind, words: said } = statusOf(session);
     const status = this.byId("status");
-    if (status.textContent !== words) {
-      status.textContent = words;
+    if (status.textContent !== said) {
+      status.textContent = said;
       // The misses of the model's turn go by faster than they can be read out.
-      if (!session.ghosts || session.shown?.number === 1) this.announce(words);
+      if (!session.ghosts || session.shown?.number === 1) this.announce(said);
     }
     status.dataset.kind = kind;
     this.#updateTime(session);
@@ -125,9 +134,9 @@ export class Controls extends Component {
   /** @param {Session} session */
   #updateTime({ playback: { step, seconds, last } }) {
     setValue(this.#time, String(Math.floor(step)));
-    this.#time.setAttribute("aria-valuetext", `${seconds.toFixed(1)} seconds`);
+    this.#time.setAttribute("aria-valuetext", text.play.spokenTime(seconds));
     this.#time.style.setProperty("--done", String(last ? step / last : 0));
-    setText(this.byId("clock"), `${seconds.toFixed(1)} s`);
+    setText(this.byId("clock"), text.play.time(seconds));
     this.#updateGoalMeter(Math.floor(step));
   }
 
@@ -138,12 +147,12 @@ export class Controls extends Component {
   #updateGoalMeter(step) {
     const [first] = this.#touches.find(([begin, end]) => begin <= step && step <= end) ?? [step + 1];
     const seconds = Math.min((step + 1 - first) / STEPS_PER_SECOND, GOAL_SECONDS);
-    const words = `${seconds.toFixed(1)} of ${GOAL_SECONDS} s`;
+    const words = text.play.meter(seconds, GOAL_SECONDS);
     const label = find(this.#goalMeter, ":scope > span");
     if (label.textContent === words) return;
     label.textContent = words;
     this.#goalMeter.setAttribute("aria-valuenow", seconds.toFixed(1));
-    this.#goalMeter.setAttribute("aria-valuetext", `${seconds.toFixed(1)} of ${GOAL_SECONDS} seconds`);
+    this.#goalMeter.setAttribute("aria-valuetext", text.play.spokenMeter(seconds, GOAL_SECONDS));
     this.#goalMeter.style.setProperty("--percent", String((100 * seconds) / GOAL_SECONDS));
   }
 
@@ -177,102 +186,4 @@ function band(colour, from, to) {
  */
 function setValue(input, value) {
   if (input.value !== value) input.value = value;
-}
-
-/**
- * The session in one sentence, and its kind for the eye.
- * @param {Session} session
- * @returns {{ kind: "hint" | "wrong" | "ready" | "running" | "trying" | "solved" | "missed", words: string }}
- */
-function statusOf(session) {
-  const { state } = session;
-  switch (state.kind) {
-    case "placing":
-      return placingStatus(session, state);
-    case "watch":
-      return { kind: "hint", words: state.ended ? "That was the scene without a ball." : "The scene without a ball." };
-    case "compare":
-      return state.ended ? comparedStatus(state.pair) : { kind: "hint", words: compareStatus(state.pair) };
-    case "attempt":
-      return attemptStatus(state, session.playback.last);
-  }
-}
-
-/**
- * @param {import("./shown.js").AttemptRun & { ended: boolean }} state
- * @param {number} last the last step at which anything moves
- * @returns {{ kind: "running" | "trying" | "solved" | "missed", words: string }}
- */
-function attemptStatus({ attempt, ended, ghosts, approach }, last) {
-  const { author, number, opened, preview, ending, words } = attempt;
-  if (ghosts) return { kind: "trying", words: `The model tries: attempt ${number}.` };
-  const what = opened
-    ? "The opened attempt"
-    : `${author === "player" ? "Your" : "The model’s"} ${preview ? "ball" : "attempt"} ${number}`;
-  if (!ended) return { kind: "running", words: `${what} is running.` };
-  if (ending.solved) return { kind: "solved", words: `Solved! ${what}: ${words}.` };
-  const near = approach
-    ? `closest ${gapWords(approach.gap)}, at ${(approach.step / STEPS_PER_SECOND).toFixed(1)} s`
-    : words;
-  const still = last < ending.steps ? "; everything lies still" : "";
-  return { kind: "missed", words: `Not solved. ${what}: ${near}${still}.` };
-}
-
-/** @param {number} gap px */
-function gapWords(gap) {
-  return `${gap < 9.95 ? gap.toFixed(1) : Math.round(gap)} px`;
-}
-
-/**
- * @param {Session} session
- * @param {import("./shown.js").Placing & import("./shown.js").Editing} state
- * @returns {{ kind: "hint" | "wrong" | "ready", words: string }}
- */
-function placingStatus({ ball, invalidReason }, { refusal, tool }) {
-  if (refusal) return { kind: "wrong", words: refusal };
-  if (tool === "line") return { kind: "hint", words: "Draw in the scene the path that the green object will take." };
-  if (tool === "bodies") return { kind: "hint", words: "Drag a body, or a knob of the selected one." };
-  if (!ball) return { kind: "hint", words: "Click or tap the scene to place the red ball." };
-  if (invalidReason) return { kind: "wrong", words: `Not here: ${sentence(invalidReason)}` };
-  return { kind: "ready", words: "Good spot. Drop it!" };
-}
-
-/**
- * What became of the attempts that were shown over each other. It is good news only if the player solved it.
- * @param {ShownAttempt[]} pair
- * @returns {{ kind: "solved" | "missed", words: string }}
- */
-function comparedStatus(pair) {
-  const results = pair.map(
-    ({ author, number, words }, index) =>
-      `${author === "player" ? "your" : "the model’s"} attempt ${number}${index ? " (dashed)" : ""}: ${words}`,
-  );
-  const [first, second] = pair.map(({ ending }) => ending.solved);
-  const solved = pair.some(({ author, ending }) => author === "player" && ending.solved);
-  return {
-    kind: solved ? "solved" : "missed",
-    words: `${pairWords(pair, first, second)} ${sentence(results.join("; "))}`,
-  };
-}
-
-/**
- * Who solved it.
- * @param {ShownAttempt[]} pair
- * @param {boolean} first
- * @param {boolean | undefined} second
- */
-function pairWords(pair, first, second) {
-  const [one, other] = pair.map(({ author }) => author);
-  // Of one author, or alone.
-  if (one === other || second === undefined) return first || second ? "Solved!" : "Not solved.";
-  if (first === second) return first ? "Both solved it." : "Neither solved it.";
-  return first ? "You solved it, the model did not." : "The model solved it, you did not.";
-}
-
-/** @param {ShownAttempt[]} pair */
-function compareStatus([first, second]) {
-  /** @param {ShownAttempt} attempt */
-  const named = ({ author, number }) => `${author === "player" ? "your" : "the model’s"} attempt ${number}`;
-  if (second) return sentence(`${named(first)} and ${named(second)}, over each other; the second is dashed`);
-  return sentence(`${named(first)}; ${first.author === "player" ? "the model has" : "you have"} made none`);
 }

@@ -4,39 +4,12 @@
 import { Component } from "../widgets/component.js";
 import { GOAL_SECONDS } from "../shell/constants.js";
 import { setText } from "../widgets/dom.js";
-import { sentence } from "../text/sentence.js";
+import { text } from "../text/text.js";
+import { invalidWords } from "./invalid-words.js";
 
 /** @typedef {import("./session.js").Session} Session */
 /** @typedef {"watch" | "watching" | "guess" | "blocked" | "drop" | "dropped" | "missed" | "solved" | "race"} Step */
 
-/**
- * What each step says, and what its button does.
- * @type {Record<Step, { words: string, button: string | null }>}
- */
-const STEPS = {
-  watch: {
-    words: `Get the green object to touch its striped goal for ${GOAL_SECONDS} seconds. First watch what happens without help.`,
-    button: "Watch",
-  },
-  watching: { words: "Nobody helps. Watch the green object.", button: null },
-  guess: {
-    words: "Alone, it never gets there. Add one red ball: where would it help? Click or tap there.",
-    button: null,
-  },
-  blocked: { words: "The ball needs a free spot.", button: null },
-  drop: {
-    words:
-      "Good spot. The dotted line is the model’s guess for your ball. Move the ball until you like it, then drop it.",
-    button: "Drop it",
-  },
-  dropped: { words: "Now nobody touches anything.", button: null },
-  missed: {
-    words: "Not yet: most tries end like this. Move the ball and drop it again, or see how the model does it.",
-    button: "Race the model",
-  },
-  solved: { words: "Solved! Does the model need fewer tries than you?", button: "Race the model" },
-  race: { words: "The model tries its own balls on the same puzzle. Who needs fewer tries wins.", button: "Done" },
-};
 /** The steps that are counted, each with those that belong to it. */
 const COUNTED = [["watch", "watching"], ["guess", "blocked", "drop"], ["dropped", "missed", "solved"], ["race"]];
 
@@ -91,14 +64,17 @@ export class Guide extends Component {
   }
 
   /** @param {Session} session */
-  #follow({ phase, finished, ball, invalidReason, shown, placing }) {
+  #follow({ phase, finished, ball, invalidReason, shown, placing, about }) {
     const step = this.#step;
     if (!step || step === "race") return;
     if (phase === "watch") this.#show(finished ? "guess" : "watching");
     else if (phase === "attempt" && shown)
       this.#show(!finished ? "dropped" : shown.ending.solved ? "solved" : "missed");
     else if (placing && ball && invalidReason)
-      this.#show("blocked", `Not here: ${sentence(invalidReason)} ${STEPS.blocked.words}`);
+      this.#show(
+        "blocked",
+        `${text.play.status.notHere(invalidWords(invalidReason, about.scene))} ${wordsOf("blocked")}`,
+      );
     else if (placing && ball) this.#show("drop");
     else if (placing && step !== "watch") this.#show("guess");
   }
@@ -112,18 +88,23 @@ export class Guide extends Component {
    * @param {Step | null} step
    * @param {string} [words] what it says, if that is not always the same
    */
-  #show(step, words = step ? STEPS[step].words : "") {
+  #show(step, words = step ? wordsOf(step) : "") {
     if (step === this.#step && words === this.byId("guide-words").textContent) return;
     this.#step = step;
     this.byId("guide").hidden = step === null;
     if (!step) return;
-    const { button } = STEPS[step];
+    const { button } = text.play.guide[step];
     setText(this.byId("guide-words"), words);
     this.#number = Math.max(this.#number, COUNTED.findIndex((steps) => steps.includes(step)) + 1);
-    setText(this.byId("guide-count"), `${this.#number} of ${COUNTED.length}`);
+    setText(this.byId("guide-count"), text.play.guideCount(this.#number, COUNTED.length));
     this.#act.hidden = button === null;
     setText(this.#act, button ?? "");
     this.byId("guide-skip").hidden = step === "race";
     this.announce(words);
   }
+}
+
+/** @param {Step} step */
+function wordsOf(step) {
+  return text.play.guide[step].words(GOAL_SECONDS);
 }

@@ -13,7 +13,7 @@ export class Placement extends EventTarget {
   ball = null;
   /**
    * Why the ball may not be placed, or null.
-   * @type {string | null}
+   * @type {import("../pkg/pathlight.js").InvalidBall | null}
    */
   invalidReason = null;
   #game;

@@ -10,10 +10,13 @@
 // Knows nothing of the document. The page's only way to the Game.
 
 import { Game } from "../pkg/pathlight.js";
-import { GOAL_SECONDS } from "../shell/constants.js";
-import { sentence } from "../text/sentence.js";
+import { ATTEMPT_LIMIT, GOAL_SECONDS } from "../shell/constants.js";
+import { sceneName } from "../puzzles/puzzle-name.js";
+import { templateOf } from "../puzzles/templates.js";
+import { text } from "../text/text.js";
 import { Attempts } from "./attempts.js";
 import { Display } from "./display.js";
+import { invalidWords } from "./invalid-words.js";
 import { Placement } from "./placement.js";
 import { attemptRun, overlaid } from "./shown.js";
 
@@ -23,9 +26,6 @@ import { attemptRun, overlaid } from "./shown.js";
 /** @typedef {import("../pkg/pathlight.js").ListedAttempt} ListedAttempt */
 /** @typedef {import("./shown.js").ShownAttempt} ShownAttempt */
 /** @typedef {import("./shown.js").Ghost} Ghost */
-
-/** Codes of errors that refuse a ball; any other error is a defect. */
-const REFUSALS = ["invalid_ball", "attempt_limit"];
 
 export class Session extends Display {
   /** What the worker's calls are about. */
@@ -52,7 +52,25 @@ export class Session extends Display {
 
   /** What has to be reached, and for how long. */
   get goal() {
-    return this.about.goal.replace(/\.$/, ` for ${GOAL_SECONDS} seconds.`);
+    const { bodies, body1, body2 } = this.about.scene;
+    return text.puzzles.goal(bodies[body1], bodies[body2], GOAL_SECONDS);
+  }
+
+  /** What the puzzle is called. */
+  get name() {
+    return (this.about.id && templateOf(this.about.id)?.name) ?? sceneName(this.about);
+  }
+
+  /** What happens in the puzzle. */
+  get story() {
+    return (this.about.id && templateOf(this.about.id)?.story) ?? text.puzzles.customStory;
+  }
+
+  /** The scene for people who cannot see it: every body with its position, object and goal first. */
+  get description() {
+    const { bodies, body1, body2 } = this.about.scene;
+    const others = bodies.filter((_, index) => index !== body1 && index !== body2);
+    return text.puzzles.description(bodies[body1], bodies[body2], others);
   }
 
   /** The ball being placed, or null. */
@@ -78,22 +96,25 @@ export class Session extends Display {
       // A prediction needs no ball.
       this.watch();
     } else if (this.state.tool === "line") {
-      this.refuse("Draw your prediction first: the path of the green object.");
+      this.refuse(text.play.refusal.noPrediction);
     } else {
-      this.refuse("Place the ball first: click or tap in the scene, or press an arrow key there.");
+      this.refuse(text.play.refusal.noBall);
     }
   }
 
   /** @param {Ball} ball */
   #attempt(ball) {
+    if (this.invalidReason)
+      return this.refuse(text.play.refusal.invalid(invalidWords(this.invalidReason, this.about.scene)));
     try {
       const before = this.attempts.standing("player").used;
       const attempt = this.game.attempt(...ball);
       this.show(attemptRun({ author: "player", ...attempt }, { hidden: attempt.number > before ? "player" : null }));
     } catch (caught) {
       const error = /** @type {import("../pkg/pathlight.js").CodedError} */ (caught);
-      if (!REFUSALS.includes(error.code)) throw error;
-      this.refuse(`${sentence(error.message)} That does not count as an attempt.`);
+      // Any other error is a defect.
+      if (error.code !== "attempt_limit") throw error;
+      this.refuse(text.play.refusal.limit(ATTEMPT_LIMIT));
     }
   }
 

@@ -1,6 +1,7 @@
 // How hard the puzzles are, in words, and which one is next by that.
 
 import { pathlight } from "../shell/page-api.js";
+import { text } from "../text/text.js";
 import { TASKS } from "./templates.js";
 
 /** The least solve rates of puzzles that are called easy, and medium. */
@@ -27,9 +28,17 @@ export function solveRateOf(task) {
   return rates.get(task) ?? 0;
 }
 
+/**
+ * @param {number} rate of solving balls
+ * @returns {import("../text/en/puzzles.js").Difficulty}
+ */
+function difficultyOf(rate) {
+  return rate >= EASY ? "easy" : rate >= MEDIUM ? "medium" : "hard";
+}
+
 /** @param {number} rate of solving balls */
 export function difficultyName(rate) {
-  return rate >= EASY ? "easy" : rate >= MEDIUM ? "medium" : "hard";
+  return text.puzzles.difficulties[difficultyOf(rate)];
 }
 
 /**
@@ -38,9 +47,8 @@ export function difficultyName(rate) {
  */
 export function difficultyWords(task) {
   const { solve_rate: rate, balls } = pathlight.difficulty(task);
-  const share =
-    rate > 0 ? `about 1 ball in ${Math.round(1 / rate)} solves it` : `fewer than 1 ball in ${balls} solve it`;
-  return `${difficultyName(rate)}: ${share}`;
+  const { oneInSolves, fewerSolve, howHard } = text.puzzles;
+  return howHard(difficultyOf(rate), rate > 0 ? oneInSolves(1 / rate) : fewerSolve(balls));
 }
 
 /**

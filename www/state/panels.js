@@ -1,5 +1,6 @@
 // The panels of a puzzle. Tabs, links, what a link may hide and the dialog for lessons derive from this list; what a
-// panel shows and does is in its module, which element/panel-components.js lists. Knows nothing of the document.
+// panel shows and does is in its module, which element/panel-components.js lists; its name is in the catalogue. Knows
+// nothing of the document.
 
 import { MAPS } from "../shell/constants.js";
 
@@ -13,7 +14,6 @@ import { MAPS } from "../shell/constants.js";
  * none of the story's.
  * @typedef {object} PanelFacts
  * @property {Panel} name in links
- * @property {string} label
  * @property {Panel} [tab]
  * @property {boolean} [below]
  * @property {import("../play/shown.js").Tool} [tool]
@@ -25,13 +25,13 @@ import { MAPS } from "../shell/constants.js";
  * @type {readonly PanelFacts[]}
  */
 export const PANELS = [
-  { name: "play", label: "Play" },
-  { name: "imagine", label: "Imagine", maps: MAPS },
-  { name: "compare", label: "The model’s balls, one by one", tab: "play", below: true },
+  { name: "play" },
+  { name: "imagine", maps: MAPS },
+  { name: "compare", tab: "play", below: true },
   // Maps would tell the answer while the player draws a prediction.
-  { name: "predict", label: "Predict", tab: "imagine", tool: "line", maps: [] },
-  { name: "map", label: "Check the answer", tab: "imagine", maps: ["placement"] },
-  { name: "make", label: "Make", tool: "bodies", maps: [] },
+  { name: "predict", tab: "imagine", tool: "line", maps: [] },
+  { name: "map", tab: "imagine", maps: ["placement"] },
+  { name: "make", tool: "bodies", maps: [] },
 ];
 
 /** The panels that have a tab. */

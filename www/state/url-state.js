@@ -5,6 +5,7 @@
 
 import { NAME } from "../storage/attempts.js";
 import { ATTEMPT_LIMIT, MAPS, MAX_RADIUS, MIN_RADIUS, SCENE_SIZE } from "../shell/constants.js";
+import { text as catalogue } from "../text/text.js";
 import { PANELS } from "./panels.js";
 
 /** @typedef {import("../pkg/pathlight.js").Ball} Ball */
@@ -229,12 +230,8 @@ export function parseFragment(hash) {
       return [decoded(key), decoded(rest.join("="))];
     }),
   );
-  const words = unread.slice(0, NAMED).map(([key, text]) => `“${shortened(text ? `${key}=${text}` : key)}”`);
-  if (unread.length > NAMED) words.push("more");
-  return {
-    state,
-    problem: words.length ? `This link says ${words.join(" and ")}, which Pathlight does not understand.` : null,
-  };
+  const named = unread.slice(0, NAMED).map(([key, text]) => shortened(text ? `${key}=${text}` : key));
+  return { state, problem: named.length ? catalogue.reading.link.unread(named, unread.length > NAMED) : null };
 }
 
 /** How many parts of a link that cannot be read are named. */

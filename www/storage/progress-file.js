@@ -5,6 +5,7 @@
 // { "tasks": {…}, "models": { "within-0": {…} }, "attempts": [{…}] }   as counts.js and attempts.js have them
 
 import { AttemptReader, NAME, PLAYER, lineOf } from "./attempts.js";
+import { text as catalogue } from "../text/text.js";
 import { Counts } from "./counts.js";
 import { FileProblem, linesOf } from "./sliced-work.js";
 
@@ -51,11 +52,8 @@ export function* progressOfText(text, digestOf) {
     }
   }
   if (reader.attempts.length === 0 && counts.all.length === 0) {
-    if (text.length > MAX_JSON && whole === undefined)
-      throw new FileProblem(
-        "This file is too large to be read as a whole. Choose one with an attempt on each line, as “pathlight” and this page write them.",
-      );
-    throw new FileProblem("This file holds no progress of Pathlight and no attempts. Choose one that was saved here.");
+    const { tooLarge, empty } = catalogue.reading.progressFile;
+    throw new FileProblem(text.length > MAX_JSON && whole === undefined ? tooLarge : empty);
   }
   return { attempts: reader.attempts, counts, unread: reader.unread };
 }

@@ -1,6 +1,7 @@
 // The custom puzzles that this browser keeps, as JSON: an array of scenes, oldest first. A store that is forbidden,
 // full or damaged keeps nothing but never breaks the page. Knows nothing of the document.
 
+import { text as catalogue } from "../text/text.js";
 import { BrowserStore } from "./browser-store.js";
 
 /** @typedef {import("../pkg/pathlight.js").CustomScene} CustomScene */
@@ -48,7 +49,7 @@ export class PuzzleStore extends EventTarget {
       else left += 1;
     }
     const added = all.size - this.#scenes.size;
-    const full = `The page keeps ${MOST_PUZZLES} puzzles: delete some in the grid first. What is in a file stays there.`;
+    const full = catalogue.reading.puzzleStore.full(MOST_PUZZLES);
     return { added, left, failure: added > 0 ? this.#write(all) : left > 0 ? full : null };
   }
 
@@ -76,7 +77,7 @@ export class PuzzleStore extends EventTarget {
     const text = `[${[...scenes.keys()].join(",")}]`;
     if (!this.#store.set(KEY, text)) {
       this.#store.revert(KEY);
-      return "This browser keeps nothing for the page, or has no room left: save the puzzle as a file, or copy its link.";
+      return catalogue.reading.puzzleStore.refused;
     }
     this.#text = text;
     this.#scenes = scenes;

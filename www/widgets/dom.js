@@ -2,6 +2,8 @@
 // assignment triggers an announcement and a layout. An element that is missing is a bug of ours, so it throws
 // immediately, with its name.
 
+import { text } from "../text/text.js";
+
 /**
  * A tree of elements in which an id is unique.
  * @typedef {Document | ShadowRoot} Root
@@ -61,19 +63,16 @@ export function createButton(label, act) {
  */
 export function contextOf(canvas) {
   const context = canvas.getContext("2d");
-  if (!context)
-    throw new Error(
-      "This browser gives the page no canvas to draw on: perhaps its memory is used up. Close other tabs, and load the page again.",
-    );
+  if (!context) throw new Error(text.page.broken.noCanvas);
   return context;
 }
 
 /**
  * @param {Element} element
- * @param {string} text
+ * @param {string} words
  */
-export function setText(element, text) {
-  if (element.textContent !== text) element.textContent = text;
+export function setText(element, words) {
+  if (element.textContent !== words) element.textContent = words;
 }
 
 /**

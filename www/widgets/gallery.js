@@ -6,6 +6,7 @@ import { LazyThumbnails } from "./lazy-thumbnails.js";
 import { SCENE_SIZE } from "../shell/constants.js";
 import { pathlight } from "../shell/page-api.js";
 import { hrefOf } from "../state/links.js";
+import { text } from "../text/text.js";
 
 /** @typedef {import("../pkg/pathlight.js").Template} Template */
 
@@ -107,12 +108,12 @@ export class Gallery {
   /**
    * Shows under a template what has been solved of it.
    * @param {Template} template
-   * @param {string} text
+   * @param {string} words
    */
-  mark(template, text) {
-    this.#marks.set(template.id, text);
+  mark(template, words) {
+    this.#marks.set(template.id, words);
     const item = this.#items.get(template);
-    if (item) item.mark.textContent = text;
+    if (item) item.mark.textContent = words;
   }
 
   /**
@@ -132,7 +133,7 @@ export class Gallery {
     const mark = document.createElement("em");
     mark.textContent = this.#marks.get(id) ?? "";
     const difficulty = document.createElement("i");
-    difficulty.textContent = `mostly ${difficultyName(rate)}`;
+    difficulty.textContent = text.page.widgets.mostly(difficultyName(rate));
     const link = document.createElement("a");
     link.href = this.#hrefOf(first) ?? "#";
     link.append(picture, title, difficulty, mark);

@@ -1,6 +1,7 @@
 // One sentence above everything else: what is wrong, and what the person can do about it; or, for a while at the lower
 // edge, what has been done.
 
+import { text } from "../text/text.js";
 import { byId, createButton } from "./dom.js";
 
 const bar = byId(document, "notice");
@@ -19,7 +20,7 @@ export function showNotice(sentence, actions = []) {
   const controls = actions.map(([label, action]) =>
     typeof action === "string" ? link(label, action) : createButton(label, action),
   );
-  byId(document, "notice-actions").replaceChildren(...controls, createButton("Close", dismissNotice));
+  byId(document, "notice-actions").replaceChildren(...controls, createButton(text.page.widgets.close, dismissNotice));
   bar.classList.remove("done");
   clearTimeout(timer);
   bar.hidden = false;

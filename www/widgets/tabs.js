@@ -4,6 +4,7 @@ import { Component } from "./component.js";
 import { find, setText } from "./dom.js";
 import { PANELS, TABS, factsOf, partsOf, tabOf } from "../state/panels.js";
 import { visiblePanels, visibleTabs } from "../state/view.js";
+import { text } from "../text/text.js";
 
 /** @typedef {import("../state/panels.js").Panel} Panel */
 
@@ -44,13 +45,13 @@ export class Tabs extends Component {
     const single = this.#opened.length === 1;
     for (const id of ["tabs", "keys-of-panels", "key-panels"]) this.byId(id).hidden = single;
     setText(find(this.byId("keys-of-panels"), "kbd:last-child"), String(this.#opened.length));
-    setText(this.byId("key-panels"), this.#opened.map((panel) => factsOf(panel).label).join(", "));
+    setText(this.byId("key-panels"), this.#opened.map((panel) => text.element.panels[panel]).join(", "));
     for (const { name } of TABS) {
       const tab = this.byId(`tab-${name}`);
       const opened = this.#opened.find((panel) => tabOf(panel) === name);
       tab.hidden = !opened;
       // A tab that has lost its own panel is named after what is left.
-      setText(tab, factsOf(opened ?? name).label);
+      setText(tab, text.element.panels[opened ?? name]);
       tab.setAttribute("aria-selected", String(name === selectedTab));
       tab.tabIndex = name === selectedTab ? 0 : -1;
       this.byId(`tabpanel-${name}`).hidden = name !== selectedTab;

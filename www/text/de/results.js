@@ -1,0 +1,43 @@
+// The German words for en/results.js.
+
+import { number, percent } from "./format.js";
+
+/** @type {typeof import("../en/results.js").results} */
+export const results = {
+  title: "Wie gut sind die Modelle?",
+  model: "Modell",
+  agent: "Spielweise",
+  show: "Zeige",
+  all: "alle Rätsel",
+  failures: "nur nicht gelöste",
+  late: "nicht gelöste und erst nach dem zehnten Versuch gelöste",
+  first: "im ersten Versuch gelöste",
+  csv: "Alles als CSV speichern",
+  cells:
+    "Jeder Eintrag öffnet sein Rätsel mit diesem Modell. Die Zahl sagt, in welchem Versuch es gelöst wurde; × heißt: nicht gelöst.",
+  none: "Es gibt keine.",
+
+  namedAgent: (name, what) => `${name}: ${what}`,
+  about: (name, what, puzzles) => `${name} ${what}; diese ${number(puzzles)} Rätsel hat es noch nie gesehen.`,
+  outcome: ([hundred, ten, one], of) =>
+    `${number(hundred)} von ${number(of)} Rätseln in höchstens hundert Versuchen gelöst, ${number(ten)} in zehn, ${number(one)} im ersten.`,
+  auccess: (auccess) => `AUCCESS: ${number(auccess, 1)} von 100.`,
+  ofKind: (solved, of) => `${number(solved)} von ${number(of)} gelöst`,
+  solved: (task, at) => `${task}, gelöst im ${at}. Versuch`,
+  missed: (task) => `${task}, nicht gelöst`,
+
+  calibration: {
+    title: "Wenn es 30\u00a0% sagt, klappt es dann in 30\u00a0% der Fälle?",
+    about:
+      "Von den Kugeln, denen das Modell eine Chance von 30\u00a0% gibt, sollten drei von zehn ihr Rätsel lösen. Unter der Diagonale verspricht es zu viel. Zufällige Kugeln sind beliebige, die auch du setzen dürftest; Kandidaten sind Kugeln, die das Modell selbst in Betracht zieht.",
+    chart: "Angegebene Chance und Anteil der Kugeln, die lösen; die Zahlen stehen in der Tabelle",
+    randomKey: "● zufällige Kugeln",
+    candidatesKey: "■ Kandidaten",
+    chance: "Chance",
+    random: "Zufällige Kugeln",
+    candidates: "Kandidaten",
+    balls: "Kugeln",
+    solve: "lösen",
+    range: (from, to) => `${number(100 * from)} bis ${percent(to)}`,
+  },
+};

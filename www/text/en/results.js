@@ -1,0 +1,44 @@
+// What the page of the results says.
+
+import { number, percent } from "./format.js";
+
+export const results = {
+  title: "How good are the models?",
+  model: "Model",
+  agent: "Agent",
+  show: "Show",
+  all: "all puzzles",
+  failures: "only failures",
+  late: "failures, and those solved after the tenth attempt",
+  first: "those solved at the first attempt",
+  csv: "Save all as CSV",
+  cells: "Each entry opens its puzzle with this model. A number is the attempt that solved it; × means not solved.",
+  none: "There are none.",
+
+  namedAgent: (/** @type {string} */ name, /** @type {string} */ what) => `${name}: ${what}`,
+  about: (/** @type {string} */ name, /** @type {string} */ what, /** @type {number} */ puzzles) =>
+    `${name} ${what}; it has never seen these ${number(puzzles)} puzzles.`,
+  /** How many are solved within a hundred attempts, ten and one. */
+  outcome: (/** @type {number[]} */ [hundred, ten, one], /** @type {number} */ of) =>
+    `${number(hundred)} of ${number(of)} puzzles solved within a hundred attempts, ${number(ten)} within ten, ${number(one)} at the first.`,
+  /** 0 to 100. */
+  auccess: (/** @type {number} */ auccess) => `Auccess ${number(auccess, 1)} of 100.`,
+  ofKind: (/** @type {number} */ solved, /** @type {number} */ of) => `${number(solved)} of ${number(of)} solved`,
+  solved: (/** @type {string} */ task, /** @type {number} */ at) => `${task}, solved on attempt ${at}`,
+  missed: (/** @type {string} */ task) => `${task}, not solved`,
+
+  calibration: {
+    title: "When it says 30%, is it right 30% of the time?",
+    about:
+      "Of the balls to which the model gives a chance of 30%, three in ten should solve their puzzle. Below the diagonal it promises too much. Random balls are any that a person may place; candidates are those that the model itself considers.",
+    chart: "Chance given and share that solves; the table has the numbers",
+    randomKey: "● random balls",
+    candidatesKey: "■ candidates",
+    chance: "Chance",
+    random: "Random balls",
+    candidates: "Candidates",
+    balls: "balls",
+    solve: "solve",
+    range: (/** @type {number} */ from, /** @type {number} */ to) => `${number(100 * from)} to ${percent(to)}`,
+  },
+};
