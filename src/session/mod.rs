@@ -3,6 +3,7 @@
 
 pub mod ending;
 pub mod game;
+pub mod moments;
 pub mod puzzle;
 pub mod scene_check;
 pub mod turn;

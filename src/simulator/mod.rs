@@ -29,6 +29,7 @@ use world::World;
 
 pub use closest_approach::{ClosestApproach, closest_approach};
 pub use engine::{Engine, UnknownEngine};
+pub use first_contact::{Contact, first_contact};
 pub use simulation::{Outcome, Simulation};
 
 mod body;
@@ -38,6 +39,7 @@ mod contact;
 mod contact_solver;
 pub mod distance;
 mod engine;
+mod first_contact;
 mod fixture;
 mod island;
 pub mod penetration;

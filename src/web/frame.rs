@@ -1,7 +1,7 @@
 //! One frame of the page: the order in which its layers are drawn.
 //!
-//! From the bottom: ribbons, static bodies, maps, imagined paths, paths, dynamic bodies, balls, ghosts, marks, the
-//! sketch, and the ring or the knob. Used by `game_view`; `paint`, `ribbon` and `marks` do the drawing.
+//! From the bottom: ribbons, static bodies, maps, imagined paths, paths, dynamic bodies, balls, ghosts, the spark,
+//! marks, the sketch, and the ring or the knob. Used by `game_view`; `paint`, `ribbon` and `marks` do the drawing.
 
 use serde::Deserialize;
 use wasm_bindgen::prelude::*;
@@ -17,6 +17,9 @@ use crate::session::ending::touch_streak;
 
 /// Opacity of the static bodies that are drawn again over the maps, 0..=1.
 const STATIC_OPACITY: f64 = 0.6;
+
+/// How long a spark is seen, steps.
+const SPARK_STEPS: f64 = 20.0;
 
 /// What a frame shows.
 #[derive(Deserialize)]
@@ -48,6 +51,16 @@ pub(crate) struct View {
     /// Where the first rollout came nearest to the goal.
     #[serde(default)]
     approach: Option<Approach>,
+    /// A contact that sparks.
+    #[serde(default)]
+    spark: Option<Spark>,
+}
+
+/// A contact that sparks for a moment after its step.
+#[derive(Deserialize)]
+struct Spark {
+    step: f64,
+    point: [f64; 2],
 }
 
 /// A closest approach that is shown: how object and goal lay, and the gap between them.
@@ -83,6 +96,7 @@ impl View {
             imagined: None,
             hints: Vec::new(),
             approach: None,
+            spark: None,
         }
     }
 
@@ -139,6 +153,9 @@ pub(crate) fn paint(
     }
     if let Some(imagined) = &view.imagined {
         painter.ghosts(scene, imagined, first.map(|_| view.step))?;
+    }
+    if let Some(Spark { step, point }) = view.spark {
+        painter.spark(point, (view.step - step) / SPARK_STEPS)?;
     }
     for mark in &view.marks {
         painter.mark(mark.ball, mark.from, mark.chosen)?;

@@ -3,6 +3,7 @@
 //! The second half of the exports of `Game`: `replay`, `compare`, `preview`, `paint`. Without a recording only the
 //! scene is drawn; an attempt, a replay, a comparison or `watch` sets the current recordings.
 
+use serde::Serialize;
 use wasm_bindgen::prelude::*;
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 
@@ -16,7 +17,8 @@ use crate::puzzle::action::Ball;
 use crate::puzzle::sampled_paths::SampledPaths;
 use crate::session::ending::Ending;
 use crate::session::game::{Attempt, Author};
-use crate::simulator::{closest_approach, simulate};
+use crate::session::moments::{deciding_touch, quiet_stretches};
+use crate::simulator::{Contact, closest_approach, first_contact, simulate};
 
 #[wasm_bindgen]
 impl Game {
@@ -121,6 +123,26 @@ impl Game {
     pub fn closest_approach(&self) -> Result<JsValue, JsValue> {
         let approach = |recording: &Recording| closest_approach(&self.puzzle.scene, &recording.rollout);
         self.recordings.first().map(approach).map_or(Ok(JsValue::UNDEFINED), |approach| to_js(&approach))
+    }
+
+    /// Returns the moments of the current recordings that their playback tells apart: none of two recordings but those
+    /// in which nothing moves.
+    #[wasm_bindgen(unchecked_return_type = "Moments")]
+    pub fn moments(&self) -> Result<JsValue, JsValue> {
+        #[derive(Serialize)]
+        struct Moments {
+            quiet: Vec<[usize; 2]>,
+            contact: Option<Contact>,
+            deciding: Option<usize>,
+        }
+        let quiet = quiet_stretches(self.recordings.iter().map(|recording| &recording.rollout));
+        let (contact, deciding) = match self.recordings.as_slice() {
+            [Recording { ball, rollout, .. }] => {
+                (ball.and_then(|ball| first_contact(&self.puzzle.scene, ball, rollout)), deciding_touch(rollout))
+            }
+            _ => (None, None),
+        };
+        to_js(&Moments { quiet, contact, deciding })
     }
 
     /// Returns the intervals in which the green object touches the goal in the first of the current recordings.

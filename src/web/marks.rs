@@ -8,6 +8,9 @@ use super::paint::{LineStyle, Painter};
 use crate::puzzle::action::Ball;
 use crate::puzzle::scene::Role;
 
+/// Of a spark.
+const RAYS: u32 = 8;
+
 impl Painter<'_> {
     /// Marks the ball of another attempt with a small ring; the selected one also with its rim and a line from the
     /// place that it comes from.
@@ -49,6 +52,27 @@ impl Painter<'_> {
                 context.fill();
             }
         }
+        Ok(())
+    }
+
+    /// Draws the spark of a contact at a point: rays that fly apart, over a fraction of its time, 0..=1.
+    pub(crate) fn spark(&self, [x, y]: [f64; 2], fraction: f64) -> Result<(), JsValue> {
+        if !(0.0..=1.0).contains(&fraction) {
+            return Ok(());
+        }
+        self.set_alpha((2.0 - 2.0 * fraction).min(1.0));
+        for (colour, width) in [(self.palette.ink, 3.2), (self.palette.ring, 1.8)] {
+            self.context.begin_path();
+            for ray in 0..RAYS {
+                let (sin, cos) = (TAU * f64::from(ray) / f64::from(RAYS)).sin_cos();
+                let [inner, outer] = [2.0 + 12.0 * fraction, 5.0 + 17.0 * fraction.sqrt()];
+                self.context.move_to(x + inner * cos, y + inner * sin);
+                self.context.line_to(x + outer * cos, y + outer * sin);
+            }
+            self.set_stroke(colour, width, LineStyle::Solid)?;
+            self.context.stroke();
+        }
+        self.set_alpha(1.0);
         Ok(())
     }
 

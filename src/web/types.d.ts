@@ -427,6 +427,8 @@ export interface View {
     hints?: { object: Float32Array; opacity: number; tried?: boolean }[];
     /** Where the first rollout came nearest to the goal. */
     approach?: Pick<ClosestApproach, "step" | "points"> | null;
+    /** A contact that sparks for a moment after its step. */
+    spark?: Moments["contact"];
 }
 
 /** The moment at which the green object was nearest to its goal. */
@@ -436,6 +438,16 @@ export interface ClosestApproach {
     gap: number;
     /** The points of the object and of the goal that were so near, px. */
     points: [object: [x: number, y: number], goal: [x: number, y: number]];
+}
+
+/** What the playback of the current recordings tells apart; all in steps. */
+export interface Moments {
+    /** Stretches, as first and last step, in which nothing moves and no object is on its goal. */
+    quiet: [first: number, last: number][];
+    /** The first contact of the ball with the green object: when, and where, px. */
+    contact: { step: number; point: [x: number, y: number] } | null;
+    /** When the touch begins that solves the puzzle. */
+    deciding: number | null;
 }
 
 /** How hard a task is. */

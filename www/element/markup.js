@@ -32,6 +32,7 @@ function sceneMarkup() {
   <div class="scene-area">
     <div class="scene">
       <canvas id="scene" tabindex="0" role="application" aria-roledescription="${words.role}" aria-labelledby="goal" aria-describedby="description"></canvas>
+      <canvas id="loupe" aria-hidden="true" hidden></canvas>
       <p id="scene-label" aria-hidden="true" hidden></p>
       <div id="celebration" aria-hidden="true" hidden></div>
     </div>
@@ -50,6 +51,7 @@ function sceneMarkup() {
     </div>
     <div class="status-row">
       <p id="status"></p>
+      <button type="button" id="skip-quiet" hidden>${text.play.skipQuiet}</button>
       <button type="button" id="see-closest" title="${words.closest}" hidden>${words.seeIt}</button>
       <div id="goal-meter" role="meter" aria-label="${words.touched}" aria-valuemin="0" hidden>
         <svg viewBox="0 0 24 24" aria-hidden="true"><circle cx="12" cy="12" r="9"/><circle cx="12" cy="12" r="9" pathLength="100" class="filled"/></svg>

@@ -5,6 +5,7 @@ import { Component } from "../widgets/component.js";
 import { SCENE_SIZE } from "../shell/constants.js";
 import { contextOf } from "../widgets/dom.js";
 import { Gestures } from "./gestures.js";
+import { Loupe } from "./loupe.js";
 
 /** @typedef {[x: number, y: number]} Point px of the scene, from its lower left corner */
 
@@ -38,10 +39,12 @@ export class SceneCanvas extends Component {
   #scale = 1;
   #resizes = new ResizeObserver(([entry]) => this.#onResize(entry));
   #drawScheduled = false;
+  #loupe = new Loupe(this.byId("loupe", HTMLCanvasElement), this.#canvas);
   #gestures = new Gestures(
     this.#canvas,
     () => this.session,
     () => this.#scale,
+    (point) => this.#loupe.show(point),
   );
   /** @type {Overlay} */
   #overlay = NO_OVERLAY;
@@ -105,11 +108,13 @@ export class SceneCanvas extends Component {
       // The paths of a race are not told before it is run.
       whole: session.phase === "compare" && session.finished,
       approach: session.approach,
+      spark: session.reducedMotion ? null : session.moments.contact,
       ...{ opacity, marks, sketch, imagined, hints },
       dark: this.dark,
     };
     if (painter) painter(this.#context, view, maps);
     else session.game.paint(this.#context, view, maps);
+    this.#loupe.draw();
   }
 
   /**

@@ -47,6 +47,7 @@ export class Controls extends Component {
     onClick("step", (session) => session.step(1));
     onClick("reset", (session) => session.reset());
     onClick("see-closest", (session) => session.approach && session.seek(session.approach.step));
+    onClick("skip-quiet", (session) => session.skipQuiet());
     onClick("watch", (session) => session.watch());
     onClick("undo", (session) => session.placement.undo());
     onClick("redo", (session) => session.placement.redo());
@@ -132,7 +133,8 @@ export class Controls extends Component {
   }
 
   /** @param {Session} session */
-  #updateTime({ playback: { step, seconds, last } }) {
+  #updateTime({ playback: { step, seconds, last }, quietEnd }) {
+    this.byId("skip-quiet").hidden = quietEnd === null;
     setValue(this.#time, String(Math.floor(step)));
     this.#time.setAttribute("aria-valuetext", text.play.spokenTime(seconds));
     this.#time.style.setProperty("--done", String(last ? step / last : 0));

@@ -1,10 +1,14 @@
 // What one puzzle shows: the state (shown.js), the rollouts that the wasm's Game holds for it, and the clock. Tells
 // when something changes, by the events "change", "draw" and "attempted" of session.js.
 
+import { paceAt, quietEnd } from "./pace.js";
 import { Playback } from "./playback.js";
 import * as show from "./shown.js";
 
 /** @typedef {import("./shown.js").Ghost} Ghost */
+
+/** @type {import("../pkg/pathlight.js").Moments} */
+const NO_MOMENTS = { quiet: [], contact: null, deciding: null };
 
 export class Display extends EventTarget {
   /** The wasm's Game; freed by `close`. */
@@ -12,6 +16,8 @@ export class Display extends EventTarget {
   playback = new Playback();
   /** Changes whenever something else is shown or the ball is placed elsewhere. */
   revision = 0;
+  /** What the playback of what is shown tells apart. */
+  moments = NO_MOMENTS;
   #state = show.START;
   #prefersReducedMotion;
 
@@ -23,6 +29,7 @@ export class Display extends EventTarget {
     super();
     this.game = game;
     this.#prefersReducedMotion = prefersReducedMotion;
+    this.playback.pace = (step) => paceAt(this.moments, step);
     this.playback.addEventListener("tick", () => this.#onTick());
   }
 
@@ -93,11 +100,23 @@ export class Display extends EventTarget {
     this.emit("change");
   }
 
+  /** The end of the stretch that plays and in which nothing moves; null if something does, or nothing plays. */
+  get quietEnd() {
+    return this.playback.playing && this.ghosts === null ? quietEnd(this.moments, this.playback.step) : null;
+  }
+
+  /** Skips the stretch in which nothing moves. */
+  skipQuiet() {
+    const { quietEnd: end } = this;
+    if (end !== null) this.playback.skipTo(end);
+  }
+
   /** Returns to placing, with the ball where it was. */
   reset() {
     this.revealResult();
     this.game.reset();
     this.revision += 1;
+    this.moments = NO_MOMENTS;
     this.#state = show.placing(this.#state);
     this.playback.load(0);
     this.emit("change");
@@ -138,6 +157,7 @@ export class Display extends EventTarget {
     this.revealResult();
     this.revision += 1;
     this.#state = show.running(this.#state, run);
+    this.moments = this.game.moments();
     const last = this.game.steps();
     const atEnd = !play || this.reducedMotion;
     this.playback.load(last, atEnd ? last : 0);

@@ -42,6 +42,7 @@ export class Gestures {
   #canvas;
   #session;
   #scale;
+  #onTouch;
   /** @type {Drag | null} */
   #drag = null;
   /**
@@ -56,11 +57,13 @@ export class Gestures {
    * @param {HTMLCanvasElement} canvas
    * @param {() => import("./session.js").Session | null} session
    * @param {() => number} scale CSS px per px of the scene
+   * @param {(point: Point | null) => void} onTouch a finger drags the ball at a point; null: no longer
    */
-  constructor(canvas, session, scale) {
+  constructor(canvas, session, scale, onTouch) {
     this.#canvas = canvas;
     this.#session = session;
     this.#scale = scale;
+    this.#onTouch = onTouch;
     canvas.addEventListener("pointerdown", (event) => this.#onPointerDown(event));
     canvas.addEventListener("pointermove", (event) => this.#onPointerMove(event));
     for (const end of ["pointerup", "pointercancel"])
@@ -128,6 +131,7 @@ export class Gestures {
   endDrag() {
     const drag = this.#drag;
     this.#drag = null;
+    this.#onTouch(null);
     if (drag?.kind === "pen") this.#pen?.end?.();
     // The person may have taken the ball elsewhere meanwhile.
     else if (drag && sameBall(this.#session()?.ball, drag.ball)) this.#session()?.placement.settle(drag);
@@ -177,12 +181,14 @@ export class Gestures {
     // Undo, redo, keys and fields take the ball out of the drag.
     if (!sameBall(session.ball, drag.ball)) {
       this.#drag = null;
+      this.#onTouch(null);
       return;
     }
     const [ballX, ballY, r] = drag.ball;
     if (drag.kind === "resize") session.placement.place([ballX, ballY, Math.hypot(x - ballX, y - ballY)], drag);
     else session.placement.place([x + drag.dx, y + drag.dy, r], drag);
     drag.ball = session.ball ?? drag.ball;
+    if (event.pointerType === "touch") this.#onTouch([x, y]);
   }
 
   /** @param {WheelEvent} event */

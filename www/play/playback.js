@@ -13,6 +13,11 @@ export class Playback extends EventTarget {
   last = 0;
   /** How many times faster than real time. */
   speed = 1;
+  /**
+   * How many times as fast a step is played as others, as long as the person has not chosen a speed.
+   * @type {(step: number) => number}
+   */
+  pace = () => 1;
   playing = false;
   /** Steps per second while it plays, or null for real time by `speed`. */
   #rate = /** @type {number | null} */ (null);
@@ -67,9 +72,21 @@ export class Playback extends EventTarget {
     this.#moveTo(Math.round(step));
   }
 
+  /**
+   * Goes on from a later step.
+   * @param {number} step
+   */
+  skipTo(step) {
+    this.#moveTo(step);
+  }
+
   /** Stops for good, without a tick. */
   stop() {
     this.playing = false;
+  }
+
+  get #pacedSpeed() {
+    return this.speed === 1 ? this.pace(this.step) : this.speed;
   }
 
   /** @param {number} now */
@@ -77,7 +94,7 @@ export class Playback extends EventTarget {
     if (!this.playing) return;
     const elapsed = Math.min(now - this.#lastFrame, MAX_FRAME) / 1000;
     this.#lastFrame = now;
-    const step = this.step + Math.max(elapsed, 0) * (this.#rate ?? STEPS_PER_SECOND * this.speed);
+    const step = this.step + Math.max(elapsed, 0) * (this.#rate ?? STEPS_PER_SECOND * this.#pacedSpeed);
     if (step >= this.last) this.playing = false;
     else requestAnimationFrame(this.#onFrame);
     this.#moveTo(step);

@@ -15,6 +15,7 @@ const MOMENT = "einem Augenblick";
 /** @type {typeof import("../en/play.js").play} */
 export const play = {
   run: { drop: "Fallen lassen", run: "Los", pause: "Pause", replay: "Noch einmal", goOn: "Weiter" },
+  skipQuiet: "Nichts rührt sich: weiter",
   time: (time) => seconds(time),
   spokenTime: (time) => `${number(time, 1)} Sekunden`,
   meter: (time, goal) => `${number(time, 1)} von ${goal} s`,

@@ -11,6 +11,7 @@ const WHOSE = { player: "your", model: "the model’s" };
 
 export const play = {
   run: { drop: "Drop it", run: "Run", pause: "Pause", replay: "Replay", goOn: "Go on" },
+  skipQuiet: "Nothing moves: skip",
   time: (/** @type {number} */ time) => seconds(time),
   spokenTime: (/** @type {number} */ time) => `${number(time, 1)} seconds`,
   meter: (/** @type {number} */ time, /** @type {number} */ goal) => `${number(time, 1)} of ${goal} s`,
