@@ -54,6 +54,9 @@ pub(crate) struct View {
     /// A contact that sparks.
     #[serde(default)]
     spark: Option<Spark>,
+    /// Whose ball is whose, beside the balls of the recordings in order.
+    #[serde(default)]
+    names: Vec<String>,
 }
 
 /// A contact that sparks for a moment after its step.
@@ -97,6 +100,7 @@ impl View {
             hints: Vec::new(),
             approach: None,
             spark: None,
+            names: Vec::new(),
         }
     }
 
@@ -147,6 +151,11 @@ pub(crate) fn paint(
     bodies(true)?;
     for (index, recording) in recordings.iter().enumerate() {
         draw_ball(&painter, scene, recording, view.step, index > 0)?;
+    }
+    for (recording, name) in recordings.iter().zip(&view.names) {
+        if let (Some(ball), Some([x, y, _])) = (recording.ball, recording.pose(view.step, scene.bodies.len())) {
+            painter.name(name, [x.into(), f64::from(y) + ball.r])?;
+        }
     }
     if let (Some(recording), Some(approach)) = (first, &view.approach) {
         draw_approach(&painter, scene, recording, approach)?;

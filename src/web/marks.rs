@@ -6,10 +6,13 @@ use wasm_bindgen::prelude::*;
 
 use super::paint::{LineStyle, Painter};
 use crate::puzzle::action::Ball;
-use crate::puzzle::scene::Role;
+use crate::puzzle::scene::{Role, SIZE};
 
 /// Of a spark.
 const RAYS: u32 = 8;
+
+/// px of the scene
+const NAME_HEIGHT: f64 = 9.0;
 
 impl Painter<'_> {
     /// Marks the ball of another attempt with a small ring; the selected one also with its rim and a line from the
@@ -53,6 +56,23 @@ impl Painter<'_> {
             }
         }
         Ok(())
+    }
+
+    /// Writes a name above a point, inside of the scene.
+    pub(crate) fn name(&self, name: &str, [x, y]: [f64; 2]) -> Result<(), JsValue> {
+        let context = self.context;
+        context.set_font(&format!("600 {}px system-ui, sans-serif", NAME_HEIGHT * self.scale));
+        context.set_text_align("center");
+        let half = context.measure_text(name)?.width() / 2.0 / self.scale;
+        let x = x.clamp(half + 2.0, (SIZE - half - 2.0).max(half + 2.0));
+        let y = (y + NAME_HEIGHT / 3.0).min(SIZE - NAME_HEIGHT);
+        // The scene's y points up; text would stand on its head.
+        context.set_transform(1.0, 0.0, 0.0, 1.0, x * self.scale, (SIZE - y) * self.scale)?;
+        self.set_stroke(self.palette.paper, 3.0 * self.scale, LineStyle::Solid)?;
+        context.stroke_text(name, 0.0, 0.0)?;
+        context.set_fill_style_str(self.palette.ink);
+        context.fill_text(name, 0.0, 0.0)?;
+        self.set_scene_units()
     }
 
     /// Draws the spark of a contact at a point: rays that fly apart, over a fraction of its time, 0..=1.

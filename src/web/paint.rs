@@ -33,7 +33,7 @@ pub(crate) struct Painter<'a> {
     pub(super) context: &'a CanvasRenderingContext2d,
     pub(super) palette: &'static Palette,
     /// Canvas pixels per px of the scene.
-    scale: f64,
+    pub(super) scale: f64,
 }
 
 /// Line style: solid for the player, dashed for the model, dotted for what is imagined.
@@ -189,7 +189,7 @@ impl<'a> Painter<'a> {
         self.set_scene_units()
     }
 
-    fn set_scene_units(&self) -> Result<(), JsValue> {
+    pub(super) fn set_scene_units(&self) -> Result<(), JsValue> {
         self.context.set_transform(self.scale, 0.0, 0.0, -self.scale, 0.0, self.scale * SIZE)
     }
 

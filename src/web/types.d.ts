@@ -428,7 +428,9 @@ export interface View {
     /** Where the first rollout came nearest to the goal. */
     approach?: Pick<ClosestApproach, "step" | "points"> | null;
     /** A contact that sparks for a moment after its step. */
-    spark?: Moments["contact"];
+    spark?: Contact | null;
+    /** Whose ball is whose, beside the balls of the recordings in order. */
+    names?: string[];
 }
 
 /** The moment at which the green object was nearest to its goal. */
@@ -440,12 +442,18 @@ export interface ClosestApproach {
     points: [object: [x: number, y: number], goal: [x: number, y: number]];
 }
 
+/** A contact of the ball with the green object: when, and where, px. */
+export interface Contact {
+    step: number;
+    point: [x: number, y: number];
+}
+
 /** What the playback of the current recordings tells apart; all in steps. */
 export interface Moments {
     /** Stretches, as first and last step, in which nothing moves and no object is on its goal. */
     quiet: [first: number, last: number][];
-    /** The first contact of the ball with the green object: when, and where, px. */
-    contact: { step: number; point: [x: number, y: number] } | null;
+    /** The first contact of the ball with the green object. */
+    contact: Contact | null;
     /** When the touch begins that solves the puzzle. */
     deciding: number | null;
 }

@@ -97,3 +97,22 @@ test("where nothing moves, a run can be skipped to its end", async () => {
   await says(page, /^Not solved/);
   assert.ok(await skip.isHidden());
 });
+
+test("two balls that run over each other are named", async () => {
+  const page = await session.open("", { reducedMotion: "reduce" });
+  await page.addInitScript(() => {
+    const written = (globalThis.written = new Set());
+    const { fillText } = CanvasRenderingContext2D.prototype;
+    CanvasRenderingContext2D.prototype.fillText = function (text, ...rest) {
+      written.add(text);
+      return fillText.call(this, text, ...rest);
+    };
+  });
+  await page.goto(`${session.origin}/#task=${EASY}`);
+  await page.locator("#puzzle [inert]").first().waitFor({ state: "detached" });
+  await type(page, BALL);
+  await page.locator("#run").click();
+  await says(page, /^Not solved/);
+  await page.locator("#race-it:enabled").click();
+  await page.waitForFunction(() => ["You", "The model"].every((name) => globalThis.written.has(name)));
+});

@@ -3,6 +3,7 @@
 
 import { Component } from "../widgets/component.js";
 import { SCENE_SIZE } from "../shell/constants.js";
+import { text } from "../text/text.js";
 import { contextOf } from "../widgets/dom.js";
 import { Gestures } from "./gestures.js";
 import { Loupe } from "./loupe.js";
@@ -108,6 +109,7 @@ export class SceneCanvas extends Component {
       // The paths of a race are not told before it is run.
       whole: session.phase === "compare" && session.finished,
       approach: session.approach,
+      names: this.#names,
       spark: session.reducedMotion ? null : session.moments.contact,
       ...{ opacity, marks, sketch, imagined, hints },
       dark: this.dark,
@@ -115,6 +117,13 @@ export class SceneCanvas extends Component {
     if (painter) painter(this.#context, view, maps);
     else session.game.paint(this.#context, view, maps);
     this.#loupe.draw();
+  }
+
+  /** Whose ball is whose, if a person's and the model's run over each other. */
+  get #names() {
+    const state = this.session?.state;
+    if (state?.kind !== "compare" || state.pair[0].author === state.pair[1]?.author) return [];
+    return state.pair.map(({ author }) => text.play.panel[author === "player" ? "you" : "model"]);
   }
 
   /**
