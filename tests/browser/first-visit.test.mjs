@@ -43,7 +43,7 @@ test("with a finger: watch, place, drop, race", async () => {
   assert.ok(await act.isHidden());
   const [x, y] = solution;
   await page.touchscreen.tap(...(await spot(page, x, y)));
-  await guide(page, 2, /Good spot/);
+  await guide(page, 2, /It fits there/);
   await axeFindsNothing(page);
   await modelLoaded(page);
   await act.tap();
@@ -66,7 +66,7 @@ test("by keyboard, with the motion", async () => {
   await page.locator("#scene").focus();
   // The first puts the ball into the middle, where a bar is; the others move it off that.
   for (let times = 0; times < 5; times += 1) await page.keyboard.press("Shift+ArrowRight");
-  await guide(page, 2, /Good spot/);
+  await guide(page, 2, /It fits there/);
   await page.keyboard.press("Enter");
   await guide(page, 3, /nobody touches anything/);
   await says(page, /^(Not solved|Solved)/);
@@ -82,12 +82,12 @@ test("a ball that may not lie there is no step back, and it is told why", async 
   await page.locator("#guide-act").click();
   await guide(page, 3, /Not yet/);
   await page.mouse.click(...(await spot(page, 20, 230)));
-  await guide(page, 3, /Good spot/);
+  await guide(page, 3, /It fits there/);
   for (let step = 0; step < 2; step += 1) await page.keyboard.press("Shift+ArrowLeft");
   await guide(page, 3, /^Not here: .+\. The ball needs a free spot/);
   // A ball that is put down at the edge slides in.
   await page.mouse.click(...(await spot(page, 2, 230)));
-  await guide(page, 3, /Good spot/);
+  await guide(page, 3, /It fits there/);
 });
 
 test("it is left at any step, and found again", async () => {

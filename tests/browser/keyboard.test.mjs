@@ -79,7 +79,7 @@ test("keys step, pause, reset, change the puzzle and the panel", async () => {
   await pause(page, 200);
   assert.equal(await time.inputValue(), paused);
   await page.keyboard.press("r");
-  await says(page, /Good spot/);
+  await says(page, /Ready/);
 
   const first = await page.locator("#task").inputValue();
   await page.keyboard.press("]");

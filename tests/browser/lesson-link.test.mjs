@@ -129,7 +129,7 @@ test("in the presentation, locked there, with the ball", async () => {
   assert.equal(link, `${session.origin}/#task=${EASY}&view=presentation&ball=90,190,7&hide=tools`);
   const pupil = await session.open(link.slice(session.origin.length));
   await pupil.locator("#presentation:visible").waitFor();
-  await says(pupil, /Good spot|Not here/);
+  await says(pupil, /Ready|Not here/);
   assert.ok(await pupil.locator("#presentation-leave").isHidden());
   await pupil.keyboard.press("Escape");
   await pupil.locator("#scene").press("v");

@@ -85,7 +85,7 @@ test("a link hides what a lesson leaves out, and goes on hiding it", async () =>
   assert.ok(await page.locator("#play").isVisible(), "instead of the panel that is hidden");
   await page.locator("#scene").focus();
   await page.keyboard.press("ArrowUp");
-  await says(page, /Good spot|Not here/);
+  await says(page, /Ready|Not here/);
   await page.keyboard.press("Control+z");
   await says(page, /place the red ball/);
   await page.keyboard.press("2");

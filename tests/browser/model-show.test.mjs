@@ -97,7 +97,7 @@ test("what the person does meanwhile is not overridden by the result", async () 
   await click(page, 128, 240);
   await turn(page).filter({ hasText: "The model has played" }).waitFor({ timeout: 60_000 });
   await pause(page);
-  await says(page, /^(Good spot|Not here)/);
+  await says(page, /^(Ready|Not here)/);
 });
 
 test("a run that begins before the model’s first attempt is there plays on", async () => {

@@ -85,7 +85,7 @@ test("a ball that is dropped where it may not lie slides to the nearest place", 
   ]);
   await says(page, /^Not here/);
   await page.mouse.up();
-  await says(page, /Good spot/);
+  await says(page, /Ready/);
   const [x, y, r] = await ball(page);
   assert.ok(Math.abs(x - 60) <= 1 && y === 256 - r && r === 12, `it lies at ${x}, ${y}`);
   await page.keyboard.press("Control+z");

@@ -118,7 +118,7 @@ test("by touch, on a phone", async () => {
   await page.locator("#caption-back").tap();
   assert.match(await page.locator("#caption").textContent(), /^Get the green/i);
   await page.touchscreen.tap(...(await spot(page, 100, 240)));
-  await says(page, /Good spot|Not here/);
+  await says(page, /Ready|Not here/);
 });
 
 test("a ball that is placed in the middle of the run ends the story", async () => {
@@ -130,7 +130,7 @@ test("a ball that is placed in the middle of the run ends the story", async () =
     .locator("#caption")
     .filter({ hasText: /^Get the green/i })
     .waitFor();
-  await says(page, /Good spot|Not here/);
+  await says(page, /Ready|Not here/);
 });
 
 test("a key and a button of the page lead there and back, and the link says it", async () => {

@@ -104,7 +104,7 @@ test("it is in the link, goes by keys, and ends when something else is done", as
   await page.mouse.click(...(await spot(page, 30, 240)));
   await page.locator("#proposal-facts").waitFor({ state: "hidden" });
   await page.waitForFunction(() => !/proposal=/.test(location.hash));
-  await says(page, /Good spot|Not here/);
+  await says(page, /Ready|Not here/);
 });
 
 test("another puzzle opens without a ball of the model’s", async () => {

@@ -26,7 +26,7 @@ test('a solving ball runs to "Solved!", with the ring while the goal holds', asy
   const page = await openPuzzle(session);
   const { solving } = await known();
   await type(page, solving);
-  await says(page, /Good spot/);
+  await says(page, /Ready/);
   await page.locator("#speed").selectOption("4");
   await page.locator("#run").click();
   await says(page, /attempt 1 is running/);
@@ -87,7 +87,7 @@ test("pause, step, scrub and go on", async () => {
   await waitForValue(page, "#time", (value) => Number(value) > 5);
   await page.locator("#reset").click();
   assert.equal(await seconds(page), 0);
-  await says(page, /Good spot/);
+  await says(page, /Ready/);
 });
 
 test("a quarter of the speed is slower than four times", async () => {

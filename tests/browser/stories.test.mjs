@@ -81,7 +81,7 @@ test("a teacher makes the link for the class out of the presentation", async () 
   const pupil = await session.open(link.slice(session.origin.length), { ...SCREENS["a phone"] });
   await pupil.locator("#scene").waitFor();
   await pupil.touchscreen.tap(...(await spot(pupil, 100, 240)));
-  await says(pupil, /Good spot|Not here/);
+  await says(pupil, /Ready|Not here/);
   assert.doesNotMatch(
     await pupil.locator("body").innerText(),
     /model|net|imagine/i,

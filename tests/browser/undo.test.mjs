@@ -84,7 +84,7 @@ test("the buttons are there for fingers, and undo out of a run", async () => {
   await says(page, /attempt 1/);
   await page.locator("#undo").tap();
   assert.deepEqual(await ball(page), first);
-  await says(page, /Good spot|Not here/);
+  await says(page, /Ready|Not here/);
   await page.locator("#redo").tap();
   assert.deepEqual(await ball(page), second);
 });

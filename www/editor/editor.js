@@ -79,12 +79,14 @@ export class Editor extends Component {
 
   /** @param {import("../state/view.js").View} view */
   setState({ panel, hide }) {
-    const left = this.#visible && panel !== "make";
-    this.#visible = panel === "make";
+    const [before, now] = [this.#visible, panel === "make"];
+    this.#visible = now;
     this.#live.imagines = !hide.includes("imagine");
     if (!this.session) return;
+    // A run that has ended would lie over what is edited.
+    if (now && !before && this.session.finished) this.#leaveRun();
     this.#tellSession();
-    if (left) this.#commit();
+    if (before && !now) this.#commit();
     if (this.#visible && !this.#edited) this.#begin(this.session);
   }
 

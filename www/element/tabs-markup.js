@@ -23,7 +23,13 @@ function panelMarkup({ name }) {
 
 /** @param {PanelFacts} part */
 const openerMarkup = ({ name, below }) =>
-  `<button type="button" class="${below ? "opener" : ""}" id="open-${name}" aria-controls="${name}" data-hideable="${name}">${text.element.panels[name]}</button>`;
+  `<button type="button" class="${below ? "opener" : ""}" id="open-${name}" aria-controls="${name}" data-hideable="${name}">${openerLabel(name)}</button>`;
+
+/**
+ * A part that has the name of its tab is called otherwise inside of it.
+ * @param {import("../state/panels.js").Panel} name
+ */
+const openerLabel = (name) => (name === "imagine" ? text.element.insideOf.imagine : text.element.panels[name]);
 
 /** @param {PanelFacts} part */
 const partMarkup = (part) =>

@@ -99,6 +99,10 @@ export class ResultsView {
       words.outcome([100, 10, 1].map(within), firsts.length),
       words.auccess(model.auccess[this.#agent.value]),
     ].join(" ");
+    const others = AGENTS.filter((agent) => agent !== this.#agent.value && agent in model.auccess);
+    byId(document, "results-compared").textContent = words.compared(
+      others.map((agent) => [agent, model.auccess[agent]]),
+    );
     const rows = this.#templates.flatMap((template) => this.#row(template, model, firsts, passes) ?? []);
     byId(document, "results-templates").replaceChildren(...rows);
     byId(document, "results-empty").hidden = rows.length > 0;

@@ -142,30 +142,25 @@ export class Compare extends Component {
     const words = text.panels.compare;
     const [player, model] = [this.session.attempts.standing("player"), this.session.attempts.standing("model")];
     const over = this.#over;
-    const hidden = this.session.hiddenAuthor;
     this.#turnButton.disabled = this.#client.status !== "ready" || over;
     setText(this.#turnButton, this.#turn ? words.stop : over ? words.played : words.play);
     this.byId("model-skip").hidden = !this.#show;
     this.byId("clear-attempts", HTMLButtonElement).disabled = player.used + model.used === 0;
-    const racing = this.#turn !== null || hidden === "model";
-    const verdict = hidden === "player" ? words.running : racing ? words.playing : verdictWords(player, model);
-    this.#updateRace({ player, model, racing, verdict });
+    this.#updateRace(player, model, this.#turn !== null || this.session.hiddenAuthor === "model");
   }
 
   /**
-   * @param {object} race
-   * @param {import("../pkg/pathlight.js").Standing} race.player
-   * @param {import("../pkg/pathlight.js").Standing} race.model
-   * @param {boolean} race.racing
-   * @param {string} race.verdict
+   * @param {import("../pkg/pathlight.js").Standing} player
+   * @param {import("../pkg/pathlight.js").Standing} model
+   * @param {boolean} racing
    */
-  #updateRace({ player, model, racing, verdict }) {
+  #updateRace(player, model, racing) {
     const words = text.panels.compare;
     const running = this.session?.hiddenAuthor === "player";
     setText(this.byId("race-player"), running ? words.trying : standingWords(player, words.notYet));
     setText(this.byId("race-model"), racing ? words.trying : standingWords(model, "?"));
     const told = model.used > 0 && !racing && !running;
-    setText(this.byId("race-verdict"), told ? verdict : player.used === 0 ? words.first : "");
+    setText(this.byId("race-verdict"), told ? verdictWords(player, model) : player.used === 0 ? words.first : "");
     const start = this.#over && !racing ? words.again : text.play.panel.raceIt;
     setText(this.#raceButton, this.#turn ? words.stopRace : start);
     this.#raceButton.disabled =

@@ -4,6 +4,7 @@ import { list } from "./format.js";
 
 /** @type {typeof import("../en/element.js").element} */
 export const element = {
+  insideOf: { imagine: "Die Geschichte" },
   panels: {
     play: "Spielen",
     imagine: "Vorstellen",

@@ -22,8 +22,6 @@ export const panels = {
     play: "Das Modell spielen lassen",
     stop: "Modell anhalten",
     played: "Das Modell hat gespielt",
-    running: "Dein Versuch läuft.",
-    playing: "Das Modell spielt.",
     trying: "probiert …",
     notYet: "noch nicht",
     first: "Du zuerst: Lass eine Kugel fallen.",

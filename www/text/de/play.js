@@ -48,7 +48,7 @@ export const play = {
     bodies: "Zieh an einem Körper oder an einem Griff des gewählten.",
     noBall: "Klick oder tipp in die Szene, um die rote Kugel zu setzen.",
     notHere: (why) => `Hier nicht: ${sentence(why)}`,
-    ready: "Guter Platz. Lass die Kugel fallen!",
+    ready: "Bereit. Lass die Kugel fallen!",
   },
 
   invalid: {
@@ -127,7 +127,7 @@ export const play = {
     blocked: { words: () => "Die Kugel braucht einen freien Platz.", button: null },
     drop: {
       words: () =>
-        "Guter Platz. Die gepunktete Linie ist die Vermutung des Modells für deine Kugel. Verschieb die Kugel, bis es dir gefällt, und lass sie dann fallen.",
+        "Dort passt sie hin. Die gepunktete Linie ist die Vermutung des Modells für deine Kugel. Verschieb die Kugel, bis es dir gefällt, und lass sie dann fallen.",
       button: "Fallen lassen",
     },
     dropped: { words: () => "Jetzt greift niemand mehr ein.", button: null },

@@ -1,6 +1,6 @@
 // The German words for en/results.js.
 
-import { number, percent } from "./format.js";
+import { list, number, percent } from "./format.js";
 
 /** @type {typeof import("../en/results.js").results} */
 export const results = {
@@ -18,10 +18,12 @@ export const results = {
   none: "Es gibt keine.",
 
   namedAgent: (name, what) => `${name}: ${what}`,
-  about: (name, what, puzzles) => `${name} ${what}; diese ${number(puzzles)} Rätsel hat es noch nie gesehen.`,
+  about: (name, what, puzzles) =>
+    `${name} ${what}; diese ${number(puzzles)} Rätsel des Benchmarks PHYRE hat es noch nie gesehen.`,
   outcome: ([hundred, ten, one], of) =>
     `${number(hundred)} von ${number(of)} Rätseln in höchstens hundert Versuchen gelöst, ${number(ten)} in zehn, ${number(one)} im ersten.`,
   auccess: (auccess) => `AUCCESS: ${number(auccess, 1)} von 100.`,
+  compared: (others) => `Zum Vergleich: ${list(others.map(([agent, auccess]) => `${agent} ${number(auccess, 1)}`))}.`,
   ofKind: (solved, of) => `${number(solved)} von ${number(of)} gelöst`,
   solved: (task, at) => `${task}, gelöst im ${at}. Versuch`,
   missed: (task) => `${task}, nicht gelöst`,

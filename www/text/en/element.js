@@ -3,6 +3,8 @@
 import { list } from "./format.js";
 
 export const element = {
+  /** A panel inside of the tab that has its name. */
+  insideOf: { imagine: "The story" },
   /** The panels, as their tabs and links for lessons call them. */
   panels: {
     play: "Play",

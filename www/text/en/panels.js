@@ -25,8 +25,6 @@ export const panels = {
     play: "Let the model play",
     stop: "Stop the model",
     played: "The model has played",
-    running: "Your attempt is running.",
-    playing: "The model is playing.",
     trying: "trying …",
     notYet: "not yet",
     first: "You first: drop a ball.",

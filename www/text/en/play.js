@@ -45,7 +45,7 @@ export const play = {
     bodies: "Drag a body, or a knob of the selected one.",
     noBall: "Click or tap the scene to place the red ball.",
     notHere: (/** @type {string} */ why) => `Not here: ${why}.`,
-    ready: "Good spot. Drop it!",
+    ready: "Ready. Drop it!",
   },
 
   /** Why a ball may not be placed, as a phrase. */
@@ -133,7 +133,7 @@ export const play = {
     blocked: { words: () => "The ball needs a free spot.", button: null },
     drop: {
       words: () =>
-        "Good spot. The dotted line is the model’s guess for your ball. Move the ball until you like it, then drop it.",
+        "It fits there. The dotted line is the model’s guess for your ball. Move the ball until you like it, then drop it.",
       button: "Drop it",
     },
     dropped: { words: () => "Now nobody touches anything.", button: null },

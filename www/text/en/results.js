@@ -1,6 +1,6 @@
 // What the page of the results says.
 
-import { number, percent } from "./format.js";
+import { list, number, percent } from "./format.js";
 
 export const results = {
   title: "How good are the models?",
@@ -17,12 +17,14 @@ export const results = {
 
   namedAgent: (/** @type {string} */ name, /** @type {string} */ what) => `${name}: ${what}`,
   about: (/** @type {string} */ name, /** @type {string} */ what, /** @type {number} */ puzzles) =>
-    `${name} ${what}; it has never seen these ${number(puzzles)} puzzles.`,
+    `${name} ${what}; it has never seen these ${number(puzzles)} puzzles of the benchmark PHYRE.`,
   /** How many are solved within a hundred attempts, ten and one. */
   outcome: (/** @type {number[]} */ [hundred, ten, one], /** @type {number} */ of) =>
     `${number(hundred)} of ${number(of)} puzzles solved within a hundred attempts, ${number(ten)} within ten, ${number(one)} at the first.`,
   /** 0 to 100. */
   auccess: (/** @type {number} */ auccess) => `Auccess ${number(auccess, 1)} of 100.`,
+  compared: (/** @type {[agent: string, auccess: number][]} */ others) =>
+    `For comparison: ${list(others.map(([agent, auccess]) => `${agent} ${number(auccess, 1)}`))}.`,
   ofKind: (/** @type {number} */ solved, /** @type {number} */ of) => `${number(solved)} of ${number(of)} solved`,
   solved: (/** @type {string} */ task, /** @type {number} */ at) => `${task}, solved on attempt ${at}`,
   missed: (/** @type {string} */ task) => `${task}, not solved`,
