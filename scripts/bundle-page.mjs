@@ -20,7 +20,7 @@ const FIRST = "loading/compile-wasm.js";
 /** The words of another language, for those who read it. */
 const WORDS = "text/de/index.js";
 /** With them, what the page starts with, and what its worker does. */
-const ENTRIES = [FIRST, "page/main.js", "model/worker.js", WORDS];
+const ENTRIES = ["loading/first-look.js", FIRST, "page/main.js", "model/worker.js", WORDS];
 /** What a page of dist/ has besides. */
 const OFFLINE = /^offline\//;
 const MODULE = /\.(js|d\.ts)$/;

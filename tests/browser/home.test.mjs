@@ -149,3 +149,28 @@ for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
     });
   }
 }
+
+for (const { what, path, locale, seen } of [
+  { what: "the home page", path: "/", locale: "en-US", seen: true },
+  { what: "a link to a puzzle", path: "/#task=00000:000", locale: "en-US", seen: false },
+  { what: "a browser of another language", path: "/", locale: "de-DE", seen: false },
+])
+  test(`before the modules are there, ${what} ${seen ? "shows its top" : "shows nothing of another page"}`, async () => {
+    const page = await session.open("", { locale });
+    let open = () => {};
+    const gate = new Promise((resolve) => (open = () => resolve(null)));
+    await page.route("**/page/main.js", (route) => gate.then(() => route.continue()));
+    await page.goto(session.origin + path, { waitUntil: "commit" });
+    // The style sheets are there.
+    await page.waitForFunction(() => {
+      const header = document.querySelector("header");
+      return header && getComputedStyle(header).display === "flex";
+    });
+    assert.equal(await page.locator("#gallery-title").isVisible(), seen);
+    open();
+    await page
+      .locator(path === "/" ? "#templates a" : "#scene")
+      .first()
+      .waitFor();
+    assert.equal(await page.locator("#gallery-title").isVisible(), path === "/");
+  });

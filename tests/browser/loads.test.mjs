@@ -72,14 +72,19 @@ test("the first picture of a puzzle waits for no panel", async () => {
   await page.locator("#make-bodies button").first().waitFor();
 });
 
-test("what make play serves loads two scripts, and one more for the model", async () => {
+test("what make play serves loads three scripts, and one more for the model", async () => {
   const page = await openImagined(bundled, { reducedMotion: true });
   const scripts = () =>
     performance
       .getEntriesByType("resource")
       .map(({ name }) => new URL(name).pathname)
       .filter((path) => path.endsWith(".js"));
-  assert.deepEqual(await page.evaluate(scripts), ["/loading/compile-wasm.js", "/page/main.js", "/model/worker.js"]);
+  assert.deepEqual(await page.evaluate(scripts), [
+    "/loading/first-look.js",
+    "/loading/compile-wasm.js",
+    "/page/main.js",
+    "/model/worker.js",
+  ]);
   const bytes = await page.evaluate(
     () =>
       /** @type {PerformanceResourceTiming[]} */ (performance.getEntriesByType("resource")).find(({ name }) =>

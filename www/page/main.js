@@ -26,7 +26,8 @@ addEventListener("unhandledrejection", ({ reason }) => showCrash(reason));
 // First of all, so that no word is read before.
 await useLanguage(new URLSearchParams(location.search).get("lang"), ...navigator.languages);
 document.documentElement.lang = language;
-translate(document);
+// index.html holds the English words.
+if (language !== "en") translate(document);
 byId(document, "languages").append(
   ...Object.entries(LANGUAGES)
     .filter(([name]) => name !== language)
@@ -41,6 +42,7 @@ if (showsHome(state)) {
   hideParts(document, state.hide);
   byId(document, "gallery").hidden = false;
 }
+document.documentElement.classList.remove("home");
 
 /**
  * A link to the page in another language.
