@@ -150,3 +150,22 @@ test("a puzzle is drawn and played before the weights are there", async () => {
   await page.locator("#tab-imagine").click();
   await page.locator("#imagined-in").filter({ hasText: "Imagined" }).waitFor();
 });
+
+for (const { fragment, told } of [
+  { fragment: "", told: true },
+  { fragment: "&hide=story", told: false },
+])
+  test(`while the wasm is on its way, a link to a puzzle tells its story${told ? "" : ", unless it hides that"}`, async () => {
+    const page = await session.open("");
+    let open = () => {};
+    const gate = new Promise((resolve) => (open = () => resolve(null)));
+    await page.route("**/*.wasm", (route) => gate.then(() => route.continue()));
+    await page.goto(`${session.origin}/#task=00000:000${fragment}`, { waitUntil: "commit" });
+    await page.waitForFunction(() => document.querySelector("#languages a"));
+    const story = page.locator("#loading-story");
+    if (told) await story.filter({ hasText: "Two balls fall" }).waitFor();
+    else assert.ok(await story.isHidden());
+    open();
+    await page.locator("#scene").waitFor();
+    assert.ok(await story.isHidden());
+  });

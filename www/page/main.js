@@ -6,6 +6,7 @@ import { byId } from "../widgets/dom.js";
 import { hideParts } from "../widgets/hidden-parts.js";
 import { showNotice } from "../widgets/notice.js";
 import { loadWasm } from "../loading/load-wasm.js";
+import { templateOf } from "../puzzles/templates.js";
 import { showsHome } from "../state/links.js";
 import { parseFragment } from "../state/url-state.js";
 import { LANGUAGES, language } from "../text/language.js";
@@ -43,6 +44,10 @@ if (showsHome(state)) {
   byId(document, "gallery").hidden = false;
 }
 document.documentElement.classList.remove("home");
+// A puzzle needs the wasm; what happens in it can be read meanwhile.
+const story = byId(document, "loading-story");
+story.textContent = (state.task !== null && !state.hide.includes("story") && templateOf(state.task)?.story) || "";
+story.hidden = story.textContent === "";
 
 /**
  * A link to the page in another language.
@@ -59,11 +64,12 @@ await loadWasm().then(
   async () => {
     // Imported here, so that an error in the page's modules is shown too, as is one in the puzzle before they come.
     const { Page } = await import("./page.js");
+    story.hidden = true;
     new Page(hero).start();
   },
   (error) => {
     // The notice says it once for the page and its puzzle. Loads the same address again, with what follows # in it.
-    byId(document, "puzzle").hidden = true;
+    byId(document, "puzzle").hidden = story.hidden = true;
     showNotice(/** @type {Error} */ (error).message, [[text.page.broken.tryAgain, reload]]);
   },
 );
