@@ -1,11 +1,11 @@
-//! The stretches and moments of a rollout that its playback tells apart: nothing moves, or the touch that decides
-//! begins.
+//! Finds the stretches of a rollout in which nothing moves, and the start of the touch that solves the puzzle. Playback
+//! hurries through the former and slows down at the latter.
 
 use crate::puzzle::rollout::{GOAL_STEPS, Pose, Rollout};
 
-/// A body that moves less than this in a step creeps at most, px: of 750 random runs a fifth have seconds of that.
+/// A body that moves less than this in a step looks still, px.
 const STILL: f32 = 0.05;
-/// One that turns less than this, radians.
+/// So does one that turns less than this, radians.
 const STILL_ANGLE: f32 = 0.005;
 /// Shorter stretches are not worth hurrying through, steps.
 const LEAST: usize = 45;

@@ -1,4 +1,4 @@
-//! When and where the ball first touches the green object in a rollout: what its playback makes visible.
+//! When and where the ball first touches the green object in a rollout. The page draws a spark there.
 
 use rapier2d::math::Vector;
 use serde::Serialize;

@@ -125,8 +125,8 @@ impl Game {
         self.recordings.first().map(approach).map_or(Ok(JsValue::UNDEFINED), |approach| to_js(&approach))
     }
 
-    /// Returns the moments of the current recordings that their playback tells apart: none of two recordings but those
-    /// in which nothing moves.
+    /// Returns the moments that playback treats in a special way. Two recordings have only stretches in which nothing
+    /// moves in either.
     #[wasm_bindgen(unchecked_return_type = "Moments")]
     pub fn moments(&self) -> Result<JsValue, JsValue> {
         #[derive(Serialize)]

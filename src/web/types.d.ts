@@ -448,7 +448,7 @@ export interface Contact {
     point: [x: number, y: number];
 }
 
-/** What the playback of the current recordings tells apart; all in steps. */
+/** Moments of the current recordings that playback treats in a special way; all in steps. */
 export interface Moments {
     /** Stretches, as first and last step, in which nothing moves and no object is on its goal. */
     quiet: [first: number, last: number][];

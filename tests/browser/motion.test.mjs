@@ -11,7 +11,7 @@ import { EASY, openPuzzle, palette, pixels, says, type } from "./page-actions.mj
 const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 
 let session;
-/** What the playback of a ball tells apart, which falls on the green object and misses. */
+/** The moments of a ball that falls on the green object and misses. */
 let moments;
 /** @type {import("./page-actions.mjs").Ball} */
 const BALL = [90, 220, 8];

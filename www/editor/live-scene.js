@@ -160,7 +160,7 @@ export class LiveScene extends Component {
       );
     }
     const { status, failure } = this.#client;
-    const words = failure?.message ?? this.#failure ?? (status === "loading" ? text.editor.live.loading : "");
+    const words = failure?.message ?? this.#failure ?? (status === "loading" ? text.panels.forecast.loading : "");
     setText(this.byId("make-maps-words"), words);
     this.dispatchEvent(new Event("live"));
   }

@@ -3,8 +3,7 @@
 // script, which knows only the address; page/main.js decides.
 
 {
-  const tags = [new URLSearchParams(location.search).get("lang") ?? "", ...navigator.languages];
-  const language = tags.map((tag) => tag.slice(0, 2).toLowerCase()).find((name) => name === "en" || name === "de");
+  const language = new URLSearchParams(location.search).get("lang") ?? navigator.language;
   const isElsewhere = /[#&](task|scene|view|hide)=/.test(location.hash);
-  if (language !== "de" && !isElsewhere) document.documentElement.classList.add("home");
+  if (/^en\b/i.test(language) && !isElsewhere) document.documentElement.classList.add("home");
 }

@@ -70,6 +70,6 @@ await loadWasm().then(
   (error) => {
     // The notice says it once for the page and its puzzle. Loads the same address again, with what follows # in it.
     byId(document, "puzzle").hidden = story.hidden = true;
-    showNotice(/** @type {Error} */ (error).message, [[text.page.broken.tryAgain, reload]]);
+    showNotice(/** @type {Error} */ (error).message, [[text.element.tryAgain, reload]]);
   },
 );

@@ -30,7 +30,7 @@ export class TroubleBox {
     const message = failure?.message ?? callFailure;
     this.#box.hidden = message === null;
     setText(find(this.#box, "p"), message ?? "");
-    setText(this.#button, failure?.code === "no_model" ? text.panels.trouble.otherModel : text.panels.trouble.tryAgain);
+    setText(this.#button, failure?.code === "no_model" ? text.panels.trouble.otherModel : text.element.tryAgain);
     this.#onRetry = failure ? restartModel : repeatCall;
   }
 }

@@ -16,7 +16,7 @@ export class Display extends EventTarget {
   playback = new Playback();
   /** Changes whenever something else is shown or the ball is placed elsewhere. */
   revision = 0;
-  /** What the playback of what is shown tells apart. */
+  /** Moments of what is shown that playback treats in a special way. */
   moments = NO_MOMENTS;
   #state = show.START;
   #prefersReducedMotion;

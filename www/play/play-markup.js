@@ -21,7 +21,7 @@ export function playMarkup() {
   <p id="race-verdict"></p>
   <details id="score" hidden><summary id="score-words"></summary><p>${words.score}</p></details>
 </div>
-<div id="compare-trouble" class="trouble" role="alert" data-hideable="compare" hidden><p></p><button type="button">${words.tryAgain}</button></div>
+<div id="compare-trouble" class="trouble" role="alert" data-hideable="compare" hidden><p></p><button type="button">${text.element.tryAgain}</button></div>
 <div class="part" data-hideable="play">
   <p id="story" data-hideable="story"></p>
   <details id="forecast-how" hidden><summary>${words.dotted}</summary><p>${words.dottedHow}</p></details>

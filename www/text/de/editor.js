@@ -93,7 +93,6 @@ export const editor = {
 
   live: {
     notYet: "noch nicht vorgestellt",
-    loading: "Das Modell wird noch geladen.",
     solvesItself: "Ohne Kugel löst sich die Szene von selbst: Es bleibt nichts zu tun.",
     ends: (x, y) => `Ohne Kugel landet das grüne Objekt bei x ${number(x)}, y ${number(y)}.`,
   },

@@ -69,7 +69,6 @@ export const page = {
   broken: {
     crash: (reason) => `In Pathlight ist etwas kaputtgegangen: ${reason}. Lade die Seite neu, dann geht es weiter.`,
     reload: "Neu laden",
-    tryAgain: "Noch einmal versuchen",
     noCanvas:
       "Dieser Browser gibt der Seite keine Fläche zum Zeichnen: Vielleicht ist sein Speicher voll. Schließ andere Tabs und lade die Seite neu.",
   },

@@ -174,7 +174,7 @@ export const panels = {
     result: "Was passiert",
   },
 
-  trouble: { otherModel: "Das Standardmodell nehmen", tryAgain: "Noch einmal versuchen" },
+  trouble: { otherModel: "Das Standardmodell nehmen" },
 
   walkthrough: {
     all: "Alle zusammen",

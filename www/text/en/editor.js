@@ -107,7 +107,6 @@ export const editor = {
 
   live: {
     notYet: "not imagined yet",
-    loading: "The model is still loading.",
     solvesItself: "Without a ball the scene solves itself: there is nothing left to do.",
     ends: (/** @type {number} */ x, /** @type {number} */ y) =>
       `Without a ball the green object ends at x ${number(x)}, y ${number(y)}.`,

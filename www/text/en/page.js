@@ -67,7 +67,6 @@ export const page = {
   broken: {
     crash: (/** @type {string} */ reason) => `Something in Pathlight broke: ${reason}. Load the page again to go on.`,
     reload: "Load it again",
-    tryAgain: "Try again",
     noCanvas:
       "This browser gives the page no canvas to draw on: perhaps its memory is used up. Close other tabs, and load the page again.",
   },

@@ -189,7 +189,7 @@ export const panels = {
     result: "What happens",
   },
 
-  trouble: { otherModel: "Use the default model", tryAgain: "Try again" },
+  trouble: { otherModel: "Use the default model" },
 
   walkthrough: {
     all: "All together",

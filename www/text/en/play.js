@@ -164,7 +164,6 @@ export const play = {
     raceIt: "Race it",
     score:
       "The fewer attempts, the more points: a puzzle solved on the first attempt gives 100, on the second 85, on the tenth 50; one not solved within 100 attempts gives none. The points are the mean over all puzzles that both of you have played. Balls that may not be placed do not count for either of you. This is the benchmark’s AUCCESS: the share of puzzles solved within k attempts, with each k from 1 to 100 weighted by ln(k + 1) − ln(k).",
-    tryAgain: "Try again",
     dotted: "What are the dotted lines?",
     dottedHow:
       "The model’s guess: where this ball and green would go, before anything moves. The wider the ribbon around a line, the less sure the model is. It is a guess, not a simulation, so it can be wrong: drop the ball and see how far off it was.",
