@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::imagined_candidates::{candidates_of, imagined_candidates, remembered};
 use super::memory::Recollection;
 use super::online::{OnlineAgent, Similarity};
-use super::{Agent, from_dqn, from_map, from_success_net, random};
+use super::{Agent, from_dqn, from_map, from_map_remembering, from_success_net, random};
 use crate::nets::{Dqn, PathNet};
 use crate::puzzle::scene::Scene;
 
@@ -53,7 +53,7 @@ pub struct LacksNet {
 
 /// An agent that cannot play with a memory.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("agent {0} cannot remember: use online, online-by-balls or random")]
+#[error("agent {0} cannot remember: use online, online-by-balls, paper or random")]
 pub struct CannotRemember(AgentName);
 
 /// A name that no agent has.
@@ -132,7 +132,8 @@ impl AgentName {
     /// # Errors
     /// If it cannot.
     pub fn check_remembers(self) -> Result<(), CannotRemember> {
-        let remembers = matches!(self, AgentName::Online | AgentName::OnlineByBalls | AgentName::Random);
+        let remembers =
+            matches!(self, AgentName::Online | AgentName::OnlineByBalls | AgentName::Paper | AgentName::Random);
         if remembers { Ok(()) } else { Err(CannotRemember(self)) }
     }
 
@@ -149,19 +150,25 @@ impl AgentName {
         count: usize,
         recollection: &Recollection,
     ) -> Box<dyn Agent> {
-        let similarity = match self {
-            AgentName::Online => Similarity::DEFAULT,
-            AgentName::OnlineByBalls | AgentName::Random => Similarity::OF_BALLS,
-            other => panic!("{}", CannotRemember(other)),
+        if let Err(cannot) = self.check_remembers() {
+            panic!("{cannot}");
+        }
+        let nets = || loaded.nets.expect("the weights of a model are loaded first");
+        let remembered = |read| Some(remembered(candidates_of(&read, scene, count)?, &read, scene, recollection));
+        let candidates = match self {
+            AgentName::Random => recollection.random_candidates(scene, seed, count),
+            AgentName::Paper => from_map_remembering(nets(), scene, seed, count, recollection),
+            _ => nets().read(scene).and_then(remembered).unwrap_or_default(),
         };
-        let candidates = if self == AgentName::Random {
-            recollection.random_candidates(scene, seed, count)
-        } else {
-            let read = loaded.nets.expect("the weights of a model are loaded first").read(scene);
-            let remembered = |read| Some(remembered(candidates_of(&read, scene, count)?, &read, scene, recollection));
-            read.and_then(remembered).unwrap_or_default()
-        };
-        Box::new(OnlineAgent::new(candidates, similarity))
+        Box::new(OnlineAgent::new(candidates, self.similarity()))
+    }
+
+    /// Returns what makes two balls alike for this agent when it learns from attempts.
+    pub fn similarity(self) -> Similarity {
+        match self {
+            AgentName::Online | AgentName::Dynamics => Similarity::DEFAULT,
+            _ => Similarity::OF_BALLS,
+        }
     }
 
     /// Returns this agent at work on a scene, with up to `count` balls. `seed` is that of the puzzle.
@@ -172,11 +179,10 @@ impl AgentName {
         let nets = || loaded.nets.expect("the weights of a model are loaded first");
         // Damaged weights know no candidates; another agent must not be measured instead of this one.
         let online =
-            |similarity| OnlineAgent::new(imagined_candidates(nets(), scene, count).unwrap_or_default(), similarity);
+            || OnlineAgent::new(imagined_candidates(nets(), scene, count).unwrap_or_default(), self.similarity());
         let proposals = match self {
-            AgentName::Online => return Box::new(online(Similarity::DEFAULT)),
-            AgentName::OnlineByBalls => return Box::new(online(Similarity::OF_BALLS)),
-            AgentName::Dynamics => online(Similarity::DEFAULT).list(count),
+            AgentName::Online | AgentName::OnlineByBalls => return Box::new(online()),
+            AgentName::Dynamics => online().list(count),
             AgentName::Success => from_success_net(nets(), scene, count).unwrap_or_default(),
             AgentName::Dqn => from_dqn(loaded.dqn.expect("its weights are loaded first"), scene, count),
             AgentName::Paper => from_map(nets(), scene, seed, count),

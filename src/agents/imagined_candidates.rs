@@ -55,10 +55,15 @@ pub fn remembered(
     logits.sort_by(|a, b| b.total_cmp(a));
     for candidate in &mut candidates {
         let rank = 1 + logits.partition_point(|&logit| logit > candidate.logit);
-        candidate.logit = FIRST_LOGIT - FALL * libm::log(rank as f64);
+        candidate.logit = logit_of_rank(rank);
     }
     recollection.change_logits(&mut candidates);
     candidates
+}
+
+/// Returns the prior of a candidate under a memory, by its rank from 1.
+pub(super) fn logit_of_rank(rank: usize) -> f64 {
+    FIRST_LOGIT - FALL * libm::log(rank as f64)
 }
 
 /// Returns up to `count` proposals: the candidates in the order in which the online agent tries them if all attempts

@@ -24,6 +24,7 @@ use rand_pcg::Pcg64Mcg;
 use serde::Serialize;
 
 use imagined_candidates::{CANDIDATES, imagined_candidates};
+use memory::Recollection;
 use online::{Candidate, OnlineAgent, Similarity};
 
 #[cfg(not(target_arch = "wasm32"))]
@@ -165,6 +166,19 @@ pub fn from_success_net(nets: &PathNet, scene: &Scene, count: usize) -> Option<V
 /// Returns up to `count` proposals of the paper's four nets alone: the balls that the placement map suggests.
 pub fn from_map(nets: &PathNet, scene: &Scene, seed: u64, count: usize) -> Vec<Proposal> {
     placement::proposals(&nets.imagine(scene).placement, scene, seed, count)
+}
+
+/// Returns the candidates of the paper's four nets with a memory: the balls that the placement map suggests, and balls
+/// that solved similar scenes.
+pub fn from_map_remembering(
+    nets: &PathNet,
+    scene: &Scene,
+    seed: u64,
+    count: usize,
+    recollection: &Recollection,
+) -> Vec<Candidate> {
+    let list = from_map(nets, scene, seed, count.max(CANDIDATES));
+    recollection.candidates(scene, list, imagined_candidates::logit_of_rank)
 }
 
 /// Returns up to `count` proposals of DQN, the benchmark's baseline: the best of a fixed list of actions.

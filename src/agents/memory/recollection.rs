@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::{Memory, RememberedPuzzle, Settings};
 use crate::agents::imagined_candidates::CANDIDATES;
 use crate::agents::online::Candidate;
-use crate::agents::{random, sigmoid};
+use crate::agents::{Proposal, random, sigmoid};
 use crate::puzzle::action::{Ball, Obstacles};
 use crate::puzzle::sampled_paths::{SAMPLES, SampledPaths};
 use crate::puzzle::scene::{SIZE, Scene};
@@ -170,8 +170,14 @@ impl Recollection {
 
     /// Returns the candidates of an agent without a net: random balls, and the suggestions.
     pub fn random_candidates(&self, scene: &Scene, seed: u64, count: usize) -> Vec<Candidate> {
+        self.candidates(scene, random(scene, seed, count.max(CANDIDATES)), |_| RANDOM_LOGIT)
+    }
+
+    /// Returns the balls of a list, and behind them the suggestions, as candidates of which nothing is imagined.
+    /// `prior` gives the logit of a ball by its rank in the list, from 1.
+    pub fn candidates(&self, scene: &Scene, list: Vec<Proposal>, prior: impl Fn(usize) -> f64) -> Vec<Candidate> {
         let mut balls: Vec<Ball> = Vec::new();
-        for proposal in random(scene, seed, count.max(CANDIDATES)) {
+        for proposal in list {
             if !balls.contains(&proposal.ball) {
                 balls.push(proposal.ball);
             }
@@ -179,8 +185,9 @@ impl Recollection {
         balls.extend(self.suggestions(scene, |ball| balls.contains(ball)));
         let nowhere = [[0.0; 2]; SAMPLES];
         let paths = SampledPaths { object: nowhere, ball: nowhere };
+        let ranked = (1..).zip(balls);
         let mut candidates: Vec<Candidate> =
-            balls.into_iter().map(|ball| Candidate { ball, logit: RANDOM_LOGIT, paths }).collect();
+            ranked.map(|(rank, ball)| Candidate { ball, logit: prior(rank), paths }).collect();
         self.change_logits(&mut candidates);
         candidates
     }

@@ -11,11 +11,11 @@ use anyhow::{Context, ensure};
 use pathlight::agents::agent_name::AgentName;
 use pathlight::agents::imagined_candidates::{imagined_candidates, remembered};
 use pathlight::agents::memory::{Memory, PuzzleSource, Settings as MemorySettings};
-use pathlight::agents::online::{Candidate, OnlineAgent, Similarity};
-use pathlight::agents::{self, Agent, Observation, random};
+use pathlight::agents::online::{Candidate, OnlineAgent};
+use pathlight::agents::{self, Agent, Observation, from_map, from_map_remembering, random};
 use pathlight::benchmark::auccess::MAX_ATTEMPTS;
 use pathlight::benchmark::folds::{FOLDS, FoldId, Setup};
-use pathlight::nets::{Card, ReadScene};
+use pathlight::nets::{Card, PathNet, ReadScene};
 use pathlight::puzzle::recorded_paths::RecordedPaths;
 use pathlight::puzzle::scene::Scene;
 use pathlight::puzzle::stable_shuffle::stable_shuffle;
@@ -166,15 +166,15 @@ impl Settings {
             progress.advance(1, "tasks read".to_string());
         }
         progress.finish(&format!("{} tasks read", ready.len()));
-        let uses = MemoryUse::ALL.map(|memory| (REMEMBERING, memory));
-        let random = [MemoryUse::None, MemoryUse::All].map(|memory| (AgentName::Random, memory));
         let orders: Vec<Option<u64>> = std::iter::once(None).chain(self.shuffles.iter().copied().map(Some)).collect();
-        let all = [uses.as_slice(), random.as_slice()].concat();
-        progress.begin((all.len() * orders.len()) as u64);
+        // Without a memory the order makes no difference; ablations are measured in order of ids alone.
+        let orders_of = |memory| if memory == MemoryUse::All { &orders[..] } else { &orders[..1] };
+        let all = PLAYERS.iter().flat_map(|&(agent, uses)| uses.iter().map(move |&memory| (agent, memory)));
+        progress.begin(all.clone().map(|(_, memory)| orders_of(memory).len() as u64).sum());
         let mut runs = Vec::new();
         for (agent, memory) in all {
-            for &shuffle in &orders {
-                let first_solved = self.run(agent, memory, shuffle, &mut ready);
+            for &shuffle in orders_of(memory) {
+                let first_solved = self.run(agent, memory, shuffle, &nets, &mut ready);
                 runs.push(Run { agent, memory, shuffle, first_solved });
                 progress.advance(1, format!("runs, now of {agent}"));
             }
@@ -191,6 +191,7 @@ impl Settings {
         agent: AgentName,
         memory: MemoryUse,
         shuffle: Option<u64>,
+        nets: &PathNet,
         tasks: &mut [ReadyTask],
     ) -> Vec<(TaskId, Option<usize>)> {
         let in_order = (0..tasks.len()).collect();
@@ -199,26 +200,37 @@ impl Settings {
         let mut memory = memory.settings().map(Memory::new);
         let play = |index: usize| {
             let task = &mut tasks[index];
-            let agent = task.start(agent, memory.as_mut(), task.id.seed(self.seed));
+            let agent = task.start(agent, nets, memory.as_mut(), task.id.seed(self.seed));
             (task.id, task.play(agent, memory.as_mut()))
         };
         order.into_iter().map(play).collect()
     }
 }
 
-/// The agent of the model that remembers.
-const REMEMBERING: AgentName = AgentName::OnlineByBalls;
+/// The agents that are measured, and what they remember.
+const PLAYERS: [(AgentName, &[MemoryUse]); 4] = [
+    (AgentName::OnlineByBalls, &MemoryUse::ALL),
+    (AgentName::Online, &[MemoryUse::All]),
+    (AgentName::Paper, &[MemoryUse::None, MemoryUse::All]),
+    (AgentName::Random, &[MemoryUse::None, MemoryUse::All]),
+];
 
 impl ReadyTask {
-    fn start(&self, agent: AgentName, memory: Option<&mut Memory>, seed: u64) -> Box<dyn Agent> {
+    fn start(&self, agent: AgentName, nets: &PathNet, memory: Option<&mut Memory>, seed: u64) -> Box<dyn Agent> {
         let recollection = memory.map(|memory| memory.begin(PuzzleSource::Task(self.id), &self.scene));
-        let candidates = match (agent, &recollection) {
-            (AgentName::Random, None) => return Box::new(random(&self.scene, seed, MAX_ATTEMPTS).into_iter()),
-            (AgentName::Random, Some(recollection)) => recollection.random_candidates(&self.scene, seed, MAX_ATTEMPTS),
-            (_, None) => self.candidates.clone(),
-            (_, Some(recollection)) => remembered(self.candidates.clone(), &self.read, &self.scene, recollection),
+        let Some(recollection) = recollection else {
+            return match agent {
+                AgentName::Paper => Box::new(from_map(nets, &self.scene, seed, MAX_ATTEMPTS).into_iter()),
+                AgentName::Random => Box::new(random(&self.scene, seed, MAX_ATTEMPTS).into_iter()),
+                _ => Box::new(OnlineAgent::new(self.candidates.clone(), agent.similarity())),
+            };
         };
-        Box::new(OnlineAgent::new(candidates, Similarity::OF_BALLS))
+        let candidates = match agent {
+            AgentName::Paper => from_map_remembering(nets, &self.scene, seed, MAX_ATTEMPTS, &recollection),
+            AgentName::Random => recollection.random_candidates(&self.scene, seed, MAX_ATTEMPTS),
+            _ => remembered(self.candidates.clone(), &self.read, &self.scene, &recollection),
+        };
+        Box::new(OnlineAgent::new(candidates, agent.similarity()))
     }
 
     /// Returns the first attempt that solves the task, counted from 1.
