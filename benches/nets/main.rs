@@ -24,6 +24,10 @@ mod onnx;
 #[path = "../repeat.rs"]
 mod repeat;
 
+/// As in the lab.
+#[global_allocator]
+static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
+
 const WEIGHTS: &str = "assets/within-0.safetensors";
 const SOLUTIONS: &str = "assets/solutions.jsonl";
 const BATCH: usize = 32;
@@ -131,6 +135,7 @@ fn training() -> impl FnMut() -> f32 {
     let samples = batch();
     move || {
         let batch = Batch::new(samples.iter().map(|sample| (sample, false)));
-        trainer.step(batch, LEARNING_RATE).iter().sum()
+        // In rayon's pool, as in the lab.
+        rayon::scope(|_| trainer.step(batch, LEARNING_RATE)).iter().sum()
     }
 }

@@ -6,7 +6,6 @@
 //! callers need. It uses neither agents nor the simulator, and files only for the checkpoints of a training.
 
 use burn::module::Module;
-use burn::tensor::activation::sigmoid;
 use burn::tensor::{Device, Tensor, TensorData};
 
 use crate::colour::imagined_maps::ImaginedMap;
@@ -22,6 +21,7 @@ pub mod dqn;
 pub mod dynamics;
 mod hourglass;
 pub mod imagined_balls;
+mod logistic;
 mod parameters;
 #[cfg(not(target_arch = "wasm32"))]
 mod rounding;
@@ -38,6 +38,7 @@ pub use dqn::Dqn;
 pub use dynamics::DynamicsNet;
 pub use hourglass::Hourglass;
 pub use imagined_balls::{ImaginedBall, ReadScene};
+use logistic::logistic;
 pub use parameters::Parameter;
 pub use success_net::SuccessNet;
 pub use weights::{WeightsError, read_card};
@@ -100,11 +101,11 @@ impl PathNet {
     fn chain(&self, scene: Tensor<4>) -> (Logits, [Tensor<4>; 3]) {
         let base = self.base.forward(scene.clone());
         let target = self.target.forward(scene.clone());
-        let base_map = sigmoid(base.clone());
-        let target_map = sigmoid(target.clone());
+        let base_map = logistic(base.clone());
+        let target_map = logistic(target.clone());
         let scene_and_target = Tensor::cat(vec![scene, target_map.clone()], 1); // [batch, 6, 64, 64]
         let action = self.action.forward(Tensor::cat(vec![scene_and_target.clone(), base_map.clone()], 1));
-        let action_map = sigmoid(action.clone());
+        let action_map = logistic(action.clone());
         let placement = self.placement.forward(Tensor::cat(vec![scene_and_target, action_map.clone()], 1));
         ([base, target, action, placement], [base_map, target_map, action_map])
     }
@@ -121,7 +122,7 @@ impl PathNet {
     /// ```
     pub fn imagine(&self, scene: &Scene) -> Imagined {
         let ([.., placement], [base, target, action]) = self.chain(self.encode(scene));
-        let [base, target, action, placement] = [base, target, action, sigmoid(placement)].map(values);
+        let [base, target, action, placement] = [base, target, action, logistic(placement)].map(values);
         Imagined { base, target, action, placement }
     }
 
@@ -148,7 +149,7 @@ impl PathNet {
 
     /// The input of the paper's nets for a scene, `[1, 5, 64, 64]`.
     fn encode(&self, scene: &Scene) -> Tensor<4> {
-        self.image(scene_channels(scene).iter().flat_map(Bitmap::to_f32).collect())
+        self.image(scene_channels(scene).iter().flat_map(Bitmap::rows).collect::<Vec<_>>().into_flattened())
     }
 
     /// The input of the success net and of the dynamics net for a scene, `[1, 5, 64, 64]`.

@@ -69,7 +69,12 @@ impl Bitmap {
 
     /// Returns 4,096 values, row by row: 1.0 for a set cell, else 0.0.
     pub fn to_f32(&self) -> impl Iterator<Item = f32> + use<> {
-        self.0.into_iter().flat_map(|row| (0..SIDE).map(move |column| (row >> column & 1) as f32))
+        self.rows().flatten()
+    }
+
+    /// Returns the values of 64 rows: 1.0 for a set cell, else 0.0.
+    pub fn rows(&self) -> impl Iterator<Item = [f32; SIDE]> + use<> {
+        self.0.into_iter().map(|row| std::array::from_fn(|column| (row >> column & 1) as f32))
     }
 
     /// Returns the image flipped left to right.

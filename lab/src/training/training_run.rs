@@ -109,7 +109,7 @@ impl<M: Trainable, C: PartialEq + Serialize + DeserializeOwned> TrainingRun<M, C
         plan: &Plan,
         settings: &RunSettings,
         batch: impl Fn(usize) -> B + Sync,
-        mut step: impl FnMut(&mut Trainer<M>, B, f64) -> Vec<f32>,
+        mut step: impl FnMut(&mut Trainer<M>, B, f64) -> Vec<f32> + Send,
         progress: &mut dyn Progress,
     ) -> anyhow::Result<bool> {
         let total = plan.batches_per_epoch * plan.epochs;
@@ -130,7 +130,9 @@ impl<M: Trainable, C: PartialEq + Serialize + DeserializeOwned> TrainingRun<M, C
                 }
             });
             for (number, batch) in (first..).zip(batches) {
-                let losses = step(&mut self.trainer, batch, plan.schedule.learning_rate(number, total));
+                let (trainer, rate) = (&mut self.trainer, plan.schedule.learning_rate(number, total));
+                // In rayon's pool: a step from outside would wait for another thread at every layer.
+                let losses = rayon::scope(|_| step(trainer, batch, rate));
                 let done = number + 1;
                 summed += 1;
                 for (sum, loss) in sums.iter_mut().zip(losses) {

@@ -10,13 +10,13 @@ use pulp::{Simd, WithSimd, bytemuck};
 
 use super::im2col::Geometry;
 use super::planes::Planes;
-use super::simd::{load, multiply_add, vectorize};
+use super::simd::{lanes_that_divide, load, multiply_add, vectorize};
 
 /// Output channels and registers of a tile: eight sums, as many as wasm has registers for besides the factors.
 const CHANNELS: usize = if cfg!(target_arch = "wasm32") { 4 } else { 8 };
 const REGISTERS: usize = 8 / CHANNELS;
 
-/// Registers of a tile of one output channel: a row of 32 cells.
+/// Registers of a tile of one output channel, of up to eight lanes: a row of 32 cells.
 const ROW_REGISTERS: usize = if cfg!(target_arch = "wasm32") { 8 } else { 4 };
 
 /// Widest coarse row that a net has.
@@ -48,12 +48,12 @@ impl DirectConv<'_> {
 
     /// Fine images in, coarse images out.
     pub(crate) fn conv_down(self) {
-        vectorize(ConvDown(self));
+        vectorize(lanes_that_divide(self.geometry.coarse_side), ConvDown(self));
     }
 
     /// Coarse images in, fine images out.
     pub(crate) fn conv_up(self) {
-        vectorize(ConvUp(self));
+        vectorize(lanes_that_divide(self.geometry.coarse_side), ConvUp(self));
     }
 }
 
@@ -111,6 +111,8 @@ impl WithSimd for ConvUp<'_> {
     fn with_simd<S: Simd>(self, simd: S) {
         if self.0.geometry.fine_channels.is_multiple_of(CHANNELS) {
             conv_up::<S, REGISTERS, CHANNELS>(simd, self.0);
+        } else if S::F32_LANES == 16 {
+            conv_up::<S, 2, 1>(simd, self.0);
         } else {
             conv_up::<S, ROW_REGISTERS, 1>(simd, self.0);
         }

@@ -4,12 +4,15 @@
 //! weight gradients. For one scene each weight is read only once or a few times, and packing costs more than the sums:
 //! `few_columns` reads the weights where they lie. Used by `forward` and `backward`.
 
-use pulp::{Simd, WithSimd};
+use pulp::{Simd, WithSimd, bytemuck};
 
-use super::simd::{load, multiply_add, vectorize, vectorize_by_four};
+use super::simd::{lanes_that_divide, load, multiply_add, vectorize};
 
 /// Rows of `a` that `few_columns` takes at once: their number must be a multiple of this, unless `b` is one column.
 pub(crate) const TILE_ROWS: usize = 8;
+
+/// Most lanes of the registers that hold rows.
+const ROWS_LANES: usize = 16;
 
 /// Most columns of `b` for which gemm does not pay off.
 #[cfg(not(target_arch = "wasm32"))]
@@ -85,8 +88,13 @@ fn gemm(out: &mut [f32], stride: usize, a: Matrix, b: Matrix) {
 /// `out = a b` for a `b` of contiguous rows: one column, or a multiple of four.
 fn few_columns(out: &mut [f32], stride: usize, a: Matrix, b: Matrix) {
     assert!(b.column_stride == 1, "rows of b are contiguous");
-    let work = FewColumns { out, stride, a, b };
-    if b.columns == 1 || b.columns.is_multiple_of(8) { vectorize(work) } else { vectorize_by_four(work) }
+    let lanes = if fits_rows(a, b) { ROWS_LANES } else { lanes_that_divide(b.columns).min(8) };
+    vectorize(if b.columns == 1 { 8 } else { lanes }, FewColumns { out, stride, a, b });
+}
+
+/// Whether `rows_in_registers` multiplies them.
+fn fits_rows(a: Matrix, b: Matrix) -> bool {
+    b.columns == 4 && a.row_stride == 1 && a.rows.is_multiple_of(2 * ROWS_LANES)
 }
 
 struct FewColumns<'a> {
@@ -104,6 +112,8 @@ impl WithSimd for FewColumns<'_> {
         let FewColumns { out, stride, a, b } = self;
         if b.columns == 1 {
             matvec(out, stride, a, b);
+        } else if fits_rows(a, b) {
+            rows_in_registers::<S>(simd, out, stride, a, b);
         } else if b.columns == S::F32_LANES && a.column_stride != 1 {
             one_register::<S>(simd, out, stride, a, b);
         } else if b.columns.is_multiple_of(2 * S::F32_LANES) {
@@ -154,6 +164,29 @@ fn tiles<S: Simd, const ROWS: usize, const REGISTERS: usize>(
             for (index, sums) in sums.iter().enumerate() {
                 let out = &mut out[(row + index) * stride + column..][..width];
                 S::as_mut_simd_f32s(out).0.copy_from_slice(sums);
+            }
+        }
+    }
+}
+
+/// A transposed matrix times four columns: two registers of rows at a time, each with one value of a column.
+#[inline(always)]
+fn rows_in_registers<S: Simd>(simd: S, out: &mut [f32], stride: usize, a: Matrix, b: Matrix) {
+    let height = 2 * S::F32_LANES;
+    for row in (0..a.rows).step_by(height) {
+        let mut sums = [[simd.splat_f32s(0.0); 2]; 4];
+        for k in 0..a.columns {
+            let left = &a.data[k * a.column_stride + row..][..height];
+            let left = [load::<S>(left, 0), load::<S>(left, S::F32_LANES)];
+            let right = &b.data[k * b.row_stride..][..4];
+            for (sums, right) in sums.iter_mut().zip(right) {
+                multiply_add(simd, sums, *right, left);
+            }
+        }
+        let sums: [&[f32]; 4] = sums.each_ref().map(|sums| bytemuck::cast_slice(sums));
+        for (index, out) in out[row * stride..].chunks_mut(stride).take(height).enumerate() {
+            for (out, sums) in out.iter_mut().zip(sums) {
+                *out = sums[index];
             }
         }
     }

@@ -30,7 +30,7 @@ mod im2col;
 mod matmul;
 pub(crate) mod panels;
 mod planes;
-mod simd;
+pub(crate) mod simd;
 #[cfg(feature = "training")]
 mod weight_gradient;
 

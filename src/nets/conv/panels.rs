@@ -40,7 +40,7 @@ impl Panels {
         let is_zero = |row: &[f32; COLUMNS]| row.iter().fold(0, |bits, value| bits | value.to_bits()) << 1 == 0;
         let rows = x.iter().enumerate().filter(|(_, row)| !is_zero(row)).collect();
         let mut y = vec![[0.0; COLUMNS]; self.weights.len() * OUTPUTS];
-        vectorize(Product { panels: &self.weights, rows, y: &mut y });
+        vectorize(COLUMNS / 2, Product { panels: &self.weights, rows, y: &mut y });
         y.truncate(self.outputs);
         y.into_flattened()
     }

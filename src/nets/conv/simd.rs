@@ -1,5 +1,5 @@
-//! Vector registers by pulp, which selects the instructions of the processor at run time: AVX2 or SSE4.1 natively, and
-//! simd128 in wasm.
+//! Vector registers by pulp, which selects the instructions of the processor at run time: AVX-512, AVX2 or SSE4.1 on
+//! x86-64, and simd128 in wasm.
 //!
 //! The kernels of the forward pass do not fuse a multiplication with an addition, and each sum has an order of its own
 //! that does not depend on the number of lanes. So all instruction sets compute the same maps, bit for bit, and so does
@@ -8,11 +8,18 @@
 
 use pulp::{Simd, WithSimd};
 
-/// Runs `work` on the widest registers that the kernels are written for.
-pub(crate) fn vectorize<W: WithSimd>(work: W) -> W::Output {
+/// Runs `work` on the widest registers of the processor, but of at most `lanes` lanes where it has several widths.
+pub(crate) fn vectorize<W: WithSimd>(lanes: usize, work: W) -> W::Output {
     #[cfg(target_arch = "x86_64")]
     {
-        if let Some(simd) = pulp::x86::V3::try_new() {
+        if let Some(simd) = pulp::x86::V4::try_new()
+            && lanes >= 16
+        {
+            return Simd::vectorize(simd, work);
+        }
+        if let Some(simd) = pulp::x86::V3::try_new()
+            && lanes >= 8
+        {
             return Simd::vectorize(simd, work);
         }
         if let Some(simd) = pulp::x86::V2::try_new() {
@@ -22,13 +29,9 @@ pub(crate) fn vectorize<W: WithSimd>(work: W) -> W::Output {
     baseline(work)
 }
 
-/// Runs `work` on registers of four lanes.
-pub(crate) fn vectorize_by_four<W: WithSimd>(work: W) -> W::Output {
-    #[cfg(target_arch = "x86_64")]
-    if let Some(simd) = pulp::x86::V2::try_new() {
-        return Simd::vectorize(simd, work);
-    }
-    baseline(work)
+/// Returns the number of lanes into which rows of this length divide.
+pub(crate) fn lanes_that_divide(row: usize) -> usize {
+    1 << row.trailing_zeros()
 }
 
 /// Runs `work` on what every processor of the architecture has.

@@ -7,7 +7,7 @@ use pulp::{Simd, WithSimd};
 
 use super::im2col::Geometry;
 use super::planes::Planes;
-use super::simd::{load, vectorize};
+use super::simd::{lanes_that_divide, vectorize};
 
 /// Coarse channels that are correlated with a pair of taps at once: eight sums.
 const CHANNELS: usize = 4;
@@ -23,7 +23,7 @@ pub(crate) struct WeightGradient<'a> {
 
 impl WeightGradient<'_> {
     pub(crate) fn compute(self) {
-        vectorize(self);
+        vectorize(lanes_that_divide(self.geometry.coarse_side), self);
     }
 }
 
@@ -73,15 +73,18 @@ fn correlate<S: Simd>(
     side: usize,
     stride: usize,
 ) {
-    for row in 0..side {
-        let fine = &fine[row * stride..][..side + 1];
-        let rows: [&[f32]; CHANNELS] = std::array::from_fn(|channel| &coarse[(channel * side + row) * side..][..side]);
-        for column in (0..side).step_by(S::F32_LANES) {
-            let [left, right] = [load::<S>(fine, column), load::<S>(fine, column + 1)];
-            for (sums, coarse) in sums.iter_mut().zip(rows) {
-                let coarse = load::<S>(coarse, column);
-                sums[0] = simd.mul_add_e_f32s(coarse, left, sums[0]);
-                sums[1] = simd.mul_add_e_f32s(coarse, right, sums[1]);
+    let cells = side * side;
+    let rows = |channel: usize| coarse[channel * cells..][..cells].chunks_exact(side);
+    let rows = rows(0).zip(rows(1)).zip(rows(2)).zip(rows(3));
+    for (fine, (((first, second), third), fourth)) in fine.chunks(stride).zip(rows) {
+        let registers = |values| S::as_simd_f32s(values).0.iter();
+        let coarse = registers(first).zip(registers(second)).zip(registers(third)).zip(registers(fourth));
+        for ((left, right), (((first, second), third), fourth)) in
+            registers(&fine[..side]).zip(registers(&fine[1..=side])).zip(coarse)
+        {
+            for (sums, coarse) in sums.iter_mut().zip([first, second, third, fourth]) {
+                sums[0] = simd.mul_add_e_f32s(*coarse, *left, sums[0]);
+                sums[1] = simd.mul_add_e_f32s(*coarse, *right, sums[1]);
             }
         }
     }

@@ -2,7 +2,8 @@
 
 use burn::tensor::{Tensor, TensorData};
 
-use super::trainer::{Trainer, binary_cross_entropy_with_logits};
+use super::cross_entropy::binary_cross_entropy_with_logits;
+use super::trainer::Trainer;
 use crate::nets::dqn::{Dqn, inputs};
 use crate::puzzle::action::Ball;
 use crate::puzzle::scene::SIZE;

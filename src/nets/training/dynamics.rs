@@ -6,9 +6,11 @@
 
 use burn::tensor::{Tensor, TensorData};
 
-use super::trainer::{SuccessBatch, Trainer, binary_cross_entropy_with_logits};
+use super::cross_entropy::binary_cross_entropy_with_logits;
+use super::trainer::{SuccessBatch, Trainer};
 use crate::nets::ball_batch::BallBatch;
 use crate::nets::ball_head::{COORDINATES, POSITIONS, Starts, UNIT};
+
 use crate::nets::{DynamicsNet, SuccessNet, seeded};
 use crate::puzzle::action::{Ball, Invalid};
 use crate::puzzle::scene::SIZE;

@@ -1,6 +1,7 @@
 //! Training of the nets, with the feature `training`; native only. Used by the lab.
 
 mod adam;
+mod cross_entropy;
 mod dqn;
 mod dynamics;
 mod sample;
