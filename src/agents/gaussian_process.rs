@@ -13,6 +13,9 @@ use super::sigmoid;
 /// can resolve.
 const HALVINGS: usize = 60;
 
+/// A correlation of e to minus this, 2e-35, or less counts as 0: it would not change the last bit of a logit.
+const NEGLIGIBLE: f64 = 80.0;
+
 /// The prior covariance of the logits of two inputs.
 pub trait Kernel {
     /// What is compared.
@@ -103,7 +106,8 @@ impl SquaredExponential {
     pub fn of(&self, a: &[f32], b: &[f32]) -> f64 {
         let squares = a.iter().zip(b).map(|(a, b)| f64::from(a - b) * f64::from(a - b));
         let mean_square = squares.sum::<f64>() / a.len() as f64;
-        self.variance * libm::exp(-mean_square / (2.0 * self.length_scale * self.length_scale))
+        let exponent = mean_square / (2.0 * self.length_scale * self.length_scale);
+        if exponent > NEGLIGIBLE { 0.0 } else { self.variance * libm::exp(-exponent) }
     }
 }
 

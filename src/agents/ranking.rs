@@ -52,9 +52,6 @@ struct Ranked {
 }
 
 impl Ranked {
-    /// Less than every ball.
-    const NONE: Ranked = Ranked { logit: f64::NEG_INFINITY, index: 0 };
-
     fn compare(&self, other: &Ranked) -> Ordering {
         self.logit.total_cmp(&other.logit).then(self.index.cmp(&other.index))
     }
@@ -113,16 +110,17 @@ impl Queue {
     fn greatest_in(&self, block: usize) -> Ranked {
         let corner = block / BLOCKS * BLOCK * SIDE + block % BLOCKS * BLOCK;
         let rows = (0..RADII).flat_map(|radius| (0..BLOCK).map(move |row| radius * CELLS + corner + row * SIDE));
-        let mut greatest = Ranked::NONE;
-        for first in rows {
-            for (index, &logit) in (first..).zip(&self.logits[first..first + BLOCK]) {
-                // The index ascends.
-                if logit >= greatest.logit {
-                    greatest = Ranked { logit, index };
-                }
+        let row = |first: usize| &self.logits[first..first + BLOCK];
+        // Column by column, so that the columns can be compared at once.
+        let mut greatest = [f64::NEG_INFINITY; BLOCK];
+        for first in rows.clone() {
+            for (greatest, &logit) in greatest.iter_mut().zip(row(first)) {
+                *greatest = if logit > *greatest { logit } else { *greatest };
             }
         }
-        greatest
+        let logit = greatest.into_iter().fold(f64::NEG_INFINITY, f64::max);
+        let last = rows.rev().find_map(|first| Some(first + row(first).iter().rposition(|&other| other == logit)?));
+        Ranked { logit, index: last.unwrap_or_default() }
     }
 
     fn suppress_around(&mut self, index: usize, balls: &FittingBalls) {

@@ -35,7 +35,7 @@ pub const PLACES: usize = 5;
 /// Outputs of the layer `scene`.
 pub const SCENE_HIDDEN: usize = 64;
 
-const HIDDEN: [usize; 2] = [192, 128];
+pub(super) const HIDDEN: [usize; 2] = [192, 128];
 const CHANCE_HIDDEN: usize = 64;
 
 /// Channels of the hypercolumn.
@@ -49,11 +49,11 @@ const fn hypercolumn() -> usize {
     sum
 }
 
-/// The layers of the perceptron: burn's, or `imagined_balls::Layer` for inference.
+/// The layers of the perceptron: burn's, or those of `imagined_balls` for inference, which takes the first apart.
 #[derive(Module, Debug)]
-pub struct BallHead<L = Linear> {
+pub struct BallHead<L = Linear, First = L> {
     pub(super) scene: L,
-    first: L,
+    pub(super) first: First,
     second: L,
     /// Displacements of the coordinates from the start, in `UNIT`.
     displacements: L,
@@ -84,14 +84,11 @@ pub trait Features: Clone {
     fn detach(self) -> Self;
 }
 
-/// The inputs of the perceptron for some balls.
+/// The inputs of the perceptron after its first layer, for some balls.
 pub struct HeadInputs<F> {
-    /// `BALL_NUMBERS` features.
-    pub numbers: F,
-    /// `SCENE_HIDDEN` features: the output of the layer `scene`.
-    pub code: F,
-    /// The features of each level at the ball, in the order of `LEVELS`.
-    pub hypercolumn: Vec<F>,
+    /// The output of the layer `first`, whose inputs are the numbers of the ball, the output of the layer `scene`, and
+    /// the features of each level at the ball, in the order of `LEVELS`.
+    pub first: F,
     /// `PLACES` features.
     pub places: F,
     /// `COORDINATES` features: paths that stay where they start, in `UNIT`.
@@ -221,17 +218,17 @@ impl BallHead {
             let around = cells.select(0, rows).reshape([-1, 4, channels as i32]); // [balls, 4, channels]
             (around * weights).sum_dim(1).squeeze_dim::<2>(1)
         });
-        self.predict(HeadInputs { numbers, code, hypercolumn: hypercolumn.collect(), places, starts })
+        let seen = Features::concat([numbers, code].into_iter().chain(hypercolumn).collect());
+        self.predict(HeadInputs { first: seen.linear(&self.first), places, starts })
     }
 }
 
-impl<L> BallHead<L> {
-    /// The perceptron after its layer `scene`, for training and for inference. The order of the blocks is that of the
+impl<L, First> BallHead<L, First> {
+    /// The perceptron after its first layer, for training and for inference. The order of the blocks is that of the
     /// inputs of the layers in weights files.
     pub fn predict<F: Features<Layer = L>>(&self, inputs: HeadInputs<F>) -> Predictions<F> {
-        let HeadInputs { numbers, code, hypercolumn, places, starts } = inputs;
-        let seen = F::concat([numbers, code].into_iter().chain(hypercolumn).collect());
-        let hidden = seen.linear(&self.first).relu().linear(&self.second).relu();
+        let HeadInputs { first, places, starts } = inputs;
+        let hidden = first.relu().linear(&self.second).relu();
         let coordinates = starts.add(hidden.linear(&self.displacements));
         let errors = hidden.linear(&self.errors).softplus();
         let paths = F::concat(vec![coordinates.clone(), errors.clone(), places]);
@@ -248,10 +245,10 @@ impl<L> BallHead<L> {
     }
 
     /// Returns the same perceptron with layers of another kind.
-    pub fn with_layers<M>(&self, convert: impl Fn(&L) -> M) -> BallHead<M> {
+    pub fn with_layers<M, N>(&self, convert: impl Fn(&L) -> M, convert_first: impl Fn(&First) -> N) -> BallHead<M, N> {
         BallHead {
             scene: convert(&self.scene),
-            first: convert(&self.first),
+            first: convert_first(&self.first),
             second: convert(&self.second),
             displacements: convert(&self.displacements),
             errors: convert(&self.errors),

@@ -3,12 +3,16 @@
 //! `BallHead::predict` with sums in an order that does not depend on the processor: natively and in wasm the answers
 //! are the same, bit for bit. PHYRE's world is symmetric, so the net answers for the scene and for its mirror image,
 //! and the answer is their mean.
+//!
+//! Between its inputs and the first ReLU all is linear. So what does not depend on the ball is multiplied by the first
+//! layer once for a scene: its code, and the cells of the coarse levels, whose products are then interpolated.
 
 use burn::nn::Linear;
 use burn::tensor::Tensor;
 
+use super::ball_columns::{Columns, Layer};
 use super::ball_head::{
-    BALL_NUMBERS, BallHead, COORDINATES, Features, HeadInputs, PLACES, POSITIONS, SCENE_HIDDEN, Starts, UNIT,
+    BALL_NUMBERS, BallHead, COORDINATES, Features, HIDDEN, HeadInputs, PLACES, POSITIONS, SCENE_HIDDEN, Starts, UNIT,
     ball_numbers, corners, paths_at_rest, places,
 };
 use super::conv::panels::{COLUMNS, Panels};
@@ -22,6 +26,9 @@ use crate::puzzle::scene::{SIZE, Scene};
 /// What the mean of the three logits is multiplied by. Trained nets are too sure of new scenes, and the likeliest of
 /// many balls are those that the net is most wrong about. Set by hand, not tuned.
 const CONFIDENCE: f32 = 0.7;
+
+/// Levels whose features are interpolated before the first layer: they have more cells than a turn has balls.
+const FINE_LEVELS: usize = 2;
 
 /// What the net imagines for a ball.
 #[derive(Clone, Debug, PartialEq)]
@@ -41,7 +48,7 @@ pub struct ImaginedBall {
 pub struct ReadScene {
     /// Logits of the balls on each cell, `[RADII, 64, 64]`.
     pub logits: Vec<f32>,
-    head: BallHead<Layer>,
+    head: BallHead<Layer, FirstLayer>,
     /// The scene and its mirror image.
     views: [View; 2],
 }
@@ -49,83 +56,39 @@ pub struct ReadScene {
 /// The features of a scene or of its mirror image.
 struct View {
     starts: Starts,
-    /// For each level `[side * side, channels]`: the features of a cell lie together, because a ball needs all of them.
-    levels: Vec<Vec<f32>>,
-    /// The output of the head's layer `scene`, `[SCENE_HIDDEN]`.
+    /// For each fine level `[side * side, channels]`: the features of a cell lie together, because a ball needs all of
+    /// them.
+    fine: Vec<Vec<f32>>,
+    /// For each coarse level `[side * side, HIDDEN[0]]`: the products of the cells' features and the first layer.
+    coarse: Vec<Vec<f32>>,
+    /// The bias of the first layer, and the product of the scene's code and that layer.
     code: Vec<f32>,
 }
 
-/// A linear layer on plain slices.
-struct Layer {
-    weight: Panels,
+/// The first layer in the parts of its inputs.
+struct FirstLayer {
+    numbers: Panels,
+    code: Panels,
+    /// In the order of `LEVELS`.
+    levels: Vec<Panels>,
     bias: Vec<f32>,
 }
 
-impl Layer {
-    fn new(layer: &Linear) -> Layer {
-        let bias = values(layer.bias.as_ref().expect("every layer has a bias").val());
-        Layer { weight: Panels::new(&values(layer.weight.val()), bias.len()), bias }
-    }
-}
-
-/// Features of up to `COLUMNS` balls, `[features, COLUMNS]`: each ball has a column. What columns without a ball hold
-/// does not matter.
-#[derive(Clone)]
-struct Columns(Vec<f32>);
-
-impl Columns {
-    /// The features of each ball, or of whatever else is to have a column.
-    fn new<'a, B, F: IntoIterator<Item = f32>>(balls: &'a [B], count: usize, features: impl Fn(&'a B) -> F) -> Columns {
-        let mut columns = vec![0.0; count * COLUMNS];
-        for (index, ball) in balls.iter().enumerate() {
-            for (row, feature) in columns.chunks_exact_mut(COLUMNS).zip(features(ball)) {
-                row[index] = feature;
-            }
+impl FirstLayer {
+    fn new(layer: &Linear) -> FirstLayer {
+        let weight = values(layer.weight.val());
+        let mut rest = &weight[..];
+        let mut part = |inputs: usize| {
+            let (weight, others) = rest.split_at(inputs * HIDDEN[0]);
+            rest = others;
+            Panels::new(weight, HIDDEN[0])
+        };
+        FirstLayer {
+            numbers: part(BALL_NUMBERS),
+            code: part(SCENE_HIDDEN),
+            levels: LEVELS.iter().map(|&(_, channels)| part(channels)).collect(),
+            bias: values(layer.bias.as_ref().expect("every layer has a bias").val()),
         }
-        Columns(columns)
-    }
-
-    fn get(&self, feature: usize, column: usize) -> f32 {
-        self.0[feature * COLUMNS + column]
-    }
-
-    fn map(mut self, of: impl Fn(f32) -> f32) -> Columns {
-        self.0.iter_mut().for_each(|value| *value = of(*value));
-        self
-    }
-}
-
-impl Features for Columns {
-    type Layer = Layer;
-
-    fn linear(&self, Layer { weight, bias }: &Layer) -> Columns {
-        let mut y = weight.multiply(&self.0);
-        for (y, bias) in y.chunks_exact_mut(COLUMNS).zip(bias) {
-            y.iter_mut().for_each(|y| *y += bias);
-        }
-        Columns(y)
-    }
-
-    fn relu(self) -> Columns {
-        self.map(|x| if x < 0.0 { 0.0 } else { x })
-    }
-
-    fn softplus(self) -> Columns {
-        // With libm, so that wasm computes the same.
-        self.map(|x| x.max(0.0) + libm::log1pf(libm::expf(-x.abs())))
-    }
-
-    fn add(mut self, other: Columns) -> Columns {
-        self.0.iter_mut().zip(other.0).for_each(|(value, other)| *value += other);
-        self
-    }
-
-    fn concat(blocks: Vec<Columns>) -> Columns {
-        Columns(blocks.into_iter().map(|Columns(block)| block).collect::<Vec<_>>().concat())
-    }
-
-    fn detach(self) -> Columns {
-        self
     }
 }
 
@@ -135,14 +98,24 @@ impl DynamicsNet {
         let SceneFeatures { logits, levels, code } = self.encode(images);
         let [logits, mirrored]: [Tensor<4>; 2] = logits.chunk(2, 0).try_into().expect("two scenes");
         let logits = values((logits + mirrored.flip([3])) / 2.0);
-        let head = self.head.with_layers(Layer::new);
+        let head = self.head.with_layers(Layer::new, FirstLayer::new);
         let levels: Vec<Vec<f32>> = levels.into_iter().map(|level| values(level.permute([0, 2, 3, 1]))).collect();
         let codes: Vec<Vec<f32>> = values(code).chunks_exact(CODE).map(<[f32]>::to_vec).collect();
         let codes = Columns::new(&codes, CODE, |code| code.iter().copied()).linear(&head.scene).relu();
-        let view = |index: usize, starts: Starts| View {
-            starts,
-            levels: levels.iter().map(|level| level[index * level.len() / 2..][..level.len() / 2].to_vec()).collect(),
-            code: (0..SCENE_HIDDEN).map(|feature| codes.get(feature, index)).collect(),
+        let codes = Columns(head.first.code.multiply(&codes.0));
+        let view = |index: usize, starts: Starts| {
+            let of_view = |level: &Vec<f32>| level[index * level.len() / 2..][..level.len() / 2].to_vec();
+            let levels = levels.iter().map(of_view);
+            View {
+                starts,
+                fine: levels.clone().take(FINE_LEVELS).collect(),
+                coarse: levels
+                    .zip(&head.first.levels)
+                    .skip(FINE_LEVELS)
+                    .map(|(level, part)| product(&level, part))
+                    .collect(),
+                code: head.first.bias.iter().enumerate().map(|(row, bias)| bias + codes.get(row, index)).collect(),
+            }
         };
         let starts = Starts::of(scene);
         let views = [view(0, starts), view(1, starts.mirrored())];
@@ -150,19 +123,23 @@ impl DynamicsNet {
     }
 }
 
+/// The products of the features of cells and a part of the first layer, `[cells, HIDDEN[0]]`.
+fn product(level: &[f32], part: &Panels) -> Vec<f32> {
+    let cells: Vec<&[f32]> = level.chunks_exact(part.inputs()).collect();
+    let of_cells = |cells: &[&[f32]]| {
+        let features = Columns::new(cells, part.inputs(), |cell| cell.iter().copied());
+        let product = Columns(part.multiply(&features.0));
+        let of_cell = |column: usize| (0..HIDDEN[0]).map(move |row| (row, column));
+        (0..cells.len()).flat_map(of_cell).map(|(row, column)| product.get(row, column)).collect::<Vec<_>>()
+    };
+    cells.chunks(COLUMNS).flat_map(of_cells).collect()
+}
+
 impl View {
     /// Returns what up to `COLUMNS` balls lead to.
-    fn imagine(&self, head: &BallHead<Layer>, balls: &[Ball]) -> Vec<ImaginedBall> {
-        let level_at_balls = |(level, (side, channels)): (&Vec<f32>, (usize, usize))| {
-            Columns::new(balls, channels, |&ball| {
-                let corners = corners(side, ball).map(|(cell, weight)| (&level[cell * channels..][..channels], weight));
-                (0..channels).map(move |channel| corners.iter().map(|&(cell, weight)| cell[channel] * weight).sum())
-            })
-        };
+    fn imagine(&self, head: &BallHead<Layer, FirstLayer>, balls: &[Ball]) -> Vec<ImaginedBall> {
         let predictions = head.predict(HeadInputs {
-            numbers: Columns::new(balls, BALL_NUMBERS, |&ball| ball_numbers(ball, self.starts)),
-            code: Columns::new(balls, SCENE_HIDDEN, |_| self.code.iter().copied()),
-            hypercolumn: self.levels.iter().zip(LEVELS).map(level_at_balls).collect(),
+            first: self.first(&head.first, balls),
             places: Columns::new(balls, PLACES, |&ball| places(ball, self.starts)),
             starts: Columns::new(balls, COORDINATES, |&ball| paths_at_rest(ball, self.starts)),
         });
@@ -179,6 +156,39 @@ impl View {
             }
         };
         (0..balls.len()).map(imagined).collect()
+    }
+
+    /// The output of the first layer.
+    fn first(&self, layer: &FirstLayer, balls: &[Ball]) -> Columns {
+        let (fine_levels, coarse_levels) = LEVELS.split_at(FINE_LEVELS);
+        let of_scene = Columns::new(balls, HIDDEN[0], |&ball| {
+            let mut sums = self.code.clone();
+            for (level, &(side, _)) in self.coarse.iter().zip(coarse_levels) {
+                interpolate(&mut sums, level, side, ball);
+            }
+            sums
+        });
+        let numbers = Columns::new(balls, BALL_NUMBERS, |&ball| ball_numbers(ball, self.starts));
+        let mut sums = of_scene.add(Columns(layer.numbers.multiply(&numbers.0)));
+        for ((level, &(side, channels)), part) in self.fine.iter().zip(fine_levels).zip(&layer.levels) {
+            let features = Columns::new(balls, channels, |&ball| {
+                let mut features = vec![0.0; channels];
+                interpolate(&mut features, level, side, ball);
+                features
+            });
+            sums = sums.add(Columns(part.multiply(&features.0)));
+        }
+        sums
+    }
+}
+
+/// Adds the values of a level, `[side * side, channels]`, at a ball.
+fn interpolate(sums: &mut [f32], level: &[f32], side: usize, ball: Ball) {
+    let channels = sums.len();
+    let [first, second, third, fourth] = corners(side, ball)
+        .map(|(cell, weight)| level[cell * channels..][..channels].iter().map(move |value| value * weight));
+    for ((((sum, first), second), third), fourth) in sums.iter_mut().zip(first).zip(second).zip(third).zip(fourth) {
+        *sum += first + second + third + fourth;
     }
 }
 

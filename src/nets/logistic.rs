@@ -1,4 +1,4 @@
-//! The logistic function, the same to the bit natively and in wasm.
+//! The logistic function and softplus, its integral, the same to the bit natively and in wasm.
 //!
 //! burn's calls the exponential function of the platform's library, one value at a time, and the libraries differ in
 //! the last bits. Here it is a polynomial, without fused operations, on vector registers.
@@ -140,6 +140,37 @@ fn exp_of_negative(x: f32) -> f32 {
     if is_tiny { 0.0 } else { series * power_of_two }
 }
 
+/// Replaces every x by ln(1 + e^x).
+pub(crate) fn softplus(values: &mut [f32]) {
+    vectorize(16, Softplus(values));
+}
+
+struct Softplus<'a>(&'a mut [f32]);
+
+impl WithSimd for Softplus<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        for x in self.0 {
+            *x = if *x > 0.0 { *x } else { 0.0 } + ln_1p(of_abs(*x).1);
+        }
+    }
+}
+
+/// ln(1 + x) for x in 0..=1, to 3e-7 relatively.
+#[inline(always)]
+pub(crate) fn ln_1p(x: f32) -> f32 {
+    // 2 artanh(x / (2 + x)): a series in a square of at most 1/9.
+    let ratio = x / (2.0 + x);
+    let square = ratio * ratio;
+    let tail = square
+        * (1.0 / 3.0
+            + square
+                * (1.0 / 5.0 + square * (1.0 / 7.0 + square * (1.0 / 9.0 + square * (1.0 / 11.0 + square / 13.0)))));
+    2.0 * ratio * (1.0 + tail)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -166,6 +197,15 @@ mod tests {
             let y = 1.0 / (1.0 + (-x).exp());
             let expected = 2.0 * y * (1.0 - y);
             assert!((f64::from(slope) - expected).abs() < 1e-6 * expected, "{x}: {slope}, not {expected}");
+        }
+    }
+
+    #[test]
+    fn the_logarithm_is_that_of_the_library() {
+        for step in 0..=8000 {
+            let x = step as f32 / 8000.0;
+            let (found, expected) = (f64::from(ln_1p(x)), f64::from(x).ln_1p());
+            assert!((found - expected).abs() <= 3e-7 * expected, "ln(1 + {x}): {found}, not {expected}");
         }
     }
 }

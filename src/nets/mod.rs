@@ -13,6 +13,7 @@ use crate::puzzle::scene::Scene;
 use crate::raster::{Bitmap, CHANNELS, Coverage, SIDE, scene_channels, scene_coverage};
 
 pub mod ball_batch;
+mod ball_columns;
 pub mod ball_head;
 mod card;
 mod conv;

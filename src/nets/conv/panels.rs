@@ -18,6 +18,7 @@ pub(crate) const COLUMNS: usize = if cfg!(target_arch = "wasm32") { 8 } else { 1
 pub(crate) struct Panels {
     /// For each panel `[inputs, OUTPUTS]`, with zeros for the outputs that a last panel lacks.
     weights: Vec<Vec<[f32; OUTPUTS]>>,
+    inputs: usize,
     outputs: usize,
 }
 
@@ -29,7 +30,13 @@ impl Panels {
             let padded = rows.map(|row| std::array::from_fn(|index| row.get(index).copied().unwrap_or_default()));
             padded.collect()
         };
-        Panels { weights: (0..outputs).step_by(OUTPUTS).map(panel).collect(), outputs }
+        let inputs = weight.len() / outputs;
+        Panels { weights: (0..outputs).step_by(OUTPUTS).map(panel).collect(), inputs, outputs }
+    }
+
+    /// Returns the number of inputs.
+    pub(crate) fn inputs(&self) -> usize {
+        self.inputs
     }
 
     /// Multiplies inputs `[inputs, COLUMNS]` and returns `[outputs, COLUMNS]`.
