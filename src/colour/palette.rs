@@ -1,7 +1,8 @@
 //! The colours of the roles and of the paper, light and dark. The style sheet reads them from `palette`.
 //!
-//! The hues are distinguishable for colour-blind people: those of Okabe and Ito, and a purple. The dark palette has
-//! lighter tones of the same hues.
+//! The hues are distinguishable for colour-blind people: those of Okabe and Ito, a purple, and a red that is as red as
+//! its name; tests/page/palette.test.mjs holds how far it is from the others. The dark palette has lighter tones of the
+//! same hues.
 
 use serde::Serialize;
 
@@ -40,7 +41,7 @@ const LIGHT: Palette = Palette {
     gray: "#868d97",
     black: "#25282d",
     rim: "#25282d",
-    red: "#d55e00",
+    red: "#e5261f",
     ring: "#e69f00",
     ink: "#16181c",
 };
@@ -53,7 +54,7 @@ const DARK: Palette = Palette {
     gray: "#8d95a3",
     black: "#39404b",
     rim: "#b9c1cd",
-    red: "#f2812f",
+    red: "#ff4438",
     ring: "#ffc233",
     ink: "#f3f4f6",
 };
