@@ -81,10 +81,10 @@ export class ProgressView {
   #label(task) {
     const tasks = this.#templates.find((template) => template.tasks.includes(task))?.tasks ?? [task];
     const words = text.page.picker;
-    const place = words.place(tasks.indexOf(task) + 1, tasks.length);
+    const place = tasks.indexOf(task) + 1;
     const { attempts, solved } = this.#progress.player.of(task);
     if (solved) return words.solved(place, solved);
-    return attempts ? words.tried(place, attempts) : place;
+    return attempts ? words.tried(place, attempts) : words.place(place, tasks.length);
   }
 
   #save() {

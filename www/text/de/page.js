@@ -53,8 +53,8 @@ export const page = {
   picker: {
     puzzle: (task) => `Rätsel ${task}`,
     place: (place, of) => `${place} von ${of}`,
-    solved: (place, at) => `${place} ✓ in ${at}`,
-    tried: (place, made) => `${place} × in ${made}`,
+    solved: (place, at) => `${place}: gelöst im ${at}. Versuch`,
+    tried: (place, made) => `${place}: ungelöst, ${attempts(made)}`,
   },
 
   links: {

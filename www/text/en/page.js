@@ -51,8 +51,9 @@ export const page = {
   picker: {
     puzzle: (/** @type {string} */ task) => `Puzzle ${task}`,
     place: (/** @type {number} */ place, /** @type {number} */ of) => `${place} of ${of}`,
-    solved: (/** @type {string} */ place, /** @type {number} */ at) => `${place} ✓ in ${at}`,
-    tried: (/** @type {string} */ place, /** @type {number} */ made) => `${place} × in ${made}`,
+    solved: (/** @type {number} */ place, /** @type {number} */ at) => `${place}: solved at try ${at}`,
+    tried: (/** @type {number} */ place, /** @type {number} */ made) =>
+      `${place}: missed, ${made === 1 ? "1 try" : `${made} tries`}`,
   },
 
   links: {
