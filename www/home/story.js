@@ -4,11 +4,11 @@
 import { percent } from "../model/chance-words.js";
 import { SCENE_SIZE, STEPS_PER_SECOND } from "../shell/constants.js";
 import { text } from "../text/text.js";
-import { ScenePainter, curve } from "./scene-painter.js";
+import { ScenePainter, curve } from "../widgets/scene-painter.js";
 
 /** @typedef {import("../pkg/pathlight.js").Palette} Palette */
 /** @typedef {import("./recording.js").RecordedScene} RecordedScene */
-/** @typedef {import("./scene-painter.js").Point} Point */
+/** @typedef {import("../widgets/scene-painter.js").Point} Point */
 /** @typedef {"imagine" | "pick" | "real" | "result"} Phase */
 
 /** How long the phases last whose time is not that of the rollout, s. */

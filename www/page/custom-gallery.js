@@ -3,6 +3,7 @@
 // saved in one.
 
 import { LazyThumbnails } from "../widgets/lazy-thumbnails.js";
+import { paintThumbnail } from "../widgets/scene-thumbnail.js";
 import { byId, createButton } from "../widgets/dom.js";
 import { showNotice } from "../widgets/notice.js";
 import { pathlight } from "../shell/page-api.js";
@@ -43,7 +44,7 @@ export class CustomGallery {
   #stop = new AbortController();
   #thumbnails = new LazyThumbnails((context, canvas) => {
     const scene = this.#sceneOf.get(canvas);
-    if (scene) pathlight.paintScene(context, scene, { dark: this.#dark });
+    if (scene) paintThumbnail(context, scene, this.#dark);
   });
 
   /**

@@ -2,7 +2,7 @@
 // is drawn depends on the time alone.
 
 import { DARK_PALETTE, LIGHT_PALETTE } from "../pkg/constants.js";
-import { ScenePainter } from "../home/scene-painter.js";
+import { ScenePainter } from "../widgets/scene-painter.js";
 import { ATTEMPT_LIMIT } from "../shell/constants.js";
 import { pathlight } from "../shell/page-api.js";
 import { text } from "../text/text.js";

@@ -1,7 +1,7 @@
 // The kinds of puzzles that are new to the model, as pictures to choose from.
 
 import { LazyThumbnails } from "../widgets/lazy-thumbnails.js";
-import { pathlight } from "../shell/page-api.js";
+import { paintThumbnail } from "../widgets/scene-thumbnail.js";
 
 /**
  * A template, and those of its tasks that the model has never seen.
@@ -19,7 +19,7 @@ export class LearnsKinds {
   #kinds = [];
   #chosen = 0;
   #thumbnails = new LazyThumbnails((context, { dataset }) =>
-    pathlight.paintScene(context, dataset.task ?? "", { dark: darkScheme.matches }),
+    paintThumbnail(context, dataset.task ?? "", darkScheme.matches),
   );
 
   /**

@@ -3,8 +3,8 @@
 
 import { find } from "../widgets/dom.js";
 import { LazyThumbnails } from "../widgets/lazy-thumbnails.js";
+import { paintThumbnail } from "../widgets/scene-thumbnail.js";
 import { difficultyName, solveRateOf } from "../puzzles/difficulty.js";
-import { pathlight } from "../shell/page-api.js";
 import { puzzleName } from "../puzzles/puzzle-name.js";
 import { hrefOf, pageViewHref } from "../state/links.js";
 import { LEARNT_TASK, MADE_FROM } from "../home/home-tasks.js";
@@ -20,9 +20,7 @@ export class Picks {
   #tasks;
   #progress;
   #dark = false;
-  #thumbnails = new LazyThumbnails((context, { dataset }) =>
-    pathlight.paintScene(context, dataset.task ?? "", { dark: this.#dark }),
-  );
+  #thumbnails = new LazyThumbnails((context, { dataset }) => paintThumbnail(context, dataset.task ?? "", this.#dark));
   /**
    * By model, the puzzles that it does not solve, the easiest first.
    * @type {Record<string, string[]>}

@@ -3,8 +3,8 @@
 
 import { difficultyName, solveRateOf } from "../puzzles/difficulty.js";
 import { LazyThumbnails } from "./lazy-thumbnails.js";
+import { paintThumbnail } from "./scene-thumbnail.js";
 import { SCENE_SIZE } from "../shell/constants.js";
-import { pathlight } from "../shell/page-api.js";
 import { hrefOf } from "../state/links.js";
 import { text } from "../text/text.js";
 
@@ -21,9 +21,7 @@ const SVG = "http://www.w3.org/2000/svg";
 
 export class Gallery {
   #dark = false;
-  #thumbnails = new LazyThumbnails((context, { dataset }) =>
-    pathlight.paintScene(context, dataset.task ?? "", { dark: this.#dark }),
-  );
+  #thumbnails = new LazyThumbnails((context, { dataset }) => paintThumbnail(context, dataset.task ?? "", this.#dark));
   #list;
   #templates;
   /**

@@ -1,15 +1,26 @@
-// Draws a recorded scene on a canvas by plain calls, because it is shown before the wasm, which draws all others, is
-// there. One unit is one px of the scene, y up.
+// Draws a scene on a canvas by plain calls: the recorded one, because it is shown before the wasm, which draws puzzles
+// that are played, and small pictures. One unit is one px of the scene, y up.
 
 import { SCENE_SIZE } from "../shell/constants.js";
 
 /** @typedef {import("../pkg/pathlight.js").Palette} Palette */
-/** @typedef {import("./recording.js").RecordedBody} RecordedBody */
-/** @typedef {import("./recording.js").RecordedScene} RecordedScene */
+/** @typedef {import("../pkg/pathlight.js").Role} Role */
+/** @typedef {import("../pkg/pathlight.js").Shape} Shape */
 /** @typedef {[x: number, y: number]} Point */
 
-/** Distance between the lines of a goal's hatching, and their width, px. */
-const HATCH = { spacing: 4.5, width: 1.2 };
+/**
+ * How bodies are drawn, all px: the width of the line round each, the rim of a black one or else its own colour; the
+ * distance between the lines of a goal's hatching, and their width.
+ * @typedef {{ rim: number, outline: number, hatch: number, hatchWidth: number }} Strokes
+ */
+
+/** @type {Strokes} */
+const FINE = { rim: 1, outline: 0, hatch: 4.5, hatchWidth: 1.2 };
+/**
+ * In a picture 72 to 160 CSS px wide, a bar is hardly more than a pixel thick, and fine hatching a grey veil.
+ * @type {Strokes}
+ */
+export const BOLD = { rim: 2.6, outline: 2.6, hatch: 10, hatchWidth: 3 };
 /** How many points a curve has between two of a path. */
 const CURVE_POINTS = 5;
 
@@ -52,15 +63,18 @@ function catmullRom(before, from, to, after, t) {
 export class ScenePainter {
   #context;
   #colours;
+  #strokes;
 
   /**
    * Fills the canvas with the colour of the paper.
    * @param {CanvasRenderingContext2D} context of a square canvas
    * @param {Palette} colours
+   * @param {Strokes} [strokes]
    */
-  constructor(context, colours) {
+  constructor(context, colours, strokes = FINE) {
     this.#context = context;
     this.#colours = colours;
+    this.#strokes = strokes;
     const scale = context.canvas.width / SCENE_SIZE;
     context.setTransform(scale, 0, 0, -scale, 0, context.canvas.height);
     context.globalAlpha = 1;
@@ -71,7 +85,7 @@ export class ScenePainter {
 
   /**
    * Draws a body, a goal hatched and the green object with a dot.
-   * @param {Pick<RecordedBody, "role" | "parts">} body
+   * @param {{ role: Role, parts: Shape[] }} body
    * @param {number[]} pose
    * @param {boolean} [goal]
    */
@@ -83,9 +97,11 @@ export class ScenePainter {
     context.rotate(angle);
     context.fillStyle = this.#colours[role];
     context.fill(outline);
-    context.strokeStyle = this.#colours.rim;
-    context.lineWidth = 1;
-    if (role === "black") context.stroke(outline);
+    context.strokeStyle = this.#colours[role === "black" ? "rim" : role];
+    const width = role === "black" ? this.#strokes.rim : this.#strokes.outline;
+    context.lineWidth = width;
+    // A width of 0 would be ignored.
+    if (width > 0) context.stroke(outline);
     if (goal) this.#hatch(outline);
     if (role === "green") this.#dot(parts);
     context.restore();
@@ -176,20 +192,20 @@ export class ScenePainter {
     const context = this.#context;
     context.clip(outline);
     context.beginPath();
-    for (let offset = -2 * SCENE_SIZE; offset < 2 * SCENE_SIZE; offset += HATCH.spacing) {
+    for (let offset = -2 * SCENE_SIZE; offset < 2 * SCENE_SIZE; offset += this.#strokes.hatch) {
       context.moveTo(offset - SCENE_SIZE, -SCENE_SIZE);
       context.lineTo(offset + SCENE_SIZE, SCENE_SIZE);
     }
     context.globalAlpha = 0.55;
     context.strokeStyle = this.#colours.paper;
-    context.lineWidth = HATCH.width;
+    context.lineWidth = this.#strokes.hatchWidth;
     context.stroke();
     context.globalAlpha = 1;
   }
 
   /**
    * The dot of the green object; off the centre of a ball, so that it shows how the ball rolls.
-   * @param {import("../pkg/pathlight.js").Shape[]} parts
+   * @param {Shape[]} parts
    */
   #dot([first]) {
     if ("circle" in first) this.#disc(0.4 * first.circle, 0, Math.max(0.26 * first.circle, 1.6), this.#colours.paper);
