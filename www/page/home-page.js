@@ -5,7 +5,7 @@ import { hideParts } from "../widgets/hidden-parts.js";
 import { byId } from "../widgets/dom.js";
 import { Gallery } from "../widgets/gallery.js";
 import { TEMPLATES } from "../puzzles/templates.js";
-import { pageViewHref, showsHome } from "../state/links.js";
+import { hrefOf, pageViewHref, showsHome } from "../state/links.js";
 import { readRecording } from "../home/recording.js";
 import { CustomGallery } from "./custom-gallery.js";
 import { Picks } from "./picks.js";
@@ -63,6 +63,7 @@ export class HomePage {
     const link = byId(document, "results-link", HTMLAnchorElement);
     link.hidden = results === null;
     link.href = results ?? "#";
+    for (const back of document.querySelectorAll("a.back")) back.setAttribute("href", hrefOf(state, null) ?? "#");
     if (section.hidden) return;
     this.#orderKinds();
     this.#picks.update(state);
