@@ -154,7 +154,9 @@ export class ShareDialog {
     this.#file = new File([blob], fileName(`pathlight ${task ?? name}`, extension), { type: blob.type.split(";")[0] });
     const { savePicture, saveFilm } = text.sharing;
     byId(document, "share-save").textContent = extension === "png" ? savePicture : saveFilm;
-    byId(document, "share-system").hidden = !navigator.canShare?.({ files: [this.#file] });
+    const system = byId(document, "share-system");
+    system.hidden = !navigator.canShare?.({ files: [this.#file] });
+    byId(document, "share-copy").classList.toggle("primary", system.hidden);
   }
 
   /** @param {Result} result */
