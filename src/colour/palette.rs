@@ -31,6 +31,8 @@ pub struct Palette {
     pub ring: &'static str,
     /// Lines that must be visible on paper and on bodies.
     pub ink: &'static str,
+    /// What marks the model's ball and paths as its own.
+    pub model: &'static str,
 }
 
 const LIGHT: Palette = Palette {
@@ -44,6 +46,7 @@ const LIGHT: Palette = Palette {
     red: "#e5261f",
     ring: "#e69f00",
     ink: "#16181c",
+    model: "#3d2fe0",
 };
 
 const DARK: Palette = Palette {
@@ -57,6 +60,7 @@ const DARK: Palette = Palette {
     red: "#ff4438",
     ring: "#ffc233",
     ink: "#f3f4f6",
+    model: "#8b84ff",
 };
 
 /// Returns the colours for light or dark paper.

@@ -211,6 +211,8 @@ export interface Palette {
     red: string;
     ring: string;
     ink: string;
+    /** What marks the model's ball and paths as its own. */
+    model: string;
 }
 
 /** What an open puzzle is. */

@@ -27,7 +27,7 @@ function luminance(colour) {
 for (const [name, palette] of Object.entries({ light: LIGHT_PALETTE, dark: DARK_PALETTE }))
   test(`every role stands out from the paper, three to one, ${name}`, () => {
     // A black body is seen by its rim, and the ring has one of ink.
-    for (const role of /** @type {const} */ (["green", "blue", "purple", "gray", "rim", "red", "ink"])) {
+    for (const role of /** @type {const} */ (["green", "blue", "purple", "gray", "rim", "red", "ink", "model"])) {
       const [one, other] = [luminance(palette[role]), luminance(palette.paper)].toSorted((a, b) => b - a);
       const contrast = (one + 0.05) / (other + 0.05);
       assert.ok(contrast >= 3, `${role}: ${contrast.toFixed(2)} to 1`);
@@ -84,7 +84,16 @@ for (const [name, palette] of Object.entries({ light: LIGHT_PALETTE, dark: DARK_
   for (const [vision, matrix] of Object.entries(VISIONS))
     test(`the red ball is told apart from all else, ${name}, ${vision}`, () => {
       const ball = seen(palette.red, matrix);
-      for (const role of /** @type {const} */ (["paper", "green", "blue", "purple", "gray", "black", "ring"])) {
+      for (const role of /** @type {const} */ ([
+        "paper",
+        "green",
+        "blue",
+        "purple",
+        "gray",
+        "black",
+        "ring",
+        "model",
+      ])) {
         const other = seen(palette[role], matrix);
         const difference = Math.hypot(...ball.map((value, axis) => value - other[axis]));
         assert.ok(difference >= LEAST_DIFFERENCE, `${role}: ${difference.toFixed(0)}`);

@@ -41,7 +41,7 @@ export function paintResultCard(canvas, palette, lines, paintScene) {
     [text.page.name, 34, 700, palette.gray, 40],
     [lines.name, 46, 700, palette.ink, 34],
     [lines.solved, 62, 700, palette.green, 28],
-    [lines.model, 40, 500, palette.ink, 34],
+    [lines.model, 40, 600, palette.model, 34],
     [lines.difficulty, 28, 400, palette.gray, 0],
   ];
   for (const [words, size, weight, colour, gap] of texts) {

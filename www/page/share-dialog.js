@@ -2,7 +2,7 @@
 // The page adds the link to what is seen, and the one for a lesson. Loaded when it is first needed. What is shared goes
 // to the system’s share sheet where there is one, else to the clipboard or a file.
 
-import { palette } from "../pkg/pathlight.js";
+import { DARK_PALETTE, LIGHT_PALETTE } from "../pkg/constants.js";
 import { byId } from "../widgets/dom.js";
 import { difficultyWords } from "../puzzles/difficulty.js";
 import { download, fileName } from "../widgets/download.js";
@@ -80,13 +80,17 @@ export class ShareDialog {
     if (result.isOpen()) this.#dialog.showModal();
   }
 
+  get #palette() {
+    return this.#dark ? DARK_PALETTE : LIGHT_PALETTE;
+  }
+
   async #draw() {
     const result = this.#result;
     if (!result) return;
     const canvas = Object.assign(document.createElement("canvas"), { width: WIDTH, height: HEIGHT });
     const lines = linesOf(result);
     if (this.#withBall.checked && solvedByBoth(result)) lines.model += ` ${text.sharing.card.dashed}`;
-    paintResultCard(canvas, palette(this.#dark), lines, (context) =>
+    paintResultCard(canvas, this.#palette, lines, (context) =>
       result.paint(context, this.#dark, this.#withBall.checked),
     );
     this.#picture.alt = text.sharing.card.alt(lines.name, lines.solved, lines.model);
@@ -115,15 +119,14 @@ export class ShareDialog {
     const { done } = text.sharing;
     let words = done.filmStopped;
     try {
-      const [dark, colours] = [this.#dark, palette(this.#dark)];
       const film = await recordResult(
         {
           canvas,
           type: format.type,
           run: result.openRun(),
           lines: linesOf(result),
-          palette: colours,
-          dark,
+          palette: this.#palette,
+          dark: this.#dark,
           onProgress: (fraction) => (this.#progress.value = fraction),
         },
         recording,

@@ -3,10 +3,10 @@
 
 import { Component } from "../widgets/component.js";
 import { SCENE_SIZE } from "../shell/constants.js";
-import { text } from "../text/text.js";
 import { contextOf } from "../widgets/dom.js";
 import { Gestures } from "./gestures.js";
 import { Loupe } from "./loupe.js";
+import { isModels, namesOf } from "./whose.js";
 
 /** @typedef {[x: number, y: number]} Point px of the scene, from its lower left corner */
 
@@ -60,7 +60,11 @@ export class SceneCanvas extends Component {
   /** @param {import("./session.js").Session} session */
   open(session) {
     super.open(session);
-    this.listen("change", () => this.draw());
+    this.listen("change", () => {
+      // The style sheet tints the frame of the model's run.
+      this.#canvas.parentElement?.classList.toggle("models", isModels(session));
+      this.draw();
+    });
     this.listen("draw", () => this.draw());
     this.#measure();
     this.draw();
@@ -68,6 +72,7 @@ export class SceneCanvas extends Component {
 
   close() {
     super.close();
+    this.#canvas.parentElement?.classList.remove("models");
     this.#gestures.endDrag();
   }
 
@@ -109,7 +114,7 @@ export class SceneCanvas extends Component {
       // The paths of a race are not told before it is run.
       whole: session.phase === "compare" && session.finished,
       approach: session.approach,
-      names: this.#names,
+      names: namesOf(session),
       spark: session.reducedMotion ? null : session.moments.contact,
       ...{ opacity, marks, sketch, imagined, hints },
       dark: this.dark,
@@ -117,13 +122,6 @@ export class SceneCanvas extends Component {
     if (painter) painter(this.#context, view, maps);
     else session.game.paint(this.#context, view, maps);
     this.#loupe.draw();
-  }
-
-  /** Whose ball is whose, if a person's and the model's run over each other. */
-  get #names() {
-    const state = this.session?.state;
-    if (state?.kind !== "compare" || state.pair[0].author === state.pair[1]?.author) return [];
-    return state.pair.map(({ author }) => text.play.panel[author === "player" ? "you" : "model"]);
   }
 
   /**

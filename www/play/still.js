@@ -1,5 +1,7 @@
 // One frame of what the scene shows, on another canvas: for pictures and films that are saved.
 
+import { namesOf } from "./whose.js";
+
 /**
  * @param {import("./session.js").Session} session
  * @param {CanvasRenderingContext2D} context of a square canvas
@@ -9,5 +11,5 @@
 export function paintStill(session, context, step, dark) {
   const { ball, invalidReason, phase, game } = session;
   const view = { step, ball, valid: invalidReason === null, knob: 0, whole: phase === "compare", opacity: 1, dark };
-  game.paint(context, view, []);
+  game.paint(context, { ...view, names: namesOf(session) }, []);
 }
