@@ -145,6 +145,10 @@ pub(crate) fn paint(
     }
     let until = if view.whole { f64::INFINITY } else { view.step };
     for recording in recordings {
+        if recording.of_model {
+            painter.model_path(recording.path(until, scene.body1))?;
+            painter.model_path(recording.path(until, scene.bodies.len()))?;
+        }
         painter.path(recording.path(until, scene.body1), Role::Green, recording.line_style)?;
         painter.path(recording.path(until, scene.bodies.len()), Role::Red, recording.line_style)?;
     }
@@ -189,12 +193,17 @@ fn draw_ball(
     if outlined && let Some(pose) = recording.pose(step, scene.body1) {
         painter.outline(&scene.bodies[scene.body1], pose, recording.line_style)?;
     }
-    match (recording.ball, recording.pose(step, scene.bodies.len())) {
-        (Some(ball), Some(pose)) if outlined => painter.outline(&ball.body(), pose, recording.line_style),
-        (Some(ball), Some([x, y, angle])) => {
-            painter.ball(Ball { x: x.into(), y: y.into(), ..ball }, angle.into(), true)
-        }
-        _ => Ok(()),
+    let (Some(ball), Some(pose)) = (recording.ball, recording.pose(step, scene.bodies.len())) else {
+        return Ok(());
+    };
+    let [x, y, angle] = pose.map(f64::from);
+    if recording.of_model {
+        painter.model_rim([x, y], ball.r)?;
+    }
+    if outlined {
+        painter.outline(&ball.body(), pose, recording.line_style)
+    } else {
+        painter.ball(Ball { x, y, ..ball }, angle, true)
     }
 }
 

@@ -118,7 +118,7 @@ impl Game {
     pub fn attempt(&mut self, x: f64, y: f64, r: f64) -> Result<JsValue, JsValue> {
         let ball = Ball { x, y, r };
         let (number, rollout) = self.game.play(Author::Player, ball).map_err(|why| self.refusal(why))?;
-        self.recordings = vec![Recording { ball: Some(ball), rollout, line_style: LineStyle::Solid }];
+        self.recordings = vec![Recording { ball: Some(ball), rollout, line_style: LineStyle::Solid, of_model: false }];
         to_js(&ListedAttempt::new(number, self.game.attempts(Author::Player)[number - 1]))
     }
 

@@ -25,7 +25,7 @@ impl Game {
     /// Shows the scene running without a ball.
     pub fn watch(&mut self) -> Result<(), JsValue> {
         let rollout = simulate(&self.puzzle.scene, None).map_err(|why| self.refusal(why.into()))?;
-        self.recordings = vec![Recording { ball: None, rollout, line_style: LineStyle::Solid }];
+        self.recordings = vec![Recording { ball: None, rollout, line_style: LineStyle::Solid, of_model: false }];
         Ok(())
     }
 
@@ -74,7 +74,8 @@ impl Game {
         let ball = Ball { x, y, r };
         let rollout = simulate(&self.puzzle.scene, Some(ball)).map_err(|why| self.refusal(why.into()))?;
         let attempt = Attempt { ball, ending: Ending::of(&rollout) };
-        self.recordings = vec![Recording { ball: Some(ball), rollout, line_style: LineStyle::Dashed }];
+        self.recordings =
+            vec![Recording { ball: Some(ball), rollout, line_style: LineStyle::Dashed, of_model: true }];
         to_js(&ListedAttempt::new(0, attempt))
     }
 
@@ -208,8 +209,9 @@ impl Game {
 impl Game {
     fn record_again(&self, who: Author, attempt: Attempt) -> Result<Recording, JsValue> {
         let rollout = simulate(&self.puzzle.scene, Some(attempt.ball)).map_err(|why| self.refusal(why.into()))?;
-        let line_style = if who == Author::Model { LineStyle::Dashed } else { LineStyle::Solid };
-        Ok(Recording { ball: Some(attempt.ball), rollout, line_style })
+        let of_model = who == Author::Model;
+        let line_style = if of_model { LineStyle::Dashed } else { LineStyle::Solid };
+        Ok(Recording { ball: Some(attempt.ball), rollout, line_style, of_model })
     }
 
     /// Simulates an earlier attempt once more.

@@ -11,6 +11,10 @@ use crate::puzzle::scene::{Role, SIZE};
 /// Of a spark.
 const RAYS: u32 = 8;
 
+/// Width and opacity of the band under a path of the model's, and width of the rim round its ball, px.
+const MODEL_BAND: (f64, f64) = (6.0, 0.35);
+const MODEL_RIM: f64 = 3.0;
+
 /// px of the scene
 const NAME_HEIGHT: f64 = 9.0;
 
@@ -37,6 +41,27 @@ impl Painter<'_> {
             context.set_fill_style_str(self.palette.ink);
             context.fill_rect(x - 2.2, y - 2.2, 4.4, 4.4);
         }
+        Ok(())
+    }
+
+    /// Marks a path of the model's with a band in its colour, on which the path itself is drawn.
+    pub(crate) fn model_path(&self, points: impl Iterator<Item = [f64; 2]>) -> Result<(), JsValue> {
+        let (width, opacity) = MODEL_BAND;
+        self.context.begin_path();
+        points.for_each(|[x, y]| self.context.line_to(x, y));
+        self.set_stroke(self.palette.model, width, LineStyle::Solid)?;
+        self.set_alpha(opacity);
+        self.context.stroke();
+        self.set_alpha(1.0);
+        Ok(())
+    }
+
+    /// Marks the model's ball with a rim in its colour.
+    pub(crate) fn model_rim(&self, [x, y]: [f64; 2], radius: f64) -> Result<(), JsValue> {
+        self.context.begin_path();
+        self.context.arc(x, y, radius + MODEL_RIM / 2.0, 0.0, TAU)?;
+        self.set_stroke(self.palette.model, MODEL_RIM, LineStyle::Solid)?;
+        self.context.stroke();
         Ok(())
     }
 

@@ -17,6 +17,8 @@ pub(crate) struct Recording {
     pub rollout: Rollout,
     /// Line style of its paths.
     pub line_style: LineStyle,
+    /// Whether the ball is the model's.
+    pub of_model: bool,
 }
 
 impl Recording {
