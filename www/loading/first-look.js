@@ -1,9 +1,17 @@
-// Runs before the first picture: the top of the home page is shown at once, in English, which index.html holds, unless
-// the address asks for something else. Without it nothing is seen until the modules of the page are there. A classic
+// Runs before the first picture, in English, which index.html holds: shows at once the top of the home page, or the story
+// of the puzzle that the address asks for. Without it nothing is seen until the modules of the page are there. A classic
 // script, which knows only the address; page/main.js decides.
 
 {
   const language = new URLSearchParams(location.search).get("lang") ?? navigator.language;
   const isElsewhere = /[#&](task|scene|view|hide)=/.test(location.hash);
-  if (/^en\b/i.test(language) && !isElsewhere) document.documentElement.classList.add("home");
+  const [, kind] = location.hash.match(/[#&]task=(\d{5})/) ?? [];
+  if (/^en\b/i.test(language)) {
+    if (!isElsewhere) document.documentElement.classList.add("home");
+    if (kind && !/[#&]hide=/.test(location.hash)) {
+      const sheet = new CSSStyleSheet();
+      sheet.replaceSync(`#loading-story [data-kind="${kind}"] { display: block; }`);
+      document.adoptedStyleSheets.push(sheet);
+    }
+  }
 }

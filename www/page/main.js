@@ -46,8 +46,8 @@ if (showsHome(state)) {
 document.documentElement.classList.remove("home");
 // A puzzle needs the wasm; what happens in it can be read meanwhile.
 const story = byId(document, "loading-story");
-story.textContent = (state.task !== null && !state.hide.includes("story") && templateOf(state.task)?.story) || "";
-story.hidden = story.textContent === "";
+const kind = state.task !== null && !state.hide.includes("story") ? templateOf(state.task)?.id : undefined;
+for (const line of story.querySelectorAll("p")) line.classList.toggle("told", line.dataset.kind === kind);
 
 /**
  * A link to the page in another language.
