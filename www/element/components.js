@@ -4,6 +4,7 @@
 
 import { palette } from "../pkg/pathlight.js";
 import { afterFrame } from "../loading/after-frame.js";
+import { pauseIfLong } from "../loading/next-task.js";
 import { AfterSolving } from "../play/after-solving.js";
 import { AttemptList } from "../play/attempt-list.js";
 import { SceneCanvas } from "../play/canvas.js";
@@ -35,7 +36,7 @@ export class Components {
   afterSolving;
   /**
    * Those of the other panels that the controller itself asks for something; null until they are made.
-   * @type {Omit<ReturnType<typeof import("./panel-components.js").createPanelComponents>, "all"> | null}
+   * @type {Omit<Awaited<ReturnType<typeof import("./panel-components.js").createPanelComponents>>, "all"> | null}
    */
   panels = null;
   /** Are those of the panels on their way, or there? */
@@ -83,8 +84,12 @@ export class Components {
       this.#panelsAwaited = false;
       throw error;
     });
-    const { all, ...panels } = createPanelComponents(this.#parts, this.canvas);
-    this.#add(all);
+    const { all, ...panels } = await createPanelComponents(this.#parts, this.canvas);
+    for (const component of all) {
+      await pauseIfLong();
+      this.#add([component]);
+    }
+    await pauseIfLong();
     this.panels = panels;
     for (const element of this.#parts.root.querySelectorAll("[inert]")) element.removeAttribute("inert");
     return true;

@@ -17,6 +17,7 @@ import { Editor } from "../editor/editor.js";
 import { MAKE } from "../editor/make-panel.js";
 import { Luck } from "../attempts/luck.js";
 import { Replays } from "../attempts/replays.js";
+import { pauseIfLong } from "../loading/next-task.js";
 import { byId } from "../widgets/dom.js";
 import { fragmentOf } from "./markup.js";
 
@@ -28,9 +29,12 @@ const MODULES = { imagine: IMAGINE, compare: COMPARE, predict: PREDICT, map: MAP
  * @param {import("./components.js").Parts} parts
  * @param {import("../play/canvas.js").SceneCanvas} canvas
  */
-export function createPanelComponents(parts, canvas) {
+export async function createPanelComponents(parts, canvas) {
   const { root, client, preferences } = parts;
-  for (const [name, { markup }] of Object.entries(MODULES)) byId(root, name).append(fragmentOf(markup()));
+  for (const [name, { markup }] of Object.entries(MODULES)) {
+    byId(root, name).append(fragmentOf(markup()));
+    await pauseIfLong();
+  }
   const scenePicture = new ScenePicture(root);
   const imagine = new Imagine(root, client, scenePicture);
   const all = [

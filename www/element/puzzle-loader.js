@@ -3,6 +3,7 @@
 
 import { afterFrame } from "../loading/after-frame.js";
 import { loadWasm } from "../loading/load-wasm.js";
+import { nextTask } from "../loading/next-task.js";
 import { useLanguage } from "../text/text.js";
 import { puzzleMarkup } from "./markup.js";
 import { Placeholder, placeholderSheet } from "./placeholder.js";
@@ -76,6 +77,7 @@ export class PuzzleLoader {
       ]);
       this.#root.adoptedStyleSheets = [placeholderSheet, ...sheets];
       this.#root.append(puzzleMarkup());
+      await nextTask();
       const progress = sharedProgress(this.#options.remembers() ? "kept" : "forgotten");
       controller = new PuzzleController(this.#root, module, progress, this.#options.hrefOf);
     } catch (error) {

@@ -6,6 +6,7 @@ import { byId } from "../widgets/dom.js";
 import { hideParts } from "../widgets/hidden-parts.js";
 import { showNotice } from "../widgets/notice.js";
 import { loadWasm } from "../loading/load-wasm.js";
+import { nextTask } from "../loading/next-task.js";
 import { templateOf } from "../puzzles/templates.js";
 import { showsHome } from "../state/links.js";
 import { parseFragment } from "../state/url-state.js";
@@ -64,6 +65,7 @@ await loadWasm().then(
   async () => {
     // Imported here, so that an error in the page's modules is shown too, as is one in the puzzle before they come.
     const { Page } = await import("./page.js");
+    await nextTask();
     story.hidden = true;
     new Page(hero).start();
   },

@@ -3,6 +3,7 @@
 // switches one on or off.
 
 import { paintLegend } from "../pkg/pathlight.js";
+import { pauseIfLong } from "../loading/next-task.js";
 import { Component } from "../widgets/component.js";
 import { GRID_SIDE, MAPS, PAPER_MAPS } from "../shell/constants.js";
 import { contextOf, find, setText } from "../widgets/dom.js";
@@ -104,7 +105,8 @@ export class Imagine extends Component {
     for (const mapName of MAPS) paintLegend(this.#rows[mapName].legend, mapName, dark);
     this.#scenesDrawn = false;
     this.#paintScenes();
-    this.#paint();
+    for (const mapName of MAPS) this.#paintMap(mapName);
+    this.#tellTime();
   }
 
   get overlay() {
@@ -246,11 +248,19 @@ export class Imagine extends Component {
     });
   }
 
-  /** @param {Imagined | null} imagined */
-  #setImagined(imagined) {
+  /**
+   * Shows new maps one by one, so that the page answers meanwhile; what is taken away goes at once.
+   * @param {Imagined | null} imagined
+   */
+  async #setImagined(imagined) {
     if (imagined === this.#imagined) return;
     this.#imagined = imagined;
-    this.#paint();
+    for (const mapName of MAPS) {
+      if (imagined) await pauseIfLong();
+      if (imagined !== this.#imagined) return;
+      this.#paintMap(mapName);
+    }
+    this.#tellTime();
     this.dispatchEvent(new Event("maps"));
     this.changeOverlay();
   }
@@ -262,24 +272,26 @@ export class Imagine extends Component {
     for (const mapName of MAPS) this.#scenePicture.drawOn(this.#rows[mapName].scene);
   }
 
-  #paint() {
-    const imagined = this.#imagined;
-    const { noMap, notYet, described, inNumbers, took } = text.panels.imagine;
-    for (const mapName of MAPS) {
-      const { map, outline, peak, summary: said, numbers } = this.#rows[mapName];
-      const values = imagined?.maps[mapName];
-      map.clearRect(0, 0, GRID_SIDE, GRID_SIDE);
-      // Each map is drawn up to its own peak, which the legend names.
-      const most = values ? Math.max(...values) : 0;
-      if (values) pathlight.paintMap(map, mapName, values, { max: most, dark: this.dark });
-      outline.draw(values, this.dark);
-      setText(peak, values ? text.format.number(most, 2) : "");
-      // Weights may come without a net that scores balls.
-      const words = this.words(mapName) || (imagined ? noMap : notYet);
-      map.canvas.setAttribute("aria-label", described(text.model.steps[mapName].name, words));
-      setText(said, sentence(words));
-      setText(numbers, values ? inNumbers(summary(values)) : "");
-    }
-    setText(this.byId("imagined-in"), imagined ? took(Math.max(1, imagined.milliseconds)) : "");
+  /** @param {MapName} mapName */
+  #paintMap(mapName) {
+    const { noMap, notYet, described, inNumbers } = text.panels.imagine;
+    const { map, outline, peak, summary: said, numbers } = this.#rows[mapName];
+    const values = this.#imagined?.maps[mapName];
+    map.clearRect(0, 0, GRID_SIDE, GRID_SIDE);
+    // Each map is drawn up to its own peak, which the legend names.
+    const most = values ? Math.max(...values) : 0;
+    if (values) pathlight.paintMap(map, mapName, values, { max: most, dark: this.dark });
+    outline.draw(values, this.dark);
+    setText(peak, values ? text.format.number(most, 2) : "");
+    // Weights may come without a net that scores balls.
+    const words = this.words(mapName) || (this.#imagined ? noMap : notYet);
+    map.canvas.setAttribute("aria-label", described(text.model.steps[mapName].name, words));
+    setText(said, sentence(words));
+    setText(numbers, values ? inNumbers(summary(values)) : "");
+  }
+
+  #tellTime() {
+    const { took } = text.panels.imagine;
+    setText(this.byId("imagined-in"), this.#imagined ? took(Math.max(1, this.#imagined.milliseconds)) : "");
   }
 }
