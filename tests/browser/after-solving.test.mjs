@@ -157,6 +157,7 @@ for (const [screen, options] of Object.entries({ "a desktop": {}, "a phone": PHO
       await page.locator("#share-text").textContent(),
       "I solved Pathlight’s puzzle “Two Drops, 1 of 100” in 2 attempts. Can you do better?",
     );
+    assert.equal(await page.locator("#share-dialog button.primary:visible").count(), 1);
     const picture = page.locator("#share-picture");
     await page.waitForFunction(
       () => /** @type {HTMLImageElement} */ (document.getElementById("share-picture")).naturalWidth === 1200,

@@ -31,6 +31,7 @@ test("its misses are counted one after the other, then its solution runs to “S
   const page = await openPuzzle(session, { task, fragment: "&panel=compare" });
   const seen = await said(page);
   await turn(page).click();
+  await page.locator(".scene.models").waitFor();
   await says(page, /^Solved! The model’s attempt \d+: solved after/, 60_000);
   const words = await seen.jsonValue();
   for (let number = 1; number < attempts; number += 1)
@@ -95,6 +96,7 @@ test("what the person does meanwhile is not overridden by the result", async () 
   await turn(page).click();
   await says(page, /The model tries: attempt 2/);
   await click(page, 128, 240);
+  assert.equal(await page.locator(".scene.models").count(), 0, "the scene is the person’s again");
   await turn(page).filter({ hasText: "The model has played" }).waitFor({ timeout: 60_000 });
   await pause(page);
   await says(page, /^(Ready|Not here)/);

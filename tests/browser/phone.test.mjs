@@ -105,3 +105,21 @@ test("the scene is as sharp as the screen", async () => {
   const [pixels, css] = await page.locator("#scene").evaluate((canvas) => [canvas.width, canvas.clientWidth]);
   assert.ok(Math.abs(pixels - css * 3) <= 3, `${pixels} pixels for ${css} CSS px`);
 });
+
+test("what a finger hits is 44 px large: the dots of the story, the picker, the cells of the results", async () => {
+  const page = await openPuzzle(session, { ...PHONE, reducedMotion: true });
+  const isLarge = async (selector) => {
+    for (const target of await page.locator(selector).all()) {
+      const { width, height } = await target.boundingBox();
+      assert.ok(width >= 44 && height >= 44, `${selector}: ${width} x ${height}`);
+    }
+  };
+  await openPanel(page, "imagine");
+  await page.locator("#walkthrough-dots button").nth(5).waitFor();
+  await isLarge("#walkthrough-dots button:visible");
+  await isLarge("#task");
+  await page.locator("#home").tap();
+  await page.locator("#results-link").tap();
+  await page.locator("#results-templates a").first().waitFor();
+  await isLarge("#results-templates li:first-child a");
+});

@@ -140,3 +140,10 @@ for (const [screen, options] of Object.entries({
     assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
   });
 }
+
+test("a link at its top leads back to all puzzles", async () => {
+  const page = await openResults();
+  await page.locator("#results a.back").click();
+  await page.locator("#templates").waitFor();
+  assert.ok(await page.locator("#results").isHidden());
+});
