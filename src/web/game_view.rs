@@ -74,8 +74,7 @@ impl Game {
         let ball = Ball { x, y, r };
         let rollout = simulate(&self.puzzle.scene, Some(ball)).map_err(|why| self.refusal(why.into()))?;
         let attempt = Attempt { ball, ending: Ending::of(&rollout) };
-        self.recordings =
-            vec![Recording { ball: Some(ball), rollout, line_style: LineStyle::Dashed, of_model: true }];
+        self.recordings = vec![Recording { ball: Some(ball), rollout, line_style: LineStyle::Dashed, of_model: true }];
         to_js(&ListedAttempt::new(0, attempt))
     }
 
