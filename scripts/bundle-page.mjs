@@ -96,6 +96,8 @@ async function bundles(page) {
     format: "esm",
     target: "esnext",
     minify: true,
+    // Not the project's, whose strictness esbuild would write into each module, which is strict anyway.
+    tsconfigRaw: {},
     write: false,
   });
   return outputFiles.map(({ path, contents }) => [pathIn(page, path), Buffer.from(contents)]);
