@@ -26,6 +26,7 @@ import { Tabs } from "../widgets/tabs.js";
  * @property {import("../model/shared-client.js").SharedClient} client
  * @property {import("../storage/progress.js").Progress} progress
  * @property {import("../storage/preferences.js").Preferences} preferences
+ * @property {import("../model/model-memory.js").ModelMemory} memory
  * @property {(task: string, panel: import("../state/url-state.js").Panel) => string | null} hrefOf the address of
  *   another puzzle, or null
  */
@@ -55,7 +56,7 @@ export class Components {
    * @param {(component: Component) => void} listen is called once for each component
    */
   constructor(parts, listen) {
-    const { root, client, progress, hrefOf } = (this.#parts = parts);
+    const { root, client, progress, memory, hrefOf } = (this.#parts = parts);
     this.#listen = listen;
     this.canvas = new SceneCanvas(root);
     this.guide = new Guide(root);
@@ -64,7 +65,7 @@ export class Components {
       new Tabs(root),
       this.canvas,
       new Controls(root),
-      new KeptAttempts(root, client, progress),
+      new KeptAttempts(root, client, progress, memory),
       this.guide,
       this.afterSolving,
       new AttemptList(root, byId(root, "play-attempts"), byId(root, "play-count"), "player"),

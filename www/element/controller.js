@@ -3,6 +3,7 @@
 // file know all of them. widgets/component.js describes their lifecycle. Knows nothing of the page around the shadow
 // tree, nor of its address.
 
+import { ModelMemory } from "../model/model-memory.js";
 import { SharedClient } from "../model/shared-client.js";
 import { Session } from "../play/session.js";
 import { Preferences } from "../storage/preferences.js";
@@ -69,6 +70,7 @@ export class PuzzleController extends EventTarget {
       client: this.#client,
       progress,
       preferences: this.#preferences,
+      memory: new ModelMemory(this.#client, progress.persistent),
       hrefOf: /** @type {HrefOf} */ ((task, panel) => hrefOf()?.(task, panel) ?? null),
     };
     this.#components = new Components(parts, (component) => this.#listenTo(component));

@@ -33,7 +33,7 @@ const WATCHED_STEPS = 4;
 
 /**
  * A call takes its arguments and returns its answer. A long one is a generator: each value that it yields is sent as an
- * update, then messages are let in, and a cancel ends it. Only the first six need weights.
+ * update, then messages are let in, and a cancel ends it. Only the first seven need weights.
  */
 const calls = {
   /**
@@ -81,15 +81,37 @@ const calls = {
   turn: (puzzle) => pathlight.turn(puzzle),
 
   /**
-   * Plays a puzzle with what the model remembers of earlier ones. Returns its tries, and what it remembers after them.
+   * Plays a puzzle with what the model remembers of earlier ones; each attempt is an update. Returns its tries, and what
+   * it remembers after them.
    * @param {Puzzle} puzzle
    * @param {string | null} remembered as JSON; null for nothing
    */
   *learn(puzzle, remembered) {
     const memory = pathlight.memory(remembered ?? undefined);
+    const tries = [];
     try {
-      const tries = yield* eachOf(pathlight.turn(puzzle, { memory }), (attempt) => attempt);
+      for (const attempt of pathlight.turn(puzzle, { memory })) {
+        tries.push(attempt);
+        yield attempt;
+      }
       return { tries, memory: memory.toJson() };
+    } finally {
+      memory.free();
+    }
+  },
+
+  /**
+   * Adds an attempt of the person's to what the model remembers. Returns what it remembers then.
+   * @param {Puzzle} puzzle
+   * @param {Ball} ball
+   * @param {boolean} solved
+   * @param {string | null} remembered as JSON; null for nothing
+   */
+  remember(puzzle, ball, solved, remembered) {
+    const memory = pathlight.memory(remembered ?? undefined);
+    try {
+      memory.remember(puzzle, ball, solved);
+      return memory.toJson();
     } finally {
       memory.free();
     }

@@ -244,5 +244,6 @@ function nameOf({ task, name }) {
 function modelWords({ model }) {
   if (!model) return "";
   const { modelSolved, modelMissed } = text.sharing;
-  return model.solvedAt === null ? modelMissed(model.used) : modelSolved(model.solvedAt);
+  const { used, solvedAt, remembers } = model;
+  return solvedAt === null ? modelMissed(used, remembers) : modelSolved(solvedAt, remembers);
 }

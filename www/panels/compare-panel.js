@@ -7,6 +7,7 @@ import { byId } from "../widgets/dom.js";
 import { Compare } from "./compare.js";
 import { ModelPair } from "./model-pair.js";
 import { Proposals } from "./proposals.js";
+import { Remembers } from "./remembers.js";
 import { Scoreboard } from "./scoreboard.js";
 
 /** @type {import("./panel-module.js").PanelModule} */
@@ -19,6 +20,7 @@ export const COMPARE = {
 <div id="proposals-failure"><div id="proposals-trouble" class="trouble" role="alert" hidden><p></p><button type="button"></button></div></div>
 <section class="part" id="proposals" aria-labelledby="open-compare" hidden>
   <p class="small" id="proposal-outcomes"></p>
+  <p class="hint" id="proposals-afresh" hidden>${words.afresh}</p>
   <div class="steps">
     <button type="button" id="proposal-back" title="${words.back}"><svg><use href="#icon-previous"/></svg><span class="visually-hidden">${words.back}</span></button>
     <input type="range" id="proposal-slider" min="1" step="1" value="1" aria-label="${words.which}">
@@ -49,11 +51,12 @@ export const COMPARE = {
 </template>
 `;
   },
-  create: ({ root, module, client, progress, imagine, scenePicture }) => [
+  create: ({ root, module, client, progress, preferences, memory, hrefOf, imagine, scenePicture }) => [
     new AttemptList(root, byId(root, "model-attempts"), byId(root, "model-count"), "model"),
-    new Compare(root, client),
+    new Compare(root, client, memory, (task) => hrefOf(task, "play")),
+    new Remembers(root, memory, preferences),
     new Proposals(root, client, imagine),
     new ModelPair(root, module, client, scenePicture),
-    new Scoreboard(root, client, progress),
+    new Scoreboard(root, client, progress, memory),
   ],
 };

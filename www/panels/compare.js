@@ -1,4 +1,5 @@
-// The race: the model's turn, and how both stand. Nothing of the model's result is told before it has run.
+// The race: the model's turn, with what it remembers or without, and how both stand. Nothing of the model's result is
+// told before it has run.
 
 import { Component } from "../widgets/component.js";
 import { ATTEMPT_LIMIT } from "../shell/constants.js";
@@ -7,11 +8,14 @@ import { setText } from "../widgets/dom.js";
 import { ModelShow } from "./model-show.js";
 import { TroubleBox } from "./trouble-box.js";
 import { verdictWords } from "../play/verdict.js";
+import { showSource } from "./ball-source.js";
 
 /** @typedef {import("../play/session.js").Session} Session */
 
 export class Compare extends Component {
   #client;
+  #memory;
+  #hrefOf;
   #turnButton = this.byId("model-turn", HTMLButtonElement);
   #raceButton = this.byId("race-it", HTMLButtonElement);
   #trouble = new TroubleBox(this.byId("compare-trouble"));
@@ -25,16 +29,25 @@ export class Compare extends Component {
    * @type {ModelShow | null}
    */
   #show = null;
+  /**
+   * The puzzle that the ball which solved owes something to.
+   * @type {import("../model/model-memory.js").Source | null}
+   */
+  #source = null;
   /** @type {string | null} */
   #callFailure = null;
 
   /**
    * @param {import("../widgets/dom.js").Root} root
    * @param {import("../model/shared-client.js").SharedClient} client
+   * @param {import("../model/model-memory.js").ModelMemory} memory
+   * @param {(task: string) => string | null} hrefOf the address of another puzzle, or null
    */
-  constructor(root, client) {
+  constructor(root, client, memory, hrefOf) {
     super(root);
     this.#client = client;
+    this.#memory = memory;
+    this.#hrefOf = hrefOf;
     this.#turnButton.addEventListener("click", () => (this.#turn ? this.#stopTurn() : this.#playTurn()));
     this.#raceButton.addEventListener("click", () => this.#race());
     this.byId("model-skip").addEventListener("click", () => this.#show?.skip());
@@ -43,6 +56,7 @@ export class Compare extends Component {
       this.session?.clearAllAttempts();
     });
     client.addEventListener("change", () => this.#onClientChange());
+    memory.addEventListener("switch", () => this.#stopTurn());
   }
 
   /** @param {Session} session */
@@ -65,6 +79,7 @@ export class Compare extends Component {
   }
 
   #endTurn() {
+    this.#source = null;
     this.#turn?.abort();
     this.#turn = null;
     this.#show?.stop();
@@ -86,15 +101,22 @@ export class Compare extends Component {
 
   async #playTurn() {
     const { session } = this;
-    const name = this.#client.loaded?.name;
-    if (!session || name === undefined) return;
+    const { loaded } = this.#client;
+    if (!session || !loaded) return;
+    const remembers = this.#memory.on;
+    const name = remembers ? null : loaded.name;
     const turn = (this.#turn = new AbortController());
     const show = (this.#show = new ModelShow(session, (attempt) => session.attempts.add(attempt, name)));
     this.#callFailure = null;
     this.#update();
     try {
       const shown = show.run();
-      const played = this.#client.call("turn", [session.puzzle], turn.signal, (attempt) => show.add(attempt));
+      const played = remembers
+        ? this.#memory.play(session, turn.signal, (attempt, source) => {
+            this.#source = source;
+            show.add(attempt);
+          })
+        : this.#client.call("turn", [session.puzzle], turn.signal, (attempt) => show.add(attempt));
       await played.finally(() => show.end());
       await shown;
       if (turn.signal.aborted) return;
@@ -163,6 +185,11 @@ export class Compare extends Component {
     setText(this.byId("race-verdict"), told ? verdictWords(player, model) : player.used === 0 ? words.first : "");
     const start = this.#over && !racing ? words.again : text.play.panel.raceIt;
     setText(this.#raceButton, this.#turn ? words.stopRace : start);
+    const line = this.byId("race-source");
+    // Together with the result, which has just been announced.
+    const isTold = this.#memory.on && model.solved_at !== null && !racing;
+    if (showSource(line, isTold ? this.#source : null, this.#hrefOf))
+      this.announce(`${this.byId("status").textContent} ${line.textContent}`);
     this.#raceButton.disabled =
       this.#client.status !== "ready" || player.used === 0 || running || (racing && this.#turn === null);
     this.#raceButton.classList.toggle("primary", player.solved_at !== null && !this.#over);

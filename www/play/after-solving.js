@@ -17,7 +17,8 @@ import { paintStill } from "./still.js";
  * @property {string | null} task null for a custom scene
  * @property {string} name the puzzle's
  * @property {number | null} solvedAt the attempt that solved it; null if none has
- * @property {{ used: number, solvedAt: number | null } | null} model how the model did; null if it has not played
+ * @property {{ used: number, solvedAt: number | null, remembers: boolean } | null} model how the model did, and whether
+ *   it played with a memory; null if it has not played
  * @property {(context: CanvasRenderingContext2D, dark: boolean, ball: boolean) => void} paint draws the scene into a
  *   square canvas; if `ball`, with the ball and the paths of that attempt and of the model's that solved it, or as it
  *   is seen if there is none; only until the puzzle is left
@@ -139,7 +140,7 @@ export class AfterSolving extends Component {
       task: about.id,
       name: session.name,
       solvedAt,
-      model: used > 0 ? { used, solvedAt: modelSolvedAt } : null,
+      model: used > 0 ? { used, solvedAt: modelSolvedAt, remembers: session.attempts.modelName === null } : null,
       paint: (context, dark, ball) => {
         if (!ball) game.paintThumbnail(context, dark);
         else if (solvedAt && modelSolvedAt) game.paintPair(context, solvedAt, modelSolvedAt, dark);

@@ -7,7 +7,8 @@
 
 export class Attempts extends EventTarget {
   /**
-   * The name of the model that made the model's attempts, or null while there are none.
+   * The name of the model that made the model's attempts; null while there are none, and if it played with a memory:
+   * the model of that name would do it otherwise.
    * @type {string | null}
    */
   modelName = null;
@@ -59,7 +60,7 @@ export class Attempts extends EventTarget {
   /**
    * Adds an attempt that has been simulated for a model; one with the same ball is not added again. Returns its number.
    * @param {Attempt} attempt
-   * @param {string} modelName
+   * @param {string | null} modelName null if it played with a memory
    * @param {boolean} [silent] is nothing told of it? Then it has to be shown at once
    */
   add(attempt, modelName, silent = false) {
@@ -70,7 +71,7 @@ export class Attempts extends EventTarget {
 
   /**
    * @param {Attempt} attempt
-   * @param {string} modelName
+   * @param {string | null} modelName
    */
   #add(attempt, modelName) {
     const { number } = this.#game.addModelAttempt(attempt);

@@ -1,6 +1,7 @@
 // Keeps the attempts of player and model at each puzzle in the browser, and brings them back when the puzzle is opened
 // again: the player's are simulated once more; the model's come with its turn, if it was made by the model that is
-// loaded, with the same agents.
+// loaded, with the same agents. A turn with a memory is not kept: the next time the model remembers more, and plays
+// otherwise.
 
 import { Component } from "../widgets/component.js";
 import { AGENTS_VERSION, SIMULATOR_VERSION } from "../shell/constants.js";
@@ -12,6 +13,7 @@ import { PLAYER } from "../storage/attempts.js";
 export class KeptAttempts extends Component {
   #client;
   #progress;
+  #memory;
   /** What the attempts at the open puzzle are kept under. */
   #puzzle = "";
   /**
@@ -24,12 +26,19 @@ export class KeptAttempts extends Component {
    * @param {import("../widgets/dom.js").Root} root
    * @param {import("../model/shared-client.js").SharedClient} client
    * @param {import("../storage/progress.js").Progress} progress
+   * @param {import("../model/model-memory.js").ModelMemory} memory
    */
-  constructor(root, client, progress) {
+  constructor(root, client, progress, memory) {
     super(root);
     this.#client = client;
     this.#progress = progress;
+    this.#memory = memory;
     client.addEventListener("change", () => this.#bringBackModel());
+    memory.addEventListener("switch", () => {
+      // With a memory and without it plays like two models.
+      this.session?.clearModelAttempts();
+      this.#bringBackModel();
+    });
     this.byId("clear-attempts").addEventListener("click", () => this.session && progress.forget(this.#puzzle));
   }
 
@@ -52,7 +61,7 @@ export class KeptAttempts extends Component {
   #bringBackModel() {
     const { session } = this;
     const name = this.#client.loaded?.name;
-    if (!session || name === undefined || session.attempts.modelName !== null) return;
+    if (!session || name === undefined || this.#memory.on || session.attempts.modelName !== null) return;
     const attempts = this.#progress
       .attemptsAt(this.#puzzle)
       .filter(

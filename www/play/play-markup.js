@@ -19,7 +19,13 @@ export function playMarkup() {
   <dl><div><dt>${words.you}</dt><dd id="race-player"></dd></div><div class="model"><dt>${words.model}</dt><dd id="race-model"></dd></div></dl>
   <div class="actions"><button type="button" id="model-skip" hidden>${words.skip}</button><button type="button" id="race-it">${words.raceIt}</button></div>
   <p id="race-verdict"></p>
+  <p id="race-source"></p>
   <details id="score" hidden><summary id="score-words"></summary><p>${words.score}</p></details>
+  <div id="remembers">
+    <label class="switch"><input type="checkbox" role="switch" id="remembers-on"> <span>${words.remembers}</span></label>
+    <p id="remembers-words"></p>
+    <button type="button" id="remembers-forget" hidden>${words.forget}</button>
+  </div>
 </div>
 <div id="compare-trouble" class="trouble" role="alert" data-hideable="compare" hidden><p></p><button type="button">${text.element.tryAgain}</button></div>
 <div class="part" data-hideable="play">

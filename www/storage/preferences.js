@@ -1,9 +1,10 @@
-// How a person likes the page, as far as this browser remembers it: whether the model's guess is shown, and whether the
-// story has been told. Knows nothing of the document.
+// How a person likes the page, as far as this browser remembers it: whether the model's guess is shown, whether the
+// model remembers puzzles, and whether the story has been told. Knows nothing of the document.
 
 import { BrowserStore } from "./browser-store.js";
 
 const GUESS = "guess";
+const REMEMBERS = "remembers";
 const STORY = "story";
 
 export class Preferences {
@@ -22,6 +23,14 @@ export class Preferences {
   }
   set guess(on) {
     this.#store.set(GUESS, on ? "on" : "off");
+  }
+
+  /** Does the model remember puzzles where a link does not make it play afresh? Only if the person has asked for it. */
+  get remembers() {
+    return this.#store.get(REMEMBERS) === "on";
+  }
+  set remembers(on) {
+    this.#store.set(REMEMBERS, on ? "on" : "off");
   }
 
   /** Returns true the first time. */

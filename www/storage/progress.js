@@ -14,6 +14,7 @@ import {
 } from "./attempts.js";
 import { AttemptStore, CUSTOM, slotOf } from "./attempt-store.js";
 import { BrowserStore } from "./browser-store.js";
+import { forgetMemories } from "./kept-memory.js";
 import { Author } from "./author.js";
 import { Counts, StoredCounts, isCountsKey, merge, progressOf } from "./counts.js";
 
@@ -63,9 +64,8 @@ export class Progress extends EventTarget {
 
   /** The names of the models that have played. */
   get modelNames() {
-    const names = new Set([...this.#counts.all, ...this.all].map(({ by }) => by));
-    names.delete(PLAYER);
-    return [...names].sort();
+    const names = [...this.#counts.all, ...this.all].map(({ by }) => by).filter((by) => by !== PLAYER);
+    return [...new Set(names)].sort();
   }
 
   /**
@@ -165,10 +165,11 @@ export class Progress extends EventTarget {
     this.#change(slotOf(puzzle), (all) => all.filter((attempt) => attempt.puzzle !== puzzle));
   }
 
-  /** Forgets everything. */
+  /** Forgets everything, also what the models remember of it. */
   clear() {
     this.#attempts.clear();
     this.#counts.clear();
+    forgetMemories(this.#store);
     this.#changed();
   }
 

@@ -116,7 +116,7 @@ export const page = {
   forget: {
     title: "Deinen Fortschritt vergessen?",
     words:
-      "Dieses Gerät weiß dann nicht mehr, welche Rätsel du probiert und gelöst hast, und kennt auch deine Versuche nicht mehr. Das lässt sich nicht rückgängig machen.",
+      "Dieses Gerät weiß dann nicht mehr, welche Rätsel du probiert und gelöst hast, und kennt auch deine Versuche nicht mehr. Auch das Modell vergisst sie. Das lässt sich nicht rückgängig machen.",
     keep: "Behalten",
     forget: "Vergessen",
   },

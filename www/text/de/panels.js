@@ -120,6 +120,7 @@ export const panels = {
     which: "Welche Kugel des Modells",
     other: "Nächstes anderes Ergebnis",
     hint: "Das Modell hat bis zu hundert Kugeln bereit. Geh sie durch und sieh, woher jede kommt und was sie bewirkt.",
+    afresh: "Das sind seine Kugeln ohne Gedächtnis.",
     why: "Warum diese",
     ball: "Kugel",
     outcome: "Ergebnis",
@@ -141,6 +142,14 @@ export const panels = {
       lowered: (before, failed, now) =>
         `Vor dem ersten Versuch gab das Modell dieser Kugel eine Chance von ${before}. Dann scheiterte Kugel ${failed}, die ähnlich startet oder Ähnliches bewirkt. Jetzt sind es ${now}, immer noch die beste Chance aller noch nicht probierten.`,
     },
+  },
+
+  remembers: {
+    nothing: "Noch erinnert es sich an nichts. Ab jetzt lernt es aus dem, was ihr beide in diesem Browser probiert.",
+    damaged: "Seine Erinnerungen waren beschädigt oder aus einer anderen Version: Es hat sie vergessen.",
+    source: (mirrored) => ["Es hat sich erinnert: wie in ", mirrored ? ", gespiegelt." : "."],
+    puzzle: (kind, place) => `„${kind}“ ${place}`,
+    custom: (name) => (name === null ? "einem eigenen Rätsel" : `„${name}“`),
   },
 
   score: (puzzles, you, it) =>

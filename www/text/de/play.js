@@ -156,6 +156,8 @@ export const play = {
     model: "Das Modell",
     skip: "Gleich zum Ergebnis",
     raceIt: "Wettlauf",
+    remembers: "Das Modell erinnert sich",
+    forget: "Vergessen",
     score:
       "Je weniger Versuche, desto mehr Punkte: Ein Rätsel, das im ersten Versuch gelöst ist, gibt 100, im zweiten 85, im zehnten 50; eines, das in 100 Versuchen nicht gelöst wird, gibt keine. Die Punkte sind das Mittel über alle Rätsel, die beide gespielt haben. Kugeln, die nicht gesetzt werden dürfen, zählen nicht, für keinen von beiden. Das ist AUCCESS, das Maß des Benchmarks: der Anteil der Rätsel, die in k Versuchen gelöst sind, wobei jedes k von 1 bis 100 mit ln(k + 1) − ln(k) gewichtet wird.",
     dotted: "Was sind die gepunkteten Linien?",

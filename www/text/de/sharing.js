@@ -26,8 +26,10 @@ export const sharing = {
     `Ich habe das Pathlight-Rätsel „${puzzle}“ ${at === 1 ? "im ersten Versuch" : `in ${at} Versuchen`} gelöst.`,
   match: "Schaffst du das auch?",
   better: "Schaffst du es schneller?",
-  modelSolved: (at) => `Das Modell: ${counted(at, "Versuch", "Versuche")}.`,
-  modelMissed: (made) => `Das Modell hat es in ${counted(made, "Versuch", "Versuchen")} nicht gelöst.`,
+  modelSolved: (at, remembers) =>
+    `Das Modell${remembers ? " mit Gedächtnis" : ""}: ${counted(at, "Versuch", "Versuche")}.`,
+  modelMissed: (made, remembers) =>
+    `Das Modell hat es${remembers ? " mit Gedächtnis" : ""} in ${counted(made, "Versuch", "Versuchen")} nicht gelöst.`,
 
   card: {
     solved: (at) => (at === 1 ? "Gelöst im ersten Versuch" : `Gelöst in ${at} Versuchen`),

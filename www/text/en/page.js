@@ -118,7 +118,7 @@ export const page = {
   forget: {
     title: "Forget your progress?",
     words:
-      "This device will no longer know which puzzles you have tried and solved, nor your attempts. That cannot be undone.",
+      "This device will no longer know which puzzles you have tried and solved, nor your attempts. The model forgets them too. That cannot be undone.",
     keep: "Keep it",
     forget: "Forget it",
   },

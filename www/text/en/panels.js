@@ -130,6 +130,7 @@ export const panels = {
     which: "Which of the model’s balls",
     other: "Next different result",
     hint: "The model has up to a hundred balls ready. Step through them and see where each comes from and what it does.",
+    afresh: "These are its balls without its memory.",
     why: "Why this one",
     ball: "Ball",
     outcome: "Outcome",
@@ -155,6 +156,15 @@ export const panels = {
       lowered: (before, failed, now) =>
         `Before the first attempt the model gave this ball a chance of ${before}. Then ball ${failed} failed, which starts much like it or did much the same. That left it ${now}, still the best of those not tried yet.`,
     },
+  },
+
+  remembers: {
+    nothing: "It remembers nothing yet. From now on it learns from what you both try in this browser.",
+    damaged: "Its memory was damaged or from another version: it has forgotten it.",
+    /** What stands before the earlier puzzle that helped, and after it. */
+    source: (/** @type {boolean} */ mirrored) => ["It remembered: as in ", mirrored ? ", mirrored." : "."],
+    puzzle: (/** @type {string} */ kind, /** @type {number} */ place) => `${kind} ${place}`,
+    custom: (/** @type {string | null} */ name) => (name === null ? "a custom puzzle" : `“${name}”`),
   },
 
   score: (/** @type {number} */ puzzles, /** @type {number} */ you, /** @type {number} */ it) =>

@@ -162,6 +162,8 @@ export const play = {
     model: "The model",
     skip: "Skip to the result",
     raceIt: "Race it",
+    remembers: "The model remembers",
+    forget: "Forget",
     score:
       "The fewer attempts, the more points: a puzzle solved on the first attempt gives 100, on the second 85, on the tenth 50; one not solved within 100 attempts gives none. The points are the mean over all puzzles that both of you have played. Balls that may not be placed do not count for either of you. This is the benchmark’s AUCCESS: the share of puzzles solved within k attempts, with each k from 1 to 100 weighted by ln(k + 1) − ln(k).",
     dotted: "What are the dotted lines?",

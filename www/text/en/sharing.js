@@ -26,10 +26,10 @@ export const sharing = {
     `I solved Pathlight’s puzzle “${puzzle}” ${at === 1 ? "at the first attempt" : `in ${at} attempts`}.`,
   match: "Can you match it?",
   better: "Can you do better?",
-  modelSolved: (/** @type {number} */ at) =>
-    at === 1 ? "The model needed one attempt." : `The model needed ${at} attempts.`,
-  modelMissed: (/** @type {number} */ made) =>
-    `The model did not solve it in ${made === 1 ? "one attempt" : `${made} attempts`}.`,
+  modelSolved: (/** @type {number} */ at, /** @type {boolean} */ remembers) =>
+    `${model(remembers)} needed ${at === 1 ? "one attempt" : `${at} attempts`}.`,
+  modelMissed: (/** @type {number} */ made, /** @type {boolean} */ remembers) =>
+    `${model(remembers)} did not solve it in ${made === 1 ? "one attempt" : `${made} attempts`}.`,
 
   /** On the picture. */
   card: {
@@ -86,3 +86,8 @@ export const sharing = {
     },
   },
 };
+
+/** @param {boolean} remembers */
+function model(remembers) {
+  return remembers ? "The model, with its memory," : "The model";
+}

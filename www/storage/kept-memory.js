@@ -1,0 +1,116 @@
+// What each model remembers of the puzzles that were played in this browser: the JSON of the wasm's memory, in which
+// each puzzle also has the key that its attempts are kept under, and a custom one its name. What cannot be read is
+// forgotten. Knows nothing of the document, nor how a memory is used.
+
+import { BrowserStore } from "./browser-store.js";
+
+/**
+ * A puzzle that is remembered; all but its key and its name is the wasm's.
+ * @typedef {{ key: string, name?: string, attempts: { ball: import("../pkg/pathlight.js").Ball }[] }} Remembered
+ */
+/** @typedef {{ puzzles: Remembered[], [rest: string]: unknown }} Memory */
+
+const PREFIX = "memory.";
+/**
+ * The most characters of a memory: some 3,700 attempts, of the 4,000 that the wasm remembers, or fewer at custom scenes.
+ * Browsers keep some 5 million characters in all.
+ */
+const MOST = 200_000;
+
+export class KeptMemory {
+  /** Was a memory damaged or of another version, so that it is gone? */
+  damaged = false;
+  #store;
+
+  /**
+   * @param {boolean} persistent does it outlast the page?
+   * @param {() => void} onChange another tab has changed it
+   */
+  constructor(persistent, onChange) {
+    this.#store = new BrowserStore(persistent, (key) => (key ?? PREFIX).startsWith(PREFIX) && onChange());
+  }
+
+  /**
+   * The puzzles that a model remembers, the latest last.
+   * @param {string} model
+   */
+  puzzles(model) {
+    return this.#read(model)?.puzzles ?? [];
+  }
+
+  /**
+   * What a model remembers of all puzzles but one: they, and as JSON for the wasm; null for nothing.
+   * @param {string} model
+   * @param {string} key
+   */
+  without(model, key) {
+    const memory = this.#read(model);
+    const puzzles = memory?.puzzles.filter((puzzle) => puzzle.key !== key) ?? [];
+    return { puzzles, json: puzzles.length > 0 ? JSON.stringify({ ...memory, puzzles }) : null };
+  }
+
+  /**
+   * Adds the last puzzle of a memory of the wasm's. Each ball at a puzzle is remembered once.
+   * @param {string} model
+   * @param {{ key: string, name: string | null }} puzzle
+   * @param {string} json
+   */
+  add(model, { key, name }, json) {
+    const { puzzles: played, ...head } = /** @type {Memory} */ (JSON.parse(json));
+    const latest = played.at(-1);
+    if (!latest) return;
+    const all = this.puzzles(model);
+    const before = all.find((puzzle) => puzzle.key === key)?.attempts ?? [];
+    const balls = new Set(before.map(({ ball }) => String(ball)));
+    const attempts = [...before, ...latest.attempts.filter(({ ball }) => !balls.has(String(ball)))];
+    const puzzle = { ...latest, key, ...(name === null ? {} : { name }), attempts };
+    const puzzles = [...all.filter((one) => one.key !== key), puzzle];
+    // The wasm counts the puzzles before the first one too; here they change places.
+    const text = () => JSON.stringify({ ...head, forgotten: 0, puzzles });
+    while (text().length > MOST) puzzles.shift();
+    // What the browser does not take lasts as long as the page, which the home page says of all that is kept.
+    this.#store.set(PREFIX + model, text());
+  }
+
+  /** @param {string} model */
+  forget(model) {
+    this.#store.set(PREFIX + model, null);
+    this.damaged = false;
+  }
+
+  /**
+   * Forgets what the wasm could not read either.
+   * @param {string} model
+   */
+  dropDamaged(model) {
+    this.forget(model);
+    this.damaged = true;
+  }
+
+  /**
+   * @param {string} model
+   * @returns {Memory | null}
+   */
+  #read(model) {
+    const text = this.#store.get(PREFIX + model);
+    if (text === null) return null;
+    try {
+      /** @type {Memory} */
+      const memory = JSON.parse(text);
+      // The rest of it is checked by the wasm.
+      if (memory.puzzles.every(({ key, attempts }) => key && attempts.every(({ ball }) => ball))) return memory;
+    } catch {
+      // It is damaged too.
+    }
+    this.dropDamaged(model);
+    return null;
+  }
+}
+
+/**
+ * Forgets what all models remember.
+ * @param {BrowserStore} store
+ */
+export function forgetMemories(store) {
+  for (const key of store.keys(PREFIX)) store.set(key, null);
+}
