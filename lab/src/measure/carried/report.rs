@@ -26,6 +26,9 @@ by PHYRE's DQN-O (56.2 across templates, in order of ids). That is another setti
 counted attempts are simulated. The constants of the memory were chosen on dev tasks, except how a candidate's rank \
 counts: that came from a trial on the test tasks of cross 0, so the figures of this fold may be somewhat too good.
 
+Within a puzzle, “online, by balls” compares balls by place and radius, and “online” by imagined paths too. Shuffled \
+orders are measured with the whole memory alone: without one, the order makes no difference.
+
 Cells: auccess, and the percentage solved at the first attempt / within 10 / within 100; of shuffled orders the mean.
 ";
 
