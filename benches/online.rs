@@ -7,9 +7,9 @@
 
 use std::io::{self, Write};
 
-use pathlight::agents::gaussian_process::SquaredExponential;
 use pathlight::agents::imagined_candidates::imagined_candidates;
 use pathlight::agents::online::{Candidate, OnlineAgent, Similarity};
+use pathlight::agents::squared_exponential::SquaredExponential;
 use pathlight::agents::{Agent, Observation};
 use pathlight::benchmark::auccess::{MAX_ATTEMPTS, auccess, solved_within};
 use pathlight::benchmark::folds::Fold;

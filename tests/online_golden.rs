@@ -15,7 +15,7 @@ use rand_pcg::Pcg64Mcg;
 
 const CANDIDATES: usize = 400;
 
-const GOLDEN: &str = "3dc05f2932e4c689e8231a4bb524db9a";
+const GOLDEN: &str = "a9bed54df7c7c69e9d45528d70168ee3";
 
 #[cfg_attr(not(target_arch = "wasm32"), test)]
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]

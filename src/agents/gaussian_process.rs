@@ -5,7 +5,7 @@
 //! imagined for it: Gaussian, with the net's logit as its prior mean and a covariance that falls with the distance
 //! between two inputs. So an outcome changes the logits of all balls whose inputs resemble the observed one. Each
 //! outcome is one Laplace step: the mode and the curvature of the posterior along the observed logit make a rank-one
-//! update. Deterministic: libm, and sums in a fixed order. Used by `online`.
+//! update. Deterministic: sums in a fixed order, and no function that depends on the platform. Used by `online`.
 
 use super::sigmoid;
 
@@ -13,31 +13,28 @@ use super::sigmoid;
 /// can resolve.
 const HALVINGS: usize = 60;
 
-/// A correlation of e to minus this, 2e-35, or less counts as 0: it would not change the last bit of a logit.
-const NEGLIGIBLE: f64 = 80.0;
-
 /// The prior covariance of the logits of two inputs.
 pub trait Kernel {
     /// What is compared.
     type Input: Copy;
 
+    /// Inputs in an arrangement that is fast to compare with one more.
+    type Inputs;
+
+    /// Arranges inputs.
+    fn arrange(&self, inputs: &[Self::Input]) -> Self::Inputs;
+
+    /// Returns the prior covariances of the logits of all of these inputs with that of another.
+    fn covariances(&self, inputs: &Self::Inputs, with: &Self::Input) -> Vec<f64>;
+
     /// Returns the prior covariance of the logits of two inputs.
     fn covariance(&self, a: &Self::Input, b: &Self::Input) -> f64;
-}
-
-/// A squared exponential covariance.
-#[derive(Clone, Copy, Debug)]
-pub struct SquaredExponential {
-    /// Variance of a logit before any observation.
-    pub variance: f64,
-    /// The root mean square difference of the coordinates of two points at which their correlation has fallen to 0.61.
-    pub length_scale: f64,
 }
 
 /// The logits of some candidates, given the outcomes observed so far.
 pub struct GaussianProcessClassifier<K: Kernel> {
     kernel: K,
-    inputs: Vec<K::Input>,
+    inputs: K::Inputs,
     prior: Vec<f64>,
     means: Vec<f64>,
     observations: Vec<RankOne<K::Input>>,
@@ -56,8 +53,9 @@ struct RankOne<I> {
 
 impl<K: Kernel> GaussianProcessClassifier<K> {
     /// Returns the prior: the mean logit and the input of each candidate.
-    pub fn new(kernel: K, prior: Vec<f64>, inputs: Vec<K::Input>) -> GaussianProcessClassifier<K> {
+    pub fn new(kernel: K, prior: Vec<f64>, inputs: &[K::Input]) -> GaussianProcessClassifier<K> {
         assert_eq!(prior.len(), inputs.len(), "an input for each candidate");
+        let inputs = kernel.arrange(inputs);
         GaussianProcessClassifier { kernel, means: prior.clone(), prior, inputs, observations: Vec::new() }
     }
 
@@ -80,8 +78,7 @@ impl<K: Kernel> GaussianProcessClassifier<K> {
             with_earlier.push(shared);
         }
         let (gain, weight) = laplace_step(mean, variance.max(0.0), solved);
-        let mut covariances: Vec<f64> =
-            self.inputs.iter().map(|candidate| self.kernel.covariance(candidate, &input)).collect();
+        let mut covariances = self.kernel.covariances(&self.inputs, &input);
         for (earlier, shared) in self.observations.iter().zip(&with_earlier) {
             let explained = earlier.weight * shared;
             for (covariance, with_candidate) in covariances.iter_mut().zip(&earlier.covariances) {
@@ -98,16 +95,6 @@ impl<K: Kernel> GaussianProcessClassifier<K> {
     /// each with these observations.
     fn explained(&self, a: &[f64], b: &[f64]) -> f64 {
         self.observations.iter().zip(a.iter().zip(b)).map(|(earlier, (a, b))| earlier.weight * a * b).sum()
-    }
-}
-
-impl SquaredExponential {
-    /// Returns the covariance of two points of equal dimension.
-    pub fn of(&self, a: &[f32], b: &[f32]) -> f64 {
-        let squares = a.iter().zip(b).map(|(a, b)| f64::from(a - b) * f64::from(a - b));
-        let mean_square = squares.sum::<f64>() / a.len() as f64;
-        let exponent = mean_square / (2.0 * self.length_scale * self.length_scale);
-        if exponent > NEGLIGIBLE { 0.0 } else { self.variance * libm::exp(-exponent) }
     }
 }
 
@@ -130,12 +117,22 @@ fn laplace_step(mean: f64, variance: f64, solved: bool) -> (f64, f64) {
 
 #[cfg(test)]
 mod tests {
+    use super::super::squared_exponential::{Points, SquaredExponential};
     use super::*;
 
     const KERNEL: SquaredExponential = SquaredExponential { variance: 9.0, length_scale: 2.0 };
 
     impl Kernel for SquaredExponential {
         type Input = f32;
+        type Inputs = Points;
+
+        fn arrange(&self, inputs: &[f32]) -> Points {
+            Points::new(&inputs.iter().map(|x| [*x]).collect::<Vec<_>>())
+        }
+
+        fn covariances(&self, inputs: &Points, with: &f32) -> Vec<f64> {
+            self.of_all(inputs, &[*with])
+        }
 
         fn covariance(&self, a: &f32, b: &f32) -> f64 {
             self.of(&[*a], &[*b])
@@ -146,7 +143,7 @@ mod tests {
     #[test]
     fn one_failure_moves_its_own_logit_to_the_mode_of_its_posterior() {
         for prior in [-6.0, 0.0, 1.5, 7.0] {
-            let mut process = GaussianProcessClassifier::new(KERNEL, vec![prior], vec![0.0]);
+            let mut process = GaussianProcessClassifier::new(KERNEL, vec![prior], &[0.0]);
             process.observe(0, 0.0, false);
             let log_posterior = |logit: f64| {
                 -(logit - prior) * (logit - prior) / (2.0 * KERNEL.variance) - libm::log1p(libm::exp(logit))
@@ -160,7 +157,7 @@ mod tests {
     #[test]
     fn the_nearer_an_input_is_to_a_failure_the_more_it_falls() {
         let inputs: Vec<f32> = (0..6).map(|x| 1.5 * x as f32).collect();
-        let mut process = GaussianProcessClassifier::new(KERNEL, vec![2.0; 6], inputs);
+        let mut process = GaussianProcessClassifier::new(KERNEL, vec![2.0; 6], &inputs);
         let rises = process.observe(0, 0.0, false);
         assert!(rises.windows(2).all(|pair| pair[0] < pair[1]), "{rises:?}");
         assert!(rises[0] < -1.0 && rises[5] > -0.05, "{rises:?}");
@@ -174,7 +171,7 @@ mod tests {
     fn many_outcomes_leave_what_a_dense_covariance_leaves() {
         let inputs: Vec<f32> = (0..9).map(|x| x as f32 * 0.7).collect();
         let prior: Vec<f64> = (0..9).map(|x| 1.0 - 0.3 * f64::from(x)).collect();
-        let mut process = GaussianProcessClassifier::new(KERNEL, prior.clone(), inputs.clone());
+        let mut process = GaussianProcessClassifier::new(KERNEL, prior.clone(), &inputs);
         let mut dense: Vec<Vec<f64>> =
             inputs.iter().map(|a| inputs.iter().map(|b| KERNEL.covariance(a, b)).collect()).collect();
         let mut means = prior;

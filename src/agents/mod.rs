@@ -18,6 +18,7 @@ pub mod memory;
 pub mod online;
 pub mod placement;
 pub mod ranking;
+pub mod squared_exponential;
 
 use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;

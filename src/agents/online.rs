@@ -5,10 +5,11 @@
 //! PHYRE's paper (Bakhtin et al. 2019) calls an agent online that learns at the counted attempts. Here the learning is
 //! Gaussian process classification, updated by each outcome. Draws nothing at random.
 
-use super::gaussian_process::{GaussianProcessClassifier, Kernel, SquaredExponential};
+use super::gaussian_process::{GaussianProcessClassifier, Kernel};
+use super::squared_exponential::{Points, SquaredExponential};
 use super::{Agent, Observation, Origin, Proposal, sigmoid};
 use crate::puzzle::action::Ball;
-use crate::puzzle::sampled_paths::SampledPaths;
+use crate::puzzle::sampled_paths::{SAMPLES, SampledPaths};
 
 /// Logits are equal if they round to the same multiple of this: the order must not depend on the last bits.
 const RESOLUTION: f64 = 1.0 / 65536.0;
@@ -53,15 +54,40 @@ type Idea = (Ball, SampledPaths);
 
 impl Kernel for Similarity {
     type Input = Idea;
+    /// Balls, and paths of the green object.
+    type Inputs = [Points; 2];
+
+    fn arrange(&self, ideas: &[Idea]) -> [Points; 2] {
+        let balls: Vec<_> = ideas.iter().map(|(ball, _)| place(ball)).collect();
+        let paths: Vec<_> = ideas.iter().map(|(_, paths)| coordinates(paths)).collect();
+        [Points::new(&balls), Points::new(&paths)]
+    }
+
+    fn covariances(&self, [balls, paths]: &[Points; 2], (ball, path): &Idea) -> Vec<f64> {
+        let mut covariances = self.balls.of_all(balls, &place(ball));
+        if self.paths.variance != 0.0 {
+            let of_paths = self.paths.of_all(paths, &coordinates(path));
+            covariances.iter_mut().zip(of_paths).for_each(|(covariance, of_paths)| *covariance += of_paths);
+        }
+        covariances
+    }
 
     fn covariance(&self, (ball, paths): &Idea, (other_ball, other_paths): &Idea) -> f64 {
-        let place = |ball: &Ball| [ball.x as f32, ball.y as f32, ball.r as f32];
         let balls = self.balls.of(&place(ball), &place(other_ball));
         if self.paths.variance == 0.0 {
             return balls;
         }
-        balls + self.paths.of(paths.object.as_flattened(), other_paths.object.as_flattened())
+        balls + self.paths.of(&coordinates(paths), &coordinates(other_paths))
     }
+}
+
+fn place(ball: &Ball) -> [f32; 3] {
+    [ball.x as f32, ball.y as f32, ball.r as f32]
+}
+
+/// Of the green object.
+fn coordinates(paths: &SampledPaths) -> [f32; 2 * SAMPLES] {
+    std::array::from_fn(|index| paths.object[index / 2][index % 2])
 }
 
 /// An agent at work on one scene.
@@ -80,10 +106,10 @@ pub struct OnlineAgent {
 impl OnlineAgent {
     /// Returns an agent that has made no attempt yet.
     pub fn new(candidates: Vec<Candidate>, similarity: Similarity) -> OnlineAgent {
-        let ideas = candidates.iter().map(|candidate| (candidate.ball, candidate.paths)).collect();
+        let ideas: Vec<Idea> = candidates.iter().map(|candidate| (candidate.ball, candidate.paths)).collect();
         let logits = candidates.iter().map(|candidate| candidate.logit).collect();
         OnlineAgent {
-            process: GaussianProcessClassifier::new(similarity, logits, ideas),
+            process: GaussianProcessClassifier::new(similarity, logits, &ideas),
             tried: vec![false; candidates.len()],
             lowered: vec![(0, 0.0); candidates.len()],
             candidates,
@@ -143,7 +169,6 @@ impl Agent for OnlineAgent {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::puzzle::sampled_paths::SAMPLES;
 
     /// A ball after which the green object lies still at `object`.
     fn candidate(x: f64, logit: f64, object: f32) -> Candidate {

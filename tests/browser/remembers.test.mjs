@@ -1,5 +1,5 @@
-// "The model remembers": what person and model try at one puzzle helps the model at the next, it says so, and forgets at
-// a press. Challenges, lessons and the model's balls one by one are as without.
+// "The model remembers": what person and model try at one puzzle helps the model at the next, it says so, and forgets
+// at a press. Challenges, lessons and the model's balls one by one are as without.
 
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";

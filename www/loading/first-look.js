@@ -1,5 +1,5 @@
-// Runs before the first picture, in English, which index.html holds: shows at once the top of the home page, or the story
-// of the puzzle that the address asks for. Without it nothing is seen until the modules of the page are there. A classic
+// Runs before the first picture, in English, which index.html holds: shows the top of the home page, or the story of
+// the puzzle that the address asks for. Without it nothing is seen until the modules of the page are there. A classic
 // script, which knows only the address; page/main.js decides.
 
 {

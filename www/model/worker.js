@@ -81,8 +81,8 @@ const calls = {
   turn: (puzzle) => pathlight.turn(puzzle),
 
   /**
-   * Plays a puzzle with what the model remembers of earlier ones; each attempt is an update. Returns its tries, and what
-   * it remembers after them.
+   * Plays a puzzle with what the model remembers of earlier ones; each attempt is an update. Returns its tries, and
+   * what it remembers after them.
    * @param {Puzzle} puzzle
    * @param {string | null} remembered as JSON; null for nothing
    */

@@ -12,8 +12,8 @@ import { BrowserStore } from "./browser-store.js";
 
 const PREFIX = "memory.";
 /**
- * The most characters of a memory: some 3,700 attempts, of the 4,000 that the wasm remembers, or fewer at custom scenes.
- * Browsers keep some 5 million characters in all.
+ * The most characters of a memory: some 3,700 attempts, of the 4,000 that the wasm remembers, or fewer at custom
+ * scenes. Browsers keep some 5 million characters in all.
  */
 const MOST = 200_000;
 
