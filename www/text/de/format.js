@@ -3,5 +3,5 @@
 import { formatsOf } from "../formats.js";
 
 /** @type {typeof import("../en/format.js").format} */
-export const format = formatsOf("de", { point: ",", group: ".", percent: "\u00a0" });
+export const format = formatsOf("de");
 export const { counted, list, number, percent, seconds } = format;

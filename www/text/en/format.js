@@ -2,5 +2,5 @@
 
 import { formatsOf } from "../formats.js";
 
-export const format = formatsOf("en-GB", { point: ".", group: ",", percent: "" });
+export const format = formatsOf("en-GB");
 export const { counted, list, number, percent, seconds } = format;
