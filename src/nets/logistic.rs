@@ -22,6 +22,7 @@ use rayon::prelude::*;
 use super::conv::simd::vectorize;
 
 /// Values that one core takes at a time: 64 KiB.
+#[cfg(not(target_arch = "wasm32"))]
 pub(crate) const CHUNK: usize = 1 << 14;
 
 /// Returns 1 / (1 + e^-x) of every x.

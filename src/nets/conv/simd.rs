@@ -9,6 +9,7 @@
 use pulp::{Simd, WithSimd};
 
 /// Runs `work` on the widest registers of the processor, but of at most `lanes` lanes where it has several widths.
+#[cfg_attr(not(target_arch = "x86_64"), expect(unused_variables, reason = "there is one width"))]
 pub(crate) fn vectorize<W: WithSimd>(lanes: usize, work: W) -> W::Output {
     #[cfg(target_arch = "x86_64")]
     {
