@@ -18,8 +18,8 @@ export const home = {
     imagine: (futures) => `Das Modell stellt sich ${futures} Bahnen vor …`,
     pick: (chance) => `… und wählt eine: zu ${chance} sicher.`,
     real: "Jetzt fällt die echte Kugel.",
-    solved: (off) => `Gelöst! Seine Vermutung lag ${off} daneben.`,
-    missed: (off) => `Seine Vermutung lag ${off} daneben.`,
+    solved: (off) => `Gelöst! Seine Vermutung lag um ${off} der Breite daneben.`,
+    missed: (off) => `Seine Vermutung lag um ${off} der Breite daneben.`,
   },
 
   picks: {

@@ -19,8 +19,8 @@ export const home = {
     imagine: (/** @type {number} */ futures) => `It imagines ${futures} futures…`,
     pick: (/** @type {string} */ chance) => `…and picks one: ${chance} sure.`,
     real: "Now the real ball drops.",
-    solved: (/** @type {string} */ off) => `Solved! Its guess was ${off} off.`,
-    missed: (/** @type {string} */ off) => `Its guess was ${off} off.`,
+    solved: (/** @type {string} */ off) => `Solved! Its guess was off by ${off} of the width.`,
+    missed: (/** @type {string} */ off) => `Its guess was off by ${off} of the width.`,
   },
 
   picks: {
