@@ -180,15 +180,15 @@ test("the outcomes are counted, a key leads to another one, and all are saved, a
   assert.equal(await fact(page, "number"), `${other} of ${total}`);
 });
 
-test("wherever a result stands the model is named, and whether it has seen the puzzle", async () => {
+test("wherever a result stands it says what the model knows, and whether it has seen the puzzle", async () => {
   const page = await compare();
   const badge = (panel) => page.locator(`${panel} .model-badge`).first();
-  assert.equal((await badge("#compare").innerText()).replace(/\s+/g, " "), "within-0 new to the model");
+  assert.equal((await badge("#compare").innerText()).replace(/\s+/g, " "), "Knows all 25 kinds new to the model");
   await page.locator("#tab-imagine").click();
   await badge("#imagine").filter({ hasText: "new to the model" }).waitFor();
   await inMore(page, () => page.locator("#model-select").selectOption("cross-0"));
   await badge("#imagine")
-    .filter({ hasText: /cross-0\s+practised this one/ })
+    .filter({ hasText: /Knows 20 of 25 kinds\s+practised this one/ })
     .waitFor();
   await page
     .locator("#model-words")

@@ -49,7 +49,7 @@ for (const [screen, options] of Object.entries(SCREENS)) {
     await page.locator("#results-templates .missed").nth(3).click();
     await page
       .locator("#compare .model-badge")
-      .filter({ hasText: /within-0\s*new to the model/ })
+      .filter({ hasText: /Knows all 25 kinds\s*new to the model/ })
       .waitFor();
     // The outcomes are not told before somebody looks at a ball: they would tell how the race ends.
     await page.locator("#proposals").waitFor();

@@ -1,5 +1,5 @@
-// Says which model it is wherever a result of it stands, and whether it has seen the puzzle in training, which decides
-// what the result is worth. Also says which nets the model has.
+// Says what the model knows wherever a result of it stands, and whether it has seen the puzzle in training, which
+// decides what the result is worth. Also says which nets the model has.
 
 import { Component } from "../widgets/component.js";
 import { PAPER_MAPS } from "../shell/constants.js";
@@ -34,15 +34,15 @@ export class ModelBadge extends Component {
   #update() {
     const { loaded } = this.#client;
     const known = this.#imagine.seen;
-    const { nets, knows, seen: practised, unseen } = text.model;
+    const { nets, knows, kinds, seen: practised, unseen } = text.model;
     const ballNet = ballNetOf(loaded?.card);
     setText(this.byId("imagine-intro"), nets.intro(PAPER_MAPS.length, ballNet));
     setText(this.byId("about-nets"), text.panels.model.nets(nets.about(PAPER_MAPS.length, ballNet)));
     for (const { element, name, seen } of this.#badges) {
       element.hidden = !loaded;
       if (!loaded) continue;
-      setText(name, loaded.name);
-      element.title = knows[loaded.card.setup];
+      setText(name, kinds[loaded.card.setup]);
+      element.title = text.panels.model.named(loaded.name, knows[loaded.card.setup]);
       seen.hidden = known === null;
       seen.dataset.seen = String(known);
       setText(seen, known === null ? "" : known ? practised : unseen);

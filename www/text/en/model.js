@@ -108,6 +108,8 @@ export const model = {
 
   /** What kind of puzzles a model knows. */
   knows: { within: "knows all 25 kinds of puzzles", cross: "knows 20 of the 25 kinds of puzzles" },
+  /** The same as a short name of the model. */
+  kinds: { within: "Knows all 25 kinds", cross: "Knows 20 of 25 kinds" },
   /** Whether it was trained on a puzzle. */
   seen: "practised this one",
   unseen: "new to the model",
