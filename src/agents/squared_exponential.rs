@@ -61,7 +61,7 @@ impl SquaredExponential {
 /// several at once. The same to the bit natively and in wasm.
 #[inline(always)]
 fn exp_of_negative(x: f64) -> f64 {
-    /// ln 2 in two parts, the first with few enough bits that its multiples are exact.
+    /// ln 2 in two parts, the first with few enough bits that its multiples are exact (Cody and Waite 1980).
     const LN_2: [f64; 2] = [0.693_147_180_369_123_8, 1.908_214_929_270_587_7e-10];
     /// Added to a small number, it rounds that to a whole one, and leaves it plus the bias of exponents in the lowest
     /// bits.

@@ -47,10 +47,7 @@ impl<C: CheckpointStrategy> Logistic for burn::backend::Autodiff<burn::backend::
 
 impl Logistic for Flex {
     fn logistic(x: FloatTensor<Flex>) -> FloatTensor<Flex> {
-        map(&x, &x, |x, _| {
-            let (of_abs, falling) = of_abs(x);
-            if x < 0.0 { falling * of_abs } else { of_abs }
-        })
+        map(&x, &x, |x, _| logistic_and_exp(x).0)
     }
 }
 
@@ -116,17 +113,18 @@ impl<F: Fn(f32, f32) -> f32> WithSimd for Map<'_, F> {
     }
 }
 
-/// The function of |x|, and e^-|x|, from which that of x follows.
+/// 1 / (1 + e^-x), and e^-|x|.
 #[inline(always)]
-pub(crate) fn of_abs(x: f32) -> (f32, f32) {
-    let falling = exp_of_negative(-x.abs());
-    (1.0 / (1.0 + falling), falling)
+pub(crate) fn logistic_and_exp(x: f32) -> (f32, f32) {
+    let exp = exp_of_negative(-x.abs());
+    let of_abs = 1.0 / (1.0 + exp);
+    (if x < 0.0 { exp * of_abs } else { of_abs }, exp)
 }
 
 /// e to a power of at most 0, to 2e-7 relatively; 0 below e^-87. NaN stays.
 #[inline(always)]
 fn exp_of_negative(x: f32) -> f32 {
-    /// ln 2 in two parts, the first with few enough bits that its multiples are exact.
+    /// ln 2 in two parts, the first with few enough bits that its multiples are exact (Cody and Waite 1980).
     const LN_2: [f32; 2] = [0.693_359_4, -2.121_944_4e-4];
     /// Adding it rounds a small number to a whole one, ties to even.
     const ROUND: f32 = 12_582_912.0;
@@ -154,7 +152,7 @@ impl WithSimd for Softplus<'_> {
     #[inline(always)]
     fn with_simd<S: Simd>(self, _: S) {
         for x in self.0 {
-            *x = if *x > 0.0 { *x } else { 0.0 } + ln_1p(of_abs(*x).1);
+            *x = if *x > 0.0 { *x } else { 0.0 } + ln_1p(logistic_and_exp(*x).1);
         }
     }
 }

@@ -184,7 +184,7 @@ test("a custom puzzle is remembered by its name", async () => {
   await words(page, "It remembers 2 puzzles.");
 });
 
-test("who comes by a challenge or a lesson meets it without memory, unless he asks for it there", async () => {
+test("in a challenge or a lesson it plays without memory, unless the person asks for it there", async () => {
   const page = await open(FIRST);
   await remembers(page).check();
   await solve(page, FIRST);

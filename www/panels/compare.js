@@ -30,7 +30,7 @@ export class Compare extends Component {
    */
   #show = null;
   /**
-   * The puzzle that the ball which solved owes something to.
+   * The earlier puzzle that led to the ball that solved.
    * @type {import("../model/model-memory.js").Source | null}
    */
   #source = null;

@@ -1,6 +1,6 @@
 // The switch "The model remembers", beside the race: how many puzzles it remembers, and how it forgets them. It is off
-// at first, and the browser remembers the choice. Who comes by a challenge or by a link for a lesson meets the model as
-// it is for everybody, unless he switches it on there.
+// at first, and the browser remembers the choice. In a challenge or a lesson it is off again, so that everybody meets
+// the same model; there it can be switched on for this link alone.
 
 import { Component } from "../widgets/component.js";
 import { setText } from "../widgets/dom.js";

@@ -88,8 +88,9 @@ fn gemm(out: &mut [f32], stride: usize, a: Matrix, b: Matrix) {
 /// `out = a b` for a `b` of contiguous rows: one column, or a multiple of four.
 fn few_columns(out: &mut [f32], stride: usize, a: Matrix, b: Matrix) {
     assert!(b.column_stride == 1, "rows of b are contiguous");
-    let lanes = if fits_rows(a, b) { ROWS_LANES } else { lanes_that_divide(b.columns).min(8) };
-    vectorize(if b.columns == 1 { 8 } else { lanes }, FewColumns { out, stride, a, b });
+    let has_rows = b.columns == 1 || fits_rows(a, b);
+    let lanes = if has_rows { ROWS_LANES } else { lanes_that_divide(b.columns).min(8) };
+    vectorize(lanes, FewColumns { out, stride, a, b });
 }
 
 /// Whether `rows_in_registers` multiplies them.
@@ -169,7 +170,7 @@ fn tiles<S: Simd, const ROWS: usize, const REGISTERS: usize>(
     }
 }
 
-/// A transposed matrix times four columns: two registers of rows at a time, each with one value of a column.
+/// A transposed matrix times four columns. A register holds the sums of neighbouring rows in one column.
 #[inline(always)]
 fn rows_in_registers<S: Simd>(simd: S, out: &mut [f32], stride: usize, a: Matrix, b: Matrix) {
     let height = 2 * S::F32_LANES;
