@@ -15,6 +15,7 @@ use pathlight::nets::training::{Batch, Sample, Trainer};
 use pathlight::nets::{Imagined, Parameter, PathNet};
 use pathlight::puzzle::task::Task;
 use pathlight::raster::{Bitmap, Coverage, scene_channels, scene_coverage};
+use pathlight_lab::data::collect::read_solutions;
 use pathlight_lab::data::samples::sample;
 use pathlight_lab::data::solutions::Solution;
 use repeat::{repeat, stopwatch};
@@ -118,13 +119,10 @@ fn bytes(values: impl IntoIterator<Item = f32>) -> Vec<u8> {
 
 /// Solutions from all over the templates.
 fn batch() -> Vec<Sample> {
-    let text = fs::read_to_string(SOLUTIONS).expect("the solutions are in assets");
-    let lines: Vec<&str> = text.lines().filter(|line| line.contains("task")).collect();
-    let chosen = lines.iter().step_by(lines.len() / BATCH).take(BATCH);
-    let samples = chosen.map(|line| {
-        let Solution { task, ball } = serde_json::from_str(line).expect("a solution");
-        sample(&Task::load(task).expect("a task").scene, ball).expect("a valid ball")
-    });
+    let solutions = read_solutions(Path::new(SOLUTIONS)).expect("the solutions are in assets").solutions;
+    let chosen = solutions.iter().step_by(solutions.len() / BATCH).take(BATCH);
+    let samples =
+        chosen.map(|&Solution { task, ball }| sample(&Task::load(task).expect("a task").scene, ball).expect("valid"));
     samples.collect()
 }
 

@@ -19,7 +19,7 @@ before(async () => {
   const lines = (await readFile(new URL("../../assets/solutions.jsonl", import.meta.url), "utf8")).trim().split("\n");
   solution = lines
     .filter((line) => line.includes(`"${FIRST_TASK}"`))
-    .map((line) => JSON.parse(line).ball)
+    .flatMap((line) => JSON.parse(line).balls)
     .find(([, , r]) => r === FIRST_RADIUS);
   session = await start();
 });

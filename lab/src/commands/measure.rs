@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use pathlight::agents::agent_name::AgentName;
 use pathlight_lab::data::collect::SOLUTIONS;
 use pathlight_lab::files::json_file;
-use pathlight_lab::measure::{calibration, carried, evaluate, fidelity, forecasts};
+use pathlight_lab::measure::{calibration, carried, evaluate, fidelity, forecasts, paper_table};
 use pathlight_lab::progress::Progress;
 
 use super::agent_arg::agent;
@@ -17,6 +17,7 @@ use super::fold_args::FoldArgs;
 pub enum Command {
     Evaluate(Evaluate),
     Carried(Carried),
+    Paper(Paper),
     Forecasts(Forecasts),
     Calibration(Calibration),
     Fidelity(Fidelity),
@@ -27,6 +28,7 @@ impl Command {
         let text = match self {
             Command::Evaluate(args) => args.run(progress)?,
             Command::Carried(args) => args.run()?,
+            Command::Paper(Paper { folder }) => paper_table::page(&folder)?,
             Command::Forecasts(args) => args.run()?,
             Command::Calibration(args) => args.run()?,
             Command::Fidelity(Fidelity { reference, limit, engine: EngineArg { engine } }) => {
@@ -132,6 +134,15 @@ impl Carried {
     fn run(self) -> anyhow::Result<String> {
         Ok(carried::page(&carried::read(&self.folder)?)?)
     }
+}
+
+/// Print the results of the paper's four nets, which `measure evaluate --agent paper` wrote, beside the published ones,
+/// as Markdown
+#[derive(clap::Args)]
+pub struct Paper {
+    /// Folder of the results
+    #[arg(value_name = "DIR")]
+    folder: PathBuf,
 }
 
 /// Measure how well the dynamics net imagines what balls lead to, on the test tasks of a fold

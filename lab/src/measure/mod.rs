@@ -9,6 +9,7 @@ pub mod carried;
 pub mod evaluate;
 pub mod fidelity;
 pub mod forecasts;
+pub mod paper_table;
 pub mod publish_results;
 pub mod shipped;
 

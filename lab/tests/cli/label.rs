@@ -10,7 +10,7 @@ use pathlight::puzzle::task::{Task, TaskId};
 use pathlight::simulator::{self, outcome, simulate};
 use pathlight_lab::data::labels::{LabelledBalls, PATHS_LEN};
 use pathlight_lab::data::scene_variants::scene_variant;
-use pathlight_lab::data::solutions::Solution;
+use pathlight_lab::data::solutions::TaskSolutions;
 use tempfile::tempdir;
 
 use super::{assert_refused, output_of, root};
@@ -91,7 +91,7 @@ fn labels_of_a_fold_use_its_training_tasks_and_their_solutions_only() {
     let solutions = fs::read_to_string(root("assets/solutions.jsonl")).expect("solutions");
     let fold = Fold::new(Setup::Within, 0);
     // The same solutions without those of test tasks.
-    let known = |line: &str| serde_json::from_str::<Solution>(line).ok();
+    let known = |line: &str| serde_json::from_str::<TaskSolutions>(line).ok();
     let of_training: Vec<&str> = solutions
         .lines()
         .filter(|line| known(line).is_none_or(|known| fold.test.binary_search(&known.task).is_err()))

@@ -215,8 +215,9 @@ fn the_report_and_the_readme_are_those_of_the_rows() {
         }
     }
     let results = folder.path().display().to_string();
-    let report = output_of(&["reproduce", "--only", "report", "--results", &results]);
-    let remedy = "run `pathlight-lab reproduce --only report`";
+    let solutions = "results/solutions.jsonl";
+    let report = output_of(&["reproduce", "--only", "report", "--results", &results, "--solutions", solutions]);
+    let remedy = "run `pathlight-lab reproduce --only report --solutions results/solutions.jsonl`";
     assert_eq!(fs::read_to_string(root("results/README.md")).expect("a report"), report, "{remedy}");
 
     let readme = fs::read_to_string(root("README.md")).expect("the README");

@@ -1,0 +1,243 @@
+//! The table of Harter et al. (2020) with the results of our training of their nets beside the published ones, as
+//! Markdown.
+
+use std::fmt::{self, Write as _};
+use std::path::Path;
+
+use anyhow::{Context, ensure};
+use pathlight::agents::agent_name::AgentName;
+use pathlight::benchmark::auccess::{auccess, solved_within};
+use pathlight::benchmark::folds::{FOLDS, Setup};
+use pathlight::nets::Card;
+use pathlight::puzzle::templates::TEMPLATES;
+
+use super::evaluate::Report;
+use crate::files::json_file;
+
+/// What the paper's Table 1 and its list by template report for a setup, each number over the ten folds.
+struct Published {
+    setup: Setup,
+    /// Of all templates: auccess, and the percentage of tasks solved within ten attempts.
+    mean: [u8; 2],
+    /// Auccess by template; `None` where the paper has no number.
+    auccess: [Option<u8>; TEMPLATES.len()],
+    /// The percentage of tasks solved within ten attempts.
+    solved_within_10: [Option<u8>; TEMPLATES.len()],
+}
+
+const WITHIN: Published = Published {
+    setup: Setup::Within,
+    mean: [62, 66],
+    auccess: all([
+        80, 89, 87, 95, 79, 82, 86, 62, 69, 77, 31, 53, 52, 65, 84, 78, 39, 41, 69, 45, 46, 29, 30, 45, 42,
+    ]),
+    solved_within_10: all([
+        86, 98, 90, 100, 86, 90, 94, 62, 72, 81, 27, 57, 55, 70, 93, 83, 37, 44, 82, 51, 48, 23, 27, 46, 44,
+    ]),
+};
+
+const CROSS: Published = Published {
+    setup: Setup::Cross,
+    mean: [31, 31],
+    auccess: without_template_6([
+        51, 54, 67, 67, 57, 63, 0, 30, 24, 14, 14, 38, 48, 51, 15, 25, 14, 5, 37, 17, 24, 3, 9, 6, 6,
+    ]),
+    solved_within_10: without_template_6([
+        50, 51, 72, 70, 58, 67, 0, 31, 22, 13, 11, 34, 50, 53, 11, 21, 12, 6, 35, 13, 22, 0, 7, 4, 6,
+    ]),
+};
+
+const fn all(numbers: [u8; TEMPLATES.len()]) -> [Option<u8>; TEMPLATES.len()] {
+    let mut known = [None; TEMPLATES.len()];
+    let mut template = 0;
+    while template < numbers.len() {
+        known[template] = Some(numbers[template]);
+        template += 1;
+    }
+    known
+}
+
+/// The paper has no result of template 00006 across templates.
+const fn without_template_6(numbers: [u8; TEMPLATES.len()]) -> [Option<u8>; TEMPLATES.len()] {
+    let mut known = all(numbers);
+    known[6] = None;
+    known
+}
+
+/// The results of a setup, a report for each fold.
+struct Measured(Vec<Report>);
+
+/// Reads the results in a folder, `SETUP-FOLD.json` of `measure evaluate --agent paper`, and returns the page.
+///
+/// # Errors
+/// If there are none, or one is damaged, or they were made with different settings.
+pub fn page(folder: &Path) -> anyhow::Result<String> {
+    let [within, cross] = [WITHIN.setup, CROSS.setup].map(|setup| read(folder, setup));
+    let (within, cross) = (within?, cross?);
+    let reports: Vec<&Report> = within.0.iter().chain(&cross.0).collect();
+    let name = folder.display();
+    let first = reports.first().with_context(|| {
+        format!("there are no results in {name}: make them with `scripts/paper-table`")
+    })?;
+    for report in &reports {
+        ensure!(
+            settings(report) == settings(first),
+            "{name}/{}-{}.json was made with other settings than {}-{}.json: measure it again",
+            report.setup,
+            report.fold,
+            first.setup,
+            first.fold
+        );
+    }
+    let mut text = HEAD.to_string();
+    training(&mut text, first, reports.len())?;
+    means(&mut text, [(&within, &WITHIN), (&cross, &CROSS)])?;
+    for (measured, published) in [(&within, &WITHIN), (&cross, &CROSS)] {
+        if !measured.0.is_empty() {
+            measured.templates(&mut text, published)?;
+        }
+    }
+    folds(&mut text, &reports)?;
+    Ok(text)
+}
+
+const HEAD: &str = "# The table of Harter et al. (2020)
+
+`pathlight-lab measure paper results/paper` printed this from the files beside it, which `scripts/paper-table` \
+made. The published numbers are those of the paper, in PHYRE's simulator. “Solved” is the percentage of \
+test tasks solved within ten attempts. Only these attempts are simulated.
+";
+
+fn read(folder: &Path, setup: Setup) -> anyhow::Result<Measured> {
+    let files = (0..FOLDS).map(|fold| folder.join(format!("{setup}-{fold}.json"))).filter(|file| file.exists());
+    let reports = files.map(|file| json_file::read(&file, "scripts/paper-table"));
+    Ok(Measured(reports.collect::<anyhow::Result<_>>()?))
+}
+
+/// What has to agree between the results of a table.
+fn settings(report: &Report) -> (u64, u32, u32, &str, Option<Card>) {
+    let card = report.card.as_ref().map(|card| Card {
+        setup: Setup::Within,
+        fold: 0,
+        samples: 0,
+        tasks: 0,
+        success: None,
+        dynamics: None,
+        ..card.clone()
+    });
+    (report.seed, report.simulator, report.agents_version, &report.tasks_of, card)
+}
+
+fn training(text: &mut String, report: &Report, count: usize) -> fmt::Result {
+    let Report { seed, simulator, agents_version, card: Some(card), .. } = report else { return Ok(()) };
+    let Card { epochs, batch, learning_rate, decay_epochs, mirror, samples, tasks, .. } = card;
+    writeln!(
+        text,
+        "\n{count} of {} folds. The four nets were trained on the {samples} solutions of {tasks} tasks, {epochs} epochs \
+         in batches of {batch}, Adam at {learning_rate}, which decays over the last {decay_epochs}{}. Seed {seed}, \
+         simulator {simulator}, agents {agents_version}.",
+        2 * FOLDS,
+        if *mirror { ", half of the samples mirrored" } else { "" },
+    )
+}
+
+fn means(text: &mut String, setups: [(&Measured, &Published); 2]) -> fmt::Result {
+    writeln!(
+        text,
+        "\n## Mean\n\n| setup | results | auccess, mean over templates | over tasks | solved, mean over templates \
+         |\n| --- | --- | ---: | ---: | ---: |"
+    )?;
+    for (measured, published) in setups {
+        for (agent, label) in [(AgentName::Paper, "ours"), (AgentName::Random, "random balls, ours")] {
+            if measured.0.is_empty() {
+                continue;
+            }
+            let all: Vec<_> = measured.firsts(agent, None);
+            writeln!(
+                text,
+                "| {} | {label} | {:.1} | {:.1} | {:.0} % |",
+                published.setup,
+                measured.mean_over_templates(agent, auccess),
+                auccess(&all),
+                measured.mean_over_templates(agent, solved),
+            )?;
+        }
+        let Published { setup, mean: [auccess, solved], .. } = published;
+        writeln!(text, "| {setup} | published | {auccess} | | {solved} % |")?;
+    }
+    Ok(())
+}
+
+/// The percentage of tasks solved within ten attempts.
+fn solved(firsts: &[Option<usize>]) -> f64 {
+    100.0 * solved_within(firsts, 10)
+}
+
+impl Measured {
+    /// The first solving attempts of an agent at the tasks of a template, or of all, in all folds.
+    fn firsts(&self, agent: AgentName, template: Option<usize>) -> Vec<Option<usize>> {
+        let scores = self.0.iter().flat_map(|report| &report.agents).filter(|score| score.agent == agent);
+        let firsts = scores.flat_map(|score| &score.first_solved);
+        firsts.filter(|(task, _)| template.is_none_or(|of| task.template == of)).map(|&(_, first)| first).collect()
+    }
+
+    fn mean_over_templates(&self, agent: AgentName, of: impl Fn(&[Option<usize>]) -> f64) -> f64 {
+        let firsts = TEMPLATES.iter().map(|template| self.firsts(agent, Some(template.number)));
+        let measured: Vec<f64> = firsts.filter(|firsts| !firsts.is_empty()).map(|firsts| of(&firsts)).collect();
+        measured.iter().sum::<f64>() / measured.len() as f64
+    }
+
+    fn templates(&self, text: &mut String, published: &Published) -> fmt::Result {
+        writeln!(
+            text,
+            "\n## By template, {}\n\n| template | auccess, published | ours | random balls | solved, published | ours \
+             |\n| --- | ---: | ---: | ---: | ---: | ---: |",
+            published.setup
+        )?;
+        let number = |value: Option<u8>| value.map_or("–".to_string(), |value| value.to_string());
+        for (index, template) in TEMPLATES.iter().enumerate() {
+            let [ours, random] =
+                [AgentName::Paper, AgentName::Random].map(|agent| self.firsts(agent, Some(template.number)));
+            if ours.is_empty() {
+                continue;
+            }
+            writeln!(
+                text,
+                "| {:05} {} | {} | {:.0} | {:.0} | {} | {:.0} |",
+                template.number,
+                template.name,
+                number(published.auccess[index]),
+                auccess(&ours),
+                auccess(&random),
+                number(published.solved_within_10[index]),
+                solved(&ours),
+            )?;
+        }
+        Ok(())
+    }
+}
+
+fn folds(text: &mut String, reports: &[&Report]) -> fmt::Result {
+    writeln!(
+        text,
+        "\n## Each fold\n\nAuccess over the test tasks, and the percentage solved at the first attempt / within 10 / \
+         within 100.\n\n| setup | fold | test tasks | ours | random balls |\n| --- | ---: | ---: | ---: | ---: |"
+    )?;
+    for report in reports {
+        let cells = [AgentName::Paper, AgentName::Random].map(|agent| {
+            report.agents.iter().find(|score| score.agent == agent).map_or("–".to_string(), |score| {
+                let [first, ten, hundred] = [score.solved_at_once, score.solved_within_10, score.solved_within_100];
+                format!(
+                    "**{:.1}** {:.0} / {:.0} / {:.0} %",
+                    score.auccess,
+                    100.0 * first,
+                    100.0 * ten,
+                    100.0 * hundred
+                )
+            })
+        });
+        let tasks = report.agents.first().map_or(0, |score| score.first_solved.len());
+        writeln!(text, "| {} | {} | {tasks} | {} | {} |", report.setup, report.fold, cells[0], cells[1])?;
+    }
+    Ok(())
+}
