@@ -32,6 +32,10 @@ async function forecasts(page, pattern) {
   return words(page);
 }
 
+/** What the legend of the scene names. */
+const legend = (page) => page.locator("#laid li:visible").allInnerTexts();
+const GUESSED = ["Green, guessed", "Red, guessed"];
+
 /** Opens a puzzle with the forecast on. */
 const open = (fragment = "", options = {}) => openPuzzle(session, { fragment: `&forecast=on${fragment}`, ...options });
 
@@ -61,9 +65,12 @@ test("newcomers see it, in plain words; the switch is by the run button, and is 
   const [button, label] = [await page.locator("#run").boundingBox(), await page.locator("#forecast").boundingBox()];
   assert.ok(button && label && label.y - button.y - button.height < 60, "right below it");
   assert.ok(await page.getByRole("switch", { name: "The model’s guess" }).isChecked());
+  assert.deepEqual(await legend(page), GUESSED);
+  assert.ok(await page.locator("#laid-off").isHidden(), "they have a switch");
   await page.locator("#forecast-on").uncheck();
   await page.locator("#forecast-words").waitFor({ state: "hidden" });
   assert.notEqual(await picture(page), withGuess, "the paths lay over the scene");
+  assert.deepEqual(await legend(page), []);
   await page.waitForFunction(() => /forecast=off/.test(location.hash));
   await page.goto(`${session.origin}/#task=00001:005&ball=128,230,8`);
   await page.reload();
@@ -114,7 +121,9 @@ test("it follows a finger", async () => {
   await page.touchscreen.tap(...(await spot(page, 120, 236)));
   await followsTheBall(page);
   const line = await page.locator("#forecast-words").boundingBox();
+  const legend = await page.locator("#laid").boundingBox();
   assert.ok(line && line.y + line.height <= 844, "the words are in sight without scrolling");
+  assert.ok(legend && legend.y + legend.height <= 844 && legend.height < 30, "and the legend, in one row");
 });
 
 test("it follows keys and fields, and is announced once the ball rests", async () => {
@@ -211,6 +220,9 @@ test("a ball that may not be placed is not imagined", async () => {
   const { invalid } = await known();
   await type(page, invalid);
   await page.locator("#forecast-words").waitFor({ state: "hidden" });
+  assert.deepEqual(await legend(page), GUESSED, "the legend stays, so that nothing jumps while the ball is dragged");
+  await page.locator("#watch").click();
+  await page.locator("#laid").waitFor({ state: "hidden" });
 });
 
 test("it reveals nothing in Predict", async () => {
@@ -241,6 +253,7 @@ test("another puzzle is imagined anew", async () => {
   await followsTheBall(page);
   await page.locator("#next").click();
   await page.locator("#forecast-words").waitFor({ state: "hidden" });
+  assert.deepEqual(await legend(page), []);
   await type(page, [128, 230, 8]);
   await forecasts(page, /^The model’s guess: /);
 });

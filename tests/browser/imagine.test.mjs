@@ -3,9 +3,16 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { start } from "./harness.mjs";
-import { inMore, openImagined, openPanel, picture } from "./page-actions.mjs";
+import { inMore, openImagined, openPanel, openPuzzle, picture } from "./page-actions.mjs";
 
 const MAPS = ["base", "target", "action", "placement", "success"];
+const NAMES = [
+  "If you do nothing",
+  "Where green should go",
+  "What red must do",
+  "Where to start",
+  "Where it would work",
+];
 
 let session;
 before(async () => (session = await start()));
@@ -88,7 +95,7 @@ test("maps that are switched on stay over the scene while a ball is placed, unti
   assert.equal(await picture(page), bare, "they would tell the answer");
   await openPanel(page, "compare");
   assert.equal(await picture(page), one);
-  await page.locator("#laid", { hasText: "Where green should go" }).waitFor();
+  assert.deepEqual(await page.locator("#laid li:visible").allInnerTexts(), ["Where green should go"]);
   await page.locator("#laid-off").click();
   assert.equal(await picture(page), bare);
   assert.ok(await page.locator("#laid").isHidden());
@@ -96,6 +103,17 @@ test("maps that are switched on stay over the scene while a ball is placed, unti
   await page.locator("#walkthrough-next").click();
   await page.locator("#tab-play").click();
   assert.equal(await picture(page), bare, "the map of a step of the walkthrough stays in its panel");
+});
+
+test("in Play a legend has the colour of each map and the dashes of its outline, light and dark", async () => {
+  const page = await openPuzzle(session, { fragment: `&layers=${MAPS}` });
+  assert.deepEqual(await page.locator("#laid li:visible").allInnerTexts(), NAMES);
+  const marks = new Set();
+  for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
+    await page.emulateMedia({ colorScheme });
+    for (const map of MAPS) marks.add(await picture(page, `#laid [data-of=${map}] canvas`));
+  }
+  assert.equal(marks.size, 2 * MAPS.length, "no two marks are alike");
 });
 
 test("a link may lay more maps there: two are shaded, and the others outlined", async () => {

@@ -1,6 +1,7 @@
 // The shadow tree of a puzzle: scene, transport, tabs and dialogs; the panels come later, each with its own markup. It
 // is the only markup that is made from text, and all text in it is the catalogue's. Ids are unique in each shadow tree.
 
+import { MAPS } from "../shell/constants.js";
 import { language } from "../text/language.js";
 import { text } from "../text/text.js";
 import { moreMarkup } from "./more-markup.js";
@@ -86,7 +87,7 @@ function sceneMarkup() {
     </section>
     <p id="challenge" hidden></p>
     <p id="goal"></p>
-    <p id="laid" data-hideable="imagine" hidden><span></span> <button type="button" id="laid-off">${words.takeOff}</button></p>
+    ${legendMarkup()}
     ${tabsMarkup()}
   </div>
   ${moreMarkup()}
@@ -102,6 +103,19 @@ function sceneMarkup() {
   </li>
 </template>
 `;
+}
+
+/** What lies over the scene in Play: the colour of each map and the dashes of its outline; and the model's guess. */
+function legendMarkup() {
+  const { over, green, red } = text.panels.laid;
+  const maps = MAPS.map(
+    (mapName) =>
+      `<li data-of="${mapName}"><canvas width="24" height="4"></canvas>${text.model.steps[mapName].name}</li>`,
+  );
+  return `<div id="laid" data-hideable="imagine" hidden>
+      <ul aria-label="${over}"><li data-of="guess"><i></i>${green}</li><li data-of="guess"><i class="red"></i>${red}</li>${maps.join("")}</ul>
+      <button type="button" id="laid-off">${text.element.scene.takeOff}</button>
+    </div>`;
 }
 
 function keysMarkup() {

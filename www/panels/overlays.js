@@ -1,10 +1,11 @@
 // What lies over the scene: what each component lays there, the later ones in place of the earlier, and the misses of
-// the model's turn. Collects it and hands it to the canvas of the scene.
+// the model's turn. Collects it and hands it to the canvas of the scene, and keeps the legend of it in Play.
 
+import { paintLegend } from "../pkg/pathlight.js";
+import { MAPS } from "../shell/constants.js";
 import { Component } from "../widgets/component.js";
-import { find, setText } from "../widgets/dom.js";
+import { contextOf, find } from "../widgets/dom.js";
 import { factsOf } from "../state/panels.js";
-import { text } from "../text/text.js";
 
 /** The opacity of the paths of old misses. */
 const GHOST = 0.2;
@@ -14,8 +15,11 @@ const RECENT = 5;
 export class Overlays extends Component {
   #canvas;
   #components;
-  /** @type {number | null} */
-  #opacity = null;
+  /** @type {import("../state/view.js").View | null} */
+  #view = null;
+  #legend = this.byId("laid");
+  /** Does the legend name the paths that are imagined for a ball? */
+  #guess = false;
 
   /**
    * @param {import("../widgets/dom.js").Root} root
@@ -39,15 +43,17 @@ export class Overlays extends Component {
     this.listen("change", () => this.#update());
   }
 
+  /** @param {boolean} dark */
+  setTheme(dark) {
+    super.setTheme(dark);
+    for (const mapName of MAPS)
+      paintLegend(contextOf(find(this.#legend, `[data-of=${mapName}] canvas`, HTMLCanvasElement)), mapName, dark);
+  }
+
   /** @param {import("../state/view.js").View} view */
-  setState({ panel, tab, opacity, layers }) {
-    // In Play nothing else says which maps they are.
-    const laid = tab === "play" ? layers : [];
-    this.byId("laid").hidden = laid.length === 0;
-    const names = laid.map((mapName) => text.model.steps[mapName].name);
-    setText(find(this.byId("laid"), "span"), text.panels.laid(names));
-    this.#opacity = opacity;
-    this.session?.edit({ tool: factsOf(panel).tool ?? "ball" });
+  setState(view) {
+    this.#view = view;
+    this.session?.edit({ tool: factsOf(view.panel).tool ?? "ball" });
     this.#update();
   }
 
@@ -66,8 +72,20 @@ export class Overlays extends Component {
   }
 
   #update() {
-    if (this.#opacity === null) return;
+    if (!this.#view) return;
+    const { opacity, tab, layers, forecast } = this.#view;
     const overlays = [...this.#components, this].map((component) => component.overlay);
-    this.#canvas.setOverlay(Object.assign({ opacity: this.#opacity }, ...overlays));
+    /** @type {Partial<import("../play/canvas.js").Overlay>} */
+    const overlay = Object.assign({ opacity }, ...overlays);
+    this.#canvas.setOverlay(overlay);
+    // It stays while the ball is dragged over where it may not be: what is below must not jump.
+    const isDragged = forecast && this.session?.placing && this.session.ball;
+    this.#guess = Boolean(overlay.imagined || (this.#guess && isDragged));
+    /** @type {(string | undefined)[]} */
+    const shown = [...layers, ...(this.#guess ? ["guess"] : [])];
+    // The other panels say themselves which maps they are.
+    this.#legend.hidden = tab !== "play" || shown.length === 0;
+    this.byId("laid-off").hidden = layers.length === 0;
+    for (const entry of this.#legend.querySelectorAll("li")) entry.hidden = !shown.includes(entry.dataset.of);
   }
 }

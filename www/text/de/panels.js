@@ -1,6 +1,6 @@
 // The German words for en/panels.js.
 
-import { counted, list, number, percent } from "./format.js";
+import { counted, number, percent } from "./format.js";
 
 /** @param {number} value */
 const decimal = (value) => number(value, 2, { minimumFractionDigits: 0 });
@@ -91,7 +91,7 @@ export const panels = {
 
   overlap: (name, share) => `${name}, und eine Linie um die wirkliche Bahn: Sie decken sich zu ${percent(share)}`,
 
-  laid: (maps) => `Über der Szene: ${list(maps.map((name) => `„${name}“`))}.`,
+  laid: { over: "Über der Szene", green: "Grün, vermutet", red: "Rot, vermutet" },
 
   predict: {
     intro:

@@ -1,6 +1,6 @@
 // What `panels/` says: the panels Imagine, Predict and “Check the answer”, the race, and the model's balls one by one.
 
-import { counted, list, number, percent } from "./format.js";
+import { counted, number, percent } from "./format.js";
 
 /** @typedef {import("../../pkg/pathlight.js").Author} Author */
 
@@ -100,7 +100,8 @@ export const panels = {
   overlap: (/** @type {string} */ name, /** @type {number} */ share) =>
     `${name}, and a line round the real path: they overlap by ${percent(share)}`,
 
-  laid: (/** @type {string[]} */ maps) => `Over the scene: ${list(maps.map((name) => `“${name}”`))}.`,
+  /** The legend of the scene; `green` and `red`: the paths that the model imagines for a ball. */
+  laid: { over: "Over the scene", green: "Green, guessed", red: "Red, guessed" },
 
   predict: {
     intro:
