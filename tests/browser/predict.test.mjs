@@ -130,6 +130,28 @@ test("a finger draws, and nothing scrolls", async () => {
   await verdict(page);
 });
 
+for (const height of [844, 640])
+  test(`on a phone ${height} px high who was closer is in sight after the run`, async () => {
+    const page = await predict({ hasTouch: true, isMobile: true, viewport: { width: 390, height } });
+    await page.locator("#scene").press("Shift+ArrowDown");
+    await page.locator("#predict-watch").tap();
+    const shares = await verdict(page);
+    const panel = await page.locator("#tabpanel-imagine").boundingBox();
+    const seen = async (part) => {
+      const box = await part.boundingBox();
+      return panel && box && box.y >= panel.y && box.y + box.height <= panel.y + panel.height;
+    };
+    assert.ok(await seen(page.locator("#predict-words")), "the sentence");
+    if (height < 800) return;
+    for (const card of await page.locator("#predict-cards li").all())
+      assert.ok(await seen(card), await card.innerText());
+    const [you, model] = shares;
+    assert.equal(
+      await page.locator("#predict-cards .closer").innerText(),
+      you > model ? `${you}% You` : `${model}% The model`,
+    );
+  });
+
 test("keys draw from the green object on, and take back", async () => {
   const page = await predict();
   const [x, y] = await green(page);

@@ -18,6 +18,8 @@ const MAX_POINTS = 4000;
 /** How far an arrow key draws, without and with Shift, px. */
 const KEY_STEP = 6;
 const LARGE_KEY_STEP = 24;
+/** What is left below the verdict in a low panel, px. */
+const MARGIN = 8;
 
 export class Predict extends Component {
   /**
@@ -142,15 +144,22 @@ export class Predict extends Component {
     this.byId("predict-wipe", HTMLButtonElement).disabled = !end;
     const measurable = session.phase === "watch" || session.shown?.author === "player";
     const measured = Boolean(end) && session.finished && measurable && !session.placing;
-    this.byId("predict-result").hidden = !measured;
+    const result = this.byId("predict-result");
+    const isNew = measured && result.hidden;
+    result.hidden = !measured;
     const words = measured
       ? this.#measure(session)
       : end
         ? text.panels.predict.ends(...end)
         : text.panels.predict.nothing;
-    if (this.byId("predict-words").textContent === words) return;
-    this.byId("predict-words").textContent = words;
-    if (this.#visible) this.announce(words);
+    const line = this.byId("predict-words");
+    if (line.textContent !== words) {
+      line.textContent = words;
+      if (this.#visible) this.announce(words);
+    }
+    // Who was closer is in sight, however low the panel is.
+    const panel = this.byId("tabpanel-imagine");
+    if (isNew) panel.scrollTop = line.offsetTop + line.offsetHeight + MARGIN - panel.clientHeight;
   }
 
   /**
@@ -172,6 +181,8 @@ export class Predict extends Component {
     if (!modelMap) return words.alone(text.format.percent(player));
     const model = this.#modelCard.draw({ ...shared, name: words.model, values: modelMap });
     const [you, it] = [text.format.percent(player), text.format.percent(model)];
+    this.#playerCard.element.classList.toggle("closer", you !== it && player > model);
+    this.#modelCard.element.classList.toggle("closer", you !== it && model > player);
     if (you === it) return words.draw(you);
     return player > model ? words.player(you, it) : words.modelCloser(you, it);
   }
