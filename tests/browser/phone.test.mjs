@@ -100,6 +100,24 @@ for (const [width, height] of [
   });
 }
 
+for (const locale of ["en", "de"])
+  test(`at 360 x 640 no name of a part runs into the next, in the language ${locale}`, async () => {
+    const page = await openPuzzle(session, { ...PHONE, viewport: { width: 360, height: 640 }, locale });
+    for (const panel of ["imagine", "predict", "map"]) {
+      await openPanel(page, panel);
+      const cut = await page.locator(".parts button:visible").evaluateAll((buttons) =>
+        buttons
+          .filter((button) => {
+            const range = document.createRange();
+            range.selectNodeContents(button);
+            return range.getBoundingClientRect().width > button.clientWidth - 8;
+          })
+          .map((button) => button.id),
+      );
+      assert.deepEqual(cut, [], panel);
+    }
+  });
+
 test("the scene is as sharp as the screen", async () => {
   const page = await openPuzzle(session, PHONE);
   const [pixels, css] = await page.locator("#scene").evaluate((canvas) => [canvas.width, canvas.clientWidth]);
