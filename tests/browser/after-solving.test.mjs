@@ -69,6 +69,28 @@ test("a solved puzzle is celebrated, and motionless with reduced motion", async 
   );
 });
 
+for (const [width, height] of [
+  [390, 844],
+  [1280, 800],
+])
+  for (const reducedMotion of [true, false])
+    test(`nothing of the celebration lies over the picture at ${width} x ${height}${reducedMotion ? ", motionless" : ""}`, async () => {
+      const page = await openPuzzle(session, { viewport: { width, height }, reducedMotion });
+      await type(page, (await known()).solving);
+      await page.locator("#run").click();
+      if (!reducedMotion) await page.locator("#time").press("End");
+      await says(page, /^Solved!/);
+      const scene = await page.locator("#scene").boundingBox();
+      const sparks = await page.locator("#celebration").evaluate((celebration) => {
+        // On a slow machine it may be over.
+        celebration.hidden = false;
+        const { left, top } = celebration.getBoundingClientRect();
+        return { left, top, overflow: getComputedStyle(celebration).overflow };
+      });
+      assert.ok(sparks.top > scene.y + scene.height || sparks.left > scene.x + scene.width);
+      assert.equal(sparks.overflow, "hidden");
+    });
+
 test("the next puzzle is of the same kind, or a little harder or easier", async () => {
   const { page } = await solved();
   const pathlight = await load({ weights: null });

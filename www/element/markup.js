@@ -35,7 +35,6 @@ function sceneMarkup() {
       <canvas id="scene" tabindex="0" role="application" aria-roledescription="${words.role}" aria-labelledby="goal" aria-describedby="description"></canvas>
       <canvas id="loupe" aria-hidden="true" hidden></canvas>
       <p id="scene-label" aria-hidden="true" hidden></p>
-      <div id="celebration" aria-hidden="true" hidden></div>
     </div>
     <p class="visually-hidden" id="description"></p>
     <div class="transport" role="group" aria-label="${words.playback}">

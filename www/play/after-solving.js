@@ -1,5 +1,5 @@
-// After the player has solved a puzzle: a small celebration over the scene, and in the panel Play what to do next; and
-// before, what a challenge asks for. Fires "share", a CustomEvent with a Result, when the person wants to share the
+// After the player has solved a puzzle: in the panel Play what to do next, with a small celebration, which leaves the
+// winning picture alone; and before, what a challenge asks for. Fires "share", a CustomEvent with a Result, when the person wants to share the
 // puzzle, solved or not.
 
 import { Component } from "../widgets/component.js";
@@ -196,15 +196,16 @@ function challengeWords(challenge, solvedAt) {
 }
 
 /**
- * A spark; the style sheet moves it from the middle of the scene to its place, or shows it there.
+ * A spark; the style sheet lets it fall past its place, which no words take, or shows it there.
  * @param {number} index
  */
 function spark(index) {
   const element = document.createElement("span");
-  const angle = (2 * Math.PI * index) / SPARKS;
-  const distance = 34 + 12 * (index % 2);
-  element.style.setProperty("--x", `${(50 + distance * Math.cos(angle)).toFixed(1)}%`);
-  element.style.setProperty("--y", `${(50 + distance * Math.sin(angle)).toFixed(1)}%`);
+  // Spread evenly without a pattern: the low-discrepancy sequence R2.
+  const [across, down] = [0.7549, 0.5698].map((step) => (index * step) % 1);
+  element.style.setProperty("--x", `${72 + 26 * across}%`);
+  element.style.setProperty("--y", `${8 + 84 * down}%`);
+  element.style.animationDelay = `${1 - down}s`;
   element.style.background = `var(--${COLOURS[index % COLOURS.length]})`;
   return element;
 }

@@ -7,6 +7,7 @@ export function playMarkup() {
   const words = text.play.panel;
   return `
 <section id="solved" aria-labelledby="solved-title" hidden>
+  <div id="celebration" aria-hidden="true" hidden></div>
   <h2 id="solved-title"></h2>
   <p class="actions">
     <a class="button primary" id="solved-next">${words.next}</a>
