@@ -86,6 +86,43 @@ test("the whole is saved as CSV", async () => {
   assert.equal(lines.length, 1 + expected);
 });
 
+test("published figures stand beside ours, with their source and simulator, and are those of the report", async () => {
+  const report = await readFile(new URL("../../results/README.md", import.meta.url), "utf8");
+  /** The auccess, within and cross, of the rows that were measured in a simulator. */
+  const reported = (engine) =>
+    [...report.matchAll(new RegExp(`\\| ${engine} \\| (.+) \\| (.+) \\|`, "g"))].map(([, ...auccess]) => auccess);
+  const page = await openResults();
+  const shown = (rows) =>
+    page.locator(`#results-${rows} tr`).evaluateAll((all) => all.map((row) => row.innerText.split("\t")));
+  const ours = await shown("ours");
+  assert.deepEqual(
+    ours.map(([name]) => name.split(":")[0]),
+    ["online", "dynamics", "success", "paper", "random"],
+  );
+  const reportedOurs = reported("ours").map(String);
+  for (const [name, ...auccess] of ours) assert.ok(reportedOurs.includes(String(auccess)), `${name}: ${auccess}`);
+  const published = await shown("published");
+  assert.deepEqual(
+    published.map(([name]) => name),
+    [
+      "Ahmed et al. (2021)",
+      "RPIN, Qi et al. (2021)",
+      "DQN, Harter et al. (2020)",
+      "Harter et al. (2020)",
+      "RAND, Bakhtin et al. (2019)",
+    ],
+  );
+  assert.deepEqual(
+    published.slice(2).map(([, ...auccess]) => auccess),
+    reported("PHYRE's"),
+  );
+  const best = await readFile(new URL("../../docs/results.md", import.meta.url), "utf8");
+  assert.ok(best.includes(`${published[0][1]} within (Ahmed`) && best.includes(`${published[1][2]} cross (Qi`));
+  await page.locator("tbody", { hasText: "Published, in PHYRE’s own simulator" }).waitFor();
+  for (const link of await page.locator("#results-published a").all())
+    assert.match((await link.getAttribute("href")) ?? "", /^https:\/\/arxiv\.org\/abs\//);
+});
+
 test("the chances are laid beside what happened, as a chart and in numbers", async () => {
   const page = await openResults();
   const bins = JSON.parse(

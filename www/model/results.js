@@ -1,5 +1,5 @@
-// The measurements of the shipped models: which test tasks each agent solves, and how often its chances come true. Read
-// only when somebody asks for them. Knows nothing of the document.
+// The measurements of the shipped models: which test tasks each agent solves, and how often its chances come true; and
+// beside them what others have published. Read only when somebody asks for them. Knows nothing of the document.
 //
 // assets/results.json, which `pathlight-lab publish results` writes.
 
@@ -28,18 +28,27 @@ import { toCsv } from "./csv.js";
  * @property {{ random: Bin[], candidates: Bin[] }} calibration
  */
 
+/**
+ * `compared`: the auccess, within and cross, of our agents, mean and deviation over the folds, and as others have
+ * published it, which may have a name but that of its source.
+ * @typedef {object} Results
+ * @property {ModelResults[]} models
+ * @property {{ ours: { agent: string, auccess: string[] }[], published: { method: string, source: string, url: string,
+ *   auccess: string[] }[] }} compared
+ */
+
 /** The agents in the order shown. */
 export const AGENTS = /** @type {const} */ (["online", "dynamics", "success", "paper", "random"]);
 
 const ADDRESS = new URL("../assets/results.json", import.meta.url);
 
-/** @type {Promise<ModelResults[]> | null} */
+/** @type {Promise<Results> | null} */
 let read = null;
 
 /**
- * Returns the measurements of all shipped models. Rejects with a sentence for the person; the next call then tries
+ * Returns all of them. Rejects with a sentence for the person; the next call then tries
  * again.
- * @returns {Promise<ModelResults[]>}
+ * @returns {Promise<Results>}
  */
 export function readResults() {
   read ??= load().catch((error) => {
@@ -53,10 +62,9 @@ async function load() {
   const bytes = await readFile(ADDRESS, (reason) =>
     failure("no_weights", text.model.results.notLoaded(reason, ADDRESS.href)),
   );
-  const { models } = await new Response(bytes).json().catch(() => {
+  return new Response(bytes).json().catch(() => {
     throw failure("bad_data", text.model.results.damaged(ADDRESS.href));
   });
-  return models;
 }
 
 /**

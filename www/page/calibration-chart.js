@@ -74,7 +74,7 @@ export function calibrationTable({ random, candidates }) {
 }
 
 /** @param {string} words */
-function cell(words) {
+export function cell(words) {
   const element = document.createElement("td");
   element.textContent = words;
   return element;

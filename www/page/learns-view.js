@@ -82,7 +82,7 @@ export class LearnsView {
     this.#fail(null);
     if (!this.#model) {
       try {
-        const models = await readResults();
+        const { models } = await readResults();
         const { name, tasks } = models.find(({ setup }) => setup === "cross") ?? models[0];
         this.#model = name;
         this.#kinds.show(

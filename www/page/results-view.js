@@ -1,7 +1,8 @@
 // The results page: all test tasks of the shipped models' folds by template, with the attempt that solved each first,
-// as links; how often the chances that a model gives come true; and the whole as CSV.
+// as links; what others have published; how often the chances that a model gives come true; and the whole as CSV.
 
 import { calibrationChart, calibrationTable } from "./calibration-chart.js";
+import { ourRows, publishedRows } from "./compared-rows.js";
 import { AGENTS, readResults, resultsCsv } from "../model/results.js";
 import { text } from "../text/text.js";
 import { byId } from "../widgets/dom.js";
@@ -56,8 +57,9 @@ export class ResultsView {
   async show(name) {
     this.#asked = name;
     const failure = byId(document, "results-failure");
+    let compared;
     try {
-      this.#models = await readResults();
+      ({ models: this.#models, compared } = await readResults());
       failure.hidden = true;
     } catch (error) {
       failure.hidden = false;
@@ -67,6 +69,8 @@ export class ResultsView {
     // Another was asked for meanwhile.
     if (name !== this.#asked) return;
     byId(document, "results-body").hidden = false;
+    byId(document, "results-ours").replaceChildren(...ourRows(compared.ours));
+    byId(document, "results-published").replaceChildren(...publishedRows(compared.published));
     this.#model.replaceChildren(...this.#models.map((one) => new Option(one.name, one.name, false, one.name === name)));
     this.#onModel();
   }

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use pathlight_lab::measure::publish_results;
 use pathlight_lab::measure::shipped::Shipped;
+use pathlight_lab::reproduce::{RESULTS, compared, fold_result};
 use pathlight_lab::training::publish;
 
 use super::print_paths;
@@ -26,6 +27,10 @@ pub enum Command {
         #[arg(long, default_value = "results/shipped")]
         results: PathBuf,
 
+        /// The folder of the rows of `reproduce`, whose means stand beside published figures
+        #[arg(long, value_name = "DIR", default_value = RESULTS)]
+        rows: PathBuf,
+
         /// The folder that the page loads from, whose model.json names the models
         #[arg(long, default_value = "assets")]
         assets: PathBuf,
@@ -36,9 +41,10 @@ impl Command {
     pub fn run(self) -> anyhow::Result<()> {
         match self {
             Command::Weights { weights, assets } => print_paths(&publish::publish(&weights, &assets)?),
-            Command::Results { results, assets } => {
+            Command::Results { results, rows, assets } => {
                 let shipped = Shipped { measurements: &results, assets: &assets };
-                print_paths(&[publish_results::publish(&shipped)?])
+                let compared = compared::comparison(&fold_result::read(&rows)?);
+                print_paths(&[publish_results::publish(&shipped, &compared)?])
             }
         }
     }

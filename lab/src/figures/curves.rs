@@ -11,7 +11,7 @@ use svg::node::element::{Definitions, Group, Path};
 use super::measured::{self, Measured};
 use super::picture::{Anchor, FAINT, Figure, MUTED, line, px, words};
 use crate::measure::agents::row;
-use crate::reproduce::report::REPORTED;
+use crate::reproduce::compared::{Published, REPORTED};
 
 /// The part of a panel that is plotted on, px: its place in the panel and its size.
 const PLOT: [f64; 4] = [58.0, 38.0, 330.0, 230.0];
@@ -39,7 +39,8 @@ pub fn draw(groups: &[measured::Group]) -> Figure {
         height = height.max(used[column]);
         content = content.add(panel(group).set("transform", format!("translate({} {})", px(corner[0]), px(corner[1]))));
     }
-    let published = REPORTED.map(|(name, [within, cross])| format!("{name} {within} within and {cross} cross"));
+    let published = REPORTED
+        .map(|Published { label, auccess: [within, cross], .. }| format!("{label} {within} within and {cross} cross"));
     let published = format!("Published auccess, all ten folds, on PHYRE's engine: {}.", published.join("; "));
     content = content.add(words(published.as_str(), [PLOT[0], height + 6.0], 11.0, Anchor::Start).set("fill", MUTED));
     let numbers: Vec<String> = groups

@@ -1,7 +1,7 @@
 //! Collects the measurements of the shipped models into the small file from which the page shows them.
 //!
 //! For each model the first solving attempt of every agent on every test task of its fold, and the calibration of its
-//! chances.
+//! chances; and what stands beside them, which this module passes on.
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -20,8 +20,10 @@ use crate::training::publish::{ModelEntry, ModelList};
 
 /// `results.json`.
 #[derive(Serialize)]
-struct Results {
+struct Results<'a, T> {
     models: Vec<ModelResults>,
+    /// The agents over all folds, beside published figures.
+    compared: &'a T,
 }
 
 #[derive(Serialize)]
@@ -45,12 +47,12 @@ struct ModelResults {
 ///
 /// # Errors
 /// If a measurement is missing or does not belong to the weights, or the file cannot be written.
-pub fn publish(shipped: &Shipped) -> anyhow::Result<PathBuf> {
+pub fn publish(shipped: &Shipped, compared: &impl Serialize) -> anyhow::Result<PathBuf> {
     let list = shipped.assets.join("model.json");
     let list: ModelList = json_file::read(&list, "pathlight-lab publish weights")?;
     let models = list.models.into_iter().map(|entry| results_of(shipped, entry)).collect::<anyhow::Result<_>>()?;
     let path = shipped.assets.join("results.json");
-    let mut json = serde_json::to_vec(&Results { models })?;
+    let mut json = serde_json::to_vec(&Results { models, compared })?;
     json.push(b'\n');
     replace_file(&path, &json)?;
     Ok(path)

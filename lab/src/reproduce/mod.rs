@@ -14,6 +14,7 @@ use crate::data::label::{self, LABELS};
 use crate::progress::Progress;
 use fold_result::{DataFiles, FoldResult, Hyperparameters, ResultSettings};
 
+pub mod compared;
 mod costs;
 pub mod fold_result;
 mod fold_run;

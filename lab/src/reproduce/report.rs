@@ -11,6 +11,7 @@ use pathlight::benchmark::folds::{FOLDS, Setup};
 use pathlight::puzzle::task::{TaskId, ids};
 use pathlight::puzzle::templates::TEMPLATES;
 
+use super::compared::{OurRow, Published, REPORTED, mean_and_deviation, our_rows};
 use super::fold_result::FoldResult;
 use super::training_report;
 use crate::data::collect::{Collected, read_solutions};
@@ -18,11 +19,6 @@ use crate::data::label::BALLS;
 use crate::files::digest;
 use crate::files::replace_file::replace_file;
 use crate::measure::agents::{AGENTS, row};
-
-/// Published auccess, mean over the ten folds, within and cross, on PHYRE's own engine: Harter et al. (2020), Table 1,
-/// for their nets and for DQN; the benchmark (PHYRE 0.2.2) for the random agent.
-pub const REPORTED: [(&str, [&str; 2]); 3] =
-    [("DQN", ["77", "37"]), ("the paper's nets", ["62", "31"]), ("random", ["13.7", "13.0"])];
 
 /// An agent, one that lacks a part of it, and the part.
 const ABLATIONS: [(AgentName, AgentName, &str); 3] = [
@@ -82,15 +78,11 @@ fn head(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
 fn table(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
     writeln!(text, "## Auccess, mean over folds ± standard deviation\n")?;
     writeln!(text, "| agent | engine | within | cross |\n| --- | --- | ---: | ---: |")?;
-    for agent in &AGENTS {
-        let cells = [Setup::Within, Setup::Cross].map(|setup| {
-            let scores = of(results, setup).filter_map(|result| result.score(agent.agent)).map(|[auccess, ..]| auccess);
-            mean_and_deviation(&scores.collect::<Vec<_>>())
-        });
-        writeln!(text, "| **{}** | ours | {} | {} |", agent.label, cells[0], cells[1])?;
+    for OurRow { agent, auccess: [within, cross] } in our_rows(results) {
+        writeln!(text, "| **{}** | ours | {within} | {cross} |", row(agent).label)?;
     }
-    for (name, [within, cross]) in REPORTED {
-        writeln!(text, "| {name} | PHYRE's | {within} | {cross} |")?;
+    for Published { label, auccess: [within, cross], .. } in REPORTED {
+        writeln!(text, "| {label} | PHYRE's | {within} | {cross} |")?;
     }
     let folds = [Setup::Within, Setup::Cross].map(|setup| numbers(setup, &mut of(results, setup)));
     writeln!(
@@ -226,30 +218,4 @@ arrays of jobs that each wait for the one before. `costs.md` says what that take
 /// The results of a setup.
 pub fn of(results: &[FoldResult], setup: Setup) -> impl Iterator<Item = &FoldResult> {
     results.iter().filter(move |result| result.report.setup == setup)
-}
-
-/// Formats the mean, and the sample standard deviation if there are several numbers.
-fn mean_and_deviation(numbers: &[f64]) -> String {
-    let count = numbers.len() as f64;
-    let mean = numbers.iter().sum::<f64>() / count;
-    match numbers.len() {
-        0 => "–".to_string(),
-        1 => format!("{mean:.1}"),
-        _ => {
-            let variance = numbers.iter().map(|number| (number - mean).powi(2)).sum::<f64>() / (count - 1.0);
-            format!("{mean:.1} ± {:.1}", variance.sqrt())
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn means_are_printed_with_their_deviation() {
-        assert_eq!(mean_and_deviation(&[]), "–");
-        assert_eq!(mean_and_deviation(&[50.0]), "50.0");
-        assert_eq!(mean_and_deviation(&[1.0, 3.0]), "2.0 ± 1.4");
-    }
 }

@@ -28,6 +28,16 @@ export const results = {
   solved: (task, at) => `${task}, gelöst im ${at}. Versuch`,
   missed: (task) => `${task}, nicht gelöst`,
 
+  beside: {
+    title: "Im Vergleich mit dem, was andere veröffentlicht haben",
+    about:
+      "AUCCESS, im Mittel über die zehn Möglichkeiten, wie PHYRE die Rätsel aufteilt. Unsere Netze wurden für jede davon nur kurz trainiert und in unserem Simulator gemessen, die anderen in dem von PHYRE, der nicht ganz derselbe ist. Die Zahlen oben gelten für eine einzige Aufteilung und für ein Modell, das länger trainiert wurde.",
+    within: "Bekannte Arten",
+    cross: "Neue Arten",
+    ours: "Unsere, in unserem Simulator",
+    published: "Veröffentlichte, im Simulator von PHYRE",
+  },
+
   calibration: {
     title: "Wenn es 30\u00a0% sagt, klappt es dann in 30\u00a0% der Fälle?",
     about:

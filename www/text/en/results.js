@@ -29,6 +29,16 @@ export const results = {
   solved: (/** @type {string} */ task, /** @type {number} */ at) => `${task}, solved on attempt ${at}`,
   missed: (/** @type {string} */ task) => `${task}, not solved`,
 
+  beside: {
+    title: "Beside what others have published",
+    about:
+      "Auccess, the mean over the ten ways in which PHYRE splits the puzzles. Our nets were trained briefly for each of them and measured in our simulator, the others in PHYRE’s own, which is not quite the same. The figures above are of one split, and of a model that was trained for longer.",
+    within: "Known kinds",
+    cross: "New kinds",
+    ours: "Ours, in our simulator",
+    published: "Published, in PHYRE’s own simulator",
+  },
+
   calibration: {
     title: "When it says 30%, is it right 30% of the time?",
     about:

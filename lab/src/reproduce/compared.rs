@@ -1,0 +1,112 @@
+//! Our agents over all folds, and what others have published: the rows of one table, for the report, the figures and
+//! the page. The one place of published figures.
+
+use pathlight::agents::agent_name::AgentName;
+use pathlight::benchmark::folds::Setup;
+use serde::Serialize;
+
+use super::fold_result::FoldResult;
+use crate::measure::agents::AGENTS;
+
+/// Published auccess, mean over the ten folds, on PHYRE's own engine.
+#[derive(Serialize)]
+pub struct Published {
+    /// What reports call it.
+    #[serde(skip)]
+    pub label: &'static str,
+    /// What it is called in every language; empty if by its authors.
+    method: &'static str,
+    source: &'static str,
+    url: &'static str,
+    /// Within and cross.
+    pub auccess: [&'static str; 2],
+}
+
+const HARTER: [&str; 2] = ["Harter et al. (2020)", "https://arxiv.org/abs/2011.07357"];
+
+/// Harter et al. (2020), Table 1, for their nets and for DQN; the benchmark (PHYRE 0.2.2) for the random agent.
+pub const REPORTED: [Published; 3] = [
+    Published { label: "DQN", method: "DQN", source: HARTER[0], url: HARTER[1], auccess: ["77", "37"] },
+    Published { label: "the paper's nets", method: "", source: HARTER[0], url: HARTER[1], auccess: ["62", "31"] },
+    Published {
+        label: "random",
+        method: "RAND",
+        source: "Bakhtin et al. (2019)",
+        url: "https://arxiv.org/abs/1908.05656",
+        auccess: ["13.7", "13.0"],
+    },
+];
+
+/// The best without learning across test tasks that we know of, one a setup.
+const BEST: [Published; 2] = [
+    Published {
+        label: "dynamics-aware",
+        method: "",
+        source: "Ahmed et al. (2021)",
+        url: "https://arxiv.org/abs/2102.10336",
+        auccess: ["86.2", "–"],
+    },
+    Published {
+        label: "RPIN",
+        method: "RPIN",
+        source: "Qi et al. (2021)",
+        url: "https://arxiv.org/abs/2008.02265",
+        auccess: ["–", "42.2"],
+    },
+];
+
+/// Our rows and the published ones, as the page shows them.
+#[derive(Serialize)]
+pub struct Comparison {
+    ours: Vec<OurRow>,
+    published: Vec<Published>,
+}
+
+/// An agent's auccess, within and cross: the mean over the folds, and the deviation.
+#[derive(Serialize)]
+pub struct OurRow {
+    pub agent: AgentName,
+    pub auccess: [String; 2],
+}
+
+/// Sets the rows of all agents beside the published ones.
+pub fn comparison(results: &[FoldResult]) -> Comparison {
+    Comparison { ours: our_rows(results), published: BEST.into_iter().chain(REPORTED).collect() }
+}
+
+/// Returns the rows of all agents.
+pub fn our_rows(results: &[FoldResult]) -> Vec<OurRow> {
+    let mean = |setup: Setup, agent: AgentName| {
+        let of_setup = results.iter().filter(|result| result.report.setup == setup);
+        let scores: Vec<f64> = of_setup.filter_map(|result| result.score(agent)).map(|[auccess, ..]| auccess).collect();
+        mean_and_deviation(&scores)
+    };
+    let row = |agent| OurRow { agent, auccess: [Setup::Within, Setup::Cross].map(|setup| mean(setup, agent)) };
+    AGENTS.iter().map(|measured| row(measured.agent)).collect()
+}
+
+/// Formats the mean, and the sample standard deviation if there are several numbers.
+pub fn mean_and_deviation(numbers: &[f64]) -> String {
+    let count = numbers.len() as f64;
+    let mean = numbers.iter().sum::<f64>() / count;
+    match numbers.len() {
+        0 => "–".to_string(),
+        1 => format!("{mean:.1}"),
+        _ => {
+            let variance = numbers.iter().map(|number| (number - mean).powi(2)).sum::<f64>() / (count - 1.0);
+            format!("{mean:.1} ± {:.1}", variance.sqrt())
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn means_are_printed_with_their_deviation() {
+        assert_eq!(mean_and_deviation(&[]), "–");
+        assert_eq!(mean_and_deviation(&[50.0]), "50.0");
+        assert_eq!(mean_and_deviation(&[1.0, 3.0]), "2.0 ± 1.4");
+    }
+}

@@ -1,0 +1,37 @@
+// The rows of the table of our agents beside what others have published.
+
+import { AGENTS } from "../model/results.js";
+import { text } from "../text/text.js";
+import { cell } from "./calibration-chart.js";
+
+/** @param {import("../model/results.js").Results["compared"]["ours"]} ours */
+export function ourRows(ours) {
+  return AGENTS.flatMap((name) => {
+    const found = ours.find(({ agent }) => agent === name);
+    return found ? [row(found.auccess, text.results.namedAgent(name, text.model.agents[name]))] : [];
+  });
+}
+
+/** @param {import("../model/results.js").Results["compared"]["published"]} published */
+export function publishedRows(published) {
+  return published.map(({ method, source, url, auccess }) => {
+    const link = document.createElement("a");
+    link.href = url;
+    link.textContent = source;
+    return row(auccess, method && `${method}, `, link);
+  });
+}
+
+/**
+ * @param {string[]} auccess as it is published, with as many decimals
+ * @param {(string | Node)[]} name
+ */
+function row(auccess, ...name) {
+  const head = document.createElement("th");
+  head.scope = "row";
+  head.append(...name);
+  const created = document.createElement("tr");
+  const local = (/** @type {string} */ number) => text.format.number(Number(number), number.includes(".") ? 1 : 0);
+  created.append(head, ...auccess.map((words) => cell(words.replace(/[\d.]+/g, local))));
+  return created;
+}
