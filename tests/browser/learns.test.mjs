@@ -43,13 +43,16 @@ test("from the home page: twenty puzzles, of which it solves the later ones soon
   assert.equal(await page.locator("#learns-kinds label:has(:checked)").textContent(), "Cradle");
   assert.match(await page.title(), /^It learns while you watch/);
   assert.equal(await page.locator("#learns-memory").textContent(), "It remembers nothing yet.");
+  await page.getByText("This is a single run in a fixed order, not an average.").waitFor();
   await play(page).click();
   await page.locator("#learns-finish").click();
   await until(page, 20);
   await says(page, "Play 20 more");
   const words = await page.locator("#learns-total").textContent();
   const [, learned, fresh] =
-    /^20 puzzles took it ([\d,]+) attempts with its memory, and ([\d,]+) attempts without\.$/.exec(words) ?? [];
+    /^In this one run, 20 puzzles took it ([\d,]+) attempts with its memory, and ([\d,]+) attempts without\.$/.exec(
+      words,
+    ) ?? [];
   const [withMemory, without] = [learned, fresh].map((number) => Number(number.replace(",", "")));
   assert.ok(withMemory < without / 2, words);
   const rows = await played(page).allTextContents();

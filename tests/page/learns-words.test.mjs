@@ -47,9 +47,15 @@ test("a puzzle in words names the one that helped", () => {
 
 test("all puzzles are summed up, and one that was not solved took all tries", () => {
   const played = { task: FIRST, learned: 1, fresh: null, reminder: null };
-  assert.equal(totalWords([played], 100), "1 puzzle took it 1 attempt with its memory, and 100 attempts without.");
+  assert.equal(
+    totalWords([played], 100),
+    "In this one run, 1 puzzle took it 1 attempt with its memory, and 100 attempts without.",
+  );
   const many = Array.from({ length: 20 }, () => played);
-  assert.equal(totalWords(many, 100), "20 puzzles took it 20 attempts with its memory, and 2,000 attempts without.");
+  assert.equal(
+    totalWords(many, 100),
+    "In this one run, 20 puzzles took it 20 attempts with its memory, and 2,000 attempts without.",
+  );
 });
 
 test("German says the same in its own order", async () => {
@@ -59,5 +65,8 @@ test("German says the same in its own order", async () => {
     playedWords(played, [FIRST], 100),
     "im 4. Versuch gelöst, wie in Rätsel 1. Ohne Gedächtnis: nicht in 100 Versuchen.",
   );
-  assert.equal(totalWords([played], 100), "Für 1 Rätsel brauchte es mit Gedächtnis 4 Versuche, ohne 100.");
+  assert.equal(
+    totalWords([played], 100),
+    "In diesem einen Durchgang brauchte es für 1 Rätsel mit Gedächtnis 4 Versuche, ohne 100.",
+  );
 });

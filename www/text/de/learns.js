@@ -17,7 +17,7 @@ const tries = (first, limit) =>
 export const learns = {
   title: "Es lernt, während du zuschaust",
   about:
-    "Rätsel dieser Arten hat das Modell noch nie gesehen. Es spielt zwanzig Rätsel einer Art nacheinander und merkt sich, was jeder Versuch gezeigt hat. Daneben spielt das gleiche Modell ohne Gedächtnis: Es vergisst nach jedem Rätsel alles.",
+    "Rätsel dieser Arten hat das Modell noch nie gesehen. Es spielt zwanzig Rätsel einer Art nacheinander und merkt sich, was jeder Versuch gezeigt hat. Daneben spielt das gleiche Modell ohne Gedächtnis: Es vergisst nach jedem Rätsel alles. Das ist ein einzelner Durchgang in fester Reihenfolge, kein Mittelwert.",
   kind: "Art von Rätseln",
 
   play: (count) => `${count} spielen lassen`,
@@ -54,7 +54,7 @@ export const learns = {
     other: (kind, task, mirrored) => `, wie in ${kind ? `„${kind}“ ` : ""}${task}${mirrored ? ", gespiegelt" : ""}`,
   },
   total: (count, learned, fresh) =>
-    `Für ${puzzles(count)} brauchte es mit Gedächtnis ${counted(learned, "Versuch", "Versuche")}, ohne ${number(fresh)}.`,
+    `In diesem einen Durchgang brauchte es für ${puzzles(count)} mit Gedächtnis ${counted(learned, "Versuch", "Versuche")}, ohne ${number(fresh)}.`,
 
   forget: "Alles vergessen",
   forgotten: "Es hat alles vergessen.",

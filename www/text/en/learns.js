@@ -11,7 +11,7 @@ const tries = (first, limit) =>
 export const learns = {
   title: "It learns while you watch",
   about:
-    "The model has never seen puzzles of these kinds. It plays twenty of one kind in a row and remembers what each attempt taught it. Next to it, the same model plays without a memory: it forgets everything after each puzzle.",
+    "The model has never seen puzzles of these kinds. It plays twenty of one kind in a row and remembers what each attempt taught it. Next to it, the same model plays without a memory: it forgets everything after each puzzle. This is a single run in a fixed order, not an average.",
   kind: "Kind of puzzles",
 
   play: (/** @type {number} */ count) => `Let it play ${count}`,
@@ -52,7 +52,7 @@ export const learns = {
       `, as in ${kind ? `${kind} ` : ""}${task}${mirrored ? ", mirrored" : ""}`,
   },
   total: (/** @type {number} */ count, /** @type {number} */ learned, /** @type {number} */ fresh) =>
-    `${puzzles(count)} took it ${counted(learned, "attempt", "attempts")} with its memory, and ${counted(fresh, "attempt", "attempts")} without.`,
+    `In this one run, ${puzzles(count)} took it ${counted(learned, "attempt", "attempts")} with its memory, and ${counted(fresh, "attempt", "attempts")} without.`,
 
   forget: "Forget everything",
   forgotten: "It has forgotten everything.",
