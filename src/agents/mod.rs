@@ -112,7 +112,7 @@ pub enum Origin {
 /// seed make an agent propose other balls or another order: results record it, and those of other versions are not
 /// comparable. `tests/proposals_golden.rs` fails when proposals change. A change of rounding needs no new version if
 /// `pathlight-lab measure evaluate` finds the same solving attempts at all test tasks of fold 0, within and cross.
-pub const VERSION: u32 = 3;
+pub const VERSION: u32 = 4;
 
 /// Returns the model at work on a scene: the online agent, or, from weights without a dynamics net, the list of up to
 /// `count` proposals.

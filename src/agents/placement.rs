@@ -1,15 +1,16 @@
 //! From the placement map to balls: step 5 of Harter et al. (2020), without calling the simulator.
 //!
 //! Up to five balls are placed on cells of the map above a threshold, with random radii, and each is improved in five
-//! rounds of hill climbing on how well it fits the map. These are the first attempts. The others are the same balls
-//! with Gaussian noise that slowly grows. Proposals are valid, and no two are equal.
+//! rounds of hill climbing on how well it fits the map. These are the first attempts. The others are random walks from
+//! these five in turn, as in the authors' published code: from the first by short steps that grow slowly, from the
+//! others by long ones. Proposals are valid, and no two are close to each other as long as the scene has room.
 
 use rand::{Rng, RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
 use super::{Origin, Proposal};
 use crate::puzzle::action::{Action, Ball, Obstacles};
-use crate::puzzle::sampling::{perturbed, random_ball};
+use crate::puzzle::sampling::{gaussian, random_ball};
 use crate::puzzle::scene::Scene;
 use crate::raster::{ball_image, cell_centre};
 
@@ -25,13 +26,26 @@ const INITIAL_STEP: f64 = 16.0;
 /// A ball may start on a cell whose value is above this fraction of the highest.
 const THRESHOLD: f32 = 0.5;
 
-/// Standard deviation of the noise of the first perturbed action, as a fraction of the action space, and its growth
-/// with each. Chosen on the dev tasks of fold 0, the best mean of both setups.
-const INITIAL_NOISE: f64 = 0.08;
-const NOISE_GROWTH: f64 = 0.004;
+/// Standard deviation of a step of a walk in x, y and radius, as fractions of the action space, at temperature 1. This
+/// and the next four constants are those of the authors' code.
+const STEP: [f64; 3] = [0.02, 0.01, 0.02];
 
-/// Rejected draws for one proposal before the noise is doubled, because the map lies where no ball may be.
-const MAX_REJECTIONS: usize = 200;
+/// Shorter steps are drawn again.
+const MIN_STEP: f64 = 0.05;
+
+/// A walk ends where the action is this far from all before it.
+const MIN_DISTANCE: f64 = 0.02;
+
+/// Growth of the temperature with each step, until it is the highest.
+const WARMING: f64 = 1.04;
+const MAX_TEMPERATURE: f64 = 5.0;
+
+/// Draws for a ball of the map before fewer than five have to do: the map may lie where no ball may be, or lead to the
+/// same ball again and again.
+const MAX_STARTS: usize = 200;
+
+/// Steps of a walk before it may end near another proposal.
+const MAX_STEPS: usize = 2_000;
 
 /// Draws for one proposal before the search ends, because the scene has no room for another ball.
 const MAX_PROPOSAL_DRAWS: usize = 100_000;
@@ -44,14 +58,18 @@ pub fn proposals(map: &[f32], scene: &Scene, seed: u64, attempts: usize) -> Vec<
     let highest = map.iter().copied().fold(0.0, f32::max);
     let cells: Vec<usize> = (0..map.len()).filter(|&cell| map[cell] > THRESHOLD * highest).collect();
     let mut found: Vec<Proposal> = Vec::with_capacity(attempts);
+    let mut tried: Vec<Action> = Vec::new();
     for _ in 0..STARTS.min(attempts) {
-        let proposal = (0..MAX_REJECTIONS).find_map(|rejected| {
+        let proposal = (0..MAX_STARTS).find_map(|rejected| {
             let (ball, [x, y]) = improved_start(map, &obstacles, &cells, &mut rng)?;
-            is_new(ball, &found).then_some(Proposal { ball, origin: Origin::Map { x, y }, rejected })
+            is_far(ball.action(), &tried).then_some(Proposal { ball, origin: Origin::Map { x, y }, rejected })
         });
+        tried.extend(proposal.iter().map(|proposal| proposal.ball.action()));
         found.extend(proposal);
     }
-    let starts: Vec<Action> = found.iter().map(|start| start.ball.action()).collect();
+    let starts = tried.clone();
+    let mut temperatures: Vec<f64> =
+        (0..starts.len()).map(|start| if start == 0 { 1.0 } else { MAX_TEMPERATURE }).collect();
     for index in 0..attempts - found.len() {
         let proposal = if starts.is_empty() {
             let mut draws =
@@ -63,20 +81,42 @@ pub fn proposals(map: &[f32], scene: &Scene, seed: u64, attempts: usize) -> Vec<
             })
         } else {
             let start = index % starts.len();
-            let mut deviation = INITIAL_NOISE + NOISE_GROWTH * index as f64;
+            let (mut action, temperature) = (starts[start], &mut temperatures[start]);
             (0..MAX_PROPOSAL_DRAWS).find_map(|rejected| {
-                if rejected % MAX_REJECTIONS == MAX_REJECTIONS - 1 {
-                    deviation = (deviation * 2.0).min(1.0);
+                action = step(action, *temperature, &mut rng);
+                *temperature = (*temperature * WARMING).min(MAX_TEMPERATURE);
+                let ball = obstacles.place(action).ok()?;
+                if !is_new(ball, &found) || !(rejected >= MAX_STEPS || is_far(action, &tried)) {
+                    return None;
                 }
-                let ball = obstacles.place(perturbed(starts[start], deviation, &mut rng)).ok()?;
-                let origin = Origin::Perturbed { number: start + 1 };
-                is_new(ball, &found).then_some(Proposal { ball, origin, rejected })
+                tried.push(action);
+                Some(Proposal { ball, origin: Origin::Perturbed { number: start + 1 }, rejected })
             })
         };
         let Some(proposal) = proposal else { break };
         found.push(proposal);
     }
     found
+}
+
+/// Returns an action a random step away from another.
+fn step(from: Action, temperature: f64, rng: &mut impl Rng) -> Action {
+    loop {
+        let [x, y, r] = STEP.map(|deviation| deviation * temperature * gaussian(rng));
+        if x * x + y * y + r * r >= MIN_STEP * MIN_STEP {
+            let moved = |value: f64, change: f64| (value + change).clamp(0.0, 1.0);
+            return Action { x: moved(from.x, x), y: moved(from.y, y), r: moved(from.r, r) };
+        }
+    }
+}
+
+/// Whether an action is at least `MIN_DISTANCE` away from all others.
+fn is_far(action: Action, others: &[Action]) -> bool {
+    let squared = |value: f64| value * value;
+    others.iter().all(|other| {
+        let distance = squared(action.x - other.x) + squared(action.y - other.y) + squared(action.r - other.r);
+        distance >= MIN_DISTANCE * MIN_DISTANCE
+    })
 }
 
 fn is_new(ball: Ball, found: &[Proposal]) -> bool {

@@ -13,56 +13,29 @@ use pathlight::puzzle::templates::TEMPLATES;
 
 use super::evaluate::Report;
 use crate::files::json_file;
+use crate::training::settings::{PathsRecipe, recipe_of};
 
-/// What the paper's Table 1 and its list by template report for a setup, each number over the ten folds.
+/// What the paper reports of a setup, over its ten folds.
 struct Published {
     setup: Setup,
-    /// Of all templates: auccess, and the percentage of tasks solved within ten attempts.
-    mean: [u8; 2],
-    /// Auccess by template; `None` where the paper has no number.
-    auccess: [Option<u8>; TEMPLATES.len()],
+    /// Auccess, by template and as the mean over the templates.
+    auccess: [&'static str; 2],
     /// The percentage of tasks solved within ten attempts.
-    solved_within_10: [Option<u8>; TEMPLATES.len()],
+    solved: [&'static str; 2],
 }
 
 const WITHIN: Published = Published {
     setup: Setup::Within,
-    mean: [62, 66],
-    auccess: all([
-        80, 89, 87, 95, 79, 82, 86, 62, 69, 77, 31, 53, 52, 65, 84, 78, 39, 41, 69, 45, 46, 29, 30, 45, 42,
-    ]),
-    solved_within_10: all([
-        86, 98, 90, 100, 86, 90, 94, 62, 72, 81, 27, 57, 55, 70, 93, 83, 37, 44, 82, 51, 48, 23, 27, 46, 44,
-    ]),
+    auccess: ["80 89 87 95 79 82 86 62 69 77 31 53 52 65 84 78 39 41 69 45 46 29 30 45 42", "62"],
+    solved: ["86 98 90 100 86 90 94 62 72 81 27 57 55 70 93 83 37 44 82 51 48 23 27 46 44", "66"],
 };
 
+/// No fold tests template 00006.
 const CROSS: Published = Published {
     setup: Setup::Cross,
-    mean: [31, 31],
-    auccess: without_template_6([
-        51, 54, 67, 67, 57, 63, 0, 30, 24, 14, 14, 38, 48, 51, 15, 25, 14, 5, 37, 17, 24, 3, 9, 6, 6,
-    ]),
-    solved_within_10: without_template_6([
-        50, 51, 72, 70, 58, 67, 0, 31, 22, 13, 11, 34, 50, 53, 11, 21, 12, 6, 35, 13, 22, 0, 7, 4, 6,
-    ]),
+    auccess: ["51 54 67 67 57 63 – 30 24 14 14 38 48 51 15 25 14 5 37 17 24 3 9 6 6", "31"],
+    solved: ["50 51 72 70 58 67 – 31 22 13 11 34 50 53 11 21 12 6 35 13 22 0 7 4 6", "31"],
 };
-
-const fn all(numbers: [u8; TEMPLATES.len()]) -> [Option<u8>; TEMPLATES.len()] {
-    let mut known = [None; TEMPLATES.len()];
-    let mut template = 0;
-    while template < numbers.len() {
-        known[template] = Some(numbers[template]);
-        template += 1;
-    }
-    known
-}
-
-/// The paper has no result of template 00006 across templates.
-const fn without_template_6(numbers: [u8; TEMPLATES.len()]) -> [Option<u8>; TEMPLATES.len()] {
-    let mut known = all(numbers);
-    known[6] = None;
-    known
-}
 
 /// The results of a setup, a report for each fold.
 struct Measured(Vec<Report>);
@@ -76,9 +49,9 @@ pub fn page(folder: &Path) -> anyhow::Result<String> {
     let (within, cross) = (within?, cross?);
     let reports: Vec<&Report> = within.0.iter().chain(&cross.0).collect();
     let name = folder.display();
-    let first = reports.first().with_context(|| {
-        format!("there are no results in {name}: make them with `scripts/paper-table`")
-    })?;
+    let first = reports
+        .first()
+        .with_context(|| format!("there are no results in {name}: make them with `scripts/paper-table`"))?;
     for report in &reports {
         ensure!(
             settings(report) == settings(first),
@@ -103,8 +76,8 @@ pub fn page(folder: &Path) -> anyhow::Result<String> {
 
 const HEAD: &str = "# The table of Harter et al. (2020)
 
-`pathlight-lab measure paper results/paper` printed this from the files beside it, which `scripts/paper-table` \
-made. The published numbers are those of the paper, in PHYRE's simulator. “Solved” is the percentage of \
+`pathlight-lab measure paper results/paper` printed this from the files beside it, which `scripts/paper-table` made. \
+The published numbers are those of the paper, in PHYRE's simulator. “Solved” is the percentage of \
 test tasks solved within ten attempts. Only these attempts are simulated.
 ";
 
@@ -114,18 +87,11 @@ fn read(folder: &Path, setup: Setup) -> anyhow::Result<Measured> {
     Ok(Measured(reports.collect::<anyhow::Result<_>>()?))
 }
 
-/// What has to agree between the results of a table.
-fn settings(report: &Report) -> (u64, u32, u32, &str, Option<Card>) {
-    let card = report.card.as_ref().map(|card| Card {
-        setup: Setup::Within,
-        fold: 0,
-        samples: 0,
-        tasks: 0,
-        success: None,
-        dynamics: None,
-        ..card.clone()
-    });
-    (report.seed, report.simulator, report.agents_version, &report.tasks_of, card)
+/// What has to agree between the results of a table: how the nets were trained, and what was measured.
+fn settings(report: &Report) -> impl PartialEq {
+    let Report { seed, simulator, agents_version, tasks_of, card, .. } = report;
+    let recipe = card.as_ref().map(|card| (card.seed, card.epochs, recipe_of::<PathsRecipe>(card)));
+    (*seed, *simulator, *agents_version, tasks_of.clone(), recipe)
 }
 
 fn training(text: &mut String, report: &Report, count: usize) -> fmt::Result {
@@ -162,7 +128,7 @@ fn means(text: &mut String, setups: [(&Measured, &Published); 2]) -> fmt::Result
                 measured.mean_over_templates(agent, solved),
             )?;
         }
-        let Published { setup, mean: [auccess, solved], .. } = published;
+        let Published { setup, auccess: [_, auccess], solved: [_, solved] } = published;
         writeln!(text, "| {setup} | published | {auccess} | | {solved} % |")?;
     }
     Ok(())
@@ -194,8 +160,9 @@ impl Measured {
              |\n| --- | ---: | ---: | ---: | ---: | ---: |",
             published.setup
         )?;
-        let number = |value: Option<u8>| value.map_or("–".to_string(), |value| value.to_string());
-        for (index, template) in TEMPLATES.iter().enumerate() {
+        let by_template = |[numbers, _]: [&'static str; 2]| numbers.split_whitespace();
+        let numbers = by_template(published.auccess).zip(by_template(published.solved));
+        for (template, (published_auccess, published_solved)) in TEMPLATES.iter().zip(numbers) {
             let [ours, random] =
                 [AgentName::Paper, AgentName::Random].map(|agent| self.firsts(agent, Some(template.number)));
             if ours.is_empty() {
@@ -206,10 +173,10 @@ impl Measured {
                 "| {:05} {} | {} | {:.0} | {:.0} | {} | {:.0} |",
                 template.number,
                 template.name,
-                number(published.auccess[index]),
+                published_auccess,
                 auccess(&ours),
                 auccess(&random),
-                number(published.solved_within_10[index]),
+                published_solved,
                 solved(&ours),
             )?;
         }
@@ -227,13 +194,7 @@ fn folds(text: &mut String, reports: &[&Report]) -> fmt::Result {
         let cells = [AgentName::Paper, AgentName::Random].map(|agent| {
             report.agents.iter().find(|score| score.agent == agent).map_or("–".to_string(), |score| {
                 let [first, ten, hundred] = [score.solved_at_once, score.solved_within_10, score.solved_within_100];
-                format!(
-                    "**{:.1}** {:.0} / {:.0} / {:.0} %",
-                    score.auccess,
-                    100.0 * first,
-                    100.0 * ten,
-                    100.0 * hundred
-                )
+                format!("**{:.1}** {:.0} / {:.0} / {:.0} %", score.auccess, 100.0 * first, 100.0 * ten, 100.0 * hundred)
             })
         });
         let tasks = report.agents.first().map_or(0, |score| score.first_solved.len());

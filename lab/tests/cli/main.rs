@@ -18,6 +18,7 @@ mod forecasts;
 mod killed;
 mod label;
 mod merge;
+mod paper_table;
 mod pipes;
 mod reference;
 mod reproduce;
