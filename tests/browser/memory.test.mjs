@@ -10,7 +10,7 @@ import { openImagined } from "./page-actions.mjs";
 /** The noise of the heap's size, bytes. */
 const NOISE = 400_000;
 /**
- * The rounds in which the worker's wasm has to stop growing. Its allocator fragments over the first turns, by a different
+ * The rounds in which the worker's wasm has to stop growing. Its allocator fragments over the first turns, by another
  * amount in each run; a leak grows in every round.
  */
 const ROUNDS = 8;

@@ -1,6 +1,6 @@
 // After the player has solved a puzzle: in the panel Play what to do next, with a small celebration, which leaves the
-// winning picture alone; and before, what a challenge asks for. Fires "share", a CustomEvent with a Result, when the person wants to share the
-// puzzle, solved or not.
+// winning picture alone; and before, what a challenge asks for. Fires "share", a CustomEvent with a Result, when the
+// person wants to share the puzzle, solved or not.
 
 import { Component } from "../widgets/component.js";
 import { setText } from "../widgets/dom.js";
