@@ -41,6 +41,7 @@ pub mod nets;
 pub mod puzzle;
 pub mod raster;
 pub mod search;
+pub mod suspects;
 pub mod session;
 pub mod simulator;
 pub mod verification;

@@ -42,16 +42,84 @@ pub fn proposals(map: &[f32], scene: &Scene, seed: u64, attempts: usize) -> Vec<
     let mut rng = Pcg64Mcg::seed_from_u64(seed);
     let obstacles = Obstacles::new(scene);
     let highest = map.iter().copied().fold(0.0, f32::max);
-    let cells: Vec<usize> = (0..map.len()).filter(|&cell| map[cell] > THRESHOLD * highest).collect();
+    let mean = map.iter().sum::<f32>() / map.len() as f32;
+    let theirs = crate::suspects::on("starts");
+    let threshold = if theirs { mean } else { THRESHOLD * highest };
+    let cells: Vec<usize> = (0..map.len()).filter(|&cell| map[cell] > threshold).collect();
+    let masked: Vec<f32> = map.iter().map(|&value| if theirs && value <= mean { 0.0 } else { value }).collect();
+    let map = &masked[..];
     let mut found: Vec<Proposal> = Vec::with_capacity(attempts);
     for _ in 0..STARTS.min(attempts) {
         let proposal = (0..MAX_REJECTIONS).find_map(|rejected| {
-            let (ball, [x, y]) = improved_start(map, &obstacles, &cells, &mut rng)?;
+            let tries = ["best2", "best5", "best10", "best20", "best50"].iter().zip([2, 5, 10, 20, 50]);
+            let tries = tries.filter(|(name, _)| crate::suspects::on(name)).map(|(_, tries)| tries).next().unwrap_or(1);
+            let mut candidates: Vec<(Ball, [f64; 2])> =
+                (0..tries).filter_map(|_| improved_start(map, &obstacles, &cells, &mut rng)).collect();
+            candidates.sort_by(|a, b| fit(map, b.0).total_cmp(&fit(map, a.0)));
+            let &(ball, [x, y]) = candidates.first()?;
+            if crate::suspects::on("walk") && !far(ball.action(), &found) {
+                return None;
+            }
             is_new(ball, &found).then_some(Proposal { ball, origin: Origin::Map { x, y }, rejected })
         });
         found.extend(proposal);
     }
+    let mut temperature = 1.0;
     let starts: Vec<Action> = found.iter().map(|start| start.ball.action()).collect();
+    if crate::suspects::on("walk") && !starts.is_empty() {
+        let count = starts.len();
+        let mut temperature = 1.0;
+        let mut lists: Vec<Vec<Proposal>> = Vec::new();
+        let mut tried: Vec<Action> = starts.clone();
+        for (number, &start) in starts.iter().enumerate() {
+            let mut list = vec![found[number].clone()];
+            while list.len() < attempts {
+                let mut action = start;
+                let mut rejected = 0;
+                let ball = loop {
+                    let valid = obstacles.place(action).ok();
+                    let near = tried.iter().any(|other| distance(*other, action) < 0.02);
+                    if let (Some(ball), false) = (valid, near) {
+                        break Some(ball);
+                    }
+                    rejected += 1;
+                    if rejected > 5000 {
+                        break None;
+                    }
+                    let noise = loop {
+                        let noise = [0.02, 0.01, 0.02].map(|s| s * temperature * crate::puzzle::sampling::gaussian(&mut rng));
+                        if noise.iter().map(|v| v * v).sum::<f64>().sqrt() >= 0.05 {
+                            break noise;
+                        }
+                    };
+                    if temperature < 5.0 {
+                        temperature *= 1.04;
+                    }
+                    let clamp = |value: f64| value.clamp(0.0, 1.0);
+                    action = Action {
+                        x: clamp(action.x + noise[0]),
+                        y: clamp(action.y + noise[1]),
+                        r: clamp(action.r + noise[2]),
+                    };
+                };
+                let Some(ball) = ball else { break };
+                tried.push(action);
+                list.push(Proposal { ball, origin: Origin::Perturbed { number: number + 1 }, rejected: 0 });
+            }
+            lists.push(list);
+        }
+        found.clear();
+        for index in 0..attempts {
+            for list in &lists {
+                if let Some(proposal) = list.get(index) {
+                    if is_new(proposal.ball, &found) && found.len() < attempts {
+                        found.push(proposal.clone());
+                    }
+                }
+            }
+        }
+        let _ = count;
+    }
     for index in 0..attempts - found.len() {
         let proposal = if starts.is_empty() {
             let mut draws =
@@ -63,6 +131,13 @@ pub fn proposals(map: &[f32], scene: &Scene, seed: u64, attempts: usize) -> Vec<
             })
         } else {
             let start = index % starts.len();
+            if crate::suspects::on("noise") || crate::suspects::on("text-noise") {
+                let Some(proposal) = theirs_perturbed(&starts, &obstacles, &found, &mut temperature, &mut rng) else {
+                    break;
+                };
+                found.push(proposal);
+                continue;
+            }
             let mut deviation = INITIAL_NOISE + NOISE_GROWTH * index as f64;
             (0..MAX_PROPOSAL_DRAWS).find_map(|rejected| {
                 if rejected % MAX_REJECTIONS == MAX_REJECTIONS - 1 {
@@ -79,6 +154,14 @@ pub fn proposals(map: &[f32], scene: &Scene, seed: u64, attempts: usize) -> Vec<
     found
 }
 
+fn distance(a: Action, b: Action) -> f64 {
+    ((a.x - b.x).powi(2) + (a.y - b.y).powi(2) + (a.r - b.r).powi(2)).sqrt()
+}
+
+fn far(action: Action, found: &[Proposal]) -> bool {
+    found.iter().all(|before| distance(before.ball.action(), action) >= 0.02)
+}
+
 fn is_new(ball: Ball, found: &[Proposal]) -> bool {
     found.iter().all(|before| before.ball != ball)
 }
@@ -88,9 +171,29 @@ fn is_new(ball: Ball, found: &[Proposal]) -> bool {
 fn improved_start(map: &[f32], obstacles: &Obstacles, cells: &[usize], rng: &mut impl Rng) -> Option<(Ball, [f64; 2])> {
     let cell = *cells.get(rng.random_range(0..cells.len().max(1)))?;
     let [x, y] = cell_centre(cell);
-    let start = Ball { x, y, r: rng.random_range(2.0..32.0) };
+    let radius = rng.random_range(2.0..32.0);
+    let radius = if crate::suspects::on("radii") { 256.0 * (0.04 + 0.05 * (radius - 2.0) / 30.0) } else { radius };
+    let start = Ball { x, y, r: radius };
     let mut ball = obstacles.place(start.action()).ok()?;
     let mut best = fit(map, ball);
+    if crate::suspects::on("moves") {
+        for _ in 0..IMPROVEMENTS {
+            let from = ball;
+            for (dx, dy) in [(-1.0, 0.0), (1.0, 0.0), (0.0, -1.0), (0.0, 1.0)] {
+                let step = 256.0 / 30.0;
+                // A move, and growth only together with a move.
+                for dr in [0.0, 0.005, 0.01, 0.03, -0.01] {
+                    let next = Ball { x: from.x + dx * step, y: from.y + dy * step, r: from.r + dr * 256.0 };
+                    let Ok(next) = obstacles.place(next.action()) else { continue };
+                    let score = fit(map, next);
+                    if score > best {
+                        (ball, best) = (next, score);
+                    }
+                }
+            }
+        }
+        return Some((ball, [start.x, start.y]));
+    }
     let mut step = INITIAL_STEP;
     for _ in 0..IMPROVEMENTS {
         for (dx, dy, dr) in NEIGHBOURS {
@@ -114,7 +217,52 @@ const NEIGHBOURS: [(f64, f64, f64); 6] =
 fn fit(map: &[f32], ball: Ball) -> f32 {
     let image = ball_image(ball);
     let under: f32 = image.cells().map(|cell| map[cell]).sum();
-    under / (image.count().max(1) as f32).sqrt()
+    let area = image.count().max(1) as f32;
+    if crate::suspects::on("fit") { under / area.powf(2.0 / 3.0) } else { under / area.sqrt() }
+}
+
+/// The noise of the authors' code: (0.02, 0.01, 0.02) times a temperature, at least 0.05 long, which grows by 1.04 with
+/// each draw up to 5; a ball nearer than 0.02 to one tried is drawn again. The noise of the text has no least length,
+/// is the same in all three, and ends at 0.1.
+fn theirs_perturbed(
+    starts: &[Action],
+    obstacles: &Obstacles,
+    found: &[Proposal],
+    temperature: &mut f64,
+    rng: &mut impl Rng,
+) -> Option<Proposal> {
+    use crate::puzzle::sampling::gaussian;
+    let code = crate::suspects::on("noise");
+    for rejected in 0..MAX_PROPOSAL_DRAWS {
+        let number = rng.random_range(0..starts.len());
+        let start = starts[number];
+        let scale = if code { [0.02, 0.01, 0.02] } else { [0.02; 3] };
+        let noise = scale.map(|scale| scale * *temperature * gaussian(rng));
+        let length = noise.iter().map(|value| value * value).sum::<f64>().sqrt();
+        if code && length < 0.05 {
+            continue;
+        }
+        if *temperature < 5.0 {
+            *temperature *= 1.04;
+        }
+        let clamp = |value: f64| value.clamp(0.0, 1.0);
+        let action = Action { x: clamp(start.x + noise[0]), y: clamp(start.y + noise[1]), r: clamp(start.r + noise[2]) };
+        let Ok(ball) = obstacles.place(action) else { continue };
+        let near = |before: &Proposal| {
+            let other = before.ball.action();
+            let [x, y, r] = [other.x - action.x, other.y - action.y, other.r - action.r];
+            (x * x + y * y + r * r).sqrt() < 0.02
+        };
+        // In the authors' code a scene in which every ball is near one tried has no end; here the rule is given up.
+        if code && rejected < 1000 && found.iter().any(near) {
+            continue;
+        }
+        if !is_new(ball, found) {
+            continue;
+        }
+        return Some(Proposal { ball, origin: Origin::Perturbed { number: number + 1 }, rejected });
+    }
+    None
 }
 
 #[cfg(test)]

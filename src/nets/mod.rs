@@ -150,6 +150,9 @@ impl PathNet {
 
     /// The input of the paper's nets for a scene, `[1, 5, 64, 64]`.
     fn encode(&self, scene: &Scene) -> Tensor<4> {
+        if crate::suspects::on("soft") {
+            return self.image(crate::raster::scene_centres(scene));
+        }
         self.image(scene_channels(scene).iter().flat_map(Bitmap::rows).collect::<Vec<_>>().into_flattened())
     }
 

@@ -89,6 +89,17 @@ impl Bitmap {
 
     /// Sets the cells of a span.
     fn mark(&mut self, Span { line, start, end }: Span) {
+        if crate::suspects::on("centre") {
+            if !matches!(line % PX_PER_CELL, 1 | 2) {
+                return;
+            }
+            for column in start..end {
+                if matches!(column % PX_PER_CELL, 1 | 2) {
+                    self.0[line / PX_PER_CELL] |= 1 << (column / PX_PER_CELL);
+                }
+            }
+            return;
+        }
         let (low, high) = (start / PX_PER_CELL, (end - 1) / PX_PER_CELL);
         self.0[line / PX_PER_CELL] |= u64::MAX >> (SIDE - 1 - (high - low)) << low;
     }
@@ -147,6 +158,26 @@ pub fn scene_coverage(scene: &Scene) -> [Coverage; CHANNELS] {
     })
 }
 
+/// The shares of the central 2 x 2 pixels that are covered.
+pub fn scene_centres(scene: &Scene) -> Vec<f32> {
+    let mut all = Vec::new();
+    for role in ROLES {
+        let mut channel = vec![0.0; CELLS];
+        let width = SIDE * PX_PER_CELL;
+        let mut seen = vec![false; width * width];
+        of_role(scene, role, |Span { line, start, end }| {
+            for column in start..end {
+                let inner = |at: usize| matches!(at % PX_PER_CELL, 1 | 2);
+                if inner(line) && inner(column) && !std::mem::replace(&mut seen[line * width + column], true) {
+                    channel[line / PX_PER_CELL * SIDE + column / PX_PER_CELL] += 0.25;
+                }
+            }
+        });
+        all.extend(channel);
+    }
+    all
+}
+
 /// The pixels of the bodies of a role at the start of a scene.
 fn of_role(scene: &Scene, role: Role, mut mark: impl FnMut(Span)) {
     for body in scene.bodies.iter().filter(|body| body.role == role) {
@@ -165,7 +196,8 @@ pub fn ball_image(ball: Ball) -> Bitmap {
 /// (the action ball has the index after the last); a static body is drawn where it is.
 pub fn path_image(body: &Body, rollout: &Rollout, index: usize) -> Bitmap {
     let mut image = Bitmap::EMPTY;
-    for step in (0..=rollout.steps).step_by(PATH_STRIDE) {
+    let stride = if crate::suspects::on("stride") { 5 } else { PATH_STRIDE };
+    for step in (0..=rollout.steps).step_by(stride) {
         let start = [body.x as f32, body.y as f32, body.angle as f32];
         image.draw(body, rollout.pose(step, index).unwrap_or(start));
     }
