@@ -63,7 +63,8 @@ fn head(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
          - **success net**: a net that sees the scene alone orders the balls. The dynamics net is trained from it.\n\
          - **DQN, smaller**: the benchmark's baseline (Bakhtin et al. 2019), made smaller.\n\
          - **the paper's four nets**: those of Harter et al. (2020), trained jointly, with balls from their placement \
-         map.\n",
+         map. [Their own table](paper/README.md) is newer: uniform solutions, and later attempts as in the authors' \
+         code.\n",
         results.len(),
         2 * FOLDS,
         hyperparameters.seed,
