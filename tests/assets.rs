@@ -11,7 +11,7 @@ use serde_json::Value;
 use sha2::{Digest, Sha256};
 
 /// Largest size of a model, bytes.
-const MAX_BYTES: usize = 3_700_000;
+const MAX_BYTES: usize = 3_720_000;
 
 #[test]
 fn every_model_of_the_list_is_there_whole_and_up_to_date() {

@@ -28,7 +28,8 @@ export const de = marked(en);
 `;
 
 /** Names that are the same in all languages, and what a key or a number has for a sign. */
-const NAMES = /Pathlight|PHYRE|AUCCESS|within-\d|cross-\d|CSV|Deutsch|English|Esc|Ctrl|Shift|Space|PgUp|PgDn|ms|px/g;
+const NAMES =
+  /[A-Z]\w+ et al\. \(\d+\)|DQN|RAND|RPIN|Pathlight|PHYRE|AUCCESS|within-\d|cross-\d|CSV|Deutsch|English|Esc|Ctrl|Shift|Space|PgUp|PgDn|ms|px/g;
 
 /** In a page: the visible text of the document and of each shadow tree, a string each, and what elements are called. */
 function visibleTexts() {

@@ -184,8 +184,8 @@ for (const { query, fragment, told } of [
     await page.goto(`${session.origin}/${query}#task=00000:000${fragment}`, { waitUntil: "commit" });
     const story = page.locator("#loading-story");
     await page.waitForFunction(() => document.querySelector("#share-dialog"));
-    if (told) await story.filter({ hasText: told }).waitFor();
-    else assert.ok(await story.isHidden());
+    // What is hidden is so once the style sheet has come.
+    await (told ? story.filter({ hasText: told }).waitFor() : story.waitFor({ state: "hidden" }));
     open();
     await page.locator("#scene").waitFor();
     assert.ok(await story.isHidden());

@@ -191,10 +191,12 @@ impl FoldResult {
 
     /// The settings it was made with.
     pub fn settings(&self) -> ResultSettings {
+        // From version 3 to 4 the paper's agent alone has changed, whose newer results stand apart (`measure paper`).
+        let agents_version = if self.report.agents_version == 3 { 4 } else { self.report.agents_version };
         ResultSettings {
             hyperparameters: self.hyperparameters.clone(),
             simulator: self.report.simulator,
-            agents_version: self.report.agents_version,
+            agents_version,
             solutions: self.nets.data.clone(),
             labels: self.success.data.clone(),
             labels_and_variants: self.dynamics.data.clone(),
