@@ -31,7 +31,7 @@ export const results = {
   beside: {
     title: "Im Vergleich mit dem, was andere veröffentlicht haben",
     about:
-      "AUCCESS, im Mittel über die zehn Möglichkeiten, wie PHYRE die Rätsel aufteilt. Unsere Netze wurden für jede davon nur kurz trainiert und in unserem Simulator gemessen, die anderen in dem von PHYRE, der nicht ganz derselbe ist. Die Zahlen oben gelten für eine einzige Aufteilung und für ein Modell, das länger trainiert wurde.",
+      "AUCCESS, im Mittel über die zehn Möglichkeiten, wie PHYRE die Rätsel aufteilt. Unsere Netze wurden für jede davon nur kurz trainiert und in unserem Simulator gemessen, die anderen in dem von PHYRE, der nicht ganz derselbe ist. Die Zahlen oben gelten für eine einzige Aufteilung und für ein Modell, das länger trainiert wurde. RAND versucht in jedem Rätsel dieselbe Liste von Kugeln; unsere zufälligen Kugeln sind jedes Mal neue.",
     within: "Bekannte Arten",
     cross: "Neue Arten",
     ours: "Unsere, in unserem Simulator",

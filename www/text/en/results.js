@@ -32,7 +32,7 @@ export const results = {
   beside: {
     title: "Beside what others have published",
     about:
-      "Auccess, the mean over the ten ways in which PHYRE splits the puzzles. Our nets were trained briefly for each of them and measured in our simulator, the others in PHYRE’s own, which is not quite the same. The figures above are of one split, and of a model that was trained for longer.",
+      "Auccess, the mean over the ten ways in which PHYRE splits the puzzles. Our nets were trained briefly for each of them and measured in our simulator, the others in PHYRE’s own, which is not quite the same. The figures above are of one split, and of a model that was trained for longer. RAND tries the same list of balls on every puzzle; our random balls are new for each.",
     within: "Known kinds",
     cross: "New kinds",
     ours: "Ours, in our simulator",
