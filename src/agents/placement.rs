@@ -3,7 +3,8 @@
 //! Up to five balls are placed on cells of the map above a threshold, with random radii, and each is improved in five
 //! rounds of hill climbing on how well it fits the map. These are the first attempts. The others are random walks from
 //! these five in turn, as in the authors' published code: from the first by short steps that grow slowly, from the
-//! others by long ones. Proposals are valid, and no two are close to each other as long as the scene has room.
+//! others by long ones. Proposals are valid and distinct. Starts and ends of walks also keep a distance from each
+//! other, unless a walk finds no such place soon.
 
 use rand::{Rng, RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
@@ -40,12 +41,12 @@ const MIN_DISTANCE: f64 = 0.02;
 const WARMING: f64 = 1.04;
 const MAX_TEMPERATURE: f64 = 5.0;
 
-/// Draws for a ball of the map before fewer than five have to do: the map may lie where no ball may be, or lead to the
-/// same ball again and again.
+/// Draws for one of the starts before it is left out: the map may lie where no ball may be, or lead to the same ball
+/// again and again.
 const MAX_STARTS: usize = 200;
 
-/// Steps of a walk before it may end near another proposal.
-const MAX_STEPS: usize = 2_000;
+/// Steps of a walk after which it may end near another proposal.
+const STEPS_APART: usize = 2_000;
 
 /// Draws for one proposal before the search ends, because the scene has no room for another ball.
 const MAX_PROPOSAL_DRAWS: usize = 100_000;
@@ -86,7 +87,8 @@ pub fn proposals(map: &[f32], scene: &Scene, seed: u64, attempts: usize) -> Vec<
                 action = step(action, *temperature, &mut rng);
                 *temperature = (*temperature * WARMING).min(MAX_TEMPERATURE);
                 let ball = obstacles.place(action).ok()?;
-                if !is_new(ball, &found) || !(rejected >= MAX_STEPS || is_far(action, &tried)) {
+                let is_apart = rejected >= STEPS_APART || is_far(action, &tried);
+                if !is_apart || !is_new(ball, &found) {
                     return None;
                 }
                 tried.push(action);
@@ -232,6 +234,25 @@ mod tests {
         assert!(proposals(&[0.0; CELLS], &scene, 0, 100).len() <= 34);
         assert_eq!(proposals(&in_the_corner, &full, 0, 100), []);
         assert_eq!(proposals(&[0.0; CELLS], &full, 0, 100), []);
+    }
+
+    #[test]
+    fn walks_end_away_from_all_before_and_those_of_the_first_start_end_nearest() {
+        let scene = scene();
+        let expected = random_ball(&scene, &mut Pcg64Mcg::seed_from_u64(3)).expect("the scene has room");
+        let actions: Vec<Action> =
+            proposals(&certain_of(expected), &scene, 0, 100).iter().map(|found| found.ball.action()).collect();
+        let distance = |a: Action, b: Action| libm::hypot(libm::hypot(a.x - b.x, a.y - b.y), a.r - b.r);
+        // Where a ball lies is rounded to whole px.
+        let rounding = 3.0 / SIZE;
+        for (index, &action) in actions.iter().enumerate() {
+            let is_near = |&other: &Action| distance(action, other) < MIN_DISTANCE - rounding;
+            assert!(!actions[..index].iter().any(is_near), "{action:?}");
+        }
+        // The first steps of the first start are still short.
+        let walked =
+            |start: usize| (1..5).map(|turn| distance(actions[start], actions[start + turn * STARTS])).sum::<f64>();
+        assert!((1..STARTS).all(|start| walked(0) < walked(start)));
     }
 
     #[test]

@@ -27,6 +27,8 @@ const STEPS = {
 };
 /** Time on the page between two frames of the run, ms; it is played faster than it happens. */
 const RUN_FRAME = 200;
+/** More frames than any run has. */
+const MOST_FRAMES = 300;
 /** Colours of the film; one more is left for what does not change. */
 const COLOURS = 127;
 
@@ -63,6 +65,7 @@ async function filmRun() {
   await page.clock.pauseAt(await page.evaluate(() => Date.now() + 500));
   // On a busy machine the run starts after the clock has been stopped.
   for (let last = -1, now = 0; now > last || now === 0; last = now, now = Number(await time.inputValue())) {
+    if (frames.length > MOST_FRAMES) throw new Error("the run does not end");
     await take(STEPS.run);
     await page.clock.runFor(RUN_FRAME);
   }

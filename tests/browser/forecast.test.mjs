@@ -34,7 +34,7 @@ async function forecasts(page, pattern) {
 
 /** What the legend of the scene names. */
 const legend = (page) => page.locator("#laid li:visible").allInnerTexts();
-const GUESSED = ["Green, guessed", "Red, guessed"];
+const GUESSED = ["Green’s path, a guess", "Red’s path, a guess"];
 
 /** Opens a puzzle with the forecast on. */
 const open = (fragment = "", options = {}) => openPuzzle(session, { fragment: `&forecast=on${fragment}`, ...options });

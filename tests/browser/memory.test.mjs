@@ -7,11 +7,11 @@ import { start } from "./harness.mjs";
 import { memoryOf, openPuzzles, playTurns } from "./memory.mjs";
 import { openImagined } from "./page-actions.mjs";
 
-/** The noise of the heap's size, bytes. */
-const NOISE = 400_000;
+/** The noise of the heap's size over two rounds, bytes. */
+const NOISE = 300_000;
 /**
  * The rounds in which the worker's wasm has to stop growing. Its allocator fragments over the first turns, by another
- * amount in each run; a leak grows in every round.
+ * amount in each run; a leak of more than a page of wasm a round never stops.
  */
 const ROUNDS = 8;
 
@@ -25,14 +25,14 @@ test("rounds of ten puzzles and four turns", async () => {
   await playTurns(page, 2);
   const seen = [await memoryOf(page)];
   const worker = () => seen.map(({ workerWasm }) => workerWasm);
-  // Two rounds at least, so that the heap is compared too.
-  while (seen.length <= 2 || worker().at(-1) !== worker().at(-2)) {
+  // It has stopped when two rounds have added nothing.
+  while (seen.length < 3 || new Set(worker().slice(-3)).size > 1) {
     assert.ok(seen.length <= ROUNDS, `the worker's wasm still grows, bytes: ${worker().join(", ")}`);
     await openPuzzles(page, 10, 10 * seen.length);
     await playTurns(page, 4);
     seen.push(await memoryOf(page));
   }
-  const [earlier, later] = seen.slice(-2);
+  const [earlier, , later] = seen.slice(-3);
   assert.ok(later.heap - earlier.heap < NOISE, `the heap has grown from ${earlier.heap} to ${later.heap}`);
   assert.equal(later.pageWasm, seen[0].pageWasm);
   assert.ok(later.elements - seen[0].elements < 700, `from ${seen[0].elements} to ${later.elements} nodes`);

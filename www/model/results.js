@@ -29,8 +29,8 @@ import { toCsv } from "./csv.js";
  */
 
 /**
- * `compared`: the auccess, within and cross, of our agents, mean and deviation over the folds, and as others have
- * published it, which may have a name but that of its source.
+ * `compared`: auccess, within and cross. `ours` are means and deviations over the folds; of `published`, `method` is
+ * empty if it goes by its authors.
  * @typedef {object} Results
  * @property {ModelResults[]} models
  * @property {{ ours: { agent: string, auccess: string[] }[], published: { method: string, source: string, url: string,
@@ -46,8 +46,7 @@ const ADDRESS = new URL("../assets/results.json", import.meta.url);
 let read = null;
 
 /**
- * Returns all of them. Rejects with a sentence for the person; the next call then tries
- * again.
+ * Returns the contents of results.json. Rejects with a sentence for the person; the next call then tries again.
  * @returns {Promise<Results>}
  */
 export function readResults() {

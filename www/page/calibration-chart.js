@@ -2,6 +2,7 @@
 // ten balls should solve.
 
 import { text } from "../text/text.js";
+import { createCell } from "../widgets/dom.js";
 
 /** @typedef {import("../model/results.js").Bin} Bin */
 /** @typedef {{ random: Bin[], candidates: Bin[] }} Calibration */
@@ -65,19 +66,12 @@ export function calibrationTable({ random, candidates }) {
     row.append(
       head,
       ...[bin, candidates[index]].flatMap(({ balls, solved }) => [
-        cell(text.format.number(balls)),
-        cell(balls ? text.format.percent(solved / balls, 1) : "–"),
+        createCell(text.format.number(balls)),
+        createCell(balls ? text.format.percent(solved / balls, 1) : "–"),
       ]),
     );
     return row;
   });
-}
-
-/** @param {string} words */
-export function cell(words) {
-  const element = document.createElement("td");
-  element.textContent = words;
-  return element;
 }
 
 /**

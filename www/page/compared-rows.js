@@ -2,7 +2,7 @@
 
 import { AGENTS } from "../model/results.js";
 import { text } from "../text/text.js";
-import { cell } from "./calibration-chart.js";
+import { createCell } from "../widgets/dom.js";
 
 /** @param {import("../model/results.js").Results["compared"]["ours"]} ours */
 export function ourRows(ours) {
@@ -32,6 +32,6 @@ function row(auccess, ...name) {
   head.append(...name);
   const created = document.createElement("tr");
   const local = (/** @type {string} */ number) => text.format.number(Number(number), number.includes(".") ? 1 : 0);
-  created.append(head, ...auccess.map((words) => cell(words.replace(/[\d.]+/g, local))));
+  created.append(head, ...auccess.map((words) => createCell(words.replace(/[\d.]+/g, local))));
   return created;
 }

@@ -196,7 +196,7 @@ function challengeWords(challenge, solvedAt) {
 }
 
 /**
- * A spark; the style sheet lets it fall past its place, which no words take, or shows it there.
+ * A spark; the style sheet lets it fall through the panel beside the words, or shows it at its place.
  * @param {number} index
  */
 function spark(index) {

@@ -45,6 +45,16 @@ export function fromTemplate(root, id) {
 }
 
 /**
+ * Returns a new cell of a table.
+ * @param {string} words
+ */
+export function createCell(words) {
+  const cell = document.createElement("td");
+  cell.textContent = words;
+  return cell;
+}
+
+/**
  * Returns a new button.
  * @param {string} label
  * @param {() => void} act

@@ -7,11 +7,12 @@ use std::path::Path;
 use anyhow::{Context, ensure};
 use pathlight::agents::agent_name::AgentName;
 use pathlight::benchmark::auccess::{auccess, solved_within};
-use pathlight::benchmark::folds::{FOLDS, Setup};
+use pathlight::benchmark::folds::{FOLDS, FoldId, Setup};
 use pathlight::nets::Card;
 use pathlight::puzzle::templates::TEMPLATES;
 
 use super::evaluate::Report;
+use super::shipped::Measurement;
 use crate::files::json_file;
 use crate::training::settings::{PathsRecipe, recipe_of};
 
@@ -55,7 +56,8 @@ pub fn page(folder: &Path) -> anyhow::Result<String> {
     for report in &reports {
         ensure!(
             settings(report) == settings(first),
-            "{name}/{}-{}.json was made with other settings than {}-{}.json: measure it again",
+            "{name}/{}-{}.json was made with other settings than {}-{}.json: remove one of them, and run \
+             `scripts/paper-table` again",
             report.setup,
             report.fold,
             first.setup,
@@ -77,21 +79,39 @@ pub fn page(folder: &Path) -> anyhow::Result<String> {
 const HEAD: &str = "# The table of Harter et al. (2020)
 
 `pathlight-lab measure paper results/paper` printed this from the files beside it, which `scripts/paper-table` made. \
-The published numbers are those of the paper, in PHYRE's simulator. “Solved” is the percentage of \
-test tasks solved within ten attempts. Only these attempts are simulated.
+The published numbers are means over all ten folds, in PHYRE's simulator. Auccess counts up to 100 attempts per task; \
+“solved” is the percentage of test tasks solved within ten. Only counted attempts are simulated.
 ";
 
+/// Reads the results of a setup that exist, and checks that each is what its name says.
 fn read(folder: &Path, setup: Setup) -> anyhow::Result<Measured> {
-    let files = (0..FOLDS).map(|fold| folder.join(format!("{setup}-{fold}.json"))).filter(|file| file.exists());
-    let reports = files.map(|file| json_file::read(&file, "scripts/paper-table"));
-    Ok(Measured(reports.collect::<anyhow::Result<_>>()?))
+    let mut reports = Vec::new();
+    for fold in (0..FOLDS).map(|fold| FoldId { setup, fold }) {
+        let path = folder.join(format!("{fold}.json"));
+        if !path.exists() {
+            continue;
+        }
+        let report: Report = json_file::read(&path, "scripts/paper-table")?;
+        let has = |agent| report.agents.iter().any(|score| score.agent == agent);
+        ensure!(
+            (FoldId { setup: report.setup, fold: report.fold }, report.tasks_of.as_str()) == (fold, "test")
+                && report.is_whole(&fold.tasks().test)
+                && has(AgentName::Paper)
+                && has(AgentName::Random),
+            "{} does not hold the paper's agent and the random one, of this version, on all test tasks of {fold}: remove \
+             it, and run `scripts/paper-table` again",
+            path.display()
+        );
+        reports.push(report);
+    }
+    Ok(Measured(reports))
 }
 
-/// What has to agree between the results of a table: how the nets were trained, and what was measured.
+/// What has to agree between the results of a table: the seed, and how the nets were trained.
 fn settings(report: &Report) -> impl PartialEq {
-    let Report { seed, simulator, agents_version, tasks_of, card, .. } = report;
-    let recipe = card.as_ref().map(|card| (card.seed, card.epochs, recipe_of::<PathsRecipe>(card)));
-    (*seed, *simulator, *agents_version, tasks_of.clone(), recipe)
+    let recipe =
+        report.card.as_ref().map(|card| (card.seed, card.epochs, card.samples, recipe_of::<PathsRecipe>(card)));
+    (report.seed, recipe)
 }
 
 fn training(text: &mut String, report: &Report, count: usize) -> fmt::Result {
@@ -99,12 +119,20 @@ fn training(text: &mut String, report: &Report, count: usize) -> fmt::Result {
     let Card { epochs, batch, learning_rate, decay_epochs, mirror, samples, tasks, .. } = card;
     writeln!(
         text,
-        "\n{count} of {} folds. The four nets were trained on the {samples} solutions of {tasks} tasks, {epochs} epochs \
-         in batches of {batch}, Adam at {learning_rate}, which decays over the last {decay_epochs}{}. Seed {seed}, \
-         simulator {simulator}, agents {agents_version}.",
-        2 * FOLDS,
+        "\nThe four nets were trained on {samples} solutions of {tasks} tasks, {epochs} epochs in batches of {batch}, \
+         Adam at {learning_rate}, linearly to zero over the last {decay_epochs} of them{}. Seed {seed}, simulator \
+         {simulator}, agents {agents_version}.",
         if *mirror { ", half of the samples mirrored" } else { "" },
-    )
+    )?;
+    let all = 2 * usize::from(FOLDS);
+    if count < all {
+        writeln!(
+            text,
+            "\n**{count} of {all} folds are measured.** Folds differ, across templates by ten points and more, so these \
+             means cannot be compared with the published ones yet."
+        )?;
+    }
+    Ok(())
 }
 
 fn means(text: &mut String, setups: [(&Measured, &Published); 2]) -> fmt::Result {
@@ -201,4 +229,18 @@ fn folds(text: &mut String, reports: &[&Report]) -> fmt::Result {
         writeln!(text, "| {} | {} | {tasks} | {} | {} |", report.setup, report.fold, cells[0], cells[1])?;
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_template_has_a_published_number() {
+        for Published { auccess: [auccess, _], solved: [solved, _], .. } in [WITHIN, CROSS] {
+            for numbers in [auccess, solved] {
+                assert_eq!(numbers.split_whitespace().count(), TEMPLATES.len(), "{numbers}");
+            }
+        }
+    }
 }

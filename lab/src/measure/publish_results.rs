@@ -1,7 +1,7 @@
 //! Collects the measurements of the shipped models into the small file from which the page shows them.
 //!
 //! For each model the first solving attempt of every agent on every test task of its fold, and the calibration of its
-//! chances; and what stands beside them, which this module passes on.
+//! chances; and the comparison with published figures.
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;

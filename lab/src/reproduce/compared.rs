@@ -1,5 +1,5 @@
 //! Our agents over all folds, and what others have published: the rows of one table, for the report, the figures and
-//! the page. The one place of published figures.
+//! the page. What the paper published by template is in `measure::paper_table`.
 
 use pathlight::agents::agent_name::AgentName;
 use pathlight::benchmark::folds::Setup;
@@ -14,7 +14,7 @@ pub struct Published {
     /// What reports call it.
     #[serde(skip)]
     pub label: &'static str,
-    /// What it is called in every language; empty if by its authors.
+    /// The name of the method, the same in every language; empty if it goes by its authors.
     method: &'static str,
     source: &'static str,
     url: &'static str,

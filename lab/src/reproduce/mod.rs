@@ -86,7 +86,7 @@ impl Settings {
         let name = path.display();
         if let Some(result) = FoldResult::load(&path, fold)? {
             let expected = ResultSettings::expected(&self.hyperparameters, &self.data)?;
-            let other = result.settings().differences(&expected);
+            let other = result.settings().of_today().differences(&expected);
             ensure!(
                 other.is_empty(),
                 "{name} was made with other settings ({other}): choose other folders with --results and --train-dir, \

@@ -15,20 +15,34 @@ fn the_page_says_what_the_results_beside_it_say() {
 }
 
 #[test]
-fn results_of_different_settings_are_refused_in_one_table() {
+fn a_table_needs_results_that_are_whole_and_made_alike() {
     let folder = tempdir().expect("a folder");
     let name = folder.path().display().to_string();
+    let put = |name: &str, result: &str| fs::write(folder.path().join(name), result).expect("written");
+    let [zero, one] = ["within-0.json", "within-1.json"]
+        .map(|name| fs::read_to_string(root(&format!("results/paper/{name}"))).expect("a result"));
     assert_refused(&["measure", "paper", &name], "there are no results in");
-    let result = fs::read_to_string(root("results/paper/within-0.json")).expect("a result");
-    fs::write(folder.path().join("within-0.json"), &result).expect("written");
-    let one = output_of(&["measure", "paper", &name]);
-    let mut other: Value = serde_json::from_str(&result).expect("JSON");
-    other["fold"] = 1.into();
-    fs::write(folder.path().join("within-1.json"), other.to_string()).expect("written");
-    let two = output_of(&["measure", "paper", &name]);
-    let mean = |page: &str| page.lines().find(|line| line.starts_with("| within | ours |")).map(str::to_string);
-    assert!(mean(&one).is_some() && mean(&one) == mean(&two), "the mean of two equal folds: {two}");
+
+    put("within-0.json", &zero);
+    let page = output_of(&["measure", "paper", &name]);
+    let report: Value = serde_json::from_str(&zero).expect("JSON");
+    let agents = report["agents"].as_array().expect("agents");
+    let paper = agents.iter().find(|agent| agent["agent"] == "paper").expect("the paper's agent");
+    // Each template has as many test tasks, so that both means are alike.
+    let auccess = paper["auccess"].as_f64().expect("a number");
+    assert!(page.contains(&format!("| within | ours | {auccess:.1} | {auccess:.1} |")), "{page}");
+    assert!(page.contains("1 of 20 folds"), "{page}");
+
+    put("within-1.json", &zero);
+    assert_refused(&["measure", "paper", &name], "on all test tasks of within-1");
+    let mut other: Value = serde_json::from_str(&one).expect("JSON");
+    other["tasks_of"] = "dev".into();
+    put("within-1.json", &other.to_string());
+    assert_refused(&["measure", "paper", &name], "on all test tasks of within-1");
+    other["tasks_of"] = "test".into();
     other["card"]["epochs"] = 11.into();
-    fs::write(folder.path().join("within-1.json"), other.to_string()).expect("written");
+    put("within-1.json", &other.to_string());
     assert_refused(&["measure", "paper", &name], "within-1.json was made with other settings than within-0.json");
+    put("within-1.json", &one);
+    assert!(output_of(&["measure", "paper", &name]).contains("2 of 20 folds"));
 }

@@ -91,7 +91,7 @@ export const panels = {
 
   overlap: (name, share) => `${name}, und eine Linie um die wirkliche Bahn: Sie decken sich zu ${percent(share)}`,
 
-  laid: { over: "Über der Szene", green: "Grün, vermutet", red: "Rot, vermutet" },
+  laid: { over: "Über der Szene", green: "Bahn von Grün, vermutet", red: "Bahn von Rot, vermutet" },
 
   predict: {
     intro:

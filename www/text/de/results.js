@@ -29,13 +29,13 @@ export const results = {
   missed: (task) => `${task}, nicht gelöst`,
 
   beside: {
-    title: "Im Vergleich mit dem, was andere veröffentlicht haben",
+    title: "Im Vergleich zu veröffentlichten Ergebnissen",
     about:
-      "AUCCESS, im Mittel über die zehn Möglichkeiten, wie PHYRE die Rätsel aufteilt. Unsere Netze wurden für jede davon nur kurz trainiert und in unserem Simulator gemessen, die anderen in dem von PHYRE, der nicht ganz derselbe ist. Die Zahlen oben gelten für eine einzige Aufteilung und für ein Modell, das länger trainiert wurde. RAND versucht in jedem Rätsel dieselbe Liste von Kugeln; unsere zufälligen Kugeln sind jedes Mal neue.",
+      "AUCCESS, gemittelt über die zehn Aufteilungen von PHYRE. Unsere Netze haben wir für jede Aufteilung kurz trainiert und in unserem Simulator gemessen. Die veröffentlichten Werte stammen aus dem Simulator von PHYRE, der etwas anders rechnet. Die Zahlen oben gelten für eine Aufteilung und für die Modelle dieser Seite, deren erste zwei Agenten länger trainiert wurden. RAND probiert in jedem Rätsel dieselbe Liste von Kugeln durch; unsere zufälligen Kugeln werden jedes Mal neu gezogen.",
     within: "Bekannte Arten",
     cross: "Neue Arten",
-    ours: "Unsere, in unserem Simulator",
-    published: "Veröffentlichte, im Simulator von PHYRE",
+    ours: "Unsere Agenten, in unserem Simulator",
+    published: "Veröffentlichte Ergebnisse, im Simulator von PHYRE",
   },
 
   calibration: {

@@ -101,7 +101,7 @@ export const panels = {
     `${name}, and a line round the real path: they overlap by ${percent(share)}`,
 
   /** The legend of the scene; `green` and `red`: the paths that the model imagines for a ball. */
-  laid: { over: "Over the scene", green: "Green, guessed", red: "Red, guessed" },
+  laid: { over: "Over the scene", green: "Green’s path, a guess", red: "Red’s path, a guess" },
 
   predict: {
     intro:

@@ -30,9 +30,9 @@ export const results = {
   missed: (/** @type {string} */ task) => `${task}, not solved`,
 
   beside: {
-    title: "Beside what others have published",
+    title: "Compared with published results",
     about:
-      "Auccess, the mean over the ten ways in which PHYRE splits the puzzles. Our nets were trained briefly for each of them and measured in our simulator, the others in PHYRE’s own, which is not quite the same. The figures above are of one split, and of a model that was trained for longer. RAND tries the same list of balls on every puzzle; our random balls are new for each.",
+      "Auccess, averaged over PHYRE’s ten splits of the puzzles. We trained nets briefly for each split and measured them in our simulator; the published figures are from PHYRE’s own, which differs slightly. The figures above are for one split and for the models on this page, of which the first two agents were trained for longer. RAND tries the same list of balls on every puzzle; our random balls are drawn anew each time.",
     within: "Known kinds",
     cross: "New kinds",
     ours: "Ours, in our simulator",
