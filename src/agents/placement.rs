@@ -43,7 +43,7 @@ const MAX_TEMPERATURE: f64 = 5.0;
 
 /// Draws for one of the starts before it is left out: the map may lie where no ball may be, or lead to the same ball
 /// again and again.
-const MAX_STARTS: usize = 200;
+const MAX_START_DRAWS: usize = 200;
 
 /// Steps of a walk after which it may end near another proposal.
 const STEPS_APART: usize = 2_000;
@@ -61,7 +61,7 @@ pub fn proposals(map: &[f32], scene: &Scene, seed: u64, attempts: usize) -> Vec<
     let mut found: Vec<Proposal> = Vec::with_capacity(attempts);
     let mut tried: Vec<Action> = Vec::new();
     for _ in 0..STARTS.min(attempts) {
-        let proposal = (0..MAX_STARTS).find_map(|rejected| {
+        let proposal = (0..MAX_START_DRAWS).find_map(|rejected| {
             let (ball, [x, y]) = improved_start(map, &obstacles, &cells, &mut rng)?;
             is_far(ball.action(), &tried).then_some(Proposal { ball, origin: Origin::Map { x, y }, rejected })
         });

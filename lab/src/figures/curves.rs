@@ -39,8 +39,9 @@ pub fn draw(groups: &[measured::Group]) -> Figure {
         height = height.max(used[column]);
         content = content.add(panel(group).set("transform", format!("translate({} {})", px(corner[0]), px(corner[1]))));
     }
-    let published = REPORTED
-        .map(|Published { label, auccess: [within, cross], .. }| format!("{label} {within} within and {cross} cross"));
+    let published = REPORTED.map(|(label, Published { auccess: [within, cross], .. })| {
+        format!("{label} {within} within and {cross} cross")
+    });
     let published = format!("Published auccess, all ten folds, on PHYRE's engine: {}.", published.join("; "));
     content = content.add(words(published.as_str(), [PLOT[0], height + 6.0], 11.0, Anchor::Start).set("fill", MUTED));
     let numbers: Vec<String> = groups

@@ -83,6 +83,11 @@ pub struct Score {
     pub first_solved: Vec<(TaskId, Option<usize>)>,
 }
 
+/// Formats auccess, and the percentages solved at the first attempt, within 10 and within 100, as a cell of Markdown.
+pub fn score_cell([auccess, first, ten, hundred]: [f64; 4]) -> String {
+    format!("**{auccess:.1}** {first:.0} / {ten:.0} / {hundred:.0} %")
+}
+
 impl Settings {
     /// Measures the agents.
     ///

@@ -11,7 +11,7 @@ use pathlight::benchmark::folds::{FOLDS, FoldId, Setup};
 use pathlight::nets::Card;
 use pathlight::puzzle::templates::TEMPLATES;
 
-use super::evaluate::Report;
+use super::evaluate::{Report, score_cell};
 use super::shipped::Measurement;
 use crate::files::json_file;
 use crate::training::settings::{PathsRecipe, recipe_of};
@@ -120,8 +120,8 @@ fn training(text: &mut String, report: &Report, count: usize) -> fmt::Result {
     writeln!(
         text,
         "\nThe four nets were trained on {samples} solutions of {tasks} tasks, {epochs} epochs in batches of {batch}, \
-         Adam at {learning_rate}, linearly to zero over the last {decay_epochs} of them{}. Seed {seed}, simulator \
-         {simulator}, agents {agents_version}.",
+         Adam at {learning_rate}, which decays linearly to zero in the end (epochs of decay: {decay_epochs}){}. Seed \
+         {seed}, simulator {simulator}, agents {agents_version}.",
         if *mirror { ", half of the samples mirrored" } else { "" },
     )?;
     let all = 2 * usize::from(FOLDS);
@@ -221,8 +221,9 @@ fn folds(text: &mut String, reports: &[&Report]) -> fmt::Result {
     for report in reports {
         let cells = [AgentName::Paper, AgentName::Random].map(|agent| {
             report.agents.iter().find(|score| score.agent == agent).map_or("–".to_string(), |score| {
-                let [first, ten, hundred] = [score.solved_at_once, score.solved_within_10, score.solved_within_100];
-                format!("**{:.1}** {:.0} / {:.0} / {:.0} %", score.auccess, 100.0 * first, 100.0 * ten, 100.0 * hundred)
+                let solved = [score.solved_at_once, score.solved_within_10, score.solved_within_100];
+                let [first, ten, hundred] = solved.map(|share| 100.0 * share);
+                score_cell([score.auccess, first, ten, hundred])
             })
         });
         let tasks = report.agents.first().map_or(0, |score| score.first_solved.len());

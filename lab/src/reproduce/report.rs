@@ -19,6 +19,7 @@ use crate::data::label::BALLS;
 use crate::files::digest;
 use crate::files::replace_file::replace_file;
 use crate::measure::agents::{AGENTS, row};
+use crate::measure::evaluate::score_cell;
 
 /// An agent, one that lacks a part of it, and the part.
 const ABLATIONS: [(AgentName, AgentName, &str); 3] = [
@@ -82,7 +83,7 @@ fn table(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
     for OurRow { agent, auccess: [within, cross] } in our_rows(results) {
         writeln!(text, "| **{}** | ours | {within} | {cross} |", row(agent).label)?;
     }
-    for Published { label, auccess: [within, cross], .. } in REPORTED {
+    for (label, Published { auccess: [within, cross], .. }) in REPORTED {
         writeln!(text, "| {label} | PHYRE's | {within} | {cross} |")?;
     }
     let folds = [Setup::Within, Setup::Cross].map(|setup| numbers(setup, &mut of(results, setup)));
@@ -134,11 +135,7 @@ fn folds(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
     let names = AGENTS.iter().map(|agent| agent.label).collect::<Vec<_>>().join(" | ");
     writeln!(text, "| setup | fold | test tasks | {names} |\n| --- |{}", " ---: |".repeat(2 + AGENTS.len()))?;
     for result in results {
-        let cells = AGENTS.iter().map(|agent| {
-            result.score(agent.agent).map_or("–".to_string(), |[auccess, first, ten, hundred]| {
-                format!("**{auccess:.1}** {first:.0} / {ten:.0} / {hundred:.0} %")
-            })
-        });
+        let cells = AGENTS.iter().map(|agent| result.score(agent.agent).map_or("–".to_string(), score_cell));
         let cells: Vec<String> = cells.collect();
         let tasks = result.first_solved(AgentName::Random, None).len();
         writeln!(text, "| {} | {} | {tasks} | {} |", result.report.setup, result.report.fold, cells.join(" | "))?;

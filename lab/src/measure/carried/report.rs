@@ -11,6 +11,7 @@ use pathlight::puzzle::templates::TEMPLATES;
 
 use super::{MemoryUse, Report, Run};
 use crate::measure::agents::row;
+use crate::measure::evaluate::score_cell;
 
 /// The parts of the learning curve: from which task of a template to which.
 const PARTS: [(usize, usize); 6] = [(1, 1), (2, 5), (6, 10), (11, 20), (21, 50), (51, 100)];
@@ -175,7 +176,5 @@ fn mean_score<'a>(runs: impl Iterator<Item = &'a Run>) -> String {
     if scores.is_empty() {
         return "–".to_string();
     }
-    let [auccess, one, ten, hundred] =
-        std::array::from_fn(|of| scores.iter().map(|score| score[of]).sum::<f64>() / scores.len() as f64);
-    format!("**{auccess:.1}** {one:.0} / {ten:.0} / {hundred:.0} %")
+    score_cell(std::array::from_fn(|of| scores.iter().map(|score| score[of]).sum::<f64>() / scores.len() as f64))
 }
