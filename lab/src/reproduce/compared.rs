@@ -21,8 +21,8 @@ pub struct Published {
 
 const HARTER: [&str; 2] = ["Harter et al. (2020)", "https://arxiv.org/abs/2011.07357"];
 
-/// By what reports call them: Harter et al. (2020), Table 1, for their nets and for DQN; the benchmark (PHYRE 0.2.2) for
-/// the random agent.
+/// With what reports call them. Harter et al. (2020), Table 1, for their nets and for DQN; the benchmark (PHYRE 0.2.2)
+/// for the random agent.
 pub const REPORTED: [(&str, Published); 3] = [
     ("DQN", Published { method: "DQN", source: HARTER[0], url: HARTER[1], auccess: ["77", "37"] }),
     ("the paper's nets", Published { method: "", source: HARTER[0], url: HARTER[1], auccess: ["62", "31"] }),
