@@ -30,6 +30,7 @@ export class Check extends Component {
     editor.addEventListener("edit", () => this.#onEdit());
     this.#button.addEventListener("click", () => (this.#search.running ? this.#search.stop() : void this.#start()));
     this.byId("check-reveal").addEventListener("click", () => this.#reveal());
+    this.#button.disabled = true;
   }
 
   /** @param {import("../play/session.js").Session} session */
@@ -41,6 +42,8 @@ export class Check extends Component {
   close() {
     super.close();
     this.#forget();
+    // Until the next puzzle is there, a press would be lost.
+    this.#button.disabled = true;
   }
 
   #forget() {
@@ -55,7 +58,7 @@ export class Check extends Component {
   }
 
   #onEdit() {
-    if (this.#blocked === this.#button.disabled) return;
+    if (!this.session || this.#blocked === this.#button.disabled) return;
     if (this.#blocked) this.#forget();
     this.#update();
   }
