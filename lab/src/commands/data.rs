@@ -1,6 +1,7 @@
 //! `pathlight-lab data …`
 
 use std::io::{self, Write};
+use std::num::NonZeroU32;
 use std::path::PathBuf;
 
 use pathlight::benchmark::folds::{FoldId, Setup};
@@ -95,7 +96,7 @@ pub struct Label {
     #[arg(long, default_value = SOLUTIONS)]
     solutions: PathBuf,
 
-    /// Rounds; every task tries 64 balls per round
+    /// Rounds; every scene tries 64 balls per round
     #[arg(long, default_value_t = label::Settings::default().rounds)]
     rounds: usize,
 
@@ -111,6 +112,11 @@ pub struct Label {
     /// solutions of the task alone
     #[arg(long, conflicts_with = "weights")]
     variants: bool,
+
+    /// Label balls in random scenes instead of the tasks: in those of the first N that some ball solves, and in a sixth
+    /// of the others
+    #[arg(long, value_name = "N", conflicts_with_all = ["weights", "variants", "setup", "template", "limit"])]
+    random_scenes: Option<NonZeroU32>,
 
     /// Use only the training tasks of one fold of this setup: only they are labelled, and only their solutions are
     /// sampled around
@@ -135,6 +141,7 @@ impl Label {
             selection: self.selection.into(),
             weights: self.weights,
             variants: self.variants,
+            random_scenes: self.random_scenes,
             training_tasks_of: self.setup.zip(self.fold).map(|(setup, fold)| FoldId { setup, fold }),
             seed: self.seed,
         };

@@ -9,27 +9,26 @@ use base64::{DecodeError, Engine};
 use pathlight::puzzle::action::Ball;
 use pathlight::puzzle::sampled_paths::{SAMPLES, SampledPaths};
 use pathlight::puzzle::sampling::{perturbed, random_ball};
-use pathlight::puzzle::task::{Task, TaskId};
+use pathlight::puzzle::scene::Scene;
+use pathlight::puzzle::task::TaskId;
 use pathlight::simulator::sampled_paths;
+use rand::RngExt;
 use rand::seq::IndexedRandom;
-use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use serde::{Deserialize, Serialize};
 
+use super::scene_id::SceneId;
 use super::solutions::Solution;
 
 /// Standard deviations of the noise added to a known solution, one chosen at random per ball, as a fraction of the
 /// action space: 5 to 40 px in x and y.
 const NOISE_LEVELS: [f64; 4] = [0.02, 0.04, 0.08, 0.16];
 
-/// Some balls of one task, by their outcome.
+/// Some balls of one scene, by their outcome.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LabelledBalls {
-    pub task: TaskId,
-    /// The number of the variant of the task's scene in which the balls were tried; absent if it was the scene itself.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub variant: Option<u32>,
-    /// Balls that solve the task, px.
+    pub scene: SceneId,
+    /// Balls that solve the scene, px.
     pub solved: Vec<Ball>,
     /// Balls that do not, px.
     pub failed: Vec<Ball>,
@@ -77,54 +76,65 @@ impl TryFrom<String> for LabelledPaths {
     }
 }
 
+/// A ball to try, and the other task of the template around whose solution it was sampled, if it was.
+type Sampled = (Ball, Option<TaskId>);
+
+/// A ball with what it led to.
+pub struct Tried {
+    pub ball: Ball,
+    sibling: Option<TaskId>,
+    pub solved: bool,
+    paths: SampledPaths,
+}
+
+/// Samples `count` valid balls of a scene. `own_solutions` solve it, `sibling_solutions` solve tasks of its template.
+pub fn sample(
+    (id, scene): (SceneId, &Scene),
+    own_solutions: &[Ball],
+    sibling_solutions: &[Solution],
+    count: usize,
+    rng: &mut Pcg64Mcg,
+) -> Vec<Sampled> {
+    let mut balls = Vec::with_capacity(count);
+    for index in 0..count {
+        let own = |rng: &mut _| own_solutions.choose(rng).map(|&ball| (ball, None));
+        let sibling = |rng: &mut _| sibling_solutions.choose(rng).map(|known| (known.ball, Some(known.task)));
+        let known = match index % 4 {
+            0 | 1 => None,
+            2 => own(rng).or_else(|| sibling(rng)),
+            _ => sibling(rng).or_else(|| own(rng)),
+        };
+        let near_known = known.and_then(|(known, task)| {
+            let deviation = NOISE_LEVELS[rng.random_range(0..NOISE_LEVELS.len())];
+            let ball = perturbed(known.action(), deviation, rng).place(scene).ok()?;
+            Some((ball, task.filter(|&other| Some(other) != id.task())))
+        });
+        let Some(ball) = near_known.or_else(|| Some((random_ball(scene, rng)?, None))) else { break };
+        balls.push(ball);
+    }
+    balls
+}
+
+/// Simulates balls; invalid ones are left out.
+pub fn try_balls(scene: &Scene, balls: Vec<Sampled>) -> Vec<Tried> {
+    let tried = balls.into_iter().filter_map(|(ball, sibling)| {
+        let (outcome, paths) = sampled_paths(scene, ball).ok()?;
+        Some(Tried { ball, sibling, solved: outcome.solved, paths })
+    });
+    tried.collect()
+}
+
 impl LabelledBalls {
-    /// Samples and simulates `count` valid balls. `own_solutions` solve this task, `sibling_solutions` solve tasks of
-    /// its template; each `round` samples other balls.
-    pub fn sample(
-        task: &Task,
-        own_solutions: &[Ball],
-        sibling_solutions: &[Solution],
-        count: usize,
-        seed: u64,
-        round: usize,
-    ) -> LabelledBalls {
-        let mut balls = Vec::with_capacity(count);
-        let mut rng = Pcg64Mcg::seed_from_u64(task.id.seed(seed).wrapping_add(round as u64));
-        for index in 0..count {
-            let own = |rng: &mut _| own_solutions.choose(rng).map(|&ball| Solution { task: task.id, ball });
-            let sibling = |rng: &mut _| sibling_solutions.choose(rng).copied();
-            let known = match index % 4 {
-                0 | 1 => None,
-                2 => own(&mut rng).or_else(|| sibling(&mut rng)),
-                _ => sibling(&mut rng),
-            };
-            let near_known = known.and_then(|known| {
-                let deviation = NOISE_LEVELS[rng.random_range(0..NOISE_LEVELS.len())];
-                let ball = perturbed(known.ball.action(), deviation, &mut rng).place(&task.scene).ok()?;
-                Some((ball, Some(known.task).filter(|&other| other != task.id)))
-            });
-            let Some(ball) = near_known.or_else(|| Some((random_ball(&task.scene, &mut rng)?, None))) else { break };
-            balls.push(ball);
-        }
-        LabelledBalls::label(task, balls)
-    }
-
-    /// Simulates valid balls; invalid ones are left out.
-    pub fn simulate(task: &Task, balls: Vec<Ball>) -> LabelledBalls {
-        LabelledBalls::label(task, balls.into_iter().map(|ball| (ball, None)).collect())
-    }
-
-    /// Simulates balls with the sibling that each was sampled around.
-    fn label(task: &Task, balls: Vec<(Ball, Option<TaskId>)>) -> LabelledBalls {
-        let simulated = balls.into_iter().filter_map(|one| Some((one, sampled_paths(&task.scene, one.0).ok()?)));
-        let (solved, failed): (Vec<_>, Vec<_>) = simulated.partition(|(_, (outcome, _))| outcome.solved);
+    /// The balls that were tried in a scene.
+    pub fn new(scene: SceneId, tried: Vec<Tried>) -> LabelledBalls {
+        let (solved, failed): (Vec<Tried>, Vec<Tried>) = tried.into_iter().partition(|ball| ball.solved);
         let mut paths = LabelledPaths::default();
         let mut siblings = Vec::new();
-        for ((_, sibling), (_, of_ball)) in solved.iter().chain(&failed) {
+        for Tried { sibling, paths: of_ball, .. } in solved.iter().chain(&failed) {
             paths.push(of_ball);
             siblings.push(*sibling);
         }
-        let balls = |labelled: Vec<((Ball, _), _)>| labelled.into_iter().map(|((ball, _), _)| ball).collect();
-        LabelledBalls { task: task.id, variant: None, solved: balls(solved), failed: balls(failed), siblings, paths }
+        let balls = |tried: Vec<Tried>| tried.into_iter().map(|one| one.ball).collect();
+        LabelledBalls { scene, solved: balls(solved), failed: balls(failed), siblings, paths }
     }
 }

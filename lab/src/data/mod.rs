@@ -1,5 +1,5 @@
-//! What nets learn from: the search for solutions, balls labelled with their outcome, variants of scenes, and training
-//! images; and how hard the tasks are for uniform balls.
+//! What nets learn from: the search for solutions, balls labelled with their outcome, variants of scenes, random
+//! scenes, and training images; and how hard the tasks are for uniform balls.
 
 pub mod collect;
 pub mod difficulty;
@@ -7,7 +7,9 @@ pub mod label;
 pub mod label_use;
 pub mod labels;
 pub mod merge;
+pub mod random_scenes;
 pub mod samples;
+pub mod scene_id;
 pub mod scene_variants;
 pub mod solutions;
 pub mod solve_rates;

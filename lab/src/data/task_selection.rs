@@ -1,6 +1,6 @@
 //! The tasks of a search: all, those of one template, or the first few of each.
 
-use pathlight::puzzle::task::Task;
+use pathlight::puzzle::task::{Task, TaskId, ids};
 use pathlight::puzzle::templates::{TEMPLATES, Template};
 
 /// Tasks of the benchmark.
@@ -24,10 +24,15 @@ impl TaskSelection {
         self.template.map(|template| template.number)
     }
 
+    /// Their ids in ascending order.
+    pub fn ids(&self) -> impl Iterator<Item = TaskId> + use<> {
+        let (template, limit) = (self.template(), self.limit);
+        let templates = TEMPLATES.iter().filter(move |one| template.is_none_or(|number| number == one.number));
+        templates.flat_map(move |template| ids(template).take(limit))
+    }
+
     /// The tasks in ascending order.
     pub fn tasks(&self) -> Vec<Task> {
-        let templates =
-            TEMPLATES.iter().filter(|template| self.template().is_none_or(|number| number == template.number));
-        templates.flat_map(|template| Task::of(template).take(self.limit)).collect()
+        self.ids().map(|id| Task::load(id).expect("a task of the benchmark")).collect()
     }
 }

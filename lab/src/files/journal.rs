@@ -6,6 +6,7 @@
 //! the file is continued. Any other line that cannot be read is an error, so that nobody trains on part of a
 //! file without noticing.
 
+use std::fmt::Display;
 use std::fs::File;
 use std::io::{BufRead, BufReader, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
@@ -204,15 +205,15 @@ pub fn check_task(task: TaskId) -> Result<(), String> {
     if known { Ok(()) } else { Err(format!("the benchmark has no task {task}")) }
 }
 
-/// Checks that a ball of a task has a radius of the benchmark's and is inside the scene; for `Entry::check`.
+/// Checks that a ball of a scene has a radius of the benchmark's and is inside the scene; for `Entry::check`.
 ///
 /// # Errors
-/// Names ball and task if not.
-pub fn check_ball(task: TaskId, ball: &Ball) -> Result<(), String> {
+/// Names ball and scene if not.
+pub fn check_ball(scene: &impl Display, ball: &Ball) -> Result<(), String> {
     let span = ball.r..=SIZE - ball.r;
     if RADIUS.contains(&ball.r) && span.contains(&ball.x) && span.contains(&ball.y) {
         Ok(())
     } else {
-        Err(format!("the ball {ball} of {task} has a wrong radius or is not inside the scene"))
+        Err(format!("the ball {ball} of {scene} has a wrong radius or is not inside the scene"))
     }
 }

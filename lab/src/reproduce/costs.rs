@@ -9,12 +9,15 @@ use pathlight::benchmark::folds::{FOLDS, Setup};
 use pathlight::puzzle::action::Ball;
 use pathlight::puzzle::task::Task;
 use pathlight::puzzle::templates::TEMPLATES;
+use rand::SeedableRng;
+use rand_pcg::Pcg64Mcg;
 
 use super::fold_result::{FoldResult, Hyperparameters};
 use super::report::of;
 use crate::data::collect::read_solutions;
 use crate::data::label::BALLS;
-use crate::data::labels::LabelledBalls;
+use crate::data::labels::{sample, try_balls};
+use crate::data::scene_id::SceneId;
 use crate::data::solutions::Solution;
 use crate::files::replace_file::replace_file;
 
@@ -135,7 +138,8 @@ fn seconds_per_ball(solutions: &[Solution]) -> anyhow::Result<f64> {
         let Some(task) = Task::of(template).next() else { continue };
         let own: Vec<Solution> = solutions.iter().filter(|solution| solution.task == task.id).copied().collect();
         let balls: Vec<Ball> = own.iter().map(|solution| solution.ball).collect();
-        LabelledBalls::sample(&task, &balls, &own, BALLS, 0, 0);
+        let mut rng = Pcg64Mcg::seed_from_u64(task.id.seed(0));
+        try_balls(&task.scene, sample((SceneId::Task(task.id), &task.scene), &balls, &own, BALLS, &mut rng));
     }
     Ok(started.elapsed().as_secs_f64() / (TEMPLATES.len() * BALLS) as f64)
 }

@@ -4,13 +4,13 @@
 use std::collections::btree_map::{BTreeMap, Entry};
 use std::path::PathBuf;
 
-use anyhow::{Context, anyhow, ensure};
+use anyhow::{anyhow, ensure};
 use pathlight::benchmark::folds::FoldId;
 use pathlight::nets::ball_head::Starts;
 use pathlight::nets::training::{Schedule, WARMUP_STEPS};
 use pathlight::puzzle::action::Ball;
 use pathlight::puzzle::scene::Scene;
-use pathlight::puzzle::task::{Task, TaskId};
+use pathlight::puzzle::task::TaskId;
 use rand::seq::{SliceRandom, index};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
@@ -19,15 +19,14 @@ use super::training_run::Plan;
 use crate::data::label::{Labelled, read_labels};
 use crate::data::label_use::{Choice, LabelOrigin, may_learn};
 use crate::data::labels::{LabelledBalls, PATHS_LEN};
-use crate::data::scene_variants::scene_variant;
+use crate::data::scene_id::SceneId;
 
 /// The scenes of a fold's training tasks with their labelled balls; at least one.
 pub struct LabelledScenes(Vec<LabelledScene>);
 
 /// A scene and its labelled balls.
 pub struct LabelledScene {
-    /// Whether it is a variant of a task's scene.
-    variant: bool,
+    id: SceneId,
     pub scene: Scene,
     pub starts: Starts,
     /// Each with whether it solves the task.
@@ -55,17 +54,11 @@ pub struct Drawn<'a> {
 }
 
 impl LabelledScene {
-    /// Loads the scene of a task or of a variant of it, without balls yet.
-    fn load(task: TaskId, variant: Option<u32>) -> anyhow::Result<LabelledScene> {
-        let loaded = Task::load(task)?;
-        let scene = match variant {
-            None => loaded.scene,
-            Some(number) => scene_variant(&loaded, number).with_context(|| {
-                format!("variant {number} of {task} is not made any more: label the variants again")
-            })?,
-        };
+    /// Makes the scene, without balls yet.
+    fn new(id: SceneId) -> anyhow::Result<LabelledScene> {
+        let scene = id.scene()?;
         let starts = Starts::of(&scene);
-        Ok(LabelledScene { variant: variant.is_some(), scene, starts, balls: Vec::new(), paths: Vec::new() })
+        Ok(LabelledScene { id, scene, starts, balls: Vec::new(), paths: Vec::new() })
     }
 
     /// Adds balls, but for those that were sampled around a solution of a task that is not one of these.
@@ -125,15 +118,16 @@ impl LabelledScenes {
     /// If a file cannot be used, may tell of the fold's test tasks, or none has balls of its training tasks.
     pub fn read(files: &[PathBuf], fold: FoldId, without_dev: bool) -> anyhow::Result<LabelledScenes> {
         let tasks = training_tasks(fold, without_dev);
-        let mut scenes: BTreeMap<(TaskId, Option<u32>), LabelledScene> = BTreeMap::new();
+        let mut scenes: BTreeMap<SceneId, LabelledScene> = BTreeMap::new();
         for path in files {
             let labelled = read_labels(path)?;
             may_learn(origin(&labelled), fold, without_dev).map_err(|why| anyhow!("{} {why}", path.display()))?;
             for line in labelled.lines {
-                if tasks.binary_search(&line.task).is_ok() {
-                    let scene = match scenes.entry((line.task, line.variant)) {
+                let trains = line.scene.task().is_none_or(|task| tasks.binary_search(&task).is_ok());
+                if trains && line.solved.len() + line.failed.len() > 0 {
+                    let scene = match scenes.entry(line.scene) {
                         Entry::Occupied(entry) => entry.into_mut(),
-                        Entry::Vacant(entry) => entry.insert(LabelledScene::load(line.task, line.variant)?),
+                        Entry::Vacant(entry) => entry.insert(LabelledScene::new(line.scene)?),
                     };
                     scene.add(line, &tasks);
                 }
@@ -150,7 +144,7 @@ impl LabelledScenes {
 
     /// How many of the scenes are variants of tasks' scenes.
     pub fn variants(&self) -> usize {
-        self.0.iter().filter(|scene| scene.variant).count()
+        self.0.iter().filter(|scene| matches!(scene.id, SceneId::Variant(..))).count()
     }
 
     /// Whether every ball has its paths.
@@ -197,10 +191,11 @@ mod tests {
 
     #[test]
     fn half_of_a_balanced_draw_solves() {
-        let scene = Task::load("00002:007".parse().expect("an id")).expect("a task").scene;
+        let id = SceneId::Task("00002:007".parse().expect("an id"));
+        let scene = id.scene().expect("a scene");
         let ball = Ball { x: 100.0, y: 100.0, r: 5.0 };
         let starts = Starts::of(&scene);
-        let scene = |balls| LabelledScene { variant: false, scene: scene.clone(), starts, balls, paths: Vec::new() };
+        let scene = |balls| LabelledScene { id, scene: scene.clone(), starts, balls, paths: Vec::new() };
         let mixed = scene((0..30).map(|index| (ball, index == 7)).collect());
         let mut rng = Pcg64Mcg::seed_from_u64(1);
         let drawn = mixed.draw(Sampling::Balanced(10), &mut rng);

@@ -9,6 +9,8 @@ use pathlight::puzzle::sampled_paths::SampledPaths;
 use pathlight::puzzle::task::{Task, TaskId};
 use pathlight::simulator::{self, outcome, simulate};
 use pathlight_lab::data::labels::{LabelledBalls, PATHS_LEN};
+use pathlight_lab::data::random_scenes::random_scene;
+use pathlight_lab::data::scene_id::SceneId;
 use pathlight_lab::data::scene_variants::scene_variant;
 use pathlight_lab::data::solutions::TaskSolutions;
 use tempfile::tempdir;
@@ -27,8 +29,19 @@ pub fn label(folder: &Path, rounds: &str) -> String {
 pub fn usable_balls(labels: &str, tasks: &[TaskId]) -> usize {
     let text = fs::read_to_string(labels).expect("labels");
     let lines = text.lines().skip(1).map(|line| serde_json::from_str::<LabelledBalls>(line).expect("a line of labels"));
-    let of_tasks = lines.filter(|line| tasks.contains(&line.task)).flat_map(|line| line.siblings);
+    let of_tasks = lines.filter(|line| tasks.contains(&task_of(line))).flat_map(|line| line.siblings);
     of_tasks.filter(|sibling| sibling.is_none_or(|task| tasks.contains(&task))).count()
+}
+
+/// The task of a line, or the one that it is in a variant of.
+fn task_of(line: &LabelledBalls) -> TaskId {
+    line.scene.task().expect("not a random scene")
+}
+
+/// The task and the number of the variant of a line.
+fn variant(line: &LabelledBalls) -> (TaskId, u32) {
+    let SceneId::Variant(task, number) = line.scene else { panic!("{} is no variant", line.scene) };
+    (task, number)
 }
 
 #[test]
@@ -43,7 +56,7 @@ fn labels_are_true_and_the_same_after_a_cut() {
     let (mut solved, mut failed) = (0, 0);
     for line in whole.lines().skip(1).take(3) {
         let labels: LabelledBalls = serde_json::from_str(line).expect("a line of labels");
-        let scene = Task::load(labels.task).expect("a task").scene;
+        let scene = labels.scene.scene().expect("a scene");
         let solves = |ball| outcome(&scene, Some(ball)).expect("a valid ball").solved;
         assert!(labels.solved.iter().all(|&ball| solves(ball)));
         assert!(!labels.failed.iter().any(|&ball| solves(ball)));
@@ -67,11 +80,13 @@ fn labels_of_variants_are_true_in_the_scene_of_their_variant() {
     let text = fs::read_to_string(&out).expect("labels");
     let lines: Vec<LabelledBalls> =
         text.lines().skip(1).map(|line| serde_json::from_str(line).expect("a line of labels")).collect();
-    assert_eq!(lines.iter().map(|line| line.variant).collect::<Vec<_>>(), [0, 0, 0, 1, 1, 1].map(Some));
+    assert_eq!(lines.iter().map(|line| variant(line).1).collect::<Vec<_>>(), [0, 0, 0, 1, 1, 1]);
     let mut differs = false;
-    for LabelledBalls { task, variant, solved, failed, .. } in lines {
+    for line in lines {
+        let (task, number) = variant(&line);
         let task = Task::load(task).expect("a task");
-        let scene = scene_variant(&task, variant.expect("a variant")).expect("it was made before");
+        let scene = scene_variant(&task, number).expect("it was made before");
+        let LabelledBalls { solved, failed, .. } = line;
         let solves = |scene, ball| outcome(scene, Some(ball)).is_ok_and(|outcome| outcome.solved);
         assert!(solved.iter().all(|&ball| solves(&scene, ball)));
         assert!(!failed.iter().any(|&ball| solves(&scene, ball)));
@@ -80,6 +95,37 @@ fn labels_of_variants_are_true_in_the_scene_of_their_variant() {
     assert!(differs, "all balls do the same in the scenes of the tasks");
     assert_refused(
         &["data", "label", "--template", "2", "--limit", "3", "--out", &out],
+        "write to another file with --out",
+    );
+}
+
+#[test]
+fn labels_of_random_scenes_are_true_and_the_same_after_a_cut() {
+    let folder = tempdir().expect("a folder");
+    let file = |name: &str| folder.path().join(name).display().to_string();
+    let label = |name: &str, rounds: &str| {
+        output_of(&["data", "label", "--random-scenes", "7", "--rounds", rounds, "--out", &file(name)]);
+        fs::read_to_string(file(name)).expect("labels")
+    };
+    let whole = label("whole", "2");
+    label("cut", "1");
+    assert_eq!(label("cut", "2"), whole);
+    let lines: Vec<LabelledBalls> =
+        whole.lines().skip(1).map(|line| serde_json::from_str(line).expect("a line of labels")).collect();
+    assert_eq!(
+        lines.iter().map(|line| line.scene).collect::<Vec<_>>(),
+        [0, 1, 2, 3, 4, 5, 6, 0, 1, 2, 3, 4, 5, 6].map(SceneId::Random)
+    );
+    for (number, LabelledBalls { solved, failed, .. }) in (0..7).zip(&lines) {
+        let scene = random_scene(number);
+        let solves = |ball| outcome(&scene, Some(ball)).is_ok_and(|outcome| outcome.solved);
+        assert!(solved.iter().all(|&ball| solves(ball)));
+        assert!(!failed.iter().any(|&ball| solves(ball)));
+        assert!(matches!(solved.len() + failed.len(), 0 | 64));
+    }
+    assert_ne!(lines[0].failed, lines[7].failed, "a round tries other balls");
+    assert_refused(
+        &["data", "label", "--random-scenes", "8", "--out", &file("cut")],
         "write to another file with --out",
     );
 }
@@ -105,10 +151,10 @@ fn labels_of_a_fold_use_its_training_tasks_and_their_solutions_only() {
     };
     let of_fold = label("assets/solutions.jsonl", "fold", &["--setup", "within", "--fold", "0"]);
     assert!(of_fold.len() > 3 && of_fold.len() < 12, "{} of 12 tasks", of_fold.len());
-    assert!(of_fold.iter().all(|labels| fold.all_train().contains(&labels.task)));
+    assert!(of_fold.iter().all(|labels| fold.all_train().contains(&task_of(labels))));
     let all = label(&file("training.jsonl"), "all", &[]);
     let same: Vec<&LabelledBalls> =
-        all.iter().filter(|labels| fold.test.binary_search(&labels.task).is_err()).collect();
+        all.iter().filter(|labels| fold.test.binary_search(&task_of(labels)).is_err()).collect();
     assert_eq!(of_fold.iter().collect::<Vec<_>>(), same, "solutions of test tasks were used");
     assert_refused(&["data", "label", "--out", &file("fold")], "write to another file with --out");
     assert_refused(&["data", "label", "--fold", "0", "--out", &file("half")], "--setup");
@@ -134,8 +180,8 @@ fn files_that_name_unknown_tasks_or_impossible_balls_are_refused() {
     let refused = |labels: &str, words: &str| {
         assert_refused(&["train", "success", "--weights", "assets/within-0.safetensors", "--labels", labels], words);
     };
-    let task = serde_json::from_str::<LabelledBalls>(line.lines().next().expect("a line")).expect("labels").task;
-    let ball = format!(r#"{{"task":"{task}","solved":[[100,100,64]],"failed":[]}}"#);
+    let task = task_of(&serde_json::from_str(line.lines().next().expect("a line")).expect("labels"));
+    let ball = format!(r#"{{"scene":{{"task":"{task}"}},"solved":[[100,100,64]],"failed":[]}}"#);
     refused(&write("ball", &[settings, line.trim_end(), &ball]), "has a wrong radius or is not inside the scene");
     refused(
         &write("none", &[&settings.replace("\"tasks\":2", "\"tasks\":0")]),

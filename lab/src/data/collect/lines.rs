@@ -50,9 +50,9 @@ impl journal::Entry for CollectEntry {
         match self {
             CollectEntry::Task(TaskSolutions { task, balls, .. }) => {
                 check_task(*task)?;
-                balls.iter().try_for_each(|ball| check_ball(*task, ball))
+                balls.iter().try_for_each(|ball| check_ball(task, ball))
             }
-            CollectEntry::Solution(Solution { task, ball }) => check_task(*task).and_then(|()| check_ball(*task, ball)),
+            CollectEntry::Solution(Solution { task, ball }) => check_task(*task).and_then(|()| check_ball(task, ball)),
             CollectEntry::Round { .. } => Ok(()),
         }
     }

@@ -33,6 +33,9 @@ pub struct LabelSettings {
     /// Whether balls were tried in variants of the scenes.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub variants: bool,
+    /// Whether balls were tried in random scenes; `tasks` is then their number.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub random_scenes: bool,
     /// Setup and fold if only the fold's training tasks were used; absent if all tasks were.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub training_tasks_of: Option<(Setup, u8)>,
@@ -47,16 +50,16 @@ impl journal::Entry for LabelledBalls {
     const COMMAND: &'static str = "data label";
 
     fn check(&self) -> Result<(), String> {
-        check_task(self.task)?;
+        self.scene.task().map_or(Ok(()), check_task)?;
         let (paths, balls) = (self.paths.0.len(), self.solved.len() + self.failed.len());
         if paths != 0 && paths != balls * PATHS_LEN {
-            return Err(format!("{} has {balls} balls, but {paths} bytes of paths", self.task));
+            return Err(format!("{} has {balls} balls, but {paths} bytes of paths", self.scene));
         }
         if !self.siblings.is_empty() && self.siblings.len() != balls {
-            return Err(format!("{} has {balls} balls, but {} siblings", self.task, self.siblings.len()));
+            return Err(format!("{} has {balls} balls, but {} siblings", self.scene, self.siblings.len()));
         }
         self.siblings.iter().flatten().try_for_each(|&sibling| check_task(sibling))?;
-        self.solved.iter().chain(&self.failed).try_for_each(|ball| check_ball(self.task, ball))
+        self.solved.iter().chain(&self.failed).try_for_each(|ball| check_ball(&self.scene, ball))
     }
 }
 
@@ -72,6 +75,8 @@ pub struct Labelled {
     pub net_without_dev: bool,
     /// The balls are in variants of the scenes.
     pub variants: bool,
+    /// The balls are in random scenes.
+    pub random_scenes: bool,
     tasks: NonZeroUsize,
 }
 
@@ -89,13 +94,29 @@ impl Labelled {
 /// If the file is missing or damaged, or was made with another version of the simulator.
 pub fn read_labels(path: &Path) -> anyhow::Result<Labelled> {
     let (settings, lines) = journal::read::<LabelledBalls>(path)?;
-    let LabelSettings { simulator: version, tasks, training_tasks_of, weights, net_without_dev, variants, .. } =
-        settings;
+    let LabelSettings {
+        simulator: version,
+        tasks,
+        training_tasks_of,
+        weights,
+        net_without_dev,
+        variants,
+        random_scenes,
+        ..
+    } = settings;
     ensure!(
         version == simulator::VERSION,
         "{} was labelled by simulator {version}, this is simulator {}: label the balls again",
         path.display(),
         simulator::VERSION
     );
-    Ok(Labelled { lines, training_tasks_of, proposed: weights.is_some(), net_without_dev, variants, tasks })
+    Ok(Labelled {
+        lines,
+        training_tasks_of,
+        proposed: weights.is_some(),
+        net_without_dev,
+        variants,
+        random_scenes,
+        tasks,
+    })
 }

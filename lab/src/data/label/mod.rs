@@ -1,10 +1,10 @@
-//! Balls with their outcome for all tasks, as JSON lines, to train a success net, a dynamics net or DQN on.
+//! Balls with their outcome for all tasks, or in random scenes, as JSON lines, to train a success net, a dynamics net or DQN on.
 //!
-//! The file is a journal: the settings, then one line per task and round, in that order, so the number of lines
+//! The file is a journal: the settings, then one line per scene and round, in that order, so the number of lines
 //! says where an interrupted run continues. The balls depend only on the settings and the solutions.
 
 use std::collections::BTreeMap;
-use std::num::NonZeroUsize;
+use std::num::{NonZeroU32, NonZeroUsize};
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, bail, ensure};
@@ -15,10 +15,14 @@ use pathlight::puzzle::action::Ball;
 use pathlight::puzzle::task::{Task, TaskId};
 use pathlight::puzzle::templates::TEMPLATES;
 use pathlight::simulator;
+use rand::SeedableRng;
+use rand_pcg::Pcg64Mcg;
 use rayon::prelude::*;
 
 use crate::data::collect::{SOLUTIONS, read_solutions};
-use crate::data::labels::LabelledBalls;
+use crate::data::labels::{LabelledBalls, Tried, sample, try_balls};
+use crate::data::random_scenes::random_scene;
+use crate::data::scene_id::SceneId;
 use crate::data::scene_variants::scene_variant;
 use crate::data::solutions::Solution;
 use crate::data::task_selection::TaskSelection;
@@ -30,8 +34,11 @@ pub use lines::{LabelSettings, Labelled, read_labels};
 
 mod lines;
 
-/// Balls of a task per line.
+/// Balls of a scene per line.
 pub const BALLS: usize = 64;
+
+/// Of the random scenes that no ball solves, every this many is labelled.
+const UNSOLVED: u32 = 6;
 
 /// Lines that are written together.
 const BLOCK: usize = 100;
@@ -45,7 +52,7 @@ pub struct Settings {
     pub out: PathBuf,
     /// Solutions to sample balls around.
     pub solutions: PathBuf,
-    /// Every task tries 64 balls per round.
+    /// Every scene tries 64 balls per round.
     pub rounds: usize,
     pub selection: TaskSelection,
     /// Label the balls that the dynamics net of these weights finds most probable, instead of sampled ones: hard
@@ -54,6 +61,9 @@ pub struct Settings {
     /// Label balls in variants of the tasks' scenes, another variant in every round. Balls are sampled around the
     /// solutions of the task alone.
     pub variants: bool,
+    /// Label balls in this many random scenes, instead of the tasks, or in those of them that some ball solves and a
+    /// sixth of the others. Balls are sampled around those that solve.
+    pub random_scenes: Option<NonZeroU32>,
     /// Use only the training tasks of this fold: only they are labelled, and only their solutions are sampled around.
     pub training_tasks_of: Option<FoldId>,
     /// Seed of all random draws.
@@ -69,6 +79,7 @@ impl Default for Settings {
             selection: TaskSelection::default(),
             weights: None,
             variants: false,
+            random_scenes: None,
             training_tasks_of: None,
             seed: 0,
         }
@@ -84,7 +95,10 @@ impl Settings {
         // Test tasks must not steer where balls are sampled, so their solutions are left out too.
         let allowed = self.training_tasks_of.map(|fold| fold.tasks().all_train());
         let allows = |id: TaskId| allowed.as_ref().is_none_or(|allowed| allowed.binary_search(&id).is_ok());
-        let tasks: Vec<Task> = self.selection.tasks().into_iter().filter(|task| allows(task.id)).collect();
+        let scenes: Vec<SceneId> = match self.random_scenes {
+            Some(count) => (0..count.get()).map(SceneId::Random).collect(),
+            None => self.selection.ids().filter(|&id| allows(id)).map(SceneId::Task).collect(),
+        };
         let proposing = match (&self.weights, self.training_tasks_of) {
             (Some(path), Some(fold)) => Some(proposing_nets(path, fold)?),
             (Some(_), None) => bail!("name the fold of the weights that propose balls"),
@@ -93,7 +107,7 @@ impl Settings {
         let (nets, card) = proposing.unzip();
         let settings = LabelSettings {
             seed: self.seed,
-            tasks: NonZeroUsize::new(tasks.len())
+            tasks: NonZeroUsize::new(scenes.len())
                 .context("no task is left to label: choose another --template, --fold or --limit")?,
             template: self.selection.template(),
             limit: self.selection.limit,
@@ -102,23 +116,19 @@ impl Settings {
             weights: self.weights.as_deref().map(digest).transpose()?,
             net_without_dev: card.is_some_and(|card| card.without_dev),
             variants: self.variants,
+            random_scenes: self.random_scenes.is_some(),
             training_tasks_of: self.training_tasks_of.map(|FoldId { setup, fold }| (setup, fold)),
         };
-        let mut own_solutions: BTreeMap<TaskId, Vec<Ball>> = BTreeMap::new();
-        let mut sibling_solutions: Vec<Vec<Solution>> = vec![Vec::new(); TEMPLATES.len()];
-        for solution in read_solutions(&self.solutions)?.solutions.into_iter().filter(|one| allows(one.task)) {
-            own_solutions.entry(solution.task).or_default().push(solution.ball);
-            sibling_solutions[solution.task.template].push(solution);
-        }
-        let total = self.rounds * tasks.len();
+        let solutions = read_solutions(&self.solutions)?.solutions.into_iter().filter(|one| allows(one.task));
+        let labeller = Labeller { settings: self, nets, known: KnownSolutions::new(solutions) };
+        let total = self.rounds * scenes.len();
         let (mut journal, lines) = Journal::open::<LabelledBalls>(&self.out, &settings)?;
-        for (line, task) in lines.iter().zip(tasks.iter().cycle()) {
+        for (line, scene) in lines.iter().zip(scenes.iter().cycle()) {
             ensure!(
-                line.task == task.id,
-                "{} has balls of {} where those of {} belong: remove the file",
+                line.scene.unchanged() == *scene,
+                "{} has balls of {} where those of {scene} belong: remove the file",
                 self.out.display(),
-                line.task,
-                task.id
+                line.scene,
             );
         }
         let mut done = lines.len();
@@ -127,26 +137,90 @@ impl Settings {
         while done < total {
             let block: Vec<LabelledBalls> = (done..total.min(done + BLOCK))
                 .into_par_iter()
-                .map(|line| {
-                    let (round, task) = (line / tasks.len(), &tasks[line % tasks.len()]);
-                    if let Some(read) = nets.as_ref().and_then(|nets| nets.read(&task.scene)) {
-                        let ranked = ranked(&read.logits, &task.scene, (round + 1) * BALLS);
-                        let balls = ranked.into_iter().skip(round * BALLS).map(|proposal| proposal.ball);
-                        return LabelledBalls::simulate(task, balls.collect());
-                    }
-                    let own = own_solutions.get(&task.id).map_or(&[][..], Vec::as_slice);
-                    if self.variants {
-                        return in_variant(task, own, self.seed, round);
-                    }
-                    LabelledBalls::sample(task, own, &sibling_solutions[task.id.template], BALLS, self.seed, round)
-                })
+                .map(|line| labeller.label(scenes[line % scenes.len()], line / scenes.len()))
                 .collect();
             journal.append(&block)?;
             done += block.len();
             progress.advance(block.len() as u64, format!("{} balls", done * BALLS));
         }
-        progress.finish(&format!("{} balls of {} tasks", done * BALLS, tasks.len()));
+        let what = if self.random_scenes.is_some() { "random scenes" } else { "tasks" };
+        progress.finish(&format!("{} balls of {} {what}", done * BALLS, scenes.len()));
         Ok(())
+    }
+}
+
+/// Known solutions of the tasks that may be used.
+struct KnownSolutions {
+    of_task: BTreeMap<TaskId, Vec<Ball>>,
+    of_template: Vec<Vec<Solution>>,
+}
+
+impl KnownSolutions {
+    fn new(solutions: impl Iterator<Item = Solution>) -> KnownSolutions {
+        let mut known = KnownSolutions { of_task: BTreeMap::new(), of_template: vec![Vec::new(); TEMPLATES.len()] };
+        for solution in solutions {
+            known.of_task.entry(solution.task).or_default().push(solution.ball);
+            known.of_template[solution.task.template].push(solution);
+        }
+        known
+    }
+}
+
+/// Makes the lines of a file.
+struct Labeller<'a> {
+    settings: &'a Settings,
+    /// Those that propose the balls.
+    nets: Option<PathNet>,
+    known: KnownSolutions,
+}
+
+impl Labeller<'_> {
+    /// The balls of a scene in a round.
+    fn label(&self, id: SceneId, round: usize) -> LabelledBalls {
+        match id {
+            SceneId::Random(number) => self.in_random_scene(number, round),
+            SceneId::Task(task) | SceneId::Variant(task, _) => self.in_task(task, round),
+        }
+    }
+
+    fn in_task(&self, id: TaskId, round: usize) -> LabelledBalls {
+        let task = Task::load(id).expect("a task of the selection");
+        if let Some(read) = self.nets.as_ref().and_then(|nets| nets.read(&task.scene)) {
+            let ranked = ranked(&read.logits, &task.scene, (round + 1) * BALLS);
+            let balls = ranked.into_iter().skip(round * BALLS).map(|proposal| (proposal.ball, None));
+            return LabelledBalls::new(SceneId::Task(id), try_balls(&task.scene, balls.collect()));
+        }
+        let own = self.known.of_task.get(&id).map_or(&[][..], Vec::as_slice);
+        let number = round as u32;
+        // If no variant of this number fits, the scene itself is used.
+        let (scene_id, scene, siblings) = match self.settings.variants {
+            true => match scene_variant(&task, number) {
+                Some(scene) => (SceneId::Variant(id, number), scene, &[][..]),
+                None => (SceneId::Task(id), task.scene, &[][..]),
+            },
+            false => (SceneId::Task(id), task.scene, self.known.of_template[id.template].as_slice()),
+        };
+        let balls = sample((scene_id, &scene), own, siblings, BALLS, &mut self.rng(scene_id, round));
+        LabelledBalls::new(scene_id, try_balls(&scene, balls))
+    }
+
+    /// The first half of the balls is uniform, and some of the second half are near those of them that solve. If none
+    /// does, most scenes are left out, so that nets see about as many scenes with solutions as without: there are no
+    /// balls then.
+    fn in_random_scene(&self, number: u32, round: usize) -> LabelledBalls {
+        let (id, scene) = (SceneId::Random(number), random_scene(number));
+        let mut rng = self.rng(id, round);
+        let mut tried = try_balls(&scene, sample((id, &scene), &[], &[], BALLS / 2, &mut rng));
+        let own: Vec<Ball> = tried.iter().filter(|ball| ball.solved).map(|&Tried { ball, .. }| ball).collect();
+        if own.is_empty() && !number.is_multiple_of(UNSOLVED) {
+            return LabelledBalls::new(id, Vec::new());
+        }
+        tried.extend(try_balls(&scene, sample((id, &scene), &own, &[], BALLS / 2, &mut rng)));
+        LabelledBalls::new(id, tried)
+    }
+
+    fn rng(&self, scene: SceneId, round: usize) -> Pcg64Mcg {
+        Pcg64Mcg::seed_from_u64(scene.seed(self.settings.seed).wrapping_add(round as u64))
     }
 }
 
@@ -157,15 +231,4 @@ fn proposing_nets(path: &Path, fold: FoldId) -> anyhow::Result<(PathNet, Dynamic
         format!("{} has no dynamics net: name weights of `pathlight-lab train dynamics`", path.display())
     })?;
     Ok((nets, card))
-}
-
-/// Labels balls in a variant of a task's scene; in the scene itself if no variant of this number fits.
-fn in_variant(task: &Task, own_solutions: &[Ball], seed: u64, round: usize) -> LabelledBalls {
-    let number = round as u32;
-    let variant = scene_variant(task, number);
-    let changed = variant.is_some();
-    let task = variant.map_or_else(|| task.clone(), |scene| Task { scene, ..task.clone() });
-    let own: Vec<Solution> = own_solutions.iter().map(|&ball| Solution { task: task.id, ball }).collect();
-    let labelled = LabelledBalls::sample(&task, own_solutions, &own, BALLS, seed, round);
-    LabelledBalls { variant: changed.then_some(number), ..labelled }
 }

@@ -1,0 +1,73 @@
+//! Which scene balls are tried in.
+
+use std::fmt;
+
+use anyhow::Context;
+use pathlight::puzzle::scene::Scene;
+use pathlight::puzzle::task::{Task, TaskId, spread};
+use serde::{Deserialize, Serialize};
+
+use super::random_scenes::random_scene;
+use super::scene_variants::scene_variant;
+
+/// A scene that balls are tried in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum SceneId {
+    /// The scene of a task.
+    Task(TaskId),
+    /// A variant of the scene of a task.
+    Variant(TaskId, u32),
+    /// A random scene.
+    Random(u32),
+}
+
+impl SceneId {
+    /// The task whose scene it is, or is a variant of.
+    pub fn task(self) -> Option<TaskId> {
+        match self {
+            SceneId::Task(task) | SceneId::Variant(task, _) => Some(task),
+            SceneId::Random(_) => None,
+        }
+    }
+
+    /// The scene that it is a variant of; itself if it is none.
+    pub fn unchanged(self) -> SceneId {
+        match self {
+            SceneId::Variant(task, _) => SceneId::Task(task),
+            SceneId::Task(_) | SceneId::Random(_) => self,
+        }
+    }
+
+    /// Makes the scene.
+    ///
+    /// # Errors
+    /// If there is no such scene.
+    pub fn scene(self) -> anyhow::Result<Scene> {
+        match self {
+            SceneId::Task(task) => Ok(Task::load(task)?.scene),
+            SceneId::Variant(task, number) => scene_variant(&Task::load(task)?, number)
+                .with_context(|| format!("variant {number} of {task} is not made any more: label the variants again")),
+            SceneId::Random(number) => Ok(random_scene(number)),
+        }
+    }
+
+    /// Returns the seed of the random draws for this scene, given the seed of the command. A variant has that of its
+    /// task.
+    pub fn seed(self, global_seed: u64) -> u64 {
+        match self {
+            SceneId::Task(task) | SceneId::Variant(task, _) => task.seed(global_seed),
+            SceneId::Random(number) => spread(global_seed) ^ u64::from(number) << 20,
+        }
+    }
+}
+
+impl fmt::Display for SceneId {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            SceneId::Task(task) => write!(f, "{task}"),
+            SceneId::Variant(task, number) => write!(f, "variant {number} of {task}"),
+            SceneId::Random(number) => write!(f, "random scene {number}"),
+        }
+    }
+}
