@@ -8,6 +8,7 @@ use pathlight::benchmark::folds::{FoldId, Setup};
 use pathlight::puzzle::templates::Template;
 use pathlight_lab::data::collect::{self, SOLUTIONS};
 use pathlight_lab::data::label::{self, LABELS};
+use pathlight_lab::data::scene_id::HELD_OUT;
 use pathlight_lab::data::task_selection::TaskSelection;
 use pathlight_lab::data::{difficulty, merge, solve_rates};
 use pathlight_lab::progress::Progress;
@@ -115,8 +116,13 @@ pub struct Label {
 
     /// Label balls in random scenes instead of the tasks: in those of the first N that some ball solves, and in a sixth
     /// of the others
-    #[arg(long, value_name = "N", conflicts_with_all = ["weights", "variants", "setup", "template", "limit"])]
-    random_scenes: Option<NonZeroU32>,
+    #[arg(
+        long,
+        value_name = "N",
+        value_parser = clap::value_parser!(u32).range(1..=i64::from(HELD_OUT)),
+        conflicts_with_all = ["weights", "variants", "setup", "template", "limit"]
+    )]
+    random_scenes: Option<u32>,
 
     /// Use only the training tasks of one fold of this setup: only they are labelled, and only their solutions are
     /// sampled around
@@ -141,7 +147,7 @@ impl Label {
             selection: self.selection.into(),
             weights: self.weights,
             variants: self.variants,
-            random_scenes: self.random_scenes,
+            random_scenes: self.random_scenes.and_then(NonZeroU32::new),
             training_tasks_of: self.setup.zip(self.fold).map(|(setup, fold)| FoldId { setup, fold }),
             seed: self.seed,
         };

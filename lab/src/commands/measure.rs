@@ -1,11 +1,14 @@
 //! `pathlight-lab measure …`
 
 use std::io::{self, Write};
+use std::num::NonZeroU32;
 use std::path::PathBuf;
 
 use pathlight::agents::agent_name::AgentName;
 use pathlight_lab::data::collect::SOLUTIONS;
+use pathlight_lab::data::scene_id::HELD_OUT;
 use pathlight_lab::files::json_file;
+use pathlight_lab::measure::measured_scenes::MeasuredScenes;
 use pathlight_lab::measure::{calibration, carried, evaluate, fidelity, forecasts, paper_table};
 use pathlight_lab::progress::Progress;
 
@@ -145,13 +148,38 @@ pub struct Paper {
     folder: PathBuf,
 }
 
-/// Measure how well the dynamics net imagines what balls lead to, on the test tasks of a fold
+/// Scenes to measure on instead of test tasks.
+#[derive(clap::Args)]
+struct ScenesArgs {
+    /// Measure in a variant of each test task, with its bodies moved, turned and resized at random
+    #[arg(long, conflicts_with_all = ["random_scenes", "json"])]
+    variants: bool,
+
+    /// Measure in this many random scenes, which no net has seen
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..i64::from(HELD_OUT)), conflicts_with_all = ["json", "limit"])]
+    random_scenes: Option<u32>,
+}
+
+impl From<ScenesArgs> for MeasuredScenes {
+    fn from(ScenesArgs { variants, random_scenes }: ScenesArgs) -> MeasuredScenes {
+        match (random_scenes.and_then(NonZeroU32::new), variants) {
+            (Some(count), _) => MeasuredScenes::Random(count),
+            (None, true) => MeasuredScenes::Variants,
+            (None, false) => MeasuredScenes::TestTasks,
+        }
+    }
+}
+
+/// Measure how well the dynamics net imagines what balls lead to, on the test tasks of a fold or in other scenes
 #[derive(clap::Args)]
 pub struct Forecasts {
     #[command(flatten)]
     fold: FoldArgs,
 
-    /// Random balls for each task; its known solutions come on top
+    #[command(flatten)]
+    scenes: ScenesArgs,
+
+    /// Random balls for each scene; solutions come on top
     #[arg(long, value_name = "N", default_value_t = forecasts::Settings::default().balls)]
     balls: usize,
 
@@ -178,8 +206,9 @@ pub struct Forecasts {
 
 impl Forecasts {
     fn run(self) -> anyhow::Result<String> {
-        let Forecasts { fold, balls, solutions, limit, seed, json, weights } = self;
-        let settings = forecasts::Settings { fold: fold.into(), balls, solutions, limit, seed, weights };
+        let Forecasts { fold, scenes, balls, solutions, limit, seed, json, weights } = self;
+        let (fold, scenes) = (fold.into(), scenes.into());
+        let settings = forecasts::Settings { fold, scenes, balls, solutions, limit, seed, weights };
         let (forecasts, table) = settings.measure()?;
         if let Some(path) = &json {
             json_file::write(path, &forecasts)?;
@@ -188,13 +217,16 @@ impl Forecasts {
     }
 }
 
-/// Measure how often balls solve to which the model gives a chance, on the test tasks of a fold
+/// Measure how often balls solve to which the model gives a chance, on the test tasks of a fold or in other scenes
 #[derive(clap::Args)]
 pub struct Calibration {
     #[command(flatten)]
     fold: FoldArgs,
 
-    /// Random balls for each task, and as many of the model's candidates
+    #[command(flatten)]
+    scenes: ScenesArgs,
+
+    /// Random balls for each scene, and as many of the model's candidates
     #[arg(
         long,
         value_name = "N",
@@ -222,8 +254,9 @@ pub struct Calibration {
 
 impl Calibration {
     fn run(self) -> anyhow::Result<String> {
-        let Calibration { fold, balls, limit, seed, json, weights } = self;
-        let calibration = calibration::Settings { fold: fold.into(), balls, limit, seed, weights }.measure()?;
+        let Calibration { fold, scenes, balls, limit, seed, json, weights } = self;
+        let (fold, scenes) = (fold.into(), scenes.into());
+        let calibration = calibration::Settings { fold, scenes, balls, limit, seed, weights }.measure()?;
         if let Some(path) = &json {
             json_file::write(path, &calibration)?;
         }

@@ -10,6 +10,10 @@ use serde::{Deserialize, Serialize};
 use super::random_scenes::random_scene;
 use super::scene_variants::scene_variant;
 
+/// Variants and random scenes of this number or a greater one are kept for measuring: `data label` tries no balls in
+/// them.
+pub const HELD_OUT: u32 = 1 << 31;
+
 /// A scene that balls are tried in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]

@@ -1,4 +1,5 @@
-//! Calibration: whether the chances that the model gives to balls come true, on the test tasks of a fold.
+//! Calibration: whether the chances that the model gives to balls come true, on the test tasks of a fold or in other
+//! scenes.
 //!
 //! Uniformly random balls, as a person may place them, few of which the model finds likely; and some of the candidates
 //! that the model itself considers, from the likeliest on.
@@ -13,14 +14,14 @@ use pathlight::benchmark::folds::{FoldId, Setup};
 use pathlight::nets::{Card, PathNet};
 use pathlight::puzzle::action::Ball;
 use pathlight::puzzle::sampling::random_ball;
-use pathlight::puzzle::task::{Task, TaskId};
 use pathlight::simulator::{self, simulate};
 use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use super::test_tasks;
+use super::measured_scenes::MeasuredScenes;
+use crate::data::scene_id::SceneId;
 use crate::files::weights_file::load_nets;
 
 /// Bins of equal width in which chances are counted.
@@ -29,7 +30,8 @@ const BINS: usize = 10;
 /// What to measure.
 pub struct Settings {
     pub fold: FoldId,
-    /// Random balls for each task, and as many of the model's candidates.
+    pub scenes: MeasuredScenes,
+    /// Random balls for each scene, and as many of the model's candidates.
     pub balls: u16,
     /// At most the first test tasks of each template.
     pub limit: Option<u16>,
@@ -41,7 +43,14 @@ pub struct Settings {
 
 impl Default for Settings {
     fn default() -> Settings {
-        Settings { fold: FoldId::default(), balls: 20, limit: None, seed: 0, weights: None }
+        Settings {
+            fold: FoldId::default(),
+            scenes: MeasuredScenes::TestTasks,
+            balls: 20,
+            limit: None,
+            seed: 0,
+            weights: None,
+        }
     }
 }
 
@@ -57,8 +66,11 @@ pub struct Calibration {
     pub agents_version: u32,
     /// How the model was trained.
     pub card: Card,
-    /// Test tasks that the balls were tried on.
+    /// Scenes that the balls were tried in: test tasks, unless others were asked for.
     pub tasks: usize,
+    /// What they are.
+    #[serde(skip)]
+    scenes: MeasuredScenes,
     /// Chances from 0 to 1, in bins of equal width.
     pub random: Vec<Bin>,
     pub candidates: Vec<Bin>,
@@ -84,9 +96,9 @@ impl Settings {
     /// If the weights cannot be used for it.
     pub fn measure(&self) -> anyhow::Result<Calibration> {
         let (nets, card) = load_nets(self.weights.as_deref(), self.fold)?;
-        let tasks = test_tasks(self.fold, self.limit);
+        let scenes = self.scenes.ids(self.fold, self.limit);
         let trials: Vec<[Vec<Trial>; 2]> =
-            tasks.par_iter().map(|&id| self.trials(&nets, id)).collect::<anyhow::Result<_>>()?;
+            scenes.par_iter().map(|&id| self.trials(&nets, id)).collect::<anyhow::Result<_>>()?;
         let [random, candidates] = [0, 1].map(|kind| bins(trials.iter().flat_map(|of_task| &of_task[kind])));
         Ok(Calibration {
             setup: self.fold.setup,
@@ -95,15 +107,16 @@ impl Settings {
             simulator: simulator::VERSION,
             agents_version: agents::VERSION,
             card,
-            tasks: tasks.len(),
+            tasks: scenes.len(),
+            scenes: self.scenes,
             random,
             candidates,
         })
     }
 
-    /// Random balls of a task, and some of the model's candidates.
-    fn trials(&self, nets: &PathNet, id: TaskId) -> anyhow::Result<[Vec<Trial>; 2]> {
-        let scene = Task::load(id)?.scene;
+    /// Random balls of a scene, and some of the model's candidates.
+    fn trials(&self, nets: &PathNet, id: SceneId) -> anyhow::Result<[Vec<Trial>; 2]> {
+        let scene = id.scene()?;
         let count = usize::from(self.balls);
         let mut rng = Pcg64Mcg::seed_from_u64(id.seed(self.seed));
         let random: Vec<Ball> =
@@ -142,8 +155,8 @@ fn bins<'a>(trials: impl Iterator<Item = &'a Trial>) -> Vec<Bin> {
 impl Calibration {
     /// The bins as a table for people.
     pub fn table(&self) -> Result<String, fmt::Error> {
-        let Calibration { setup, fold, tasks, seed, random, candidates, .. } = self;
-        let mut text = format!("{setup}-{fold}, {tasks} test tasks, seed {seed}\n");
+        let Calibration { setup, fold, tasks, scenes, seed, random, candidates, .. } = self;
+        let mut text = format!("{setup}-{fold}, {tasks} {}, seed {seed}\n", scenes.words());
         writeln!(text, "{:>14}  {:^25}  {:^25}", "chance", "random balls", "the model's candidates")?;
         for (index, (random, candidates)) in random.iter().zip(candidates).enumerate() {
             let bin = format!("{} to {} %", 100 * index / BINS, 100 * (index + 1) / BINS);

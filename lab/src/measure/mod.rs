@@ -1,4 +1,5 @@
-//! Measurements: agents, forecasts and chances on the test tasks of a fold, and the simulator beside PHYRE's.
+//! Measurements: agents, forecasts and chances on the test tasks of a fold, forecasts and chances in scenes of other
+//! kinds, and the simulator beside PHYRE's.
 
 use pathlight::benchmark::folds::FoldId;
 use pathlight::puzzle::task::TaskId;
@@ -9,6 +10,7 @@ pub mod carried;
 pub mod evaluate;
 pub mod fidelity;
 pub mod forecasts;
+pub mod measured_scenes;
 pub mod paper_table;
 pub mod publish_results;
 pub mod shipped;

@@ -26,6 +26,29 @@ fn solved_and_missed_balls_are_counted_and_imagined_better_than_at_rest() {
 }
 
 #[test]
+fn scenes_of_other_kinds_are_measured_too() {
+    let counts = |table: &str| {
+        let balls = |name: &str| {
+            let line = table.lines().find_map(|line| line.strip_prefix(name)).expect("a row");
+            line.split_whitespace().next().and_then(|word| word.parse::<usize>().ok()).expect("a number")
+        };
+        (balls("solved "), balls("not solved"))
+    };
+    let random = output_of(&["measure", "forecasts", "--random-scenes", "12", "--balls", "3"]);
+    let (solved, missed) = counts(&random);
+    assert!(random.contains("12 random scenes, 3 random balls each and solutions"), "{random}");
+    assert!(solved > 0 && missed <= 12 * 3 && solved + missed >= 12 * 3, "{random}");
+    let variants = output_of(&["measure", "forecasts", "--variants", "--limit", "1", "--balls", "2"]);
+    assert!(variants.contains("25 variants of test tasks"), "{variants}");
+    let chances = output_of(&["measure", "calibration", "--random-scenes", "5", "--balls", "4"]);
+    assert!(chances.contains("5 random scenes"), "{chances}");
+    let balls: usize =
+        chances.lines().skip(2).filter_map(|line| line.split_whitespace().nth(4)?.parse::<usize>().ok()).sum();
+    assert_eq!(balls, 5 * 4, "{chances}");
+    assert_refused(&["measure", "forecasts", "--random-scenes", "2", "--json", "file"], "cannot be used with");
+}
+
+#[test]
 fn weights_that_imagine_no_balls_are_refused() {
     let folder = tempdir().expect("a folder");
     assert_refused(&["measure", "forecasts", "--weights", &without_dynamics(folder.path())], "have no dynamics net");

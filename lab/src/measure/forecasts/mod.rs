@@ -1,6 +1,7 @@
-//! How well the dynamics net imagines what balls lead to, on test tasks of a fold.
+//! How well the dynamics net imagines what balls lead to, on test tasks of a fold or in other scenes.
 //!
-//! Uniformly random balls, and the known solutions of the tasks, because few random balls solve. The path of a body is
+//! Uniformly random balls, and solutions, because few random balls solve: the known ones of the tasks; in other scenes
+//! those of some more random balls that solve. The path of a body is
 //! drawn along its sampled positions, the imagined one like the real one, and compared by soft IoU. Half of the image
 //! of a path may be the body at its start; so the path of a body that stays where it is is compared too.
 //!
@@ -19,7 +20,7 @@ use pathlight::puzzle::rollout::Rollout;
 use pathlight::puzzle::sampled_paths::{SAMPLED_STEPS, SAMPLES, SampledPath};
 use pathlight::puzzle::sampling::random_ball;
 use pathlight::puzzle::scene::{Body, Scene};
-use pathlight::puzzle::task::{Task, TaskId};
+use pathlight::puzzle::task::TaskId;
 use pathlight::raster::soft_iou::soft_iou;
 use pathlight::raster::{Bitmap, path_image, trail_image};
 use pathlight::simulator::{self, sampled_paths, simulate};
@@ -27,8 +28,9 @@ use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
 use rayon::prelude::*;
 
-use super::test_tasks;
+use super::measured_scenes::MeasuredScenes;
 use crate::data::collect::{SOLUTIONS, read_solutions};
+use crate::data::scene_id::SceneId;
 use crate::files::weights_file::load_nets;
 pub use path_iou::{Forecasts, PathIous};
 use path_iou::{MapIous, TemplateIous, mean};
@@ -38,10 +40,15 @@ mod path_iou;
 /// Samples whose distances are printed: after 1, 3 and 6.7 s, and at the end.
 const PRINTED: [usize; 4] = [3, 8, 12, SAMPLES - 1];
 
+/// Random balls among which solutions of a scene are sought that is no task's, and the most that are taken.
+const SEARCHED: usize = 200;
+const MOST_SOLUTIONS: usize = 10;
+
 /// What to measure.
 pub struct Settings {
     pub fold: FoldId,
-    /// Random balls for each task; its known solutions come on top.
+    pub scenes: MeasuredScenes,
+    /// Random balls for each scene; solutions come on top.
     pub balls: usize,
     /// Known solutions.
     pub solutions: PathBuf,
@@ -56,7 +63,8 @@ pub struct Settings {
 impl Default for Settings {
     fn default() -> Settings {
         let solutions = SOLUTIONS.into();
-        Settings { fold: FoldId::default(), balls: 20, solutions, limit: None, seed: 0, weights: None }
+        let scenes = MeasuredScenes::TestTasks;
+        Settings { fold: FoldId::default(), scenes, balls: 20, solutions, limit: None, seed: 0, weights: None }
     }
 }
 
@@ -78,11 +86,11 @@ pub struct Forecast {
 }
 
 impl Settings {
-    /// Measures; returns the soft IoUs by template, and a table of all for people.
+    /// Measures; returns the soft IoUs by template, unless the scenes are random, and a table of all for people.
     ///
     /// # Errors
     /// If the weights or the solutions cannot be used for it.
-    pub fn measure(&self) -> anyhow::Result<(Forecasts, String)> {
+    pub fn measure(&self) -> anyhow::Result<(Option<Forecasts>, String)> {
         let (nets, card) = load_nets(self.weights.as_deref(), self.fold)?;
         nets.dynamics
             .as_ref()
@@ -91,22 +99,23 @@ impl Settings {
         for solution in read_solutions(&self.solutions)?.solutions {
             solutions.entry(solution.task).or_default().push(solution.ball);
         }
-        let tasks = test_tasks(self.fold, self.limit);
-        let known = |id: &TaskId| solutions.get(id).map_or(&[][..], Vec::as_slice);
-        let of_tasks: Vec<(MapIous, Vec<Forecast>)> =
-            tasks.par_iter().map(|id| self.forecasts(&nets, *id, known(id))).collect::<anyhow::Result<_>>()?;
-        let forecasts: Vec<&Forecast> = of_tasks.iter().flat_map(|(_, forecasts)| forecasts).collect();
-        let table = self.table(tasks.len(), &forecasts)?;
-        Ok((self.by_template(card, &tasks, &of_tasks), table))
+        let scenes = self.scenes.ids(self.fold, self.limit);
+        let of_scenes: Vec<(MapIous, Vec<Forecast>)> =
+            scenes.par_iter().map(|&id| self.forecasts(&nets, id, &solutions)).collect::<anyhow::Result<_>>()?;
+        let forecasts: Vec<&Forecast> = of_scenes.iter().flat_map(|(_, forecasts)| forecasts).collect();
+        let table = self.table(scenes.len(), &forecasts)?;
+        let tasks: Option<Vec<TaskId>> = scenes.iter().map(|scene| scene.task()).collect();
+        Ok((tasks.map(|tasks| self.by_template(card, &tasks, &of_scenes)), table))
     }
 
     /// Means over the balls that solve, and over the others.
-    fn table(&self, tasks: usize, forecasts: &[&Forecast]) -> Result<String, fmt::Error> {
+    fn table(&self, scenes: usize, forecasts: &[&Forecast]) -> Result<String, fmt::Error> {
         let mut text = format!(
-            "{} {}, {} test tasks, {} random balls each and known solutions, seed {}, simulator {}\n",
+            "{} {}, {} {}, {} random balls each and solutions, seed {}, simulator {}\n",
             self.fold.setup,
             self.fold.fold,
-            tasks,
+            scenes,
+            self.scenes.words(),
             self.balls,
             self.seed,
             simulator::VERSION
@@ -171,12 +180,25 @@ impl Settings {
         }
     }
 
-    /// The maps of a task, and forecasts for random balls and its solutions.
-    fn forecasts(&self, nets: &PathNet, id: TaskId, solutions: &[Ball]) -> anyhow::Result<(MapIous, Vec<Forecast>)> {
-        let scene = Task::load(id)?.scene;
+    /// The maps of a scene, and forecasts for random balls and its solutions.
+    fn forecasts(
+        &self,
+        nets: &PathNet,
+        id: SceneId,
+        known: &BTreeMap<TaskId, Vec<Ball>>,
+    ) -> anyhow::Result<(MapIous, Vec<Forecast>)> {
+        let scene = id.scene()?;
         let mut rng = Pcg64Mcg::seed_from_u64(id.seed(self.seed));
-        let random = std::iter::repeat_with(|| random_ball(&scene, &mut rng)).map_while(|ball| ball).take(self.balls);
-        let balls: Vec<Ball> = random.chain(solutions.iter().copied()).collect();
+        let mut random = std::iter::repeat_with(|| random_ball(&scene, &mut rng)).map_while(|ball| ball);
+        let mut balls: Vec<Ball> = random.by_ref().take(self.balls).collect();
+        let solutions: Vec<Ball> = match id {
+            SceneId::Task(task) => known.get(&task).cloned().unwrap_or_default(),
+            SceneId::Variant(..) | SceneId::Random(_) => {
+                let solves = |ball: &Ball| simulator::outcome(&scene, Some(*ball)).is_ok_and(|outcome| outcome.solved);
+                random.take(SEARCHED).filter(solves).take(MOST_SOLUTIONS).collect()
+            }
+        };
+        balls.extend(&solutions);
         let read = nets.read(&scene).context("the weights have no dynamics net")?;
         let object = &scene.bodies[scene.body1];
         let simulated = |ball: Ball| sampled_paths(&scene, ball).map_err(|why| anyhow::anyhow!("{id}, {ball}: {why}"));
@@ -199,7 +221,7 @@ impl Settings {
                 }),
             })
         });
-        Ok((maps(nets, &scene, solutions)?, forecasts.collect::<anyhow::Result<_>>()?))
+        Ok((maps(nets, &scene, &solutions)?, forecasts.collect::<anyhow::Result<_>>()?))
     }
 }
 
