@@ -44,7 +44,7 @@ fn files_of_single_templates_make_the_file_of_all() {
         let (all, merged) = (path("labels.jsonl"), path("labels-merged.jsonl"));
         output_of(&[&label[..], &["--out", &all]].concat());
         let labelled = fs::read_to_string(&all).expect("labels");
-        let has = |template: usize| labelled.contains(&format!("{{\"task\":\"{template:05}:"));
+        let has = |template: usize| labelled.contains(&format!("\"{template:05}:"));
         let file = |template: usize| {
             let out = path(&format!("labels-{template}.jsonl"));
             output_of(&[&label[..], &["--template", &template.to_string(), "--out", &out]].concat());
