@@ -20,6 +20,9 @@ const CLEARANCE: f64 = 0.5;
 /// Least distance between object and goal, px.
 const APART: f64 = 8.0;
 
+/// How often a goal that lies above the object is kept: hardly any ball can lift the object.
+const LIFTED: f64 = 0.2;
+
 /// Places tried for a dynamic body.
 const PLACES: usize = 30;
 
@@ -153,10 +156,13 @@ fn with_goal(mut bodies: Vec<Body>, rng: &mut Pcg64Mcg) -> Option<Scene> {
     let candidates = if rng.random_bool(0.8) && !balls.is_empty() { balls } else { movable };
     let body1 = *candidates.choose(rng)?;
     let visible = |body: &Body| (0.0..SIZE).contains(&body.x) && (0.0..SIZE).contains(&body.y);
+    let [_, _, _, top] = bodies[body1].bounds();
+    let lifted = rng.random_bool(LIFTED);
     let goals = |dynamic: bool| -> Vec<usize> {
         let may_be = |index: usize| {
             let body: &Body = &bodies[index];
-            index != body1 && body.dynamic == dynamic && visible(body) && distance(&bodies[body1], body) >= APART
+            let kind = index != body1 && body.dynamic == dynamic && visible(body);
+            kind && (lifted || body.bounds()[1] < top) && distance(&bodies[body1], body) >= APART
         };
         (0..bodies.len()).filter(|&index| may_be(index)).collect()
     };
