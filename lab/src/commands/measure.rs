@@ -156,7 +156,12 @@ struct ScenesArgs {
     variants: bool,
 
     /// Measure in this many random scenes, which no net has seen
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..i64::from(HELD_OUT)), conflicts_with_all = ["json", "limit"])]
+    #[arg(
+        long,
+        value_name = "N",
+        value_parser = clap::value_parser!(u32).range(1..i64::from(HELD_OUT)),
+        conflicts_with_all = ["json", "limit"]
+    )]
     random_scenes: Option<u32>,
 }
 
