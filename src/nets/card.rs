@@ -70,6 +70,10 @@ impl Card {
     }
 }
 
+fn is_zero(count: &usize) -> bool {
+    *count == 0
+}
+
 /// The settings that a success net was trained with. It has seen the same tasks as the nets.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SuccessCard {
@@ -113,6 +117,9 @@ pub struct DynamicsCard {
     /// How many of the scenes are variants of the tasks' scenes.
     #[serde(default)]
     pub variants: usize,
+    /// How many of the scenes are random ones, of no task.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub random_scenes: usize,
     /// The fold's dev tasks were left out, whatever the four nets have seen.
     #[serde(default)]
     pub without_dev: bool,

@@ -395,6 +395,8 @@ export interface DynamicsCard {
     coverage: boolean;
     /** Variants of the tasks' scenes among the scenes. */
     variants: number;
+    /** Random scenes, of no task, among the scenes. */
+    random_scenes?: number;
     without_dev: boolean;
     /** The net learned chances alone: what it imagines are no paths. */
     without_paths?: boolean;

@@ -46,7 +46,7 @@ impl Settings {
     /// If the labels cannot be used, or the folder cannot be continued or written.
     pub fn train(&self, progress: &mut dyn Progress) -> anyhow::Result<Option<PathBuf>> {
         let LabelsRecipe { batch, learning_rate, balls_per_scene } = self.recipe;
-        let scenes = LabelledScenes::read(&self.labels, self.fold, self.without_dev)?;
+        let scenes = LabelledScenes::read(&self.labels, self.fold, self.without_dev)?.of_tasks()?;
         let card = DqnCard {
             setup: self.fold.setup,
             fold: self.fold.fold,

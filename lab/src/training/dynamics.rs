@@ -104,6 +104,7 @@ impl Settings {
             balls: scenes.balls(),
             coverage: true,
             variants: scenes.variants(),
+            random_scenes: scenes.random(),
             without_dev,
             without_paths: self.without_paths,
             from: self.from.as_deref().map(digest).transpose()?,

@@ -137,6 +137,15 @@ impl LabelledScenes {
         Ok(LabelledScenes(scenes.into_values().collect()))
     }
 
+    /// These scenes, for a net whose card does not tell of random ones.
+    ///
+    /// # Errors
+    /// If some are random.
+    pub fn of_tasks(self) -> anyhow::Result<LabelledScenes> {
+        ensure!(self.random() == 0, "the labels hold balls in random scenes: only the dynamics net learns from those");
+        Ok(self)
+    }
+
     /// The number of balls.
     pub fn balls(&self) -> usize {
         self.0.iter().map(|scene| scene.balls.len()).sum()
@@ -145,6 +154,11 @@ impl LabelledScenes {
     /// How many of the scenes are variants of tasks' scenes.
     pub fn variants(&self) -> usize {
         self.0.iter().filter(|scene| matches!(scene.id, SceneId::Variant(..))).count()
+    }
+
+    /// How many of the scenes are random.
+    pub fn random(&self) -> usize {
+        self.0.iter().filter(|scene| matches!(scene.id, SceneId::Random(_))).count()
     }
 
     /// Whether every ball has its paths.

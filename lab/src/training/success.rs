@@ -54,7 +54,7 @@ impl Settings {
     pub fn train(&self, progress: &mut dyn Progress) -> anyhow::Result<Option<PathBuf>> {
         let LabelsRecipe { batch, learning_rate, balls_per_scene } = self.recipe;
         let (mut nets, mut card) = load_nets(self.weights.as_deref(), self.fold)?;
-        let scenes = LabelledScenes::read(slice::from_ref(&self.labels), self.fold, card.without_dev)?;
+        let scenes = LabelledScenes::read(slice::from_ref(&self.labels), self.fold, card.without_dev)?.of_tasks()?;
         card.dynamics = None;
         card.success = Some(SuccessCard {
             seed: self.run.seed,

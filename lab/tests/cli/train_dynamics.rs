@@ -79,6 +79,14 @@ fn a_dynamics_net_joins_the_weights_and_can_be_trained_further() {
     let training = Fold::new(Setup::Within, 0).all_train();
     let scenes = Task::of(TEMPLATES[2]).take(6).filter(|task| training.contains(&task.id)).count();
     assert_eq!((counted(&bytes), counted(&further)), (0, 2 * scenes), "variants of training tasks alone");
+    let random = file("random.jsonl");
+    output_of(&["data", "label", "--random-scenes", "7", "--rounds", "1", "--out", &random]);
+    let with_random = fs::read(train("random", &["--from", &from, "--labels", &random])).expect("weights");
+    let (_, card) = PathNet::load(&with_random).expect("weights that fit");
+    assert!((2..=7).contains(&card.dynamics.expect("a card").random_scenes), "number 0 and 6 at least");
+    for net in ["success", "dqn"] {
+        assert_refused(&["train", net, "--labels", &random, "--out", &file(net)], "only the dynamics net learns");
+    }
     assert_refused(
         &["train", "dynamics", "--weights", WEIGHTS, "--labels", "Cargo.toml"],
         "not a file of `pathlight-lab data label`",

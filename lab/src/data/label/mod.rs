@@ -1,5 +1,5 @@
-//! Balls with their outcome for all tasks, or in random scenes, as JSON lines, to train a success net, a dynamics net or
-//! DQN on.
+//! Balls with their outcome for all tasks, or in random scenes, as JSON lines, to train a success net, a dynamics net
+//! or DQN on.
 //!
 //! The file is a journal: the settings, then one line per scene and round, in that order, so the number of lines
 //! says where an interrupted run continues. The balls depend only on the settings and the solutions.
