@@ -51,6 +51,7 @@ impl BallBatch {
         });
         BallTensors {
             corners: corners.collect(),
+            scene_of: self.scenes.clone(),
             scenes: indices(self.scenes),
             numbers: floats(self.numbers, BALL_NUMBERS),
             places: floats(self.places, PLACES),
@@ -65,6 +66,8 @@ pub struct BallTensors {
     pub corners: Vec<(Tensor<1, Int>, Tensor<3>)>,
     /// `[balls]`
     pub scenes: Tensor<1, Int>,
+    /// The same.
+    pub scene_of: Vec<i64>,
     /// `[balls, BALL_NUMBERS]`
     pub numbers: Tensor<2>,
     /// `[balls, PLACES]`

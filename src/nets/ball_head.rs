@@ -7,7 +7,7 @@
 use burn::module::Module;
 use burn::nn::{Linear, LinearConfig};
 use burn::tensor::activation::relu;
-use burn::tensor::{Device, Tensor};
+use burn::tensor::{Device, Int, Tensor, TensorData};
 
 use super::ball_batch::BallTensors;
 use super::dynamics::{CODE, LEVELS, SceneFeatures};
@@ -38,6 +38,34 @@ pub const SCENE_HIDDEN: usize = 64;
 pub(super) const HIDDEN: [usize; 2] = [192, 128];
 const CHANCE_HIDDEN: usize = 64;
 
+/// Layers of the second look.
+const LOOK_HIDDEN: [usize; 2] = [192, 128];
+
+/// Levels of the hypercolumn that the second look sees, from the finest on.
+pub(super) const LOOK_LEVELS: usize = 2;
+
+/// Positions of each path that the second look sees: every other sample.
+pub(super) const LOOKS: usize = SAMPLES / 2;
+
+/// Channels of the levels that the second look sees.
+const fn look_channels() -> usize {
+    let mut sum = 0;
+    let mut level = 0;
+    while level < LOOK_LEVELS {
+        sum += LEVELS[level].1;
+        level += 1;
+    }
+    sum
+}
+
+/// Returns where on its first imagined paths the second look is taken: object, then ball, px.
+pub(super) fn looks(coordinates: impl Fn(usize) -> f32) -> [[f64; 2]; 2 * LOOKS] {
+    std::array::from_fn(|look| {
+        let first = look / LOOKS * (COORDINATES / 2) + 2 * (2 * (look % LOOKS) + 1);
+        [first, first + 1].map(|index| f64::from(coordinates(index) * UNIT))
+    })
+}
+
 /// Channels of the hypercolumn.
 const fn hypercolumn() -> usize {
     let mut sum = 0;
@@ -59,6 +87,9 @@ pub struct BallHead<L = Linear, First = L> {
     displacements: L,
     /// Expected errors of the positions, in `UNIT`, before softplus.
     errors: L,
+    look: [L; 2],
+    /// Of the coordinates, in `UNIT`.
+    corrections: L,
     chance: L,
     logit: L,
     path_chance: [L; 2],
@@ -97,6 +128,8 @@ pub struct HeadInputs<F> {
 
 /// What balls lead to.
 pub struct Predictions<F> {
+    /// At the first look: `COORDINATES` features, in `UNIT`.
+    pub first_coordinates: F,
     /// `COORDINATES` features, in `UNIT`.
     pub coordinates: F,
     /// Expected distances between imagined and real positions, in `UNIT`: `POSITIONS` features.
@@ -132,12 +165,17 @@ impl Starts {
 
 /// The four cells around a position in a level of this side, and their weights in the bilinear interpolation.
 pub fn corners(side: usize, ball: Ball) -> [(usize, f32); 4] {
+    corners_at(side, ball.x, ball.y)
+}
+
+/// `corners` of a position, px.
+pub(super) fn corners_at(side: usize, x: f64, y: f64) -> [(usize, f32); 4] {
     let axis = |at: f64| {
         let position = (at / SIZE * side as f64 - 0.5).clamp(0.0, (side - 1) as f64);
         let low = position as usize;
         (low, (low + 1).min(side - 1), (position - low as f64) as f32)
     };
-    let ((left, right, u), (bottom, top, v)) = (axis(ball.x), axis(ball.y));
+    let ((left, right, u), (bottom, top, v)) = (axis(x), axis(y));
     [
         (bottom * side + left, (1.0 - u) * (1.0 - v)),
         (bottom * side + right, u * (1.0 - v)),
@@ -200,8 +238,13 @@ impl BallHead {
             first: linear(BALL_NUMBERS + SCENE_HIDDEN + hypercolumn(), HIDDEN[0]),
             second: linear(HIDDEN[0], HIDDEN[1]),
             displacements: linear(HIDDEN[1], COORDINATES),
-            errors: linear(HIDDEN[1], POSITIONS),
-            chance: linear(HIDDEN[1] + paths, CHANCE_HIDDEN),
+            errors: linear(LOOK_HIDDEN[1], POSITIONS),
+            look: [
+                linear(HIDDEN[1] + COORDINATES + 2 * LOOKS * look_channels(), LOOK_HIDDEN[0]),
+                linear(LOOK_HIDDEN[0], LOOK_HIDDEN[1]),
+            ],
+            corrections: linear(LOOK_HIDDEN[1], COORDINATES),
+            chance: linear(LOOK_HIDDEN[1] + paths, CHANCE_HIDDEN),
             logit: linear(CHANCE_HIDDEN, 1),
             path_chance: [linear(paths, CHANCE_HIDDEN), linear(CHANCE_HIDDEN, CHANCE_HIDDEN)],
             path_logit: linear(CHANCE_HIDDEN, 1),
@@ -210,26 +253,62 @@ impl BallHead {
 
     /// Features of scenes and balls in them, in; what each ball leads to, out.
     pub fn forward(&self, features: &SceneFeatures, balls: BallTensors) -> Predictions<Tensor<2>> {
-        let BallTensors { corners, scenes, numbers, places, starts } = balls;
+        let BallTensors { corners, scenes, scene_of, numbers, places, starts } = balls;
         let code = relu(self.scene.forward(features.code.clone())).select(0, scenes); // [balls, SCENE_HIDDEN]
-        let hypercolumn = features.levels.iter().zip(corners).map(|(level, (rows, weights))| {
-            let [batch, channels, side, _] = level.dims();
-            let cells = level.clone().permute([0, 2, 3, 1]).reshape([batch * side * side, channels]);
-            let around = cells.select(0, rows).reshape([-1, 4, channels as i32]); // [balls, 4, channels]
+        let cells: Vec<Tensor<2>> = features
+            .levels
+            .iter()
+            .map(|level| {
+                let [batch, channels, side, _] = level.dims();
+                level.clone().permute([0, 2, 3, 1]).reshape([batch * side * side, channels])
+            })
+            .collect();
+        let at = |cells: &Tensor<2>, (rows, weights): (Tensor<1, Int>, Tensor<3>)| {
+            let channels = cells.dims()[1];
+            let around = cells.clone().select(0, rows).reshape([-1, 4, channels as i32]); // [balls, 4, channels]
             (around * weights).sum_dim(1).squeeze_dim::<2>(1)
-        });
+        };
+        let hypercolumn = cells.iter().zip(corners).map(|(cells, corners)| at(cells, corners));
         let seen = Features::concat([numbers, code].into_iter().chain(hypercolumn).collect());
-        self.predict(HeadInputs { first: seen.linear(&self.first), places, starts })
+        let look = |coordinates: &Tensor<2>| {
+            let device = coordinates.device();
+            let values: Vec<f32> = coordinates.to_data().iter().collect();
+            let balls = scene_of.len();
+            let parts = (0..LOOK_LEVELS).map(|level| {
+                let (side, channels) = LEVELS[level];
+                let (mut rows, mut weights) = (Vec::new(), Vec::new());
+                for (scene, values) in scene_of.iter().zip(values.chunks_exact(COORDINATES)) {
+                    for [x, y] in looks(|index| values[index]) {
+                        for (cell, weight) in corners_at(side, x, y) {
+                            rows.push(scene * (side * side) as i64 + cell as i64);
+                            weights.push(weight);
+                        }
+                    }
+                }
+                let len = rows.len();
+                let rows = Tensor::<1, Int>::from_data(TensorData::new(rows, [len]), &device);
+                let weights = Tensor::<3>::from_data(TensorData::new(weights, [len / 4, 4, 1]), &device);
+                at(&cells[level], (rows, weights)).reshape([balls, 2 * LOOKS * channels])
+            });
+            Tensor::cat(parts.collect(), 1)
+        };
+        self.predict(HeadInputs { first: seen.linear(&self.first), places, starts }, look)
     }
 }
 
 impl<L, First> BallHead<L, First> {
     /// The perceptron after its first layer, for training and for inference. The order of the blocks is that of the
     /// inputs of the layers in weights files.
-    pub fn predict<F: Features<Layer = L>>(&self, inputs: HeadInputs<F>) -> Predictions<F> {
+    pub fn predict<F: Features<Layer = L>>(&self, inputs: HeadInputs<F>, look: impl Fn(&F) -> F) -> Predictions<F> {
         let HeadInputs { first, places, starts } = inputs;
         let hidden = first.relu().linear(&self.second).relu();
-        let coordinates = starts.add(hidden.linear(&self.displacements));
+        let first_coordinates = starts.add(hidden.linear(&self.displacements));
+        let so_far = first_coordinates.clone().detach();
+        let looked = look(&so_far);
+        let [first, second] = &self.look;
+        let seen = F::concat(vec![hidden, so_far.clone(), looked]);
+        let hidden = seen.linear(first).relu().linear(second).relu();
+        let coordinates = so_far.add(hidden.linear(&self.corrections));
         let errors = hidden.linear(&self.errors).softplus();
         let paths = F::concat(vec![coordinates.clone(), errors.clone(), places]);
         let chance = F::concat(vec![hidden, paths.clone()]).linear(&self.chance).relu();
@@ -237,6 +316,7 @@ impl<L, First> BallHead<L, First> {
         // The loss of these logits does not change the paths: it only reads them.
         let path_chance = paths.detach().linear(first).relu().linear(second).relu();
         Predictions {
+            first_coordinates,
             coordinates,
             errors,
             logits: chance.linear(&self.logit),
@@ -252,6 +332,8 @@ impl<L, First> BallHead<L, First> {
             second: convert(&self.second),
             displacements: convert(&self.displacements),
             errors: convert(&self.errors),
+            look: self.look.each_ref().map(&convert),
+            corrections: convert(&self.corrections),
             chance: convert(&self.chance),
             logit: convert(&self.logit),
             path_chance: self.path_chance.each_ref().map(&convert),

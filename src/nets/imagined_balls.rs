@@ -12,8 +12,8 @@ use burn::tensor::Tensor;
 
 use super::ball_columns::{Columns, Layer};
 use super::ball_head::{
-    BALL_NUMBERS, BallHead, COORDINATES, Features, HIDDEN, HeadInputs, PLACES, POSITIONS, SCENE_HIDDEN, Starts, UNIT,
-    ball_numbers, corners, paths_at_rest, places,
+    BALL_NUMBERS, BallHead, COORDINATES, Features, HIDDEN, HeadInputs, LOOK_LEVELS, LOOKS, PLACES, POSITIONS,
+    SCENE_HIDDEN, Starts, UNIT, ball_numbers, corners, looks, paths_at_rest, places,
 };
 use super::conv::panels::{COLUMNS, Panels};
 use super::dynamics::{CODE, DynamicsNet, LEVELS, SceneFeatures};
@@ -138,11 +138,30 @@ fn product(level: &[f32], part: &Panels) -> Vec<f32> {
 impl View {
     /// Returns what up to `COLUMNS` balls lead to.
     fn imagine(&self, head: &BallHead<Layer, FirstLayer>, balls: &[Ball]) -> Vec<ImaginedBall> {
-        let predictions = head.predict(HeadInputs {
-            first: self.first(&head.first, balls),
-            places: Columns::new(balls, PLACES, |&ball| places(ball, self.starts)),
-            starts: Columns::new(balls, COORDINATES, |&ball| paths_at_rest(ball, self.starts)),
-        });
+        let look = |coordinates: &Columns| {
+            let columns: Vec<usize> = (0..balls.len()).collect();
+            let count = 2 * LOOKS * LEVELS[..LOOK_LEVELS].iter().map(|(_, channels)| channels).sum::<usize>();
+            Columns::new(&columns, count, |&column| {
+                let mut features = Vec::with_capacity(count);
+                let places = looks(|index| coordinates.get(index, column));
+                for (level, &(side, channels)) in self.fine.iter().zip(&LEVELS[..LOOK_LEVELS]) {
+                    for [x, y] in places {
+                        let mut at = vec![0.0; channels];
+                        interpolate(&mut at, level, side, Ball { x, y, r: 0.0 });
+                        features.extend(at);
+                    }
+                }
+                features
+            })
+        };
+        let predictions = head.predict(
+            HeadInputs {
+                first: self.first(&head.first, balls),
+                places: Columns::new(balls, PLACES, |&ball| places(ball, self.starts)),
+                starts: Columns::new(balls, COORDINATES, |&ball| paths_at_rest(ball, self.starts)),
+            },
+            look,
+        );
         let imagined = |column: usize| {
             let coordinate = |index: usize| predictions.coordinates.get(index, column) * UNIT;
             let path = |first: usize| {
@@ -267,7 +286,7 @@ mod tests {
         let mut batch = BallBatch::default();
         balls.iter().for_each(|&ball| batch.add(0, ball, Starts::of(&scene)));
         let (_, predictions) = net.forward(nets.encode_coverage(&scene), batch.tensors(&flex()));
-        let Predictions { coordinates, errors, logits, path_logits } = predictions;
+        let Predictions { coordinates, errors, logits, path_logits, .. } = predictions;
         let [coordinates, errors, logits, path_logits] = [coordinates, errors, logits, path_logits].map(values);
         let close = |a: f32, b: f32| assert!((a - b).abs() < 1e-3 * a.abs().max(1.0), "{a} {b}");
         let plain: Vec<ImaginedBall> =

@@ -93,6 +93,7 @@ impl Trainer<DynamicsNet> {
         let count = batch.labels.len();
         let labels = vector(batch.labels);
         let real = vector(batch.coordinates).reshape([count, COORDINATES]);
+        let first_apart = predictions.first_coordinates - real.clone(); // [balls, COORDINATES]
         let apart = predictions.coordinates - real; // [balls, COORDINATES]
         let squared = apart.clone().detach().powi_scalar(2).reshape([count, POSITIONS, 2]);
         let distance = squared.sum_dim(2).squeeze_dim::<2>(2).sqrt(); // [balls, POSITIONS]
@@ -101,7 +102,7 @@ impl Trainer<DynamicsNet> {
             batch.cells.loss(logits, &device),
             binary_cross_entropy_with_logits(predictions.logits.squeeze_dim::<1>(1), labels.clone()),
             binary_cross_entropy_with_logits(predictions.path_logits.squeeze_dim::<1>(1), labels),
-            apart.abs().mean() * path_weight,
+            (apart.abs().mean() + first_apart.abs().mean()) * path_weight,
             (predictions.errors - distance).abs().mean() * error_weight,
         ];
         self.backward_step(Tensor::cat(losses, 0), learning_rate)
