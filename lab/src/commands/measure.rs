@@ -1,26 +1,26 @@
 //! `pathlight-lab measure …`
 
 use std::io::{self, Write};
-use std::num::NonZeroU32;
 use std::path::PathBuf;
 
 use pathlight::agents::agent_name::AgentName;
 use pathlight_lab::data::collect::SOLUTIONS;
-use pathlight_lab::data::scene_id::HELD_OUT;
 use pathlight_lab::files::json_file;
-use pathlight_lab::measure::measured_scenes::MeasuredScenes;
 use pathlight_lab::measure::{calibration, carried, evaluate, fidelity, forecasts, paper_table};
 use pathlight_lab::progress::Progress;
+use pathlight_lab::reproduce::{RESULTS, random_scenes};
 
 use super::agent_arg::agent;
 use super::engine_arg::EngineArg;
 use super::fold_args::FoldArgs;
+use super::scenes_args::ScenesArgs;
 
 #[derive(clap::Subcommand)]
 pub enum Command {
     Evaluate(Evaluate),
     Carried(Carried),
     Paper(Paper),
+    RandomScenes(RandomScenes),
     Forecasts(Forecasts),
     Calibration(Calibration),
     Fidelity(Fidelity),
@@ -32,6 +32,7 @@ impl Command {
             Command::Evaluate(args) => args.run(progress)?,
             Command::Carried(args) => args.run()?,
             Command::Paper(Paper { folder }) => paper_table::page(&folder)?,
+            Command::RandomScenes(RandomScenes { folder, rows }) => random_scenes::page(&folder, &rows)?,
             Command::Forecasts(args) => args.run()?,
             Command::Calibration(args) => args.run()?,
             Command::Fidelity(Fidelity { reference, limit, engine: EngineArg { engine } }) => {
@@ -148,31 +149,17 @@ pub struct Paper {
     folder: PathBuf,
 }
 
-/// Scenes to measure on instead of test tasks.
+/// Print the results of dynamics nets that learned from random scenes too, which `measure evaluate` wrote, beside the
+/// rows without them, as Markdown
 #[derive(clap::Args)]
-struct ScenesArgs {
-    /// Measure in a variant of each test task, with its bodies moved, turned and resized at random
-    #[arg(long, conflicts_with_all = ["random_scenes", "json"])]
-    variants: bool,
+pub struct RandomScenes {
+    /// Folder of the results
+    #[arg(value_name = "DIR")]
+    folder: PathBuf,
 
-    /// Measure in this many random scenes, which no net has seen
-    #[arg(
-        long,
-        value_name = "N",
-        value_parser = clap::value_parser!(u32).range(1..i64::from(HELD_OUT)),
-        conflicts_with_all = ["json", "limit"]
-    )]
-    random_scenes: Option<u32>,
-}
-
-impl From<ScenesArgs> for MeasuredScenes {
-    fn from(ScenesArgs { variants, random_scenes }: ScenesArgs) -> MeasuredScenes {
-        match (random_scenes.and_then(NonZeroU32::new), variants) {
-            (Some(count), _) => MeasuredScenes::Random(count),
-            (None, true) => MeasuredScenes::Variants,
-            (None, false) => MeasuredScenes::TestTasks,
-        }
-    }
+    /// Folder of the rows, from `reproduce`
+    #[arg(long, value_name = "DIR", default_value = RESULTS)]
+    rows: PathBuf,
 }
 
 /// Measure how well the dynamics net imagines what balls lead to, on the test tasks of a fold or in other scenes

@@ -25,6 +25,7 @@ mod measure;
 mod progress;
 mod publish;
 mod reproduce;
+mod scenes_args;
 mod shown_progress;
 #[path = "../../../src/commands/template_arg.rs"]
 mod template_arg;

@@ -193,6 +193,21 @@ fn score(
 }
 
 impl Report {
+    /// The first solving attempts of an agent, on all tasks or those of a template; empty if it was not measured.
+    pub fn first_solved(&self, agent: AgentName, template: Option<usize>) -> Vec<Option<usize>> {
+        let score = self.agents.iter().find(|score| score.agent == agent);
+        let all = score.into_iter().flat_map(|score| &score.first_solved);
+        all.filter(|(task, _)| template.is_none_or(|number| task.template == number)).map(|&(_, first)| first).collect()
+    }
+
+    /// Auccess, and the percentages of tasks solved at the first attempt, within 10 and within 100; `None` if the agent
+    /// was not measured.
+    pub fn score(&self, agent: AgentName) -> Option<[f64; 4]> {
+        let firsts = self.first_solved(agent, None);
+        let [first, ten, hundred] = [1, 10, MAX_ATTEMPTS].map(|attempts| 100.0 * solved_within(&firsts, attempts));
+        (!firsts.is_empty()).then(|| [auccess(&firsts), first, ten, hundred])
+    }
+
     /// The results as a table for people: a row per template and one for all.
     pub fn table(&self) -> Result<String, fmt::Error> {
         // All agents attempt the same tasks.
@@ -212,6 +227,9 @@ impl Report {
             }
             if let Some(dynamics) = &card.dynamics {
                 write!(text, "; dynamics net: {} balls, {} epochs", dynamics.balls, dynamics.epochs)?;
+                if dynamics.random_scenes > 0 {
+                    write!(text, ", {} random scenes", dynamics.random_scenes)?;
+                }
             }
             writeln!(text)?;
         }

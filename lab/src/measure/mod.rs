@@ -9,6 +9,7 @@ pub mod calibration;
 pub mod carried;
 pub mod evaluate;
 pub mod fidelity;
+pub mod fold_reports;
 pub mod forecasts;
 pub mod measured_scenes;
 pub mod paper_table;

@@ -7,13 +7,12 @@ use std::path::Path;
 use anyhow::{Context, ensure};
 use pathlight::agents::agent_name::AgentName;
 use pathlight::benchmark::auccess::{auccess, solved_within};
-use pathlight::benchmark::folds::{FOLDS, FoldId, Setup};
+use pathlight::benchmark::folds::{FOLDS, Setup};
 use pathlight::nets::Card;
 use pathlight::puzzle::templates::TEMPLATES;
 
 use super::evaluate::{Report, score_cell};
-use super::shipped::Measurement;
-use crate::files::json_file;
+use super::fold_reports;
 use crate::training::settings::{PathsRecipe, recipe_of};
 
 /// What the paper reports of a setup, over its ten folds.
@@ -46,8 +45,9 @@ struct Measured(Vec<Report>);
 /// # Errors
 /// If there are none, or one is damaged, or they were made with different settings.
 pub fn page(folder: &Path) -> anyhow::Result<String> {
-    let [within, cross] = [WITHIN.setup, CROSS.setup].map(|setup| read(folder, setup));
-    let (within, cross) = (within?, cross?);
+    let agents = [AgentName::Paper, AgentName::Random];
+    let read = |setup| fold_reports::read(folder, setup, &agents, "scripts/paper-table").map(Measured);
+    let (within, cross) = (read(WITHIN.setup)?, read(CROSS.setup)?);
     let reports: Vec<&Report> = within.0.iter().chain(&cross.0).collect();
     let name = folder.display();
     let first = reports
@@ -82,30 +82,6 @@ const HEAD: &str = "# The table of Harter et al. (2020)
 The published numbers are means over all ten folds, in PHYRE's simulator. Auccess counts up to 100 attempts per task; \
 “solved” is the percentage of test tasks solved within ten. Only counted attempts are simulated.
 ";
-
-/// Reads the results of a setup that exist, and checks that each is what its name says.
-fn read(folder: &Path, setup: Setup) -> anyhow::Result<Measured> {
-    let mut reports = Vec::new();
-    for fold in (0..FOLDS).map(|fold| FoldId { setup, fold }) {
-        let path = folder.join(format!("{fold}.json"));
-        if !path.exists() {
-            continue;
-        }
-        let report: Report = json_file::read(&path, "scripts/paper-table")?;
-        let has = |agent| report.agents.iter().any(|score| score.agent == agent);
-        ensure!(
-            (FoldId { setup: report.setup, fold: report.fold }, report.tasks_of.as_str()) == (fold, "test")
-                && report.is_whole(&fold.tasks().test)
-                && has(AgentName::Paper)
-                && has(AgentName::Random),
-            "{} does not hold the paper's agent and the random one, of this version, on all test tasks of {fold}: remove \
-             it, and run `scripts/paper-table` again",
-            path.display()
-        );
-        reports.push(report);
-    }
-    Ok(Measured(reports))
-}
 
 /// What has to agree between the results of a table: the seed, and how the nets were trained.
 fn settings(report: &Report) -> impl PartialEq {
@@ -170,9 +146,7 @@ fn solved(firsts: &[Option<usize>]) -> f64 {
 impl Measured {
     /// The first solving attempts of an agent at the tasks of a template, or of all, in all folds.
     fn firsts(&self, agent: AgentName, template: Option<usize>) -> Vec<Option<usize>> {
-        let scores = self.0.iter().flat_map(|report| &report.agents).filter(|score| score.agent == agent);
-        let firsts = scores.flat_map(|score| &score.first_solved);
-        firsts.filter(|(task, _)| template.is_none_or(|of| task.template == of)).map(|&(_, first)| first).collect()
+        self.0.iter().flat_map(|report| report.first_solved(agent, template)).collect()
     }
 
     fn mean_over_templates(&self, agent: AgentName, of: impl Fn(&[Option<usize>]) -> f64) -> f64 {
@@ -219,13 +193,8 @@ fn folds(text: &mut String, reports: &[&Report]) -> fmt::Result {
          within 100.\n\n| setup | fold | test tasks | ours | random balls |\n| --- | ---: | ---: | ---: | ---: |"
     )?;
     for report in reports {
-        let cells = [AgentName::Paper, AgentName::Random].map(|agent| {
-            report.agents.iter().find(|score| score.agent == agent).map_or("–".to_string(), |score| {
-                let solved = [score.solved_at_once, score.solved_within_10, score.solved_within_100];
-                let [first, ten, hundred] = solved.map(|share| 100.0 * share);
-                score_cell([score.auccess, first, ten, hundred])
-            })
-        });
+        let cells =
+            [AgentName::Paper, AgentName::Random].map(|agent| report.score(agent).map_or("–".to_string(), score_cell));
         let tasks = report.agents.first().map_or(0, |score| score.first_solved.len());
         writeln!(text, "| {} | {} | {tasks} | {} | {} |", report.setup, report.fold, cells[0], cells[1])?;
     }

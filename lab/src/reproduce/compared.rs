@@ -79,7 +79,8 @@ pub fn comparison(results: &[FoldResult]) -> Comparison {
 pub fn our_rows(results: &[FoldResult]) -> Vec<OurRow> {
     let mean = |setup: Setup, agent: AgentName| {
         let of_setup = results.iter().filter(|result| result.report.setup == setup);
-        let scores: Vec<f64> = of_setup.filter_map(|result| result.score(agent)).map(|[auccess, ..]| auccess).collect();
+        let scores: Vec<f64> =
+            of_setup.filter_map(|result| result.report.score(agent)).map(|[auccess, ..]| auccess).collect();
         mean_and_deviation(&scores)
     };
     let row = |agent| OurRow { agent, auccess: [Setup::Within, Setup::Cross].map(|setup| mean(setup, agent)) };

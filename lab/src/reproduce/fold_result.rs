@@ -7,8 +7,6 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, ensure};
 use pathlight::agents;
-use pathlight::agents::agent_name::AgentName;
-use pathlight::benchmark::auccess::{MAX_ATTEMPTS, auccess, solved_within};
 use pathlight::benchmark::folds::FoldId;
 use pathlight::nets::DqnCard;
 use pathlight::simulator;
@@ -215,21 +213,6 @@ impl FoldResult {
             },
         }
     }
-
-    /// The first solving attempts of an agent, on all tasks or those of a template; empty if it was not measured.
-    pub fn first_solved(&self, agent: AgentName, template: Option<usize>) -> Vec<Option<usize>> {
-        let score = self.report.agents.iter().find(|score| score.agent == agent);
-        let all = score.into_iter().flat_map(|score| &score.first_solved);
-        all.filter(|(task, _)| template.is_none_or(|number| task.template == number)).map(|&(_, first)| first).collect()
-    }
-
-    /// Auccess, and the percentages of tasks solved at the first attempt, within 10 and within 100; `None` if the agent
-    /// was not measured.
-    pub fn score(&self, agent: AgentName) -> Option<[f64; 4]> {
-        let firsts = self.first_solved(agent, None);
-        let [first, ten, hundred] = [1, 10, MAX_ATTEMPTS].map(|attempts| 100.0 * solved_within(&firsts, attempts));
-        (!firsts.is_empty()).then(|| [auccess(&firsts), first, ten, hundred])
-    }
 }
 
 /// Reads all results in a folder, within before cross, folds ascending.
@@ -258,6 +241,8 @@ pub fn read(folder: &Path) -> anyhow::Result<Vec<FoldResult>> {
 
 #[cfg(test)]
 mod tests {
+    use pathlight::agents::agent_name::AgentName;
+
     use super::*;
 
     /// A row of the repository; its settings are today's defaults but for the data, which are not in it.
@@ -292,7 +277,8 @@ mod tests {
         assert!(old.contains("\"judge_epochs_cross\":60") && !old.contains("\"success"));
         let [old, row] = [old, text].map(|text| serde_json::from_str::<FoldResult>(&text).expect("a row"));
         assert_eq!(old.settings().differences(&row.settings()), "");
-        assert!(row.score(AgentName::Success).is_some());
-        assert_eq!(old.score(AgentName::Success), row.score(AgentName::Success));
+        let score = |row: &FoldResult| row.report.score(AgentName::Success);
+        assert!(score(&row).is_some());
+        assert_eq!(score(&old), score(&row));
     }
 }

@@ -18,6 +18,7 @@ pub mod compared;
 mod costs;
 pub mod fold_result;
 mod fold_run;
+pub mod random_scenes;
 pub mod report;
 mod training_report;
 

@@ -110,7 +110,7 @@ fn ablations(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
     )?;
     for (agent, without, part) in ABLATIONS {
         let cells = [Setup::Within, Setup::Cross].map(|setup| {
-            let score = |result: &FoldResult, agent| result.score(agent).map(|[auccess, ..]| auccess);
+            let score = |result: &FoldResult, agent| result.report.score(agent).map(|[auccess, ..]| auccess);
             let of_fold = |result| Some(score(result, agent)? - score(result, without)?);
             let differences: Vec<f64> = of(results, setup).filter_map(of_fold).collect();
             let positive = differences.iter().filter(|&&difference| difference > 0.0).count();
@@ -135,9 +135,9 @@ fn folds(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
     let names = AGENTS.iter().map(|agent| agent.label).collect::<Vec<_>>().join(" | ");
     writeln!(text, "| setup | fold | test tasks | {names} |\n| --- |{}", " ---: |".repeat(2 + AGENTS.len()))?;
     for result in results {
-        let cells = AGENTS.iter().map(|agent| result.score(agent.agent).map_or("–".to_string(), score_cell));
+        let cells = AGENTS.iter().map(|agent| result.report.score(agent.agent).map_or("–".to_string(), score_cell));
         let cells: Vec<String> = cells.collect();
-        let tasks = result.first_solved(AgentName::Random, None).len();
+        let tasks = result.report.first_solved(AgentName::Random, None).len();
         writeln!(text, "| {} | {} | {tasks} | {} |", result.report.setup, result.report.fold, cells.join(" | "))?;
     }
     Ok(())

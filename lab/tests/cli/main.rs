@@ -20,6 +20,7 @@ mod label;
 mod merge;
 mod paper_table;
 mod pipes;
+mod random_scenes;
 mod reference;
 mod reproduce;
 mod train;

@@ -1,0 +1,33 @@
+//! Which scenes a command measures on.
+
+use std::num::NonZeroU32;
+
+use pathlight_lab::data::scene_id::HELD_OUT;
+use pathlight_lab::measure::measured_scenes::MeasuredScenes;
+
+/// Scenes to measure on instead of test tasks.
+#[derive(clap::Args)]
+pub struct ScenesArgs {
+    /// Measure in a variant of each test task, with its bodies moved, turned and resized at random
+    #[arg(long, conflicts_with_all = ["random_scenes", "json"])]
+    variants: bool,
+
+    /// Measure in this many random scenes, which no net has seen
+    #[arg(
+        long,
+        value_name = "N",
+        value_parser = clap::value_parser!(u32).range(1..i64::from(HELD_OUT)),
+        conflicts_with_all = ["json", "limit"]
+    )]
+    random_scenes: Option<u32>,
+}
+
+impl From<ScenesArgs> for MeasuredScenes {
+    fn from(ScenesArgs { variants, random_scenes }: ScenesArgs) -> MeasuredScenes {
+        match (random_scenes.and_then(NonZeroU32::new), variants) {
+            (Some(count), _) => MeasuredScenes::Random(count),
+            (None, true) => MeasuredScenes::Variants,
+            (None, false) => MeasuredScenes::TestTasks,
+        }
+    }
+}

@@ -1,0 +1,131 @@
+//! The results of dynamics nets that learned from random scenes too, beside the rows without them, as Markdown.
+
+use std::fmt::{self, Write as _};
+use std::path::Path;
+
+use anyhow::{Context, ensure};
+use pathlight::agents::agent_name::AgentName;
+use pathlight::benchmark::folds::{FOLDS, Setup};
+use pathlight::nets::{Card, DynamicsCard};
+
+use super::compared::mean_and_deviation;
+use super::fold_result::{self, FoldResult};
+use crate::measure::agents::row;
+use crate::measure::evaluate::{Report, score_cell};
+use crate::measure::fold_reports;
+
+/// What makes the results.
+const SCRIPT: &str = "scripts/random-scenes-table";
+
+/// The agents that are measured, but for the random one.
+const AGENTS: [AgentName; 3] = [AgentName::Online, AgentName::OnlineByBalls, AgentName::Dynamics];
+
+/// Reads the results in a folder, `SETUP-FOLD.json` of `measure evaluate`, and the rows in another, and returns the
+/// page.
+///
+/// # Errors
+/// If there are no results, one is damaged, or they were made with different settings.
+pub fn page(folder: &Path, rows: &Path) -> anyhow::Result<String> {
+    let rows = fold_result::read(rows)?;
+    let mut reports = Vec::new();
+    for setup in [Setup::Within, Setup::Cross] {
+        reports.extend(fold_reports::read(folder, setup, &AGENTS, SCRIPT)?);
+    }
+    let name = folder.display();
+    let first =
+        reports.first().with_context(|| format!("there are no results in {name}: make them with `{SCRIPT}`"))?;
+    for report in &reports {
+        ensure!(
+            settings(report) == settings(first),
+            "{name}/{}-{}.json was made with other settings than {}-{}.json: remove one of them, and run `{SCRIPT}` \
+             again",
+            report.setup,
+            report.fold,
+            first.setup,
+            first.fold
+        );
+    }
+    let mut text = String::new();
+    head(&mut text, first, reports.len())?;
+    means(&mut text, &reports, &rows)?;
+    folds(&mut text, &reports)?;
+    Ok(text)
+}
+
+/// What has to agree between the results of a table: the seed, and how the dynamics nets were trained.
+fn settings(report: &Report) -> impl PartialEq + use<> {
+    let card = report.card.as_ref().and_then(|card| card.dynamics.as_ref());
+    let recipe = card.map(|card| {
+        let DynamicsCard { seed, epochs, batch, balls_per_scene, imagined_per_scene, learning_rate, .. } = *card;
+        (seed, epochs, batch, balls_per_scene, imagined_per_scene, learning_rate, card.random_scenes)
+    });
+    (report.seed, recipe)
+}
+
+fn head(text: &mut String, report: &Report, count: usize) -> anyhow::Result<()> {
+    let Report { seed, simulator, agents_version, card: Some(Card { dynamics: Some(card), .. }), .. } = report else {
+        anyhow::bail!("the results are of weights without a dynamics net: make them with `{SCRIPT}`");
+    };
+    let DynamicsCard { epochs, batch, balls_per_scene, learning_rate, balls, variants, random_scenes, .. } = card;
+    write!(
+        text,
+        "# With random scenes\n\n`pathlight-lab measure random-scenes` printed this from the files beside it, which \
+         `{SCRIPT}` made. The dynamics nets learned from the training tasks, from variants of them, and from random \
+         scenes, which have no template; the rows of the [results](../README.md) know no random scenes, and were \
+         trained otherwise. Only counted attempts are simulated.\n\n\
+         {} {}: {balls} balls, {variants} variants, {random_scenes} random scenes; {epochs} epochs in batches of \
+         {batch} scenes with {balls_per_scene} balls each, Adam at {learning_rate}. Seed {seed}, simulator \
+         {simulator}, agents {agents_version}. {count} of {} folds are measured.\n",
+        report.setup,
+        report.fold,
+        2 * FOLDS,
+    )?;
+    Ok(())
+}
+
+/// The means over the folds that are measured, beside those of the rows of the same folds.
+fn means(text: &mut String, reports: &[Report], rows: &[FoldResult]) -> fmt::Result {
+    writeln!(
+        text,
+        "\n## Auccess, mean over folds ± standard deviation\n\n| setup | folds | agent | with random scenes | the rows \
+         of the same folds | paired difference, folds on which it is positive |\n| --- | ---: | --- | ---: | ---: | \
+         ---: |"
+    )?;
+    for setup in [Setup::Within, Setup::Cross] {
+        let of_setup: Vec<&Report> = reports.iter().filter(|report| report.setup == setup).collect();
+        for agent in AGENTS.into_iter().filter(|_| !of_setup.is_empty()) {
+            let auccess = |report: &Report| report.score(agent).map(|[auccess, ..]| auccess);
+            let of_rows =
+                |fold: u8| rows.iter().map(|row| &row.report).find(|row| (row.setup, row.fold) == (setup, fold));
+            let (with, without): (Vec<f64>, Vec<f64>) =
+                of_setup.iter().filter_map(|report| Some((auccess(report)?, auccess(of_rows(report.fold)?)?))).unzip();
+            let differences: Vec<f64> = with.iter().zip(&without).map(|(with, without)| with - without).collect();
+            writeln!(
+                text,
+                "| {setup} | {} | **{}** | {} | {} | {}, {} of {} |",
+                with.len(),
+                row(agent).label,
+                mean_and_deviation(&with),
+                mean_and_deviation(&without),
+                mean_and_deviation(&differences),
+                differences.iter().filter(|&&difference| difference > 0.0).count(),
+                differences.len(),
+            )?;
+        }
+    }
+    Ok(())
+}
+
+fn folds(text: &mut String, reports: &[Report]) -> fmt::Result {
+    let names = AGENTS.map(|agent| row(agent).label).join(" | ");
+    writeln!(
+        text,
+        "\n## Each fold\n\nAuccess, and the percentage solved at the first attempt / within 10 / within 100.\n\n| setup \
+         | fold | {names} |\n| --- | ---: | ---: | ---: | ---: |"
+    )?;
+    for report in reports {
+        let cells = AGENTS.map(|agent| report.score(agent).map_or("–".to_string(), score_cell));
+        writeln!(text, "| {} | {} | {} |", report.setup, report.fold, cells.join(" | "))?;
+    }
+    Ok(())
+}

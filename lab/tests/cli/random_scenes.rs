@@ -1,0 +1,47 @@
+//! `pathlight-lab measure random-scenes`: the results of nets that learned from random scenes, beside the rows.
+
+use std::fs;
+
+use serde_json::Value;
+use tempfile::tempdir;
+
+use super::{assert_refused, output_of, root};
+
+#[test]
+fn results_stand_beside_the_rows_of_the_same_folds() {
+    let folder = tempdir().expect("a folder");
+    let name = folder.path().display().to_string();
+    let words = ["measure", "random-scenes", &name];
+    let put = |result: &Value| fs::write(folder.path().join("cross-0.json"), result.to_string()).expect("written");
+    assert_refused(&words, "there are no results in");
+
+    let shipped = fs::read(root("results/shipped/cross-0.json")).expect("a result");
+    let mut result: Value = serde_json::from_slice(&shipped).expect("JSON");
+    put(&result);
+    assert_refused(&words, "does not hold the agents online, online-by-balls, dynamics");
+    let agents = result["agents"].as_array_mut().expect("agents");
+    let online = agents.iter().find(|agent| agent["agent"] == "online").expect("the online agent").clone();
+    let by_balls = Value::Object(
+        [
+            online.as_object().expect("an object").clone(),
+            [("agent".into(), "online-by-balls".into())].into_iter().collect(),
+        ]
+        .into_iter()
+        .flatten()
+        .collect(),
+    );
+    agents.push(by_balls);
+    result["card"]["dynamics"]["random_scenes"] = 7.into();
+    put(&result);
+    let page = output_of(&words);
+    assert!(page.contains("7 random scenes"), "{page}");
+    let row: Value = serde_json::from_slice(&fs::read(root("results/cross-0.json")).expect("a row")).expect("JSON");
+    let in_row = row["report"]["agents"].as_array().expect("agents").iter().find(|agent| agent["agent"] == "online");
+    let [with, without] =
+        [&online, in_row.expect("the online agent")].map(|score| score["auccess"].as_f64().expect("a number"));
+    let cells = format!("| cross | 1 | **online** | {with:.1} | {without:.1} | {:.1}, ", with - without);
+    assert!(page.contains(&cells), "{page} lacks {cells}");
+    result["tasks_of"] = "dev".into();
+    put(&result);
+    assert_refused(&words, "on all test tasks of cross-0");
+}
