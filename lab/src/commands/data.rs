@@ -1,7 +1,6 @@
 //! `pathlight-lab data …`
 
 use std::io::{self, Write};
-use std::num::NonZeroU32;
 use std::path::PathBuf;
 
 use pathlight::benchmark::folds::{FoldId, Setup};
@@ -147,7 +146,7 @@ impl Label {
             selection: self.selection.into(),
             weights: self.weights,
             variants: self.variants,
-            random_scenes: self.random_scenes.and_then(NonZeroU32::new),
+            random_scenes: self.random_scenes,
             training_tasks_of: self.setup.zip(self.fold).map(|(setup, fold)| FoldId { setup, fold }),
             seed: self.seed,
         };

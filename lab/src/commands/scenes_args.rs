@@ -1,7 +1,5 @@
 //! Which scenes a command measures on.
 
-use std::num::NonZeroU32;
-
 use pathlight_lab::data::scene_id::HELD_OUT;
 use pathlight_lab::measure::measured_scenes::MeasuredScenes;
 
@@ -24,7 +22,7 @@ pub struct ScenesArgs {
 
 impl From<ScenesArgs> for MeasuredScenes {
     fn from(ScenesArgs { variants, random_scenes }: ScenesArgs) -> MeasuredScenes {
-        match (random_scenes.and_then(NonZeroU32::new), variants) {
+        match (random_scenes, variants) {
             (Some(count), _) => MeasuredScenes::Random(count),
             (None, true) => MeasuredScenes::Variants,
             (None, false) => MeasuredScenes::TestTasks,

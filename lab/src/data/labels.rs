@@ -125,6 +125,11 @@ pub fn try_balls(scene: &Scene, balls: Vec<Sampled>) -> Vec<Tried> {
 }
 
 impl LabelledBalls {
+    /// The number of balls.
+    pub fn count(&self) -> usize {
+        self.solved.len() + self.failed.len()
+    }
+
     /// The balls that were tried in a scene.
     pub fn new(scene: SceneId, tried: Vec<Tried>) -> LabelledBalls {
         let (solved, failed): (Vec<Tried>, Vec<Tried>) = tried.into_iter().partition(|ball| ball.solved);

@@ -3,37 +3,55 @@
 
 use std::path::Path;
 
-use anyhow::ensure;
+use anyhow::{Context, ensure};
 use pathlight::agents::agent_name::AgentName;
-use pathlight::benchmark::folds::{FOLDS, FoldId, Setup};
+use pathlight::benchmark::folds::FoldId;
 
 use super::evaluate::Report;
 use super::shipped::Measurement;
 use crate::files::json_file;
 
-/// Reads the results of a setup that exist, folds ascending. Each has to hold these agents; `script` makes them.
+/// Reads the results in a folder, at least one, within before cross, folds ascending. Each has to hold these agents,
+/// and `settings` have to agree; `script` makes them.
 ///
 /// # Errors
-/// If one is damaged, or is not of all test tasks of the fold in its name, by these agents and of today's version.
-pub fn read(folder: &Path, setup: Setup, agents: &[AgentName], script: &str) -> anyhow::Result<Vec<Report>> {
-    let mut reports = Vec::new();
-    for fold in (0..FOLDS).map(|fold| FoldId { setup, fold }) {
+/// If there are none, one is damaged or is not of all test tasks of the fold in its name, by these agents and of today's
+/// version, or they were made with different settings.
+pub fn read<S: PartialEq>(
+    folder: &Path,
+    agents: &[AgentName],
+    script: &str,
+    settings: impl Fn(&Report) -> S,
+) -> anyhow::Result<Vec<Report>> {
+    let names: Vec<String> = agents.iter().map(ToString::to_string).collect();
+    let mut reports: Vec<Report> = Vec::new();
+    for fold in FoldId::all() {
         let path = folder.join(format!("{fold}.json"));
         if !path.exists() {
             continue;
         }
+        let name = path.display();
         let report: Report = json_file::read(&path, script)?;
-        let names: Vec<String> = agents.iter().map(ToString::to_string).collect();
         ensure!(
             (FoldId { setup: report.setup, fold: report.fold }, report.tasks_of.as_str()) == (fold, "test")
                 && report.is_whole(&fold.tasks().test)
                 && agents.iter().all(|&agent| report.score(agent).is_some()),
-            "{} does not hold the agents {}, of this version, on all test tasks of {fold}: remove it, and run \
+            "{name} does not hold the agents {}, of this version, on all test tasks of {fold}: remove it, and run \
              `{script}` again",
-            path.display(),
             names.join(", "),
         );
+        if let Some(first) = reports.first() {
+            ensure!(
+                settings(&report) == settings(first),
+                "{name} was made with other settings than {}-{}.json: remove one of them, and run `{script}` again",
+                first.setup,
+                first.fold
+            );
+        }
         reports.push(report);
     }
+    reports
+        .first()
+        .with_context(|| format!("there are no results in {}: make them with `{script}`", folder.display()))?;
     Ok(reports)
 }

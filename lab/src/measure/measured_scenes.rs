@@ -1,7 +1,5 @@
 //! The scenes that forecasts and chances are measured on: test tasks, or scenes that no net has seen.
 
-use std::num::NonZeroU32;
-
 use pathlight::benchmark::folds::FoldId;
 
 use super::test_tasks;
@@ -19,7 +17,7 @@ pub enum MeasuredScenes {
     /// A variant of each test task.
     Variants,
     /// This many random scenes.
-    Random(NonZeroU32),
+    Random(u32),
 }
 
 impl MeasuredScenes {
@@ -32,7 +30,7 @@ impl MeasuredScenes {
                 let variants = |task| (HELD_OUT..HELD_OUT + VARIANTS).map(move |number| SceneId::Variant(task, number));
                 tasks.into_iter().filter_map(|task| variants(task).find(|variant| variant.scene().is_ok())).collect()
             }
-            MeasuredScenes::Random(count) => (HELD_OUT..HELD_OUT + count.get()).map(SceneId::Random).collect(),
+            MeasuredScenes::Random(count) => (HELD_OUT..HELD_OUT + count).map(SceneId::Random).collect(),
         }
     }
 

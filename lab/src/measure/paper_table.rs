@@ -4,7 +4,6 @@
 use std::fmt::{self, Write as _};
 use std::path::Path;
 
-use anyhow::{Context, ensure};
 use pathlight::agents::agent_name::AgentName;
 use pathlight::benchmark::auccess::{auccess, solved_within};
 use pathlight::benchmark::folds::{FOLDS, Setup};
@@ -38,34 +37,18 @@ const CROSS: Published = Published {
 };
 
 /// The results of a setup, a report for each fold.
-struct Measured(Vec<Report>);
+struct Measured<'a>(Vec<&'a Report>);
 
 /// Reads the results in a folder, `SETUP-FOLD.json` of `measure evaluate --agent paper`, and returns the page.
 ///
 /// # Errors
 /// If there are none, or one is damaged, or they were made with different settings.
 pub fn page(folder: &Path) -> anyhow::Result<String> {
-    let agents = [AgentName::Paper, AgentName::Random];
-    let read = |setup| fold_reports::read(folder, setup, &agents, "scripts/paper-table").map(Measured);
-    let (within, cross) = (read(WITHIN.setup)?, read(CROSS.setup)?);
-    let reports: Vec<&Report> = within.0.iter().chain(&cross.0).collect();
-    let name = folder.display();
-    let first = reports
-        .first()
-        .with_context(|| format!("there are no results in {name}: make them with `scripts/paper-table`"))?;
-    for report in &reports {
-        ensure!(
-            settings(report) == settings(first),
-            "{name}/{}-{}.json was made with other settings than {}-{}.json: remove one of them, and run \
-             `scripts/paper-table` again",
-            report.setup,
-            report.fold,
-            first.setup,
-            first.fold
-        );
-    }
+    let reports = fold_reports::read(folder, &[AgentName::Paper, AgentName::Random], "scripts/paper-table", settings)?;
     let mut text = HEAD.to_string();
-    training(&mut text, first, reports.len())?;
+    training(&mut text, &reports[0], reports.len())?;
+    let [within, cross] = [&WITHIN, &CROSS]
+        .map(|published| Measured(reports.iter().filter(|report| report.setup == published.setup).collect()));
     means(&mut text, [(&within, &WITHIN), (&cross, &CROSS)])?;
     for (measured, published) in [(&within, &WITHIN), (&cross, &CROSS)] {
         if !measured.0.is_empty() {
@@ -84,7 +67,7 @@ The published numbers are means over all ten folds, in PHYRE's simulator. Aucces
 ";
 
 /// What has to agree between the results of a table: the seed, and how the nets were trained.
-fn settings(report: &Report) -> impl PartialEq {
+fn settings(report: &Report) -> impl PartialEq + use<> {
     let recipe =
         report.card.as_ref().map(|card| (card.seed, card.epochs, card.samples, recipe_of::<PathsRecipe>(card)));
     (report.seed, recipe)
@@ -143,7 +126,7 @@ fn solved(firsts: &[Option<usize>]) -> f64 {
     100.0 * solved_within(firsts, 10)
 }
 
-impl Measured {
+impl Measured<'_> {
     /// The first solving attempts of an agent at the tasks of a template, or of all, in all folds.
     fn firsts(&self, agent: AgentName, template: Option<usize>) -> Vec<Option<usize>> {
         self.0.iter().flat_map(|report| report.first_solved(agent, template)).collect()
@@ -186,7 +169,7 @@ impl Measured {
     }
 }
 
-fn folds(text: &mut String, reports: &[&Report]) -> fmt::Result {
+fn folds(text: &mut String, reports: &[Report]) -> fmt::Result {
     writeln!(
         text,
         "\n## Each fold\n\nAuccess over the test tasks, and the percentage solved at the first attempt / within 10 / \

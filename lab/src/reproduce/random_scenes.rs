@@ -3,7 +3,6 @@
 use std::fmt::{self, Write as _};
 use std::path::Path;
 
-use anyhow::{Context, ensure};
 use pathlight::agents::agent_name::AgentName;
 use pathlight::benchmark::folds::{FOLDS, Setup};
 use pathlight::nets::{Card, DynamicsCard};
@@ -27,26 +26,9 @@ const AGENTS: [AgentName; 3] = [AgentName::Online, AgentName::OnlineByBalls, Age
 /// If there are no results, one is damaged, or they were made with different settings.
 pub fn page(folder: &Path, rows: &Path) -> anyhow::Result<String> {
     let rows = fold_result::read(rows)?;
-    let mut reports = Vec::new();
-    for setup in [Setup::Within, Setup::Cross] {
-        reports.extend(fold_reports::read(folder, setup, &AGENTS, SCRIPT)?);
-    }
-    let name = folder.display();
-    let first =
-        reports.first().with_context(|| format!("there are no results in {name}: make them with `{SCRIPT}`"))?;
-    for report in &reports {
-        ensure!(
-            settings(report) == settings(first),
-            "{name}/{}-{}.json was made with other settings than {}-{}.json: remove one of them, and run `{SCRIPT}` \
-             again",
-            report.setup,
-            report.fold,
-            first.setup,
-            first.fold
-        );
-    }
+    let reports = fold_reports::read(folder, &AGENTS, SCRIPT, settings)?;
     let mut text = String::new();
-    head(&mut text, first, reports.len())?;
+    head(&mut text, &reports[0], reports.len())?;
     means(&mut text, &reports, &rows)?;
     folds(&mut text, &reports)?;
     Ok(text)
@@ -71,8 +53,8 @@ fn head(text: &mut String, report: &Report, count: usize) -> anyhow::Result<()> 
         text,
         "# With random scenes\n\n`pathlight-lab measure random-scenes` printed this from the files beside it, which \
          `{SCRIPT}` made. The dynamics nets learned from the training tasks, from variants of them, and from random \
-         scenes, which have no template; the rows of the [results](../README.md) know no random scenes, and were \
-         trained otherwise. Only counted attempts are simulated.\n\n\
+         scenes, which have no template. The nets of the [rows](../README.md) have seen no random scenes, and were \
+         trained with other settings. Only counted attempts are simulated.\n\n\
          {} {}: {balls} balls, {variants} variants, {random_scenes} random scenes; {epochs} epochs in batches of \
          {batch} scenes with {balls_per_scene} balls each, Adam at {learning_rate}. Seed {seed}, simulator \
          {simulator}, agents {agents_version}. {count} of {} folds are measured.\n",

@@ -102,7 +102,7 @@ pub fn training_tasks(fold: FoldId, without_dev: bool) -> Vec<TaskId> {
 
 /// Returns where the balls of a file come from.
 fn origin(labelled: &Labelled) -> LabelOrigin {
-    let tells_siblings = |line: &LabelledBalls| line.siblings.len() == line.solved.len() + line.failed.len();
+    let tells_siblings = |line: &LabelledBalls| line.siblings.len() == line.count();
     let choice = match labelled.proposed {
         true => Choice::Proposed { without_dev: labelled.net_without_dev },
         false => Choice::Sampled { tells_siblings: labelled.lines.iter().all(tells_siblings) },
@@ -124,7 +124,7 @@ impl LabelledScenes {
             may_learn(origin(&labelled), fold, without_dev).map_err(|why| anyhow!("{} {why}", path.display()))?;
             for line in labelled.lines {
                 let trains = line.scene.task().is_none_or(|task| tasks.binary_search(&task).is_ok());
-                if trains && line.solved.len() + line.failed.len() > 0 {
+                if trains && line.count() > 0 {
                     let scene = match scenes.entry(line.scene) {
                         Entry::Occupied(entry) => entry.into_mut(),
                         Entry::Vacant(entry) => entry.insert(LabelledScene::new(line.scene)?),

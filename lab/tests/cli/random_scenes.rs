@@ -21,15 +21,8 @@ fn results_stand_beside_the_rows_of_the_same_folds() {
     assert_refused(&words, "does not hold the agents online, online-by-balls, dynamics");
     let agents = result["agents"].as_array_mut().expect("agents");
     let online = agents.iter().find(|agent| agent["agent"] == "online").expect("the online agent").clone();
-    let by_balls = Value::Object(
-        [
-            online.as_object().expect("an object").clone(),
-            [("agent".into(), "online-by-balls".into())].into_iter().collect(),
-        ]
-        .into_iter()
-        .flatten()
-        .collect(),
-    );
+    let mut by_balls = online.clone();
+    by_balls["agent"] = "online-by-balls".into();
     agents.push(by_balls);
     result["card"]["dynamics"]["random_scenes"] = 7.into();
     put(&result);

@@ -51,7 +51,7 @@ impl journal::Entry for LabelledBalls {
 
     fn check(&self) -> Result<(), String> {
         self.scene.task().map_or(Ok(()), check_task)?;
-        let (paths, balls) = (self.paths.0.len(), self.solved.len() + self.failed.len());
+        let (paths, balls) = (self.paths.0.len(), self.count());
         if paths != 0 && paths != balls * PATHS_LEN {
             return Err(format!("{} has {balls} balls, but {paths} bytes of paths", self.scene));
         }

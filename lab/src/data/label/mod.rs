@@ -5,7 +5,7 @@
 //! says where an interrupted run continues. The balls depend only on the settings and the solutions.
 
 use std::collections::BTreeMap;
-use std::num::{NonZeroU32, NonZeroUsize};
+use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, bail, ensure};
@@ -38,7 +38,7 @@ mod lines;
 /// Balls of a scene per line.
 pub const BALLS: usize = 64;
 
-/// Of the random scenes that no ball solves, every this many is labelled.
+/// Of the random scenes that no ball solves, one in this many is labelled.
 const UNSOLVED: u32 = 6;
 
 /// Lines that are written together.
@@ -62,9 +62,9 @@ pub struct Settings {
     /// Label balls in variants of the tasks' scenes, another variant in every round. Balls are sampled around the
     /// solutions of the task alone.
     pub variants: bool,
-    /// Label balls in this many random scenes, instead of the tasks, or in those of them that some ball solves and a
-    /// sixth of the others. Balls are sampled around those that solve.
-    pub random_scenes: Option<NonZeroU32>,
+    /// Label balls in random scenes instead of the tasks: in those of the first N that some ball solves, and in a sixth
+    /// of the others. Balls are sampled around those that solve.
+    pub random_scenes: Option<u32>,
     /// Use only the training tasks of this fold: only they are labelled, and only their solutions are sampled around.
     pub training_tasks_of: Option<FoldId>,
     /// Seed of all random draws.
@@ -97,7 +97,7 @@ impl Settings {
         let allowed = self.training_tasks_of.map(|fold| fold.tasks().all_train());
         let allows = |id: TaskId| allowed.as_ref().is_none_or(|allowed| allowed.binary_search(&id).is_ok());
         let scenes: Vec<SceneId> = match self.random_scenes {
-            Some(count) => (0..count.get()).map(SceneId::Random).collect(),
+            Some(count) => (0..count).map(SceneId::Random).collect(),
             None => self.selection.ids().filter(|&id| allows(id)).map(SceneId::Task).collect(),
         };
         let proposing = match (&self.weights, self.training_tasks_of) {
@@ -133,8 +133,9 @@ impl Settings {
             );
         }
         let mut done = lines.len();
+        let mut balls: usize = lines.iter().map(LabelledBalls::count).sum();
         progress.begin(total as u64);
-        progress.advance(done as u64, format!("{} balls", done * BALLS));
+        progress.advance(done as u64, format!("{balls} balls"));
         while done < total {
             let block: Vec<LabelledBalls> = (done..total.min(done + BLOCK))
                 .into_par_iter()
@@ -142,10 +143,11 @@ impl Settings {
                 .collect();
             journal.append(&block)?;
             done += block.len();
-            progress.advance(block.len() as u64, format!("{} balls", done * BALLS));
+            balls += block.iter().map(LabelledBalls::count).sum::<usize>();
+            progress.advance(block.len() as u64, format!("{balls} balls"));
         }
         let what = if self.random_scenes.is_some() { "random scenes" } else { "tasks" };
-        progress.finish(&format!("{} balls of {} {what}", done * BALLS, scenes.len()));
+        progress.finish(&format!("{balls} balls of {} {what}", scenes.len()));
         Ok(())
     }
 }

@@ -1,9 +1,9 @@
 //! How well the dynamics net imagines what balls lead to, on test tasks of a fold or in other scenes.
 //!
-//! Uniformly random balls, and solutions, because few random balls solve: the known ones of the tasks; in other scenes
-//! those of some more random balls that solve. The path of a body is
-//! drawn along its sampled positions, the imagined one like the real one, and compared by soft IoU. Half of the image
-//! of a path may be the body at its start; so the path of a body that stays where it is is compared too.
+//! Uniformly random balls, and solutions, because few random balls solve: of tasks the known ones, in other scenes those
+//! found among some more random balls. The path of a body is drawn along its sampled positions, the imagined one like
+//! the real one, and compared by soft IoU. Half of the image of a path may be the body at its start; so the path of a
+//! body that stays where it is is compared too.
 //!
 //! `Forecasts` has the soft IoUs by template, for `figures`, and beside them those of the maps of the four nets.
 
@@ -40,7 +40,7 @@ mod path_iou;
 /// Samples whose distances are printed: after 1, 3 and 6.7 s, and at the end.
 const PRINTED: [usize; 4] = [3, 8, 12, SAMPLES - 1];
 
-/// Random balls among which solutions of a scene are sought that is no task's, and the most that are taken.
+/// Random balls that are tried to find solutions of a scene that is not a task's, and the most solutions taken.
 const SEARCHED: usize = 200;
 const MOST_SOLUTIONS: usize = 10;
 
@@ -86,7 +86,7 @@ pub struct Forecast {
 }
 
 impl Settings {
-    /// Measures; returns the soft IoUs by template, unless the scenes are random, and a table of all for people.
+    /// Measures; returns the soft IoUs by template, if the scenes are test tasks, and a table of all for people.
     ///
     /// # Errors
     /// If the weights or the solutions cannot be used for it.
@@ -104,7 +104,8 @@ impl Settings {
             scenes.par_iter().map(|&id| self.forecasts(&nets, id, &solutions)).collect::<anyhow::Result<_>>()?;
         let forecasts: Vec<&Forecast> = of_scenes.iter().flat_map(|(_, forecasts)| forecasts).collect();
         let table = self.table(scenes.len(), &forecasts)?;
-        let tasks: Option<Vec<TaskId>> = scenes.iter().map(|scene| scene.task()).collect();
+        let task = |scene: &SceneId| if let SceneId::Task(task) = *scene { Some(task) } else { None };
+        let tasks: Option<Vec<TaskId>> = scenes.iter().map(task).collect();
         Ok((tasks.map(|tasks| self.by_template(card, &tasks, &of_scenes)), table))
     }
 
