@@ -15,8 +15,8 @@ use crate::files::json_file;
 /// and `settings` have to agree; `script` makes them.
 ///
 /// # Errors
-/// If there are none, one is damaged or is not of all test tasks of the fold in its name, by these agents and of today's
-/// version, or they were made with different settings.
+/// If there are none, one is damaged or is not of all test tasks of the fold in its name, by these agents and of
+/// today's version, or they were made with different settings.
 pub fn read<S: PartialEq>(
     folder: &Path,
     agents: &[AgentName],
