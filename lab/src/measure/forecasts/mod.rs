@@ -2,8 +2,8 @@
 //!
 //! Uniformly random balls, and solutions, because few random balls solve: of tasks the known ones, in other scenes
 //! those found among some more random balls. The path of a body is drawn along its sampled positions, the imagined one
-//! like the real one, and compared by soft IoU. Half of the image of a path may be the body at its start; so the path of
-//! a body that stays where it is is compared too.
+//! like the real one, and compared by soft IoU. Half of the image of a path may be the body at its start; so the path
+//! of a body that stays where it is is compared too.
 //!
 //! `Forecasts` has the soft IoUs by template, for `figures`, and beside them those of the maps of the four nets.
 
