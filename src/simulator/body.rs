@@ -11,7 +11,7 @@ use super::fixture::Fixture;
 use crate::puzzle::scene::Body;
 
 /// Centre of mass, m, and angle of a body, radians, not wrapped (b2Position).
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Position {
     pub centre: Vector,
     pub angle: f32,
@@ -67,6 +67,8 @@ pub struct RigidBody {
     pub sweep: Sweep,
     /// The rotation of `sweep.position`, cached because it is read far more often than it changes.
     rotation: Rotation,
+    /// The position of the last update of its fixtures' AABBs.
+    pub synchronized: Position,
     pub awake: bool,
     /// For how long it has been slower than the sleep tolerances, s.
     pub sleep_time: f32,
@@ -96,6 +98,7 @@ impl RigidBody {
             local_centre,
             sweep: Sweep { position0: position, alpha0: 0.0, position },
             rotation: position.rotation(),
+            synchronized: position,
             awake: body.dynamic,
             sleep_time: 0.0,
             fixtures: first..first + fixtures.len(),

@@ -20,7 +20,9 @@ pub struct Fixture {
     pub circle_radius: Option<f32>,
     /// Distance of its farthest point from the body's centre of mass, m.
     pub bounding_radius: f32,
-    /// AABB of the shape and its skin over the last step.
+    /// AABB of the shape and its skin when the AABBs were last updated.
+    aabb: Aabb,
+    /// The same over the last step.
     pub swept_aabb: Aabb,
     /// AABB of the broad phase: larger, so that it changes seldom.
     pub fat_aabb: Aabb,
@@ -49,6 +51,7 @@ impl Fixture {
             local,
             circle_radius,
             bounding_radius: 0.0,
+            aabb,
             swept_aabb: aabb,
             fat_aabb: aabb,
             moved: true,
@@ -60,7 +63,8 @@ impl Fixture {
         self.local.translation -= local_centre;
         let sphere = self.shape.compute_bounding_sphere(&self.local);
         self.bounding_radius = sphere.center.length() + sphere.radius;
-        self.swept_aabb = self.aabb_at(body);
+        self.aabb = self.aabb_at(body);
+        self.swept_aabb = self.aabb;
         self.fat_aabb = self.swept_aabb.loosened(AABB_EXTENSION);
     }
 
@@ -93,14 +97,16 @@ impl Fixture {
         self.shape.compute_aabb(&(*body * self.local)).loosened(self.skin())
     }
 
-    /// Updates the AABBs after the body has moved from `start` to `end` (b2Fixture::Synchronize). `displacement` is
-    /// that of the body's origin, m.
-    pub fn synchronize(&mut self, start: &Pose, end: &Pose, displacement: Vector) {
-        self.swept_aabb = self.aabb_at(end).merged(&self.aabb_at(start));
+    /// Updates the AABBs after the body has moved from `start` to `end` (b2Fixture::Synchronize). Without `start`, it
+    /// has moved from the `end` of the last time. `displacement` is that of the body's origin, m.
+    pub fn synchronize(&mut self, start: Option<&Pose>, end: &Pose, displacement: impl Fn() -> Vector) {
+        let start_aabb = start.map_or(self.aabb, |start| self.aabb_at(start));
+        self.aabb = self.aabb_at(end);
+        self.swept_aabb = self.aabb.merged(&start_aabb);
         if self.fat_aabb.contains(&self.swept_aabb) {
             return;
         }
-        let predicted = displacement * AABB_MULTIPLIER;
+        let predicted = displacement() * AABB_MULTIPLIER;
         self.fat_aabb = self.swept_aabb.loosened(AABB_EXTENSION);
         self.fat_aabb.mins += predicted.min(Vector::ZERO);
         self.fat_aabb.maxs += predicted.max(Vector::ZERO);

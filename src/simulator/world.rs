@@ -5,7 +5,7 @@
 //! therefore only its geometry is used here. The orders of bodies and contacts are those of Box2D's lists (newest
 //! first), because the result of a Gauss-Seidel solver depends on the order.
 
-use rapier2d::math::Vector;
+use rapier2d::math::{Pose, Vector};
 use rapier2d::parry::bounding_volume::BoundingVolume;
 
 use super::body::{RigidBody, SolverBody};
@@ -137,16 +137,20 @@ impl World {
 
     /// Updates the AABBs of a body's fixtures after it has moved (b2Body::SynchronizeFixtures).
     pub(super) fn synchronize_fixtures(&mut self, body: usize) {
-        let body = &self.bodies[body];
+        let body = &mut self.bodies[body];
         if !body.dynamic {
             return;
         }
-        let start = body.sweep.position0.pose();
-        let origin = start.translation - start.rotation * body.local_centre;
-        let displacement = body.origin() - origin;
+        let start = body.sweep.position0;
+        let start_pose = (start != body.synchronized).then(|| start.pose());
+        let displacement = || {
+            let Pose { rotation, translation } = start_pose.unwrap_or_else(|| start.pose());
+            body.origin() - (translation - rotation * body.local_centre)
+        };
         for fixture in &mut self.fixtures[body.fixtures.clone()] {
-            fixture.synchronize(&start, &body.pose(), displacement);
+            fixture.synchronize(start_pose.as_ref(), &body.pose(), displacement);
         }
+        body.synchronized = body.sweep.position;
     }
 }
 
