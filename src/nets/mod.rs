@@ -137,8 +137,16 @@ impl PathNet {
             (None, Some(dynamics)) => dynamics.cell_logits(both(self.encode_coverage(scene))),
             (None, None) => return None,
         }; // [2, RADII, 64, 64]
-        let [logits, mirrored] = logits.chunk(2, 0).try_into().expect("two scenes");
-        Some(values((logits + mirrored.flip([3])) / 2.0))
+        let mut logits = values(logits);
+        let one = logits.len() / 2;
+        let (scene, mirrored) = logits.split_at_mut(one);
+        for (row, mirrored) in scene.chunks_exact_mut(SIDE).zip(mirrored.chunks_exact(SIDE)) {
+            for (logit, mirrored) in row.iter_mut().zip(mirrored.iter().rev()) {
+                *logit = (*logit + mirrored) / 2.0;
+            }
+        }
+        logits.truncate(one);
+        Some(logits)
     }
 
     /// Returns a scene as the dynamics net reads it, or `None` if the weights have none.
