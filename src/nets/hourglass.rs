@@ -35,13 +35,15 @@ impl Hourglass {
         });
         let mut net = Hourglass { down: down.collect(), up: up.collect() };
         if crate::suspects::on("init") {
-            let halved = |bias: burn::module::Param<Tensor<1>>| bias.map(|bias| bias / 2.0);
-            let down = &mut net.down[5];
-            down.weight = down.weight.clone().map(|weight| weight / 2.0);
-            down.bias = down.bias.take().map(halved);
-            let up = &mut net.up[0];
-            up.weight = up.weight.clone().map(|weight| weight / 2.0);
-            up.bias = up.bias.take().map(halved);
+            // A parameter must be a leaf of the gradients' graph.
+            fn halve<const D: usize>(parameter: &mut burn::module::Param<Tensor<D>>) {
+                *parameter = burn::module::Param::from_tensor((parameter.val() / 2.0).detach());
+            }
+            let (down, up) = (&mut net.down[5], &mut net.up[0]);
+            halve(&mut down.weight);
+            halve(&mut up.weight);
+            down.bias.iter_mut().for_each(halve);
+            up.bias.iter_mut().for_each(halve);
         }
         net
     }
