@@ -191,7 +191,7 @@ impl Dqn {
     /// Returns the logits of actions in a scene.
     pub fn logits(&self, scene: &Scene, actions: &[Action]) -> Vec<f32> {
         let device = self.devices().into_iter().next().expect("the net has parameters");
-        let channels: Vec<f32> = scene_coverage(scene).iter().flat_map(Coverage::to_f32).collect();
+        let channels: Vec<f32> = scene_coverage(scene, SIDE).iter().flat_map(Coverage::to_f32).collect();
         let features = self.encode(Tensor::from_data(TensorData::new(channels, [1, CHANNELS, SIDE, SIDE]), &device));
         let of_block = |block: &[Action]| -> Vec<f32> {
             let numbers: Vec<f32> = block.iter().flat_map(|&action| inputs(action)).collect();

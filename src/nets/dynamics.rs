@@ -19,21 +19,21 @@ use super::success_net::{RADII, SuccessNet};
 use super::u_net::{self, Activations, WIDTHS};
 use crate::raster::SIDE;
 
-/// Features of the finest level, 64 x 64.
+/// Features of the decoder in the finest level, 64 x 64.
 pub const FINEST: usize = 16;
 
 /// The levels of the hypercolumn, finest first: side and channels. Those with a skip connection have the channels of
 /// decoder and encoder.
 pub const LEVELS: [(usize, usize); 5] = [
-    (SIDE, FINEST),
-    (SIDE / 2, 2 * WIDTHS[0]),
-    (SIDE / 4, 2 * WIDTHS[1]),
-    (SIDE / 8, 2 * WIDTHS[2]),
-    (SIDE / 16, 2 * WIDTHS[3]),
+    (SIDE, FINEST + WIDTHS[0]),
+    (SIDE / 2, 2 * WIDTHS[1]),
+    (SIDE / 4, 2 * WIDTHS[2]),
+    (SIDE / 8, 2 * WIDTHS[3]),
+    (SIDE / 16, 2 * WIDTHS[4]),
 ];
 
 /// Values of the code, the innermost output of the encoder: 2 x 2 cells.
-pub const CODE: usize = 4 * WIDTHS[4];
+pub const CODE: usize = 4 * WIDTHS[5];
 
 /// A net from the covered shares of a scene's cells and balls in it to their paths and chances.
 #[derive(Module, Debug)]
@@ -88,16 +88,16 @@ impl DynamicsNet {
         u_net::forward(&self.down, &up, scenes).last
     }
 
-    /// Reads scenes, `[batch, 5, 64, 64]`.
+    /// Reads scenes, `[batch, 5, 128, 128]`.
     pub fn encode(&self, scenes: Tensor<4>) -> SceneFeatures {
-        let Activations { last, skipped: mut levels, code } = u_net::forward(&self.down, &self.up, scenes);
+        let Activations { last, finest: encoded, skipped: mut levels, code } = u_net::forward(&self.down, &self.up, scenes);
         let [logits, finest] = last.split_with_sizes(vec![RADII, FINEST], 1).try_into().expect("two parts");
-        levels.push(relu(finest));
+        levels.push(Tensor::cat(vec![relu(finest), encoded], 1));
         levels.reverse();
         SceneFeatures { logits, levels, code: code.flatten(1, 3) }
     }
 
-    /// Scenes `[batch, 5, 64, 64]` and balls in them, in; the logits of all cells and what each ball leads to, out.
+    /// Scenes `[batch, 5, 128, 128]` and balls in them, in; the logits of all cells and what each ball leads to, out.
     pub fn forward(&self, scenes: Tensor<4>, balls: BallTensors) -> (Tensor<4>, Predictions<Tensor<2>>) {
         let features = self.encode(scenes);
         let predictions = self.head.forward(&features, balls);

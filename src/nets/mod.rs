@@ -10,7 +10,7 @@ use burn::tensor::{Device, Tensor, TensorData};
 
 use crate::colour::imagined_maps::ImaginedMap;
 use crate::puzzle::scene::Scene;
-use crate::raster::{Bitmap, CHANNELS, Coverage, SIDE, scene_channels, scene_coverage};
+use crate::raster::{Bitmap, CHANNELS, Coverage, FINE_SIDE, SIDE, scene_channels, scene_coverage};
 
 pub mod ball_batch;
 mod ball_columns;
@@ -150,17 +150,17 @@ impl PathNet {
 
     /// The input of the paper's nets for a scene, `[1, 5, 64, 64]`.
     fn encode(&self, scene: &Scene) -> Tensor<4> {
-        self.image(scene_channels(scene).iter().flat_map(Bitmap::rows).collect::<Vec<_>>().into_flattened())
+        self.image(SIDE, scene_channels(scene).iter().flat_map(Bitmap::rows).collect::<Vec<_>>().into_flattened())
     }
 
-    /// The input of the success net and of the dynamics net for a scene, `[1, 5, 64, 64]`.
+    /// The input of the success net and of the dynamics net for a scene, `[1, 5, 128, 128]`.
     fn encode_coverage(&self, scene: &Scene) -> Tensor<4> {
-        self.image(scene_coverage(scene).iter().flat_map(Coverage::to_f32).collect())
+        self.image(FINE_SIDE, scene_coverage(scene, FINE_SIDE).iter().flat_map(Coverage::to_f32).collect())
     }
 
-    fn image(&self, channels: Vec<f32>) -> Tensor<4> {
+    fn image(&self, side: usize, channels: Vec<f32>) -> Tensor<4> {
         let device = self.devices().into_iter().next().expect("the nets have parameters");
-        Tensor::from_data(TensorData::new(channels, [1, CHANNELS, SIDE, SIDE]), &device)
+        Tensor::from_data(TensorData::new(channels, [1, CHANNELS, side, side]), &device)
     }
 }
 

@@ -9,8 +9,8 @@ use burn::tensor::{Device, Tensor};
 use super::conv::{conv_down, conv_up, fit_tiles, new_conv_down, new_conv_up};
 use crate::raster::CHANNELS;
 
-/// Channels after each of the five convolutions.
-pub(crate) const WIDTHS: [usize; 5] = [16, 32, 64, 96, 128];
+/// Channels after each of the six convolutions: the first halves the fine image.
+pub(crate) const WIDTHS: [usize; 6] = [16, 16, 32, 64, 96, 128];
 
 const _: () = assert!(fit_tiles(&WIDTHS), "a width is not a multiple of conv::matmul::TILE_ROWS");
 
@@ -21,10 +21,11 @@ pub(crate) fn new_layers(outputs: usize, device: &Device) -> (Vec<Conv2d>, Vec<C
         let input = if layer == 0 { CHANNELS } else { WIDTHS[layer - 1] };
         new_conv_down(input, WIDTHS[layer], 4, device)
     });
-    let up = (0..WIDTHS.len()).rev().map(|layer| {
+    // The decoder ends at the size of the first convolution's output.
+    let up = (1..WIDTHS.len()).rev().map(|layer| {
         // All but the innermost see the layer before and, over the skip connection, the encoder's output.
         let input = if layer == WIDTHS.len() - 1 { WIDTHS[layer] } else { 2 * WIDTHS[layer] };
-        new_conv_up(input, if layer == 0 { outputs } else { WIDTHS[layer - 1] }, 4, device)
+        new_conv_up(input, if layer == 1 { outputs } else { WIDTHS[layer - 1] }, 4, device)
     });
     (down.collect(), up.collect())
 }
@@ -33,13 +34,15 @@ pub(crate) fn new_layers(outputs: usize, device: &Device) -> (Vec<Conv2d>, Vec<C
 pub(crate) struct Activations {
     /// The output of the last layer, without ReLU, `[batch, outputs, 64, 64]`.
     pub last: Tensor<4>,
+    /// The output of the first convolution, `[batch, WIDTHS[0], 64, 64]`.
+    pub finest: Tensor<4>,
     /// What the decoder's layers see, both the layer before and the encoder's output, coarsest first.
     pub skipped: Vec<Tensor<4>>,
     /// The innermost output of the encoder.
     pub code: Tensor<4>,
 }
 
-/// `[batch, 5, 64, 64]` in.
+/// `[batch, 5, 128, 128]` in.
 pub(crate) fn forward(down: &[Conv2d], up: &[ConvTranspose2d], images: Tensor<4>) -> Activations {
     let mut encoded = Vec::with_capacity(down.len());
     let mut x = images;
@@ -48,6 +51,7 @@ pub(crate) fn forward(down: &[Conv2d], up: &[ConvTranspose2d], images: Tensor<4>
         encoded.push(x.clone());
     }
     let code = encoded.pop().expect("a layer");
+    let finest = encoded.remove(0);
     let mut skipped = Vec::with_capacity(encoded.len());
     for layer in up {
         x = conv_up(layer, x, !encoded.is_empty());
@@ -56,5 +60,5 @@ pub(crate) fn forward(down: &[Conv2d], up: &[ConvTranspose2d], images: Tensor<4>
             skipped.push(x.clone());
         }
     }
-    Activations { last: x, skipped, code }
+    Activations { last: x, finest, skipped, code }
 }

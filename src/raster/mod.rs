@@ -102,20 +102,28 @@ impl std::ops::BitOrAssign for Bitmap {
     }
 }
 
-/// How much of each cell is covered, row by row: the number of its pixels that are, `0..=PX_PER_CELL * PX_PER_CELL`.
-/// Unlike a `Bitmap` it tells where within a cell an edge lies.
+/// Width and height of a fine image, cells.
+pub const FINE_SIDE: usize = 128;
+
+/// How much of each cell of an image is covered: unlike a `Bitmap` it tells where within a cell an edge lies.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Coverage(Vec<u8>);
+pub struct Coverage {
+    side: usize,
+    /// The number of covered pixels of each cell, row by row.
+    covered: Vec<u8>,
+}
 
 impl Coverage {
-    /// Returns 4,096 values in 0..=1: the covered share of each cell.
+    /// Returns the covered share of each cell, 0..=1, row by row.
     pub fn to_f32(&self) -> impl Iterator<Item = f32> + use<'_> {
-        self.0.iter().map(|&pixels| f32::from(pixels) / (PX_PER_CELL * PX_PER_CELL) as f32)
+        let pixels = (SIZE as usize / self.side).pow(2) as f32;
+        self.covered.iter().map(move |&covered| f32::from(covered) / pixels)
     }
 
     /// Returns the image flipped left to right.
     pub fn mirrored(&self) -> Coverage {
-        Coverage(self.0.chunks_exact(SIDE).flat_map(|row| row.iter().rev()).copied().collect())
+        let covered = self.covered.chunks_exact(self.side).flat_map(|row| row.iter().rev()).copied().collect();
+        Coverage { side: self.side, covered }
     }
 }
 
@@ -131,19 +139,20 @@ pub fn scene_channels(scene: &Scene) -> [Bitmap; CHANNELS] {
     })
 }
 
-/// Returns how much of each cell the bodies of each channel cover at the start of a scene.
-pub fn scene_coverage(scene: &Scene) -> [Coverage; CHANNELS] {
+/// Returns how much of each cell the bodies of each channel cover at the start of a scene, in an image of this side.
+pub fn scene_coverage(scene: &Scene, side: usize) -> [Coverage; CHANNELS] {
+    let width = SIZE as usize;
+    let px_per_cell = width / side;
     ROLES.map(|role| {
-        let width = SIDE * PX_PER_CELL;
         let mut seen = vec![false; width * width];
-        let mut covered = vec![0; CELLS];
+        let mut covered = vec![0; side * side];
         of_role(scene, role, |Span { line, start, end }| {
             for column in start..end {
                 let new = !std::mem::replace(&mut seen[line * width + column], true);
-                covered[line / PX_PER_CELL * SIDE + column / PX_PER_CELL] += u8::from(new);
+                covered[line / px_per_cell * side + column / px_per_cell] += u8::from(new);
             }
         });
-        Coverage(covered)
+        Coverage { side, covered }
     })
 }
 

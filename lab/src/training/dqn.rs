@@ -8,7 +8,7 @@ use std::path::PathBuf;
 use pathlight::benchmark::folds::FoldId;
 use pathlight::nets::training::{DqnBatch, Trainer};
 use pathlight::nets::{Dqn, DqnCard};
-use pathlight::raster::scene_coverage;
+use pathlight::raster::{SIDE, scene_coverage};
 
 use super::labelled_scenes::{Drawn, LabelledScenes, Sampling};
 use super::settings::{LabelsRecipe, RunSettings};
@@ -81,7 +81,7 @@ impl Settings {
         let sampling = Sampling::Balanced(self.recipe.balls_per_scene);
         for Drawn { scene, balls, mirrored } in scenes.draw(self.recipe.batch, self.run.seed, sampling, number) {
             let balls = balls.into_iter().map(|ball| scene.balls[ball]);
-            batch.add(&scene_coverage(&scene.scene), balls, mirrored);
+            batch.add(&scene_coverage(&scene.scene, SIDE), balls, mirrored);
         }
         batch
     }

@@ -11,7 +11,7 @@ use anyhow::{Context, ensure};
 use pathlight::benchmark::folds::FoldId;
 use pathlight::nets::training::{DynamicsBatch, Trainer};
 use pathlight::nets::{DynamicsCard, DynamicsNet};
-use pathlight::raster::scene_coverage;
+use pathlight::raster::{FINE_SIDE, scene_coverage};
 use serde::{Deserialize, Serialize};
 
 use super::labelled_scenes::{Drawn, LabelledScenes, Sampling};
@@ -156,7 +156,7 @@ impl Settings {
                 let (placed, solved) = scene.balls[ball];
                 (placed, solved, scene.paths(ball))
             });
-            let coverage = scene_coverage(&scene.scene);
+            let coverage = scene_coverage(&scene.scene, FINE_SIDE);
             let imagined = self.recipe.imagined_per_scene.into();
             let added = batch.add(&coverage, scene.starts, balls, imagined, mirrored);
             added.expect("the balls were checked when they were read");

@@ -9,7 +9,7 @@ use std::slice;
 use pathlight::benchmark::folds::FoldId;
 use pathlight::nets::training::{SuccessBatch, Trainer};
 use pathlight::nets::{SuccessCard, SuccessNet};
-use pathlight::raster::scene_coverage;
+use pathlight::raster::{FINE_SIDE, scene_coverage};
 
 use super::labelled_scenes::{Drawn, LabelledScenes, Sampling};
 use super::settings::{LabelsRecipe, RunSettings};
@@ -88,7 +88,7 @@ impl Settings {
         let sampling = Sampling::Uniform(self.recipe.balls_per_scene);
         for Drawn { scene, balls, mirrored } in scenes.draw(self.recipe.batch, self.run.seed, sampling, number) {
             let balls = balls.into_iter().map(|ball| scene.balls[ball]);
-            let added = batch.add(&scene_coverage(&scene.scene), balls, mirrored);
+            let added = batch.add(&scene_coverage(&scene.scene, FINE_SIDE), balls, mirrored);
             added.expect("the balls were checked when they were read");
         }
         batch

@@ -19,7 +19,7 @@ pub(crate) struct SceneSketch(Vec<u8>);
 
 impl SceneSketch {
     pub(crate) fn of(scene: &Scene) -> SceneSketch {
-        SceneSketch(scene_coverage(scene).iter().flat_map(|channel| blurred(&pooled(channel))).collect())
+        SceneSketch(scene_coverage(scene, CELLS_PER_ROW).iter().flat_map(|channel| blurred(&pooled(channel))).collect())
     }
 
     /// Returns the sketch flipped left to right.

@@ -149,11 +149,12 @@ mod tests {
 
     /// Both kernels, batches of one group and of several, the last of six columns, matrix products and direct
     /// convolutions.
-    const CASES: [(Geometry, usize); 4] = [
+    const CASES: [(Geometry, usize); 5] = [
         (Geometry { fine_channels: 3, coarse_channels: 8, coarse_side: 4, kernel: 4 }, 2),
         (Geometry { fine_channels: 8, coarse_channels: 16, coarse_side: 1, kernel: 2 }, 22),
         (Geometry { fine_channels: 8, coarse_channels: 16, coarse_side: 8, kernel: 4 }, 3),
         (Geometry { fine_channels: 5, coarse_channels: 8, coarse_side: 32, kernel: 4 }, 3),
+        (Geometry { fine_channels: 5, coarse_channels: 8, coarse_side: 64, kernel: 4 }, 2),
     ];
 
     fn random(count: usize, rng: &mut Pcg64Mcg) -> Vec<f32> {

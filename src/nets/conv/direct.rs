@@ -16,11 +16,11 @@ use super::simd::{lanes_that_divide, load, multiply_add, vectorize};
 const CHANNELS: usize = if cfg!(target_arch = "wasm32") { 4 } else { 8 };
 const REGISTERS: usize = 8 / CHANNELS;
 
-/// Registers of a tile of one output channel, of up to eight lanes: a row of 32 cells.
+/// Registers of a tile of one output channel, of up to eight lanes: `ROW` cells.
 const ROW_REGISTERS: usize = if cfg!(target_arch = "wasm32") { 8 } else { 4 };
 
-/// Widest coarse row that a net has.
-const WIDEST: usize = 32;
+/// The tiles of one output channel take so many coarse cells of a row at once.
+const ROW: usize = 32;
 
 /// A layer with its input and output images, whose sizes are those of `geometry`.
 pub(crate) struct DirectConv<'a> {
@@ -43,7 +43,7 @@ impl DirectConv<'_> {
         geometry.kernel == 4
             && geometry.coarse_side.is_multiple_of(8)
             && whole(geometry.coarse_channels)
-            && (whole(geometry.fine_channels) || geometry.coarse_side == WIDEST)
+            && (whole(geometry.fine_channels) || geometry.coarse_side.is_multiple_of(ROW))
     }
 
     /// Fine images in, coarse images out.
@@ -256,7 +256,7 @@ mod tests {
     /// Proposals are the same on every machine and in wasm, whose registers have four lanes.
     #[test]
     fn the_number_of_lanes_changes_no_bit() {
-        for (fine_channels, coarse_side) in [(5, 32), (8, 16), (16, 8)] {
+        for (fine_channels, coarse_side) in [(5, 64), (5, 32), (8, 16), (16, 8)] {
             let geometry = &Geometry { fine_channels, coarse_channels: 16, coarse_side, kernel: 4 };
             let (coarse, fine) = (values(geometry.coarse_len()), values(geometry.fine_len()));
             let (weight, bias) = (values(16 * 16 * fine_channels), values(16));

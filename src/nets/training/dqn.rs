@@ -70,7 +70,7 @@ mod tests {
             (Ball { x: x + f64::from(index), y: 30.0 + 20.0 * f64::from(index % 4), r: 8.0 }, solved)
         });
         let mut batch = DqnBatch::default();
-        batch.add(&scene_coverage(&scene), balls, mirrored);
+        batch.add(&scene_coverage(&scene, SIDE), balls, mirrored);
         batch
     }
 

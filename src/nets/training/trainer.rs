@@ -21,7 +21,7 @@ use crate::nets::success_net::{RADII, logit_index};
 use crate::nets::{PathNet, SuccessNet, flex};
 use crate::puzzle::action::{Ball, Invalid};
 use crate::puzzle::scene::SIZE;
-use crate::raster::{Bitmap, CELLS, CHANNELS, Coverage, SIDE};
+use crate::raster::{Bitmap, CELLS, CHANNELS, Coverage, FINE_SIDE, SIDE};
 
 /// What a trainer trains: `PathNet`, `SuccessNet`, `DynamicsNet`, `Dqn`.
 pub trait Trainable: Module {}
@@ -97,7 +97,7 @@ impl SuccessBatch {
 
     /// The scenes.
     pub(super) fn scenes(&mut self, device: &Device) -> Tensor<4> {
-        let shape = [self.count, CHANNELS, SIDE, SIDE];
+        let shape = [self.count, CHANNELS, FINE_SIDE, FINE_SIDE];
         Tensor::from_data(TensorData::new(take(&mut self.scenes), shape), device)
     }
 
