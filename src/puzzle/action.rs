@@ -228,7 +228,8 @@ impl Obstacle {
     /// The distance from a point, or `limit` if that is smaller, px; not positive inside.
     fn clearance(&self, point @ [x, y]: [f64; 2], limit: f64) -> f64 {
         // The bounding box is nowhere farther away than what it bounds, even by rounding.
-        let beyond = |axis: usize| self.lowest[axis] - point[axis] >= limit || point[axis] - self.highest[axis] >= limit;
+        let beyond =
+            |axis: usize| self.lowest[axis] - point[axis] >= limit || point[axis] - self.highest[axis] >= limit;
         if beyond(0) || beyond(1) {
             return limit;
         }
