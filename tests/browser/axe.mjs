@@ -2,6 +2,7 @@
 
 import AxeBuilder from "@axe-core/playwright";
 import assert from "node:assert/strict";
+import { painted } from "./page-actions.mjs";
 
 /**
  * Fails if axe finds something serious or critical, or with `all` anything.
@@ -24,6 +25,8 @@ export async function axeFindsNothing(page, view = "", { within, all = false, ru
 export async function axeFindsNothingInLightAndDark(page, view = "") {
   await axeFindsNothing(page, view);
   await page.emulateMedia({ colorScheme: "dark" });
+  // The page sets its own colours when it hears of the change, before the next frame.
+  await painted(page);
   await axeFindsNothing(page, `${view}, dark`, { rules: ["color-contrast"] });
   await page.emulateMedia({ colorScheme: "light" });
 }

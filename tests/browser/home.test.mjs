@@ -6,7 +6,7 @@ import { after, before, test } from "node:test";
 import { SCENE_TASK } from "../../www/home/home-tasks.js";
 import { axeFindsNothing } from "./axe.mjs";
 import { start } from "./harness.mjs";
-import { says } from "./page-actions.mjs";
+import { painted, says } from "./page-actions.mjs";
 
 const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 
@@ -59,7 +59,7 @@ test("it pauses and goes on", async () => {
   await moves(page);
   await page.locator("#hero-pause").click();
   const still = await picture(page);
-  await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+  await painted(page);
   assert.equal(await picture(page), still);
   await page.locator("#hero-pause", { hasText: "Play" }).click();
   await moves(page);
@@ -70,7 +70,7 @@ test("under reduced motion the finished scene stands still, until it is played",
   await phase(page, "result");
   await page.locator("#templates canvas.drawn").first().waitFor();
   const still = await picture(page);
-  await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+  await painted(page);
   assert.equal(await picture(page), still);
   await page.locator("#hero-pause", { hasText: "Play" }).click();
   await phase(page, "imagine");

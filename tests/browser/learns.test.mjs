@@ -7,6 +7,7 @@ import { readFile } from "node:fs/promises";
 import { after, before, test } from "node:test";
 import { axeFindsNothing } from "./axe.mjs";
 import { start } from "./harness.mjs";
+import { painted } from "./page-actions.mjs";
 
 let session;
 before(async () => (session = await start({ sources: true })));
@@ -80,7 +81,7 @@ test("the tries at a puzzle are shown in short; it pauses, goes on, and skips to
   await says(page, "Go on");
   const frame = () => page.locator("#learns-fresh canvas").evaluate((canvas) => canvas.toDataURL());
   const paused = await frame();
-  await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+  await painted(page);
   assert.equal(await frame(), paused, "nothing moves");
   await page.locator("#learns-next").tap();
   await until(page, 1);
