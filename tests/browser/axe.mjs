@@ -2,7 +2,7 @@
 
 import AxeBuilder from "@axe-core/playwright";
 import assert from "node:assert/strict";
-import { painted } from "./page-actions.mjs";
+import { painted } from "./harness.mjs";
 
 /**
  * Fails if axe finds something serious or critical, or with `all` anything.

@@ -4,7 +4,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { axeFindsNothing } from "./axe.mjs";
-import { start } from "./harness.mjs";
+import { painted, start } from "./harness.mjs";
 import {
   EASY,
   ball,
@@ -14,7 +14,6 @@ import {
   openPanel,
   openPuzzle,
   openShare,
-  painted,
   pause,
   picture,
   says,

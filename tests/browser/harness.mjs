@@ -151,6 +151,14 @@ async function stopped(child) {
   if (child.exitCode === null) await once(child, "exit");
 }
 
+/**
+ * Waits until what has changed is painted: a canvas is drawn at the frame that follows.
+ * @param {import('playwright-core').Page} page
+ */
+export async function painted(page) {
+  await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+}
+
 function findChromium() {
   const places = process.env.CHROMIUM
     ? [process.env.CHROMIUM]

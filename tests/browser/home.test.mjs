@@ -5,8 +5,8 @@ import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { SCENE_TASK } from "../../www/home/home-tasks.js";
 import { axeFindsNothing } from "./axe.mjs";
-import { start } from "./harness.mjs";
-import { painted, says } from "./page-actions.mjs";
+import { painted, start } from "./harness.mjs";
+import { says } from "./page-actions.mjs";
 
 const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 

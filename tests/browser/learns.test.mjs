@@ -6,8 +6,7 @@ import { createHash } from "node:crypto";
 import { readFile } from "node:fs/promises";
 import { after, before, test } from "node:test";
 import { axeFindsNothing } from "./axe.mjs";
-import { start } from "./harness.mjs";
-import { painted } from "./page-actions.mjs";
+import { painted, start } from "./harness.mjs";
 
 let session;
 before(async () => (session = await start({ sources: true })));

@@ -6,6 +6,7 @@ import { readFile } from "node:fs/promises";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { Game, initSync } from "../../www/pkg/pathlight.js";
+import { painted } from "./harness.mjs";
 
 const ROOT = join(dirname(fileURLToPath(import.meta.url)), "..", "..");
 const RESULTS = join(ROOT, "results");
@@ -234,14 +235,6 @@ export async function type(page, [x, y, r]) {
   });
   // The page takes the ball once all three numbers are there.
   assert.deepEqual(await ball(page), [x, y, r]);
-}
-
-/**
- * Waits until what has changed is painted: a canvas is drawn at the frame that follows.
- * @param {Page} page
- */
-export async function painted(page) {
-  await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
 }
 
 /** How many pixels of the scene are nearly of this colour, "#rrggbb". */

@@ -2,8 +2,8 @@
 
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { start } from "./harness.mjs";
-import { known, modelLoaded, openPanel, openPuzzle, painted, pause, picture } from "./page-actions.mjs";
+import { painted, start } from "./harness.mjs";
+import { known, modelLoaded, openPanel, openPuzzle, pause, picture } from "./page-actions.mjs";
 
 let session;
 before(async () => (session = await start({ sources: true })));
