@@ -300,6 +300,12 @@ test("what was typed counts for a run and for the link at once", async () => {
   await says(page, /^(The scene without a ball|That was the scene)/);
   assert.equal((await linked(page)).bodies[body1].x, bodies[body1].x + 3);
 
+  // The sheet comes after the edited scene has become the puzzle.
+  const before = page.url();
+  await page.route("**/share-dialog.js", async (route) => {
+    await page.waitForURL((url) => url.href !== before);
+    await route.continue();
+  });
   await page.locator("#make-x").fill(String(bodies[body1].x + 5));
   await openShare(page);
   await page.locator("#copy").click();

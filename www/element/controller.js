@@ -194,8 +194,9 @@ export class PuzzleController extends EventTarget {
     await this.#components.panels?.editor.settle();
   }
 
-  /** Fires "share" for the open puzzle. */
-  share() {
+  /** Fires "share" for the open puzzle, once what was last edited is part of it. */
+  async share() {
+    await this.settle();
     this.#components.afterSolving.share();
   }
 
