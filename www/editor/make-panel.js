@@ -49,7 +49,7 @@ export const MAKE = {
 <p class="hint">${words.hint}</p>
 <p id="make-alone"></p>
 <div data-hideable="imagine">
-  <p class="small">${words.nonsense}</p>
+  <p class="small">${words.elsewhere}</p>
   <ul id="make-maps" class="make-maps" aria-label="${words.imagined}"></ul>
   <p class="small" id="make-maps-words"></p>
 </div>

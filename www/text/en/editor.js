@@ -36,7 +36,8 @@ export const editor = {
     duplicate: "Duplicate",
     remove: "Delete",
     hint: "Select a body in the scene or in the list. With keys, in the scene: <kbd>N</kbd> and <kbd>P</kbd> select, arrows move, <kbd>,</kbd> <kbd>.</kbd> turn, <kbd>+</kbd> <kbd>−</kbd> resize, with <kbd>Shift</kbd> further; <kbd>D</kbd> duplicates, <kbd>Delete</kbd> removes.",
-    nonsense: "The model learned only from the benchmark’s puzzles, so what it imagines here may be nonsense.",
+    // docs/results.md, "In other scenes", has the figures.
+    elsewhere: "A puzzle that you changed, the model imagines about as well as those it learned from. In one that is like none of them, it mostly guesses.",
     imagined: "What the model imagines",
     check: "Can it be solved?",
     trying: "Trying",
