@@ -321,10 +321,22 @@ fn cards_have_the_fields_that_their_types_declare() {
     let (_, shipped) = PathNet::load(include_bytes!("../assets/within-0.safetensors")).expect("weights");
     let success = SuccessCard { seed: 0, epochs: 1, batch: 1, balls_per_scene: 1, learning_rate: 0.1, balls: 1 };
     let dynamics = shipped.dynamics.clone().expect("the shipped weights have a dynamics net");
-    let barest = DynamicsCard { random_scenes: 0, without_paths: false, from: None, success: None, ..dynamics.clone() };
-    let from = Some("0".repeat(64));
-    let fullest =
-        DynamicsCard { random_scenes: 1, without_paths: true, from, success: Some(success.clone()), ..dynamics };
+    let barest = DynamicsCard {
+        random_scenes: 0,
+        random_scenes_alone: false,
+        without_paths: false,
+        from: None,
+        success: None,
+        ..dynamics.clone()
+    };
+    let fullest = DynamicsCard {
+        random_scenes: 1,
+        random_scenes_alone: true,
+        without_paths: true,
+        from: Some("0".repeat(64)),
+        success: Some(success.clone()),
+        ..dynamics
+    };
     let json = |card: &Card| serde_json::to_value(card).expect("JSON");
     let bare = json(&Card { success: None, dynamics: Some(barest), ..shipped.clone() });
     let full = json(&Card { success: Some(success), dynamics: Some(fullest), ..shipped.clone() });

@@ -397,6 +397,8 @@ export interface DynamicsCard {
     variants: number;
     /** Random scenes, of no task, among the scenes. */
     random_scenes?: number;
+    /** It has seen random scenes alone, and no task. */
+    random_scenes_alone?: boolean;
     without_dev: boolean;
     /** The net learned chances alone: what it imagines are no paths. */
     without_paths?: boolean;

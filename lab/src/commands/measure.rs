@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use pathlight::agents::agent_name::AgentName;
 use pathlight_lab::data::collect::SOLUTIONS;
 use pathlight_lab::files::json_file;
+use pathlight_lab::measure::task_set::TaskSet;
 use pathlight_lab::measure::{calibration, carried, evaluate, fidelity, forecasts, paper_table};
 use pathlight_lab::progress::Progress;
 use pathlight_lab::reproduce::{RESULTS, random_scenes};
@@ -59,6 +60,10 @@ pub struct Evaluate {
     #[arg(long)]
     dev: bool,
 
+    /// Use all 2,500 tasks; the dynamics net must have been trained on random scenes alone
+    #[arg(long, conflicts_with_all = ["dev", "dqn"])]
+    all_tasks: bool,
+
     /// Use at most the first N of these tasks of each template
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     limit: Option<u16>,
@@ -99,6 +104,7 @@ impl Evaluate {
             agents,
             fold,
             dev,
+            all_tasks,
             limit,
             seed,
             json,
@@ -108,21 +114,30 @@ impl Evaluate {
             carry,
             shuffles,
         } = self;
+        let (fold, tasks) = (fold.into(), task_set(dev, all_tasks));
         if carry {
-            let settings = carried::Settings { fold: fold.into(), dev, limit, seed, shuffles, weights };
+            let settings = carried::Settings { fold, tasks, limit, seed, shuffles, weights };
             let report = settings.measure(progress)?;
             if let Some(path) = &json {
                 json_file::write(path, &report)?;
             }
             return Ok(report.markdown()?);
         }
-        let settings = evaluate::Settings { agents, fold: fold.into(), dev, limit, seed, engine, weights, dqn };
+        let settings = evaluate::Settings { agents, fold, tasks, limit, seed, engine, weights, dqn };
         let report = settings.measure(progress)?;
         // The file comes first, so that a closed pipe does not lose it.
         if let Some(path) = &json {
             json_file::write(path, &report)?;
         }
         Ok(report.table()?)
+    }
+}
+
+fn task_set(dev: bool, all: bool) -> TaskSet {
+    match (dev, all) {
+        (true, _) => TaskSet::Dev,
+        (false, true) => TaskSet::All,
+        (false, false) => TaskSet::Test,
     }
 }
 

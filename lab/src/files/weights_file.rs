@@ -18,13 +18,21 @@ pub fn training_folder(fold: FoldId) -> PathBuf {
 /// If the file cannot be read, or its nets were trained on another fold and so may know this fold's test tasks.
 pub fn load_nets(path: Option<&Path>, fold: FoldId) -> anyhow::Result<(PathNet, Card)> {
     let path = path.map_or_else(|| format!("assets/{fold}.safetensors").into(), Path::to_path_buf);
+    let (nets, card) = load_nets_of_any_fold(&path)?;
+    card.fold_id().check(fold).with_context(|| format!("cannot use {}", path.display()))?;
+    Ok((nets, card))
+}
+
+/// Reads nets, and how they were trained. The caller checks what they may know.
+///
+/// # Errors
+/// If the file cannot be read.
+pub fn load_nets_of_any_fold(path: &Path) -> anyhow::Result<(PathNet, Card)> {
     let name = path.display();
-    let bytes = fs::read(&path).with_context(|| {
+    let bytes = fs::read(path).with_context(|| {
         format!("cannot read the weights in {name}: run `pathlight-lab train paths`, or name a file with --weights")
     })?;
-    let (nets, card) = PathNet::load(&bytes).with_context(|| format!("cannot use {name}"))?;
-    card.fold_id().check(fold).with_context(|| format!("cannot use {name}"))?;
-    Ok((nets, card))
+    PathNet::load(&bytes).with_context(|| format!("cannot use {name}"))
 }
 
 /// Reads DQN of a fold, and how it was trained; without a path, that of the default folder.

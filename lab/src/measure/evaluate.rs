@@ -20,8 +20,8 @@ use pathlight::simulator::Engine;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use super::agents::row;
-use super::first_of_each_template;
+use super::agents::{Weights, row};
+use super::task_set::TaskSet;
 use crate::files::weights_file::{load_dqn, load_nets};
 use crate::progress::Progress;
 
@@ -32,8 +32,7 @@ pub struct Settings {
     /// only if they are named, and DQN only if `dqn` names its weights.
     pub agents: Vec<AgentName>,
     pub fold: FoldId,
-    /// Use the dev tasks, to choose settings on, instead of the test tasks.
-    pub dev: bool,
+    pub tasks: TaskSet,
     /// At most the first of these tasks of each template.
     pub limit: Option<u16>,
     /// Seed of all random draws.
@@ -50,8 +49,7 @@ pub struct Settings {
 pub struct Report {
     pub setup: Setup,
     pub fold: u8,
-    /// `test` or `dev`.
-    pub tasks_of: String,
+    pub tasks_of: TaskSet,
     pub seed: u64,
     /// What simulated the attempts; absent if that is the first engine.
     #[serde(default, skip_serializing_if = "Engine::is_first")]
@@ -94,13 +92,11 @@ impl Settings {
     /// # Errors
     /// If the weights cannot be used for it.
     pub fn measure(&self, progress: &mut dyn Progress) -> anyhow::Result<Report> {
-        let fold = self.fold.tasks();
-        let (tasks, tasks_of) = if self.dev { (fold.dev, "dev") } else { (fold.test, "test") };
-        let tasks = first_of_each_template(&tasks, self.limit);
+        let tasks = self.tasks.tasks(self.fold, self.limit);
         let mut report = Report {
             setup: self.fold.setup,
             fold: self.fold.fold,
-            tasks_of: tasks_of.to_string(),
+            tasks_of: self.tasks,
             seed: self.seed,
             engine: self.engine,
             simulator: self.engine.version(),
@@ -113,6 +109,9 @@ impl Settings {
         if AgentName::ALL.into_iter().any(|agent| agent.is_of_model() && self.measures(agent)) {
             let (loaded, mut card) = load_nets(self.weights.as_deref(), self.fold)?;
             self.check_dev(card.without_dev, "paths")?;
+            if self.tasks == TaskSet::All {
+                self.tasks.check_dynamics(&card)?;
+            }
             for agent in &self.agents {
                 agent.check(&loaded)?;
             }
@@ -128,6 +127,13 @@ impl Settings {
             self.check_dev(card.without_dev, "dqn")?;
             report.dqn = Some(card);
             dqn = Some(loaded);
+        }
+        for &agent in &self.agents {
+            ensure!(
+                self.may_measure(agent),
+                "{agent} is of nets that were trained on some of the tasks, so --all-tasks would not measure what is \
+                 new to them: name other agents"
+            );
         }
         let loaded = Loaded { nets: nets.as_ref(), dqn: dqn.as_ref() };
         for agent in AgentName::ALL {
@@ -147,13 +153,22 @@ impl Settings {
 
     /// Whether an agent of a model is asked for.
     fn measures(&self, agent: AgentName) -> bool {
-        if self.agents.is_empty() { !row(agent).on_request } else { self.agents.contains(&agent) }
+        if self.agents.is_empty() {
+            !row(agent).on_request && self.may_measure(agent)
+        } else {
+            self.agents.contains(&agent)
+        }
+    }
+
+    /// Whether the nets of an agent may be new to the tasks: the dynamics net alone can be trained without any.
+    fn may_measure(&self, agent: AgentName) -> bool {
+        self.tasks != TaskSet::All || matches!(row(agent).weights, Weights::Dynamics | Weights::None)
     }
 
     /// Checks that the dev tasks, if they are attempted, were not trained on.
     fn check_dev(&self, without_dev: bool, net: &str) -> anyhow::Result<()> {
         ensure!(
-            !self.dev || without_dev,
+            self.tasks != TaskSet::Dev || without_dev,
             "these weights were trained on the dev tasks too, so --dev would measure nothing new: train with \
              `pathlight-lab train {net} --without-dev`"
         );
@@ -213,9 +228,9 @@ impl Report {
         // All agents attempt the same tasks.
         let attempted = self.agents.first().map_or(&[][..], |score| &score.first_solved);
         let tasks: Vec<TaskId> = attempted.iter().map(|&(task, _)| task).collect();
-        let Report { setup, fold, tasks_of, seed, engine, simulator, .. } = self;
+        let &Report { setup, fold, tasks_of, seed, engine, simulator, .. } = self;
         let mut text = String::new();
-        write!(text, "{setup}, fold {fold}, {} {tasks_of} tasks, seed {seed}, ", tasks.len())?;
+        write!(text, "{}, seed {seed}, ", tasks_of.heading(FoldId { setup, fold }, tasks.len()))?;
         if !engine.is_first() {
             write!(text, "engine {engine}, ")?;
         }

@@ -9,6 +9,7 @@ use pathlight::benchmark::folds::FoldId;
 
 use super::evaluate::Report;
 use super::shipped::Measurement;
+use super::task_set::TaskSet;
 use crate::files::json_file;
 
 /// Reads the results in a folder, at least one, within before cross, folds ascending. Each has to hold these agents,
@@ -33,7 +34,7 @@ pub fn read<S: PartialEq>(
         let name = path.display();
         let report: Report = json_file::read(&path, script)?;
         ensure!(
-            (FoldId { setup: report.setup, fold: report.fold }, report.tasks_of.as_str()) == (fold, "test")
+            (FoldId { setup: report.setup, fold: report.fold }, report.tasks_of) == (fold, TaskSet::Test)
                 && report.is_whole(&fold.tasks().test)
                 && agents.iter().all(|&agent| report.score(agent).is_some()),
             "{name} does not hold the agents {}, of this version, on all test tasks of {fold}: remove it, and run \

@@ -15,6 +15,7 @@ pub mod measured_scenes;
 pub mod paper_table;
 pub mod publish_results;
 pub mod shipped;
+pub mod task_set;
 
 /// Returns the test tasks of a fold, at most the first `limit` of each template.
 fn test_tasks(fold: FoldId, limit: Option<u16>) -> Vec<TaskId> {

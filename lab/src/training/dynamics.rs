@@ -19,7 +19,7 @@ use super::settings::RunSettings;
 use super::training_run::{TrainingRun, digests};
 use crate::data::label::LABELS;
 use crate::files::digest;
-use crate::files::weights_file::{load_nets, training_folder};
+use crate::files::weights_file::{load_nets, load_nets_of_any_fold, training_folder};
 use crate::progress::Progress;
 
 /// What to train.
@@ -93,6 +93,8 @@ impl Settings {
         let scenes = LabelledScenes::read(&self.labels, self.fold, without_dev)?;
         ensure!(scenes.have_paths(), "the labels hold balls without their paths: label them again");
         let start = if self.from.is_none() { nets.success.take().zip(card.success.take()) } else { None };
+        let from = self.from.as_deref().map(|path| self.dynamics_of(path, without_dev)).transpose()?;
+        let starts_without_tasks = start.is_none() && from.as_ref().is_none_or(|(_, card)| card.random_scenes_alone);
         card.success = None;
         card.dynamics = Some(DynamicsCard {
             seed: self.run.seed,
@@ -105,14 +107,15 @@ impl Settings {
             coverage: true,
             variants: scenes.variants(),
             random_scenes: scenes.random(),
+            random_scenes_alone: scenes.are_random() && starts_without_tasks,
             without_dev,
             without_paths: self.without_paths,
             from: self.from.as_deref().map(digest).transpose()?,
             success: start.as_ref().map(|(_, card)| card.clone()),
         });
         let folder = self.run.out.clone().unwrap_or_else(|| training_folder(self.fold).join("dynamics"));
-        let trainer = match (&self.from, start) {
-            (Some(path), _) => Trainer::from_nets(self.dynamics_of(path, without_dev)?),
+        let trainer = match (from, start) {
+            (Some((net, _)), _) => Trainer::from_nets(net),
             (None, Some((net, _))) => Trainer::from_success_net(net, self.run.seed),
             (None, None) => Trainer::<DynamicsNet>::new(self.run.seed),
         };
@@ -133,19 +136,24 @@ impl Settings {
         run.write_weights(|card| nets.save(card)).map(Some)
     }
 
-    /// The dynamics net of a weights file of this fold; `without_dev`: it must not have learned from the dev tasks.
-    fn dynamics_of(&self, path: &Path, without_dev: bool) -> anyhow::Result<DynamicsNet> {
+    /// The dynamics net of a weights file of this fold, or of any if it has seen no task; `without_dev`: it must not
+    /// have learned from the dev tasks.
+    fn dynamics_of(&self, path: &Path, without_dev: bool) -> anyhow::Result<(DynamicsNet, DynamicsCard)> {
         let name = path.display();
-        let (nets, card) = load_nets(Some(path), self.fold)?;
+        let (nets, card) = load_nets_of_any_fold(path)?;
+        let trained_on = card.fold_id();
         let trained = nets.dynamics.zip(card.dynamics);
-        let (net, trained) = trained
+        let (net, card) = trained
             .with_context(|| format!("{name} has no dynamics net: name weights of `pathlight-lab train dynamics`"))?;
-        ensure!(
-            trained.without_dev || !without_dev,
-            "{name} was trained on dev tasks: name weights that were trained with --without-dev, or train all nets on \
-             dev tasks"
-        );
-        Ok(net)
+        if !card.random_scenes_alone {
+            trained_on.check(self.fold).with_context(|| format!("cannot use {name}"))?;
+            ensure!(
+                card.without_dev || !without_dev,
+                "{name} was trained on dev tasks: name weights that were trained with --without-dev, or train all nets \
+                 on dev tasks"
+            );
+        }
+        Ok((net, card))
     }
 
     /// A batch of the run, by its number.

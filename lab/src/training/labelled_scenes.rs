@@ -161,6 +161,11 @@ impl LabelledScenes {
         self.0.iter().filter(|scene| matches!(scene.id, SceneId::Random(_))).count()
     }
 
+    /// Whether all scenes are random.
+    pub fn are_random(&self) -> bool {
+        self.random() == self.0.len()
+    }
+
     /// Whether every ball has its paths.
     pub fn have_paths(&self) -> bool {
         self.0.iter().all(|scene| scene.paths.len() == scene.balls.len() * PATHS_LEN)

@@ -104,6 +104,36 @@ fn a_dynamics_net_joins_the_weights_and_can_be_trained_further() {
 }
 
 #[test]
+fn a_net_that_has_seen_random_scenes_alone_is_measured_on_all_tasks_and_starts_any_fold() {
+    let folder = tempdir().expect("a folder");
+    let file = |name: &str| folder.path().join(name).display().to_string();
+    let (random, labels) = (file("random.jsonl"), label(folder.path(), "1"));
+    output_of(&["data", "label", "--random-scenes", "7", "--rounds", "1", "--out", &random]);
+    let train = |run: &str, labels: &str, more: &[&str]| {
+        let words =
+            ["train", "dynamics", "--epochs", "1", "--batch", "4", "--balls-per-scene", "16", "--labels", labels];
+        output_of(&[&words[..], &["--imagined-per-scene", "8", "--out", &file(run)], more].concat());
+        let weights = file(&format!("{run}/weights.safetensors"));
+        let (_, card) = PathNet::load(&fs::read(&weights).expect("weights")).expect("weights that fit");
+        (weights, card.dynamics.expect("a card").random_scenes_alone)
+    };
+    let (alone, is_alone) = train("alone", &random, &["--weights", WEIGHTS]);
+    assert!(is_alone);
+    let cross = ["--setup", "cross", "--from", &alone];
+    let (more, is_alone) = train("more", &random, &cross);
+    assert!(is_alone, "what it starts from has seen no task either");
+    assert!(!train("tasks", &labels, &["--setup", "cross", "--from", &more]).1);
+    assert!(!train("after-tasks", &random, &["--weights", WEIGHTS, "--from", WEIGHTS]).1);
+
+    let measure = ["measure", "evaluate", "--all-tasks", "--limit", "1", "--weights"];
+    let table = output_of(&[&measure[..], &[&alone]].concat());
+    assert!(table.starts_with("all templates, 25 tasks, seed 0") && !table.contains("paper"), "{table}");
+    assert_refused(&[&measure[..], &[WEIGHTS]].concat(), "were trained on some of the tasks");
+    assert_refused(&[&measure[..], &[WEIGHTS, "--carry"]].concat(), "were trained on some of the tasks");
+    assert_refused(&[&measure[..], &[&alone, "--agent", "paper"]].concat(), "paper is of nets that were trained");
+}
+
+#[test]
 fn weights_without_dev_tasks_learn_from_nothing_that_knows_them() {
     let folder = tempdir().expect("a folder");
     let file = |name: &str| folder.path().join(name).display().to_string();

@@ -23,7 +23,7 @@ use pathlight::puzzle::task::{Task, TaskId};
 use pathlight::simulator::{self, simulate};
 use serde::{Deserialize, Serialize};
 
-use super::first_of_each_template;
+use super::task_set::TaskSet;
 use crate::files::json_file;
 use crate::files::weights_file::load_nets;
 use crate::progress::Progress;
@@ -36,8 +36,7 @@ pub use report::page;
 #[derive(Default)]
 pub struct Settings {
     pub fold: FoldId,
-    /// Use the dev tasks, to choose settings on, instead of the test tasks.
-    pub dev: bool,
+    pub tasks: TaskSet,
     /// At most the first of these tasks of each template.
     pub limit: Option<u16>,
     /// Seed of the random agent.
@@ -53,8 +52,7 @@ pub struct Settings {
 pub struct Report {
     pub setup: Setup,
     pub fold: u8,
-    /// `test` or `dev`.
-    pub tasks_of: String,
+    pub tasks_of: TaskSet,
     pub seed: u64,
     pub simulator: u32,
     pub agents_version: u32,
@@ -145,17 +143,10 @@ impl Settings {
     /// # Errors
     /// If the weights cannot be used for it.
     pub fn measure(&self, progress: &mut dyn Progress) -> anyhow::Result<Report> {
-        let fold = self.fold.tasks();
-        let (tasks, tasks_of) = if self.dev { (fold.dev, "dev") } else { (fold.test, "test") };
-        let tasks = first_of_each_template(&tasks, self.limit);
+        let tasks = self.tasks.tasks(self.fold, self.limit);
         let (nets, card) = load_nets(self.weights.as_deref(), self.fold)?;
         AgentName::Online.check(&nets)?;
-        let has_seen_dev = card.dynamics.as_ref().is_none_or(|dynamics| !dynamics.without_dev);
-        ensure!(
-            !(self.dev && has_seen_dev),
-            "the dynamics net was trained on the dev tasks too, so --dev would measure nothing new: train one with \
-             `pathlight-lab train dynamics --without-dev`"
-        );
+        self.tasks.check_dynamics(&card)?;
         progress.begin(tasks.len() as u64);
         let mut ready = Vec::with_capacity(tasks.len());
         for id in tasks {
@@ -169,7 +160,8 @@ impl Settings {
         let orders: Vec<Option<u64>> = std::iter::once(None).chain(self.shuffles.iter().copied().map(Some)).collect();
         // Without a memory the order makes no difference; ablations are measured in order of ids alone.
         let orders_of = |memory| if memory == MemoryUse::All { &orders[..] } else { &orders[..1] };
-        let all = PLAYERS.iter().flat_map(|&(agent, uses)| uses.iter().map(move |&memory| (agent, memory)));
+        let players = PLAYERS.iter().filter(|&&(agent, _)| self.tasks != TaskSet::All || agent != AgentName::Paper);
+        let all = players.flat_map(|&(agent, uses)| uses.iter().map(move |&memory| (agent, memory)));
         progress.begin(all.clone().map(|(_, memory)| orders_of(memory).len() as u64).sum());
         let mut runs = Vec::new();
         for (agent, memory) in all {
@@ -182,7 +174,7 @@ impl Settings {
         progress.finish(&format!("{} runs", runs.len()));
         let Settings { fold: FoldId { setup, fold }, seed, .. } = *self;
         let (simulator, agents_version) = (simulator::VERSION, agents::VERSION);
-        Ok(Report { setup, fold, tasks_of: tasks_of.to_string(), seed, simulator, agents_version, card, runs })
+        Ok(Report { setup, fold, tasks_of: self.tasks, seed, simulator, agents_version, card, runs })
     }
 
     /// Lets an agent play all tasks in an order.

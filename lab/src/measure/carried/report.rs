@@ -6,6 +6,7 @@ use std::fmt::{self, Write as _};
 
 use pathlight::agents::agent_name::AgentName;
 use pathlight::benchmark::auccess::{MAX_ATTEMPTS, auccess, solved_within};
+use pathlight::benchmark::folds::FoldId;
 use pathlight::puzzle::task::TaskId;
 use pathlight::puzzle::templates::TEMPLATES;
 
@@ -61,15 +62,15 @@ impl Report {
     /// Only if formatting fails.
     pub fn markdown(&self) -> Result<String, fmt::Error> {
         let mut text = String::new();
-        let Report { setup, fold, tasks_of, seed, simulator, agents_version, runs, .. } = self;
+        let &Report { setup, fold, tasks_of, seed, simulator, agents_version, ref runs, .. } = self;
         let tasks = runs.first().map_or(0, |run| run.first_solved.len());
         let mut shuffles: Vec<u64> = runs.iter().filter_map(|run| run.shuffle).collect();
         shuffles.sort_unstable();
         shuffles.dedup();
         writeln!(
             text,
-            "## {setup}, fold {fold}: {tasks} {tasks_of} tasks\n\nSeed {seed}, simulator {simulator}, agents \
-             {agents_version}. Seeds of the shuffled orders: {}.\n",
+            "## {}\n\nSeed {seed}, simulator {simulator}, agents {agents_version}. Seeds of the shuffled orders: {}.\n",
+            tasks_of.heading(FoldId { setup, fold }, tasks),
             if shuffles.is_empty() { "none".to_string() } else { format!("{shuffles:?}").replace(['[', ']'], "") }
         )?;
         writeln!(text, "| agent | remembers | order of ids | shuffled |\n| --- | --- | ---: | ---: |")?;
