@@ -4,14 +4,18 @@ use std::fmt::{self, Write as _};
 use std::path::Path;
 
 use pathlight::agents::agent_name::AgentName;
+use pathlight::benchmark::auccess::auccess;
 use pathlight::benchmark::folds::{FOLDS, Setup};
 use pathlight::nets::{Card, DynamicsCard};
+use pathlight::puzzle::templates::TEMPLATES;
 
 use super::compared::mean_and_deviation;
 use super::fold_result::{self, FoldResult};
+use crate::files::json_file;
 use crate::measure::agents::row;
 use crate::measure::evaluate::{Report, score_cell};
 use crate::measure::fold_reports;
+use crate::measure::task_set::TaskSet;
 
 /// What makes the results.
 const SCRIPT: &str = "scripts/random-scenes-table";
@@ -31,7 +35,37 @@ pub fn page(folder: &Path, rows: &Path) -> anyhow::Result<String> {
     head(&mut text, &reports[0], reports.len())?;
     means(&mut text, &reports, &rows)?;
     folds(&mut text, &reports)?;
+    let path = folder.join("alone.json");
+    if path.exists() {
+        alone(&mut text, &json_file::read(&path, SCRIPT)?)?;
+    }
     Ok(text)
+}
+
+/// The net that has seen random scenes alone, on all tasks.
+fn alone(text: &mut String, report: &Report) -> anyhow::Result<()> {
+    let Report { tasks_of: TaskSet::All, seed, card: Some(Card { dynamics: Some(card), .. }), .. } = report else {
+        anyhow::bail!("alone.json is not of all tasks: remove it, and run `{SCRIPT}` again");
+    };
+    let DynamicsCard { epochs, batch, balls_per_scene, learning_rate, balls, random_scenes, .. } = card;
+    let agents = || AGENTS.into_iter().chain([AgentName::Random]);
+    let tasks = report.first_solved(AgentName::Random, None).len();
+    writeln!(
+        text,
+        "\n## Random scenes alone\n\nThe net that those of the folds start from has seen no task and no template. \
+         {balls} balls, {random_scenes} random scenes; {epochs} epochs in batches of {batch} scenes with \
+         {balls_per_scene} balls each, Adam at {learning_rate}. Seed {seed}, {tasks} tasks.\n"
+    )?;
+    let names: Vec<&str> = agents().map(|agent| row(agent).label).collect();
+    writeln!(text, "| template | {} |\n| --- |{}", names.join(" | "), " ---: |".repeat(names.len()))?;
+    for template in TEMPLATES {
+        let auccess = |agent| format!("{:.0}", auccess(&report.first_solved(agent, Some(template.number))));
+        let cells: Vec<String> = agents().map(auccess).collect();
+        writeln!(text, "| {:05} {} | {} |", template.number, template.name, cells.join(" | "))?;
+    }
+    let all: Vec<String> = agents().map(|agent| report.score(agent).map_or("–".to_string(), score_cell)).collect();
+    writeln!(text, "| all | {} |", all.join(" | "))?;
+    Ok(())
 }
 
 /// What has to agree between the results of a table: the seed, and how the dynamics nets were trained.
@@ -52,9 +86,9 @@ fn head(text: &mut String, report: &Report, count: usize) -> anyhow::Result<()> 
     write!(
         text,
         "# With random scenes\n\n`pathlight-lab measure random-scenes` printed this from the files beside it, which \
-         `{SCRIPT}` made. The dynamics nets learned from the training tasks, from variants of them, and from random \
-         scenes, which have no template. The nets of the [rows](../README.md) have seen no random scenes, and were \
-         trained with other settings. Only counted attempts are simulated.\n\n\
+         `{SCRIPT}` made. The dynamics nets learned from random scenes, which have no template, at first from these \
+         alone, and then from the training tasks and variants of them too. The nets of the [rows](../README.md) have \
+         seen no random scenes, and were trained with other settings. Only counted attempts are simulated.\n\n\
          {} {}: {balls} balls, {variants} variants, {random_scenes} random scenes; {epochs} epochs in batches of \
          {batch} scenes with {balls_per_scene} balls each, Adam at {learning_rate}. Seed {seed}, simulator \
          {simulator}, agents {agents_version}. {count} of {} folds are measured.\n",

@@ -34,7 +34,23 @@ fn results_stand_beside_the_rows_of_the_same_folds() {
         [&online, in_row.expect("the online agent")].map(|score| score["auccess"].as_f64().expect("a number"));
     let cells = format!("| cross | 1 | **online** | {with:.1} | {without:.1} | {:.1}, ", with - without);
     assert!(page.contains(&cells), "{page} lacks {cells}");
+    let put_alone = |result: &Value| fs::write(folder.path().join("alone.json"), result.to_string()).expect("written");
+    put_alone(&result);
+    assert_refused(&words, "alone.json is not of all tasks");
+    let mut alone = result.clone();
+    alone["tasks_of"] = "all".into();
+    put_alone(&alone);
+    let page = output_of(&words);
+    assert!(page.contains("## Random scenes alone") && page.contains("\n| all | **"), "{page}");
+
     result["tasks_of"] = "dev".into();
     put(&result);
     assert_refused(&words, "on all test tasks of cross-0");
+}
+
+#[test]
+fn the_page_says_what_the_results_beside_it_say() {
+    let printed = output_of(&["measure", "random-scenes", "results/random-scenes"]);
+    let page = fs::read_to_string(root("results/random-scenes/README.md")).expect("a page");
+    assert_eq!(page, printed, "run `scripts/random-scenes-table`");
 }
