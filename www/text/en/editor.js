@@ -37,7 +37,8 @@ export const editor = {
     remove: "Delete",
     hint: "Select a body in the scene or in the list. With keys, in the scene: <kbd>N</kbd> and <kbd>P</kbd> select, arrows move, <kbd>,</kbd> <kbd>.</kbd> turn, <kbd>+</kbd> <kbd>−</kbd> resize, with <kbd>Shift</kbd> further; <kbd>D</kbd> duplicates, <kbd>Delete</kbd> removes.",
     // docs/results.md, "In other scenes", has the figures.
-    elsewhere: "The model imagines a changed puzzle about as well as those it learned from. In one unlike all of them, it mostly guesses.",
+    elsewhere:
+      "The model imagines a changed puzzle about as well as those it learned from. In one unlike all of them, it mostly guesses.",
     imagined: "What the model imagines",
     check: "Can it be solved?",
     trying: "Trying",
