@@ -9,7 +9,8 @@ use pathlight::benchmark::folds::{FOLDS, FoldId, Setup};
 use pathlight_lab::data::collect::SOLUTIONS;
 use pathlight_lab::data::label::LABELS;
 use pathlight_lab::progress::Progress;
-use pathlight_lab::reproduce::fold_result::{DataFiles, Hyperparameters};
+use pathlight_lab::reproduce::data_files::DataFiles;
+use pathlight_lab::reproduce::result_settings::Hyperparameters;
 use pathlight_lab::reproduce::{RESULTS, Settings};
 
 use super::fold_args::{fold, setup};
@@ -111,6 +112,20 @@ struct HyperparameterArgs {
     )]
     dynamics_epochs: u16,
 
+    /// Rounds of labelling the balls that the dynamics net then finds likeliest, in the training tasks of each fold: 64
+    /// of each task per round
+    #[arg(long, value_name = "ROUNDS", default_value_t = Hyperparameters::default().hard_negative_rounds)]
+    hard_negative_rounds: u16,
+
+    /// Further epochs of the dynamics net, on these too
+    #[arg(
+        long,
+        value_name = "EPOCHS",
+        default_value_t = Hyperparameters::default().hard_negative_epochs,
+        value_parser = at_least_one()
+    )]
+    hard_negative_epochs: u16,
+
     /// Epochs of DQN
     #[arg(
         long,
@@ -139,6 +154,8 @@ impl From<HyperparameterArgs> for Hyperparameters {
             success_epochs: args.success_epochs,
             success_epochs_cross: args.success_epochs_cross,
             dynamics_epochs: args.dynamics_epochs,
+            hard_negative_rounds: args.hard_negative_rounds,
+            hard_negative_epochs: args.hard_negative_epochs,
             dqn_epochs: args.dqn_epochs,
             limit: args.limit,
         }

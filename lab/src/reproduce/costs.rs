@@ -12,8 +12,9 @@ use pathlight::puzzle::templates::TEMPLATES;
 use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
 
-use super::fold_result::{FoldResult, Hyperparameters};
+use super::fold_result::FoldResult;
 use super::report::of;
+use super::result_settings::Hyperparameters;
 use crate::data::collect::read_solutions;
 use crate::data::label::BALLS;
 use crate::data::labels::{sample, try_balls};
@@ -61,10 +62,12 @@ pub fn write(results: &[FoldResult], solutions: &Path, folder: &Path) -> anyhow:
 
 fn cost(result: &FoldResult) -> RowCost {
     let minutes = |seconds: f64| seconds * result.threads as f64 / 60.0;
+    let further = &result.hard_negatives;
+    let further = further.as_ref().map_or(0.0, |further| further.labelling_seconds + further.training.seconds);
     RowCost {
         nets: minutes(result.nets.seconds),
         success: minutes(result.success.seconds),
-        dynamics: minutes(result.dynamics.seconds),
+        dynamics: minutes(result.dynamics.seconds + further),
         dqn: minutes(result.dqn.seconds),
         evaluation: minutes(result.evaluation_seconds),
     }

@@ -1,74 +1,19 @@
-//! The result of one setup and fold: its JSON file, the settings that it was made with, and whether results are
-//! comparable.
+//! The result of one setup and fold: its JSON file.
 
 use std::fs;
 use std::io::ErrorKind;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use anyhow::{Context, ensure};
-use pathlight::agents;
 use pathlight::benchmark::folds::FoldId;
 use pathlight::nets::DqnCard;
-use pathlight::simulator;
 use serde::{Deserialize, Serialize};
 
-use crate::files::differences::differences;
-use crate::files::digest;
+use super::result_settings::{Hyperparameters, Recipes, ResultSettings};
 use crate::files::replace_file::replace_file;
 use crate::measure::evaluate::Report;
-use crate::training::dynamics::{self, DynamicsRecipe};
-use crate::training::settings::{LabelsRecipe, PathsRecipe, recipe_of};
+use crate::training::settings::recipe_of;
 use crate::training::training_run::Checkpoint;
-use crate::training::{dqn, paths, success};
-
-/// Settings that can be chosen for a table. The defaults are those of the results in the repository. Aliases: keys of
-/// older files.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Hyperparameters {
-    /// Seed of training and evaluation.
-    pub seed: u64,
-    /// Rounds of labelling; every task tries 64 balls per round.
-    pub label_rounds: u16,
-    /// Rounds of labelling variants of the scenes, another variant of each task and 64 balls per round.
-    pub variant_rounds: u16,
-    /// Epochs of the four nets.
-    pub epochs: u16,
-    /// Epochs of the success net in the setup within.
-    #[serde(alias = "judge_epochs")]
-    pub success_epochs: u16,
-    /// Epochs of the success net in the setup cross.
-    #[serde(alias = "judge_epochs_cross")]
-    pub success_epochs_cross: u16,
-    /// Epochs of the dynamics net, over scenes and variants.
-    pub dynamics_epochs: u16,
-    /// Epochs of DQN.
-    pub dqn_epochs: u16,
-    /// At most the first test tasks of each template.
-    pub limit: u16,
-}
-
-impl Default for Hyperparameters {
-    fn default() -> Hyperparameters {
-        Hyperparameters {
-            seed: 0,
-            label_rounds: 15,
-            variant_rounds: 4,
-            epochs: 10,
-            success_epochs: 150,
-            success_epochs_cross: 60,
-            dynamics_epochs: 12,
-            dqn_epochs: 15,
-            limit: 100,
-        }
-    }
-}
-
-/// The input files of a result; read only.
-pub struct DataFiles {
-    pub solutions: PathBuf,
-    pub labels: PathBuf,
-    pub variants: PathBuf,
-}
 
 /// The result of a setup and fold. Aliases: keys of older files.
 #[derive(Serialize, Deserialize)]
@@ -81,6 +26,9 @@ pub struct FoldResult {
     pub success: Checkpoint,
     /// The training of the dynamics net, which starts from the success net.
     pub dynamics: Checkpoint,
+    /// What follows it; older rows have none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub hard_negatives: Option<HardNegatives>,
     /// The training of DQN.
     pub dqn: Checkpoint<DqnCard>,
     /// Size of the weights of the four nets and the dynamics net, bytes.
@@ -94,75 +42,12 @@ pub struct FoldResult {
     pub report: Report,
 }
 
-/// What determines a result, apart from its setup and fold. Results belong in one table if these agree.
-#[derive(PartialEq, Serialize)]
-pub struct ResultSettings {
-    #[serde(flatten)]
-    hyperparameters: Hyperparameters,
-    simulator: u32,
-    agents_version: u32,
-    /// SHA-256 of the file of solutions.
-    solutions: String,
-    /// SHA-256 of the file of labelled balls.
-    labels: String,
-    /// SHA-256 of the files that the dynamics net learns from: that, and the balls in variants.
-    labels_and_variants: String,
-    #[serde(flatten)]
-    recipes: Recipes,
-}
-
-/// How the nets of a result are trained.
-#[derive(PartialEq, Serialize)]
-pub struct Recipes {
-    pub nets: PathsRecipe,
-    pub success: Option<LabelsRecipe>,
-    pub dynamics: Option<DynamicsRecipe>,
-    pub dqn: LabelsRecipe,
-}
-
-impl Default for Recipes {
-    fn default() -> Recipes {
-        Recipes {
-            nets: paths::Settings::default().recipe,
-            success: Some(success::Settings::default().recipe),
-            dynamics: Some(dynamics::Settings::default().recipe),
-            // Smaller batches than those of the other nets, so that a short training has more steps.
-            dqn: LabelsRecipe { batch: 16, ..dqn::Settings::default().recipe },
-        }
-    }
-}
-
-impl ResultSettings {
-    /// The settings of a result made now.
-    ///
-    /// # Errors
-    /// If the data cannot be read.
-    pub fn expected(hyperparameters: &Hyperparameters, data: &DataFiles) -> anyhow::Result<ResultSettings> {
-        let labels = digest(&data.labels)?;
-        Ok(ResultSettings {
-            hyperparameters: hyperparameters.clone(),
-            simulator: simulator::VERSION,
-            agents_version: agents::VERSION,
-            solutions: digest(&data.solutions)?,
-            labels_and_variants: format!("{labels} {}", digest(&data.variants)?),
-            labels,
-            recipes: Recipes::default(),
-        })
-    }
-
-    /// Returns these settings as those of today, if only the version of the agents is older: from 3 to 4 the paper's
-    /// agent alone has changed, whose newer results stand apart (`measure paper`).
-    pub fn of_today(mut self) -> ResultSettings {
-        if self.agents_version == 3 {
-            self.agents_version = 4;
-        }
-        self
-    }
-
-    /// Names the settings that differ; empty if none do.
-    pub fn differences(&self, other: &ResultSettings) -> String {
-        differences(self, other)
-    }
+/// The further training of the dynamics net, on hard negatives too.
+#[derive(Serialize, Deserialize)]
+pub struct HardNegatives {
+    /// Wall-clock time of labelling them, s.
+    pub labelling_seconds: f64,
+    pub training: Checkpoint,
 }
 
 impl FoldResult {
@@ -198,6 +83,7 @@ impl FoldResult {
 
     /// The settings it was made with.
     pub fn settings(&self) -> ResultSettings {
+        let further = self.hard_negatives.as_ref().and_then(|further| further.training.card.dynamics.as_ref());
         ResultSettings {
             hyperparameters: self.hyperparameters.clone(),
             simulator: self.report.simulator,
@@ -209,6 +95,7 @@ impl FoldResult {
                 nets: recipe_of(&self.nets.card),
                 success: self.success.card.success.as_ref().map(recipe_of),
                 dynamics: self.dynamics.card.dynamics.as_ref().map(recipe_of),
+                hard_negatives: further.map(recipe_of),
                 dqn: recipe_of(&self.dqn.card),
             },
         }
@@ -242,24 +129,28 @@ pub fn read(folder: &Path) -> anyhow::Result<Vec<FoldResult>> {
 #[cfg(test)]
 mod tests {
     use pathlight::agents::agent_name::AgentName;
+    use pathlight::{agents, simulator};
 
     use super::*;
 
-    /// A row of the repository; its settings are today's defaults but for the data, which are not in it.
+    /// A row of the repository; its settings are today's defaults but for the data, which are not in it, and the hard
+    /// negatives, which it has not seen.
     #[test]
     fn rows_of_the_repository_were_made_with_the_settings_of_today() {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../results");
         let results = read(&folder).expect("the rows agree");
         assert_eq!(results.len(), 20);
         let row = results[3].settings().of_today();
+        let hyperparameters =
+            Hyperparameters { hard_negative_rounds: 0, hard_negative_epochs: 0, ..Hyperparameters::default() };
         let today = ResultSettings {
-            hyperparameters: Hyperparameters::default(),
+            recipes: Recipes::of(&hyperparameters),
+            hyperparameters,
             simulator: simulator::VERSION,
             agents_version: agents::VERSION,
             solutions: row.solutions.clone(),
             labels: row.labels.clone(),
             labels_and_variants: row.labels_and_variants.clone(),
-            recipes: Recipes::default(),
         };
         assert_eq!(row.differences(&today), "");
         let written: FoldResult =

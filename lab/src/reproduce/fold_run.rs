@@ -4,16 +4,20 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use anyhow::{Context, ensure};
+use anyhow::Context;
 use pathlight::agents::agent_name::AgentName;
 use pathlight::benchmark::folds::{FoldId, Setup};
 use serde::de::DeserializeOwned;
 
-use super::fold_result::{DataFiles, FoldResult, Hyperparameters, Recipes};
-use crate::data::label::read_labels;
+use super::data_files::DataFiles;
+use super::fold_result::{FoldResult, HardNegatives};
+use super::result_settings::{Hyperparameters, Recipes};
+use crate::data::label;
+use crate::data::task_selection::TaskSelection;
 use crate::measure::agents::{Weights, measured_with};
 use crate::measure::evaluate::{self, Report};
 use crate::progress::Progress;
+use crate::training::dynamics::DynamicsRecipe;
 use crate::training::settings::RunSettings;
 use crate::training::training_run::{Checkpoint, read_checkpoint};
 use crate::training::{dqn, dynamics, paths, success};
@@ -30,12 +34,16 @@ pub fn run(
     folder: &Path,
     progress: &mut dyn Progress,
 ) -> anyhow::Result<FoldResult> {
-    let run = FoldRun { fold, hyperparameters, data, folder };
-    run.check_data()?;
-    let recipes = Recipes::default();
+    let selection = data.check(hyperparameters)?;
+    let run = FoldRun { fold, hyperparameters, data, selection, folder };
+    let recipes = Recipes::of(hyperparameters);
     run.train_nets(&recipes, progress)?;
     run.train_success(&recipes, progress)?;
     run.train_dynamics(&recipes, progress)?;
+    let hard_negatives = match recipes.hard_negatives {
+        Some(_) => Some(run.train_on_hard_negatives(&recipes, progress)?),
+        None => None,
+    };
     run.train_dqn(&recipes, progress)?;
     let started = Instant::now();
     let report = run.evaluate(progress)?;
@@ -45,8 +53,9 @@ pub fn run(
         nets: trained(folder)?,
         success: trained(&run.folder_of(Net::Success))?,
         dynamics: trained(&run.folder_of(Net::Dynamics))?,
+        hard_negatives,
         dqn: trained(&run.folder_of(Net::Dqn))?,
-        weights: size(Net::Dynamics)?,
+        weights: size(run.last_dynamics())?,
         dqn_weights: size(Net::Dqn)?,
         evaluation_seconds: started.elapsed().as_secs_f64(),
         threads: rayon::current_num_threads(),
@@ -60,6 +69,7 @@ enum Net {
     Four,
     Success,
     Dynamics,
+    HardNegatives,
     Dqn,
 }
 
@@ -67,31 +77,12 @@ struct FoldRun<'a> {
     fold: FoldId,
     hyperparameters: &'a Hyperparameters,
     data: &'a DataFiles,
+    /// The tasks that are labelled.
+    selection: TaskSelection,
     folder: &'a Path,
 }
 
 impl FoldRun<'_> {
-    fn check_data(&self) -> anyhow::Result<()> {
-        let (data, &Hyperparameters { label_rounds, variant_rounds, .. }) = (self.data, self.hyperparameters);
-        let files = [(&data.labels, label_rounds, "label", false), (&data.variants, variant_rounds, "variant", true)];
-        for (path, rounds, option, variants) in files {
-            let labelled = read_labels(path)?;
-            ensure!(
-                labelled.variants == variants && !labelled.proposed && !labelled.random_scenes,
-                "{} holds other balls than --{option}s takes: it takes those that `pathlight-lab data label{}` sampled",
-                path.display(),
-                if variants { " --variants" } else { "" },
-            );
-            ensure!(
-                labelled.rounds() == Some(rounds.into()),
-                "{} does not hold the balls of {rounds} rounds: run `pathlight-lab reproduce --only data`, or change \
-                 --{option}-rounds",
-                path.display(),
-            );
-        }
-        Ok(())
-    }
-
     fn train_nets(&self, recipes: &Recipes, progress: &mut dyn Progress) -> anyhow::Result<()> {
         let epochs = self.hyperparameters.epochs;
         self.announce("paths", &format!("--solutions {}", self.data.solutions.display()), epochs, Net::Four, progress);
@@ -126,18 +117,68 @@ impl FoldRun<'_> {
 
     /// Starts from the success net.
     fn train_dynamics(&self, recipes: &Recipes, progress: &mut dyn Progress) -> anyhow::Result<()> {
+        let labels = vec![self.data.labels.clone(), self.data.variants.clone()];
+        let recipe = recipes.dynamics.clone().expect("it is trained");
+        self.train_dynamics_on(labels, recipe, Net::Dynamics, self.hyperparameters.dynamics_epochs, progress)
+    }
+
+    /// Labels the balls that the dynamics net finds likeliest, and trains it further, on these too.
+    fn train_on_hard_negatives(&self, recipes: &Recipes, progress: &mut dyn Progress) -> anyhow::Result<HardNegatives> {
+        let &Hyperparameters { hard_negative_rounds: rounds, hard_negative_epochs: epochs, .. } = self.hyperparameters;
+        let (weights, out) = (self.weights(Net::Dynamics), self.folder.join("hard-negatives.jsonl"));
+        let solutions = self.data.solutions.clone();
+        let [from, to, around] = [&weights, &out, &solutions].map(|path| path.display());
+        let mut options = format!("--weights {from} --solutions {around} --rounds {rounds} --out {to}");
+        options += &format!(" --limit {}", self.selection.limit);
+        if let Some(number) = self.selection.template() {
+            options += &format!(" --template {number}");
+        }
+        self.say("data label", &options, progress);
+        let started = Instant::now();
+        let labelling = label::Settings {
+            out: out.clone(),
+            solutions,
+            rounds: rounds.into(),
+            selection: self.selection,
+            weights: Some(weights),
+            training_tasks_of: Some(self.fold),
+            seed: self.hyperparameters.seed,
+            ..label::Settings::default()
+        };
+        labelling.label(progress)?;
+        let labelling_seconds = started.elapsed().as_secs_f64();
+        let labels = vec![self.data.labels.clone(), self.data.variants.clone(), out];
+        let recipe = recipes.hard_negatives.clone().expect("it is trained");
+        self.train_dynamics_on(labels, recipe, Net::HardNegatives, epochs, progress)?;
+        Ok(HardNegatives { labelling_seconds, training: trained(&self.folder_of(Net::HardNegatives))? })
+    }
+
+    fn train_dynamics_on(
+        &self,
+        labels: Vec<PathBuf>,
+        recipe: DynamicsRecipe,
+        net: Net,
+        epochs: u16,
+        progress: &mut dyn Progress,
+    ) -> anyhow::Result<()> {
         let weights = self.weights(Net::Success);
-        let epochs = self.hyperparameters.dynamics_epochs;
-        let [all, variants] = [&self.data.labels, &self.data.variants].map(|path| path.display());
-        let files = format!("--weights {} --labels {all} --labels {variants}", weights.display());
-        self.announce("dynamics", &files, epochs, Net::Dynamics, progress);
+        let from = matches!(net, Net::HardNegatives).then(|| self.weights(Net::Dynamics));
+        let mut options = format!("--weights {} --learning-rate {}", weights.display(), recipe.learning_rate);
+        for path in &labels {
+            options += &format!(" --labels {}", path.display());
+        }
+        if let Some(path) = &from {
+            options += &format!(" --from {}", path.display());
+        }
+        self.announce("dynamics", &options, epochs, net, progress);
         let settings = dynamics::Settings {
             fold: self.fold,
             weights: Some(weights),
-            labels: vec![self.data.labels.clone(), self.data.variants.clone()],
+            labels,
             epochs: epochs.into(),
-            recipe: recipes.dynamics.clone().expect("it is trained"),
-            run: self.run_settings(Net::Dynamics),
+            recipe,
+            from,
+            run: self.run_settings(net),
             ..dynamics::Settings::default()
         };
         say_weights(settings.train(progress)?, progress)
@@ -163,7 +204,7 @@ impl FoldRun<'_> {
         let dqn = self.weights(Net::Dqn);
         let option = format!(" --dqn {}", dqn.display());
         let agents: Vec<AgentName> = measured_with(Weights::Dynamics).chain(measured_with(Weights::Dqn)).collect();
-        let mut report = self.evaluate_with(Net::Dynamics, agents, Some(dqn), &option, progress)?;
+        let mut report = self.evaluate_with(self.last_dynamics(), agents, Some(dqn), &option, progress)?;
         let of_success_net =
             self.evaluate_with(Net::Success, measured_with(Weights::Success).collect(), None, "", progress)?;
         // The random agent is in both.
@@ -205,8 +246,14 @@ impl FoldRun<'_> {
             Net::Four => self.folder.to_path_buf(),
             Net::Success => self.folder.join("success"),
             Net::Dynamics => self.folder.join("dynamics"),
+            Net::HardNegatives => self.folder.join("dynamics/hard-negatives"),
             Net::Dqn => self.folder.join("dqn"),
         }
+    }
+
+    /// The training whose dynamics net is measured.
+    fn last_dynamics(&self) -> Net {
+        if self.hyperparameters.hard_negative_rounds > 0 { Net::HardNegatives } else { Net::Dynamics }
     }
 
     fn weights(&self, net: Net) -> PathBuf {

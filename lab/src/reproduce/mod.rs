@@ -12,14 +12,18 @@ use pathlight::benchmark::folds::FoldId;
 use crate::data::collect::{self, SOLUTIONS};
 use crate::data::label::{self, LABELS};
 use crate::progress::Progress;
-use fold_result::{DataFiles, FoldResult, Hyperparameters, ResultSettings};
+use data_files::DataFiles;
+use fold_result::FoldResult;
+use result_settings::{Hyperparameters, ResultSettings};
 
 pub mod compared;
 mod costs;
+pub mod data_files;
 pub mod fold_result;
 mod fold_run;
 pub mod random_scenes;
 pub mod report;
+pub mod result_settings;
 mod training_report;
 
 /// The folder of the results in the repository.

@@ -57,22 +57,20 @@ pub fn write(text: &mut String, results: &[FoldResult]) -> fmt::Result {
         "balls | variants of scenes | epochs x batch x balls (imagined) | learning rate | loss of a ball | weights, MB",
         results,
         |FoldResult { dynamics, weights, .. }| {
-            let card = dynamics.card.dynamics.as_ref()?;
-            Some(format!(
-                "{} | {} | {} x {} x {} ({}) | {} | {:.4} | {:.2}",
-                card.balls,
-                card.variants,
-                card.epochs,
-                card.batch,
-                card.balls_per_scene,
-                card.imagined_per_scene,
-                card.learning_rate,
-                last_loss(dynamics, "ball"),
-                *weights as f64 / 1e6
-            ))
+            Some(format!("{} | {:.2}", dynamics_cells(dynamics)?, *weights as f64 / 1e6))
         },
     )?;
     writeln!(text, "\nIt starts from the success net; the weights hold the four nets too.")?;
+    if results.iter().any(|result| result.hard_negatives.is_some()) {
+        table(
+            text,
+            "The dynamics net, further, on hard negatives too",
+            "balls | variants of scenes | epochs x batch x balls (imagined) | learning rate | loss of a ball",
+            results,
+            |result| dynamics_cells(&result.hard_negatives.as_ref()?.training),
+        )?;
+        writeln!(text, "\nHard negatives are balls that it found likeliest to solve the training tasks.")?;
+    }
     table(
         text,
         "DQN",
@@ -102,6 +100,21 @@ pub fn write(text: &mut String, results: &[FoldResult]) -> fmt::Result {
          normalisation. Many balls share one reading of a scene, batches are balanced in each scene, and scenes are \
          mirrored."
     )
+}
+
+fn dynamics_cells(run: &Checkpoint) -> Option<String> {
+    let card = run.card.dynamics.as_ref()?;
+    Some(format!(
+        "{} | {} | {} x {} x {} ({}) | {} | {:.4}",
+        card.balls,
+        card.variants,
+        card.epochs,
+        card.batch,
+        card.balls_per_scene,
+        card.imagined_per_scene,
+        card.learning_rate,
+        last_loss(run, "ball"),
+    ))
 }
 
 /// Writes a table with a line for each result.

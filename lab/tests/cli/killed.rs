@@ -109,7 +109,18 @@ fn reproduce_continues_after_any_kill() {
     let fold = ["reproduce", "--only", "folds", "--setup", "cross", "--fold", "0", "--limit", "1"];
     let files = ["--results", "%/results", "--train-dir", "%/runs", "--solutions", &solutions, "--labels", &labels];
     let rounds = ["--variants", &variants, "--label-rounds", "1", "--variant-rounds", "1"];
-    let short = ["--epochs", "1", "--success-epochs-cross", "1", "--dynamics-epochs", "1", "--dqn-epochs", "1"];
+    let short = [
+        "--epochs",
+        "1",
+        "--success-epochs-cross",
+        "1",
+        "--dynamics-epochs",
+        "1",
+        "--hard-negative-epochs",
+        "1",
+        "--dqn-epochs",
+        "1",
+    ];
     assert_same_when_killed(&[&fold[..], &files, &rounds, &short].concat(), |folder| {
         // Results also hold how long it took; the report does not.
         let results = folder.join("results").display().to_string();

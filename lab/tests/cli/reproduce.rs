@@ -35,6 +35,10 @@ fn small(folder: &Path) -> Vec<String> {
         "1",
         "--dynamics-epochs",
         "1",
+        "--hard-negative-rounds",
+        "1",
+        "--hard-negative-epochs",
+        "1",
         "--dqn-epochs",
         "1",
         "--limit",
@@ -70,7 +74,7 @@ fn jobs_make_results_and_the_report_reads_them() {
         assert!(made.status.success(), "{said}");
         // The commands that it names are those that it ran: run again, they find their own runs complete.
         let commands: Vec<&str> = said.lines().filter_map(|line| line.strip_prefix("$ pathlight-lab ")).collect();
-        assert_eq!(commands.len(), 6, "{said}");
+        assert_eq!(commands.len(), 8, "{said}");
         for command in commands {
             output_of(&command.split(' ').collect::<Vec<_>>());
         }
@@ -80,6 +84,9 @@ fn jobs_make_results_and_the_report_reads_them() {
     let result: Value = serde_json::from_slice(&file("within-3.json")).expect("JSON");
     assert_eq!(result["success"]["card"]["success"]["epochs"], 2);
     assert_eq!(result["dynamics"]["card"]["dynamics"]["success"]["epochs"], 2, "it starts from the success net");
+    let [first, further] = ["/dynamics", "/hard_negatives/training"]
+        .map(|run| result.pointer(run).expect("a run")["card"]["dynamics"]["balls"].as_u64().expect("a number"));
+    assert!(further > first, "{first} balls, then {further} with hard negatives");
     for (run, losses) in [("nets", 4), ("success", 1), ("dynamics", 5), ("dqn", 1)] {
         assert_eq!(result[run]["losses"].as_array().map(Vec::len), Some(losses), "{run}");
         let (epoch, done, last) =
@@ -142,7 +149,8 @@ fn jobs_make_results_and_the_report_reads_them() {
         let row = printed.lines().find(|line| line.starts_with(&format!("| {row} |"))).expect("a row");
         assert!(row.contains(&format!("| {difference:.1}, {} of 1 |", usize::from(difference > 0.0))), "{row}");
     }
-    for title in ["The four nets", "The success net", "The dynamics net", "DQN"] {
+    let further = "The dynamics net, further, on hard negatives too";
+    for title in ["The four nets", "The success net", "The dynamics net", further, "DQN"] {
         let rows = printed.split(&format!("\n### {title}\n")).nth(1).expect("a table");
         assert!(
             rows.lines()

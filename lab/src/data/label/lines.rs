@@ -5,10 +5,12 @@ use std::path::Path;
 
 use anyhow::ensure;
 use pathlight::benchmark::folds::Setup;
+use pathlight::puzzle::templates::TEMPLATES;
 use pathlight::simulator;
 use serde::{Deserialize, Serialize};
 
 use crate::data::labels::{LabelledBalls, PATHS_LEN};
+use crate::data::task_selection::TaskSelection;
 use crate::files::journal::{self, check_ball, check_task};
 
 /// What determines the content of a file. Absent fields take their defaults.
@@ -77,6 +79,8 @@ pub struct Labelled {
     pub variants: bool,
     /// The balls are in random scenes.
     pub random_scenes: bool,
+    /// The tasks that were labelled, or of whose scenes there are variants.
+    pub selection: TaskSelection,
     tasks: NonZeroUsize,
 }
 
@@ -102,6 +106,8 @@ pub fn read_labels(path: &Path) -> anyhow::Result<Labelled> {
         net_without_dev,
         variants,
         random_scenes,
+        template,
+        limit,
         ..
     } = settings;
     ensure!(
@@ -117,6 +123,7 @@ pub fn read_labels(path: &Path) -> anyhow::Result<Labelled> {
         net_without_dev,
         variants,
         random_scenes,
+        selection: TaskSelection { template: template.and_then(|number| TEMPLATES.get(number).copied()), limit },
         tasks,
     })
 }
