@@ -120,7 +120,7 @@ pub struct DynamicsCard {
     /// How many of the scenes are random ones, of no task.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub random_scenes: usize,
-    /// It has seen random scenes alone, of which no task has a template, so it may be used with any fold.
+    /// It has seen random scenes alone and no task, so nets of any fold may start from it.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub random_scenes_alone: bool,
     /// The fold's dev tasks were left out, whatever the four nets have seen.
