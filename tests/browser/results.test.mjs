@@ -95,6 +95,10 @@ test("published figures stand beside ours, with their source and simulator, and 
   const shown = (rows) =>
     page.locator(`#results-${rows} tr`).evaluateAll((all) => all.map((row) => row.innerText.split("\t")));
   const ours = await shown("ours");
+  const [withRandom] = ours.splice(0, 1);
+  const random = await readFile(new URL("../../results/random-scenes/README.md", import.meta.url), "utf8");
+  assert.equal(withRandom[1], "–");
+  assert.ok(random.includes(`| **online** | ${withRandom[2]} |`), `${withRandom}`);
   assert.deepEqual(
     ours.map(([name]) => name.split(":")[0]),
     ["online", "dynamics", "success", "paper", "random"],
@@ -124,6 +128,25 @@ test("published figures stand beside ours, with their source and simulator, and 
   await page.locator("tbody", { hasText: "Published, in PHYRE’s own simulator" }).waitFor();
   for (const link of await page.locator("#results-published a").all())
     assert.match((await link.getAttribute("href")) ?? "", /^https:\/\/arxiv\.org\/abs\//);
+});
+
+test("the paper's nets stand beside what was published of them, by template", async () => {
+  const report = await readFile(new URL("../../results/paper/README.md", import.meta.url), "utf8");
+  /** The published number and ours of each template that a setup tests. */
+  const reported = (setup) => {
+    const [section] = report.split(`## By template, ${setup}`)[1].split("\n## ");
+    return new Map(
+      [...section.matchAll(/\| \d{5} (.+?) \| (\S+) \| (\S+) \|/g)].map(([, ...row]) => [row[0], row.slice(1)]),
+    );
+  };
+  const [within, cross] = ["within", "cross"].map(reported);
+  const page = await openResults();
+  await page.getByText("The paper’s nets, kind by kind").click();
+  const rows = page.locator("#results-paper-rows tr");
+  assert.deepEqual(
+    await rows.evaluateAll((all) => all.map((row) => row.innerText.split("\t"))),
+    [...within].map(([name, numbers]) => [name, ...numbers, ...(cross.get(name) ?? ["–", "–"])]),
+  );
 });
 
 test("the chances are laid beside what happened, as a chart and in numbers", async () => {

@@ -4,12 +4,13 @@ import { AGENTS } from "../model/results.js";
 import { text } from "../text/text.js";
 import { createCell } from "../widgets/dom.js";
 
-/** @param {import("../model/results.js").Results["compared"]["ours"]} ours */
-export function ourRows(ours) {
-  return AGENTS.flatMap((name) => {
+/** @param {import("../model/results.js").Results["compared"]} compared */
+export function ourRows({ ours, random_scenes: withRandom }) {
+  const rows = AGENTS.flatMap((name) => {
     const found = ours.find(({ agent }) => agent === name);
     return found ? [row(found.auccess, text.results.namedAgent(name, text.model.agents[name]))] : [];
   });
+  return withRandom ? [row(withRandom, text.results.beside.withRandom), ...rows] : rows;
 }
 
 /** @param {import("../model/results.js").Results["compared"]["published"]} published */
@@ -20,6 +21,20 @@ export function publishedRows(published) {
     link.textContent = source;
     return row(auccess, method && `${method}, `, link);
   });
+}
+
+/**
+ * The rows of the table of the paper's nets, a template each: published and ours, within and then cross.
+ * @param {import("../pkg/pathlight.js").Template[]} templates
+ * @param {{ published: string[], ours: string[] }[]} setups
+ */
+export function paperRows(templates, setups) {
+  return templates.map(({ name }, index) =>
+    row(
+      setups.flatMap(({ published, ours }) => [published[index], ours[index]]),
+      name,
+    ),
+  );
 }
 
 /**

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use pathlight_lab::measure::publish_results;
 use pathlight_lab::measure::shipped::Shipped;
-use pathlight_lab::reproduce::{RESULTS, compared, fold_result};
+use pathlight_lab::reproduce::{RESULTS, compared};
 use pathlight_lab::training::publish;
 
 use super::print_paths;
@@ -43,7 +43,7 @@ impl Command {
             Command::Weights { weights, assets } => print_paths(&publish::publish(&weights, &assets)?),
             Command::Results { results, rows, assets } => {
                 let shipped = Shipped { measurements: &results, assets: &assets };
-                let compared = compared::comparison(&fold_result::read(&rows)?);
+                let compared = compared::comparison(&rows)?;
                 print_paths(&[publish_results::publish(&shipped, &compared)?])
             }
         }

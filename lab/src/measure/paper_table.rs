@@ -9,6 +9,7 @@ use pathlight::benchmark::auccess::{auccess, solved_within};
 use pathlight::benchmark::folds::{FOLDS, Setup};
 use pathlight::nets::Card;
 use pathlight::puzzle::templates::TEMPLATES;
+use serde::Serialize;
 
 use super::evaluate::{Report, score_cell};
 use super::fold_reports;
@@ -36,6 +37,13 @@ const CROSS: Published = Published {
     solved: ["50 51 72 70 58 67 – 31 22 13 11 34 50 53 11 21 12 6 35 13 22 0 7 4 6", "31"],
 };
 
+/// The auccess of each template in a setup: as published, and ours; “–” where no fold tests it.
+#[derive(Serialize)]
+pub struct ByTemplate {
+    published: Vec<&'static str>,
+    ours: Vec<String>,
+}
+
 /// The results of a setup, a report for each fold.
 struct Measured<'a>(Vec<&'a Report>);
 
@@ -44,11 +52,10 @@ struct Measured<'a>(Vec<&'a Report>);
 /// # Errors
 /// If there are none, or one is damaged, or they were made with different settings.
 pub fn page(folder: &Path) -> anyhow::Result<String> {
-    let reports = fold_reports::read(folder, &[AgentName::Paper, AgentName::Random], "scripts/paper-table", settings)?;
+    let reports = read(folder)?;
     let mut text = HEAD.to_string();
     training(&mut text, &reports[0], reports.len())?;
-    let [within, cross] = [&WITHIN, &CROSS]
-        .map(|published| Measured(reports.iter().filter(|report| report.setup == published.setup).collect()));
+    let [within, cross] = [&WITHIN, &CROSS].map(|published| Measured::of(&reports, published));
     means(&mut text, [(&within, &WITHIN), (&cross, &CROSS)])?;
     for (measured, published) in [(&within, &WITHIN), (&cross, &CROSS)] {
         if !measured.0.is_empty() {
@@ -57,6 +64,33 @@ pub fn page(folder: &Path) -> anyhow::Result<String> {
     }
     folds(&mut text, &reports)?;
     Ok(text)
+}
+
+/// Returns the auccess by template, within and cross, of the results in a folder.
+///
+/// # Errors
+/// As `page`.
+pub fn by_template(folder: &Path) -> anyhow::Result<[ByTemplate; 2]> {
+    let reports = read(folder)?;
+    Ok([&WITHIN, &CROSS].map(|published| {
+        let measured = Measured::of(&reports, published);
+        let ours = TEMPLATES.iter().map(|template| {
+            let firsts = measured.firsts(AgentName::Paper, Some(template.number));
+            if firsts.is_empty() { "–".to_string() } else { format!("{:.0}", auccess(&firsts)) }
+        });
+        ByTemplate { published: published.by_template().collect(), ours: ours.collect() }
+    }))
+}
+
+fn read(folder: &Path) -> anyhow::Result<Vec<Report>> {
+    fold_reports::read(folder, &[AgentName::Paper, AgentName::Random], "scripts/paper-table", settings)
+}
+
+impl Published {
+    /// The published auccess of each template.
+    fn by_template(&self) -> impl Iterator<Item = &'static str> + use<> {
+        self.auccess[0].split_whitespace()
+    }
 }
 
 const HEAD: &str = "# The table of Harter et al. (2020)
@@ -126,7 +160,12 @@ fn solved(firsts: &[Option<usize>]) -> f64 {
     100.0 * solved_within(firsts, 10)
 }
 
-impl Measured<'_> {
+impl<'a> Measured<'a> {
+    /// The reports of the setup that something published is of.
+    fn of(reports: &'a [Report], published: &Published) -> Measured<'a> {
+        Measured(reports.iter().filter(|report| report.setup == published.setup).collect())
+    }
+
     /// The first solving attempts of an agent at the tasks of a template, or of all, in all folds.
     fn firsts(&self, agent: AgentName, template: Option<usize>) -> Vec<Option<usize>> {
         self.0.iter().flat_map(|report| report.first_solved(agent, template)).collect()
@@ -145,8 +184,7 @@ impl Measured<'_> {
              |\n| --- | ---: | ---: | ---: | ---: | ---: |",
             published.setup
         )?;
-        let by_template = |[numbers, _]: [&'static str; 2]| numbers.split_whitespace();
-        let numbers = by_template(published.auccess).zip(by_template(published.solved));
+        let numbers = published.by_template().zip(published.solved[0].split_whitespace());
         for (template, (published_auccess, published_solved)) in TEMPLATES.iter().zip(numbers) {
             let [ours, random] =
                 [AgentName::Paper, AgentName::Random].map(|agent| self.firsts(agent, Some(template.number)));

@@ -1,12 +1,16 @@
 //! Our agents over all folds, and what others have published: the rows of one table, for the report, the figures and
 //! the page. What the paper published by template is in `measure::paper_table`.
 
+use std::path::Path;
+
 use pathlight::agents::agent_name::AgentName;
 use pathlight::benchmark::folds::Setup;
 use serde::Serialize;
 
-use super::fold_result::FoldResult;
+use super::fold_result::{self, FoldResult};
+use super::random_scenes;
 use crate::measure::agents::AGENTS;
+use crate::measure::paper_table::{self, ByTemplate};
 
 /// Published auccess, mean over the ten folds, on PHYRE's own engine.
 #[derive(Serialize)]
@@ -57,7 +61,13 @@ const BEST: [Published; 2] = [
 #[derive(Serialize)]
 pub struct Comparison {
     ours: Vec<OurRow>,
+    /// The auccess of the online agent if its net learned from random scenes too, within and cross.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    random_scenes: Option<[String; 2]>,
     published: Vec<Published>,
+    /// The paper's nets by template, within and cross.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    paper: Option<[ByTemplate; 2]>,
 }
 
 /// An agent's auccess, within and cross: the mean over the folds, and the deviation.
@@ -67,12 +77,19 @@ pub struct OurRow {
     pub auccess: [String; 2],
 }
 
-/// Sets the rows of all agents beside the published ones.
-pub fn comparison(results: &[FoldResult]) -> Comparison {
-    Comparison {
-        ours: our_rows(results),
+/// Sets the rows of all agents in a folder of results beside the published ones; and what its folders `random-scenes`
+/// and `paper` hold, if it has them.
+///
+/// # Errors
+/// If a result is damaged.
+pub fn comparison(results: &Path) -> anyhow::Result<Comparison> {
+    let in_folder = |name: &str| Some(results.join(name)).filter(|folder| folder.exists());
+    Ok(Comparison {
+        ours: our_rows(&fold_result::read(results)?),
+        random_scenes: in_folder("random-scenes").map(|folder| random_scenes::online(&folder)).transpose()?,
         published: BEST.into_iter().chain(REPORTED.map(|(_, published)| published)).collect(),
-    }
+        paper: in_folder("paper").map(|folder| paper_table::by_template(&folder)).transpose()?,
+    })
 }
 
 /// Returns the rows of all agents.

@@ -42,6 +42,20 @@ pub fn page(folder: &Path, rows: &Path) -> anyhow::Result<String> {
     Ok(text)
 }
 
+/// Returns the auccess of the online agent over the folds in a folder, within and cross: the mean and the deviation.
+///
+/// # Errors
+/// As `page`.
+pub fn online(folder: &Path) -> anyhow::Result<[String; 2]> {
+    let reports = fold_reports::read(folder, &AGENTS, SCRIPT, settings)?;
+    Ok([Setup::Within, Setup::Cross].map(|setup| {
+        let of_setup = reports.iter().filter(|report| report.setup == setup);
+        let scores: Vec<f64> =
+            of_setup.filter_map(|report| report.score(AgentName::Online)).map(|[auccess, ..]| auccess).collect();
+        mean_and_deviation(&scores)
+    }))
+}
+
 /// The net that has seen random scenes alone, on all tasks.
 fn alone(text: &mut String, report: &Report) -> anyhow::Result<()> {
     let Report { tasks_of: TaskSet::All, seed, card: Some(Card { dynamics: Some(card), .. }), .. } = report else {
@@ -91,10 +105,8 @@ fn head(text: &mut String, report: &Report, count: usize) -> anyhow::Result<()> 
          seen no random scenes, and were trained with other settings. Only counted attempts are simulated.\n\n\
          {} {}: {balls} balls, {variants} variants, {random_scenes} random scenes; {epochs} epochs in batches of \
          {batch} scenes with {balls_per_scene} balls each, Adam at {learning_rate}. Seed {seed}, simulator \
-         {simulator}, agents {agents_version}. {count} of {} folds are measured.\n",
-        report.setup,
-        report.fold,
-        2 * FOLDS,
+         {simulator}, agents {agents_version}. {count} of {FOLDS} folds are measured.\n",
+        report.setup, report.fold,
     )?;
     Ok(())
 }

@@ -88,19 +88,20 @@ pub enum MemoryUse {
     NoRelativePlaces,
 }
 
-/// Reads the results of the folds of both setups from a folder.
+/// The file of a net that has learned from random scenes alone, on all tasks.
+const ALONE: &str = "random-scenes-alone";
+
+/// Reads the results of the folds of both setups from a folder, and those of a net that has learned from random scenes
+/// alone.
 ///
 /// # Errors
 /// If one cannot be read, or there is none.
 pub fn read(folder: &Path) -> anyhow::Result<Vec<Report>> {
+    let folds = [Setup::Within, Setup::Cross].into_iter().flat_map(|setup| (0..FOLDS).map(move |fold| (setup, fold)));
+    let names = folds.map(|(setup, fold)| FoldId { setup, fold }.to_string()).chain([ALONE.to_string()]);
     let mut reports = Vec::new();
-    for setup in [Setup::Within, Setup::Cross] {
-        for fold in 0..FOLDS {
-            let path = folder.join(format!("{}.json", FoldId { setup, fold }));
-            if path.exists() {
-                reports.push(json_file::read(&path, "pathlight-lab measure evaluate --carry")?);
-            }
-        }
+    for path in names.map(|name| folder.join(name + ".json")).filter(|path| path.exists()) {
+        reports.push(json_file::read(&path, "pathlight-lab measure evaluate --carry")?);
     }
     ensure!(
         !reports.is_empty(),
