@@ -34,6 +34,7 @@ pub fn page(folder: &Path, rows: &Path) -> anyhow::Result<String> {
     let mut text = String::new();
     head(&mut text, &reports[0], reports.len())?;
     means(&mut text, &reports, &rows)?;
+    templates(&mut text, &reports, &rows)?;
     folds(&mut text, &reports)?;
     let path = folder.join("alone.json");
     if path.exists() {
@@ -139,6 +140,32 @@ fn means(text: &mut String, reports: &[Report], rows: &[FoldResult]) -> fmt::Res
                 differences.iter().filter(|&&difference| difference > 0.0).count(),
                 differences.len(),
             )?;
+        }
+    }
+    Ok(())
+}
+
+/// The online agent on each template, with random scenes and in the rows of the same folds.
+fn templates(text: &mut String, reports: &[Report], rows: &[FoldResult]) -> fmt::Result {
+    writeln!(
+        text,
+        "\n## By template\n\nAuccess of the online agent over the tasks of all folds of the table that test a \
+         template.\n\n| template | with random scenes | the rows of the same folds | random |\n| --- | ---: | ---: | ---: |"
+    )?;
+    let of_rows =
+        |of: &Report| rows.iter().map(|row| &row.report).find(|row| (row.setup, row.fold) == (of.setup, of.fold));
+    let rows: Vec<&Report> = reports.iter().filter_map(of_rows).collect();
+    let reports: Vec<&Report> = reports.iter().collect();
+    for template in TEMPLATES {
+        let auccess = |reports: &[&Report], agent| {
+            let firsts = reports.iter().flat_map(|report| report.first_solved(agent, Some(template.number)));
+            let firsts: Vec<Option<usize>> = firsts.collect();
+            (!firsts.is_empty()).then(|| format!("{:.0}", auccess(&firsts)))
+        };
+        let cells = [(&reports, AgentName::Online), (&rows, AgentName::Online), (&reports, AgentName::Random)];
+        let cells: Option<Vec<String>> = cells.into_iter().map(|(reports, agent)| auccess(reports, agent)).collect();
+        if let Some(cells) = cells {
+            writeln!(text, "| {:05} {} | {} |", template.number, template.name, cells.join(" | "))?;
         }
     }
     Ok(())
