@@ -35,8 +35,8 @@ pub const PLACES: usize = 5;
 /// Outputs of the layer `scene`.
 pub const SCENE_HIDDEN: usize = 64;
 
-pub(super) const HIDDEN: [usize; 2] = [192, 128];
-const CHANCE_HIDDEN: usize = 64;
+pub(super) const HIDDEN: [usize; 2] = [384, 256];
+const CHANCE_HIDDEN: usize = 128;
 
 /// Channels of the hypercolumn.
 const fn hypercolumn() -> usize {
