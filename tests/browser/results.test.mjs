@@ -95,7 +95,7 @@ test("published figures stand beside ours, with their source and simulator, and 
   const shown = (rows) =>
     page.locator(`#results-${rows} tr`).evaluateAll((all) => all.map((row) => row.innerText.split("\t")));
   const ours = await shown("ours");
-  const [withRandom] = ours.splice(0, 1);
+  const withRandom = ours.shift();
   const random = await readFile(new URL("../../results/random-scenes/README.md", import.meta.url), "utf8");
   assert.equal(withRandom[1], "–");
   assert.ok(random.includes(`| **online** | ${withRandom[2]} |`), `${withRandom}`);
@@ -142,7 +142,7 @@ test("the paper's nets stand beside what was published of them, by template", as
   const [within, cross] = ["within", "cross"].map(reported);
   const page = await openResults();
   await page.getByText("The paper’s nets, kind by kind").click();
-  const rows = page.locator("#results-paper-rows tr");
+  const rows = page.locator("#results-paper tbody tr");
   assert.deepEqual(
     await rows.evaluateAll((all) => all.map((row) => row.innerText.split("\t"))),
     [...within].map(([name, numbers]) => [name, ...numbers, ...(cross.get(name) ?? ["–", "–"])]),

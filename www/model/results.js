@@ -30,12 +30,13 @@ import { toCsv } from "./csv.js";
 
 /**
  * `compared`: auccess, within and cross. `ours` are means and deviations over the folds; of `published`, `method` is
- * empty if it goes by its authors. `random_scenes` is the online agent if its net learned from random scenes too; `paper`
- * has, for within and cross, the auccess of the paper's nets on each template.
+ * empty if it goes by its authors. `online_with_random_scenes` is cross, of the online agent if its net learned from
+ * random scenes too. `paper` has the auccess of the paper's nets on each template, within and cross.
  * @typedef {object} Results
  * @property {ModelResults[]} models
- * @property {{ ours: { agent: string, auccess: string[] }[], random_scenes?: string[], published: { method: string,
- *   source: string, url: string, auccess: string[] }[], paper?: { published: string[], ours: string[] }[] }} compared
+ * @property {{ ours: { agent: string, auccess: string[] }[], online_with_random_scenes?: string, published:
+ *   { method: string, source: string, url: string, auccess: string[] }[], paper?: { published: string[],
+ *   ours: string[] }[] }} compared
  */
 
 /** The agents in the order shown. */

@@ -3,14 +3,15 @@
 import { AGENTS } from "../model/results.js";
 import { text } from "../text/text.js";
 import { createCell } from "../widgets/dom.js";
+import { fragmentOf } from "../element/markup.js";
 
 /** @param {import("../model/results.js").Results["compared"]} compared */
-export function ourRows({ ours, random_scenes: withRandom }) {
+export function ourRows({ ours, online_with_random_scenes: withRandom }) {
   const rows = AGENTS.flatMap((name) => {
     const found = ours.find(({ agent }) => agent === name);
     return found ? [row(found.auccess, text.results.namedAgent(name, text.model.agents[name]))] : [];
   });
-  return withRandom ? [row(withRandom, text.results.beside.withRandom), ...rows] : rows;
+  return withRandom ? [row(["–", withRandom], text.results.beside.withRandom), ...rows] : rows;
 }
 
 /** @param {import("../model/results.js").Results["compared"]["published"]} published */
@@ -24,17 +25,28 @@ export function publishedRows(published) {
 }
 
 /**
- * The rows of the table of the paper's nets, a template each: published and ours, within and then cross.
+ * What unfolds to the table of the paper's nets: a template in each row, published and ours, within and then cross.
  * @param {import("../pkg/pathlight.js").Template[]} templates
  * @param {{ published: string[], ours: string[] }[]} setups
  */
-export function paperRows(templates, setups) {
-  return templates.map(({ name }, index) =>
-    row(
-      setups.flatMap(({ published, ours }) => [published[index], ours[index]]),
-      name,
+export function paperNets(templates, setups) {
+  const { byKind, within, cross } = text.results.beside;
+  const columns = `<th scope="col">${byKind.published}<th scope="col">${byKind.ours}`;
+  const parts = fragmentOf(
+    `<summary id="results-by-kind">${byKind.title}</summary><p>${byKind.about}</p>
+    <div class="wide" tabindex="0" role="group" aria-labelledby="results-by-kind"><table class="beside">
+    <thead><tr><th scope="col" rowspan="2">${byKind.kind}<th colspan="2" scope="colgroup">${within}<th colspan="2" scope="colgroup">${cross}
+    <tr>${columns}${columns}<tbody></table></div>`,
+  );
+  parts.querySelector("tbody")?.append(
+    ...templates.map(({ name }, index) =>
+      row(
+        setups.flatMap(({ published, ours }) => [published[index], ours[index]]),
+        name,
+      ),
     ),
   );
+  return parts;
 }
 
 /**

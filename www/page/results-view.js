@@ -2,7 +2,7 @@
 // as links; what others have published; how often the chances that a model gives come true; and the whole as CSV.
 
 import { calibrationChart, calibrationTable } from "./calibration-chart.js";
-import { ourRows, paperRows, publishedRows } from "./compared-rows.js";
+import { ourRows, paperNets, publishedRows } from "./compared-rows.js";
 import { AGENTS, readResults, resultsCsv } from "../model/results.js";
 import { text } from "../text/text.js";
 import { byId } from "../widgets/dom.js";
@@ -71,8 +71,9 @@ export class ResultsView {
     byId(document, "results-body").hidden = false;
     byId(document, "results-ours").replaceChildren(...ourRows(compared));
     byId(document, "results-published").replaceChildren(...publishedRows(compared.published));
-    byId(document, "results-paper").hidden = !compared.paper;
-    byId(document, "results-paper-rows").replaceChildren(...paperRows(this.#templates, compared.paper ?? []));
+    const { paper } = compared;
+    byId(document, "results-paper").hidden = !paper;
+    byId(document, "results-paper").replaceChildren(paper ? paperNets(this.#templates, paper) : "");
     this.#model.replaceChildren(...this.#models.map((one) => new Option(one.name, one.name, false, one.name === name)));
     this.#onModel();
   }

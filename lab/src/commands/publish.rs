@@ -27,7 +27,8 @@ pub enum Command {
         #[arg(long, default_value = "results/shipped")]
         results: PathBuf,
 
-        /// The folder of the rows of `reproduce`, whose means stand beside published figures
+        /// The folder of the rows of `reproduce`, whose means stand beside published figures; with the results in its
+        /// folders random-scenes and paper
         #[arg(long, value_name = "DIR", default_value = RESULTS)]
         rows: PathBuf,
 

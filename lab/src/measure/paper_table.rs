@@ -55,7 +55,7 @@ pub fn page(folder: &Path) -> anyhow::Result<String> {
     let reports = read(folder)?;
     let mut text = HEAD.to_string();
     training(&mut text, &reports[0], reports.len())?;
-    let [within, cross] = [&WITHIN, &CROSS].map(|published| Measured::of(&reports, published));
+    let [within, cross] = [&WITHIN, &CROSS].map(|published| Measured::of(&reports, published.setup));
     means(&mut text, [(&within, &WITHIN), (&cross, &CROSS)])?;
     for (measured, published) in [(&within, &WITHIN), (&cross, &CROSS)] {
         if !measured.0.is_empty() {
@@ -73,7 +73,7 @@ pub fn page(folder: &Path) -> anyhow::Result<String> {
 pub fn by_template(folder: &Path) -> anyhow::Result<[ByTemplate; 2]> {
     let reports = read(folder)?;
     Ok([&WITHIN, &CROSS].map(|published| {
-        let measured = Measured::of(&reports, published);
+        let measured = Measured::of(&reports, published.setup);
         let ours = TEMPLATES.iter().map(|template| {
             let firsts = measured.firsts(AgentName::Paper, Some(template.number));
             if firsts.is_empty() { "–".to_string() } else { format!("{:.0}", auccess(&firsts)) }
@@ -161,9 +161,9 @@ fn solved(firsts: &[Option<usize>]) -> f64 {
 }
 
 impl<'a> Measured<'a> {
-    /// The reports of the setup that something published is of.
-    fn of(reports: &'a [Report], published: &Published) -> Measured<'a> {
-        Measured(reports.iter().filter(|report| report.setup == published.setup).collect())
+    /// The reports of a setup.
+    fn of(reports: &'a [Report], setup: Setup) -> Measured<'a> {
+        Measured(reports.iter().filter(|report| report.setup == setup).collect())
     }
 
     /// The first solving attempts of an agent at the tasks of a template, or of all, in all folds.

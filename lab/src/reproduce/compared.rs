@@ -1,5 +1,5 @@
-//! Our agents over all folds, and what others have published: the rows of one table, for the report, the figures and
-//! the page. What the paper published by template is in `measure::paper_table`.
+//! Our agents over all folds, and what others have published, for the report, the figures and the page. What the paper
+//! published by template is in `measure::paper_table`.
 
 use std::path::Path;
 
@@ -61,9 +61,9 @@ const BEST: [Published; 2] = [
 #[derive(Serialize)]
 pub struct Comparison {
     ours: Vec<OurRow>,
-    /// The auccess of the online agent if its net learned from random scenes too, within and cross.
+    /// The auccess of the online agent in the setup cross if its net learned from random scenes too.
     #[serde(skip_serializing_if = "Option::is_none")]
-    random_scenes: Option<[String; 2]>,
+    online_with_random_scenes: Option<String>,
     published: Vec<Published>,
     /// The paper's nets by template, within and cross.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -81,12 +81,14 @@ pub struct OurRow {
 /// and `paper` hold, if it has them.
 ///
 /// # Errors
-/// If a result is damaged.
+/// If there are no rows, a result is damaged, or results were made with different settings.
 pub fn comparison(results: &Path) -> anyhow::Result<Comparison> {
     let in_folder = |name: &str| Some(results.join(name)).filter(|folder| folder.exists());
     Ok(Comparison {
         ours: our_rows(&fold_result::read(results)?),
-        random_scenes: in_folder("random-scenes").map(|folder| random_scenes::online(&folder)).transpose()?,
+        online_with_random_scenes: in_folder("random-scenes")
+            .map(|folder| random_scenes::online(&folder))
+            .transpose()?,
         published: BEST.into_iter().chain(REPORTED.map(|(_, published)| published)).collect(),
         paper: in_folder("paper").map(|folder| paper_table::by_template(&folder)).transpose()?,
     })

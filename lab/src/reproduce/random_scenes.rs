@@ -3,6 +3,7 @@
 use std::fmt::{self, Write as _};
 use std::path::Path;
 
+use anyhow::{Context, ensure};
 use pathlight::agents::agent_name::AgentName;
 use pathlight::benchmark::auccess::auccess;
 use pathlight::benchmark::folds::{FOLDS, Setup};
@@ -10,7 +11,7 @@ use pathlight::nets::{Card, DynamicsCard};
 use pathlight::puzzle::templates::TEMPLATES;
 
 use super::compared::mean_and_deviation;
-use super::fold_result::{self, FoldResult};
+use super::fold_result;
 use crate::files::json_file;
 use crate::measure::agents::row;
 use crate::measure::evaluate::{Report, score_cell};
@@ -23,42 +24,58 @@ const SCRIPT: &str = "scripts/random-scenes-table";
 /// The agents that are measured, but for the random one.
 const AGENTS: [AgentName; 3] = [AgentName::Online, AgentName::OnlineByBalls, AgentName::Dynamics];
 
-/// Reads the results in a folder, `SETUP-FOLD.json` of `measure evaluate`, and the rows in another, and returns the
-/// page.
+/// Reads the results in a folder, `cross-FOLD.json` of `measure evaluate` and `alone.json`, and the rows in another;
+/// returns the page.
 ///
 /// # Errors
-/// If there are no results, one is damaged, or they were made with different settings.
+/// If there are no results, one is damaged or has no row, or they were made with different settings.
 pub fn page(folder: &Path, rows: &Path) -> anyhow::Result<String> {
+    let reports = read(folder)?;
     let rows = fold_result::read(rows)?;
-    let reports = fold_reports::read(folder, &AGENTS, SCRIPT, settings)?;
+    let row_of = |report: &Report| {
+        let mut rows = rows.iter().map(|row| &row.report);
+        let row = rows.find(|row| (row.setup, row.fold) == (report.setup, report.fold));
+        row.with_context(|| format!("there is no row of {} {}: name the folder of all rows", report.setup, report.fold))
+    };
+    let rows = reports.iter().map(row_of).collect::<anyhow::Result<Vec<_>>>()?;
+    let path = folder.join("alone.json");
+    let alone: Option<Report> = if path.exists() { Some(json_file::read(&path, SCRIPT)?) } else { None };
     let mut text = String::new();
     head(&mut text, &reports[0], reports.len())?;
-    means(&mut text, &reports, &rows)?;
-    templates(&mut text, &reports, &rows)?;
+    means(&mut text, &reports, &rows, alone.as_ref())?;
+    templates(&mut text, &reports, &rows, alone.as_ref())?;
     folds(&mut text, &reports)?;
-    let path = folder.join("alone.json");
-    if path.exists() {
-        alone(&mut text, &json_file::read(&path, SCRIPT)?)?;
+    if let Some(alone) = &alone {
+        random_scenes_alone(&mut text, alone)?;
     }
     Ok(text)
 }
 
-/// Returns the auccess of the online agent over the folds in a folder, within and cross: the mean and the deviation.
+/// Returns the auccess of the online agent over the folds in a folder: the mean and the deviation.
 ///
 /// # Errors
 /// As `page`.
-pub fn online(folder: &Path) -> anyhow::Result<[String; 2]> {
+pub fn online(folder: &Path) -> anyhow::Result<String> {
+    Ok(mean_and_deviation(&scores(read(folder)?.iter(), AgentName::Online)))
+}
+
+fn read(folder: &Path) -> anyhow::Result<Vec<Report>> {
     let reports = fold_reports::read(folder, &AGENTS, SCRIPT, settings)?;
-    Ok([Setup::Within, Setup::Cross].map(|setup| {
-        let of_setup = reports.iter().filter(|report| report.setup == setup);
-        let scores: Vec<f64> =
-            of_setup.filter_map(|report| report.score(AgentName::Online)).map(|[auccess, ..]| auccess).collect();
-        mean_and_deviation(&scores)
-    }))
+    ensure!(
+        reports.iter().all(|report| report.setup == Setup::Cross),
+        "{} holds results of the setup within, but `{SCRIPT}` makes those of cross: remove the others",
+        folder.display()
+    );
+    Ok(reports)
+}
+
+/// The auccess of an agent in each report.
+fn scores<'a>(reports: impl Iterator<Item = &'a Report>, agent: AgentName) -> Vec<f64> {
+    reports.filter_map(|report| report.score(agent)).map(|[auccess, ..]| auccess).collect()
 }
 
 /// The net that has seen random scenes alone, on all tasks.
-fn alone(text: &mut String, report: &Report) -> anyhow::Result<()> {
+fn random_scenes_alone(text: &mut String, report: &Report) -> anyhow::Result<()> {
     let Report { tasks_of: TaskSet::All, seed, card: Some(Card { dynamics: Some(card), .. }), .. } = report else {
         anyhow::bail!("alone.json is not of all tasks: remove it, and run `{SCRIPT}` again");
     };
@@ -112,59 +129,61 @@ fn head(text: &mut String, report: &Report, count: usize) -> anyhow::Result<()> 
     Ok(())
 }
 
-/// The means over the folds that are measured, beside those of the rows of the same folds.
-fn means(text: &mut String, reports: &[Report], rows: &[FoldResult]) -> fmt::Result {
+/// The means over the folds that are measured, beside those of the net that has seen random scenes alone and of the rows,
+/// on the same test tasks.
+fn means(text: &mut String, reports: &[Report], rows: &[&Report], alone: Option<&Report>) -> fmt::Result {
     writeln!(
         text,
-        "\n## Auccess, mean over folds ± standard deviation\n\n| setup | folds | agent | with random scenes | the rows \
-         of the same folds | paired difference, folds on which it is positive |\n| --- | ---: | --- | ---: | ---: | \
-         ---: |"
+        "\n## Auccess, mean over folds ± standard deviation\n\nOn the same test tasks.\n\n| setup | folds | agent | \
+         random scenes, then tasks | random scenes alone | the rows | first minus rows, folds on which it is positive \
+         |\n| --- | ---: | --- | ---: | ---: | ---: | ---: |"
     )?;
-    for setup in [Setup::Within, Setup::Cross] {
-        let of_setup: Vec<&Report> = reports.iter().filter(|report| report.setup == setup).collect();
-        for agent in AGENTS.into_iter().filter(|_| !of_setup.is_empty()) {
-            let auccess = |report: &Report| report.score(agent).map(|[auccess, ..]| auccess);
-            let of_rows =
-                |fold: u8| rows.iter().map(|row| &row.report).find(|row| (row.setup, row.fold) == (setup, fold));
-            let (with, without): (Vec<f64>, Vec<f64>) =
-                of_setup.iter().filter_map(|report| Some((auccess(report)?, auccess(of_rows(report.fold)?)?))).unzip();
-            let differences: Vec<f64> = with.iter().zip(&without).map(|(with, without)| with - without).collect();
-            writeln!(
-                text,
-                "| {setup} | {} | **{}** | {} | {} | {}, {} of {} |",
-                with.len(),
-                row(agent).label,
-                mean_and_deviation(&with),
-                mean_and_deviation(&without),
-                mean_and_deviation(&differences),
-                differences.iter().filter(|&&difference| difference > 0.0).count(),
-                differences.len(),
-            )?;
-        }
+    for agent in AGENTS {
+        let [with, without] = [scores(reports.iter(), agent), scores(rows.iter().copied(), agent)];
+        let differences: Vec<f64> = with.iter().zip(&without).map(|(with, without)| with - without).collect();
+        let alone: Vec<f64> =
+            alone.iter().flat_map(|alone| reports.iter().map(|of| auccess(&on_tasks_of(of, alone, agent)))).collect();
+        writeln!(
+            text,
+            "| cross | {} | **{}** | {} | {} | {} | {}, {} of {} |",
+            reports.len(),
+            row(agent).label,
+            mean_and_deviation(&with),
+            mean_and_deviation(&alone),
+            mean_and_deviation(&without),
+            mean_and_deviation(&differences),
+            differences.iter().filter(|&&difference| difference > 0.0).count(),
+            differences.len(),
+        )?;
     }
     Ok(())
 }
 
-/// The online agent on each template, with random scenes and in the rows of the same folds.
-fn templates(text: &mut String, reports: &[Report], rows: &[FoldResult]) -> fmt::Result {
+/// The first solving attempts of an agent in a report on all tasks, at those that a fold of cross tests: all of some
+/// templates.
+fn on_tasks_of(fold: &Report, all: &Report, agent: AgentName) -> Vec<Option<usize>> {
+    let tested = |template: &usize| !fold.first_solved(agent, Some(*template)).is_empty();
+    (0..TEMPLATES.len()).filter(tested).flat_map(|template| all.first_solved(agent, Some(template))).collect()
+}
+
+/// The same of the online agent, by template.
+fn templates(text: &mut String, reports: &[Report], rows: &[&Report], alone: Option<&Report>) -> fmt::Result {
     writeln!(
         text,
-        "\n## By template\n\nAuccess of the online agent over the tasks of all folds of the table that test a \
-         template.\n\n| template | with random scenes | the rows of the same folds | random |\n| --- | ---: | ---: | ---: |"
+        "\n## By template\n\nAuccess of the online agent over the tasks of all folds that test a template.\n\n| template \
+         | random scenes, then tasks | random scenes alone | the rows | random |\n| --- | ---: | ---: | ---: | ---: |"
     )?;
-    let of_rows =
-        |of: &Report| rows.iter().map(|row| &row.report).find(|row| (row.setup, row.fold) == (of.setup, of.fold));
-    let rows: Vec<&Report> = reports.iter().filter_map(of_rows).collect();
     let reports: Vec<&Report> = reports.iter().collect();
     for template in TEMPLATES {
-        let auccess = |reports: &[&Report], agent| {
+        let cell = |reports: &[&Report], agent| {
             let firsts = reports.iter().flat_map(|report| report.first_solved(agent, Some(template.number)));
             let firsts: Vec<Option<usize>> = firsts.collect();
-            (!firsts.is_empty()).then(|| format!("{:.0}", auccess(&firsts)))
+            if firsts.is_empty() { "–".to_string() } else { format!("{:.0}", auccess(&firsts)) }
         };
-        let cells = [(&reports, AgentName::Online), (&rows, AgentName::Online), (&reports, AgentName::Random)];
-        let cells: Option<Vec<String>> = cells.into_iter().map(|(reports, agent)| auccess(reports, agent)).collect();
-        if let Some(cells) = cells {
+        let cells = [(&reports[..], AgentName::Online), (alone.as_slice(), AgentName::Online)];
+        let cells = cells.into_iter().chain([(rows, AgentName::Online), (&reports, AgentName::Random)]);
+        let cells: Vec<String> = cells.map(|(reports, agent)| cell(reports, agent)).collect();
+        if cells[0] != "–" {
             writeln!(text, "| {:05} {} | {} |", template.number, template.name, cells.join(" | "))?;
         }
     }

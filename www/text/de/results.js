@@ -31,21 +31,19 @@ export const results = {
   beside: {
     title: "Im Vergleich zu veröffentlichten Ergebnissen",
     about:
-      "AUCCESS, gemittelt über die zehn Aufteilungen von PHYRE. Unsere Netze haben wir für jede Aufteilung kurz trainiert und in unserem Simulator gemessen. Die veröffentlichten Werte stammen aus dem Simulator von PHYRE, der etwas anders rechnet. Die Zahlen oben gelten für eine Aufteilung und für die Modelle dieser Seite, von denen das, das alle Arten kennt, länger trainiert wurde. RAND probiert in jedem Rätsel dieselbe Liste von Kugeln durch; unsere zufälligen Kugeln werden jedes Mal neu gezogen.",
+      "AUCCESS, gemittelt über die zehn Aufteilungen von PHYRE. Die Zahlen oben gelten für eine davon. Unsere Netze haben wir für jede Aufteilung kurz trainiert und in unserem Simulator gemessen, der etwas anders rechnet als der von PHYRE. RAND probiert in jedem Rätsel dieselbe Liste von Kugeln durch; unsere zufälligen Kugeln werden jedes Mal neu gezogen.",
     within: "Bekannte Arten",
     cross: "Neue Arten",
-    withRandom: "online, nachdem das Netz auch aus zufällig ausgedachten Rätseln gelernt hat",
+    byKind: {
+      title: "Die Netze des Fachartikels, Art für Art",
+      about: "Unsere sind hier neuer als oben. Ein Strich: nie als neue Art geprüft.",
+      kind: "Art",
+      published: "veröffentlicht",
+      ours: "unsere",
+    },
+    withRandom: "online, wenn das Netz auch aus zufälligen Rätseln gelernt hat",
     ours: "Unsere Agenten, in unserem Simulator",
     published: "Veröffentlichte Ergebnisse, im Simulator von PHYRE",
-  },
-
-  byKind: {
-    title: "Die Netze des Fachartikels, Art für Art",
-    about:
-      "AUCCESS der vier Netze von Harter et al. (2020): wie veröffentlicht, und von denen, die wir nach der Beschreibung trainiert haben, gemittelt über dieselben zehn Aufteilungen; unsere sind neuer als die in der Tabelle darüber. Ein Strich heißt: Keine Aufteilung prüft diese Art als neue.",
-    kind: "Art",
-    published: "veröffentlicht",
-    ours: "unsere",
   },
 
   calibration: {

@@ -151,7 +151,7 @@ export const model = {
     dynamics: {
       term: "The dynamics net learned from",
       words: ({ balls, epochs, random_scenes: random, from }) =>
-        `${number(balls)} balls with their paths, in ${number(epochs)} passes over the puzzles${random ? `, of which ${number(random)} are made up at random` : ""}${from ? ", after an earlier training" : ""}`,
+        `${number(balls)} balls with their paths, in ${number(epochs)} passes over the puzzles${random ? `, ${number(random)} of them random` : ""}${from ? ", after an earlier training" : ""}`,
     },
     simulator: { term: "Version of the simulator", words: String },
     seed: { term: "Random seed", words: String },

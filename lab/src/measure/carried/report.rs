@@ -13,6 +13,7 @@ use pathlight::puzzle::templates::TEMPLATES;
 use super::{MemoryUse, Report, Run};
 use crate::measure::agents::row;
 use crate::measure::evaluate::score_cell;
+use crate::measure::task_set::TaskSet;
 
 /// The parts of the learning curve: from which task of a template to which.
 const PARTS: [(usize, usize); 6] = [(1, 1), (2, 5), (6, 10), (11, 20), (21, 50), (51, 100)];
@@ -22,14 +23,11 @@ const HEAD: &str = "# Agents that remember
 `pathlight-lab measure carried results/carried` printed this from the files beside it, which `pathlight-lab measure \
 evaluate --carry` wrote.
 
-Here an agent meets the test tasks of a fold one after the other, and what it learned at one is used for the next, as \
+Here an agent meets the test tasks of a fold, or all tasks, one after the other, and what it learned at one is used for the next, as \
 by PHYRE's DQN-O (56.2 across templates, in order of ids). That is another setting than that of \
 [the other results](../README.md), whose agents start each task afresh: do not compare across the two tables. Only \
 counted attempts are simulated. The constants of the memory were chosen on dev tasks, except how a candidate's rank \
 counts: that came from a trial on the test tasks of cross 0, so the figures of this fold may be somewhat too good.
-
-The nets of the folds are those of the page. The net of the last section has learned from random scenes alone, so all \
-tasks are new to it.
 
 Within a puzzle, “online, by balls” compares balls by place and radius, and “online” by imagined paths too. Shuffled \
 orders are measured with the whole memory alone: without one, the order makes no difference.
@@ -76,6 +74,13 @@ impl Report {
             tasks_of.heading(FoldId { setup, fold }, tasks),
             if shuffles.is_empty() { "none".to_string() } else { format!("{shuffles:?}").replace(['[', ']'], "") }
         )?;
+        if tasks_of == TaskSet::All {
+            writeln!(
+                text,
+                "The net has learned from random scenes alone, so it knows none of these tasks. But the constants of the \
+                 memory came from some of them, so these figures may be somewhat too good too.\n"
+            )?;
+        }
         writeln!(text, "| agent | remembers | order of ids | shuffled |\n| --- | --- | ---: | ---: |")?;
         for (agent, memory) in self.kinds() {
             let [ids, shuffled] = [false, true].map(|shuffled| mean_score(self.of(agent, memory, shuffled)));
