@@ -129,8 +129,8 @@ fn head(text: &mut String, report: &Report, count: usize) -> anyhow::Result<()> 
     Ok(())
 }
 
-/// The means over the folds that are measured, beside those of the net that has seen random scenes alone and of the rows,
-/// on the same test tasks.
+/// The means over the folds that are measured, beside those of the net that has seen random scenes alone and of the
+/// rows, on the same test tasks.
 fn means(text: &mut String, reports: &[Report], rows: &[&Report], alone: Option<&Report>) -> fmt::Result {
     writeln!(
         text,
