@@ -38,7 +38,7 @@ export const results = {
       title: "Die Netze des Fachartikels, Art für Art",
       about: "Unsere sind hier neuer als oben. Ein Strich: nie als neue Art geprüft.",
       kind: "Art",
-      published: "veröffentlicht",
+      published: "Artikel",
       ours: "unsere",
     },
     withRandom: "online, wenn das Netz auch aus zufälligen Rätseln gelernt hat",
