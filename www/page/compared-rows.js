@@ -25,7 +25,8 @@ export function publishedRows(published) {
 }
 
 /**
- * What unfolds to the table of the paper's nets: a template in each row, published and ours, within and then cross.
+ * Returns the content of a `details` with the table of the paper's nets: a row for each template, with the published
+ * and our auccess within, then cross.
  * @param {import("../pkg/pathlight.js").Template[]} templates
  * @param {{ published: string[], ours: string[] }[]} setups
  */

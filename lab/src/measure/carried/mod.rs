@@ -14,7 +14,7 @@ use pathlight::agents::memory::{Memory, PuzzleSource, Settings as MemorySettings
 use pathlight::agents::online::{Candidate, OnlineAgent};
 use pathlight::agents::{self, Agent, Observation, from_map, from_map_remembering, random};
 use pathlight::benchmark::auccess::MAX_ATTEMPTS;
-use pathlight::benchmark::folds::{FOLDS, FoldId, Setup};
+use pathlight::benchmark::folds::{FoldId, Setup};
 use pathlight::nets::{Card, PathNet, ReadScene};
 use pathlight::puzzle::recorded_paths::RecordedPaths;
 use pathlight::puzzle::scene::Scene;
@@ -97,8 +97,7 @@ const ALONE: &str = "random-scenes-alone";
 /// # Errors
 /// If one cannot be read, or there is none.
 pub fn read(folder: &Path) -> anyhow::Result<Vec<Report>> {
-    let folds = [Setup::Within, Setup::Cross].into_iter().flat_map(|setup| (0..FOLDS).map(move |fold| (setup, fold)));
-    let names = folds.map(|(setup, fold)| FoldId { setup, fold }.to_string()).chain([ALONE.to_string()]);
+    let names = FoldId::all().map(|fold| fold.to_string()).chain([ALONE.to_string()]);
     let mut reports = Vec::new();
     for path in names.map(|name| folder.join(name + ".json")).filter(|path| path.exists()) {
         reports.push(json_file::read(&path, "pathlight-lab measure evaluate --carry")?);

@@ -23,8 +23,8 @@ const HEAD: &str = "# Agents that remember
 `pathlight-lab measure carried results/carried` printed this from the files beside it, which `pathlight-lab measure \
 evaluate --carry` wrote.
 
-Here an agent meets the test tasks of a fold, or all tasks, one after the other, and what it learned at one is used for the next, as \
-by PHYRE's DQN-O (56.2 across templates, in order of ids). That is another setting than that of \
+Here an agent meets the test tasks of a fold, or all tasks, one after the other, and what it learned at one is used \
+for the next, as by PHYRE's DQN-O (56.2 across templates, in order of ids). That is another setting than that of \
 [the other results](../README.md), whose agents start each task afresh: do not compare across the two tables. Only \
 counted attempts are simulated. The constants of the memory were chosen on dev tasks, except how a candidate's rank \
 counts: that came from a trial on the test tasks of cross 0, so the figures of this fold may be somewhat too good.
