@@ -2,7 +2,7 @@
 #![cfg(target_arch = "wasm32")]
 
 use js_sys::Reflect;
-use pathlight::nets::{Card, DynamicsCard, DynamicsNet, PathNet, SuccessCard};
+use pathlight::nets::{Card, DynamicsCard, DynamicsNet, Optimiser, PathNet, SuccessCard};
 use pathlight::session::game::ATTEMPT_LIMIT;
 use pathlight::web::{
     Game, Model, SolutionSearch, SolveMap, attempt_line, auccess, constants, custom_scene, fold, luck, palette, raster,
@@ -322,6 +322,7 @@ fn cards_have_the_fields_that_their_types_declare() {
     let success = SuccessCard { seed: 0, epochs: 1, batch: 1, balls_per_scene: 1, learning_rate: 0.1, balls: 1 };
     let dynamics = shipped.dynamics.clone().expect("the shipped weights have a dynamics net");
     let barest = DynamicsCard {
+        optimiser: Optimiser::Adam,
         random_scenes: 0,
         random_scenes_alone: false,
         without_paths: false,
@@ -330,6 +331,7 @@ fn cards_have_the_fields_that_their_types_declare() {
         ..dynamics.clone()
     };
     let fullest = DynamicsCard {
+        optimiser: Optimiser::Muon,
         random_scenes: 1,
         random_scenes_alone: true,
         without_paths: true,

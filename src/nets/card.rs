@@ -1,5 +1,7 @@
 //! The card of weights: the settings that they were trained with. `weights` keeps it in the file's metadata as JSON.
 
+use std::fmt::{self, Display, Formatter};
+
 use serde::{Deserialize, Serialize};
 
 use crate::benchmark::folds::{FoldId, Setup};
@@ -93,6 +95,32 @@ pub struct SuccessCard {
     pub balls: usize,
 }
 
+/// What turns gradients into steps.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Optimiser {
+    /// Adam (Kingma and Ba 2014).
+    #[default]
+    Adam,
+    /// Muon (Jordan et al. 2024) for the weights of the layers, Adam for all else.
+    Muon,
+}
+
+impl Optimiser {
+    fn is_adam(&self) -> bool {
+        *self == Optimiser::Adam
+    }
+}
+
+impl Display for Optimiser {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        f.write_str(match self {
+            Optimiser::Adam => "Adam",
+            Optimiser::Muon => "Muon",
+        })
+    }
+}
+
 /// The settings that a dynamics net was trained with. It has seen the same tasks as the nets.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct DynamicsCard {
@@ -106,7 +134,10 @@ pub struct DynamicsCard {
     pub balls_per_scene: u16,
     /// Of these, balls whose paths are learned.
     pub imagined_per_scene: u16,
-    /// Highest learning rate of Adam.
+    /// What made the steps.
+    #[serde(default, skip_serializing_if = "Optimiser::is_adam")]
+    pub optimiser: Optimiser,
+    /// Its highest learning rate.
     pub learning_rate: f64,
     /// Labelled balls that these are drawn from.
     pub balls: usize,

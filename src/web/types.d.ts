@@ -389,6 +389,8 @@ export interface DynamicsCard {
     batch: number;
     balls_per_scene: number;
     imagined_per_scene: number;
+    /** What made the steps, if not Adam. */
+    optimiser?: "muon";
     learning_rate: number;
     balls: number;
     /** The net sees the covered share of each cell. */

@@ -2,7 +2,9 @@
 
 use std::path::PathBuf;
 
+use clap::ValueEnum;
 use clap::builder::{RangedU64ValueParser, TypedValueParser};
+use pathlight::nets::Optimiser;
 use pathlight_lab::data::collect::SOLUTIONS;
 use pathlight_lab::data::label::LABELS;
 use pathlight_lab::progress::Progress;
@@ -47,7 +49,7 @@ struct RunArgs {
     #[arg(long, default_value_t = LabelsRecipe::default().batch, value_parser = at_least_one())]
     batch: u16,
 
-    /// Highest learning rate of Adam
+    /// Highest learning rate
     #[arg(long, default_value_t = LabelsRecipe::default().learning_rate)]
     learning_rate: f64,
 
@@ -209,6 +211,10 @@ pub struct Dynamics {
     )]
     imagined_per_scene: u16,
 
+    /// What makes the steps
+    #[arg(long, value_enum, default_value_t)]
+    optimiser: OptimiserName,
+
     /// Leave the fold's dev tasks out, so that settings may be chosen on them
     #[arg(long)]
     without_dev: bool,
@@ -234,6 +240,7 @@ impl From<Dynamics> for dynamics::Settings {
             epochs: args.epochs,
             recipe: DynamicsRecipe {
                 batch: args.run.batch,
+                optimiser: args.optimiser.into(),
                 learning_rate: args.run.learning_rate,
                 balls_per_scene: args.balls_per_scene,
                 imagined_per_scene: args.imagined_per_scene,
@@ -242,6 +249,23 @@ impl From<Dynamics> for dynamics::Settings {
             without_paths: args.without_paths,
             from: args.from,
             run: args.run.into(),
+        }
+    }
+}
+
+#[derive(Clone, Copy, Default, ValueEnum)]
+enum OptimiserName {
+    #[default]
+    Adam,
+    /// Muon for the weights of the layers, Adam for all else: learns more in the same number of batches
+    Muon,
+}
+
+impl From<OptimiserName> for Optimiser {
+    fn from(name: OptimiserName) -> Optimiser {
+        match name {
+            OptimiserName::Adam => Optimiser::Adam,
+            OptimiserName::Muon => Optimiser::Muon,
         }
     }
 }

@@ -79,14 +79,14 @@ fn random_scenes_alone(text: &mut String, report: &Report) -> anyhow::Result<()>
     let Report { tasks_of: TaskSet::All, seed, card: Some(Card { dynamics: Some(card), .. }), .. } = report else {
         anyhow::bail!("alone.json is not of all tasks: remove it, and run `{SCRIPT}` again");
     };
-    let DynamicsCard { epochs, batch, balls_per_scene, learning_rate, balls, random_scenes, .. } = card;
+    let DynamicsCard { epochs, batch, balls_per_scene, optimiser, learning_rate, balls, random_scenes, .. } = card;
     let agents = || AGENTS.into_iter().chain([AgentName::Random]);
     let tasks = report.first_solved(AgentName::Random, None).len();
     writeln!(
         text,
         "\n## Random scenes alone\n\nThe net that those of the folds start from has seen no task and no template. \
          {balls} balls, {random_scenes} random scenes; {epochs} epochs in batches of {batch} scenes with \
-         {balls_per_scene} balls each, Adam at {learning_rate}. Seed {seed}, {tasks} tasks.\n"
+         {balls_per_scene} balls each, {optimiser} at {learning_rate}. Seed {seed}, {tasks} tasks.\n"
     )?;
     let names: Vec<&str> = agents().map(|agent| row(agent).label).collect();
     writeln!(text, "| template | {} |\n| --- |{}", names.join(" | "), " ---: |".repeat(names.len()))?;
@@ -104,8 +104,9 @@ fn random_scenes_alone(text: &mut String, report: &Report) -> anyhow::Result<()>
 fn settings(report: &Report) -> impl PartialEq + use<> {
     let card = report.card.as_ref().and_then(|card| card.dynamics.as_ref());
     let recipe = card.map(|card| {
-        let DynamicsCard { seed, epochs, batch, balls_per_scene, imagined_per_scene, learning_rate, .. } = *card;
-        (seed, epochs, batch, balls_per_scene, imagined_per_scene, learning_rate, card.random_scenes)
+        let DynamicsCard { seed, epochs, batch, balls_per_scene, imagined_per_scene, .. } = *card;
+        let rate = (card.optimiser, card.learning_rate);
+        (seed, epochs, batch, balls_per_scene, imagined_per_scene, rate, card.random_scenes)
     });
     (report.seed, recipe)
 }
@@ -114,7 +115,9 @@ fn head(text: &mut String, report: &Report, count: usize) -> anyhow::Result<()> 
     let Report { seed, simulator, agents_version, card: Some(Card { dynamics: Some(card), .. }), .. } = report else {
         anyhow::bail!("the results are of weights without a dynamics net: make them with `{SCRIPT}`");
     };
-    let DynamicsCard { epochs, batch, balls_per_scene, learning_rate, balls, variants, random_scenes, .. } = card;
+    let DynamicsCard {
+        epochs, batch, balls_per_scene, optimiser, learning_rate, balls, variants, random_scenes, ..
+    } = card;
     write!(
         text,
         "# With random scenes\n\n`pathlight-lab measure random-scenes` printed this from the files beside it, which \
@@ -122,7 +125,7 @@ fn head(text: &mut String, report: &Report, count: usize) -> anyhow::Result<()> 
          alone, and then from the training tasks and variants of them too. The nets of the [rows](../README.md) have \
          seen no random scenes, and were trained with other settings. Only counted attempts are simulated.\n\n\
          {} {}: {balls} balls, {variants} variants, {random_scenes} random scenes; {epochs} epochs in batches of \
-         {batch} scenes with {balls_per_scene} balls each, Adam at {learning_rate}. Seed {seed}, simulator \
+         {batch} scenes with {balls_per_scene} balls each, {optimiser} at {learning_rate}. Seed {seed}, simulator \
          {simulator}, agents {agents_version}. {count} of {FOLDS} folds are measured.\n",
         report.setup, report.fold,
     )?;

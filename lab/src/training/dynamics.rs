@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, ensure};
 use pathlight::benchmark::folds::FoldId;
 use pathlight::nets::training::{DynamicsBatch, Trainer};
-use pathlight::nets::{DynamicsCard, DynamicsNet};
+use pathlight::nets::{DynamicsCard, DynamicsNet, Optimiser};
 use pathlight::raster::scene_coverage;
 use serde::{Deserialize, Serialize};
 
@@ -46,7 +46,10 @@ pub struct Settings {
 pub struct DynamicsRecipe {
     /// Scenes per batch.
     pub batch: u16,
-    /// Highest learning rate of Adam.
+    /// What makes the steps.
+    #[serde(default)]
+    pub optimiser: Optimiser,
+    /// Its highest learning rate.
     pub learning_rate: f64,
     /// Balls of each scene in a batch, sampled anew each time.
     pub balls_per_scene: u16,
@@ -56,7 +59,13 @@ pub struct DynamicsRecipe {
 
 impl Default for DynamicsRecipe {
     fn default() -> DynamicsRecipe {
-        DynamicsRecipe { batch: 32, learning_rate: 3e-3, balls_per_scene: 256, imagined_per_scene: 96 }
+        DynamicsRecipe {
+            batch: 32,
+            optimiser: Optimiser::default(),
+            learning_rate: 3e-3,
+            balls_per_scene: 256,
+            imagined_per_scene: 96,
+        }
     }
 }
 
@@ -82,7 +91,7 @@ impl Settings {
     /// # Errors
     /// If the weights or the labels cannot be used, or the folder cannot be continued or written.
     pub fn train(&self, progress: &mut dyn Progress) -> anyhow::Result<Option<PathBuf>> {
-        let DynamicsRecipe { batch, learning_rate, balls_per_scene, imagined_per_scene } = self.recipe;
+        let DynamicsRecipe { batch, optimiser, learning_rate, balls_per_scene, imagined_per_scene } = self.recipe;
         let (mut nets, mut card) = load_nets(self.weights.as_deref(), self.fold)?;
         let without_dev = self.without_dev || card.without_dev;
         ensure!(
@@ -102,6 +111,7 @@ impl Settings {
             batch,
             balls_per_scene,
             imagined_per_scene,
+            optimiser,
             learning_rate,
             balls: scenes.balls(),
             coverage: true,
@@ -119,6 +129,7 @@ impl Settings {
             (None, Some((net, _))) => Trainer::from_success_net(net, self.run.seed),
             (None, None) => Trainer::<DynamicsNet>::new(self.run.seed),
         };
+        let trainer = trainer.with_optimiser(optimiser);
         let losses = ["cell", "ball", "from paths", "paths", "errors"];
         let mut run = TrainingRun::open(folder, card, digests(&self.labels)?, &losses, trainer)?;
         let complete = run.train(

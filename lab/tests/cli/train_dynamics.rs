@@ -3,7 +3,7 @@
 use std::fs;
 
 use pathlight::benchmark::folds::{Fold, Setup};
-use pathlight::nets::PathNet;
+use pathlight::nets::{Optimiser, PathNet};
 use pathlight::puzzle::action::Ball;
 use pathlight::puzzle::task::Task;
 use pathlight::puzzle::templates::TEMPLATES;
@@ -61,6 +61,13 @@ fn a_dynamics_net_joins_the_weights_and_can_be_trained_further() {
     let cut = train("cut", &["--stop-after", "3"]);
     assert!(!cut.exists(), "it should have stopped before the end");
     assert_eq!(fs::read(train("cut", &[])).expect("weights"), bytes, "cut off or not, the same net");
+
+    let muon = ["--optimiser", "muon"];
+    let of_muon = fs::read(train("muon", &muon)).expect("weights");
+    let (_, card) = PathNet::load(&of_muon).expect("weights that fit");
+    assert_eq!(card.dynamics.expect("a card").optimiser, Optimiser::Muon);
+    train("cut-muon", &[&muon[..], &["--stop-after", "3"]].concat());
+    assert_eq!(fs::read(train("cut-muon", &muon)).expect("weights"), of_muon, "Muon continues with its momenta");
 
     let from = whole.display().to_string();
     let proposed = file("proposed.jsonl");

@@ -4,6 +4,7 @@ mod adam;
 mod cross_entropy;
 mod dqn;
 mod dynamics;
+mod muon;
 mod sample;
 mod schedule;
 mod trainer;

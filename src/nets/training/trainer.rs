@@ -15,10 +15,11 @@ use burn::tensor::{Device, Int, Tensor, TensorData};
 
 use super::adam::FusedAdam;
 use super::cross_entropy::binary_cross_entropy_with_logits;
+use super::muon::muon_and_adam;
 use super::sample::Sample;
 
 use crate::nets::success_net::{RADII, logit_index};
-use crate::nets::{PathNet, SuccessNet, flex};
+use crate::nets::{Optimiser, PathNet, SuccessNet, flex};
 use crate::puzzle::action::{Ball, Invalid};
 use crate::puzzle::scene::SIZE;
 use crate::raster::{Bitmap, CELLS, CHANNELS, Coverage, SIDE};
@@ -156,6 +157,15 @@ impl Trainer<SuccessNet> {
 }
 
 impl<M: Trainable> Trainer<M> {
+    /// Returns the same trainer with another optimiser, for one that has made no step yet.
+    pub fn with_optimiser(self, optimiser: Optimiser) -> Trainer<M> {
+        let optimiser = match optimiser {
+            Optimiser::Adam => FusedAdam.into(),
+            Optimiser::Muon => muon_and_adam(),
+        };
+        Trainer { optimiser, ..self }
+    }
+
     /// Returns a trainer that starts from these nets, with a fresh optimiser.
     pub fn from_nets(nets: M) -> Trainer<M> {
         Trainer { nets: nets.train(), optimiser: FusedAdam.into(), device: flex().autodiff() }

@@ -1,0 +1,90 @@
+//! Muon (Jordan et al. 2024), burn's, for weights of any rank: a convolution's are one matrix, with a row for each of
+//! its first dimension.
+//!
+//! It moves a matrix by the nearest orthogonal one to its momentum, so that every direction learns equally fast. Biases
+//! and the last layers of chances, which are no matrices, keep Adam.
+
+use burn::module::ParamGroup;
+use burn::optim::{AdjustLrFn, LearningRate, ModuleOptimizer, Muon, MuonConfig, MuonState, Optimizer};
+use burn::tensor::{Device, Tensor};
+
+use super::adam::FusedAdam;
+
+/// Returns Muon for the weights of layers, and Adam for the others. Their steps are of like size at one learning rate
+/// (Liu et al. 2025, "Muon is Scalable for LLM Training").
+pub(super) fn muon_and_adam() -> ModuleOptimizer {
+    let weights = ParamGroup::from_predicate("weight").exclude(ParamGroup::from_predicate("logit"));
+    let muon = MuonConfig::new().with_adjust_lr_fn(AdjustLrFn::MatchRmsAdamW).build();
+    ModuleOptimizer::from(FusedAdam).with_group(weights, MuonOfMatrices(muon), None)
+}
+
+/// burn's Muon takes matrices alone.
+#[derive(Clone)]
+struct MuonOfMatrices(Muon);
+
+impl Optimizer for MuonOfMatrices {
+    type State<const D: usize> = MuonState<2>;
+
+    fn step<const D: usize>(
+        &self,
+        learning_rate: LearningRate,
+        tensor: Tensor<D>,
+        gradient: Tensor<D>,
+        state: Option<MuonState<2>>,
+    ) -> (Tensor<D>, Option<MuonState<2>>) {
+        let shape = tensor.dims();
+        let rows = shape[0] as i32;
+        let matrix = |tensor: Tensor<D>| tensor.reshape([rows, -1]);
+        let (tensor, state) = self.0.step(learning_rate, matrix(tensor), matrix(gradient), state);
+        (tensor.reshape(shape), state)
+    }
+
+    fn to_device<const D: usize>(state: MuonState<2>, device: &Device) -> MuonState<2> {
+        <Muon as Optimizer>::to_device::<2>(state, device)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use burn::module::Module;
+    use burn::optim::GradientsParams;
+    use burn::tensor::Distribution;
+
+    use super::*;
+    use crate::nets::{SuccessNet, seeded};
+    use crate::raster::{CHANNELS, SIDE};
+
+    /// Of a matrix with orthonormal rows all singular values are 1: those of a step come near, whatever the gradient's.
+    #[test]
+    fn a_step_of_a_convolution_is_a_nearly_orthogonal_matrix() {
+        let device = seeded(0);
+        let tensor = Tensor::<4>::zeros([16, 5, 4, 4], &device);
+        let gradient = Tensor::random([16, 5, 4, 4], Distribution::Normal(0.0, 3.0), &device);
+        let muon = MuonOfMatrices(MuonConfig::new().build());
+        let (stepped, _) = muon.step(1.0, tensor, gradient, None);
+        let step = stepped.reshape([16, 80]);
+        let products = step.clone().matmul(step.transpose());
+        let values: Vec<f32> = products.into_data().iter().collect();
+        for (index, value) in values.iter().enumerate() {
+            let expected = if index % 17 == 0 { 1.0 } else { 0.0 };
+            assert!((value - expected).abs() < 0.6, "{index}: {value}");
+        }
+    }
+
+    #[test]
+    fn muon_moves_the_weights_and_adam_the_biases() {
+        let device = seeded(0).autodiff();
+        let net = SuccessNet::new(&device);
+        let scenes = Tensor::random([2, CHANNELS, SIDE, SIDE], Distribution::Uniform(0.0, 1.0), &device);
+        let gradients = GradientsParams::from_grads(net.forward(scenes).sum().backward(), &net);
+        let before = net.valid();
+        let after = muon_and_adam().step(0.01, net, gradients).valid();
+        let [old, new] = [&before, &after].map(|net| net.down[1].weight.val());
+        let moved = (new - old).powi_scalar(2).mean().sqrt().into_scalar::<f32>();
+        // 0.2 sqrt(512) times an orthogonal matrix of 32 rows and 512 columns.
+        assert!((moved - 0.002).abs() < 5e-4, "weights moved by {moved}");
+        let [old, new] = [&before, &after].map(|net| net.down[1].bias.as_ref().expect("a bias").val());
+        let moved = (new - old).abs().max().into_scalar::<f32>();
+        assert!((moved - 0.01).abs() < 1e-4, "biases moved by {moved}");
+    }
+}
