@@ -108,9 +108,12 @@ impl Settings {
         let mut nets = None;
         if AgentName::ALL.into_iter().any(|agent| agent.is_of_model() && self.measures(agent)) {
             let (loaded, mut card) = load_nets(self.weights.as_deref(), self.fold)?;
-            self.check_dev(card.without_dev, "paths")?;
-            if self.tasks == TaskSet::All {
-                self.tasks.check_dynamics(&card)?;
+            for agent in AgentName::ALL.into_iter().filter(|&agent| self.measures(agent)) {
+                match row(agent).weights {
+                    Weights::Dynamics => self.tasks.check_dynamics(&card)?,
+                    Weights::Success => self.tasks.check(card.without_dev, "paths")?,
+                    Weights::Dqn | Weights::None => {}
+                }
             }
             for agent in &self.agents {
                 agent.check(&loaded)?;
@@ -124,7 +127,7 @@ impl Settings {
         let mut dqn = None;
         if self.agents.contains(&AgentName::Dqn) || self.dqn.is_some() {
             let (loaded, card) = load_dqn(self.dqn.as_deref(), self.fold)?;
-            self.check_dev(card.without_dev, "dqn")?;
+            self.tasks.check(card.without_dev, "dqn")?;
             report.dqn = Some(card);
             dqn = Some(loaded);
         }
@@ -163,16 +166,6 @@ impl Settings {
     /// Whether the nets of an agent may be new to the tasks: the dynamics net alone can be trained without any.
     fn may_measure(&self, agent: AgentName) -> bool {
         self.tasks != TaskSet::All || matches!(row(agent).weights, Weights::Dynamics | Weights::None)
-    }
-
-    /// Checks that the dev tasks, if they are attempted, were not trained on.
-    fn check_dev(&self, without_dev: bool, net: &str) -> anyhow::Result<()> {
-        ensure!(
-            self.tasks != TaskSet::Dev || without_dev,
-            "these weights were trained on the dev tasks too, so --dev would measure nothing new: train with \
-             `pathlight-lab train {net} --without-dev`"
-        );
-        Ok(())
     }
 }
 

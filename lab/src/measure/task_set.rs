@@ -43,25 +43,32 @@ impl TaskSet {
         first_of_each_template(&tasks, limit)
     }
 
-    /// Checks that the dynamics net of a model has seen none of the tasks.
+    /// Checks that nets have not seen the tasks, if these are dev tasks. `train_command` trains such nets.
+    ///
+    /// # Errors
+    /// If they were trained on the dev tasks too.
+    pub fn check(self, without_dev: bool, train_command: &str) -> anyhow::Result<()> {
+        ensure!(
+            self != TaskSet::Dev || without_dev,
+            "these nets were trained on the dev tasks too, so --dev would measure nothing new: train some with \
+             `pathlight-lab train {train_command} --without-dev`"
+        );
+        Ok(())
+    }
+
+    /// Checks that the dynamics net of a model, if it has one, has seen none of the tasks.
     ///
     /// # Errors
     /// If it may have.
     pub fn check_dynamics(self, card: &Card) -> anyhow::Result<()> {
         let dynamics = card.dynamics.as_ref();
-        match self {
-            TaskSet::Test => {}
-            TaskSet::Dev => ensure!(
-                dynamics.is_none_or(|dynamics| dynamics.without_dev || dynamics.random_scenes_alone),
-                "the dynamics net was trained on the dev tasks too, so --dev would measure nothing new: train one with \
-                 `pathlight-lab train dynamics --without-dev`"
-            ),
-            TaskSet::All => ensure!(
-                dynamics.is_some_and(|dynamics| dynamics.random_scenes_alone),
-                "these nets were trained on some of the tasks, so --all-tasks would not measure what is new to them: \
-                 train a dynamics net with `pathlight-lab train dynamics` on labels of random scenes alone"
-            ),
-        }
+        let without_dev = dynamics.is_none_or(|dynamics| dynamics.without_dev || dynamics.random_scenes_alone);
+        self.check(without_dev, "dynamics")?;
+        ensure!(
+            self != TaskSet::All || dynamics.is_some_and(|dynamics| dynamics.random_scenes_alone),
+            "these nets were trained on some of the tasks, so --all-tasks would not measure what is new to them: train \
+             a dynamics net with `pathlight-lab train dynamics` on labels of random scenes alone"
+        );
         Ok(())
     }
 }

@@ -10,6 +10,7 @@ use serde::Serialize;
 use super::fold_result::{self, FoldResult};
 use super::random_scenes;
 use crate::measure::agents::AGENTS;
+use crate::measure::evaluate::Report;
 use crate::measure::paper_table::{self, ByTemplate};
 
 /// Published auccess, mean over the ten folds, on PHYRE's own engine.
@@ -97,13 +98,16 @@ pub fn comparison(results: &Path) -> anyhow::Result<Comparison> {
 /// Returns the rows of all agents.
 pub fn our_rows(results: &[FoldResult]) -> Vec<OurRow> {
     let mean = |setup: Setup, agent: AgentName| {
-        let of_setup = results.iter().filter(|result| result.report.setup == setup);
-        let scores: Vec<f64> =
-            of_setup.filter_map(|result| result.report.score(agent)).map(|[auccess, ..]| auccess).collect();
-        mean_and_deviation(&scores)
+        let of_setup = results.iter().map(|result| &result.report).filter(|report| report.setup == setup);
+        mean_and_deviation(&scores(of_setup, agent))
     };
     let row = |agent| OurRow { agent, auccess: [Setup::Within, Setup::Cross].map(|setup| mean(setup, agent)) };
     AGENTS.iter().map(|measured| row(measured.agent)).collect()
+}
+
+/// Returns the auccess of an agent in the reports that have it.
+pub fn scores<'a>(reports: impl Iterator<Item = &'a Report>, agent: AgentName) -> Vec<f64> {
+    reports.filter_map(|report| report.score(agent)).map(|[auccess, ..]| auccess).collect()
 }
 
 /// Formats the mean, and the sample standard deviation if there are several numbers.

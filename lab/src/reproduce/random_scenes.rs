@@ -10,7 +10,7 @@ use pathlight::benchmark::folds::{FOLDS, Setup};
 use pathlight::nets::{Card, DynamicsCard};
 use pathlight::puzzle::templates::TEMPLATES;
 
-use super::compared::mean_and_deviation;
+use super::compared::{mean_and_deviation, scores};
 use super::fold_result;
 use crate::files::json_file;
 use crate::measure::agents::row;
@@ -67,11 +67,6 @@ fn read(folder: &Path) -> anyhow::Result<Vec<Report>> {
         folder.display()
     );
     Ok(reports)
-}
-
-/// The auccess of an agent in each report.
-fn scores<'a>(reports: impl Iterator<Item = &'a Report>, agent: AgentName) -> Vec<f64> {
-    reports.filter_map(|report| report.score(agent)).map(|[auccess, ..]| auccess).collect()
 }
 
 /// The net that has seen random scenes alone, on all tasks.
