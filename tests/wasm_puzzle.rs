@@ -323,6 +323,7 @@ fn cards_have_the_fields_that_their_types_declare() {
     let dynamics = shipped.dynamics.clone().expect("the shipped weights have a dynamics net");
     let barest = DynamicsCard {
         optimiser: Optimiser::Adam,
+        unlisted: 0,
         random_scenes: 0,
         random_scenes_alone: false,
         without_paths: false,
@@ -332,6 +333,7 @@ fn cards_have_the_fields_that_their_types_declare() {
     };
     let fullest = DynamicsCard {
         optimiser: Optimiser::Muon,
+        unlisted: 1,
         random_scenes: 1,
         random_scenes_alone: true,
         without_paths: true,

@@ -397,6 +397,8 @@ export interface DynamicsCard {
     coverage: boolean;
     /** Variants of the tasks' scenes among the scenes. */
     variants: number;
+    /** Tasks among the scenes that the benchmark leaves out of its templates. */
+    unlisted?: number;
     /** Random scenes, of no task, among the scenes. */
     random_scenes?: number;
     /** It has seen random scenes alone, and no task. */

@@ -119,9 +119,14 @@ pub struct Label {
         long,
         value_name = "N",
         value_parser = clap::value_parser!(u32).range(1..=i64::from(HELD_OUT)),
-        conflicts_with_all = ["weights", "variants", "setup", "template", "limit"]
+        conflicts_with_all = ["weights", "variants", "unlisted", "setup", "template", "limit"]
     )]
     random_scenes: Option<u32>,
+
+    /// Label balls in unlisted tasks instead: up to N of each template, laid out by its script but not in the
+    /// benchmark. Balls are sampled around the solutions of the template's tasks
+    #[arg(long, value_name = "N", conflicts_with_all = ["variants", "limit"])]
+    unlisted: Option<usize>,
 
     /// Use only the training tasks of one fold of this setup: only they are labelled, and only their solutions are
     /// sampled around
@@ -147,6 +152,7 @@ impl Label {
             weights: self.weights,
             variants: self.variants,
             random_scenes: self.random_scenes,
+            unlisted: self.unlisted,
             training_tasks_of: self.setup.zip(self.fold).map(|(setup, fold)| FoldId { setup, fold }),
             seed: self.seed,
         };

@@ -21,6 +21,7 @@ mod figures;
 #[path = "../../../src/commands/fold_args.rs"]
 mod fold_args;
 mod measure;
+mod optimiser_arg;
 #[path = "../../../src/commands/progress.rs"]
 mod progress;
 mod publish;

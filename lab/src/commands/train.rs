@@ -2,9 +2,7 @@
 
 use std::path::PathBuf;
 
-use clap::ValueEnum;
 use clap::builder::{RangedU64ValueParser, TypedValueParser};
-use pathlight::nets::Optimiser;
 use pathlight_lab::data::collect::SOLUTIONS;
 use pathlight_lab::data::label::LABELS;
 use pathlight_lab::progress::Progress;
@@ -13,6 +11,7 @@ use pathlight_lab::training::settings::{LabelsRecipe, PathsRecipe, RunSettings};
 use pathlight_lab::training::{dqn, dynamics, paths, success};
 
 use super::fold_args::FoldArgs;
+use super::optimiser_arg::OptimiserName;
 
 #[derive(clap::Subcommand)]
 pub enum Command {
@@ -249,23 +248,6 @@ impl From<Dynamics> for dynamics::Settings {
             without_paths: args.without_paths,
             from: args.from,
             run: args.run.into(),
-        }
-    }
-}
-
-#[derive(Clone, Copy, Default, ValueEnum)]
-enum OptimiserName {
-    #[default]
-    Adam,
-    /// Muon for the weights of the layers, Adam for all else: learns more in the same number of batches
-    Muon,
-}
-
-impl From<OptimiserName> for Optimiser {
-    fn from(name: OptimiserName) -> Optimiser {
-        match name {
-            OptimiserName::Adam => Optimiser::Adam,
-            OptimiserName::Muon => Optimiser::Muon,
         }
     }
 }

@@ -77,27 +77,28 @@ impl TryFrom<String> for LabelledPaths {
 }
 
 /// A ball to try, and the other task of the template around whose solution it was sampled, if it was.
-type Sampled = (Ball, Option<TaskId>);
+pub type Sampled = (Ball, Option<TaskId>);
 
 /// A ball with what it led to.
 pub struct Tried {
     pub ball: Ball,
-    sibling: Option<TaskId>,
+    pub sibling: Option<TaskId>,
     pub solved: bool,
     paths: SampledPaths,
 }
 
-/// Samples `count` valid balls of a scene. `own_solutions` solve it, `sibling_solutions` solve tasks of its template.
+/// Samples `count` valid balls of a scene. `own_solutions` solve it; a ball near one that was itself sampled around the
+/// solution of another task tells of that task too. `sibling_solutions` solve tasks of its template.
 pub fn sample(
     (id, scene): (SceneId, &Scene),
-    own_solutions: &[Ball],
+    own_solutions: &[Sampled],
     sibling_solutions: &[Solution],
     count: usize,
     rng: &mut Pcg64Mcg,
 ) -> Vec<Sampled> {
     let mut balls = Vec::with_capacity(count);
     for index in 0..count {
-        let own = |rng: &mut _| own_solutions.choose(rng).map(|&ball| (ball, None));
+        let own = |rng: &mut _| own_solutions.choose(rng).copied();
         let sibling = |rng: &mut _| sibling_solutions.choose(rng).map(|known| (known.ball, Some(known.task)));
         let known = match index % 4 {
             0 | 1 => None,

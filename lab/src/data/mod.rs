@@ -1,5 +1,5 @@
-//! What nets learn from: the search for solutions, balls labelled with their outcome, variants of scenes, random
-//! scenes, and training images; and how hard the tasks are for uniform balls.
+//! What nets learn from: the search for solutions, balls labelled with their outcome, variants of scenes, unlisted
+//! tasks, random scenes, and training images; and how hard the tasks are for uniform balls.
 
 pub mod collect;
 pub mod difficulty;
@@ -14,3 +14,4 @@ pub mod scene_variants;
 pub mod solutions;
 pub mod solve_rates;
 pub mod task_selection;
+pub mod unlisted_tasks;

@@ -5,6 +5,7 @@ use std::fmt;
 use anyhow::Context;
 use pathlight::puzzle::scene::Scene;
 use pathlight::puzzle::task::{Task, TaskId, spread};
+use pathlight::puzzle::templates::TEMPLATES;
 use serde::{Deserialize, Serialize};
 
 use super::random_scenes::random_scene;
@@ -22,6 +23,8 @@ pub enum SceneId {
     Task(TaskId),
     /// A variant of the scene of a task.
     Variant(TaskId, u32),
+    /// A task that the benchmark does not list: template and combination of parameters.
+    Unlisted(usize, u32),
     /// A random scene.
     Random(u32),
 }
@@ -31,7 +34,7 @@ impl SceneId {
     pub fn task(self) -> Option<TaskId> {
         match self {
             SceneId::Task(task) | SceneId::Variant(task, _) => Some(task),
-            SceneId::Random(_) => None,
+            SceneId::Unlisted(..) | SceneId::Random(_) => None,
         }
     }
 
@@ -39,7 +42,7 @@ impl SceneId {
     pub fn unchanged(self) -> SceneId {
         match self {
             SceneId::Variant(task, _) => SceneId::Task(task),
-            SceneId::Task(_) | SceneId::Random(_) => self,
+            SceneId::Task(_) | SceneId::Unlisted(..) | SceneId::Random(_) => self,
         }
     }
 
@@ -52,6 +55,12 @@ impl SceneId {
             SceneId::Task(task) => Ok(Task::load(task)?.scene),
             SceneId::Variant(task, number) => scene_variant(&Task::load(task)?, number)
                 .with_context(|| format!("variant {number} of {task} is not made any more: label the variants again")),
+            SceneId::Unlisted(template, combination) => {
+                let of_template = TEMPLATES.get(template);
+                of_template.and_then(|template| template.unlisted(combination)).with_context(|| {
+                    format!("template {template:05} has no unlisted task {combination}: label the unlisted tasks again")
+                })
+            }
             SceneId::Random(number) => Ok(random_scene(number)),
         }
     }
@@ -61,6 +70,9 @@ impl SceneId {
     pub fn seed(self, global_seed: u64) -> u64 {
         match self {
             SceneId::Task(task) | SceneId::Variant(task, _) => task.seed(global_seed),
+            SceneId::Unlisted(template, combination) => {
+                spread(global_seed) ^ (template as u64 + 1) << 32 ^ u64::from(combination)
+            }
             SceneId::Random(number) => spread(global_seed) ^ u64::from(number) << 20,
         }
     }
@@ -71,6 +83,7 @@ impl fmt::Display for SceneId {
         match self {
             SceneId::Task(task) => write!(f, "{task}"),
             SceneId::Variant(task, number) => write!(f, "variant {number} of {task}"),
+            SceneId::Unlisted(template, combination) => write!(f, "unlisted task {combination} of {template:05}"),
             SceneId::Random(number) => write!(f, "random scene {number}"),
         }
     }

@@ -235,6 +235,9 @@ impl Report {
             }
             if let Some(dynamics) = &card.dynamics {
                 write!(text, "; dynamics net: {} balls, {} epochs", dynamics.balls, dynamics.epochs)?;
+                if dynamics.unlisted > 0 {
+                    write!(text, ", {} unlisted tasks", dynamics.unlisted)?;
+                }
                 if dynamics.random_scenes > 0 {
                     write!(text, ", {} random scenes", dynamics.random_scenes)?;
                 }

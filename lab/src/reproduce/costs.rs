@@ -6,7 +6,6 @@ use std::path::Path;
 use std::time::Instant;
 
 use pathlight::benchmark::folds::{FOLDS, Setup};
-use pathlight::puzzle::action::Ball;
 use pathlight::puzzle::task::Task;
 use pathlight::puzzle::templates::TEMPLATES;
 use rand::SeedableRng;
@@ -16,7 +15,7 @@ use super::fold_result::{FoldResult, Hyperparameters};
 use super::report::of;
 use crate::data::collect::read_solutions;
 use crate::data::label::BALLS;
-use crate::data::labels::{sample, try_balls};
+use crate::data::labels::{Sampled, sample, try_balls};
 use crate::data::scene_id::SceneId;
 use crate::data::solutions::Solution;
 use crate::files::replace_file::replace_file;
@@ -137,7 +136,7 @@ fn seconds_per_ball(solutions: &[Solution]) -> anyhow::Result<f64> {
     for template in TEMPLATES {
         let Some(task) = Task::of(template).next() else { continue };
         let own: Vec<Solution> = solutions.iter().filter(|solution| solution.task == task.id).copied().collect();
-        let balls: Vec<Ball> = own.iter().map(|solution| solution.ball).collect();
+        let balls: Vec<Sampled> = own.iter().map(|solution| (solution.ball, None)).collect();
         let mut rng = Pcg64Mcg::seed_from_u64(task.id.seed(0));
         try_balls(&task.scene, sample((SceneId::Task(task.id), &task.scene), &balls, &own, BALLS, &mut rng));
     }

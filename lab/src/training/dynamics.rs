@@ -116,6 +116,7 @@ impl Settings {
             balls: scenes.balls(),
             coverage: true,
             variants: scenes.variants(),
+            unlisted: scenes.unlisted(),
             random_scenes: scenes.random(),
             random_scenes_alone: scenes.are_random() && starts_without_tasks,
             without_dev,

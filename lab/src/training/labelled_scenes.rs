@@ -100,6 +100,16 @@ pub fn training_tasks(fold: FoldId, without_dev: bool) -> Vec<TaskId> {
     if without_dev { tasks.train } else { tasks.all_train() }
 }
 
+/// Whether a net that is trained on these tasks may learn from a scene: of their own and their variants, of unlisted
+/// tasks those of their templates, and any random one.
+fn trains_on(scene: SceneId, tasks: &[TaskId]) -> bool {
+    match scene {
+        SceneId::Task(task) | SceneId::Variant(task, _) => tasks.binary_search(&task).is_ok(),
+        SceneId::Unlisted(template, _) => tasks.iter().any(|task| task.template == template),
+        SceneId::Random(_) => true,
+    }
+}
+
 /// Returns where the balls of a file come from.
 fn origin(labelled: &Labelled) -> LabelOrigin {
     let tells_siblings = |line: &LabelledBalls| line.siblings.len() == line.count();
@@ -123,8 +133,7 @@ impl LabelledScenes {
             let labelled = read_labels(path)?;
             may_learn(origin(&labelled), fold, without_dev).map_err(|why| anyhow!("{} {why}", path.display()))?;
             for line in labelled.lines {
-                let trains = line.scene.task().is_none_or(|task| tasks.binary_search(&task).is_ok());
-                if trains && line.count() > 0 {
+                if trains_on(line.scene, &tasks) && line.count() > 0 {
                     let scene = match scenes.entry(line.scene) {
                         Entry::Occupied(entry) => entry.into_mut(),
                         Entry::Vacant(entry) => entry.insert(LabelledScene::new(line.scene)?),
@@ -137,12 +146,14 @@ impl LabelledScenes {
         Ok(LabelledScenes(scenes.into_values().collect()))
     }
 
-    /// These scenes, for a net whose card does not tell of random ones.
+    /// These scenes, for a net whose card does not tell of unlisted tasks and random scenes.
     ///
     /// # Errors
-    /// If some are random.
+    /// If there are such.
     pub fn of_tasks(self) -> anyhow::Result<LabelledScenes> {
-        ensure!(self.random() == 0, "the labels hold balls in random scenes: only the dynamics net learns from those");
+        let only_dynamics = "only the dynamics net learns from those";
+        ensure!(self.random() == 0, "the labels hold balls in random scenes: {only_dynamics}");
+        ensure!(self.unlisted() == 0, "the labels hold balls in unlisted tasks: {only_dynamics}");
         Ok(self)
     }
 
@@ -154,6 +165,11 @@ impl LabelledScenes {
     /// How many of the scenes are variants of tasks' scenes.
     pub fn variants(&self) -> usize {
         self.0.iter().filter(|scene| matches!(scene.id, SceneId::Variant(..))).count()
+    }
+
+    /// How many of the scenes are those of unlisted tasks.
+    pub fn unlisted(&self) -> usize {
+        self.0.iter().filter(|scene| matches!(scene.id, SceneId::Unlisted(..))).count()
     }
 
     /// How many of the scenes are random.
@@ -206,7 +222,24 @@ impl LabelledScenes {
 
 #[cfg(test)]
 mod tests {
+    use pathlight::benchmark::folds::Setup;
+
     use super::*;
+
+    #[test]
+    fn a_net_learns_from_no_unlisted_task_of_a_template_that_it_is_tested_on() {
+        for fold in 0..10 {
+            let fold = FoldId { setup: Setup::Cross, fold };
+            for (without_dev, held_out) in [(false, 5), (true, 9)] {
+                let tasks = training_tasks(fold, without_dev);
+                let learns = |template: &usize| trains_on(SceneId::Unlisted(*template, 0), &tasks);
+                let kept: Vec<usize> = (0..25).filter(|template| !learns(template)).collect();
+                assert_eq!(kept.len(), held_out, "{fold}");
+                let tests = fold.tasks().test;
+                assert!(tests.iter().all(|task| kept.contains(&task.template)), "{fold}");
+            }
+        }
+    }
 
     #[test]
     fn half_of_a_balanced_draw_solves() {

@@ -5,14 +5,17 @@ use std::fs;
 use std::path::Path;
 
 use pathlight::benchmark::folds::{Fold, Setup};
+use pathlight::puzzle::action::Ball;
 use pathlight::puzzle::sampled_paths::SampledPaths;
 use pathlight::puzzle::task::{Task, TaskId};
+use pathlight::puzzle::templates::TEMPLATES;
 use pathlight::simulator::{self, outcome, simulate};
 use pathlight_lab::data::labels::{LabelledBalls, PATHS_LEN};
 use pathlight_lab::data::random_scenes::random_scene;
 use pathlight_lab::data::scene_id::SceneId;
 use pathlight_lab::data::scene_variants::scene_variant;
 use pathlight_lab::data::solutions::TaskSolutions;
+use pathlight_lab::data::unlisted_tasks::unlisted_tasks;
 use tempfile::tempdir;
 
 use super::{assert_refused, output_of, root};
@@ -126,6 +129,39 @@ fn labels_of_random_scenes_are_true_and_the_same_after_a_cut() {
     assert_ne!(lines[0].failed, lines[7].failed, "a round tries other balls");
     assert_refused(
         &["data", "label", "--random-scenes", "8", "--out", &file("cut")],
+        "write to another file with --out",
+    );
+}
+
+#[test]
+fn labels_of_unlisted_tasks_are_true_and_say_around_whose_solutions_they_lie() {
+    let folder = tempdir().expect("a folder");
+    let out = folder.path().join("unlisted.jsonl").display().to_string();
+    output_of(&["data", "label", "--unlisted", "3", "--template", "2", "--rounds", "2", "--out", &out]);
+    let text = fs::read_to_string(&out).expect("labels");
+    let lines: Vec<LabelledBalls> =
+        text.lines().skip(1).map(|line| serde_json::from_str(line).expect("a line of labels")).collect();
+    let scenes: Vec<SceneId> =
+        unlisted_tasks(TEMPLATES[2], 3).into_iter().map(|combination| SceneId::Unlisted(2, combination)).collect();
+    assert_eq!(lines.iter().map(|line| line.scene).collect::<Vec<_>>(), scenes.repeat(2));
+    for LabelledBalls { scene, solved, failed, siblings, .. } in &lines {
+        let scene = scene.scene().expect("a scene");
+        let solves = |&ball: &Ball| outcome(&scene, Some(ball)).is_ok_and(|outcome| outcome.solved);
+        assert!(solved.iter().all(solves) && !failed.iter().any(solves));
+        assert!(siblings.iter().any(Option::is_some) && siblings.iter().any(Option::is_none));
+    }
+    // The balls that a net finds most probable there are others, and were sampled around nothing.
+    let proposed = folder.path().join("proposed.jsonl").display().to_string();
+    let words = ["data", "label", "--unlisted", "3", "--template", "2", "--rounds", "1", "--out", &proposed];
+    let of_net = ["--setup", "within", "--fold", "0", "--weights", "assets/within-0.safetensors"];
+    output_of(&[&words[..], &of_net].concat());
+    let text = fs::read_to_string(&proposed).expect("labels");
+    let first: LabelledBalls = serde_json::from_str(text.lines().nth(1).expect("a line")).expect("labels");
+    assert_eq!((first.scene, first.count()), (scenes[0], 64));
+    assert_ne!(first.failed, lines[0].failed);
+    assert!(first.siblings.iter().all(Option::is_none));
+    assert_refused(
+        &["data", "label", "--unlisted", "4", "--template", "2", "--out", &out],
         "write to another file with --out",
     );
 }

@@ -91,7 +91,13 @@ fn a_dynamics_net_joins_the_weights_and_can_be_trained_further() {
     let with_random = fs::read(train("random", &["--from", &from, "--labels", &random])).expect("weights");
     let (_, card) = PathNet::load(&with_random).expect("weights that fit");
     assert!((2..=7).contains(&card.dynamics.expect("a card").random_scenes), "number 0 and 6 at least");
+    let unlisted = file("unlisted.jsonl");
+    output_of(&["data", "label", "--unlisted", "2", "--rounds", "1", "--out", &unlisted]);
+    let with_unlisted = fs::read(train("unlisted", &["--from", &from, "--labels", &unlisted])).expect("weights");
+    let (_, card) = PathNet::load(&with_unlisted).expect("weights that fit");
+    assert_eq!(card.dynamics.expect("a card").unlisted, 2 * TEMPLATES.len(), "all templates have training tasks");
     for net in ["success", "dqn"] {
+        assert_refused(&["train", net, "--labels", &unlisted, "--out", &file(net)], "balls in unlisted tasks");
         assert_refused(&["train", net, "--labels", &random, "--out", &file(net)], "only the dynamics net learns");
     }
     assert_refused(

@@ -101,6 +101,19 @@ impl Template {
         self.lay_out(self.combinations[index].into())
     }
 
+    /// The number of combinations of its parameters, with those that a rule skips.
+    pub fn combinations(&self) -> u32 {
+        self.grid.iter().map(|(_, values)| values.len() as u32).product()
+    }
+
+    /// Returns the scene of a combination that is not one of the benchmark's tasks; `None` if it is one, or if a rule
+    /// skips it.
+    pub fn unlisted(&self, combination: u32) -> Option<Scene> {
+        let is_listed = self.combinations.iter().any(|&listed| u32::from(listed) == combination);
+        let (_, scene) = self.lay_out(combination as usize).filter(|_| !is_listed)?;
+        Some(scene)
+    }
+
     /// Lays out one combination; `None` if a rule skips it.
     fn lay_out(&self, combination: usize) -> Option<(Params, Scene)> {
         let params = Params::of(self.grid, combination);
@@ -155,7 +168,7 @@ mod tests {
     #[test]
     fn numbers_and_combinations_of_tasks_follow_from_the_shuffle() {
         for (template, (combinations, valid, first)) in TEMPLATES.iter().zip(FIGURES) {
-            let count: usize = template.grid.iter().map(|(_, values)| values.len()).product();
+            let count = template.combinations() as usize;
             let mut numbered = stable_shuffle((0..count).collect(), "");
             numbered.retain(|&combination| template.lay_out(combination).is_some());
             assert_eq!((count, numbered.len(), numbered[0]), (combinations, valid, first), "{}", template.name);

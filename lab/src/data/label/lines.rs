@@ -36,6 +36,9 @@ pub struct LabelSettings {
     /// Whether balls were tried in random scenes; `tasks` is then their number.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub random_scenes: bool,
+    /// How many unlisted tasks of each template were labelled instead of the tasks, at most.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub unlisted: Option<usize>,
     /// Setup and fold if only the fold's training tasks were used; absent if all tasks were.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub training_tasks_of: Option<(Setup, u8)>,
@@ -77,6 +80,8 @@ pub struct Labelled {
     pub variants: bool,
     /// The balls are in random scenes.
     pub random_scenes: bool,
+    /// The balls are in unlisted tasks.
+    pub unlisted: bool,
     tasks: NonZeroUsize,
 }
 
@@ -102,6 +107,7 @@ pub fn read_labels(path: &Path) -> anyhow::Result<Labelled> {
         net_without_dev,
         variants,
         random_scenes,
+        unlisted,
         ..
     } = settings;
     ensure!(
@@ -117,6 +123,7 @@ pub fn read_labels(path: &Path) -> anyhow::Result<Labelled> {
         net_without_dev,
         variants,
         random_scenes,
+        unlisted: unlisted.is_some(),
         tasks,
     })
 }

@@ -1,10 +1,10 @@
-//! Balls with their outcome for all tasks, or in random scenes, as JSON lines, to train a success net, a dynamics net
-//! or DQN on.
+//! Balls with their outcome for all tasks, in unlisted tasks or in random scenes, as JSON lines, to train a success
+//! net, a dynamics net or DQN on.
 //!
 //! The file is a journal: the settings, then one line per scene and round, in that order, so the number of lines
 //! says where an interrupted run continues. The balls depend only on the settings and the solutions.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 
@@ -13,6 +13,7 @@ use pathlight::agents::ranking::ranked;
 use pathlight::benchmark::folds::FoldId;
 use pathlight::nets::{DynamicsCard, PathNet};
 use pathlight::puzzle::action::Ball;
+use pathlight::puzzle::scene::Scene;
 use pathlight::puzzle::task::{Task, TaskId};
 use pathlight::puzzle::templates::TEMPLATES;
 use pathlight::simulator;
@@ -21,12 +22,12 @@ use rand_pcg::Pcg64Mcg;
 use rayon::prelude::*;
 
 use crate::data::collect::{SOLUTIONS, read_solutions};
-use crate::data::labels::{LabelledBalls, Tried, sample, try_balls};
-use crate::data::random_scenes::random_scene;
+use crate::data::labels::{LabelledBalls, Sampled, Tried, sample, try_balls};
 use crate::data::scene_id::SceneId;
 use crate::data::scene_variants::scene_variant;
 use crate::data::solutions::Solution;
 use crate::data::task_selection::TaskSelection;
+use crate::data::unlisted_tasks::unlisted_tasks;
 use crate::files::digest;
 use crate::files::journal::Journal;
 use crate::files::weights_file::load_nets;
@@ -65,6 +66,9 @@ pub struct Settings {
     /// Label balls in random scenes instead of the tasks: in those of the first N that some ball solves, and in a sixth
     /// of the others. Balls are sampled around those that solve.
     pub random_scenes: Option<u32>,
+    /// Label balls in up to this many unlisted tasks of each template instead of the tasks. Balls are sampled around
+    /// the solutions of its tasks.
+    pub unlisted: Option<usize>,
     /// Use only the training tasks of this fold: only they are labelled, and only their solutions are sampled around.
     pub training_tasks_of: Option<FoldId>,
     /// Seed of all random draws.
@@ -81,6 +85,7 @@ impl Default for Settings {
             weights: None,
             variants: false,
             random_scenes: None,
+            unlisted: None,
             training_tasks_of: None,
             seed: 0,
         }
@@ -96,9 +101,18 @@ impl Settings {
         // Test tasks must not steer where balls are sampled, so their solutions are left out too.
         let allowed = self.training_tasks_of.map(|fold| fold.tasks().all_train());
         let allows = |id: TaskId| allowed.as_ref().is_none_or(|allowed| allowed.binary_search(&id).is_ok());
-        let scenes: Vec<SceneId> = match self.random_scenes {
-            Some(count) => (0..count).map(SceneId::Random).collect(),
-            None => self.selection.ids().filter(|&id| allows(id)).map(SceneId::Task).collect(),
+        let tasks: Vec<TaskId> = self.selection.ids().filter(|&id| allows(id)).collect();
+        let scenes: Vec<SceneId> = match (self.random_scenes, self.unlisted) {
+            (Some(count), _) => (0..count).map(SceneId::Random).collect(),
+            (None, Some(count)) => {
+                let templates: BTreeSet<usize> = tasks.iter().map(|task| task.template).collect();
+                let of_template = |template: usize| {
+                    let combinations = unlisted_tasks(TEMPLATES[template], count);
+                    combinations.into_iter().map(move |combination| SceneId::Unlisted(template, combination))
+                };
+                templates.into_iter().flat_map(of_template).collect()
+            }
+            (None, None) => tasks.into_iter().map(SceneId::Task).collect(),
         };
         let proposing = match (&self.weights, self.training_tasks_of) {
             (Some(path), Some(fold)) => Some(proposing_nets(path, fold)?),
@@ -118,6 +132,7 @@ impl Settings {
             net_without_dev: card.is_some_and(|card| card.without_dev),
             variants: self.variants,
             random_scenes: self.random_scenes.is_some(),
+            unlisted: self.unlisted,
             training_tasks_of: self.training_tasks_of.map(|FoldId { setup, fold }| (setup, fold)),
         };
         let solutions = read_solutions(&self.solutions)?.solutions.into_iter().filter(|one| allows(one.task));
@@ -146,7 +161,11 @@ impl Settings {
             balls += block.iter().map(LabelledBalls::count).sum::<usize>();
             progress.advance(block.len() as u64, format!("{balls} balls"));
         }
-        let what = if self.random_scenes.is_some() { "random scenes" } else { "tasks" };
+        let what = match (self.random_scenes, self.unlisted) {
+            (Some(_), _) => "random scenes",
+            (None, Some(_)) => "unlisted tasks",
+            (None, None) => "tasks",
+        };
         progress.finish(&format!("{balls} balls of {} {what}", scenes.len()));
         Ok(())
     }
@@ -181,19 +200,17 @@ impl Labeller<'_> {
     /// The balls of a scene in a round.
     fn label(&self, id: SceneId, round: usize) -> LabelledBalls {
         match id {
-            SceneId::Random(number) => self.in_random_scene(number, round),
+            SceneId::Unlisted(..) | SceneId::Random(_) => self.in_new_scene(id, round),
             SceneId::Task(task) | SceneId::Variant(task, _) => self.in_task(task, round),
         }
     }
 
     fn in_task(&self, id: TaskId, round: usize) -> LabelledBalls {
         let task = Task::load(id).expect("a task of the selection");
-        if let Some(read) = self.nets.as_ref().and_then(|nets| nets.read(&task.scene)) {
-            let ranked = ranked(&read.logits, &task.scene, (round + 1) * BALLS);
-            let balls = ranked.into_iter().skip(round * BALLS).map(|proposal| (proposal.ball, None));
-            return LabelledBalls::new(SceneId::Task(id), try_balls(&task.scene, balls.collect()));
+        if let Some(proposed) = self.proposed(&task.scene, round) {
+            return LabelledBalls::new(SceneId::Task(id), proposed);
         }
-        let own = self.known.of_task.get(&id).map_or(&[][..], Vec::as_slice);
+        let own: Vec<Sampled> = self.known.of_task.get(&id).into_iter().flatten().map(|&ball| (ball, None)).collect();
         let number = round as u32;
         // If no variant of this number fits, the scene itself is used.
         let (scene_id, scene, siblings) = match self.settings.variants {
@@ -203,22 +220,39 @@ impl Labeller<'_> {
             },
             false => (SceneId::Task(id), task.scene, self.known.of_template[id.template].as_slice()),
         };
-        let balls = sample((scene_id, &scene), own, siblings, BALLS, &mut self.rng(scene_id, round));
+        let balls = sample((scene_id, &scene), &own, siblings, BALLS, &mut self.rng(scene_id, round));
         LabelledBalls::new(scene_id, try_balls(&scene, balls))
     }
 
-    /// The first half of the balls is uniform, and some of the second half are near those of them that solve. If none
-    /// does, most scenes are left out, so that nets see about as many scenes with solutions as without: there are no
-    /// balls then.
-    fn in_random_scene(&self, number: u32, round: usize) -> LabelledBalls {
-        let (id, scene) = (SceneId::Random(number), random_scene(number));
+    /// The balls that the nets find most probable, if there are nets.
+    fn proposed(&self, scene: &Scene, round: usize) -> Option<Vec<Tried>> {
+        let read = self.nets.as_ref()?.read(scene)?;
+        let ranked = ranked(&read.logits, scene, (round + 1) * BALLS);
+        let balls = ranked.into_iter().skip(round * BALLS).map(|proposal| (proposal.ball, None));
+        Some(try_balls(scene, balls.collect()))
+    }
+
+    /// The balls of a scene of which no solutions are known: some of the second half are near those of the first that
+    /// solve. If none does, most random scenes are left out, so that nets see about as many with solutions as without:
+    /// there are no balls then.
+    fn in_new_scene(&self, id: SceneId, round: usize) -> LabelledBalls {
+        let scene = id.scene().expect("a scene of the selection");
+        let (siblings, unsolved) = match id {
+            SceneId::Unlisted(template, _) => (self.known.of_template[template].as_slice(), true),
+            SceneId::Random(number) => (&[][..], number.is_multiple_of(UNSOLVED)),
+            SceneId::Task(_) | SceneId::Variant(..) => (&[][..], true),
+        };
+        if let Some(proposed) = self.proposed(&scene, round) {
+            return LabelledBalls::new(id, proposed);
+        }
         let mut rng = self.rng(id, round);
-        let mut tried = try_balls(&scene, sample((id, &scene), &[], &[], BALLS / 2, &mut rng));
-        let own: Vec<Ball> = tried.iter().filter(|ball| ball.solved).map(|&Tried { ball, .. }| ball).collect();
-        if own.is_empty() && !number.is_multiple_of(UNSOLVED) {
+        let mut tried = try_balls(&scene, sample((id, &scene), &[], siblings, BALLS / 2, &mut rng));
+        let own: Vec<Sampled> =
+            tried.iter().filter(|ball| ball.solved).map(|&Tried { ball, sibling, .. }| (ball, sibling)).collect();
+        if own.is_empty() && !unsolved {
             return LabelledBalls::new(id, Vec::new());
         }
-        tried.extend(try_balls(&scene, sample((id, &scene), &own, &[], BALLS / 2, &mut rng)));
+        tried.extend(try_balls(&scene, sample((id, &scene), &own, siblings, BALLS / 2, &mut rng)));
         LabelledBalls::new(id, tried)
     }
 
