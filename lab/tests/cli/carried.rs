@@ -36,7 +36,7 @@ fn agents_that_remember_meet_all_tasks_in_every_order() {
 #[test]
 fn results_of_agents_that_remember_are_refused_where_they_would_mislead() {
     let dev = ["measure", "evaluate", "--carry", "--setup", "cross", "--dev"];
-    assert_refused(&dev, "was trained on the dev tasks too");
+    assert_refused(&dev, "were trained on the dev tasks too");
     assert_refused(&["measure", "evaluate", "--shuffle", "1"], "--carry");
     assert_refused(&["measure", "carried", "no/such/folder"], "there are no results in no/such/folder");
 }

@@ -161,8 +161,14 @@ fn weights_without_dev_tasks_learn_from_nothing_that_knows_them() {
     let four = changed_weights(&folder.path().join("four"), |nets, card| {
         (nets.dynamics, card.dynamics, card.without_dev) = (None, None, true);
     });
+    let with_card = |name: &str, without_dev: bool| {
+        changed_weights(&folder.path().join(name), |_, card| {
+            card.dynamics.as_mut().expect("a dynamics net").without_dev = without_dev;
+        })
+    };
+    let (of_dev, honest) = (with_card("of-dev", false), with_card("honest", true));
     // Without the option too, because the four nets have not seen dev tasks.
-    refused(&["--weights", &four, "--from", WEIGHTS], "was trained on dev tasks");
+    refused(&["--weights", &four, "--from", &of_dev], "was trained on dev tasks");
 
     let success = file("success");
     output_of(&["train", "success", "--weights", WEIGHTS, "--labels", &labels, "--epochs", "1", "--out", &success]);
@@ -174,14 +180,11 @@ fn weights_without_dev_tasks_learn_from_nothing_that_knows_them() {
             ["data", "label", "--template", "2", "--limit", "6", "--rounds", "1", "--setup", "within", "--fold", "0"];
         output_of(&[&words[..], &["--weights", weights, "--out", out]].concat());
     };
-    proposed(WEIGHTS, &file("of-dev"));
+    proposed(&of_dev, &file("proposed-of-dev"));
     refused(
-        &["--weights", &four, "--labels", &file("of-dev")],
+        &["--weights", &four, "--labels", &file("proposed-of-dev")],
         "does not say that the net that proposed its balls has not learned from the fold's dev tasks",
     );
-    let honest = changed_weights(&folder.path().join("honest"), |_, card| {
-        card.dynamics.as_mut().expect("a dynamics net").without_dev = true;
-    });
     proposed(&honest, &file("without-dev"));
     let allowed = train(&["--weights", &four, "--from", &honest, "--labels", &file("without-dev")]);
     output_of(&allowed.iter().map(String::as_str).collect::<Vec<_>>());
