@@ -94,13 +94,14 @@ test("a carried run is the same to the bit natively and in wasm, also if its mem
 });
 
 test("what a person tried counts, until all is forgotten", () => {
-  const [task, next] = [TASKS[0], TASKS[2]];
+  // Two puzzles that are much alike: what solves one moves what is tried first at the other.
+  const [task, next] = ["00002:007", "00002:017"];
+  const solution = play(task, pathlight.memory()).at(-1);
+  assert.ok(solution?.ending.solved);
   const memory = pathlight.memory();
   const before = ballsOf(play(next, memory));
   memory.forget();
   assert.deepEqual([memory.attempts(), memory.puzzles()], [0, []]);
-  const solution = play(task, pathlight.memory()).at(-1);
-  assert.ok(solution?.ending.solved);
   memory.remember(task, solution.ball, true);
   const [{ number, task: remembered, attempts }] = memory.puzzles();
   assert.deepEqual([number, remembered], [1, task]);
