@@ -95,7 +95,7 @@ pub struct SuccessCard {
     pub balls: usize,
 }
 
-/// What turns gradients into steps.
+/// The optimiser of a training.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Optimiser {
@@ -134,7 +134,7 @@ pub struct DynamicsCard {
     pub balls_per_scene: u16,
     /// Of these, balls whose paths are learned.
     pub imagined_per_scene: u16,
-    /// What made the steps.
+    /// The optimiser.
     #[serde(default, skip_serializing_if = "Optimiser::is_adam")]
     pub optimiser: Optimiser,
     /// Its highest learning rate.

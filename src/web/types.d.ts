@@ -389,7 +389,7 @@ export interface DynamicsCard {
     batch: number;
     balls_per_scene: number;
     imagined_per_scene: number;
-    /** What made the steps, if not Adam. */
+    /** The optimiser, if not Adam. */
     optimiser?: "muon";
     learning_rate: number;
     balls: number;

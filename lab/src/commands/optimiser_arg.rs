@@ -3,7 +3,7 @@
 use clap::ValueEnum;
 use pathlight::nets::Optimiser;
 
-/// What makes the steps.
+/// The name of an optimiser.
 #[derive(Clone, Copy, Default, ValueEnum)]
 pub enum OptimiserName {
     #[default]

@@ -210,7 +210,7 @@ pub struct Dynamics {
     )]
     imagined_per_scene: u16,
 
-    /// What makes the steps
+    /// Optimiser
     #[arg(long, value_enum, default_value_t)]
     optimiser: OptimiserName,
 

@@ -46,7 +46,7 @@ pub struct Settings {
 pub struct DynamicsRecipe {
     /// Scenes per batch.
     pub batch: u16,
-    /// What makes the steps.
+    /// The optimiser.
     #[serde(default)]
     pub optimiser: Optimiser,
     /// Its highest learning rate.

@@ -149,7 +149,7 @@ impl LabelledScenes {
     /// These scenes, for a net whose card does not tell of unlisted tasks and random scenes.
     ///
     /// # Errors
-    /// If there are such.
+    /// If the labels hold any.
     pub fn of_tasks(self) -> anyhow::Result<LabelledScenes> {
         let only_dynamics = "only the dynamics net learns from those";
         ensure!(self.random() == 0, "the labels hold balls in random scenes: {only_dynamics}");

@@ -1,8 +1,8 @@
-//! Muon (Jordan et al. 2024), burn's, for weights of any rank: a convolution's are one matrix, with a row for each of
-//! its first dimension.
+//! Muon (Jordan et al. 2024) for the weights of linear layers and convolutions: burn's takes matrices alone, so the
+//! weights of a convolution are reshaped, one row for each index of their first dimension.
 //!
-//! It moves a matrix by the nearest orthogonal one to its momentum, so that every direction learns equally fast. Biases
-//! and the last layers of chances, which are no matrices, keep Adam.
+//! Muon replaces the momentum of a matrix by an orthogonal matrix close to it, so that all directions learn equally
+//! fast. Biases, and the last layers of the chances, which have a single output, keep Adam.
 
 use burn::module::ParamGroup;
 use burn::optim::{AdjustLrFn, LearningRate, ModuleOptimizer, Muon, MuonConfig, MuonState, Optimizer};
