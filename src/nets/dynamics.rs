@@ -97,9 +97,53 @@ impl DynamicsNet {
         SceneFeatures { logits, levels, code: code.flatten(1, 3) }
     }
 
+    pub(crate) fn encode_normalised(&self, scenes: Tensor<4>) -> (SceneFeatures, Vec<u_net::Stats>) {
+        let (Activations { last, skipped: mut levels, code }, stats) =
+            u_net::forward_normalised(&self.down, &self.up, scenes);
+        let [logits, finest] = last.split_with_sizes(vec![RADII, FINEST], 1).try_into().expect("two parts");
+        levels.push(relu(finest));
+        levels.reverse();
+        (SceneFeatures { logits, levels, code: code.flatten(1, 3) }, stats)
+    }
+
+    /// Folds the mean statistics of batches of scenes into the layers.
+    pub fn folded(mut self, batches: Vec<Tensor<4>>) -> DynamicsNet {
+        let count = batches.len() as f64;
+        let mut sums: Vec<u_net::Stats> = Vec::new();
+        for batch in batches {
+            let stats = self.encode_normalised(batch).1;
+            if sums.is_empty() {
+                sums = stats;
+            } else {
+                sums = sums
+                    .into_iter()
+                    .zip(stats)
+                    .map(|(a, b)| u_net::Stats { mean: a.mean + b.mean, var: a.var + b.var })
+                    .collect();
+            }
+        }
+        let mut stats = sums.into_iter().map(|s| (s.mean / count, (s.var / count + 1e-4).sqrt().recip()));
+        for layer in &mut self.down {
+            let (mean, scale) = stats.next().expect("stats");
+            let c = mean.dims()[0];
+            let s = scale.clone();
+            layer.weight = layer.weight.clone().map(|w| w * s.reshape([c, 1, 1, 1]));
+            layer.bias = layer.bias.take().map(|bias| bias.map(|b| (b.clone() - mean) * scale + b));
+        }
+        for layer in self.up.iter_mut().take(4) {
+            let (mean, scale) = stats.next().expect("stats");
+            let c = mean.dims()[0];
+            let s = scale.clone();
+            layer.weight = layer.weight.clone().map(|w| w * s.reshape([1, c, 1, 1]));
+            layer.bias = layer.bias.take().map(|bias| bias.map(|b| (b.clone() - mean) * scale + b));
+        }
+        self
+    }
+
     /// Scenes `[batch, 5, 64, 64]` and balls in them, in; the logits of all cells and what each ball leads to, out.
     pub fn forward(&self, scenes: Tensor<4>, balls: BallTensors) -> (Tensor<4>, Predictions<Tensor<2>>) {
-        let features = self.encode(scenes);
+        let features =
+            if std::env::var("PATHLIGHT_BN").is_ok() { self.encode_normalised(scenes).0 } else { self.encode(scenes) };
         let predictions = self.head.forward(&features, balls);
         (features.logits, predictions)
     }

@@ -6,7 +6,7 @@
 use burn::nn::conv::{Conv2d, ConvTranspose2d};
 use burn::tensor::{Device, Tensor};
 
-use super::conv::{conv_down, conv_up, fit_tiles, new_conv_down, new_conv_up};
+use super::conv::{conv_down, conv_down_relu, conv_up, fit_tiles, new_conv_down, new_conv_up};
 use crate::raster::CHANNELS;
 
 /// Channels after each of the five convolutions.
@@ -37,6 +37,47 @@ pub(crate) struct Activations {
     pub skipped: Vec<Tensor<4>>,
     /// The innermost output of the encoder.
     pub code: Tensor<4>,
+}
+
+pub(crate) struct Stats {
+    pub mean: Tensor<1>,
+    pub var: Tensor<1>,
+}
+
+fn normalise(y: Tensor<4>, bias: Tensor<1>, stats: &mut Vec<Stats>) -> Tensor<4> {
+    let c = y.dims()[1];
+    let mean_of = |y: Tensor<4>| y.mean_dim(3).mean_dim(2).mean_dim(0);
+    let mean = mean_of(y.clone());
+    let d = y - mean.clone();
+    let var = mean_of(d.clone() * d.clone());
+    stats.push(Stats { mean: mean.reshape([c]), var: var.clone().reshape([c]) });
+    let scale = (var + 1e-4).sqrt().recip();
+    burn::tensor::activation::relu(d * scale + bias.reshape([1, c, 1, 1]))
+}
+
+pub(crate) fn forward_normalised(
+    down: &[Conv2d],
+    up: &[ConvTranspose2d],
+    images: Tensor<4>,
+) -> (Activations, Vec<Stats>) {
+    let mut stats = Vec::new();
+    let mut encoded = Vec::with_capacity(down.len());
+    let mut x = images;
+    for layer in down {
+        x = normalise(conv_down_relu(layer, x, false), layer.bias.as_ref().expect("bias").val(), &mut stats);
+        encoded.push(x.clone());
+    }
+    let code = encoded.pop().expect("a layer");
+    let mut skipped = Vec::with_capacity(encoded.len());
+    for layer in up {
+        x = conv_up(layer, x, false);
+        if let Some(skip) = encoded.pop() {
+            x = normalise(x, layer.bias.as_ref().expect("bias").val(), &mut stats);
+            x = Tensor::cat(vec![x, skip], 1);
+            skipped.push(x.clone());
+        }
+    }
+    (Activations { last: x, skipped, code }, stats)
 }
 
 /// `[batch, 5, 64, 64]` in.

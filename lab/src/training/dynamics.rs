@@ -132,7 +132,12 @@ impl Settings {
             return Ok(None);
         }
         // Its own logits of the cells take the place of the success net's.
-        (nets.success, nets.dynamics) = (None, Some(run.trainer.nets()));
+        let mut net = run.trainer.nets();
+        if std::env::var("PATHLIGHT_BN").is_ok() {
+            let batches = (0..64).map(|number| self.batch(&scenes, number).scenes_tensor()).collect();
+            net = net.folded(batches);
+        }
+        (nets.success, nets.dynamics) = (None, Some(net));
         run.write_weights(|card| nets.save(card)).map(Some)
     }
 

@@ -14,7 +14,9 @@ use super::forward::Layer;
 use super::{StridedConv, geometry, slice};
 
 #[derive(Debug)]
-struct ConvDown;
+struct ConvDown {
+    relu: bool,
+}
 
 #[derive(Debug)]
 struct ConvUp {
@@ -31,7 +33,8 @@ impl Backward<Flex, 3> for ConvDown {
         let dy = store.consume::<Flex>(&ops.node).to_contiguous();
         let [x, weight, y] = ops.state.each_ref().map(|tensor| tensor.to_contiguous());
         let layer = Layer { geometry: geometry(&weight, y.shape()[2]), weight: slice(&weight) };
-        let gradients = layer.conv_down_backward(slice(&x), slice(&y), slice(&dy), ops.parents[0].is_some());
+        let gradients =
+            layer.conv_down_backward(slice(&x), self.relu.then_some(slice(&y)), slice(&dy), ops.parents[0].is_some());
         register(ops.parents.map(|parent| parent.map(|node| node.id)), &ops.state, gradients, store);
     }
 }
@@ -65,10 +68,15 @@ fn register(
 }
 
 impl<C: CheckpointStrategy> StridedConv for Autodiff<Flex, C> {
-    fn conv_down(x: FloatTensor<Self>, weight: FloatTensor<Self>, bias: FloatTensor<Self>) -> FloatTensor<Self> {
-        let y = Flex::conv_down(x.primitive().clone(), weight.primitive().clone(), bias.primitive().clone());
+    fn conv_down(
+        x: FloatTensor<Self>,
+        weight: FloatTensor<Self>,
+        bias: FloatTensor<Self>,
+        relu: bool,
+    ) -> FloatTensor<Self> {
+        let y = Flex::conv_down(x.primitive().clone(), weight.primitive().clone(), bias.primitive().clone(), relu);
         let nodes = [x.node(), weight.node(), bias.node()];
-        match ConvDown.prepare::<C>(nodes).compute_bound().stateful() {
+        match (ConvDown { relu }).prepare::<C>(nodes).compute_bound().stateful() {
             OpsKind::Tracked(step) => step.finish([x.primitive().clone(), weight.primitive().clone(), y.clone()], y),
             OpsKind::UnTracked(step) => step.finish(y),
         }

@@ -23,14 +23,20 @@ pub(crate) struct Gradients {
 impl Layer<'_> {
     /// Gradients of `conv_down` from its input, its output and the gradient `dy` with respect to its output; that with
     /// respect to the input only if `input_needs_it`.
-    pub(crate) fn conv_down_backward(&self, x: &[f32], y: &[f32], dy: &[f32], input_needs_it: bool) -> Gradients {
+    pub(crate) fn conv_down_backward(
+        &self,
+        x: &[f32],
+        y: Option<&[f32]>,
+        dy: &[f32],
+        input_needs_it: bool,
+    ) -> Gradients {
         let geometry = &self.geometry;
         let mut dx = vec![0.0; x.len()];
         let zeros = vec![0.0; geometry.fine_channels];
         let ParameterGradients { weight, bias } =
             self.sum_over_groups(&mut dx, geometry.fine_len(), geometry.coarse_channels, |group, dx, gradients| {
                 let range = group.coarse(geometry);
-                let dy = relu_backward(&dy[range.clone()], Some(&y[range]));
+                let dy = relu_backward(&dy[range.clone()], y.map(|y| &y[range]));
                 add_channel_sums(&mut gradients.bias, &dy, geometry.coarse_cells());
                 let x = &x[group.fine(geometry)];
                 if DirectConv::fits(geometry) {

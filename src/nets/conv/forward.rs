@@ -28,7 +28,7 @@ pub(crate) struct Layer<'a> {
 
 impl Layer<'_> {
     /// Convolution, bias and ReLU: `[batch, fine_channels, 2 n, 2 n]` to `[batch, coarse_channels, n, n]`.
-    pub(crate) fn conv_down(&self, x: &[f32], bias: &[f32]) -> Vec<f32> {
+    pub(crate) fn conv_down(&self, x: &[f32], bias: &[f32], relu: bool) -> Vec<f32> {
         let geometry = &self.geometry;
         let channels = geometry.coarse_channels;
         let cells = geometry.coarse_cells();
@@ -37,17 +37,18 @@ impl Layer<'_> {
         self.for_each_group(&mut y, geometry.coarse_len(), |group, y| {
             if DirectConv::fits(geometry) {
                 let x = &x[group.fine(geometry)];
-                DirectConv { geometry, weight: self.weight, bias, relu: true, x, y }.conv_down();
+                DirectConv { geometry, weight: self.weight, bias, relu, x, y }.conv_down();
                 return;
             }
             let columns = Columns::im2col(geometry, &x[group.fine(geometry)], group.samples);
             let mut sums = vec![0.0; channels * columns.count];
             matmul(&mut sums, columns.count, self.matrix(), columns.matrix(geometry));
+            let least = if relu { 0.0 } else { f32::NEG_INFINITY };
             for (index, y) in y.chunks_exact_mut(cells).enumerate() {
                 let (sample, channel) = (index / channels, index % channels);
                 let sums = &sums[channel * columns.count + sample * cells..][..cells];
                 for (y, sum) in y.iter_mut().zip(sums) {
-                    *y = at_least(sum + bias[channel], 0.0);
+                    *y = at_least(sum + bias[channel], least);
                 }
             }
         });

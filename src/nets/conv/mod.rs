@@ -67,11 +67,16 @@ pub(crate) fn new_conv_up(input: usize, output: usize, kernel: usize, device: &D
 
 /// Stride-2 convolution followed by ReLU: `[batch, fine channels, 2 n, 2 n]` to `[batch, coarse channels, n, n]`.
 pub(crate) fn conv_down(layer: &Conv2d, x: Tensor<4>) -> Tensor<4> {
+    conv_down_relu(layer, x, true)
+}
+
+pub(crate) fn conv_down_relu(layer: &Conv2d, x: Tensor<4>, relu: bool) -> Tensor<4> {
     let bias = layer.bias.as_ref().expect("every layer has a bias").val();
     Tensor::from_dispatch(Dispatch::conv_down(
         x.into_dispatch(),
         layer.weight.val().into_dispatch(),
         bias.into_dispatch(),
+        relu,
     ))
 }
 
@@ -92,10 +97,16 @@ pub(crate) fn conv_up(layer: &ConvTranspose2d, x: Tensor<4>, relu: bool) -> Tens
 #[backend_extension(Flex, NdArray: cfg(feature = "ndarray"), Autodiff: cfg(feature = "training"))]
 pub(crate) trait StridedConv: Backend {
     /// See `conv_down`.
-    fn conv_down(x: FloatTensor<Self>, weight: FloatTensor<Self>, bias: FloatTensor<Self>) -> FloatTensor<Self> {
+    fn conv_down(
+        x: FloatTensor<Self>,
+        weight: FloatTensor<Self>,
+        bias: FloatTensor<Self>,
+        relu: bool,
+    ) -> FloatTensor<Self> {
         let padding = (weight.shape()[2] - 2) / 2;
         let options = ConvOptions::new([2; 2], [padding; 2], [1; 2], 1);
-        Self::relu(Self::conv2d(x, weight, Some(bias), options))
+        let y = Self::conv2d(x, weight, Some(bias), options);
+        if relu { Self::relu(y) } else { y }
     }
 
     /// See `conv_up`.
@@ -116,10 +127,15 @@ pub(crate) trait StridedConv: Backend {
 impl StridedConv for burn::backend::NdArray {}
 
 impl StridedConv for Flex {
-    fn conv_down(x: FloatTensor<Flex>, weight: FloatTensor<Flex>, bias: FloatTensor<Flex>) -> FloatTensor<Flex> {
+    fn conv_down(
+        x: FloatTensor<Flex>,
+        weight: FloatTensor<Flex>,
+        bias: FloatTensor<Flex>,
+        relu: bool,
+    ) -> FloatTensor<Flex> {
         let geometry = geometry(&weight, x.shape()[2] / 2);
         let [x, weight, bias] = [x, weight, bias].map(|tensor| tensor.to_contiguous());
-        let y = Layer { geometry, weight: slice(&weight) }.conv_down(slice(&x), slice(&bias));
+        let y = Layer { geometry, weight: slice(&weight) }.conv_down(slice(&x), slice(&bias), relu);
         images(y, geometry.coarse_channels, geometry.coarse_side)
     }
 

@@ -34,6 +34,24 @@ impl Optimizer for FusedAdam {
         state: Option<AdamState<D>>,
     ) -> (Tensor<D>, Option<AdamState<D>>) {
         let device = tensor.device();
+        if let Ok(scale) = std::env::var("PATHLIGHT_MUON") {
+            let shape = tensor.dims();
+            let rows = shape[0];
+            let cols: usize = shape.iter().skip(1).product();
+            if D >= 2 && rows.min(cols) >= 16 {
+                let scale: f32 = scale.parse().expect("a number");
+                let (time, m, second) = match state {
+                    Some(AdamState { momentum }) => (momentum.time + 1, momentum.moment_1, momentum.moment_2),
+                    None => (1, tensor.zeros_like(), Tensor::zeros(shape, &device)),
+                };
+                let m = m * 0.95 + gradient.clone();
+                let u = (gradient + m.clone() * 0.95).reshape([rows, cols]);
+                let o = orthogonal(u).reshape(shape);
+                let step = learning_rate as f32 * scale * (rows.max(cols) as f32).sqrt();
+                let tensor = tensor - o * step;
+                return (tensor, Some(AdamState::new(AdaptiveMomentumState::new(time, m, second))));
+            }
+        }
         let (time, first_moment, second_moment) = match state {
             Some(AdamState { momentum }) => (momentum.time + 1, momentum.moment_1, momentum.moment_2),
             None => (1, tensor.zeros_like(), tensor.zeros_like()),
@@ -64,6 +82,20 @@ impl Optimizer for FusedAdam {
         state.momentum = state.momentum.to_device(device);
         state
     }
+}
+
+fn orthogonal(x: Tensor<2>) -> Tensor<2> {
+    let [rows, cols] = x.dims();
+    let flip = rows > cols;
+    let x = if flip { x.transpose() } else { x };
+    let norm = x.clone().powi_scalar(2).sum().sqrt().into_scalar::<f32>() + 1e-7;
+    let mut x = x / norm;
+    for _ in 0..5 {
+        let a = x.clone().matmul(x.clone().transpose());
+        let b = a.clone() * -4.775 + a.clone().matmul(a) * 2.0315;
+        x = x.clone() * 3.4445 + b.matmul(x);
+    }
+    if flip { x.transpose() } else { x }
 }
 
 #[cfg(test)]

@@ -39,6 +39,11 @@ pub struct DynamicsBatch {
 type LabelledBall<'a> = (Ball, bool, &'a [u8]);
 
 impl DynamicsBatch {
+    /// The scenes alone.
+    pub fn scenes_tensor(&mut self) -> Tensor<4> {
+        self.cells.scenes(&crate::nets::flex())
+    }
+
     /// Adds a scene and labelled balls of it, as they are or mirrored left to right; the paths of the first `imagined`
     /// are learned too.
     ///
