@@ -33,10 +33,10 @@ pub const BALL_NUMBERS: usize = 12 + RADII;
 pub const PLACES: usize = 5;
 
 /// Outputs of the layer `scene`.
-pub const SCENE_HIDDEN: usize = 64;
+pub const SCENE_HIDDEN: usize = 128;
 
-pub(super) const HIDDEN: [usize; 2] = [192, 128];
-const CHANCE_HIDDEN: usize = 64;
+pub(super) const HIDDEN: [usize; 2] = [512, 384];
+const CHANCE_HIDDEN: usize = 128;
 
 /// Channels of the hypercolumn.
 const fn hypercolumn() -> usize {

@@ -10,7 +10,7 @@ use super::conv::{conv_down, conv_down_relu, conv_up, fit_tiles, new_conv_down, 
 use crate::raster::CHANNELS;
 
 /// Channels after each of the five convolutions.
-pub(crate) const WIDTHS: [usize; 5] = [16, 32, 64, 96, 128];
+pub(crate) const WIDTHS: [usize; 5] = [16, 32, 64, 128, 192];
 
 const _: () = assert!(fit_tiles(&WIDTHS), "a width is not a multiple of conv::matmul::TILE_ROWS");
 
