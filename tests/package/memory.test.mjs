@@ -94,25 +94,27 @@ test("a carried run is the same to the bit natively and in wasm, also if its mem
 });
 
 test("what a person tried counts, until all is forgotten", () => {
-  // Two puzzles that are much alike: what solves one moves what is tried first at the other.
-  const [task, next] = ["00002:007", "00002:017"];
-  const solution = play(task, pathlight.memory()).at(-1);
-  assert.ok(solution?.ending.solved);
+  // Whatever the model is, it tries another ball first, and three solutions outweigh its chances.
+  const [task] = TASKS;
   const memory = pathlight.memory();
-  const before = ballsOf(play(next, memory));
+  const before = ballsOf(play(task, memory));
+  assert.notEqual(before[0], String(BALL));
   memory.forget();
   assert.deepEqual([memory.attempts(), memory.puzzles()], [0, []]);
-  memory.remember(task, solution.ball, true);
+  for (let time = 0; time < 3; time++) {
+    memory.remember(task, BALL, true);
+  }
   const [{ number, task: remembered, attempts }] = memory.puzzles();
   assert.deepEqual([number, remembered], [1, task]);
   assert.deepEqual(
     attempts.map(({ ball, solved }) => [ball, solved]),
-    [[solution.ball, true]],
+    Array(3).fill([BALL, true]),
   );
-  const [{ reminder }] = play(next, memory);
-  assert.deepEqual([reminder?.puzzle, reminder?.task, reminder?.ball], [1, task, solution.ball]);
+  const [{ ball, reminder }] = play(task, memory);
+  assert.deepEqual(ball, BALL);
+  assert.deepEqual([reminder?.puzzle, reminder?.task, reminder?.ball], [1, task, BALL]);
   memory.forget();
-  assert.deepEqual(ballsOf(play(next, memory)), before);
+  assert.deepEqual(ballsOf(play(task, memory)), before);
 });
 
 test("a turn that is left in the middle for another puzzle goes on under its own name", () => {
