@@ -13,7 +13,7 @@ const LIMITS = [
   // With the words in both languages, of which a person loads one.
   { part: "scripts", files: /\.js$/, raw: 440, br: 130 },
   { part: "styles", files: /\.css$/, raw: 52, br: 13 },
-  { part: "weights within-0", files: /within-0-\w+\.safetensors$/, raw: 3720, br: 3050 },
+  { part: "weights within-0", files: /within-0-\w+\.safetensors$/, raw: 3720, br: 3000 },
   { part: "weights cross-0", files: /cross-0-\w+\.safetensors$/, raw: 3720, br: 3050 },
 ];
 

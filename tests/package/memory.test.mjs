@@ -94,10 +94,10 @@ test("a carried run is the same to the bit natively and in wasm, also if its mem
 });
 
 test("what a person tried counts, until all is forgotten", () => {
-  // Whatever the model is, it tries another ball first, and three solutions outweigh its chances.
-  const [task] = TASKS;
+  // Two puzzles that are much alike. Any model tries another ball first, and three solutions outweigh its chances.
+  const [task, next] = [TASKS[0], TASKS[2]];
   const memory = pathlight.memory();
-  const before = ballsOf(play(task, memory));
+  const before = ballsOf(play(next, memory));
   assert.notEqual(before[0], String(BALL));
   memory.forget();
   assert.deepEqual([memory.attempts(), memory.puzzles()], [0, []]);
@@ -110,11 +110,11 @@ test("what a person tried counts, until all is forgotten", () => {
     attempts.map(({ ball, solved }) => [ball, solved]),
     Array(3).fill([BALL, true]),
   );
-  const [{ ball, reminder }] = play(task, memory);
+  const [{ ball, reminder }] = play(next, memory);
   assert.deepEqual(ball, BALL);
   assert.deepEqual([reminder?.puzzle, reminder?.task, reminder?.ball], [1, task, BALL]);
   memory.forget();
-  assert.deepEqual(ballsOf(play(task, memory)), before);
+  assert.deepEqual(ballsOf(play(next, memory)), before);
 });
 
 test("a turn that is left in the middle for another puzzle goes on under its own name", () => {

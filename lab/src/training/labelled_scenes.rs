@@ -122,7 +122,8 @@ fn origin(labelled: &Labelled) -> LabelOrigin {
 }
 
 impl LabelledScenes {
-    /// Reads files of `data label`.
+    /// Reads files of `data label`. Leaves out unlisted tasks that no ball solves, because the benchmark lists none
+    /// such.
     ///
     /// # Errors
     /// If a file cannot be used, may tell of the fold's test tasks, or none has balls of its training tasks.
@@ -142,9 +143,8 @@ impl LabelledScenes {
                 }
             }
         }
-        // The benchmark lists only tasks that some ball solves.
-        scenes
-            .retain(|id, scene| !matches!(id, SceneId::Unlisted(..)) || scene.balls.iter().any(|(_, solves)| *solves));
+        let is_solved = |scene: &LabelledScene| scene.balls.iter().any(|&(_, solves)| solves);
+        scenes.retain(|id, scene| !matches!(id, SceneId::Unlisted(..)) || is_solved(scene));
         ensure!(!scenes.is_empty(), "the labels hold no balls of the training tasks of {fold}: label all templates");
         Ok(LabelledScenes(scenes.into_values().collect()))
     }
