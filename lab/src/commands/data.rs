@@ -110,7 +110,7 @@ pub struct Label {
 
     /// Label balls in variants of the tasks' scenes, another variant in every round. Balls are sampled around the
     /// solutions of the task alone
-    #[arg(long, conflicts_with = "weights")]
+    #[arg(long)]
     variants: bool,
 
     /// Label balls in random scenes instead of the tasks: in those of the first N that some ball solves, and in a sixth

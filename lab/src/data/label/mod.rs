@@ -207,18 +207,20 @@ impl Labeller<'_> {
 
     fn in_task(&self, id: TaskId, round: usize) -> LabelledBalls {
         let task = Task::load(id).expect("a task of the selection");
-        if let Some(proposed) = self.proposed(&task.scene, round) {
-            return LabelledBalls::new(SceneId::Task(id), proposed);
-        }
-        let own: Vec<Sampled> = self.known.of_task.get(&id).into_iter().flatten().map(|&ball| (ball, None)).collect();
         let number = round as u32;
         // If no variant of this number fits, the scene itself is used.
-        let (scene_id, scene, siblings) = match self.settings.variants {
-            true => match scene_variant(&task, number) {
-                Some(scene) => (SceneId::Variant(id, number), scene, &[][..]),
-                None => (SceneId::Task(id), task.scene, &[][..]),
-            },
-            false => (SceneId::Task(id), task.scene, self.known.of_template[id.template].as_slice()),
+        let variant = if self.settings.variants { scene_variant(&task, number) } else { None };
+        let (scene_id, scene, proposals) = match variant {
+            Some(scene) => (SceneId::Variant(id, number), scene, 0),
+            None => (SceneId::Task(id), task.scene, round),
+        };
+        if let Some(proposed) = self.proposed(&scene, proposals) {
+            return LabelledBalls::new(scene_id, proposed);
+        }
+        let own: Vec<Sampled> = self.known.of_task.get(&id).into_iter().flatten().map(|&ball| (ball, None)).collect();
+        let siblings = match self.settings.variants {
+            true => &[][..],
+            false => self.known.of_template[id.template].as_slice(),
         };
         let balls = sample((scene_id, &scene), &own, siblings, BALLS, &mut self.rng(scene_id, round));
         LabelledBalls::new(scene_id, try_balls(&scene, balls))
