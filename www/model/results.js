@@ -30,11 +30,12 @@ import { toCsv } from "./csv.js";
 
 /**
  * `compared`: auccess, within and cross. `ours` are means and deviations over the folds; of `published`, `method` is
- * empty if it goes by its authors. `online_with_random_scenes` is cross, of the online agent if its net learned from
- * random scenes too. `paper` has the auccess of the paper's nets on each template, within and cross.
+ * empty if it goes by its authors. `online_with_more_data` is that of the online agent if its net learned from balls
+ * that it proposed (within) or from random scenes (cross); null if not all folds are measured. `paper` has the auccess
+ * of the paper's nets on each template, within and cross.
  * @typedef {object} Results
  * @property {ModelResults[]} models
- * @property {{ ours: { agent: string, auccess: string[] }[], online_with_random_scenes?: string, published:
+ * @property {{ ours: { agent: string, auccess: string[] }[], online_with_more_data: (string | null)[], published:
  *   { method: string, source: string, url: string, auccess: string[] }[], paper?: { published: string[],
  *   ours: string[] }[] }} compared
  */

@@ -6,12 +6,14 @@ import { createCell } from "../widgets/dom.js";
 import { fragmentOf } from "../element/markup.js";
 
 /** @param {import("../model/results.js").Results["compared"]} compared */
-export function ourRows({ ours, online_with_random_scenes: withRandom }) {
+export function ourRows({ ours, online_with_more_data: withMore }) {
   const rows = AGENTS.flatMap((name) => {
     const found = ours.find(({ agent }) => agent === name);
     return found ? [row(found.auccess, text.results.namedAgent(name, text.model.agents[name]))] : [];
   });
-  return withRandom ? [row(["–", withRandom], text.results.beside.withRandom), ...rows] : rows;
+  if (!withMore.some(Boolean)) return rows;
+  const auccess = withMore.map((measured) => measured ?? "–");
+  return [row(auccess, text.results.beside.withMoreData), ...rows];
 }
 
 /** @param {import("../model/results.js").Results["compared"]["published"]} published */

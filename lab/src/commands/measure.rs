@@ -9,7 +9,8 @@ use pathlight_lab::files::json_file;
 use pathlight_lab::measure::task_set::TaskSet;
 use pathlight_lab::measure::{calibration, carried, evaluate, fidelity, forecasts, paper_table};
 use pathlight_lab::progress::Progress;
-use pathlight_lab::reproduce::{RESULTS, random_scenes};
+use pathlight_lab::reproduce::RESULTS;
+use pathlight_lab::reproduce::beside_rows::{self, Table};
 
 use super::agent_arg::agent;
 use super::engine_arg::EngineArg;
@@ -21,7 +22,12 @@ pub enum Command {
     Evaluate(Evaluate),
     Carried(Carried),
     Paper(Paper),
-    RandomScenes(RandomScenes),
+    /// Print the results of dynamics nets that learned from random scenes too, which `measure evaluate` wrote, beside
+    /// the rows without them, as Markdown
+    RandomScenes(BesideRows),
+    /// Print the results of dynamics nets that learned from balls they had proposed, which `measure evaluate` wrote,
+    /// beside the rows, as Markdown
+    ProposedBalls(BesideRows),
     Forecasts(Forecasts),
     Calibration(Calibration),
     Fidelity(Fidelity),
@@ -33,7 +39,8 @@ impl Command {
             Command::Evaluate(args) => args.run(progress)?,
             Command::Carried(args) => args.run()?,
             Command::Paper(Paper { folder }) => paper_table::page(&folder)?,
-            Command::RandomScenes(RandomScenes { folder, rows }) => random_scenes::page(&folder, &rows)?,
+            Command::RandomScenes(args) => args.page(Table::RandomScenes)?,
+            Command::ProposedBalls(args) => args.page(Table::ProposedBalls)?,
             Command::Forecasts(args) => args.run()?,
             Command::Calibration(args) => args.run()?,
             Command::Fidelity(Fidelity { reference, limit, engine: EngineArg { engine } }) => {
@@ -164,10 +171,8 @@ pub struct Paper {
     folder: PathBuf,
 }
 
-/// Print the results of dynamics nets that learned from random scenes too, which `measure evaluate` wrote, beside the
-/// rows without them, as Markdown
 #[derive(clap::Args)]
-pub struct RandomScenes {
+pub struct BesideRows {
     /// Folder of the results
     #[arg(value_name = "DIR")]
     folder: PathBuf,
@@ -175,6 +180,12 @@ pub struct RandomScenes {
     /// Folder of the rows, from `reproduce`
     #[arg(long, value_name = "DIR", default_value = RESULTS)]
     rows: PathBuf,
+}
+
+impl BesideRows {
+    fn page(self, table: Table) -> anyhow::Result<String> {
+        beside_rows::page(table, &self.folder, &self.rows)
+    }
 }
 
 /// Measure how well the dynamics net imagines what balls lead to, on the test tasks of a fold or in other scenes

@@ -28,7 +28,7 @@ pub enum Command {
         results: PathBuf,
 
         /// The folder of the rows of `reproduce`, whose means stand beside published figures; with the results in its
-        /// folders random-scenes and paper
+        /// folders proposed-balls, random-scenes and paper
         #[arg(long, value_name = "DIR", default_value = RESULTS)]
         rows: PathBuf,
 

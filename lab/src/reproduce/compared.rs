@@ -7,8 +7,8 @@ use pathlight::agents::agent_name::AgentName;
 use pathlight::benchmark::folds::Setup;
 use serde::Serialize;
 
+use super::beside_rows::{self, Table};
 use super::fold_result::{self, FoldResult};
-use super::random_scenes;
 use crate::measure::agents::AGENTS;
 use crate::measure::evaluate::Report;
 use crate::measure::paper_table::{self, ByTemplate};
@@ -62,9 +62,8 @@ const BEST: [Published; 2] = [
 #[derive(Serialize)]
 pub struct Comparison {
     ours: Vec<OurRow>,
-    /// The auccess of the online agent in the setup cross if its net learned from random scenes too.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    online_with_random_scenes: Option<String>,
+    /// That of the online agent if its net learned from more data.
+    online_with_more_data: [Option<String>; 2],
     published: Vec<Published>,
     /// The paper's nets by template, within and cross.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -78,21 +77,32 @@ pub struct OurRow {
     pub auccess: [String; 2],
 }
 
-/// Sets the rows of all agents in a folder of results beside the published ones; and what its folders `random-scenes`
-/// and `paper` hold, if it has them.
+/// Sets the rows of all agents in a folder of results beside the published ones; and what its folders
+/// `proposed-balls`, `random-scenes` and `paper` hold, if it has them.
 ///
 /// # Errors
 /// If there are no rows, a result is damaged, or results were made with different settings.
 pub fn comparison(results: &Path) -> anyhow::Result<Comparison> {
-    let in_folder = |name: &str| Some(results.join(name)).filter(|folder| folder.exists());
+    let paper = Some(results.join("paper")).filter(|folder| folder.exists());
     Ok(Comparison {
         ours: our_rows(&fold_result::read(results)?),
-        online_with_random_scenes: in_folder("random-scenes")
-            .map(|folder| random_scenes::online(&folder))
-            .transpose()?,
+        online_with_more_data: online_with_more_data(results)?,
         published: BEST.into_iter().chain(REPORTED.map(|(_, published)| published)).collect(),
-        paper: in_folder("paper").map(|folder| paper_table::by_template(&folder)).transpose()?,
+        paper: paper.map(|folder| paper_table::by_template(&folder)).transpose()?,
     })
+}
+
+/// Returns the auccess of the online agent, within and cross, if its net learned from more than that of its row: from
+/// balls that it proposed within, from random scenes in cross. `None` if not all folds are measured.
+///
+/// # Errors
+/// If a result is damaged, or results were made with different settings.
+pub fn online_with_more_data(results: &Path) -> anyhow::Result<[Option<String>; 2]> {
+    let online = |table: Table| {
+        let folder = results.join(table.command());
+        if folder.exists() { beside_rows::online(table, &folder) } else { Ok(None) }
+    };
+    Ok([online(Table::ProposedBalls)?, online(Table::RandomScenes)?])
 }
 
 /// Returns the rows of all agents.

@@ -14,11 +14,11 @@ use crate::data::label::{self, LABELS};
 use crate::progress::Progress;
 use fold_result::{DataFiles, FoldResult, Hyperparameters, ResultSettings};
 
+pub mod beside_rows;
 pub mod compared;
 mod costs;
 pub mod fold_result;
 mod fold_run;
-pub mod random_scenes;
 pub mod report;
 mod training_report;
 

@@ -11,7 +11,7 @@ use pathlight::benchmark::folds::{FOLDS, Setup};
 use pathlight::puzzle::task::{TaskId, ids};
 use pathlight::puzzle::templates::TEMPLATES;
 
-use super::compared::{OurRow, Published, REPORTED, mean_and_deviation, our_rows};
+use super::compared::{OurRow, Published, REPORTED, mean_and_deviation, online_with_more_data, our_rows};
 use super::fold_result::FoldResult;
 use super::training_report;
 use crate::data::collect::{Collected, read_solutions};
@@ -35,7 +35,7 @@ const ABLATIONS: [(AgentName, AgentName, &str); 3] = [
 pub fn write(results: &[FoldResult], solutions: &Path, folder: &Path) -> anyhow::Result<String> {
     let mut text = String::new();
     head(&mut text, results)?;
-    table(&mut text, results)?;
+    table(&mut text, results, online_with_more_data(folder)?)?;
     ablations(&mut text, results)?;
     folds(&mut text, results)?;
     training_report::write(&mut text, results)?;
@@ -59,6 +59,8 @@ fn head(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
          known solutions of test tasks of the same template.\n\n\
          - **online**: the dynamics net imagines candidates, and a Gaussian process learns from each attempt, by the \
          similarity of imagined paths and of balls; **by balls**: by that of balls alone.\n\
+         - **with more data**: its net also learned from [balls that it proposed](proposed-balls/README.md) within, \
+         from [random scenes](random-scenes/README.md) in cross.\n\
          - **dynamics**: the same candidates in the order that the net gives them, as if each attempt ended as \
          imagined.\n\
          - **success net**: a net that sees the scene alone orders the balls. The dynamics net is trained from it.\n\
@@ -77,9 +79,13 @@ fn head(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
 }
 
 /// The paper's table, with our results beside it.
-fn table(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
+fn table(text: &mut String, results: &[FoldResult], with_more_data: [Option<String>; 2]) -> anyhow::Result<()> {
     writeln!(text, "## Auccess, mean over folds ± standard deviation\n")?;
     writeln!(text, "| agent | engine | within | cross |\n| --- | --- | ---: | ---: |")?;
+    if with_more_data.iter().any(Option::is_some) {
+        let [within, cross] = with_more_data.map(|auccess| auccess.unwrap_or("–".to_string()));
+        writeln!(text, "| **online, with more data** | ours | {within} | {cross} |")?;
+    }
     for OurRow { agent, auccess: [within, cross] } in our_rows(results) {
         writeln!(text, "| **{}** | ours | {within} | {cross} |", row(agent).label)?;
     }

@@ -8,6 +8,7 @@ use std::process::{Command, Output};
 
 use pathlight::nets::{Card, PathNet};
 
+mod beside_rows;
 mod calibration;
 mod carried;
 mod collect;
@@ -20,7 +21,6 @@ mod label;
 mod merge;
 mod paper_table;
 mod pipes;
-mod random_scenes;
 mod reference;
 mod reproduce;
 mod train;

@@ -208,10 +208,14 @@ fn a_file_that_another_process_uses_is_left_alone() {
 #[test]
 fn the_report_and_the_readme_are_those_of_the_rows() {
     let folder = tempdir().expect("a folder");
-    for file in fs::read_dir(root("results")).expect("results") {
-        let path = file.expect("a file").path();
-        if path.extension().is_some_and(|extension| extension == "json") {
-            fs::copy(&path, folder.path().join(path.file_name().expect("a name"))).expect("a copy");
+    for of in ["", "proposed-balls", "random-scenes"] {
+        let copies = folder.path().join(of);
+        fs::create_dir_all(&copies).expect("a folder");
+        for file in fs::read_dir(root("results").join(of)).expect("results") {
+            let path = file.expect("a file").path();
+            if path.extension().is_some_and(|extension| extension == "json") {
+                fs::copy(&path, copies.join(path.file_name().expect("a name"))).expect("a copy");
+            }
         }
     }
     let results = folder.path().display().to_string();

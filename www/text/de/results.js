@@ -41,7 +41,8 @@ export const results = {
       published: "Artikel",
       ours: "unsere",
     },
-    withRandom: "online, wenn das Netz auch aus zufälligen Rätseln gelernt hat",
+    withMoreData:
+      "online, wenn das Netz auch aus eigenen Versuchen (bekannte Arten) oder zufälligen Rätseln (neue Arten) gelernt hat",
     ours: "Unsere Agenten, in unserem Simulator",
     published: "Veröffentlichte Ergebnisse, im Simulator von PHYRE",
   },

@@ -42,7 +42,7 @@ export const results = {
       published: "published",
       ours: "ours",
     },
-    withRandom: "online, if its net learned from random puzzles too",
+    withMoreData: "online, with a net that also learned from its own tries (known kinds) or random puzzles (new kinds)",
     ours: "Ours, in our simulator",
     published: "Published, in PHYRE’s own simulator",
   },

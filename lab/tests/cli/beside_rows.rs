@@ -1,4 +1,5 @@
-//! `pathlight-lab measure random-scenes`: the results of nets that learned from random scenes, beside the rows.
+//! `pathlight-lab measure random-scenes` and `proposed-balls`: the results of nets that learned from more than those
+//! of the rows, beside the rows.
 
 use std::fs;
 
@@ -51,8 +52,19 @@ fn results_stand_beside_the_rows_of_the_same_folds() {
 }
 
 #[test]
-fn the_page_says_what_the_results_beside_it_say() {
-    let printed = output_of(&["measure", "random-scenes", "results/random-scenes"]);
-    let page = fs::read_to_string(root("results/random-scenes/README.md")).expect("a page");
-    assert_eq!(page, printed, "run `scripts/random-scenes-table`");
+fn results_of_the_other_setup_are_refused() {
+    let folder = tempdir().expect("a folder");
+    fs::copy(root("results/random-scenes/cross-0.json"), folder.path().join("cross-0.json")).expect("copied");
+    let name = folder.path().display().to_string();
+    assert_refused(&["measure", "proposed-balls", &name], "holds results of another setup than within");
+}
+
+#[test]
+fn each_page_says_what_the_results_beside_it_say() {
+    for table in ["proposed-balls", "random-scenes"] {
+        let folder = format!("results/{table}");
+        let printed = output_of(&["measure", table, &folder]);
+        let page = fs::read_to_string(root(&folder).join("README.md")).expect("a page");
+        assert_eq!(page, printed, "run `scripts/{table}-table`");
+    }
 }

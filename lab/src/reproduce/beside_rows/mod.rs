@@ -1,0 +1,237 @@
+//! The results of dynamics nets that learned from more than the rows' nets did, beside the rows, as Markdown.
+
+use std::fmt::{self, Write as _};
+use std::path::Path;
+
+use anyhow::ensure;
+use pathlight::agents::agent_name::AgentName;
+use pathlight::benchmark::auccess::auccess;
+use pathlight::benchmark::folds::FOLDS;
+use pathlight::nets::{Card, DynamicsCard};
+use pathlight::puzzle::templates::TEMPLATES;
+
+use super::compared::{mean_and_deviation, scores};
+use super::fold_result;
+use crate::files::json_file;
+use crate::measure::agents::row;
+use crate::measure::evaluate::{Report, score_cell};
+use crate::measure::fold_reports;
+use crate::measure::task_set::TaskSet;
+pub use table::Table;
+
+mod table;
+
+/// The agents that are measured, but for the random one.
+const AGENTS: [AgentName; 3] = [AgentName::Online, AgentName::OnlineByBalls, AgentName::Dynamics];
+
+/// What a page is written from.
+struct Results {
+    table: Table,
+    /// On several folds of one setup.
+    reports: Vec<Report>,
+    /// The rows on the same folds.
+    rows: Vec<Report>,
+    /// Of the net that has seen random scenes alone, on all tasks.
+    alone: Option<Report>,
+}
+
+/// Reads the results in a folder, `SETUP-FOLD.json` of `measure evaluate` and `alone.json`, and the rows in another;
+/// returns the page.
+///
+/// # Errors
+/// If there are no results, one is damaged or has no row, or they were made with different settings.
+pub fn page(table: Table, folder: &Path, rows: &Path) -> anyhow::Result<String> {
+    let reports = read(table, folder)?;
+    let mut all_rows: Vec<Report> = fold_result::read(rows)?.into_iter().map(|row| row.report).collect();
+    all_rows.retain(|row| reports.iter().any(|report| (row.setup, row.fold) == (report.setup, report.fold)));
+    ensure!(
+        all_rows.len() == reports.len(),
+        "{} lacks rows of some folds that {} holds: name the folder of all rows",
+        rows.display(),
+        folder.display()
+    );
+    let path = folder.join("alone.json");
+    let alone = if path.exists() { Some(json_file::read(&path, table.script())?) } else { None };
+    let results = Results { table, reports, rows: all_rows, alone };
+    let mut text = String::new();
+    results.head(&mut text)?;
+    results.means(&mut text)?;
+    results.templates(&mut text)?;
+    results.folds(&mut text)?;
+    if let Some(alone) = &results.alone {
+        random_scenes_alone(&mut text, alone)?;
+    }
+    Ok(text)
+}
+
+/// Returns the auccess of the online agent over the ten folds, the mean and the deviation; `None` if the folder does
+/// not hold them all.
+///
+/// # Errors
+/// As `page`.
+pub fn online(table: Table, folder: &Path) -> anyhow::Result<Option<String>> {
+    let reports = read(table, folder)?;
+    let mean = || mean_and_deviation(&scores(reports.iter(), AgentName::Online));
+    Ok((reports.len() == usize::from(FOLDS)).then(mean))
+}
+
+fn read(table: Table, folder: &Path) -> anyhow::Result<Vec<Report>> {
+    let reports = fold_reports::read(folder, &AGENTS, table.script(), settings)?;
+    let setup = table.setup();
+    ensure!(
+        reports.iter().all(|report| report.setup == setup),
+        "{} holds results of another setup than {setup}, which `{}` measures: remove them",
+        folder.display(),
+        table.script()
+    );
+    Ok(reports)
+}
+
+/// What has to agree between the results of a table: the seed, and how the dynamics nets were trained.
+fn settings(report: &Report) -> impl PartialEq + use<> {
+    let card = report.card.as_ref().and_then(|card| card.dynamics.as_ref());
+    let recipe = card.map(|card| {
+        let DynamicsCard { seed, epochs, batch, balls_per_scene, imagined_per_scene, .. } = *card;
+        let rate = (card.optimiser, card.learning_rate);
+        (seed, epochs, batch, balls_per_scene, imagined_per_scene, rate, card.random_scenes)
+    });
+    (report.seed, recipe)
+}
+
+impl Results {
+    fn head(&self, text: &mut String) -> anyhow::Result<()> {
+        let first = &self.reports[0];
+        let Report { setup, fold, seed, simulator, agents_version, .. } = first;
+        let Report { card: Some(Card { dynamics: Some(card), .. }), .. } = first else {
+            anyhow::bail!(
+                "the results are of weights without a dynamics net: make them with `{}`",
+                self.table.script()
+            );
+        };
+        let DynamicsCard { epochs, batch, balls_per_scene, optimiser, learning_rate, .. } = card;
+        let (title, command) = (self.table.title(), self.table.command());
+        let counts = [(card.balls, "balls"), (card.variants, "variants"), (card.random_scenes, "random scenes")];
+        let counts = counts.iter().filter(|(count, _)| *count > 0).map(|(count, of)| format!("{count} {of}"));
+        let data = counts.collect::<Vec<_>>().join(", ");
+        write!(
+            text,
+            "# {title}\n\n`pathlight-lab measure {command}` printed this from the files beside it, which `{}` made. \
+             {} Only counted attempts are simulated.\n\n\
+             The last training of {setup} {fold}: {data}; {epochs} epochs in batches of {batch} scenes with \
+             {balls_per_scene} balls each, {optimiser} at {learning_rate}. Seed {seed}, simulator {simulator}, agents {agents_version}. Folds \
+             measured: {} of {FOLDS}.\n",
+            self.table.script(),
+            self.table.introduction(),
+            self.reports.len(),
+        )?;
+        Ok(())
+    }
+
+    /// The means over the folds that are measured, beside those of the net that has seen random scenes alone and of
+    /// the rows, on the same test tasks.
+    fn means(&self, text: &mut String) -> fmt::Result {
+        let columns = self.table.columns();
+        writeln!(
+            text,
+            "\n## Auccess, mean over folds ± standard deviation\n\nOn the same test tasks.\n\n| setup | folds | agent \
+             | {} | the rows | first minus rows, folds on which it is positive |\n| --- | ---: | --- |{} ---: | ---: |",
+            columns.join(" | "),
+            " ---: |".repeat(columns.len()),
+        )?;
+        for agent in AGENTS {
+            let [with, without] = [&self.reports, &self.rows].map(|reports| scores(reports.iter(), agent));
+            let differences: Vec<f64> = with.iter().zip(&without).map(|(with, without)| with - without).collect();
+            let alone = self
+                .alone
+                .iter()
+                .flat_map(|alone| self.reports.iter().map(move |fold| auccess(&on_tasks_of(fold, alone, agent))));
+            let own = [mean_and_deviation(&with), mean_and_deviation(&alone.collect::<Vec<_>>())];
+            writeln!(
+                text,
+                "| {} | {} | **{}** | {} | {} | {}, {} of {} |",
+                self.table.setup(),
+                self.reports.len(),
+                row(agent).label,
+                own[..columns.len()].join(" | "),
+                mean_and_deviation(&without),
+                mean_and_deviation(&differences),
+                differences.iter().filter(|&&difference| difference > 0.0).count(),
+                differences.len(),
+            )?;
+        }
+        Ok(())
+    }
+
+    /// The same of the online agent, by template.
+    fn templates(&self, text: &mut String) -> fmt::Result {
+        let columns = self.table.columns();
+        writeln!(
+            text,
+            "\n## By template\n\nAuccess of the online agent over the tasks of all folds that test a template.\n\n\
+             | template | {} | the rows | random |\n| --- |{} ---: | ---: |",
+            columns.join(" | "),
+            " ---: |".repeat(columns.len()),
+        )?;
+        for template in TEMPLATES {
+            let cell = |reports: &[Report], agent| {
+                let firsts = reports.iter().flat_map(|report| report.first_solved(agent, Some(template.number)));
+                let firsts: Vec<Option<usize>> = firsts.collect();
+                if firsts.is_empty() { "–".to_string() } else { format!("{:.0}", auccess(&firsts)) }
+            };
+            let own = [&self.reports[..], self.alone.as_slice()].into_iter().take(columns.len());
+            let cells = own.chain([&self.rows[..]]).map(|reports| cell(reports, AgentName::Online));
+            let cells: Vec<String> = cells.chain([cell(&self.reports, AgentName::Random)]).collect();
+            if cells[0] != "–" {
+                writeln!(text, "| {:05} {} | {} |", template.number, template.name, cells.join(" | "))?;
+            }
+        }
+        Ok(())
+    }
+
+    fn folds(&self, text: &mut String) -> fmt::Result {
+        let names = AGENTS.map(|agent| row(agent).label).join(" | ");
+        writeln!(
+            text,
+            "\n## Each fold\n\nAuccess, and the percentage solved at the first attempt / within 10 / within 100.\n\n| setup \
+             | fold | {names} |\n| --- | ---: | ---: | ---: | ---: |"
+        )?;
+        for report in &self.reports {
+            let cells = AGENTS.map(|agent| report.score(agent).map_or("–".to_string(), score_cell));
+            writeln!(text, "| {} | {} | {} |", report.setup, report.fold, cells.join(" | "))?;
+        }
+        Ok(())
+    }
+}
+
+/// The first solving attempts of an agent in a report on all tasks, at those that a fold of cross tests: all of some
+/// templates.
+fn on_tasks_of(fold: &Report, all: &Report, agent: AgentName) -> Vec<Option<usize>> {
+    let tested = |template: &usize| !fold.first_solved(agent, Some(*template)).is_empty();
+    (0..TEMPLATES.len()).filter(tested).flat_map(|template| all.first_solved(agent, Some(template))).collect()
+}
+
+/// The net that has seen random scenes alone, on all tasks.
+fn random_scenes_alone(text: &mut String, report: &Report) -> anyhow::Result<()> {
+    let Report { tasks_of: TaskSet::All, seed, card: Some(Card { dynamics: Some(card), .. }), .. } = report else {
+        anyhow::bail!("alone.json is not of all tasks: remove it, and run `{}` again", Table::RandomScenes.script());
+    };
+    let DynamicsCard { epochs, batch, balls_per_scene, optimiser, learning_rate, balls, random_scenes, .. } = card;
+    let agents = || AGENTS.into_iter().chain([AgentName::Random]);
+    let tasks = report.first_solved(AgentName::Random, None).len();
+    writeln!(
+        text,
+        "\n## Random scenes alone\n\nThe net that those of the folds start from has seen no task and no template. \
+         {balls} balls, {random_scenes} random scenes; {epochs} epochs in batches of {batch} scenes with \
+         {balls_per_scene} balls each, {optimiser} at {learning_rate}. Seed {seed}, {tasks} tasks.\n"
+    )?;
+    let names: Vec<&str> = agents().map(|agent| row(agent).label).collect();
+    writeln!(text, "| template | {} |\n| --- |{}", names.join(" | "), " ---: |".repeat(names.len()))?;
+    for template in TEMPLATES {
+        let auccess = |agent| format!("{:.0}", auccess(&report.first_solved(agent, Some(template.number))));
+        let cells: Vec<String> = agents().map(auccess).collect();
+        writeln!(text, "| {:05} {} | {} |", template.number, template.name, cells.join(" | "))?;
+    }
+    let all: Vec<String> = agents().map(|agent| report.score(agent).map_or("–".to_string(), score_cell)).collect();
+    writeln!(text, "| all | {} |", all.join(" | "))?;
+    Ok(())
+}

@@ -1,0 +1,69 @@
+//! The tables of results beside the rows: their setups, their words, and what makes them.
+
+use pathlight::benchmark::folds::Setup;
+
+/// A table of nets that learned from more than those of the rows: from what.
+#[derive(Clone, Copy)]
+pub enum Table {
+    /// Balls that an earlier net of the same fold found most probable, in the setup within.
+    ProposedBalls,
+    /// Random scenes, in the setup cross.
+    RandomScenes,
+}
+
+impl Table {
+    /// What makes the results.
+    pub fn script(self) -> &'static str {
+        match self {
+            Table::ProposedBalls => "scripts/proposed-balls-table",
+            Table::RandomScenes => "scripts/random-scenes-table",
+        }
+    }
+
+    pub fn setup(self) -> Setup {
+        match self {
+            Table::ProposedBalls => Setup::Within,
+            Table::RandomScenes => Setup::Cross,
+        }
+    }
+
+    /// The name of the command that prints it, and of the folder.
+    pub fn command(self) -> &'static str {
+        match self {
+            Table::ProposedBalls => "proposed-balls",
+            Table::RandomScenes => "random-scenes",
+        }
+    }
+
+    pub fn title(self) -> &'static str {
+        match self {
+            Table::ProposedBalls => "With proposed balls",
+            Table::RandomScenes => "With random scenes",
+        }
+    }
+
+    /// The headings of its own columns: of nets that learned from tasks, and of one that did not, where there is one.
+    pub fn columns(self) -> &'static [&'static str] {
+        match self {
+            Table::ProposedBalls => &["with proposed balls"],
+            Table::RandomScenes => &["random scenes, then tasks", "random scenes alone"],
+        }
+    }
+
+    pub fn introduction(self) -> &'static str {
+        match self {
+            Table::ProposedBalls => {
+                "Each dynamics net learned from balls in the training tasks and in variants of them, sampled around \
+                 [uniform solutions](../../docs/reproducing.md#data). Then it proposed balls in its training tasks, and \
+                 learned from all balls there. The nets of the [rows](../README.md) had no proposed balls, and were \
+                 trained with other settings. Both learned from the same tasks, so these results compare with published \
+                 ones as the rows do."
+            }
+            Table::RandomScenes => {
+                "The dynamics nets learned from random scenes, which have no template, at first from these alone, and \
+                 then from the training tasks and variants of them too. The nets of the [rows](../README.md) have seen \
+                 no random scenes, and were trained with other settings."
+            }
+        }
+    }
+}
