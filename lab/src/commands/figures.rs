@@ -8,7 +8,7 @@ use pathlight_lab::reproduce::RESULTS;
 
 use super::print_paths;
 
-/// Draw the figures of the results: templates, strips of what is imagined, curves, bars and soft IoU by template
+/// Draw the figures of the results: templates, what is imagined for some tasks, curves, bars and soft IoU by template
 #[derive(clap::Args)]
 pub struct Args {
     /// The folder of the results of `reproduce`, whose folder shipped/ has those of the models on the page

@@ -9,6 +9,7 @@ use std::path::PathBuf;
 use crate::files::replace_file::replace_file;
 use crate::measure::shipped::Shipped;
 use picture::Figure;
+use strip_choice::Choice;
 
 mod auccess_bars;
 mod bar_table;
@@ -17,6 +18,7 @@ mod measured;
 mod path_iou_bars;
 mod picture;
 mod scene_drawing;
+mod strip_choice;
 mod strips;
 mod templates;
 
@@ -42,7 +44,8 @@ impl Settings {
         let groups = measured::groups(&self.results, &shipped)?;
         let figures = [
             templates::draw(&self.solutions)?,
-            strips::draw(&shipped)?,
+            strips::draw(&shipped, Choice::Outcomes)?,
+            strips::draw(&shipped, Choice::Weakest)?,
             curves::draw(&groups),
             auccess_bars::draw(&groups),
             path_iou_bars::draw(&shipped)?,

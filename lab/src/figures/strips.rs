@@ -1,7 +1,6 @@
 //! Strips of single tasks: what the nets imagine beside what happens.
 //!
-//! The tasks are chosen by a rule, so that solved and failed ones stand beside each other. The agent plays them
-//! again, and has to do what its evaluation says.
+//! The tasks are chosen by a rule. The agent plays them again, and has to do what its evaluation says.
 
 use anyhow::{Context, ensure};
 use pathlight::agents::agent_name::Loaded;
@@ -12,7 +11,7 @@ use pathlight::nets::{Imagined, PathNet};
 use pathlight::puzzle::rollout::{Rollout, STEPS_PER_SECOND};
 use pathlight::puzzle::sampled_paths::{SampledPath, SampledPaths};
 use pathlight::puzzle::scene::{Body, Role};
-use pathlight::puzzle::task::{Task, TaskId};
+use pathlight::puzzle::task::Task;
 use pathlight::puzzle::templates::TEMPLATES;
 use pathlight::raster::path_image;
 use pathlight::raster::soft_iou::soft_iou;
@@ -23,6 +22,7 @@ use svg::node::element::{Definitions, Group, Use};
 use super::measured::shipped_folds;
 use super::picture::{Anchor, Figure, MUTED, words};
 use super::scene_drawing::{self, LineStyle, ball_outline, hatch, map, path, positions, window};
+use super::strip_choice::{Choice, Chosen};
 use crate::files::weights_file::load_nets;
 use crate::measure::evaluate::Report;
 use crate::measure::shipped::Shipped;
@@ -30,9 +30,6 @@ use crate::measure::shipped::Shipped;
 /// Headings of the pictures of a strip.
 const COLUMNS: [&str; 7] =
     ["task", "base path", "target path", "action path", "placement", "the chosen ball", "what happens"];
-
-/// A task counts as hard if this attempt or a later one solved it.
-const HARD: usize = 10;
 
 /// Side of a picture, distances to the next picture and strip, width of the words on the left, and margin, px.
 const SIDE: f64 = 124.0;
@@ -48,7 +45,7 @@ const BELOW: f64 = 0.35;
 struct Strip {
     task: Task,
     /// What became of the task, in words.
-    outcome: &'static str,
+    outcome: String,
     imagined: Imagined,
     /// The number of the attempt that is shown, from 1.
     attempt: usize,
@@ -60,11 +57,11 @@ struct Strip {
     rollout: Rollout,
 }
 
-/// Draws the figure.
+/// Draws the figure of some tasks.
 ///
 /// # Errors
 /// If the evaluations or the weights are missing, or do not belong together.
-pub fn draw(shipped: &Shipped) -> anyhow::Result<Figure> {
+pub fn draw(shipped: &Shipped, choice: Choice) -> anyhow::Result<Figure> {
     let mut definitions = Definitions::new().add(hatch());
     let mut content = Group::new();
     for (column, heading) in COLUMNS.into_iter().enumerate() {
@@ -76,8 +73,8 @@ pub fn draw(shipped: &Shipped) -> anyhow::Result<Figure> {
         let (report, _) = shipped.read::<Report>(&fold.to_string())?;
         let weights = shipped.assets.join(format!("{fold}.safetensors"));
         let (nets, _) = load_nets(Some(&weights), fold)?;
-        for (task, first, outcome) in chosen(&report)? {
-            let strip = Strip::play(&nets, &report, task, first, outcome)?;
+        for chosen in choice.tasks(&report)? {
+            let strip = Strip::play(&nets, &report, chosen)?;
             let id = format!("scene-{count}");
             definitions = definitions.add(scene_drawing::scene(&strip.task.scene).set("id", id.as_str()));
             let (drawn, sentence) = strip.draw(&format!("{}, fold {}", fold.setup, fold.fold), count, &id)?;
@@ -88,15 +85,14 @@ pub fn draw(shipped: &Shipped) -> anyhow::Result<Figure> {
     }
     let width = left(COLUMNS.len()) - STEP[0] + SIDE + MARGIN;
     Ok(Figure {
-        name: "strips",
-        title: "What the nets imagine, and what happens",
+        name: choice.name(),
+        title: choice.title(),
         caption: format!(
-            "Of each setup, in the order of the test tasks of fold 0, the first that the agent solved at once, the \
-             first that it solved at attempt {HARD} or later, and the first that it did not solve in {MAX_ATTEMPTS}. \
-             The maps are what the nets imagine before anything moves; the lines over them are what happens: without a \
+            "{} The maps are what the nets imagine before anything moves; the lines over them are what happens: without a \
              ball over the base path, with the shown ball over target and action path (IoU is their soft overlap), and \
              the ball itself over the placement. The shown ball is the one that solved, or the first one; dotted is \
-             what the dynamics net imagines for it."
+             what the dynamics net imagines for it.",
+            choice.rule()
         ),
         numbers: numbers.join(" "),
         size: [width, MARGIN + HEAD + count as f64 * STEP[1] + 6.0],
@@ -109,34 +105,10 @@ fn left(column: usize) -> f64 {
     MARGIN + LEFT + column as f64 * STEP[0]
 }
 
-/// The tasks of a setup: solved at once, solved late, not solved; those of the three that there are.
-fn chosen(report: &Report) -> anyhow::Result<Vec<(TaskId, Option<usize>, &'static str)>> {
-    let best = report
-        .agents
-        .first()
-        .context("the evaluation holds no agents: run `pathlight-lab measure evaluate --json` again")?;
-    type Rule = fn(Option<usize>) -> bool;
-    let rules: [(Rule, &str); 3] = [
-        (|first| first == Some(1), "solved at once"),
-        (|first| first.is_some_and(|first| first >= HARD), "solved late"),
-        (|first| first.is_none(), "not solved"),
-    ];
-    let first_of = |(rule, outcome): (Rule, &'static str)| {
-        let &(task, first) = best.first_solved.iter().find(|&&(_, first)| rule(first))?;
-        Some((task, first, outcome))
-    };
-    Ok(rules.into_iter().filter_map(first_of).collect())
-}
-
 impl Strip {
     /// Lets the agent play the task again.
-    fn play(
-        nets: &PathNet,
-        report: &Report,
-        id: TaskId,
-        first: Option<usize>,
-        outcome: &'static str,
-    ) -> anyhow::Result<Strip> {
+    fn play(nets: &PathNet, report: &Report, chosen: Chosen) -> anyhow::Result<Strip> {
+        let Chosen { task: id, first, outcome } = chosen;
         let task = Task::load(id)?;
         let scene = &task.scene;
         let agent = report.agents[0].agent;
@@ -216,7 +188,7 @@ impl Strip {
             (template.to_string(), 12.0, "bold"),
             (task.id.to_string(), 11.0, "normal"),
             (fold.to_string(), 11.0, "normal"),
-            (self.outcome.to_string(), 11.0, "normal"),
+            (self.outcome.clone(), 11.0, "normal"),
         ];
         for (index, (line, size, weight)) in title.into_iter().enumerate() {
             let at = [MARGIN, top + SIDE / 2.0 - 20.0 + 16.0 * index as f64];

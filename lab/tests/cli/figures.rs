@@ -13,7 +13,7 @@ use tempfile::tempdir;
 
 use super::{assert_refused, output_of, root};
 
-const FIGURES: [&str; 5] = ["templates", "strips", "curves", "auccess-by-template", "overlap-by-template"];
+const FIGURES: [&str; 6] = ["templates", "strips", "weakest", "curves", "auccess-by-template", "overlap-by-template"];
 
 /// The first solving attempts on tasks of a template, or of all; from the reports of a group.
 struct Agent {
@@ -113,10 +113,11 @@ fn figures_hold_what_was_measured_and_say_it_in_words() {
     check_bars(&pictures["auccess-by-template"], &groups);
     check_overlaps(&pictures["overlap-by-template"]);
     check_strips(&pictures["strips"]);
+    check_weakest(&pictures["weakest"], &groups);
     let (sheet, _) = &pictures["templates"];
     assert_eq!(words(sheet, "text", None).len(), 2 * 25);
     // The strips need the nets, whose maps may differ in the last bit on another processor.
-    for name in FIGURES.iter().filter(|name| **name != "strips") {
+    for name in FIGURES.iter().filter(|name| !["strips", "weakest"].contains(name)) {
         let committed = fs::read_to_string(root(&format!("results/figures/{name}.svg"))).expect("a committed figure");
         assert!(committed == pictures[name].0, "results/figures/{name}.svg is old: run `pathlight-lab figures` again");
     }
@@ -204,6 +205,26 @@ fn check_strips((picture, described): &(String, String)) {
             assert!(sentence.contains(&format!("{setup}, fold 0, {outcome}")), "{id}: {sentence}");
             assert!(sentence.contains(&format!("attempt {attempt}, chance ")), "{id}: {sentence}");
             assert!(words(picture, "text", None).iter().any(|text| text == id));
+        }
+    }
+    assert_eq!(picture.matches("class=\"map\"").count(), 6 * 4);
+}
+
+/// The templates are those of the lowest auccess, and the tasks were not solved at once.
+fn check_weakest((picture, described): &(String, String), groups: &[Vec<Agent>]) {
+    for (setup, agents) in ["within", "cross"].into_iter().zip(groups) {
+        let online = &agents[0];
+        let mut scores: Vec<(usize, f64)> =
+            (0..25).filter_map(|template| Some((template, online.auccess(Some(template))?))).collect();
+        scores.sort_by(|one, other| one.1.total_cmp(&other.1));
+        for (template, score) in &scores[..3] {
+            let solved_late = |&&(of, first): &&(usize, Option<usize>)| of == *template && first != Some(1);
+            let (_, first) = online.folds[0].iter().find(solved_late).expect("a task");
+            let name = format!("{template:05}:");
+            let strip = format!("{setup}, fold 0, auccess {score:.0}: ");
+            let mut sentences = described.split(&name).skip(1).filter(|sentence| sentence.contains(&strip));
+            let sentence = sentences.next().expect("a sentence");
+            assert!(sentence.contains(&format!("attempt {}, chance ", first.unwrap_or(1))), "{sentence}");
         }
     }
     assert_eq!(picture.matches("class=\"map\"").count(), 6 * 4);
