@@ -96,13 +96,16 @@ impl Trainer<DynamicsNet> {
         let apart = predictions.coordinates - real; // [balls, COORDINATES]
         let squared = apart.clone().detach().powi_scalar(2).reshape([count, POSITIONS, 2]);
         let distance = squared.sum_dim(2).squeeze_dim::<2>(2).sqrt(); // [balls, POSITIONS]
+        let more: f32 = std::env::var("SOLVED_WEIGHT").map_or(1.0, |weight| weight.parse().expect("a number"));
+        let weights = labels.clone().mul_scalar(more - 1.0).add_scalar(1.0); // [balls]
+        let weights = (weights.clone() / weights.mean()).reshape([count, 1]); // [balls, 1]
         let [path_weight, error_weight] = if paths { [PATH_WEIGHT, ERROR_WEIGHT] } else { [0.0; 2] };
         let losses = vec![
             batch.cells.loss(logits, &device),
             binary_cross_entropy_with_logits(predictions.logits.squeeze_dim::<1>(1), labels.clone()),
             binary_cross_entropy_with_logits(predictions.path_logits.squeeze_dim::<1>(1), labels),
-            apart.abs().mean() * path_weight,
-            (predictions.errors - distance).abs().mean() * error_weight,
+            (apart.abs() * weights.clone()).mean() * path_weight,
+            ((predictions.errors - distance).abs() * weights).mean() * error_weight,
         ];
         self.backward_step(Tensor::cat(losses, 0), learning_rate)
     }
