@@ -6,14 +6,14 @@ import { createCell } from "../widgets/dom.js";
 import { fragmentOf } from "../element/markup.js";
 
 /** @param {import("../model/results.js").Results["compared"]} compared */
-export function ourRows({ ours, online_with_more_data: withMore }) {
+export function ourRows({ ours, online_beside_rows: besideRows }) {
   const rows = AGENTS.flatMap((name) => {
     const found = ours.find(({ agent }) => agent === name);
     return found ? [row(found.auccess, text.results.namedAgent(name, text.model.agents[name]))] : [];
   });
-  if (!withMore.some(Boolean)) return rows;
-  const auccess = withMore.map((measured) => measured ?? "–");
-  return [row(auccess, text.results.beside.withMoreData), ...rows];
+  if (!besideRows.some(Boolean)) return rows;
+  const auccess = besideRows.map((measured) => measured ?? "–");
+  return [row(auccess, text.results.beside.besideRows), ...rows];
 }
 
 /** @param {import("../model/results.js").Results["compared"]["published"]} published */

@@ -103,8 +103,8 @@ pub struct Label {
     #[command(flatten)]
     selection: SelectionArgs,
 
-    /// Label the balls that the dynamics net of these weights finds most probable, instead of sampled ones: hard
-    /// negatives. Every round takes the next 64. They have to be of the fold of --setup
+    /// Label the balls that the dynamics net of these weights proposes, likeliest first, instead of sampled ones. Every
+    /// round takes the next 64. They have to be of the fold of --setup
     #[arg(long, value_name = "FILE", requires = "setup")]
     weights: Option<PathBuf>,
 

@@ -28,8 +28,8 @@ pub struct Chosen {
     pub task: TaskId,
     /// The attempt that solved it, from 1.
     pub first: Option<usize>,
-    /// What became of it, in words.
-    pub outcome: String,
+    /// What is said below its name.
+    pub note: String,
 }
 
 impl Choice {
@@ -84,14 +84,14 @@ impl Choice {
                 ];
                 let chosen = |(rule, outcome): (Rule, &str)| {
                     let (task, first) = first_of(&|_, first| rule(first))?;
-                    Some(Chosen { task, first, outcome: outcome.to_string() })
+                    Some(Chosen { task, first, note: outcome.to_string() })
                 };
                 rules.into_iter().filter_map(chosen).collect()
             }
             Choice::Weakest => {
                 let chosen = |(template, score): (usize, f64)| {
                     let (task, first) = first_of(&|task, first| task.template == template && first != Some(1))?;
-                    Some(Chosen { task, first, outcome: format!("auccess {score:.0}") })
+                    Some(Chosen { task, first, note: format!("template's auccess {score:.0}") })
                 };
                 weakest(report, agent.agent).into_iter().take(WEAKEST).filter_map(chosen).collect()
             }

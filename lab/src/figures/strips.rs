@@ -44,8 +44,8 @@ const BELOW: f64 = 0.35;
 /// A strip.
 struct Strip {
     task: Task,
-    /// What became of the task, in words.
-    outcome: String,
+    /// What is said below its name.
+    note: String,
     imagined: Imagined,
     /// The number of the attempt that is shown, from 1.
     attempt: usize,
@@ -108,7 +108,7 @@ fn left(column: usize) -> f64 {
 impl Strip {
     /// Lets the agent play the task again.
     fn play(nets: &PathNet, report: &Report, chosen: Chosen) -> anyhow::Result<Strip> {
-        let Chosen { task: id, first, outcome } = chosen;
+        let Chosen { task: id, first, note } = chosen;
         let task = Task::load(id)?;
         let scene = &task.scene;
         let agent = report.agents[0].agent;
@@ -131,7 +131,7 @@ impl Strip {
         let (attempt, proposal, rollout) = shown.with_context(|| format!("the agent has no ball for {id}"))?;
         let expected = nets.read(scene).and_then(|read| read.imagine(&[proposal.ball]).first().map(|ball| ball.paths));
         let (imagined, base) = (nets.imagine(scene), simulate(scene, None)?);
-        Ok(Strip { imagined, expected, base, attempt, proposal, rollout, outcome, task })
+        Ok(Strip { imagined, expected, base, attempt, proposal, rollout, note, task })
     }
 
     /// Draws the strip; returns what it says too.
@@ -188,7 +188,7 @@ impl Strip {
             (template.to_string(), 12.0, "bold"),
             (task.id.to_string(), 11.0, "normal"),
             (fold.to_string(), 11.0, "normal"),
-            (self.outcome.clone(), 11.0, "normal"),
+            (self.note.clone(), 11.0, "normal"),
         ];
         for (index, (line, size, weight)) in title.into_iter().enumerate() {
             let at = [MARGIN, top + SIDE / 2.0 - 20.0 + 16.0 * index as f64];
@@ -204,7 +204,7 @@ impl Strip {
         let sentence = format!(
             "{} {template}, {fold}, {}: base path {}, target path {}, action path {}; {attempt}: {ending}.",
             task.id,
-            self.outcome,
+            self.note,
             iou(base),
             iou(target),
             iou(action),

@@ -62,8 +62,9 @@ const BEST: [Published; 2] = [
 #[derive(Serialize)]
 pub struct Comparison {
     ours: Vec<OurRow>,
-    /// That of the online agent if its net learned from more data.
-    online_with_more_data: [Option<String>; 2],
+    /// The auccess of the online agent, within and cross, if its net learned from proposed balls or random scenes;
+    /// `None` unless all ten folds are measured.
+    online_beside_rows: [Option<String>; 2],
     published: Vec<Published>,
     /// The paper's nets by template, within and cross.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -86,22 +87,19 @@ pub fn comparison(results: &Path) -> anyhow::Result<Comparison> {
     let paper = Some(results.join("paper")).filter(|folder| folder.exists());
     Ok(Comparison {
         ours: our_rows(&fold_result::read(results)?),
-        online_with_more_data: online_with_more_data(results)?,
+        online_beside_rows: online_beside_rows(results)?,
         published: BEST.into_iter().chain(REPORTED.map(|(_, published)| published)).collect(),
         paper: paper.map(|folder| paper_table::by_template(&folder)).transpose()?,
     })
 }
 
-/// Returns the auccess of the online agent, within and cross, if its net learned from more than that of its row: from
-/// balls that it proposed within, from random scenes in cross. `None` if not all folds are measured.
+/// Returns the auccess of the online agent, within if its net learned from balls that it proposed, and cross if it
+/// learned from random scenes; `None` unless all ten folds are measured.
 ///
 /// # Errors
 /// If a result is damaged, or results were made with different settings.
-pub fn online_with_more_data(results: &Path) -> anyhow::Result<[Option<String>; 2]> {
-    let online = |table: Table| {
-        let folder = results.join(table.command());
-        if folder.exists() { beside_rows::online(table, &folder) } else { Ok(None) }
-    };
+pub fn online_beside_rows(results: &Path) -> anyhow::Result<[Option<String>; 2]> {
+    let online = |table: Table| beside_rows::online(table, &results.join(table.name()));
     Ok([online(Table::ProposedBalls)?, online(Table::RandomScenes)?])
 }
 

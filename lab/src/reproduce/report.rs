@@ -11,7 +11,7 @@ use pathlight::benchmark::folds::{FOLDS, Setup};
 use pathlight::puzzle::task::{TaskId, ids};
 use pathlight::puzzle::templates::TEMPLATES;
 
-use super::compared::{OurRow, Published, REPORTED, mean_and_deviation, online_with_more_data, our_rows};
+use super::compared::{OurRow, Published, REPORTED, mean_and_deviation, online_beside_rows, our_rows};
 use super::fold_result::FoldResult;
 use super::training_report;
 use crate::data::collect::{Collected, read_solutions};
@@ -28,14 +28,19 @@ const ABLATIONS: [(AgentName, AgentName, &str); 3] = [
     (AgentName::Online, AgentName::OnlineByBalls, "balls are compared by imagined paths too"),
 ];
 
+/// What the online agent is called if its net learned from other data than that of the row.
+const BESIDE_ROWS: &str = "online, with proposed balls or random scenes";
+
 /// Writes the report to a folder, and returns it.
 ///
 /// # Errors
-/// If the solutions cannot be read, or are not those of the results, or the folder cannot be written.
+/// If the solutions cannot be read, or are not those of the results, the results beside the rows are damaged, or the
+/// folder cannot be written.
 pub fn write(results: &[FoldResult], solutions: &Path, folder: &Path) -> anyhow::Result<String> {
     let mut text = String::new();
-    head(&mut text, results)?;
-    table(&mut text, results, online_with_more_data(folder)?)?;
+    let beside_rows = online_beside_rows(folder)?;
+    head(&mut text, results, &beside_rows)?;
+    table(&mut text, results, &beside_rows)?;
     ablations(&mut text, results)?;
     folds(&mut text, results)?;
     training_report::write(&mut text, results)?;
@@ -46,7 +51,7 @@ pub fn write(results: &[FoldResult], solutions: &Path, folder: &Path) -> anyhow:
     Ok(text)
 }
 
-fn head(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
+fn head(text: &mut String, results: &[FoldResult], beside_rows: &[Option<String>; 2]) -> anyhow::Result<()> {
     let Some(FoldResult { hyperparameters, report, .. }) = results.first() else { return Ok(()) };
     writeln!(
         text,
@@ -54,13 +59,11 @@ fn head(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
          `pathlight-lab reproduce` printed this from the files beside it, one per setup and fold; {} of {} exist. Seed \
          {}, simulator {}, agents {}, at most {} test tasks per template.\n\n\
          Auccess is measured with at most {MAX_ATTEMPTS} attempts per task, and only these attempts are simulated. \
-         Nets learn only from rollouts on training tasks, and from none whose ball was sampled around a solution of a \
-         test task; but in the setup within, the search that found the training tasks' solutions also started from \
+         The nets of the rows learn only from rollouts in training tasks and variants of them, and from none whose ball \
+         was sampled around a solution of a test task; but in the setup within, the search that found the training tasks' solutions also started from \
          known solutions of test tasks of the same template.\n\n\
          - **online**: the dynamics net imagines candidates, and a Gaussian process learns from each attempt, by the \
          similarity of imagined paths and of balls; **by balls**: by that of balls alone.\n\
-         - **with more data**: its net also learned from [balls that it proposed](proposed-balls/README.md) within, \
-         from [random scenes](random-scenes/README.md) in cross.\n\
          - **dynamics**: the same candidates in the order that the net gives them, as if each attempt ended as \
          imagined.\n\
          - **success net**: a net that sees the scene alone orders the balls. The dynamics net is trained from it.\n\
@@ -75,16 +78,24 @@ fn head(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
         report.agents_version,
         hyperparameters.limit,
     )?;
+    if beside_rows.iter().any(Option::is_some) {
+        writeln!(
+            text,
+            "**{BESIDE_ROWS}**: its net learned from [balls that a net proposed](proposed-balls/README.md) within and \
+             from [random scenes](random-scenes/README.md) in cross, and was trained with other settings than those of \
+             the rows.\n"
+        )?;
+    }
     Ok(())
 }
 
 /// The paper's table, with our results beside it.
-fn table(text: &mut String, results: &[FoldResult], with_more_data: [Option<String>; 2]) -> anyhow::Result<()> {
+fn table(text: &mut String, results: &[FoldResult], beside_rows: &[Option<String>; 2]) -> anyhow::Result<()> {
     writeln!(text, "## Auccess, mean over folds ± standard deviation\n")?;
     writeln!(text, "| agent | engine | within | cross |\n| --- | --- | ---: | ---: |")?;
-    if with_more_data.iter().any(Option::is_some) {
-        let [within, cross] = with_more_data.map(|auccess| auccess.unwrap_or("–".to_string()));
-        writeln!(text, "| **online, with more data** | ours | {within} | {cross} |")?;
+    if beside_rows.iter().any(Option::is_some) {
+        let [within, cross] = beside_rows.each_ref().map(|auccess| auccess.as_deref().unwrap_or("–"));
+        writeln!(text, "| **{BESIDE_ROWS}** | ours | {within} | {cross} |")?;
     }
     for OurRow { agent, auccess: [within, cross] } in our_rows(results) {
         writeln!(text, "| **{}** | ours | {within} | {cross} |", row(agent).label)?;

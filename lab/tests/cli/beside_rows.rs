@@ -1,5 +1,5 @@
-//! `pathlight-lab measure random-scenes` and `proposed-balls`: the results of nets that learned from more than those
-//! of the rows, beside the rows.
+//! `pathlight-lab measure random-scenes` and `proposed-balls`: the results of nets that learned from other data than
+//! those of the rows, beside the rows.
 
 use std::fs;
 

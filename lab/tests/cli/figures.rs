@@ -218,10 +218,10 @@ fn check_weakest((picture, described): &(String, String), groups: &[Vec<Agent>])
             (0..25).filter_map(|template| Some((template, online.auccess(Some(template))?))).collect();
         scores.sort_by(|one, other| one.1.total_cmp(&other.1));
         for (template, score) in &scores[..3] {
-            let solved_late = |&&(of, first): &&(usize, Option<usize>)| of == *template && first != Some(1);
-            let (_, first) = online.folds[0].iter().find(solved_late).expect("a task");
+            let not_at_once = |&&(of, first): &&(usize, Option<usize>)| of == *template && first != Some(1);
+            let (_, first) = online.folds[0].iter().find(not_at_once).expect("a task");
             let name = format!("{template:05}:");
-            let strip = format!("{setup}, fold 0, auccess {score:.0}: ");
+            let strip = format!("{setup}, fold 0, template's auccess {score:.0}: ");
             let mut sentences = described.split(&name).skip(1).filter(|sentence| sentence.contains(&strip));
             let sentence = sentences.next().expect("a sentence");
             assert!(sentence.contains(&format!("attempt {}, chance ", first.unwrap_or(1))), "{sentence}");

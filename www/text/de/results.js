@@ -41,8 +41,8 @@ export const results = {
       published: "Artikel",
       ours: "unsere",
     },
-    withMoreData:
-      "online, wenn das Netz auch aus eigenen Versuchen (bekannte Arten) oder zufälligen Rätseln (neue Arten) gelernt hat",
+    besideRows:
+      "online, wenn das Netz auch aus selbst vorgeschlagenen Kugeln (bekannte Arten) oder zufälligen Rätseln (neue Arten) gelernt hat",
     ours: "Unsere Agenten, in unserem Simulator",
     published: "Veröffentlichte Ergebnisse, im Simulator von PHYRE",
   },

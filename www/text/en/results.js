@@ -42,7 +42,8 @@ export const results = {
       published: "published",
       ours: "ours",
     },
-    withMoreData: "online, with a net that also learned from its own tries (known kinds) or random puzzles (new kinds)",
+    besideRows:
+      "online, with a net that also learned from balls it proposed (known kinds) or random puzzles (new kinds)",
     ours: "Ours, in our simulator",
     published: "Published, in PHYRE’s own simulator",
   },

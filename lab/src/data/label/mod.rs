@@ -57,8 +57,8 @@ pub struct Settings {
     /// Every scene tries 64 balls per round.
     pub rounds: usize,
     pub selection: TaskSelection,
-    /// Label the balls that the dynamics net of these weights finds most probable, instead of sampled ones: hard
-    /// negatives. Every round takes the next 64. The weights are those of `training_tasks_of`.
+    /// Label the balls that the dynamics net of these weights proposes, likeliest first, instead of sampled ones. Every
+    /// round takes the next 64. The weights are those of `training_tasks_of`.
     pub weights: Option<PathBuf>,
     /// Label balls in variants of the tasks' scenes, another variant in every round. Balls are sampled around the
     /// solutions of the task alone.

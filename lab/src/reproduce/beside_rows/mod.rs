@@ -1,4 +1,4 @@
-//! The results of dynamics nets that learned from more than the rows' nets did, beside the rows, as Markdown.
+//! The results of dynamics nets that learned from other data than those of the rows, beside the rows, as Markdown.
 
 use std::fmt::{self, Write as _};
 use std::path::Path;
@@ -6,7 +6,7 @@ use std::path::Path;
 use anyhow::ensure;
 use pathlight::agents::agent_name::AgentName;
 use pathlight::benchmark::auccess::auccess;
-use pathlight::benchmark::folds::FOLDS;
+use pathlight::benchmark::folds::{FOLDS, FoldId};
 use pathlight::nets::{Card, DynamicsCard};
 use pathlight::puzzle::templates::TEMPLATES;
 
@@ -51,7 +51,8 @@ pub fn page(table: Table, folder: &Path, rows: &Path) -> anyhow::Result<String> 
         folder.display()
     );
     let path = folder.join("alone.json");
-    let alone = if path.exists() { Some(json_file::read(&path, table.script())?) } else { None };
+    let has_alone = matches!(table, Table::RandomScenes) && path.exists();
+    let alone = if has_alone { Some(json_file::read(&path, table.script())?) } else { None };
     let results = Results { table, reports, rows: all_rows, alone };
     let mut text = String::new();
     results.head(&mut text)?;
@@ -68,11 +69,13 @@ pub fn page(table: Table, folder: &Path, rows: &Path) -> anyhow::Result<String> 
 /// not hold them all.
 ///
 /// # Errors
-/// As `page`.
+/// If a result is damaged, or they were made with different settings.
 pub fn online(table: Table, folder: &Path) -> anyhow::Result<Option<String>> {
-    let reports = read(table, folder)?;
-    let mean = || mean_and_deviation(&scores(reports.iter(), AgentName::Online));
-    Ok((reports.len() == usize::from(FOLDS)).then(mean))
+    let mut folds = FoldId::all().filter(|fold| fold.setup == table.setup());
+    if !folds.all(|fold| folder.join(format!("{fold}.json")).exists()) {
+        return Ok(None);
+    }
+    Ok(Some(mean_and_deviation(&scores(read(table, folder)?.iter(), AgentName::Online))))
 }
 
 fn read(table: Table, folder: &Path) -> anyhow::Result<Vec<Report>> {
@@ -109,7 +112,7 @@ impl Results {
             );
         };
         let DynamicsCard { epochs, batch, balls_per_scene, optimiser, learning_rate, .. } = card;
-        let (title, command) = (self.table.title(), self.table.command());
+        let (title, command) = (self.table.title(), self.table.name());
         let counts = [(card.balls, "balls"), (card.variants, "variants"), (card.random_scenes, "random scenes")];
         let counts = counts.iter().filter(|(count, _)| *count > 0).map(|(count, of)| format!("{count} {of}"));
         let data = counts.collect::<Vec<_>>().join(", ");
@@ -118,8 +121,8 @@ impl Results {
             "# {title}\n\n`pathlight-lab measure {command}` printed this from the files beside it, which `{}` made. \
              {} Only counted attempts are simulated.\n\n\
              The last training of {setup} {fold}: {data}; {epochs} epochs in batches of {batch} scenes with \
-             {balls_per_scene} balls each, {optimiser} at {learning_rate}. Seed {seed}, simulator {simulator}, agents {agents_version}. Folds \
-             measured: {} of {FOLDS}.\n",
+             {balls_per_scene} balls each, {optimiser} at {learning_rate}. Seed {seed}, simulator {simulator}, agents \
+             {agents_version}. Folds measured: {} of {FOLDS}.\n",
             self.table.script(),
             self.table.introduction(),
             self.reports.len(),

@@ -2,10 +2,10 @@
 
 use pathlight::benchmark::folds::Setup;
 
-/// A table of nets that learned from more than those of the rows: from what.
+/// A table of nets that learned from other data than those of the rows: from which.
 #[derive(Clone, Copy)]
 pub enum Table {
-    /// Balls that an earlier net of the same fold found most probable, in the setup within.
+    /// Balls that an earlier net of the same fold proposed, in the setup within.
     ProposedBalls,
     /// Random scenes, in the setup cross.
     RandomScenes,
@@ -27,8 +27,8 @@ impl Table {
         }
     }
 
-    /// The name of the command that prints it, and of the folder.
-    pub fn command(self) -> &'static str {
+    /// Its name, which the command that prints it and its folder have too.
+    pub fn name(self) -> &'static str {
         match self {
             Table::ProposedBalls => "proposed-balls",
             Table::RandomScenes => "random-scenes",
@@ -53,11 +53,12 @@ impl Table {
     pub fn introduction(self) -> &'static str {
         match self {
             Table::ProposedBalls => {
-                "Each dynamics net learned from balls in the training tasks and in variants of them, sampled around \
-                 [uniform solutions](../../docs/reproducing.md#data). Then it proposed balls in its training tasks, and \
-                 learned from all balls there. The nets of the [rows](../README.md) had no proposed balls, and were \
-                 trained with other settings. Both learned from the same tasks, so these results compare with published \
-                 ones as the rows do."
+                "Each dynamics net first learned from sampled balls in the training tasks and in variants of them; the \
+                 known solutions are [uniform](../../docs/reproducing.md#data). Then it proposed balls in its training \
+                 tasks, and was trained further on the sampled and the proposed balls there. The nets of the \
+                 [rows](../README.md) had no proposed balls, other solutions and other settings. None of these nets \
+                 learned from anything but the training tasks and their variants, so these results compare with \
+                 published ones as the rows do."
             }
             Table::RandomScenes => {
                 "The dynamics nets learned from random scenes, which have no template, at first from these alone, and \
