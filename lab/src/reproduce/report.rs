@@ -61,8 +61,7 @@ fn head(text: &mut String, results: &[FoldResult], beside_rows: &[Option<String>
          Auccess is measured with at most {MAX_ATTEMPTS} attempts per task, and only these attempts are simulated. \
          The nets of the rows learn only from rollouts in training tasks and variants of them, and from none whose ball \
          was sampled around a solution of a test task; but in the setup within, the search that found the training \
-         tasks' solutions also started from known solutions of test tasks of the same \
-         template.\n\n\
+         tasks' solutions also started from known solutions of test tasks of the same template.\n\n\
          - **online**: the dynamics net imagines candidates, and a Gaussian process learns from each attempt, by the \
          similarity of imagined paths and of balls; **by balls**: by that of balls alone.\n\
          - **dynamics**: the same candidates in the order that the net gives them, as if each attempt ended as \

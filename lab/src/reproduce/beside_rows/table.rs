@@ -56,8 +56,8 @@ impl Table {
                 "Each dynamics net first learned from sampled balls in the training tasks and in variants of them; the \
                  known solutions are [uniform](../../docs/reproducing.md#data). Then it proposed balls in its training \
                  tasks, and was trained further on the sampled and the proposed balls there. The nets of the \
-                 [rows](../README.md) had no proposed balls, other solutions and other settings. None of these nets \
-                 learned from anything but the training tasks and their variants, so these results compare with \
+                 [rows](../README.md) learned without proposed balls, from older solutions and with other settings. All \
+                 these nets learned from the training tasks and their variants alone, so these results compare with \
                  published ones as the rows do."
             }
             Table::RandomScenes => {
