@@ -33,7 +33,7 @@ fn results_stand_beside_the_rows_of_the_same_folds() {
     let in_row = row["report"]["agents"].as_array().expect("agents").iter().find(|agent| agent["agent"] == "online");
     let [with, without] =
         [&online, in_row.expect("the online agent")].map(|score| score["auccess"].as_f64().expect("a number"));
-    let cells = format!("| cross | 1 | **online** | {with:.1} | – | {without:.1} | {:.1}, ", with - without);
+    let cells = format!("| cross | 1 | **online** | {with:.1} | {without:.1} | {:.1}, ", with - without);
     assert!(page.contains(&cells), "{page} lacks {cells}");
     let put_alone = |result: &Value| fs::write(folder.path().join("alone.json"), result.to_string()).expect("written");
     put_alone(&result);

@@ -2,6 +2,7 @@
 
 use std::fmt::{self, Write as _};
 use std::path::Path;
+use std::{iter, slice};
 
 use anyhow::ensure;
 use pathlight::agents::agent_name::AgentName;
@@ -95,7 +96,7 @@ fn settings(report: &Report) -> impl PartialEq + use<> {
     let card = report.card.as_ref().and_then(|card| card.dynamics.as_ref());
     let recipe = card.map(|card| {
         let DynamicsCard { seed, epochs, batch, balls_per_scene, imagined_per_scene, .. } = *card;
-        let rate = (card.optimiser, card.learning_rate);
+        let rate = (card.optimiser, card.learning_rate, card.path_weights);
         (seed, epochs, batch, balls_per_scene, imagined_per_scene, rate, card.random_scenes)
     });
     (report.seed, recipe)
@@ -130,10 +131,15 @@ impl Results {
         Ok(())
     }
 
+    /// The headings of the nets' own columns.
+    fn columns(&self) -> Vec<&'static str> {
+        iter::once(self.table.column()).chain(self.alone.as_ref().map(|_| "random scenes alone")).collect()
+    }
+
     /// The means over the folds that are measured, beside those of the net that has seen random scenes alone and of
     /// the rows, on the same test tasks.
     fn means(&self, text: &mut String) -> fmt::Result {
-        let columns = self.table.columns();
+        let columns = self.columns();
         writeln!(
             text,
             "\n## Auccess, mean over folds ± standard deviation\n\nOn the same test tasks.\n\n| setup | folds | agent \
@@ -144,18 +150,18 @@ impl Results {
         for agent in AGENTS {
             let [with, without] = [&self.reports, &self.rows].map(|reports| scores(reports.iter(), agent));
             let differences: Vec<f64> = with.iter().zip(&without).map(|(with, without)| with - without).collect();
-            let alone = self
-                .alone
-                .iter()
-                .flat_map(|alone| self.reports.iter().map(move |fold| auccess(&on_tasks_of(fold, alone, agent))));
-            let own = [mean_and_deviation(&with), mean_and_deviation(&alone.collect::<Vec<_>>())];
+            let alone = self.alone.iter().map(|alone| {
+                let of_folds = self.reports.iter().map(|fold| auccess(&on_tasks_of(fold, alone, agent)));
+                mean_and_deviation(&of_folds.collect::<Vec<_>>())
+            });
+            let own: Vec<String> = iter::once(mean_and_deviation(&with)).chain(alone).collect();
             writeln!(
                 text,
                 "| {} | {} | **{}** | {} | {} | {}, {} of {} |",
                 self.table.setup(),
                 self.reports.len(),
                 row(agent).label,
-                own[..columns.len()].join(" | "),
+                own.join(" | "),
                 mean_and_deviation(&without),
                 mean_and_deviation(&differences),
                 differences.iter().filter(|&&difference| difference > 0.0).count(),
@@ -167,7 +173,7 @@ impl Results {
 
     /// The same of the online agent, by template.
     fn templates(&self, text: &mut String) -> fmt::Result {
-        let columns = self.table.columns();
+        let columns = self.columns();
         writeln!(
             text,
             "\n## By template\n\nAuccess of the online agent over the tasks of all folds that test a template.\n\n\
@@ -181,7 +187,7 @@ impl Results {
                 let firsts: Vec<Option<usize>> = firsts.collect();
                 if firsts.is_empty() { "–".to_string() } else { format!("{:.0}", auccess(&firsts)) }
             };
-            let own = [&self.reports[..], self.alone.as_slice()].into_iter().take(columns.len());
+            let own = iter::once(&self.reports[..]).chain(self.alone.as_ref().map(slice::from_ref));
             let cells = own.chain([&self.rows[..]]).map(|reports| cell(reports, AgentName::Online));
             let cells: Vec<String> = cells.chain([cell(&self.reports, AgentName::Random)]).collect();
             if cells[0] != "–" {

@@ -42,11 +42,11 @@ impl Table {
         }
     }
 
-    /// The headings of its own columns: of nets that learned from tasks, and of one that did not, where there is one.
-    pub fn columns(self) -> &'static [&'static str] {
+    /// The heading of the column of its nets.
+    pub fn column(self) -> &'static str {
         match self {
-            Table::ProposedBalls => &["with proposed balls"],
-            Table::RandomScenes => &["random scenes, then tasks", "random scenes alone"],
+            Table::ProposedBalls => "with proposed balls",
+            Table::RandomScenes => "random scenes, then tasks",
         }
     }
 
