@@ -2,7 +2,7 @@
 #![cfg(target_arch = "wasm32")]
 
 use js_sys::Reflect;
-use pathlight::nets::{Card, DynamicsCard, DynamicsNet, Optimiser, PathNet, SuccessCard};
+use pathlight::nets::{Card, DynamicsCard, DynamicsNet, Optimiser, PathNet, PathWeights, SuccessCard};
 use pathlight::session::game::ATTEMPT_LIMIT;
 use pathlight::web::{
     Game, Model, SolutionSearch, SolveMap, attempt_line, auccess, constants, custom_scene, fold, luck, palette, raster,
@@ -323,6 +323,7 @@ fn cards_have_the_fields_that_their_types_declare() {
     let dynamics = shipped.dynamics.clone().expect("the shipped weights have a dynamics net");
     let barest = DynamicsCard {
         optimiser: Optimiser::Adam,
+        path_weights: PathWeights::default(),
         unlisted: 0,
         random_scenes: 0,
         random_scenes_alone: false,
@@ -333,6 +334,7 @@ fn cards_have_the_fields_that_their_types_declare() {
     };
     let fullest = DynamicsCard {
         optimiser: Optimiser::Muon,
+        path_weights: PathWeights { all: 2.0, solving: 4.0 },
         unlisted: 1,
         random_scenes: 1,
         random_scenes_alone: true,

@@ -121,6 +121,27 @@ impl Display for Optimiser {
     }
 }
 
+/// How much the imagined paths count in the loss of a dynamics net.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct PathWeights {
+    /// Weight of the mean distance between imagined and real coordinates, in `ball_head::UNIT`.
+    pub all: f64,
+    /// Weight of the paths of a ball that solves in this mean, relative to those of other balls.
+    pub solving: f64,
+}
+
+impl PathWeights {
+    fn is_default(&self) -> bool {
+        *self == PathWeights::default()
+    }
+}
+
+impl Default for PathWeights {
+    fn default() -> PathWeights {
+        PathWeights { all: 0.5, solving: 1.0 }
+    }
+}
+
 /// The settings that a dynamics net was trained with. It has seen the same tasks as the nets.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct DynamicsCard {
@@ -139,6 +160,9 @@ pub struct DynamicsCard {
     pub optimiser: Optimiser,
     /// Its highest learning rate.
     pub learning_rate: f64,
+    /// How much the paths count in its loss.
+    #[serde(default, skip_serializing_if = "PathWeights::is_default")]
+    pub path_weights: PathWeights,
     /// Labelled balls that these are drawn from.
     pub balls: usize,
     /// Whether the net sees the covered share of each cell. Older ones saw which cells are set; `PathNet::load` refuses

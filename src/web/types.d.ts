@@ -392,6 +392,8 @@ export interface DynamicsCard {
     /** The optimiser, if not Adam. */
     optimiser?: "muon";
     learning_rate: number;
+    /** How much the paths count in the loss, if not by default: all, and those of balls that solve beside others. */
+    path_weights?: { all: number; solving: number };
     balls: number;
     /** The net sees the covered share of each cell. */
     coverage: boolean;

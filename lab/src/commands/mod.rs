@@ -22,6 +22,7 @@ mod figures;
 mod fold_args;
 mod measure;
 mod optimiser_arg;
+mod path_weights_args;
 #[path = "../../../src/commands/progress.rs"]
 mod progress;
 mod publish;

@@ -6,6 +6,10 @@ use pathlight_lab::measure::measured_scenes::MeasuredScenes;
 /// Scenes to measure on instead of test tasks.
 #[derive(clap::Args)]
 pub struct ScenesArgs {
+    /// Measure on the dev tasks, to choose settings on
+    #[arg(long, conflicts_with_all = ["variants", "random_scenes", "json"])]
+    dev: bool,
+
     /// Measure in a variant of each test task, with its bodies moved, turned and resized at random
     #[arg(long, conflicts_with_all = ["random_scenes", "json"])]
     variants: bool,
@@ -21,11 +25,12 @@ pub struct ScenesArgs {
 }
 
 impl From<ScenesArgs> for MeasuredScenes {
-    fn from(ScenesArgs { variants, random_scenes }: ScenesArgs) -> MeasuredScenes {
-        match (random_scenes, variants) {
-            (Some(count), _) => MeasuredScenes::Random(count),
-            (None, true) => MeasuredScenes::Variants,
-            (None, false) => MeasuredScenes::TestTasks,
+    fn from(ScenesArgs { dev, variants, random_scenes }: ScenesArgs) -> MeasuredScenes {
+        match random_scenes {
+            Some(count) => MeasuredScenes::Random(count),
+            None if variants => MeasuredScenes::Variants,
+            None if dev => MeasuredScenes::DevTasks,
+            None => MeasuredScenes::TestTasks,
         }
     }
 }

@@ -12,6 +12,7 @@ use pathlight_lab::training::{dqn, dynamics, paths, success};
 
 use super::fold_args::FoldArgs;
 use super::optimiser_arg::OptimiserName;
+use super::path_weights_args::PathWeightsArgs;
 
 #[derive(clap::Subcommand)]
 pub enum Command {
@@ -210,6 +211,9 @@ pub struct Dynamics {
     )]
     imagined_per_scene: u16,
 
+    #[command(flatten)]
+    path_weights: PathWeightsArgs,
+
     /// Optimiser
     #[arg(long, value_enum, default_value_t)]
     optimiser: OptimiserName,
@@ -243,6 +247,7 @@ impl From<Dynamics> for dynamics::Settings {
                 learning_rate: args.run.learning_rate,
                 balls_per_scene: args.balls_per_scene,
                 imagined_per_scene: args.imagined_per_scene,
+                path_weights: args.path_weights.into(),
             },
             without_dev: args.without_dev,
             without_paths: args.without_paths,

@@ -96,6 +96,7 @@ impl Settings {
     /// If the weights cannot be used for it.
     pub fn measure(&self) -> anyhow::Result<Calibration> {
         let (nets, card) = load_nets(self.weights.as_deref(), self.fold)?;
+        self.scenes.check(&card)?;
         let scenes = self.scenes.ids(self.fold, self.limit);
         let trials: Vec<[Vec<Trial>; 2]> =
             scenes.par_iter().map(|&id| self.trials(&nets, id)).collect::<anyhow::Result<_>>()?;

@@ -1,8 +1,9 @@
-//! The scenes that forecasts and chances are measured on: test tasks, or scenes that no net has seen.
+//! The scenes that forecasts and chances are measured on: tasks of the benchmark, or scenes that no net has seen.
 
 use pathlight::benchmark::folds::FoldId;
+use pathlight::nets::Card;
 
-use super::test_tasks;
+use super::task_set::TaskSet;
 use crate::data::scene_id::{HELD_OUT, SceneId};
 
 /// Variants of a task that are tried before it is left out: some numbers have none that fits.
@@ -14,6 +15,8 @@ pub enum MeasuredScenes {
     /// The test tasks of the fold.
     #[default]
     TestTasks,
+    /// The dev tasks of the fold, to choose settings on.
+    DevTasks,
     /// A variant of each test task.
     Variants,
     /// This many random scenes.
@@ -23,9 +26,9 @@ pub enum MeasuredScenes {
 impl MeasuredScenes {
     /// Returns the scenes, of tasks at most those of the first `limit` of each template.
     pub fn ids(self, fold: FoldId, limit: Option<u16>) -> Vec<SceneId> {
-        let tasks = test_tasks(fold, limit);
+        let tasks = self.task_set().tasks(fold, limit);
         match self {
-            MeasuredScenes::TestTasks => tasks.into_iter().map(SceneId::Task).collect(),
+            MeasuredScenes::TestTasks | MeasuredScenes::DevTasks => tasks.into_iter().map(SceneId::Task).collect(),
             MeasuredScenes::Variants => {
                 let variants = |task| (HELD_OUT..HELD_OUT + VARIANTS).map(move |number| SceneId::Variant(task, number));
                 tasks.into_iter().filter_map(|task| variants(task).find(|variant| variant.scene().is_ok())).collect()
@@ -34,10 +37,24 @@ impl MeasuredScenes {
         }
     }
 
+    /// Checks that the dynamics net of a model has not seen them.
+    ///
+    /// # Errors
+    /// If it may have: they are dev tasks, and it was trained on these too.
+    pub fn check(self, card: &Card) -> anyhow::Result<()> {
+        self.task_set().check_dynamics(card)
+    }
+
+    /// The tasks that they are, or are variants of.
+    fn task_set(self) -> TaskSet {
+        if self == MeasuredScenes::DevTasks { TaskSet::Dev } else { TaskSet::Test }
+    }
+
     /// What they are, after their number.
     pub fn words(self) -> &'static str {
         match self {
             MeasuredScenes::TestTasks => "test tasks",
+            MeasuredScenes::DevTasks => "dev tasks",
             MeasuredScenes::Variants => "variants of test tasks",
             MeasuredScenes::Random(_) => "random scenes",
         }

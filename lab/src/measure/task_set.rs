@@ -6,7 +6,6 @@ use pathlight::nets::Card;
 use pathlight::puzzle::task::TaskId;
 use serde::{Deserialize, Serialize};
 
-use super::first_of_each_template;
 use crate::data::task_selection::TaskSelection;
 
 /// Tasks of the benchmark.
@@ -40,7 +39,9 @@ impl TaskSet {
             TaskSet::Dev => fold.tasks().dev,
             TaskSet::All => TaskSelection::default().ids().collect(),
         };
-        first_of_each_template(&tasks, limit)
+        let limit = limit.map_or(usize::MAX, usize::from);
+        let templates = tasks.chunk_by(|a, b| a.template == b.template);
+        templates.flat_map(|tasks| tasks.iter().copied().take(limit)).collect()
     }
 
     /// Checks that nets have not seen the tasks, if these are dev tasks. `train_command` trains such nets.

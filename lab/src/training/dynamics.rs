@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, ensure};
 use pathlight::benchmark::folds::FoldId;
 use pathlight::nets::training::{DynamicsBatch, Trainer};
-use pathlight::nets::{DynamicsCard, DynamicsNet, Optimiser};
+use pathlight::nets::{DynamicsCard, DynamicsNet, Optimiser, PathWeights};
 use pathlight::raster::scene_coverage;
 use serde::{Deserialize, Serialize};
 
@@ -55,6 +55,9 @@ pub struct DynamicsRecipe {
     pub balls_per_scene: u16,
     /// Of these, balls whose paths are learned.
     pub imagined_per_scene: u16,
+    /// How much these paths count in the loss.
+    #[serde(default)]
+    pub path_weights: PathWeights,
 }
 
 impl Default for DynamicsRecipe {
@@ -65,6 +68,7 @@ impl Default for DynamicsRecipe {
             learning_rate: 3e-3,
             balls_per_scene: 256,
             imagined_per_scene: 96,
+            path_weights: PathWeights::default(),
         }
     }
 }
@@ -91,7 +95,8 @@ impl Settings {
     /// # Errors
     /// If the weights or the labels cannot be used, or the folder cannot be continued or written.
     pub fn train(&self, progress: &mut dyn Progress) -> anyhow::Result<Option<PathBuf>> {
-        let DynamicsRecipe { batch, optimiser, learning_rate, balls_per_scene, imagined_per_scene } = self.recipe;
+        let DynamicsRecipe { batch, optimiser, learning_rate, balls_per_scene, imagined_per_scene, path_weights } =
+            self.recipe;
         let (mut nets, mut card) = load_nets(self.weights.as_deref(), self.fold)?;
         let without_dev = self.without_dev || card.without_dev;
         ensure!(
@@ -113,6 +118,7 @@ impl Settings {
             imagined_per_scene,
             optimiser,
             learning_rate,
+            path_weights,
             balls: scenes.balls(),
             coverage: true,
             variants: scenes.variants(),
@@ -133,11 +139,12 @@ impl Settings {
         let trainer = trainer.with_optimiser(optimiser);
         let losses = ["cell", "ball", "from paths", "paths", "errors"];
         let mut run = TrainingRun::open(folder, card, digests(&self.labels)?, &losses, trainer)?;
+        let paths = (!self.without_paths).then_some(path_weights);
         let complete = run.train(
             &scenes.plan(self.epochs, batch, learning_rate),
             &self.run,
             |number| self.batch(&scenes, number),
-            |trainer, batch, learning_rate| trainer.step(batch, !self.without_paths, learning_rate),
+            |trainer, batch, learning_rate| trainer.step(batch, paths, learning_rate),
             progress,
         )?;
         if !complete {

@@ -2,7 +2,7 @@
 
 use tempfile::tempdir;
 
-use super::{assert_refused, output_of, without_dynamics};
+use super::{assert_refused, changed_weights, output_of, without_dynamics};
 
 #[test]
 fn solved_and_missed_balls_are_counted_and_imagined_better_than_at_rest() {
@@ -52,4 +52,19 @@ fn scenes_of_other_kinds_are_measured_too() {
 fn weights_that_imagine_no_balls_are_refused() {
     let folder = tempdir().expect("a folder");
     assert_refused(&["measure", "forecasts", "--weights", &without_dynamics(folder.path())], "have no dynamics net");
+}
+
+#[test]
+fn dev_tasks_are_for_nets_that_have_not_learned_from_them() {
+    let folder = tempdir().expect("a folder");
+    let weights = changed_weights(&folder.path().join("without-dev"), |_, card| {
+        card.dynamics.as_mut().expect("a dynamics net").without_dev = true;
+    });
+    for measurement in ["forecasts", "calibration"] {
+        let dev = ["measure", measurement, "--dev", "--limit", "1", "--balls", "2"];
+        let table = output_of(&[&dev[..], &["--weights", &weights]].concat());
+        assert!(table.contains("25 dev tasks"), "{table}");
+        assert_refused(&dev, "were trained on the dev tasks too");
+        assert_refused(&[&dev[..], &["--json", "file"]].concat(), "cannot be used with");
+    }
 }

@@ -3,7 +3,7 @@
 use std::fs;
 
 use pathlight::benchmark::folds::{Fold, Setup};
-use pathlight::nets::{Optimiser, PathNet};
+use pathlight::nets::{Optimiser, PathNet, PathWeights};
 use pathlight::puzzle::action::Ball;
 use pathlight::puzzle::task::{Task, TaskId};
 use pathlight::puzzle::templates::TEMPLATES;
@@ -70,6 +70,18 @@ fn a_dynamics_net_joins_the_weights_and_can_be_trained_further() {
     assert_eq!(card.dynamics.expect("a card").optimiser, Optimiser::Muon);
     train("cut-muon", &[&muon[..], &["--stop-after", "3"]].concat());
     assert_eq!(fs::read(train("cut-muon", &muon)).expect("weights"), of_muon, "Muon continues with its momenta");
+
+    let weighted = ["--path-weight", "2", "--solving-path-weight", "4"];
+    let (_, card) = PathNet::load(&fs::read(train("weighted", &weighted)).expect("weights")).expect("weights that fit");
+    assert_eq!(card.dynamics.expect("a card").path_weights, PathWeights { all: 2.0, solving: 4.0 });
+    assert!(losses("weighted")[3] > 2.0 * losses("whole")[3], "the paths count four times as much");
+    let defaults = ["--path-weight", "0.5", "--solving-path-weight", "1"];
+    assert_eq!(fs::read(train("defaults", &defaults)).expect("weights"), bytes);
+    assert_ne!(fs::read(train("solving", &weighted[2..])).expect("weights"), bytes, "some balls solve, others do not");
+    for refused in ["0", "-1", "inf", "nan", "much"] {
+        let option = format!("--solving-path-weight={refused}");
+        assert_refused(&["train", "dynamics", "--labels", &labels, &option], "it has to be a number above 0");
+    }
 
     let from = whole.display().to_string();
     let proposed = file("proposed.jsonl");

@@ -10,14 +10,10 @@ use super::cross_entropy::binary_cross_entropy_with_logits;
 use super::trainer::{SuccessBatch, Trainer};
 use crate::nets::ball_batch::BallBatch;
 use crate::nets::ball_head::{COORDINATES, POSITIONS, Starts, UNIT};
-
-use crate::nets::{DynamicsNet, SuccessNet, seeded};
+use crate::nets::{DynamicsNet, PathWeights, SuccessNet, seeded};
 use crate::puzzle::action::{Ball, Invalid};
 use crate::puzzle::scene::SIZE;
 use crate::raster::{CHANNELS, Coverage};
-
-/// Weight of the mean distance between imagined and real coordinates, in `UNIT`.
-const PATH_WEIGHT: f64 = 0.5;
 
 /// Weight of the mean distance between expected and actual errors, in `UNIT`.
 const ERROR_WEIGHT: f64 = 0.1;
@@ -81,9 +77,9 @@ impl Trainer<DynamicsNet> {
     }
 
     /// One optimiser step on a batch; returns the losses: of the logits of the cells, of the balls, of the paths alone,
-    /// the mean distance of a coordinate and of an expected error, both in `UNIT`, weighted. These two are zero unless
-    /// it learns the `paths`.
-    pub fn step(&mut self, mut batch: DynamicsBatch, paths: bool, learning_rate: f64) -> Vec<f32> {
+    /// the mean distance of a coordinate and of an expected error, both in `UNIT`, weighted. Without `paths` these two
+    /// are zero.
+    pub fn step(&mut self, mut batch: DynamicsBatch, paths: Option<PathWeights>, learning_rate: f64) -> Vec<f32> {
         let device = self.device.clone();
         let (logits, predictions) = self.nets.forward(batch.cells.scenes(&device), batch.balls.tensors(&device));
         let vector = |values: Vec<f32>| {
@@ -96,13 +92,15 @@ impl Trainer<DynamicsNet> {
         let apart = predictions.coordinates - real; // [balls, COORDINATES]
         let squared = apart.clone().detach().powi_scalar(2).reshape([count, POSITIONS, 2]);
         let distance = squared.sum_dim(2).squeeze_dim::<2>(2).sqrt(); // [balls, POSITIONS]
-        let [path_weight, error_weight] = if paths { [PATH_WEIGHT, ERROR_WEIGHT] } else { [0.0; 2] };
+        let (path_weight, error_weight) = paths.map_or((0.0, 0.0), |paths| (paths.all, ERROR_WEIGHT));
+        let of_ball = labels.clone() * (paths.unwrap_or_default().solving - 1.0) + 1.0; // [balls]
+        let of_ball = (of_ball.clone() / of_ball.mean()).reshape([count, 1]);
         let losses = vec![
             batch.cells.loss(logits, &device),
             binary_cross_entropy_with_logits(predictions.logits.squeeze_dim::<1>(1), labels.clone()),
             binary_cross_entropy_with_logits(predictions.path_logits.squeeze_dim::<1>(1), labels),
-            apart.abs().mean() * path_weight,
-            (predictions.errors - distance).abs().mean() * error_weight,
+            (apart.abs() * of_ball.clone()).mean() * path_weight,
+            ((predictions.errors - distance).abs() * of_ball).mean() * error_weight,
         ];
         self.backward_step(Tensor::cat(losses, 0), learning_rate)
     }

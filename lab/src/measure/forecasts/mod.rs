@@ -92,6 +92,7 @@ impl Settings {
     /// If the weights or the solutions cannot be used for it.
     pub fn measure(&self) -> anyhow::Result<(Option<Forecasts>, String)> {
         let (nets, card) = load_nets(self.weights.as_deref(), self.fold)?;
+        self.scenes.check(&card)?;
         nets.dynamics
             .as_ref()
             .context("the weights have no dynamics net: train one with `pathlight-lab train dynamics`")?;
