@@ -126,7 +126,7 @@ impl Display for Optimiser {
 pub struct PathWeights {
     /// Weight of the mean distance between imagined and real coordinates, in `ball_head::UNIT`.
     pub all: f64,
-    /// Weight of the paths of a ball that solves in this mean, relative to those of other balls.
+    /// Weight of the paths of a ball that solves, and of their expected errors, relative to those of other balls.
     pub solving: f64,
 }
 
