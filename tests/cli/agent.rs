@@ -1,7 +1,7 @@
 //! `pathlight agent`: plays against any simulator over JSON lines, here against `pathlight simulate --batch - --paths`.
 
 use std::io::{BufRead, BufReader, Lines, Write};
-use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
+use std::process::{Child, ChildStdin, ChildStdout, Command, Output, Stdio};
 
 use serde_json::{Value, json};
 use tempfile::tempdir;
@@ -221,20 +221,21 @@ for process in [agent, simulator]:
     print("answered:", ask(process, {"task": "00007:008", "ball": None})["task"])
 "#;
 
+/// Runs Python with `pathlight` on the PATH; `None` if it is missing.
+fn python(arguments: &[&str]) -> Option<Output> {
+    let binary = std::path::Path::new(env!("CARGO_BIN_EXE_pathlight")).parent().expect("a folder");
+    let path = std::env::var_os("PATH").unwrap_or_default();
+    let path = std::env::join_paths([binary.to_path_buf()].into_iter().chain(std::env::split_paths(&path)));
+    Command::new("python3").args(arguments).env("PATH", path.expect("a path")).output().ok()
+}
+
 #[test]
 fn the_example_in_python_plays() {
-    if Command::new("python3").arg("--version").output().is_err() {
+    let example = std::fs::read_to_string("examples/client.py").expect("it is there");
+    let Some(output) = python(&["-c", &format!("{example}{BAD_AND_GOOD_LINES}")]) else {
         eprintln!("skipped: python3 is missing");
         return;
-    }
-    let example = std::fs::read_to_string("examples/client.py").expect("it is there");
-    let binary = std::path::Path::new(env!("CARGO_BIN_EXE_pathlight")).parent().expect("a folder");
-    let path = std::env::join_paths(
-        [binary.to_path_buf()].into_iter().chain(std::env::split_paths(&std::env::var_os("PATH").unwrap_or_default())),
-    );
-    let program = format!("{example}{BAD_AND_GOOD_LINES}");
-    let output = Command::new("python3").args(["-c", &program]).env("PATH", path.expect("a path")).output();
-    let output = output.expect("it starts");
+    };
     assert!(output.status.success(), "{}", stderr(&output));
     let said = stdout(&output);
     for task in TASKS {
@@ -244,6 +245,19 @@ fn the_example_in_python_plays() {
     for (words, count) in [("refused: task 00007:999 is not in the benchmark", 2), ("answered: 00007:008", 2)] {
         assert_eq!(said.matches(words).count(), count, "{said}");
     }
+}
+
+#[test]
+fn the_example_in_box2d_measures() {
+    if !python(&["-c", "import Box2D"]).is_some_and(|output| output.status.success()) {
+        eprintln!("skipped: python3 has no pybox2d: pip install box2d");
+        return;
+    }
+    let output = python(&["examples/box2d.py", "--limit", "1"]).expect("it starts");
+    let said = stdout(&output);
+    let auccess = said.strip_prefix("within 0: auccess ").and_then(|rest| rest.strip_suffix(" on 25 tasks in Box2D\n"));
+    let auccess: f64 = auccess.and_then(|auccess| auccess.parse().ok()).unwrap_or_else(|| panic!("{output:?}"));
+    assert!(auccess > 60.0, "it tries balls that fail in Box2D: {auccess}");
 }
 
 fn parsed(line: &str) -> Value {
