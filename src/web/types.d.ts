@@ -382,6 +382,14 @@ export interface SuccessCard {
     balls: number;
 }
 
+/** How much imagined paths count in the loss of a dynamics net. */
+export interface PathWeights {
+    /** Weight of all paths. */
+    all: number;
+    /** Weight of the paths of balls that solve, relative to those of other balls. */
+    solving: number;
+}
+
 /** How the dynamics net of weights was trained. */
 export interface DynamicsCard {
     seed: number;
@@ -392,8 +400,8 @@ export interface DynamicsCard {
     /** The optimiser, if not Adam. */
     optimiser?: "muon";
     learning_rate: number;
-    /** How much the paths count in the loss, if not by default: all, and those of balls that solve beside others. */
-    path_weights?: { all: number; solving: number };
+    /** How much the paths count in the loss, if not as by default. */
+    path_weights?: PathWeights;
     balls: number;
     /** The net sees the covered share of each cell. */
     coverage: boolean;
