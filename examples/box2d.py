@@ -74,11 +74,18 @@ def first_solved(agent, scene):
             return attempt
         ball = ask(outcome)
 
+def whole_number(text):
+    count = int(text)
+    if count < 1:
+        raise argparse.ArgumentTypeError("it has to be at least 1")
+    return count
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--setup", choices=["within", "cross"], default="within")
     parser.add_argument("--fold", type=int, choices=range(10), default=0)
-    parser.add_argument("--limit", type=int, metavar="N", help="use at most the first N tasks of each template")
+    of_each = "use at most the first N tasks of each template"
+    parser.add_argument("--limit", type=whole_number, metavar="N", help=of_each)
     options = parser.parse_args()
     of_fold = ["--setup", options.setup, "--fold", str(options.fold)]
     lines = subprocess.check_output(["pathlight", "tasks", *of_fold, "--json"], text=True).splitlines()
