@@ -2,6 +2,7 @@
 
 use pathlight_lab::data::scene_id::HELD_OUT;
 use pathlight_lab::measure::measured_scenes::MeasuredScenes;
+use pathlight_lab::measure::task_set::TaskSet;
 
 /// Scenes to measure on instead of test tasks.
 #[derive(clap::Args)]
@@ -29,8 +30,8 @@ impl From<ScenesArgs> for MeasuredScenes {
         match random_scenes {
             Some(count) => MeasuredScenes::Random(count),
             None if variants => MeasuredScenes::Variants,
-            None if dev => MeasuredScenes::DevTasks,
-            None => MeasuredScenes::TestTasks,
+            None if dev => MeasuredScenes::Tasks(TaskSet::Dev),
+            None => MeasuredScenes::default(),
         }
     }
 }

@@ -45,7 +45,7 @@ impl Default for Settings {
     fn default() -> Settings {
         Settings {
             fold: FoldId::default(),
-            scenes: MeasuredScenes::TestTasks,
+            scenes: MeasuredScenes::default(),
             balls: 20,
             limit: None,
             seed: 0,

@@ -10,17 +10,20 @@ use crate::data::scene_id::{HELD_OUT, SceneId};
 const VARIANTS: u32 = 20;
 
 /// Which scenes to measure on.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MeasuredScenes {
-    /// The test tasks of the fold.
-    #[default]
-    TestTasks,
-    /// The dev tasks of the fold, to choose settings on.
-    DevTasks,
+    /// Tasks of the benchmark.
+    Tasks(TaskSet),
     /// A variant of each test task.
     Variants,
     /// This many random scenes.
     Random(u32),
+}
+
+impl Default for MeasuredScenes {
+    fn default() -> MeasuredScenes {
+        MeasuredScenes::Tasks(TaskSet::default())
+    }
 }
 
 impl MeasuredScenes {
@@ -28,7 +31,7 @@ impl MeasuredScenes {
     pub fn ids(self, fold: FoldId, limit: Option<u16>) -> Vec<SceneId> {
         let tasks = self.task_set().tasks(fold, limit);
         match self {
-            MeasuredScenes::TestTasks | MeasuredScenes::DevTasks => tasks.into_iter().map(SceneId::Task).collect(),
+            MeasuredScenes::Tasks(_) => tasks.into_iter().map(SceneId::Task).collect(),
             MeasuredScenes::Variants => {
                 let variants = |task| (HELD_OUT..HELD_OUT + VARIANTS).map(move |number| SceneId::Variant(task, number));
                 tasks.into_iter().filter_map(|task| variants(task).find(|variant| variant.scene().is_ok())).collect()
@@ -40,21 +43,23 @@ impl MeasuredScenes {
     /// Checks that the dynamics net of a model has not seen them.
     ///
     /// # Errors
-    /// If it may have: they are dev tasks, and it was trained on these too.
+    /// If it may have.
     pub fn check(self, card: &Card) -> anyhow::Result<()> {
         self.task_set().check_dynamics(card)
     }
 
     /// The tasks that they are, or are variants of.
     fn task_set(self) -> TaskSet {
-        if self == MeasuredScenes::DevTasks { TaskSet::Dev } else { TaskSet::Test }
+        match self {
+            MeasuredScenes::Tasks(tasks) => tasks,
+            MeasuredScenes::Variants | MeasuredScenes::Random(_) => TaskSet::Test,
+        }
     }
 
     /// What they are, after their number.
     pub fn words(self) -> &'static str {
         match self {
-            MeasuredScenes::TestTasks => "test tasks",
-            MeasuredScenes::DevTasks => "dev tasks",
+            MeasuredScenes::Tasks(tasks) => tasks.words(),
             MeasuredScenes::Variants => "variants of test tasks",
             MeasuredScenes::Random(_) => "random scenes",
         }

@@ -25,10 +25,19 @@ impl TaskSet {
     /// The heading of a report on this many of its tasks.
     pub fn heading(self, fold: FoldId, count: usize) -> String {
         let FoldId { setup, fold } = fold;
+        let words = self.words();
         match self {
-            TaskSet::Test => format!("{setup}, fold {fold}, {count} test tasks"),
-            TaskSet::Dev => format!("{setup}, fold {fold}, {count} dev tasks"),
-            TaskSet::All => format!("all templates, {count} tasks"),
+            TaskSet::Test | TaskSet::Dev => format!("{setup}, fold {fold}, {count} {words}"),
+            TaskSet::All => format!("all templates, {count} {words}"),
+        }
+    }
+
+    /// What they are, after their number.
+    pub fn words(self) -> &'static str {
+        match self {
+            TaskSet::Test => "test tasks",
+            TaskSet::Dev => "dev tasks",
+            TaskSet::All => "tasks",
         }
     }
 

@@ -63,7 +63,7 @@ pub struct Settings {
 impl Default for Settings {
     fn default() -> Settings {
         let solutions = SOLUTIONS.into();
-        let scenes = MeasuredScenes::TestTasks;
+        let scenes = MeasuredScenes::default();
         Settings { fold: FoldId::default(), scenes, balls: 20, solutions, limit: None, seed: 0, weights: None }
     }
 }
