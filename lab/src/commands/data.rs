@@ -104,8 +104,8 @@ pub struct Label {
     selection: SelectionArgs,
 
     /// Label the balls that the dynamics net of these weights proposes, likeliest first, instead of sampled ones. Every
-    /// round takes the next 64. They have to be of the fold of --setup
-    #[arg(long, value_name = "FILE", requires = "setup")]
+    /// round takes the next 64. They have to be of the fold of --setup, or trained on random scenes alone
+    #[arg(long, value_name = "FILE")]
     weights: Option<PathBuf>,
 
     /// Label balls in variants of the tasks' scenes, another variant in every round. Balls are sampled around the
@@ -119,7 +119,7 @@ pub struct Label {
         long,
         value_name = "N",
         value_parser = clap::value_parser!(u32).range(1..=i64::from(HELD_OUT)),
-        conflicts_with_all = ["weights", "variants", "unlisted", "setup", "template", "limit"]
+        conflicts_with_all = ["variants", "unlisted", "setup", "template", "limit"]
     )]
     random_scenes: Option<u32>,
 

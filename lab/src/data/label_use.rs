@@ -16,8 +16,17 @@ pub struct LabelOrigin {
 pub enum Choice {
     /// Sampled, uniformly and around known solutions. `tells_siblings`: the file says around solutions of which tasks.
     Sampled { tells_siblings: bool },
-    /// Proposed by a net of that fold, which knows all that it was trained on. `without_dev`: not on the dev tasks.
-    Proposed { without_dev: bool },
+    /// Proposed by a net.
+    Proposed(Proposer),
+}
+
+/// What the net that proposed balls has learned from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Proposer {
+    /// Random scenes alone, so it knows no task.
+    RandomScenes,
+    /// Training tasks of the fold, with or without its dev tasks.
+    Tasks { without_dev: bool },
 }
 
 /// Why a net may not learn from a file; follows the name of the file.
@@ -34,6 +43,7 @@ pub enum Refusal {
 ///
 /// | balls were | using the training tasks of | the learner's setup | may it? |
 /// | --- | --- | --- | --- |
+/// | proposed by a net that knows no task | any fold, or all tasks | any | yes |
 /// | proposed by a net | an unknown fold | any | no: the net may know the learner's test tasks |
 /// | proposed by a net | another fold | any | no: the net knows test tasks of the learner |
 /// | proposed by a net | its fold | any | yes |
@@ -52,10 +62,15 @@ pub enum Refusal {
 /// If it may not.
 pub fn may_learn(origin: LabelOrigin, learner: FoldId, without_dev: bool) -> Result<(), Refusal> {
     match (origin.choice, origin.training_tasks_of) {
-        (Choice::Proposed { .. }, None) => Err(Refusal::NetOfUnknownFold),
-        (Choice::Proposed { .. }, Some(of)) if of != learner => Err(Refusal::OtherFold { of, learner }),
-        (Choice::Proposed { without_dev: false }, Some(_)) if without_dev => Err(Refusal::NetKnowsDevTasks),
-        (Choice::Proposed { .. }, Some(_)) => Ok(()),
+        (Choice::Proposed(Proposer::RandomScenes), _) => Ok(()),
+        (Choice::Proposed(Proposer::Tasks { .. }), None) => Err(Refusal::NetOfUnknownFold),
+        (Choice::Proposed(Proposer::Tasks { .. }), Some(of)) if of != learner => {
+            Err(Refusal::OtherFold { of, learner })
+        }
+        (Choice::Proposed(Proposer::Tasks { without_dev: false }), Some(_)) if without_dev => {
+            Err(Refusal::NetKnowsDevTasks)
+        }
+        (Choice::Proposed(Proposer::Tasks { .. }), Some(_)) => Ok(()),
         (Choice::Sampled { .. }, _) if learner.setup == Setup::Cross => Ok(()),
         (Choice::Sampled { .. }, Some(of)) if of != learner => Err(Refusal::OtherFold { of, learner }),
         (Choice::Sampled { .. }, Some(_)) => Ok(()),
@@ -100,7 +115,7 @@ mod tests {
         may_learn(LabelOrigin { training_tasks_of, choice }, learner, false)
     }
 
-    const PROPOSED: Choice = Choice::Proposed { without_dev: false };
+    const PROPOSED: Choice = Choice::Proposed(Proposer::Tasks { without_dev: false });
     const SAMPLED: Choice = Choice::Sampled { tells_siblings: true };
     const UNTOLD: Choice = Choice::Sampled { tells_siblings: false };
 
@@ -136,9 +151,21 @@ mod tests {
     #[test]
     fn a_net_that_does_not_know_the_dev_tasks_is_taken_without_them() {
         for learner in [WITHIN, CROSS] {
-            let choice = Choice::Proposed { without_dev: true };
+            let choice = Choice::Proposed(Proposer::Tasks { without_dev: true });
             let origin = LabelOrigin { training_tasks_of: Some(learner), choice };
             assert_eq!(may_learn(origin, learner, true), Ok(()));
+        }
+    }
+
+    #[test]
+    fn balls_of_a_net_that_knows_no_task_are_taken() {
+        for learner in [WITHIN, CROSS] {
+            for of in [None, Some(WITHIN), Some(CROSS), Some(OTHER)] {
+                let origin = LabelOrigin { training_tasks_of: of, choice: Choice::Proposed(Proposer::RandomScenes) };
+                for without_dev in [false, true] {
+                    assert_eq!(may_learn(origin, learner, without_dev), Ok(()));
+                }
+            }
         }
     }
 

@@ -77,7 +77,10 @@ impl FoldRun<'_> {
         for (path, rounds, option, variants) in files {
             let labelled = read_labels(path)?;
             ensure!(
-                labelled.variants == variants && !labelled.proposed && !labelled.unlisted && !labelled.random_scenes,
+                labelled.variants == variants
+                    && labelled.proposer.is_none()
+                    && !labelled.unlisted
+                    && !labelled.random_scenes,
                 "{} holds other balls than --{option}s takes: it takes those that `pathlight-lab data label{}` sampled",
                 path.display(),
                 if variants { " --variants" } else { "" },

@@ -113,9 +113,9 @@ fn trains_on(scene: SceneId, tasks: &[TaskId]) -> bool {
 /// Returns where the balls of a file come from.
 fn origin(labelled: &Labelled) -> LabelOrigin {
     let tells_siblings = |line: &LabelledBalls| line.siblings.len() == line.count();
-    let choice = match labelled.proposed {
-        true => Choice::Proposed { without_dev: labelled.net_without_dev },
-        false => Choice::Sampled { tells_siblings: labelled.lines.iter().all(tells_siblings) },
+    let choice = match labelled.proposer {
+        Some(proposer) => Choice::Proposed(proposer),
+        None => Choice::Sampled { tells_siblings: labelled.lines.iter().all(tells_siblings) },
     };
     let training_tasks_of = labelled.training_tasks_of.map(|(setup, fold)| FoldId { setup, fold });
     LabelOrigin { training_tasks_of, choice }

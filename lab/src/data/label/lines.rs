@@ -8,6 +8,7 @@ use pathlight::benchmark::folds::Setup;
 use pathlight::simulator;
 use serde::{Deserialize, Serialize};
 
+use crate::data::label_use::Proposer;
 use crate::data::labels::{LabelledBalls, PATHS_LEN};
 use crate::files::journal::{self, check_ball, check_task};
 
@@ -30,6 +31,9 @@ pub struct LabelSettings {
     /// Whether the net of these weights has not learned from the fold's dev tasks.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub net_without_dev: bool,
+    /// Whether it has learned from random scenes alone.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub net_of_random_scenes: bool,
     /// Whether balls were tried in variants of the scenes.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub variants: bool,
@@ -72,10 +76,8 @@ pub struct Labelled {
     pub lines: Vec<LabelledBalls>,
     /// Setup and fold if only the fold's training tasks were used.
     pub training_tasks_of: Option<(Setup, u8)>,
-    /// The balls are those that a net proposed.
-    pub proposed: bool,
-    /// And that net has not learned from the fold's dev tasks.
-    pub net_without_dev: bool,
+    /// The net that proposed the balls; `None` if they were sampled.
+    pub proposer: Option<Proposer>,
     /// The balls are in variants of the scenes.
     pub variants: bool,
     /// The balls are in random scenes.
@@ -104,7 +106,8 @@ pub fn read_labels(path: &Path) -> anyhow::Result<Labelled> {
         tasks,
         training_tasks_of,
         weights,
-        net_without_dev,
+        net_without_dev: without_dev,
+        net_of_random_scenes,
         variants,
         random_scenes,
         unlisted,
@@ -119,8 +122,10 @@ pub fn read_labels(path: &Path) -> anyhow::Result<Labelled> {
     Ok(Labelled {
         lines,
         training_tasks_of,
-        proposed: weights.is_some(),
-        net_without_dev,
+        proposer: weights.map(|_| match net_of_random_scenes {
+            true => Proposer::RandomScenes,
+            false => Proposer::Tasks { without_dev },
+        }),
         variants,
         random_scenes,
         unlisted: unlisted.is_some(),

@@ -30,7 +30,7 @@ use crate::data::task_selection::TaskSelection;
 use crate::data::unlisted_tasks::unlisted_tasks;
 use crate::files::digest;
 use crate::files::journal::Journal;
-use crate::files::weights_file::load_nets;
+use crate::files::weights_file::load_nets_of_any_fold;
 use crate::progress::Progress;
 pub use lines::{LabelSettings, Labelled, read_labels};
 
@@ -58,7 +58,8 @@ pub struct Settings {
     pub rounds: usize,
     pub selection: TaskSelection,
     /// Label the balls that the dynamics net of these weights proposes, likeliest first, instead of sampled ones. Every
-    /// round takes the next 64. The weights are those of `training_tasks_of`.
+    /// round takes the next 64. The net has learned from tasks of `training_tasks_of`, or from random scenes alone; for
+    /// balls in random scenes, from these alone.
     pub weights: Option<PathBuf>,
     /// Label balls in variants of the tasks' scenes, another variant in every round. Balls are sampled around the
     /// solutions of the task alone.
@@ -114,11 +115,7 @@ impl Settings {
             }
             (None, None) => tasks.into_iter().map(SceneId::Task).collect(),
         };
-        let proposing = match (&self.weights, self.training_tasks_of) {
-            (Some(path), Some(fold)) => Some(proposing_nets(path, fold)?),
-            (Some(_), None) => bail!("name the fold of the weights that propose balls"),
-            (None, _) => None,
-        };
+        let proposing = self.weights.as_deref().map(|path| proposing_nets(path, self.training_tasks_of)).transpose()?;
         let (nets, card) = proposing.unzip();
         let settings = LabelSettings {
             seed: self.seed,
@@ -129,7 +126,8 @@ impl Settings {
             simulator: simulator::VERSION,
             solutions: digest(&self.solutions)?,
             weights: self.weights.as_deref().map(digest).transpose()?,
-            net_without_dev: card.is_some_and(|card| card.without_dev),
+            net_without_dev: card.as_ref().is_some_and(|card| card.without_dev),
+            net_of_random_scenes: card.is_some_and(|card| card.random_scenes_alone),
             variants: self.variants,
             random_scenes: self.random_scenes.is_some(),
             unlisted: self.unlisted,
@@ -232,9 +230,10 @@ impl Labeller<'_> {
         Some(try_balls(scene, balls.collect()))
     }
 
-    /// The balls of a scene of which no solutions are known: some of the second half are near those of the first that
-    /// solve. If none does, most random scenes are left out, so that nets see about as many with solutions as without:
-    /// there are no balls then.
+    /// The balls of a scene of which no solutions are known: those that nets propose, or sampled ones, of which some of
+    /// the second half are near those of the first that solve. If no proposed ball solves, or none of the first half,
+    /// most random scenes are left out, so that nets see about as many with solutions as without: there are no balls
+    /// then.
     fn in_new_scene(&self, id: SceneId, round: usize) -> LabelledBalls {
         let scene = id.scene().expect("a scene of the selection");
         let (siblings, unsolved) = match id {
@@ -242,16 +241,18 @@ impl Labeller<'_> {
             SceneId::Random(number) => (&[][..], number.is_multiple_of(UNSOLVED)),
             SceneId::Task(_) | SceneId::Variant(..) => (&[][..], true),
         };
+        let is_left_out = |tried: &[Tried]| !unsolved && !tried.iter().any(|ball| ball.solved);
         if let Some(proposed) = self.proposed(&scene, round) {
-            return LabelledBalls::new(id, proposed);
+            let balls = if is_left_out(&proposed) { Vec::new() } else { proposed };
+            return LabelledBalls::new(id, balls);
         }
         let mut rng = self.rng(id, round);
         let mut tried = try_balls(&scene, sample((id, &scene), &[], siblings, BALLS / 2, &mut rng));
-        let own: Vec<Sampled> =
-            tried.iter().filter(|ball| ball.solved).map(|&Tried { ball, sibling, .. }| (ball, sibling)).collect();
-        if own.is_empty() && !unsolved {
+        if is_left_out(&tried) {
             return LabelledBalls::new(id, Vec::new());
         }
+        let own: Vec<Sampled> =
+            tried.iter().filter(|ball| ball.solved).map(|&Tried { ball, sibling, .. }| (ball, sibling)).collect();
         tried.extend(try_balls(&scene, sample((id, &scene), &own, siblings, BALLS / 2, &mut rng)));
         LabelledBalls::new(id, tried)
     }
@@ -261,11 +262,22 @@ impl Labeller<'_> {
     }
 }
 
-/// Returns the nets of a fold's weights, with their dynamics net, and the card of this.
-fn proposing_nets(path: &Path, fold: FoldId) -> anyhow::Result<(PathNet, DynamicsCard)> {
-    let (nets, card) = load_nets(Some(path), fold)?;
-    let card = card.dynamics.with_context(|| {
-        format!("{} has no dynamics net: name weights of `pathlight-lab train dynamics`", path.display())
-    })?;
+/// Returns nets with their dynamics net, and the card of this. It has learned from tasks of the fold, or from random
+/// scenes alone.
+fn proposing_nets(path: &Path, fold: Option<FoldId>) -> anyhow::Result<(PathNet, DynamicsCard)> {
+    let name = path.display();
+    let (nets, card) = load_nets_of_any_fold(path)?;
+    let trained_on = card.fold_id();
+    let card = card
+        .dynamics
+        .with_context(|| format!("{name} has no dynamics net: name weights of `pathlight-lab train dynamics`"))?;
+    match fold {
+        _ if card.random_scenes_alone => {}
+        Some(fold) => trained_on.check(fold).with_context(|| format!("cannot use {name}"))?,
+        None => bail!(
+            "{name} has learned from tasks: name its fold with --setup and --fold, to label balls of its training \
+             tasks; for balls in random scenes, name weights that were trained on random scenes alone"
+        ),
+    }
     Ok((nets, card))
 }
