@@ -104,7 +104,8 @@ pub struct Label {
     selection: SelectionArgs,
 
     /// Label the balls that the dynamics net of these weights proposes, likeliest first, instead of sampled ones. Every
-    /// round takes the next 64. They have to be of the fold of --setup, or trained on random scenes alone
+    /// round takes the next 64. The net has to be of the fold of --setup; without --setup, it has to have learned from
+    /// random scenes alone
     #[arg(long, value_name = "FILE")]
     weights: Option<PathBuf>,
 

@@ -22,8 +22,8 @@ pub enum Command {
     Evaluate(Evaluate),
     Carried(Carried),
     Paper(Paper),
-    /// Print the results of dynamics nets that learned from random scenes too, which `measure evaluate` wrote, beside
-    /// the rows without them, as Markdown
+    /// Print the results of a dynamics net that learned from random scenes alone, which `measure evaluate --all-tasks`
+    /// wrote, beside the rows, as Markdown
     RandomScenes(BesideRows),
     /// Print the results of dynamics nets that learned from balls they had proposed, which `measure evaluate` wrote,
     /// beside the rows, as Markdown

@@ -189,18 +189,35 @@ fn score(
         progress.advance(chunk.len() as u64, format!("tasks attempted by {agent}"));
     }
     progress.finish(&format!("{} tasks attempted by {agent}", tasks.len()));
-    let firsts: Vec<_> = first_solved.iter().map(|&(_, first)| first).collect();
-    Ok(Score {
-        agent,
-        auccess: auccess(&firsts),
-        solved_at_once: solved_within(&firsts, 1),
-        solved_within_10: solved_within(&firsts, 10),
-        solved_within_100: solved_within(&firsts, MAX_ATTEMPTS),
-        first_solved,
-    })
+    Ok(Score::new(agent, first_solved))
+}
+
+impl Score {
+    fn new(agent: AgentName, first_solved: Vec<(TaskId, Option<usize>)>) -> Score {
+        let firsts: Vec<_> = first_solved.iter().map(|&(_, first)| first).collect();
+        Score {
+            agent,
+            auccess: auccess(&firsts),
+            solved_at_once: solved_within(&firsts, 1),
+            solved_within_10: solved_within(&firsts, 10),
+            solved_within_100: solved_within(&firsts, MAX_ATTEMPTS),
+            first_solved,
+        }
+    }
 }
 
 impl Report {
+    /// The part of a report on all tasks that is on the test tasks of a fold.
+    pub fn on_fold(&self, FoldId { setup, fold }: FoldId) -> Report {
+        let tests = FoldId { setup, fold }.tasks().test;
+        let on_tests = |score: &Score| {
+            let of_tests = score.first_solved.iter().filter(|(task, _)| tests.binary_search(task).is_ok());
+            Score::new(score.agent, of_tests.copied().collect())
+        };
+        let agents = self.agents.iter().map(on_tests).collect();
+        Report { setup, fold, tasks_of: TaskSet::Test, card: self.card.clone(), dqn: self.dqn.clone(), agents, ..*self }
+    }
+
     /// The first solving attempts of an agent, on all tasks or those of a template; empty if it was not measured.
     pub fn first_solved(&self, agent: AgentName, template: Option<usize>) -> Vec<Option<usize>> {
         let score = self.agents.iter().find(|score| score.agent == agent);

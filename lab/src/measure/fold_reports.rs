@@ -1,5 +1,5 @@
-//! The results of `measure evaluate` on several folds, in a folder as `SETUP-FOLD.json`: what the tables over folds are
-//! made of.
+//! The results of `measure evaluate` in a folder that the tables over folds are made of: `SETUP-FOLD.json` of several
+//! folds, or `all-tasks.json` of nets that have seen no task.
 
 use std::path::Path;
 
@@ -11,6 +11,9 @@ use super::evaluate::Report;
 use super::shipped::Measurement;
 use super::task_set::TaskSet;
 use crate::files::json_file;
+
+/// The file of results on all tasks.
+pub const ALL_TASKS: &str = "all-tasks.json";
 
 /// Reads the results in a folder, at least one, within before cross, folds ascending. Each has to hold these agents,
 /// and `settings` have to agree; `script` makes them.
@@ -24,7 +27,6 @@ pub fn read<S: PartialEq>(
     script: &str,
     settings: impl Fn(&Report) -> S,
 ) -> anyhow::Result<Vec<Report>> {
-    let names: Vec<String> = agents.iter().map(ToString::to_string).collect();
     let mut reports: Vec<Report> = Vec::new();
     for fold in FoldId::all() {
         let path = folder.join(format!("{fold}.json"));
@@ -39,7 +41,7 @@ pub fn read<S: PartialEq>(
                 && agents.iter().all(|&agent| report.score(agent).is_some()),
             "{name} does not hold the agents {}, of this version, on all test tasks of {fold}: remove it, and run \
              `{script}` again",
-            names.join(", "),
+            names(agents),
         );
         if let Some(first) = reports.first() {
             ensure!(
@@ -55,4 +57,27 @@ pub fn read<S: PartialEq>(
         .first()
         .with_context(|| format!("there are no results in {}: make them with `{script}`", folder.display()))?;
     Ok(reports)
+}
+
+/// Reads the results on all tasks in a folder. They have to hold these agents; `script` makes them.
+///
+/// # Errors
+/// If there are none, or they are damaged, or are not of all tasks, by these agents and of today's version.
+pub fn read_all_tasks(folder: &Path, agents: &[AgentName], script: &str) -> anyhow::Result<Report> {
+    let path = folder.join(ALL_TASKS);
+    let report: Report = json_file::read(&path, script)?;
+    ensure!(
+        report.tasks_of == TaskSet::All
+            && report.is_whole(&TaskSet::All.tasks(FoldId::default(), None))
+            && agents.iter().all(|&agent| report.score(agent).is_some()),
+        "{} does not hold the agents {}, of this version, on all tasks: remove it, and run `{script}` again",
+        path.display(),
+        names(agents),
+    );
+    Ok(report)
+}
+
+/// The names of agents, for a message.
+fn names(agents: &[AgentName]) -> String {
+    agents.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ")
 }

@@ -2,22 +2,19 @@
 
 use std::fmt::{self, Write as _};
 use std::path::Path;
-use std::{iter, slice};
 
 use anyhow::ensure;
 use pathlight::agents::agent_name::AgentName;
 use pathlight::benchmark::auccess::auccess;
-use pathlight::benchmark::folds::{FOLDS, FoldId};
+use pathlight::benchmark::folds::{FOLDS, FoldId, Setup};
 use pathlight::nets::{Card, DynamicsCard};
 use pathlight::puzzle::templates::TEMPLATES;
 
 use super::compared::{mean_and_deviation, scores};
 use super::fold_result;
-use crate::files::json_file;
 use crate::measure::agents::row;
 use crate::measure::evaluate::{Report, score_cell};
-use crate::measure::fold_reports;
-use crate::measure::task_set::TaskSet;
+use crate::measure::fold_reports::{self, ALL_TASKS};
 pub use table::Table;
 
 mod table;
@@ -32,17 +29,16 @@ struct Results {
     reports: Vec<Report>,
     /// The rows on the same folds.
     rows: Vec<Report>,
-    /// Of the net that has seen random scenes alone, on all tasks.
-    alone: Option<Report>,
+    /// On all tasks, if the nets have seen none; `reports` are parts of it.
+    on_all_tasks: Option<Report>,
 }
 
-/// Reads the results in a folder, `SETUP-FOLD.json` of `measure evaluate` and `alone.json`, and the rows in another;
-/// returns the page.
+/// Reads the results of `measure evaluate` in a folder, and the rows in another; returns the page.
 ///
 /// # Errors
 /// If there are no results, one is damaged or has no row, or they were made with different settings.
 pub fn page(table: Table, folder: &Path, rows: &Path) -> anyhow::Result<String> {
-    let reports = read(table, folder)?;
+    let (reports, on_all_tasks) = read(table, folder)?;
     let mut all_rows: Vec<Report> = fold_result::read(rows)?.into_iter().map(|row| row.report).collect();
     all_rows.retain(|row| reports.iter().any(|report| (row.setup, row.fold) == (report.setup, report.fold)));
     ensure!(
@@ -51,17 +47,14 @@ pub fn page(table: Table, folder: &Path, rows: &Path) -> anyhow::Result<String> 
         rows.display(),
         folder.display()
     );
-    let path = folder.join("alone.json");
-    let has_alone = matches!(table, Table::RandomScenes) && path.exists();
-    let alone = if has_alone { Some(json_file::read(&path, table.script())?) } else { None };
-    let results = Results { table, reports, rows: all_rows, alone };
+    let results = Results { table, reports, rows: all_rows, on_all_tasks };
     let mut text = String::new();
     results.head(&mut text)?;
     results.means(&mut text)?;
     results.templates(&mut text)?;
     results.folds(&mut text)?;
-    if let Some(alone) = &results.alone {
-        random_scenes_alone(&mut text, alone)?;
+    if let Some(report) = &results.on_all_tasks {
+        all_tasks(&mut text, report)?;
     }
     Ok(text)
 }
@@ -72,23 +65,40 @@ pub fn page(table: Table, folder: &Path, rows: &Path) -> anyhow::Result<String> 
 /// # Errors
 /// If a result is damaged, or they were made with different settings.
 pub fn online(table: Table, folder: &Path) -> anyhow::Result<Option<String>> {
-    let mut folds = FoldId::all().filter(|fold| fold.setup == table.setup());
-    if !folds.all(|fold| folder.join(format!("{fold}.json")).exists()) {
+    let exists = |name: String| folder.join(name).exists();
+    let is_whole = match table {
+        Table::ProposedBalls => folds_of(table.setup()).all(|fold| exists(format!("{fold}.json"))),
+        Table::RandomScenes => exists(ALL_TASKS.to_string()),
+    };
+    if !is_whole {
         return Ok(None);
     }
-    Ok(Some(mean_and_deviation(&scores(read(table, folder)?.iter(), AgentName::Online))))
+    Ok(Some(mean_and_deviation(&scores(read(table, folder)?.0.iter(), AgentName::Online))))
 }
 
-fn read(table: Table, folder: &Path) -> anyhow::Result<Vec<Report>> {
-    let reports = fold_reports::read(folder, &AGENTS, table.script(), settings)?;
-    let setup = table.setup();
-    ensure!(
-        reports.iter().all(|report| report.setup == setup),
-        "{} holds results of another setup than {setup}, which `{}` measures: remove them",
-        folder.display(),
-        table.script()
-    );
-    Ok(reports)
+/// Returns the results on the folds; and those on all tasks, if the nets have seen none.
+fn read(table: Table, folder: &Path) -> anyhow::Result<(Vec<Report>, Option<Report>)> {
+    let (setup, script) = (table.setup(), table.script());
+    match table {
+        Table::ProposedBalls => {
+            let reports = fold_reports::read(folder, &AGENTS, script, settings)?;
+            ensure!(
+                reports.iter().all(|report| report.setup == setup),
+                "{} holds results of another setup than {setup}, which `{script}` measures: remove them",
+                folder.display(),
+            );
+            Ok((reports, None))
+        }
+        Table::RandomScenes => {
+            let report = fold_reports::read_all_tasks(folder, &AGENTS, script)?;
+            Ok((folds_of(setup).map(|fold| report.on_fold(fold)).collect(), Some(report)))
+        }
+    }
+}
+
+/// The folds of a setup.
+fn folds_of(setup: Setup) -> impl Iterator<Item = FoldId> {
+    FoldId::all().filter(move |fold| fold.setup == setup)
 }
 
 /// What has to agree between the results of a table: the seed, and how the dynamics nets were trained.
@@ -112,8 +122,12 @@ impl Results {
                 self.table.script()
             );
         };
-        let DynamicsCard { epochs, batch, balls_per_scene, optimiser, learning_rate, .. } = card;
+        let DynamicsCard { epochs, batch, balls_per_scene, optimiser, learning_rate, path_weights, .. } = card;
         let (title, command) = (self.table.title(), self.table.name());
+        let training = match self.on_all_tasks {
+            None => format!("The last training of {setup} {fold}"),
+            Some(_) => "The training".to_string(),
+        };
         let counts = [(card.balls, "balls"), (card.variants, "variants"), (card.random_scenes, "random scenes")];
         let counts = counts.iter().filter(|(count, _)| *count > 0).map(|(count, of)| format!("{count} {of}"));
         let data = counts.collect::<Vec<_>>().join(", ");
@@ -121,47 +135,38 @@ impl Results {
             text,
             "# {title}\n\n`pathlight-lab measure {command}` printed this from the files beside it, which `{}` made. \
              {} Only counted attempts are simulated.\n\n\
-             The last training of {setup} {fold}: {data}; {epochs} epochs in batches of {batch} scenes with \
-             {balls_per_scene} balls each, {optimiser} at {learning_rate}. Seed {seed}, simulator {simulator}, agents \
+             {training}: {data}; {epochs} epochs in batches of {batch} scenes with \
+             {balls_per_scene} balls each, {optimiser} at {learning_rate}, weights of the paths {} and {}. Seed {seed}, \
+             simulator {simulator}, agents \
              {agents_version}. Folds measured: {} of {FOLDS}.\n",
             self.table.script(),
             self.table.introduction(),
+            path_weights.all,
+            path_weights.solving,
             self.reports.len(),
         )?;
         Ok(())
     }
 
-    /// The headings of the nets' own columns.
-    fn columns(&self) -> Vec<&'static str> {
-        iter::once(self.table.column()).chain(self.alone.as_ref().map(|_| "random scenes alone")).collect()
-    }
-
-    /// The means over the folds that are measured, beside those of the net that has seen random scenes alone and of
-    /// the rows, on the same test tasks.
+    /// The means over the folds that are measured, beside those of the rows, on the same test tasks.
     fn means(&self, text: &mut String) -> fmt::Result {
-        let columns = self.columns();
         writeln!(
             text,
             "\n## Auccess, mean over folds ± standard deviation\n\nOn the same test tasks.\n\n| setup | folds | agent \
-             | {} | the rows | first minus rows, folds on which it is positive |\n| --- | ---: | --- |{} ---: | ---: |",
-            columns.join(" | "),
-            " ---: |".repeat(columns.len()),
+             | {} | the rows | first minus rows, folds on which it is positive |\n\
+             | --- | ---: | --- | ---: | ---: | ---: |",
+            self.table.column(),
         )?;
         for agent in AGENTS {
             let [with, without] = [&self.reports, &self.rows].map(|reports| scores(reports.iter(), agent));
             let differences: Vec<f64> = with.iter().zip(&without).map(|(with, without)| with - without).collect();
-            let alone = self.alone.iter().map(|alone| {
-                let of_folds = self.reports.iter().map(|fold| auccess(&on_tasks_of(fold, alone, agent)));
-                mean_and_deviation(&of_folds.collect::<Vec<_>>())
-            });
-            let own: Vec<String> = iter::once(mean_and_deviation(&with)).chain(alone).collect();
             writeln!(
                 text,
                 "| {} | {} | **{}** | {} | {} | {}, {} of {} |",
                 self.table.setup(),
                 self.reports.len(),
                 row(agent).label,
-                own.join(" | "),
+                mean_and_deviation(&with),
                 mean_and_deviation(&without),
                 mean_and_deviation(&differences),
                 differences.iter().filter(|&&difference| difference > 0.0).count(),
@@ -173,13 +178,11 @@ impl Results {
 
     /// The same of the online agent, by template.
     fn templates(&self, text: &mut String) -> fmt::Result {
-        let columns = self.columns();
         writeln!(
             text,
             "\n## By template\n\nAuccess of the online agent over the tasks of all folds that test a template.\n\n\
-             | template | {} | the rows | random |\n| --- |{} ---: | ---: |",
-            columns.join(" | "),
-            " ---: |".repeat(columns.len()),
+             | template | {} | the rows | random |\n| --- | ---: | ---: | ---: |",
+            self.table.column(),
         )?;
         for template in TEMPLATES {
             let cell = |reports: &[Report], agent| {
@@ -187,11 +190,10 @@ impl Results {
                 let firsts: Vec<Option<usize>> = firsts.collect();
                 if firsts.is_empty() { "–".to_string() } else { format!("{:.0}", auccess(&firsts)) }
             };
-            let own = iter::once(&self.reports[..]).chain(self.alone.as_ref().map(slice::from_ref));
-            let cells = own.chain([&self.rows[..]]).map(|reports| cell(reports, AgentName::Online));
-            let cells: Vec<String> = cells.chain([cell(&self.reports, AgentName::Random)]).collect();
+            let cells = [&self.reports, &self.rows].map(|reports| cell(reports, AgentName::Online));
             if cells[0] != "–" {
-                writeln!(text, "| {:05} {} | {} |", template.number, template.name, cells.join(" | "))?;
+                let random = cell(&self.reports, AgentName::Random);
+                writeln!(text, "| {:05} {} | {} | {random} |", template.number, template.name, cells.join(" | "))?;
             }
         }
         Ok(())
@@ -212,35 +214,22 @@ impl Results {
     }
 }
 
-/// The first solving attempts of an agent in a report on all tasks, at those that a fold of cross tests: all of some
-/// templates.
-fn on_tasks_of(fold: &Report, all: &Report, agent: AgentName) -> Vec<Option<usize>> {
-    let tested = |template: &usize| !fold.first_solved(agent, Some(*template)).is_empty();
-    (0..TEMPLATES.len()).filter(tested).flat_map(|template| all.first_solved(agent, Some(template))).collect()
-}
-
-/// The net that has seen random scenes alone, on all tasks.
-fn random_scenes_alone(text: &mut String, report: &Report) -> anyhow::Result<()> {
-    let Report { tasks_of: TaskSet::All, seed, card: Some(Card { dynamics: Some(card), .. }), .. } = report else {
-        anyhow::bail!("alone.json is not of all tasks: remove it, and run `{}` again", Table::RandomScenes.script());
-    };
-    let DynamicsCard { epochs, batch, balls_per_scene, optimiser, learning_rate, balls, random_scenes, .. } = card;
+/// The results on all tasks.
+fn all_tasks(text: &mut String, report: &Report) -> fmt::Result {
     let agents = || AGENTS.into_iter().chain([AgentName::Random]);
     let tasks = report.first_solved(AgentName::Random, None).len();
+    let names: Vec<&str> = agents().map(|agent| row(agent).label).collect();
     writeln!(
         text,
-        "\n## Random scenes alone\n\nThe net that those of the folds start from has seen no task and no template. \
-         {balls} balls, {random_scenes} random scenes; {epochs} epochs in batches of {batch} scenes with \
-         {balls_per_scene} balls each, {optimiser} at {learning_rate}. Seed {seed}, {tasks} tasks.\n"
+        "\n## All {tasks} tasks\n\n| template | {} |\n| --- |{}",
+        names.join(" | "),
+        " ---: |".repeat(names.len())
     )?;
-    let names: Vec<&str> = agents().map(|agent| row(agent).label).collect();
-    writeln!(text, "| template | {} |\n| --- |{}", names.join(" | "), " ---: |".repeat(names.len()))?;
     for template in TEMPLATES {
         let auccess = |agent| format!("{:.0}", auccess(&report.first_solved(agent, Some(template.number))));
         let cells: Vec<String> = agents().map(auccess).collect();
         writeln!(text, "| {:05} {} | {} |", template.number, template.name, cells.join(" | "))?;
     }
     let all: Vec<String> = agents().map(|agent| report.score(agent).map_or("–".to_string(), score_cell)).collect();
-    writeln!(text, "| all | {} |", all.join(" | "))?;
-    Ok(())
+    writeln!(text, "| all | {} |", all.join(" | "))
 }

@@ -7,7 +7,7 @@ use pathlight::benchmark::folds::Setup;
 pub enum Table {
     /// Balls that an earlier net of the same fold proposed, in the setup within.
     ProposedBalls,
-    /// Random scenes, in the setup cross.
+    /// Random scenes alone, beside the rows of the setup cross.
     RandomScenes,
 }
 
@@ -46,7 +46,7 @@ impl Table {
     pub fn column(self) -> &'static str {
         match self {
             Table::ProposedBalls => "with proposed balls",
-            Table::RandomScenes => "random scenes, then tasks",
+            Table::RandomScenes => "random scenes alone",
         }
     }
 
@@ -61,9 +61,9 @@ impl Table {
                  published ones as the rows do."
             }
             Table::RandomScenes => {
-                "The dynamics nets learned from random scenes, which have no template, at first from these alone, and \
-                 then from the training tasks and variants of them too. The nets of the [rows](../README.md) have seen \
-                 no random scenes, and were trained with other settings."
+                "One dynamics net learned from random scenes alone, which have no template: it has seen no task, so the \
+                 test tasks of all folds are new to it. The nets of the [rows](../README.md) learned from training tasks \
+                 and their variants, from no random scenes, and with other settings."
             }
         }
     }
