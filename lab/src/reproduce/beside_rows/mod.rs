@@ -135,9 +135,8 @@ impl Results {
             text,
             "# {title}\n\n`pathlight-lab measure {command}` printed this from the files beside it, which `{}` made. \
              {} Only counted attempts are simulated.\n\n\
-             {training}: {data}; {epochs} epochs in batches of {batch} scenes with \
-             {balls_per_scene} balls each, {optimiser} at {learning_rate}, weights of the paths {} and {}. Seed {seed}, \
-             simulator {simulator}, agents \
+             {training}: {data}; {epochs} epochs in batches of {batch} scenes with {balls_per_scene} balls each, \
+             {optimiser} at {learning_rate}, weights of the paths {} and {}. Seed {seed}, simulator {simulator}, agents \
              {agents_version}. Folds measured: {} of {FOLDS}.\n",
             self.table.script(),
             self.table.introduction(),
