@@ -1,5 +1,5 @@
-//! The results of `measure evaluate` in a folder that the tables over folds are made of: `SETUP-FOLD.json` of several
-//! folds, or `all-tasks.json` of nets that have seen no task.
+//! What the tables over folds are made of: files of `measure evaluate` in a folder, `SETUP-FOLD.json` for several
+//! folds, or `all-tasks.json` for nets that have seen no task.
 
 use std::path::Path;
 

@@ -57,7 +57,7 @@ fn results_on_all_tasks_stand_beside_the_rows_of_every_fold() {
     put(&result);
     let page = output_of(&words);
     assert!(page.contains("| cross | 3 | **100.0** 100 / 100 / 100 % |"), "{page}");
-    assert!(page.contains("\n| all | **20.0** 20 / 20 / 20 % |"), "500 of 2,500 tasks: {page}");
+    assert!(page.contains("\n| **20.0** 20 / 20 / 20 % |"), "500 of 2,500 tasks: {page}");
 
     result["tasks_of"] = "test".into();
     put(&result);

@@ -115,7 +115,9 @@ impl Settings {
             }
             (None, None) => tasks.into_iter().map(SceneId::Task).collect(),
         };
-        let proposing = self.weights.as_deref().map(|path| proposing_nets(path, self.training_tasks_of)).transpose()?;
+        // Who learns from random scenes alone must not learn from tasks through the balls there.
+        let fold = self.training_tasks_of.filter(|_| self.random_scenes.is_none());
+        let proposing = self.weights.as_deref().map(|path| proposing_nets(path, fold)).transpose()?;
         let (nets, card) = proposing.unzip();
         let settings = LabelSettings {
             seed: self.seed,

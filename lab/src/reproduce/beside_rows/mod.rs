@@ -107,7 +107,7 @@ fn settings(report: &Report) -> impl PartialEq + use<> {
     let recipe = card.map(|card| {
         let DynamicsCard { seed, epochs, batch, balls_per_scene, imagined_per_scene, .. } = *card;
         let rate = (card.optimiser, card.learning_rate, card.path_weights);
-        (seed, epochs, batch, balls_per_scene, imagined_per_scene, rate, card.random_scenes)
+        (seed, epochs, batch, balls_per_scene, imagined_per_scene, rate)
     });
     (report.seed, recipe)
 }
@@ -136,8 +136,8 @@ impl Results {
             "# {title}\n\n`pathlight-lab measure {command}` printed this from the files beside it, which `{}` made. \
              {} Only counted attempts are simulated.\n\n\
              {training}: {data}; {epochs} epochs in batches of {batch} scenes with {balls_per_scene} balls each, \
-             {optimiser} at {learning_rate}, weights of the paths {} and {}. Seed {seed}, simulator {simulator}, agents \
-             {agents_version}. Folds measured: {} of {FOLDS}.\n",
+             {optimiser} at {learning_rate}, weights of the paths {} and {}. Seed {seed}, simulator {simulator}, \
+             agents {agents_version}. Folds measured: {} of {FOLDS}.\n",
             self.table.script(),
             self.table.introduction(),
             path_weights.all,
@@ -213,22 +213,17 @@ impl Results {
     }
 }
 
-/// The results on all tasks.
+/// The means over all tasks.
 fn all_tasks(text: &mut String, report: &Report) -> fmt::Result {
     let agents = || AGENTS.into_iter().chain([AgentName::Random]);
     let tasks = report.first_solved(AgentName::Random, None).len();
     let names: Vec<&str> = agents().map(|agent| row(agent).label).collect();
+    let cells: Vec<String> = agents().map(|agent| report.score(agent).map_or("–".to_string(), score_cell)).collect();
     writeln!(
         text,
-        "\n## All {tasks} tasks\n\n| template | {} |\n| --- |{}",
+        "\n## All {tasks} tasks\n\n| {} |\n|{}\n| {} |",
         names.join(" | "),
-        " ---: |".repeat(names.len())
-    )?;
-    for template in TEMPLATES {
-        let auccess = |agent| format!("{:.0}", auccess(&report.first_solved(agent, Some(template.number))));
-        let cells: Vec<String> = agents().map(auccess).collect();
-        writeln!(text, "| {:05} {} | {} |", template.number, template.name, cells.join(" | "))?;
-    }
-    let all: Vec<String> = agents().map(|agent| report.score(agent).map_or("–".to_string(), score_cell)).collect();
-    writeln!(text, "| all | {} |", all.join(" | "))
+        " ---: |".repeat(names.len()),
+        cells.join(" | ")
+    )
 }

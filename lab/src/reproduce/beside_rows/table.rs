@@ -61,9 +61,9 @@ impl Table {
                  published ones as the rows do."
             }
             Table::RandomScenes => {
-                "One dynamics net learned from random scenes alone, which have no template: it has seen no task, so the \
-                 test tasks of all folds are new to it. The nets of the [rows](../README.md) learned from training tasks \
-                 and their variants, from no random scenes, and with other settings."
+                "One dynamics net learned from random scenes alone, which have no template. It has seen no task, so \
+                 the test tasks of all folds are new to it. The nets of the [rows](../README.md) learned from training \
+                 tasks and variants of them, but from no random scenes, and with other settings."
             }
         }
     }
