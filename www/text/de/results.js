@@ -42,7 +42,7 @@ export const results = {
       ours: "unsere",
     },
     besideRows:
-      "online, wenn das Netz auch aus selbst vorgeschlagenen Kugeln (bekannte Arten) oder zufälligen Rätseln (neue Arten) gelernt hat",
+      "online, wenn das Netz auch aus selbst vorgeschlagenen Kugeln (bekannte Arten) oder nur aus zufälligen Rätseln (neue Arten) gelernt hat",
     ours: "Unsere Agenten, in unserem Simulator",
     published: "Veröffentlichte Ergebnisse, im Simulator von PHYRE",
   },
