@@ -18,11 +18,6 @@ pub(super) const CANDIDATES: usize = 400;
 /// The likeliest candidates, whose neighbours are imagined too. The others are hardly ever tried.
 const CLIMBERS: usize = 100;
 
-/// The prior of a candidate under a memory: the logit of the likeliest, and by how much it falls with the logarithm of
-/// the rank. It is roughly how often the n-th attempt at a new task solves it.
-const FIRST_LOGIT: f64 = -0.3;
-const FALL: f64 = 0.75;
-
 /// By how much a neighbour differs in x, y or radius, px.
 const STEP: f64 = 1.0;
 
@@ -41,8 +36,7 @@ pub(super) fn candidates_of(read: &ReadScene, scene: &Scene, count: usize) -> Op
     (!candidates.is_empty()).then_some(candidates)
 }
 
-/// Returns candidates, and balls that solved similar scenes, with the logits that a memory gives them. The net only
-/// ranks them: on scenes unlike those of its training it is overconfident, and no attempt could outweigh its logits.
+/// Returns candidates, and balls that solved similar scenes, with the logits that a memory gives them.
 pub fn remembered(
     mut candidates: Vec<Candidate>,
     read: &ReadScene,
@@ -51,19 +45,8 @@ pub fn remembered(
 ) -> Vec<Candidate> {
     let suggested = recollection.suggestions(scene, |ball| candidates.iter().any(|known| known.ball == *ball));
     candidates.extend(imagine(read, &suggested).filter(is_finite));
-    let mut logits: Vec<f64> = candidates.iter().map(|candidate| candidate.logit).collect();
-    logits.sort_by(|a, b| b.total_cmp(a));
-    for candidate in &mut candidates {
-        let rank = 1 + logits.partition_point(|&logit| logit > candidate.logit);
-        candidate.logit = logit_of_rank(rank);
-    }
     recollection.change_logits(&mut candidates);
     candidates
-}
-
-/// Returns the prior of a candidate under a memory, by its rank from 1.
-pub(super) fn logit_of_rank(rank: usize) -> f64 {
-    FIRST_LOGIT - FALL * libm::log(rank as f64)
 }
 
 /// Returns up to `count` proposals: the candidates in the order in which the online agent tries them if all attempts

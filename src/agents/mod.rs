@@ -109,9 +109,10 @@ pub enum Origin {
 }
 
 /// Version of the proposals, as `simulator::VERSION` is of the rollouts. Raise it whenever the same weights or the same
-/// seed make an agent propose other balls or another order: results record it, and those of other versions are not
-/// comparable. `tests/proposals_golden.rs` fails when proposals change. A change of rounding needs no new version if
-/// `pathlight-lab measure evaluate` finds the same solving attempts at all test tasks of fold 0, within and cross.
+/// seed make an agent without a memory propose other balls or another order: results record it, and those of other
+/// versions are not comparable. `tests/proposals_golden.rs` fails when proposals change. A change of rounding needs no
+/// new version if `pathlight-lab measure evaluate` finds the same solving attempts at all test tasks of fold 0, within
+/// and cross.
 pub const VERSION: u32 = 4;
 
 /// Returns the model at work on a scene: the online agent, or, from weights without a dynamics net, the list of up to
@@ -180,7 +181,7 @@ pub fn from_map_remembering(
     recollection: &Recollection,
 ) -> Vec<Candidate> {
     let list = from_map(nets, scene, seed, count.max(CANDIDATES));
-    recollection.candidates(scene, list, imagined_candidates::logit_of_rank)
+    recollection.candidates(scene, list, placement::logit_of_rank)
 }
 
 /// Returns up to `count` proposals of DQN, the benchmark's baseline: the best of a fixed list of actions.

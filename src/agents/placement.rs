@@ -51,6 +51,11 @@ const STEPS_APART: usize = 2_000;
 /// Draws for one proposal before the search ends, because the scene has no room for another ball.
 const MAX_PROPOSAL_DRAWS: usize = 100_000;
 
+/// The logit of the first proposal under a memory, and by how much the logits fall with the logarithm of the rank: the
+/// map gives no chances. It is roughly how often the n-th attempt at a new task solves it.
+const FIRST_LOGIT: f64 = -0.3;
+const FALL: f64 = 0.75;
+
 /// Returns `attempts` valid, distinct balls, best guess first, or fewer if the scene has no room for as many. `map`
 /// holds 64 x 64 values in 0..=1, row 0 at the bottom. The same seed returns the same balls.
 pub fn proposals(map: &[f32], scene: &Scene, seed: u64, attempts: usize) -> Vec<Proposal> {
@@ -99,6 +104,11 @@ pub fn proposals(map: &[f32], scene: &Scene, seed: u64, attempts: usize) -> Vec<
         found.push(proposal);
     }
     found
+}
+
+/// Returns the prior of a proposal under a memory, by its rank from 1.
+pub(super) fn logit_of_rank(rank: usize) -> f64 {
+    FIRST_LOGIT - FALL * libm::log(rank as f64)
 }
 
 /// Returns an action a random step away from another.

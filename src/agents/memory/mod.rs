@@ -20,6 +20,11 @@ mod recollection;
 mod saved;
 mod scene_sketch;
 
+/// Version of what a memory teaches. Raise it whenever the same attempts make an agent that remembers propose other
+/// balls or another order: results of such agents record it beside `agents::VERSION`, and those of other versions are
+/// not comparable. `tests/memory_golden.rs` fails when they change.
+pub const VERSION: u32 = 2;
+
 /// Attempts that are remembered. The oldest puzzles are forgotten first.
 pub const CAPACITY: usize = 4000;
 
@@ -47,12 +52,12 @@ pub struct Settings {
 impl Settings {
     /// Chosen on dev tasks.
     pub const DEFAULT: Settings = Settings {
-        scene_length: 0.5,
+        scene_length: 0.8,
         ball_length: 8.0,
         shares: [1.0 / 3.0; 3],
-        success: 4.0,
-        failure: 4.0,
-        least_expected: 0.15,
+        success: 6.0,
+        failure: 2.0,
+        least_expected: 0.05,
         suggestions: 20,
     };
 }

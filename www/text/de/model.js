@@ -157,8 +157,8 @@ export const model = {
     },
     dynamics: {
       term: "Das Dynamiknetz lernte aus",
-      words: ({ balls, epochs, unlisted, random_scenes: random, from }) =>
-        `${counted(balls, "Kugel", "Kugeln")} und ihren Bahnen, in ${counted(epochs, "Durchgang", "Durchgängen")} durch die Rätsel${unlisted ? `, von denen ${number(unlisted)} zusätzliche der gleichen Arten sind` : ""}${random ? `, von denen ${number(random)} zufällig erzeugt sind` : ""}${from ? ", nach einem früheren Training" : ""}`,
+      words: ({ balls, epochs, unlisted, random_scenes: random, random_scenes_alone: alone, from }) =>
+        `${counted(balls, "Kugel", "Kugeln")} und ihren Bahnen, in ${counted(epochs, "Durchgang", "Durchgängen")} durch ${alone ? `${number(random)} zufällig erzeugte Rätsel und keine anderen` : "die Rätsel"}${unlisted ? `, von denen ${number(unlisted)} zusätzliche der gleichen Arten sind` : ""}${random && !alone ? `, von denen ${number(random)} zufällig erzeugt sind` : ""}${from ? ", nach einem früheren Training" : ""}`,
     },
     simulator: { term: "Version des Simulators", words: String },
     seed: { term: "Startwert des Zufalls", words: String },

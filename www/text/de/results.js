@@ -31,7 +31,7 @@ export const results = {
   beside: {
     title: "Im Vergleich zu veröffentlichten Ergebnissen",
     about:
-      "AUCCESS, gemittelt über die zehn Aufteilungen von PHYRE. Die Zahlen oben gelten für eine davon. Unsere Netze haben wir für jede Aufteilung kurz trainiert und in unserem Simulator gemessen, der etwas anders rechnet als der von PHYRE. RAND probiert in jedem Rätsel dieselbe Liste von Kugeln durch; unsere zufälligen Kugeln werden jedes Mal neu gezogen.",
+      "AUCCESS, gemittelt über die zehn Aufteilungen von PHYRE. Die Zahlen oben gelten für eine davon. Die meisten unserer Netze haben wir für jede Aufteilung neu und nur kurz trainiert. Gemessen haben wir in unserem Simulator, der etwas anders rechnet als der von PHYRE. RAND probiert in jedem Rätsel dieselbe Liste von Kugeln durch; unsere zufälligen Kugeln werden jedes Mal neu gezogen.",
     within: "Bekannte Arten",
     cross: "Neue Arten",
     byKind: {

@@ -150,8 +150,8 @@ export const model = {
     },
     dynamics: {
       term: "The dynamics net learned from",
-      words: ({ balls, epochs, unlisted, random_scenes: random, from }) =>
-        `${number(balls)} balls with their paths, in ${number(epochs)} passes over the puzzles${unlisted ? `, ${number(unlisted)} of them extra ones of the same kinds` : ""}${random ? `, ${number(random)} of them random` : ""}${from ? ", after an earlier training" : ""}`,
+      words: ({ balls, epochs, unlisted, random_scenes: random, random_scenes_alone: alone, from }) =>
+        `${number(balls)} balls with their paths, in ${number(epochs)} passes over ${alone ? `${number(random)} random puzzles and no others` : "the puzzles"}${unlisted ? `, ${number(unlisted)} of them extra ones of the same kinds` : ""}${random && !alone ? `, ${number(random)} of them random` : ""}${from ? ", after an earlier training" : ""}`,
     },
     simulator: { term: "Version of the simulator", words: String },
     seed: { term: "Random seed", words: String },

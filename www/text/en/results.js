@@ -32,7 +32,7 @@ export const results = {
   beside: {
     title: "Compared with published results",
     about:
-      "Auccess, averaged over PHYRE’s ten splits of the puzzles; the figures above are for one split. We trained nets briefly for each split and measured them in our simulator, which differs slightly from PHYRE’s. RAND tries the same list of balls on every puzzle; our random balls are drawn anew each time.",
+      "Auccess, averaged over PHYRE’s ten splits of the puzzles; the figures above are for one split. We trained most nets briefly, anew for each split, and measured them in our simulator, which differs slightly from PHYRE’s. RAND tries the same list of balls on every puzzle; our random balls are drawn anew each time.",
     within: "Known kinds",
     cross: "New kinds",
     byKind: {

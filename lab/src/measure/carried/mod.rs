@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, ensure};
 use pathlight::agents::agent_name::AgentName;
 use pathlight::agents::imagined_candidates::{imagined_candidates, remembered};
-use pathlight::agents::memory::{Memory, PuzzleSource, Settings as MemorySettings};
+use pathlight::agents::memory::{self, Memory, PuzzleSource, Settings as MemorySettings};
 use pathlight::agents::online::{Candidate, OnlineAgent};
 use pathlight::agents::{self, Agent, Observation, from_map, from_map_remembering, random};
 use pathlight::benchmark::auccess::MAX_ATTEMPTS;
@@ -56,6 +56,7 @@ pub struct Report {
     pub seed: u64,
     pub simulator: u32,
     pub agents_version: u32,
+    pub memory_version: u32,
     /// How the model was trained.
     pub card: Card,
     pub runs: Vec<Run>,
@@ -173,8 +174,17 @@ impl Settings {
         }
         progress.finish(&format!("{} runs", runs.len()));
         let Settings { fold: FoldId { setup, fold }, seed, .. } = *self;
-        let (simulator, agents_version) = (simulator::VERSION, agents::VERSION);
-        Ok(Report { setup, fold, tasks_of: self.tasks, seed, simulator, agents_version, card, runs })
+        Ok(Report {
+            setup,
+            fold,
+            tasks_of: self.tasks,
+            seed,
+            simulator: simulator::VERSION,
+            agents_version: agents::VERSION,
+            memory_version: memory::VERSION,
+            card,
+            runs,
+        })
     }
 
     /// Lets an agent play all tasks in an order.

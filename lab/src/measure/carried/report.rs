@@ -26,8 +26,9 @@ evaluate --carry` wrote.
 Here an agent meets the test tasks of a fold, or all tasks, one after the other, and what it learned at one is used \
 for the next, as by PHYRE's DQN-O (56.2 across templates, in order of ids). That is another setting than that of \
 [the other results](../README.md), whose agents start each task afresh: do not compare across the two tables. Only \
-counted attempts are simulated. The constants of the memory were chosen on dev tasks, except how a candidate's rank \
-counts: that came from a trial on the test tasks of cross 0, so the figures of this fold may be somewhat too good.
+counted attempts are simulated. The constants of the memory were chosen on dev tasks, except how the rank of a \
+proposal of the paper's nets counts: that came from a trial on the test tasks of cross 0, so their figures there may \
+be somewhat too good.
 
 Within a puzzle, “online, by balls” compares balls by place and radius, and “online” by imagined paths too. Shuffled \
 orders are measured with the whole memory alone: without one, the order makes no difference.
@@ -63,14 +64,15 @@ impl Report {
     /// Only if formatting fails.
     pub fn markdown(&self) -> Result<String, fmt::Error> {
         let mut text = String::new();
-        let &Report { setup, fold, tasks_of, seed, simulator, agents_version, ref runs, .. } = self;
+        let &Report { setup, fold, tasks_of, seed, simulator, agents_version, memory_version, ref runs, .. } = self;
         let tasks = runs.first().map_or(0, |run| run.first_solved.len());
         let mut shuffles: Vec<u64> = runs.iter().filter_map(|run| run.shuffle).collect();
         shuffles.sort_unstable();
         shuffles.dedup();
         writeln!(
             text,
-            "## {}\n\nSeed {seed}, simulator {simulator}, agents {agents_version}. Seeds of the shuffled orders: {}.\n",
+            "## {}\n\nSeed {seed}, simulator {simulator}, agents {agents_version}, memory {memory_version}. Seeds of the \
+             shuffled orders: {}.\n",
             tasks_of.heading(FoldId { setup, fold }, tasks),
             if shuffles.is_empty() { "none".to_string() } else { format!("{shuffles:?}").replace(['[', ']'], "") }
         )?;
@@ -78,7 +80,7 @@ impl Report {
             writeln!(
                 text,
                 "The net has learned from random scenes alone, so it knows none of these tasks. But the constants of the \
-                 memory came from some of them, so these figures may be somewhat too good too.\n"
+                 memory were chosen on some of them, so these figures may be somewhat too good.\n"
             )?;
         }
         writeln!(text, "| agent | remembers | order of ids | shuffled |\n| --- | --- | ---: | ---: |")?;
