@@ -142,7 +142,8 @@ impl Default for PathWeights {
     }
 }
 
-/// The settings that a dynamics net was trained with. It has seen the same tasks as the nets.
+/// The settings that a dynamics net was trained with. It has seen the same tasks as the nets, or none: see
+/// `random_scenes_alone`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct DynamicsCard {
     /// Seed of the initial weights and of the order of the scenes.

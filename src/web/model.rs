@@ -77,7 +77,7 @@ impl Model {
         to_js(&self.card)
     }
 
-    /// Whether the model was trained on this task or its settings were chosen on it; never for a custom scene.
+    /// Whether nets of the model were trained on this task or its settings were chosen on it; never for a custom scene.
     ///
     /// # Errors
     /// `bad_task` if there is no such task, `bad_scene` if the scene may not be played.

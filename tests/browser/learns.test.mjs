@@ -35,7 +35,7 @@ const until = (page, count) =>
 /** Waits until the button says something. */
 const says = (page, words) => play(page).filter({ hasText: words }).waitFor({ timeout: 120_000 });
 
-test("from the home page: twenty puzzles, of which it solves the later ones sooner than without memory", async () => {
+test("from the home page: twenty puzzles, which take it fewer attempts than without memory", async () => {
   const page = await session.open("/");
   await page.locator("[data-pick=learns] a").click();
   await page.locator("#learns-kinds input").first().waitFor();

@@ -3,6 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { ballNetOf } from "../../www/model/ball-net.js";
+import { practice } from "../../www/model/practice.js";
 import { text } from "../../www/text/text.js";
 
 const { nets, knows } = text.model;
@@ -38,4 +39,11 @@ test("the number of nets is that of the paper's maps, and one more if balls are 
 test("what a model has learned from follows from the setup of its card, whatever its name", () => {
   assert.match(knows.within, /all 25 kinds/);
   assert.match(knows.cross, /20 of the 25 kinds/);
+});
+
+test("a model whose ball net learned from random puzzles alone has practised puzzles by its maps alone", () => {
+  const alone = { dynamics: { random_scenes_alone: true } };
+  assert.equal(practice({ dynamics: {} }, true), "practised this one");
+  assert.equal(practice(alone, true), "only its maps practised this one");
+  assert.equal(practice(alone, false), "new to the model");
 });

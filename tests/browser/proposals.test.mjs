@@ -188,7 +188,7 @@ test("wherever a result stands it says what the model knows, and whether it has 
   await badge("#imagine").filter({ hasText: "new to the model" }).waitFor();
   await inMore(page, () => page.locator("#model-select").selectOption("cross-0"));
   await badge("#imagine")
-    .filter({ hasText: /Knows 20 of 25 kinds\s+practised this one/ })
+    .filter({ hasText: /Knows 20 of 25 kinds\s+only its maps practised this one/ })
     .waitFor();
   await page
     .locator("#model-words")

@@ -143,7 +143,7 @@ export class Pathlight extends Benchmark {
   }
 
   /**
-   * Whether the model was trained on this task or its settings were chosen on it; never for a custom scene.
+   * Whether nets of the model were trained on this task or its settings were chosen on it; never for a custom scene.
    * @param {Puzzle} task
    * @returns {boolean}
    */

@@ -5,6 +5,7 @@ import { Component } from "../widgets/component.js";
 import { PAPER_MAPS } from "../shell/constants.js";
 import { setText } from "../widgets/dom.js";
 import { ballNetOf } from "../model/ball-net.js";
+import { practice } from "../model/practice.js";
 import { text } from "../text/text.js";
 
 export class ModelBadge extends Component {
@@ -34,7 +35,7 @@ export class ModelBadge extends Component {
   #update() {
     const { loaded } = this.#client;
     const known = this.#imagine.seen;
-    const { nets, knows, kinds, seen: practised, unseen } = text.model;
+    const { nets, knows, kinds } = text.model;
     const ballNet = ballNetOf(loaded?.card);
     setText(this.byId("imagine-intro"), nets.intro(PAPER_MAPS.length, ballNet));
     setText(this.byId("about-nets"), text.panels.model.nets(nets.about(PAPER_MAPS.length, ballNet)));
@@ -45,7 +46,7 @@ export class ModelBadge extends Component {
       element.title = text.panels.model.named(loaded.name, knows[loaded.card.setup]);
       seen.hidden = known === null;
       seen.dataset.seen = String(known);
-      setText(seen, known === null ? "" : known ? practised : unseen);
+      setText(seen, known === null ? "" : practice(loaded.card, known));
     }
   }
 }

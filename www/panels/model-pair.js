@@ -7,6 +7,7 @@ import { contextOf, find, setText } from "../widgets/dom.js";
 import { pathlight } from "../shell/page-api.js";
 import { chanceWords } from "../model/chance-words.js";
 import { mapWords } from "../model/place-words.js";
+import { practice } from "../model/practice.js";
 import { SharedClient } from "../model/shared-client.js";
 import { sentence } from "../text/sentence.js";
 import { text } from "../text/text.js";
@@ -141,7 +142,7 @@ export class ModelPair extends Component {
     find(column, ".model-words").textContent = sentence(text.model.knows[card.setup]);
     const badge = find(column, ".model-badge span");
     badge.dataset.seen = String(seen);
-    badge.textContent = seen ? text.model.seen : text.model.unseen;
+    badge.textContent = practice(card, seen);
     const mapName = /** @type {MapName} */ (this.#mapName.value);
     const map = maps[mapName];
     this.#scenePicture.drawOn(find(column, ".scene-layer", HTMLCanvasElement));

@@ -81,7 +81,7 @@ fn head(text: &mut String, results: &[FoldResult], beside_rows: &[Option<String>
     if beside_rows.iter().any(Option::is_some) {
         writeln!(
             text,
-            "**{BESIDE_ROWS}**: its net also learned from [balls that a net proposed](proposed-balls/README.md) within, \
+            "**{BESIDE_ROWS}**: its net learned from [balls that a net proposed](proposed-balls/README.md) too within, \
              and from [random scenes](random-scenes/README.md) alone in cross. It was trained with other settings than \
              those of the rows.\n"
         )?;

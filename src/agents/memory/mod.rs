@@ -22,7 +22,7 @@ mod scene_sketch;
 
 /// Version of what a memory teaches. Raise it whenever the same attempts make an agent that remembers propose other
 /// balls or another order: results of such agents record it beside `agents::VERSION`, and those of other versions are
-/// not comparable. `tests/memory_golden.rs` fails when they change.
+/// not comparable. `tests/memory_golden.rs` fails when the random agent's change.
 pub const VERSION: u32 = 2;
 
 /// Attempts that are remembered. The oldest puzzles are forgotten first.

@@ -33,7 +33,7 @@ export const editor = {
     remove: "Löschen",
     hint: "Wähl einen Körper in der Szene oder in der Liste. Mit Tasten, in der Szene: <kbd>N</kbd> und <kbd>P</kbd> wählen, Pfeile verschieben, <kbd>,</kbd> <kbd>.</kbd> drehen, <kbd>+</kbd> <kbd>−</kbd> ändern die Größe, mit <kbd>Umschalt</kbd> in größeren Schritten; <kbd>D</kbd> dupliziert, <kbd>Entf</kbd> löscht.",
     elsewhere:
-      "Ein Rätsel, das du verändert hast, stellt sich das Modell etwa so gut vor wie die, aus denen es gelernt hat. Ähnelt ein Rätsel keinem davon, rät das Modell für alle 25 Arten meistens nur. Das andere kommt besser zurecht: Es hat an zufälligen Rätseln gelernt, Kugeln einzuschätzen.",
+      "Ein Rätsel, das du verändert hast, stellt sich das Modell etwa so gut vor wie das ursprüngliche. Ähnelt ein Rätsel keiner der 25 Arten, rät das Modell, das sie alle kennt, meistens nur. Das andere kommt besser zurecht: An zufälligen Rätseln hat es gelernt, Kugeln einzuschätzen.",
     imagined: "Was sich das Modell vorstellt",
     check: "Ist es lösbar?",
     trying: "Probiert",

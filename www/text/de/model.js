@@ -116,6 +116,7 @@ export const model = {
   knows: { within: "kennt alle 25 Arten von Rätseln", cross: "kennt 20 der 25 Arten von Rätseln" },
   kinds: { within: "Kennt alle 25 Arten", cross: "Kennt 20 von 25 Arten" },
   seen: "hat dieses Rätsel geübt",
+  seenByMaps: "nur seine Karten haben dieses Rätsel geübt",
   unseen: "kennt dieses Rätsel nicht",
 
   card: {

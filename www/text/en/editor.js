@@ -38,7 +38,7 @@ export const editor = {
     hint: "Select a body in the scene or in the list. With keys, in the scene: <kbd>N</kbd> and <kbd>P</kbd> select, arrows move, <kbd>,</kbd> <kbd>.</kbd> turn, <kbd>+</kbd> <kbd>−</kbd> resize, with <kbd>Shift</kbd> further; <kbd>D</kbd> duplicates, <kbd>Delete</kbd> removes.",
     // docs/results.md, "In other scenes", has the figures.
     elsewhere:
-      "The model imagines a changed puzzle about as well as those it learned from. In one unlike all of them, the model that knows all 25 kinds mostly guesses. The other does better: it learned to judge balls from random puzzles.",
+      "The model imagines a changed puzzle about as well as the original. In one unlike any of the 25 kinds, the model that knows them all mostly guesses. The other does better: it learned to judge balls from random puzzles.",
     imagined: "What the model imagines",
     check: "Can it be solved?",
     trying: "Trying",

@@ -112,6 +112,8 @@ export const model = {
   kinds: { within: "Knows all 25 kinds", cross: "Knows 20 of 25 kinds" },
   /** Whether it was trained on a puzzle. */
   seen: "practised this one",
+  /** If only the nets that make maps were. */
+  seenByMaps: "only its maps practised this one",
   unseen: "new to the model",
 
   /**

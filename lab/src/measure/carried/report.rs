@@ -26,9 +26,9 @@ evaluate --carry` wrote.
 Here an agent meets the test tasks of a fold, or all tasks, one after the other, and what it learned at one is used \
 for the next, as by PHYRE's DQN-O (56.2 across templates, in order of ids). That is another setting than that of \
 [the other results](../README.md), whose agents start each task afresh: do not compare across the two tables. Only \
-counted attempts are simulated. The constants of the memory were chosen on dev tasks, except how the rank of a \
-proposal of the paper's nets counts: that came from a trial on the test tasks of cross 0, so their figures there may \
-be somewhat too good.
+counted attempts are simulated. The constants of the memory were chosen on dev tasks, some of those within \
+being test tasks of cross 0. How the rank of a proposal of the paper's nets counts came from a trial on the latter, so \
+their figures there may be somewhat too good.
 
 Within a puzzle, “online, by balls” compares balls by place and radius, and “online” by imagined paths too. Shuffled \
 orders are measured with the whole memory alone: without one, the order makes no difference.
@@ -71,16 +71,16 @@ impl Report {
         shuffles.dedup();
         writeln!(
             text,
-            "## {}\n\nSeed {seed}, simulator {simulator}, agents {agents_version}, memory {memory_version}. Seeds of the \
-             shuffled orders: {}.\n",
+            "## {}\n\nSeed {seed}, simulator {simulator}, agents {agents_version}, memory {memory_version}. Seeds of \
+             the shuffled orders: {}.\n",
             tasks_of.heading(FoldId { setup, fold }, tasks),
             if shuffles.is_empty() { "none".to_string() } else { format!("{shuffles:?}").replace(['[', ']'], "") }
         )?;
         if tasks_of == TaskSet::All {
             writeln!(
                 text,
-                "The net has learned from random scenes alone, so it knows none of these tasks. But the constants of the \
-                 memory were chosen on some of them, so these figures may be somewhat too good.\n"
+                "The net has learned from random scenes alone, so it knows none of these tasks. But the constants of \
+                 the memory were chosen on some of them, so these figures may be somewhat too good.\n"
             )?;
         }
         writeln!(text, "| agent | remembers | order of ids | shuffled |\n| --- | --- | ---: | ---: |")?;
