@@ -14,7 +14,7 @@ export async function playThrough(page, origin) {
   /** Clicks at a part of an element, 0..1, y down, as soon as it can be used. */
   const click = async (id, across = 0.5, down = 0.5) => {
     await page.waitForFunction(isUsableInPage, { timeout: TIMEOUT }, id);
-    const { x, y, width, height } = await page.evaluate(boxInPage, id);
+    const { x, y, width, height } = await restingBox(page, id);
     await page.mouse.click(x + across * width, y + down * height);
   };
 
@@ -53,6 +53,16 @@ export async function playThrough(page, origin) {
   await says("race-verdict", /solved it on attempt/);
   await page.reload();
   await says("race-verdict", /solved it on attempt/);
+}
+
+/** Returns the box of an element once it no longer moves: a click at where it was would miss it. */
+async function restingBox(page, id) {
+  let before = await page.evaluate(boxInPage, id);
+  for (;;) {
+    const box = await page.evaluate(boxInPage, id);
+    if (box.x === before.x && box.y === before.y) return box;
+    before = box;
+  }
 }
 
 function saysInPage(id, source) {

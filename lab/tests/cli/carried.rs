@@ -34,8 +34,14 @@ fn agents_that_remember_meet_all_tasks_in_every_order() {
 }
 
 #[test]
+fn the_papers_nets_are_left_out_where_they_have_learned_from_the_tasks() {
+    let printed = output_of(&["measure", "evaluate", "--carry", "--setup", "cross", "--dev", "--limit", "1"]);
+    assert!(printed.contains("| random |") && !printed.contains("| the paper's four nets |"), "{printed}");
+}
+
+#[test]
 fn results_of_agents_that_remember_are_refused_where_they_would_mislead() {
-    let dev = ["measure", "evaluate", "--carry", "--setup", "cross", "--dev"];
+    let dev = ["measure", "evaluate", "--carry", "--setup", "within", "--dev"];
     assert_refused(&dev, "were trained on the dev tasks too");
     assert_refused(&["measure", "evaluate", "--shuffle", "1"], "--carry");
     assert_refused(&["measure", "carried", "no/such/folder"], "there are no results in no/such/folder");

@@ -161,7 +161,13 @@ impl Settings {
         let orders: Vec<Option<u64>> = std::iter::once(None).chain(self.shuffles.iter().copied().map(Some)).collect();
         // Without a memory the order makes no difference; ablations are measured in order of ids alone.
         let orders_of = |memory| if memory == MemoryUse::All { &orders[..] } else { &orders[..1] };
-        let players = PLAYERS.iter().filter(|&&(agent, _)| self.tasks != TaskSet::All || agent != AgentName::Paper);
+        // The dynamics net may be new to tasks from which the paper's nets have learned.
+        let paper_is_new = match self.tasks {
+            TaskSet::Test => true,
+            TaskSet::Dev => card.without_dev,
+            TaskSet::All => false,
+        };
+        let players = PLAYERS.iter().filter(|&&(agent, _)| agent != AgentName::Paper || paper_is_new);
         let all = players.flat_map(|&(agent, uses)| uses.iter().map(move |&memory| (agent, memory)));
         progress.begin(all.clone().map(|(_, memory)| orders_of(memory).len() as u64).sum());
         let mut runs = Vec::new();
