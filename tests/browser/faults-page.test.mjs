@@ -223,9 +223,11 @@ test("canvases without memory: a sentence says so, and what to do", async () => 
     late = true;
     await route.continue();
   });
+  const loaded = page.waitForResponse("**/page/page.js");
   await page.reload({ waitUntil: "commit" });
-  await page.locator("#title").waitFor();
+  await loaded;
   assert.ok(late);
+  await page.locator("#title").waitFor();
   await sentence(page);
   session.takeProblems();
 });
