@@ -47,6 +47,13 @@ pub fn publish(weights: &[PathBuf], assets: &Path) -> anyhow::Result<Vec<PathBuf
             path.display()
         );
         let copy = assets.join(format!("{}-{}.safetensors", card.setup, card.fold));
+        ensure!(
+            !written.contains(&copy),
+            "{} is a second file of weights of {}, fold {}: name one of them",
+            path.display(),
+            card.setup,
+            card.fold
+        );
         let rounded = nets.rounded().save(&card).with_context(|| format!("cannot use {}", path.display()))?;
         replace_file(&copy, &rounded)?;
         written.push(copy);

@@ -153,6 +153,8 @@ fn weights_are_published_and_refused_on_folds_they_may_have_seen() {
     assert_eq!(list["models"][0]["name"], "within-0");
     assert!(assets.join(list["models"][0]["file"].as_str().expect("a file")).exists());
 
+    let twice = ["publish", "weights", &weights, &weights, "--assets", &text(&assets)];
+    assert_refused(&twice, "a second file of weights of within, fold 0");
     assert_refused(&["measure", "evaluate", "--weights", &weights, "--setup", "cross"], "trained on within 0");
     let missing = text(&folder.path().join("none.safetensors"));
     assert_refused(&["measure", "evaluate", "--weights", &missing], "run `pathlight-lab train paths`");
