@@ -81,9 +81,9 @@ fn head(text: &mut String, results: &[FoldResult], beside_rows: &[Option<String>
     if beside_rows.iter().any(Option::is_some) {
         writeln!(
             text,
-            "**{BESIDE_ROWS}**: its net learned from [balls that a net proposed](proposed-balls/README.md) too within, \
-             and from [random scenes](random-scenes/README.md) alone in cross. It was trained with other settings than \
-             those of the rows.\n"
+            "**{BESIDE_ROWS}**: within, its net also learned from [balls that a net proposed](proposed-balls/README.md); in \
+             cross, it learned from [random scenes](random-scenes/README.md) alone. It was trained with other settings \
+             than those of the rows.\n"
         )?;
     }
     Ok(())

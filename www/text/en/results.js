@@ -43,7 +43,7 @@ export const results = {
       ours: "ours",
     },
     besideRows:
-      "online, with a net that learned from balls it proposed too (known kinds), or from random puzzles alone (new kinds)",
+      "online, with a net that also learned from balls it proposed (known kinds), or learned from random puzzles alone (new kinds)",
     ours: "Ours, in our simulator",
     published: "Published, in PHYRE’s own simulator",
   },

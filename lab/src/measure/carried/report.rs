@@ -26,9 +26,9 @@ evaluate --carry` wrote.
 Here an agent meets the test tasks of a fold, or all tasks, one after the other, and what it learned at one is used \
 for the next, as by PHYRE's DQN-O (56.2 across templates, in order of ids). That is another setting than that of \
 [the other results](../README.md), whose agents start each task afresh: do not compare across the two tables. Only \
-counted attempts are simulated. The constants of the memory were chosen on dev tasks, some of those within \
-being test tasks of cross 0. How the rank of a proposal of the paper's nets counts came from a trial on the latter, so \
-their figures there may be somewhat too good.
+counted attempts are simulated. The constants of the memory were chosen on dev tasks; some of \
+those within are test tasks of cross 0. The formula that gives proposals of the paper's nets a chance by their rank \
+was chosen on test tasks of cross 0, so the figures of these nets there may be somewhat too good.
 
 Within a puzzle, “online, by balls” compares balls by place and radius, and “online” by imagined paths too. Shuffled \
 orders are measured with the whole memory alone: without one, the order makes no difference.
