@@ -58,11 +58,12 @@ export async function playThrough(page, origin) {
 /** Returns the box of an element once it no longer moves: a click at where it was would miss it. */
 async function restingBox(page, id) {
   let before = await page.evaluate(boxInPage, id);
-  for (;;) {
+  for (let look = 0; look < 100; look++) {
     const box = await page.evaluate(boxInPage, id);
     if (box.x === before.x && box.y === before.y) return box;
     before = box;
   }
+  throw new Error(`${id} does not come to rest`);
 }
 
 function saysInPage(id, source) {

@@ -36,7 +36,8 @@ pub struct ModelEntry {
 /// If weights cannot be used, or the folder cannot be written.
 pub fn publish(weights: &[PathBuf], assets: &Path) -> anyhow::Result<Vec<PathBuf>> {
     fs::create_dir_all(assets).with_context(|| format!("cannot create {}", assets.display()))?;
-    let mut written = Vec::new();
+    // All are checked before any is written.
+    let mut copies: Vec<(PathBuf, Vec<u8>)> = Vec::new();
     for path in weights {
         let bytes = fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
         let (nets, card) = PathNet::load(&bytes).with_context(|| format!("cannot use {}", path.display()))?;
@@ -48,13 +49,17 @@ pub fn publish(weights: &[PathBuf], assets: &Path) -> anyhow::Result<Vec<PathBuf
         );
         let copy = assets.join(format!("{}-{}.safetensors", card.setup, card.fold));
         ensure!(
-            !written.contains(&copy),
+            copies.iter().all(|(other, _)| *other != copy),
             "{} is a second file of weights of {}, fold {}: name one of them",
             path.display(),
             card.setup,
             card.fold
         );
         let rounded = nets.rounded().save(&card).with_context(|| format!("cannot use {}", path.display()))?;
+        copies.push((copy, rounded));
+    }
+    let mut written = Vec::new();
+    for (copy, rounded) in copies {
         replace_file(&copy, &rounded)?;
         written.push(copy);
     }
