@@ -7,7 +7,7 @@
 //! | --- | --- |
 //! | `progress` | what a long piece of work tells whoever started it |
 //! | `files` | journals that can be continued, JSON, weights, writing completely or not at all |
-//! | `data` | what nets learn from: solutions, labelled balls, variants of scenes, samples |
+//! | `data` | what nets learn from: solutions, labelled balls, variants and blends of scenes, samples |
 //! | `training` | the training runs of all nets, and publishing their weights |
 //! | `measure` | agents, forecasts and chances on test tasks; the simulator beside PHYRE's |
 //! | `reproduce` | the paper's table over setups and folds, and the report on it |

@@ -173,6 +173,9 @@ pub struct DynamicsCard {
     /// How many of the scenes are variants of the tasks' scenes.
     #[serde(default)]
     pub variants: usize,
+    /// How many of the scenes are blends of two tasks' scenes.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub blends: usize,
     /// How many of the scenes are those of unlisted tasks, which the benchmark leaves out of its templates.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub unlisted: usize,

@@ -1,6 +1,7 @@
 //! `pathlight-lab data …`
 
 use std::io::{self, Write};
+use std::num::NonZeroU32;
 use std::path::PathBuf;
 
 use pathlight::benchmark::folds::{FoldId, Setup};
@@ -114,19 +115,25 @@ pub struct Label {
     #[arg(long, conflicts_with = "weights")]
     variants: bool,
 
+    /// Label balls in N blends of each task instead: a blend lies between the scenes of the task and of another one of
+    /// its template that is labelled too. The rounds take the blends in turn. Balls are sampled around the solutions of
+    /// both tasks
+    #[arg(long, value_name = "N", conflicts_with = "variants")]
+    blends: Option<NonZeroU32>,
+
     /// Label balls in random scenes instead of the tasks: in those of the first N that some ball solves, and in a sixth
     /// of the others
     #[arg(
         long,
         value_name = "N",
         value_parser = clap::value_parser!(u32).range(1..=i64::from(HELD_OUT)),
-        conflicts_with_all = ["variants", "unlisted", "setup", "template", "limit"]
+        conflicts_with_all = ["variants", "blends", "unlisted", "setup", "template", "limit"]
     )]
     random_scenes: Option<u32>,
 
     /// Label balls in unlisted tasks instead: up to N of each template, laid out by its script but not in the
     /// benchmark. Balls are sampled around the solutions of the template's tasks
-    #[arg(long, value_name = "N", conflicts_with_all = ["variants", "limit"])]
+    #[arg(long, value_name = "N", conflicts_with_all = ["variants", "blends", "limit"])]
     unlisted: Option<usize>,
 
     /// Use only the training tasks of one fold of this setup: only they are labelled, and only their solutions are
@@ -152,6 +159,7 @@ impl Label {
             selection: self.selection.into(),
             weights: self.weights,
             variants: self.variants,
+            blends: self.blends,
             random_scenes: self.random_scenes,
             unlisted: self.unlisted,
             training_tasks_of: self.setup.zip(self.fold).map(|(setup, fold)| FoldId { setup, fold }),

@@ -1,5 +1,5 @@
-//! What nets learn from: the search for solutions, balls labelled with their outcome, variants of scenes, unlisted
-//! tasks, random scenes, and training images; and how hard the tasks are for uniform balls.
+//! What nets learn from: the search for solutions, balls labelled with their outcome, variants and blends of
+//! scenes, unlisted tasks, random scenes, and training images; and how hard the tasks are for uniform balls.
 
 pub mod collect;
 pub mod difficulty;
@@ -9,6 +9,7 @@ pub mod labels;
 pub mod merge;
 pub mod random_scenes;
 pub mod samples;
+pub mod scene_blends;
 pub mod scene_id;
 pub mod scene_variants;
 pub mod solutions;

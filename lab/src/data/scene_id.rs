@@ -9,6 +9,7 @@ use pathlight::puzzle::templates::TEMPLATES;
 use serde::{Deserialize, Serialize};
 
 use super::random_scenes::random_scene;
+use super::scene_blends::scene_blend;
 use super::scene_variants::scene_variant;
 
 /// Variants and random scenes of this number or a greater one are kept for measuring: `data label` tries no balls in
@@ -23,6 +24,8 @@ pub enum SceneId {
     Task(TaskId),
     /// A variant of the scene of a task.
     Variant(TaskId, u32),
+    /// A scene between those of two tasks of a template.
+    Blend(TaskId, TaskId, u32),
     /// A task that the benchmark does not list: template and combination of parameters.
     Unlisted(usize, u32),
     /// A random scene.
@@ -30,20 +33,17 @@ pub enum SceneId {
 }
 
 impl SceneId {
-    /// The task whose scene it is, or is a variant of.
+    /// The task whose scene it is, or is made from; of a blend the first.
     pub fn task(self) -> Option<TaskId> {
         match self {
-            SceneId::Task(task) | SceneId::Variant(task, _) => Some(task),
+            SceneId::Task(task) | SceneId::Variant(task, _) | SceneId::Blend(task, ..) => Some(task),
             SceneId::Unlisted(..) | SceneId::Random(_) => None,
         }
     }
 
-    /// The scene that it is a variant of; itself if it is none.
+    /// The scene that it is made from, of a blend the first; itself if it is made from none.
     pub fn unchanged(self) -> SceneId {
-        match self {
-            SceneId::Variant(task, _) => SceneId::Task(task),
-            SceneId::Task(_) | SceneId::Unlisted(..) | SceneId::Random(_) => self,
-        }
+        self.task().map_or(self, SceneId::Task)
     }
 
     /// Makes the scene.
@@ -55,6 +55,10 @@ impl SceneId {
             SceneId::Task(task) => Ok(Task::load(task)?.scene),
             SceneId::Variant(task, number) => scene_variant(&Task::load(task)?, number)
                 .with_context(|| format!("variant {number} of {task} is not made any more: label the variants again")),
+            SceneId::Blend(first, second, number) => scene_blend(&Task::load(first)?, &Task::load(second)?, number)
+                .with_context(|| {
+                    format!("blend {number} of {first} and {second} is not made any more: label the blends again")
+                }),
             SceneId::Unlisted(template, combination) => {
                 let of_template = TEMPLATES.get(template);
                 of_template.and_then(|template| template.unlisted(combination)).with_context(|| {
@@ -66,10 +70,10 @@ impl SceneId {
     }
 
     /// Returns the seed of the random draws for this scene, given the seed of the command. A variant has that of its
-    /// task.
+    /// task, a blend that of its first.
     pub fn seed(self, global_seed: u64) -> u64 {
         match self {
-            SceneId::Task(task) | SceneId::Variant(task, _) => task.seed(global_seed),
+            SceneId::Task(task) | SceneId::Variant(task, _) | SceneId::Blend(task, ..) => task.seed(global_seed),
             SceneId::Unlisted(template, combination) => {
                 spread(global_seed) ^ (template as u64 + 1) << 32 ^ u64::from(combination)
             }
@@ -83,6 +87,7 @@ impl fmt::Display for SceneId {
         match self {
             SceneId::Task(task) => write!(f, "{task}"),
             SceneId::Variant(task, number) => write!(f, "variant {number} of {task}"),
+            SceneId::Blend(first, second, number) => write!(f, "blend {number} of {first} and {second}"),
             SceneId::Unlisted(template, combination) => write!(f, "unlisted task {combination} of {template:05}"),
             SceneId::Random(number) => write!(f, "random scene {number}"),
         }

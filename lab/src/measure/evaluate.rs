@@ -252,11 +252,13 @@ impl Report {
             }
             if let Some(dynamics) = &card.dynamics {
                 write!(text, "; dynamics net: {} balls, {} epochs", dynamics.balls, dynamics.epochs)?;
-                if dynamics.unlisted > 0 {
-                    write!(text, ", {} unlisted tasks", dynamics.unlisted)?;
-                }
-                if dynamics.random_scenes > 0 {
-                    write!(text, ", {} random scenes", dynamics.random_scenes)?;
+                let scenes = [
+                    (dynamics.blends, "blends"),
+                    (dynamics.unlisted, "unlisted tasks"),
+                    (dynamics.random_scenes, "random scenes"),
+                ];
+                for (count, of) in scenes.into_iter().filter(|(count, _)| *count > 0) {
+                    write!(text, ", {count} {of}")?;
                 }
             }
             writeln!(text)?;

@@ -79,6 +79,7 @@ impl FoldRun<'_> {
             ensure!(
                 labelled.variants == variants
                     && labelled.proposer.is_none()
+                    && !labelled.blends
                     && !labelled.unlisted
                     && !labelled.random_scenes,
                 "{} holds other balls than --{option}s takes: it takes those that `pathlight-lab data label{}` sampled",

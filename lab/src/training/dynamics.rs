@@ -122,6 +122,7 @@ impl Settings {
             balls: scenes.balls(),
             coverage: true,
             variants: scenes.variants(),
+            blends: scenes.blends(),
             unlisted: scenes.unlisted(),
             random_scenes: scenes.random(),
             random_scenes_alone: scenes.are_random() && starts_without_tasks,

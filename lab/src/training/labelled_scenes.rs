@@ -100,11 +100,13 @@ pub fn training_tasks(fold: FoldId, without_dev: bool) -> Vec<TaskId> {
     if without_dev { tasks.train } else { tasks.all_train() }
 }
 
-/// Whether a net that is trained on these tasks may learn from a scene: of their own and their variants, of unlisted
-/// tasks those of their templates, and any random one.
+/// Whether a net that is trained on these tasks may learn from a scene: of their own, their variants and
+/// their blends, of unlisted tasks those of their templates, and any random one.
 fn trains_on(scene: SceneId, tasks: &[TaskId]) -> bool {
+    let is_one = |task| tasks.binary_search(&task).is_ok();
     match scene {
-        SceneId::Task(task) | SceneId::Variant(task, _) => tasks.binary_search(&task).is_ok(),
+        SceneId::Task(task) | SceneId::Variant(task, _) => is_one(task),
+        SceneId::Blend(first, second, _) => is_one(first) && is_one(second),
         SceneId::Unlisted(template, _) => tasks.iter().any(|task| task.template == template),
         SceneId::Random(_) => true,
     }
@@ -122,8 +124,8 @@ fn origin(labelled: &Labelled) -> LabelOrigin {
 }
 
 impl LabelledScenes {
-    /// Reads files of `data label`. Leaves out unlisted tasks that no ball solves, because the benchmark lists none
-    /// such.
+    /// Reads files of `data label`. Leaves out blends and unlisted tasks that no ball solves, because the benchmark
+    /// lists no such tasks.
     ///
     /// # Errors
     /// If a file cannot be used, may tell of the fold's test tasks, or none has balls of its training tasks.
@@ -144,18 +146,19 @@ impl LabelledScenes {
             }
         }
         let is_solved = |scene: &LabelledScene| scene.balls.iter().any(|&(_, solves)| solves);
-        scenes.retain(|id, scene| !matches!(id, SceneId::Unlisted(..)) || is_solved(scene));
+        scenes.retain(|id, scene| !matches!(id, SceneId::Blend(..) | SceneId::Unlisted(..)) || is_solved(scene));
         ensure!(!scenes.is_empty(), "the labels hold no balls of the training tasks of {fold}: label all templates");
         Ok(LabelledScenes(scenes.into_values().collect()))
     }
 
-    /// These scenes, for a net whose card does not tell of unlisted tasks and random scenes.
+    /// These scenes, for a net whose card does not tell of blends, unlisted tasks and random scenes.
     ///
     /// # Errors
     /// If the labels hold any.
     pub fn of_tasks(self) -> anyhow::Result<LabelledScenes> {
         let only_dynamics = "only the dynamics net learns from those";
         ensure!(self.random() == 0, "the labels hold balls in random scenes: {only_dynamics}");
+        ensure!(self.blends() == 0, "the labels hold balls in blends: {only_dynamics}");
         ensure!(self.unlisted() == 0, "the labels hold balls in unlisted tasks: {only_dynamics}");
         Ok(self)
     }
@@ -168,6 +171,11 @@ impl LabelledScenes {
     /// How many of the scenes are variants of tasks' scenes.
     pub fn variants(&self) -> usize {
         self.0.iter().filter(|scene| matches!(scene.id, SceneId::Variant(..))).count()
+    }
+
+    /// How many of the scenes are blends of two tasks' scenes.
+    pub fn blends(&self) -> usize {
+        self.0.iter().filter(|scene| matches!(scene.id, SceneId::Blend(..))).count()
     }
 
     /// How many of the scenes are those of unlisted tasks.
@@ -242,6 +250,15 @@ mod tests {
                 assert!(tests.iter().all(|task| kept.contains(&task.template)), "{fold}");
             }
         }
+    }
+
+    #[test]
+    fn a_net_learns_from_blends_of_two_training_tasks_alone() {
+        let tasks = ["00002:007", "00002:011"].map(|id| id.parse().expect("an id"));
+        let test = "00002:009".parse().expect("an id");
+        assert!(trains_on(SceneId::Blend(tasks[0], tasks[1], 0), &tasks));
+        assert!(!trains_on(SceneId::Blend(tasks[0], test, 0), &tasks));
+        assert!(!trains_on(SceneId::Blend(test, tasks[1], 0), &tasks));
     }
 
     #[test]

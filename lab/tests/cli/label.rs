@@ -103,6 +103,46 @@ fn labels_of_variants_are_true_in_the_scene_of_their_variant() {
 }
 
 #[test]
+fn labels_of_blends_are_true_and_their_rounds_take_the_blends_in_turn() {
+    let folder = tempdir().expect("a folder");
+    let file = |name: &str| folder.path().join(name).display().to_string();
+    let words =
+        ["data", "label", "--blends", "2", "--template", "2", "--limit", "4", "--setup", "within", "--fold", "0"];
+    let label = |name: &str, more: &[&str]| -> Vec<LabelledBalls> {
+        output_of(&[&words[..], &["--out", &file(name)], more].concat());
+        let text = fs::read_to_string(file(name)).expect("labels");
+        text.lines().skip(1).map(|line| serde_json::from_str(line).expect("a line of labels")).collect()
+    };
+    let sampled = label("sampled", &["--rounds", "3"]);
+    let training = Fold::new(Setup::Within, 0).all_train();
+    let first_tasks = Task::of(TEMPLATES[2]).take(4).map(|task| task.id);
+    let tasks: Vec<TaskId> = first_tasks.filter(|id| training.contains(id)).collect();
+    assert_eq!(sampled.len(), 3 * tasks.len());
+    let mut differs = false;
+    for (index, LabelledBalls { scene: id, solved, failed, .. }) in sampled.iter().enumerate() {
+        let &SceneId::Blend(task, partner, number) = id else { panic!("{id} is no blend") };
+        assert!(task != partner && [task, partner].iter().all(|id| tasks.contains(id)), "{id}");
+        assert_eq!(number as usize, index / tasks.len() % 2);
+        let scene = id.scene().expect("it was made before");
+        let solves = |scene, ball| outcome(scene, Some(ball)).is_ok_and(|outcome| outcome.solved);
+        assert!(solved.iter().all(|&ball| solves(&scene, ball)) && !failed.iter().any(|&ball| solves(&scene, ball)));
+        let task = Task::load(task).expect("a task");
+        differs |= solved.iter().any(|&ball| !solves(&task.scene, ball));
+    }
+    assert!(differs, "all balls do the same in the scenes of the tasks");
+    assert_eq!(sampled[0].scene, sampled[2 * tasks.len()].scene, "the third round takes the first blends again");
+    assert_ne!(sampled[0].failed, sampled[2 * tasks.len()].failed, "it tries other balls there");
+    let weights = ["--weights", "assets/within-0.safetensors"];
+    let proposed = label("proposed", &[&weights[..], &["--rounds", "3"]].concat());
+    let balls = |line: &LabelledBalls| line.solved.iter().chain(&line.failed).copied().collect::<Vec<Ball>>();
+    let [likeliest, next] = [&proposed[0], &proposed[2 * tasks.len()]].map(balls);
+    assert_eq!(proposed[0].scene, sampled[0].scene);
+    assert!(likeliest.iter().all(|ball| !next.contains(ball)), "the next balls are others");
+    let others = ["data", "label", "--blends", "3", "--template", "2", "--limit", "4", "--out", &file("sampled")];
+    assert_refused(&others, "write to another file with --out");
+}
+
+#[test]
 fn labels_of_random_scenes_are_true_and_the_same_after_a_cut() {
     let folder = tempdir().expect("a folder");
     let file = |name: &str| folder.path().join(name).display().to_string();

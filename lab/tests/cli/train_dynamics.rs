@@ -112,7 +112,15 @@ fn a_dynamics_net_joins_the_weights_and_can_be_trained_further() {
     let solvable = solvable_unlisted_tasks(&unlisted, &training);
     assert!((1..2 * TEMPLATES.len()).contains(&solvable), "some are solved and some are not");
     assert_eq!(card.dynamics.expect("a card").unlisted, solvable);
+    let blends = file("blends.jsonl");
+    let words = ["data", "label", "--blends", "1", "--template", "2", "--limit", "6", "--rounds", "1"];
+    output_of(&[&words[..], &["--out", &blends]].concat());
+    let with_blends = fs::read(train("blends", &["--from", &from, "--labels", &blends])).expect("weights");
+    let (_, card) = PathNet::load(&with_blends).expect("weights that fit");
+    let counted = card.dynamics.expect("a card").blends;
+    assert!((1..scenes).contains(&counted), "{counted} of {scenes} are with a training task");
     for net in ["success", "dqn"] {
+        assert_refused(&["train", net, "--labels", &blends, "--out", &file(net)], "balls in blends");
         assert_refused(&["train", net, "--labels", &unlisted, "--out", &file(net)], "balls in unlisted tasks");
         assert_refused(&["train", net, "--labels", &random, "--out", &file(net)], "only the dynamics net learns");
     }

@@ -1,6 +1,6 @@
 //! The lines of a file of `data label`, and reading them.
 
-use std::num::NonZeroUsize;
+use std::num::{NonZeroU32, NonZeroUsize};
 use std::path::Path;
 
 use anyhow::ensure;
@@ -37,6 +37,9 @@ pub struct LabelSettings {
     /// Whether balls were tried in variants of the scenes.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub variants: bool,
+    /// In how many blends of each task balls were tried instead, if they were.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub blends: Option<NonZeroU32>,
     /// Whether balls were tried in random scenes; `tasks` is then their number.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub random_scenes: bool,
@@ -80,6 +83,8 @@ pub struct Labelled {
     pub proposer: Option<Proposer>,
     /// The balls are in variants of the scenes.
     pub variants: bool,
+    /// The balls are in blends of the scenes.
+    pub blends: bool,
     /// The balls are in random scenes.
     pub random_scenes: bool,
     /// The balls are in unlisted tasks.
@@ -109,6 +114,7 @@ pub fn read_labels(path: &Path) -> anyhow::Result<Labelled> {
         net_without_dev: without_dev,
         net_of_random_scenes,
         variants,
+        blends,
         random_scenes,
         unlisted,
         ..
@@ -127,6 +133,7 @@ pub fn read_labels(path: &Path) -> anyhow::Result<Labelled> {
             false => Proposer::Tasks { without_dev },
         }),
         variants,
+        blends: blends.is_some(),
         random_scenes,
         unlisted: unlisted.is_some(),
         tasks,

@@ -195,7 +195,7 @@ impl Settings {
         let mut balls: Vec<Ball> = random.by_ref().take(self.balls).collect();
         let solutions: Vec<Ball> = match id {
             SceneId::Task(task) => known.get(&task).cloned().unwrap_or_default(),
-            SceneId::Variant(..) | SceneId::Unlisted(..) | SceneId::Random(_) => {
+            SceneId::Variant(..) | SceneId::Blend(..) | SceneId::Unlisted(..) | SceneId::Random(_) => {
                 let solves = |ball: &Ball| simulator::outcome(&scene, Some(*ball)).is_ok_and(|outcome| outcome.solved);
                 random.take(SEARCHED).filter(solves).take(MOST_SOLUTIONS).collect()
             }

@@ -128,7 +128,12 @@ impl Results {
             None => format!("The last training of {setup} {fold}"),
             Some(_) => "The training".to_string(),
         };
-        let counts = [(card.balls, "balls"), (card.variants, "variants"), (card.random_scenes, "random scenes")];
+        let counts = [
+            (card.balls, "balls"),
+            (card.variants, "variants"),
+            (card.blends, "blends"),
+            (card.random_scenes, "random scenes"),
+        ];
         let counts = counts.iter().filter(|(count, _)| *count > 0).map(|(count, of)| format!("{count} {of}"));
         let data = counts.collect::<Vec<_>>().join(", ");
         write!(

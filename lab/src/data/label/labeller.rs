@@ -1,0 +1,137 @@
+//! Makes the lines of a file of `data label`: chooses balls in a scene and tries them.
+
+use std::collections::BTreeMap;
+use std::num::NonZeroU32;
+
+use pathlight::agents::ranking::ranked;
+use pathlight::nets::PathNet;
+use pathlight::puzzle::action::Ball;
+use pathlight::puzzle::scene::Scene;
+use pathlight::puzzle::task::{Task, TaskId};
+use pathlight::puzzle::templates::TEMPLATES;
+use rand::SeedableRng;
+use rand_pcg::Pcg64Mcg;
+
+use super::{BALLS, Settings, UNSOLVED};
+use crate::data::labels::{LabelledBalls, Sampled, Tried, sample, try_balls};
+use crate::data::scene_blends::blend_of;
+use crate::data::scene_id::SceneId;
+use crate::data::scene_variants::scene_variant;
+use crate::data::solutions::Solution;
+
+/// Known solutions of the tasks that may be used.
+pub struct KnownSolutions {
+    of_task: BTreeMap<TaskId, Vec<Ball>>,
+    of_template: Vec<Vec<Solution>>,
+}
+
+impl KnownSolutions {
+    pub fn new(solutions: impl Iterator<Item = Solution>) -> KnownSolutions {
+        let mut known = KnownSolutions { of_task: BTreeMap::new(), of_template: vec![Vec::new(); TEMPLATES.len()] };
+        for solution in solutions {
+            known.of_task.entry(solution.task).or_default().push(solution.ball);
+            known.of_template[solution.task.template].push(solution);
+        }
+        known
+    }
+}
+
+/// Makes the lines of a file.
+pub struct Labeller<'a> {
+    pub settings: &'a Settings,
+    /// Those that may be used.
+    pub tasks: Vec<TaskId>,
+    /// Those that propose the balls.
+    pub nets: Option<PathNet>,
+    pub known: KnownSolutions,
+}
+
+impl Labeller<'_> {
+    /// The balls of a scene in a round.
+    pub fn label(&self, id: SceneId, round: usize) -> LabelledBalls {
+        match id {
+            SceneId::Unlisted(..) | SceneId::Random(_) => self.in_new_scene(id, round),
+            SceneId::Task(task) | SceneId::Variant(task, _) | SceneId::Blend(task, ..) => self.in_task(task, round),
+        }
+    }
+
+    fn in_task(&self, id: TaskId, round: usize) -> LabelledBalls {
+        let task = Task::load(id).expect("a task of the selection");
+        let round_number = round as u32;
+        let variant = || {
+            let scene = scene_variant(&task, round_number)?;
+            Some((SceneId::Variant(id, round_number), scene, 0))
+        };
+        let blend = |count: NonZeroU32| {
+            let number = round_number % count;
+            let (partner, scene) = blend_of(&task, number, self.tasks_of(id.template))?;
+            Some((SceneId::Blend(id, partner, number), scene, (round_number / count) as usize))
+        };
+        let changed = match self.settings.blends {
+            Some(count) => blend(count),
+            None if self.settings.variants => variant(),
+            None => None,
+        };
+        // If no variant or blend of this number fits, the scene itself is used.
+        let (scene_id, scene, round_in_scene) = changed.unwrap_or((SceneId::Task(id), task.scene.clone(), round));
+        if let Some(proposed) = self.proposed(&scene, round_in_scene) {
+            return LabelledBalls::new(scene_id, proposed);
+        }
+        let partner = if let SceneId::Blend(_, partner, _) = scene_id { Some(partner) } else { None };
+        let own = [id].into_iter().chain(partner).filter_map(|task| self.known.of_task.get(&task));
+        let own: Vec<Sampled> = own.flatten().map(|&ball| (ball, None)).collect();
+        let siblings = if self.settings.variants || self.settings.blends.is_some() {
+            &[][..]
+        } else {
+            self.known.of_template[id.template].as_slice()
+        };
+        let balls = sample((scene_id, &scene), &own, siblings, BALLS, &mut self.rng(scene_id, round));
+        LabelledBalls::new(scene_id, try_balls(&scene, balls))
+    }
+
+    /// The tasks of a template; they are ascending.
+    fn tasks_of(&self, template: usize) -> &[TaskId] {
+        let start = self.tasks.partition_point(|task| task.template < template);
+        let end = self.tasks.partition_point(|task| task.template <= template);
+        &self.tasks[start..end]
+    }
+
+    /// The balls that the nets find most probable, if there are nets.
+    fn proposed(&self, scene: &Scene, round: usize) -> Option<Vec<Tried>> {
+        let read = self.nets.as_ref()?.read(scene)?;
+        let ranked = ranked(&read.logits, scene, (round + 1) * BALLS);
+        let balls = ranked.into_iter().skip(round * BALLS).map(|proposal| (proposal.ball, None));
+        Some(try_balls(scene, balls.collect()))
+    }
+
+    /// The balls of a scene of which no solutions are known: those that nets propose, or sampled ones, of which some of
+    /// the second half are near those of the first that solve. If no proposed ball solves, or none of the first half,
+    /// most random scenes are left out, so that nets see about as many with solutions as without: there are no balls
+    /// then.
+    fn in_new_scene(&self, id: SceneId, round: usize) -> LabelledBalls {
+        let scene = id.scene().expect("a scene of the selection");
+        let (siblings, unsolved) = match id {
+            SceneId::Unlisted(template, _) => (self.known.of_template[template].as_slice(), true),
+            SceneId::Random(number) => (&[][..], number.is_multiple_of(UNSOLVED)),
+            SceneId::Task(_) | SceneId::Variant(..) | SceneId::Blend(..) => (&[][..], true),
+        };
+        let is_left_out = |tried: &[Tried]| !unsolved && !tried.iter().any(|ball| ball.solved);
+        if let Some(proposed) = self.proposed(&scene, round) {
+            let balls = if is_left_out(&proposed) { Vec::new() } else { proposed };
+            return LabelledBalls::new(id, balls);
+        }
+        let mut rng = self.rng(id, round);
+        let mut tried = try_balls(&scene, sample((id, &scene), &[], siblings, BALLS / 2, &mut rng));
+        if is_left_out(&tried) {
+            return LabelledBalls::new(id, Vec::new());
+        }
+        let own: Vec<Sampled> =
+            tried.iter().filter(|ball| ball.solved).map(|&Tried { ball, sibling, .. }| (ball, sibling)).collect();
+        tried.extend(try_balls(&scene, sample((id, &scene), &own, siblings, BALLS / 2, &mut rng)));
+        LabelledBalls::new(id, tried)
+    }
+
+    fn rng(&self, scene: SceneId, round: usize) -> Pcg64Mcg {
+        Pcg64Mcg::seed_from_u64(scene.seed(self.settings.seed).wrapping_add(round as u64))
+    }
+}
