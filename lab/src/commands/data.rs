@@ -115,9 +115,10 @@ pub struct Label {
     #[arg(long, conflicts_with = "weights")]
     variants: bool,
 
-    /// Label balls in N blends of each task instead: a blend lies between the scenes of the task and of another one of
-    /// its template that is labelled too. The rounds take the blends in turn. Balls are sampled around the solutions of
-    /// both tasks
+    /// Label balls in N blends of each task instead. A blend lies between the scenes of the task and of another
+    /// labelled task of its template. Each round takes the next blend, and after N rounds the first again. Where no
+    /// blend fits, the task's own scene is used. Without --weights, balls are sampled around the solutions of both
+    /// tasks
     #[arg(long, value_name = "N", conflicts_with = "variants")]
     blends: Option<NonZeroU32>,
 

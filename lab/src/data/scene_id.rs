@@ -33,7 +33,7 @@ pub enum SceneId {
 }
 
 impl SceneId {
-    /// The task whose scene it is, or is made from; of a blend the first.
+    /// The task that the scene belongs to or is made from. For a blend, the first of its two tasks.
     pub fn task(self) -> Option<TaskId> {
         match self {
             SceneId::Task(task) | SceneId::Variant(task, _) | SceneId::Blend(task, ..) => Some(task),
@@ -41,7 +41,7 @@ impl SceneId {
         }
     }
 
-    /// The scene that it is made from, of a blend the first; itself if it is made from none.
+    /// The scene of the task that it is made from, for a blend of the first; itself if it is made from none.
     pub fn unchanged(self) -> SceneId {
         self.task().map_or(self, SceneId::Task)
     }
@@ -70,7 +70,7 @@ impl SceneId {
     }
 
     /// Returns the seed of the random draws for this scene, given the seed of the command. A variant has that of its
-    /// task, a blend that of its first.
+    /// task, and a blend that of its first task.
     pub fn seed(self, global_seed: u64) -> u64 {
         match self {
             SceneId::Task(task) | SceneId::Variant(task, _) | SceneId::Blend(task, ..) => task.seed(global_seed),

@@ -138,6 +138,13 @@ fn labels_of_blends_are_true_and_their_rounds_take_the_blends_in_turn() {
     let [likeliest, next] = [&proposed[0], &proposed[2 * tasks.len()]].map(balls);
     assert_eq!(proposed[0].scene, sampled[0].scene);
     assert!(likeliest.iter().all(|ball| !next.contains(ball)), "the next balls are others");
+    let of_one =
+        ["data", "label", "--blends", "1", "--template", "2", "--limit", "4", "--setup", "within", "--fold", "0"];
+    let out = file("of one");
+    output_of(&[&of_one[..], &weights, &["--rounds", "2", "--out", &out]].concat());
+    let text = fs::read_to_string(&out).expect("labels");
+    let again = text.lines().nth(1 + tasks.len()).expect("a line of the second round");
+    assert_eq!(serde_json::from_str::<LabelledBalls>(again).expect("labels"), proposed[2 * tasks.len()]);
     let others = ["data", "label", "--blends", "3", "--template", "2", "--limit", "4", "--out", &file("sampled")];
     assert_refused(&others, "write to another file with --out");
 }

@@ -39,9 +39,9 @@ impl KnownSolutions {
 /// Makes the lines of a file.
 pub struct Labeller<'a> {
     pub settings: &'a Settings,
-    /// Those that may be used.
+    /// The tasks that are labelled, ascending.
     pub tasks: Vec<TaskId>,
-    /// Those that propose the balls.
+    /// The nets that propose the balls; without them, balls are sampled.
     pub nets: Option<PathNet>,
     pub known: KnownSolutions,
 }
@@ -89,7 +89,7 @@ impl Labeller<'_> {
         LabelledBalls::new(scene_id, try_balls(&scene, balls))
     }
 
-    /// The tasks of a template; they are ascending.
+    /// The tasks of a template that are labelled.
     fn tasks_of(&self, template: usize) -> &[TaskId] {
         let start = self.tasks.partition_point(|task| task.template < template);
         let end = self.tasks.partition_point(|task| task.template <= template);

@@ -10,6 +10,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::data::label_use::Proposer;
 use crate::data::labels::{LabelledBalls, PATHS_LEN};
+use crate::data::scene_id::SceneId;
 use crate::files::journal::{self, check_ball, check_task};
 
 /// What determines the content of a file. Absent fields take their defaults.
@@ -37,7 +38,7 @@ pub struct LabelSettings {
     /// Whether balls were tried in variants of the scenes.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub variants: bool,
-    /// In how many blends of each task balls were tried instead, if they were.
+    /// The number of blends of each task; absent if balls were not tried in blends.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub blends: Option<NonZeroU32>,
     /// Whether balls were tried in random scenes; `tasks` is then their number.
@@ -61,6 +62,9 @@ impl journal::Entry for LabelledBalls {
 
     fn check(&self) -> Result<(), String> {
         self.scene.task().map_or(Ok(()), check_task)?;
+        if let SceneId::Blend(_, second, _) = self.scene {
+            check_task(second)?;
+        }
         let (paths, balls) = (self.paths.0.len(), self.count());
         if paths != 0 && paths != balls * PATHS_LEN {
             return Err(format!("{} has {balls} balls, but {paths} bytes of paths", self.scene));

@@ -1,5 +1,5 @@
-//! Balls with their outcome for all tasks, in unlisted tasks or in random scenes, as JSON lines, to train a success
-//! net, a dynamics net or DQN on.
+//! Balls with their outcome in all tasks, in variants or blends of them, in unlisted tasks or in random scenes, as JSON
+//! lines, to train a success net, a dynamics net or DQN on.
 //!
 //! The file is a journal: the settings, then one line per scene and round, in that order, so the number of lines
 //! says where an interrupted run continues. The balls depend only on the settings and the solutions.
@@ -59,8 +59,10 @@ pub struct Settings {
     /// Label balls in variants of the tasks' scenes, another variant in every round. Balls are sampled around the
     /// solutions of the task alone.
     pub variants: bool,
-    /// Label balls in this many blends of each task with others of its template that are labelled too, instead of the
-    /// tasks. The rounds take the blends in turn. Balls are sampled around the solutions of both tasks.
+    /// Label balls in this many blends of each task instead. A blend lies between the scenes of the task and of another
+    /// labelled task of its template. Each round takes the next blend, and after the last the first again. Where no
+    /// blend fits, the task's own scene is used. Without `weights`, balls are sampled around the solutions of both
+    /// tasks.
     pub blends: Option<NonZeroU32>,
     /// Label balls in random scenes instead of the tasks: in those of the first N that some ball solves, and in a sixth
     /// of the others. Balls are sampled around those that solve.
