@@ -7,20 +7,18 @@
 
 use pathlight::puzzle::scene::{Body, SIZE, Scene, Shape};
 use pathlight::puzzle::task::{Task, TaskId};
-use pathlight::simulator::distance::distance;
 use pathlight::simulator::outcome;
 use rand::seq::IndexedRandom;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
+use super::scene_variants::bodies_keep_apart;
+
 /// Range of a blend's share of the way from the first scene (0) to the second (1): near the ends it would hardly differ
 /// from a task.
 const SHARES: std::ops::Range<f64> = 0.1..0.9;
 
-/// Two bodies keep this distance, px, unless they are nearer in one of the two scenes.
-const CLEARANCE: f64 = 0.3;
-
-/// How much farther than in both scenes a body may stick out, or come nearer to another, px: rounding errors.
+/// How much farther than in both scenes a body may stick out, px: rounding errors.
 const TOLERANCE: f64 = 1e-3;
 
 /// Partners tried for a blend.
@@ -45,7 +43,7 @@ pub fn scene_blend(first: &Task, second: &Task, number: u32) -> Option<Scene> {
     let share = Pcg64Mcg::seed_from_u64(seed).random_range(SHARES);
     let scenes = [&first.scene, &second.scene];
     let blend = interpolated(scenes, share)?;
-    let fits = is_inside(scenes, &blend) && keeps_clear(scenes, &blend);
+    let fits = is_inside(scenes, &blend) && bodies_keep_apart(&scenes, &blend);
     (fits && !outcome(&blend, None).is_ok_and(|alone| alone.solved)).then_some(blend)
 }
 
@@ -88,16 +86,6 @@ fn is_inside(scenes: [&Scene; 2], blend: &Scene) -> bool {
         let high = |side: usize| a[side].max(b[side]).max(SIZE) + TOLERANCE;
         left >= low(0) && bottom >= low(1) && right <= high(2) && top <= high(3)
     })
-}
-
-/// Whether no two bodies are nearer than they may be.
-fn keeps_clear(scenes: [&Scene; 2], blend: &Scene) -> bool {
-    let apart = |a: usize, b: usize| {
-        let between = |scene: &Scene| distance(&scene.bodies[a], &scene.bodies[b]);
-        let now = between(blend);
-        now >= CLEARANCE || now >= between(scenes[0]).min(between(scenes[1])) - TOLERANCE
-    };
-    (0..blend.bodies.len()).all(|a| (0..a).all(|b| apart(a, b)))
 }
 
 #[cfg(test)]
@@ -149,7 +137,12 @@ mod tests {
                     assert!(between.contains(&at), "{} and {}: {at} of {from} to {to}", task.id, partner.id);
                 }
                 let scenes = [&task.scene, &partner.scene];
-                assert!(is_inside(scenes, &scene) && keeps_clear(scenes, &scene), "{} and {}", task.id, partner.id);
+                assert!(
+                    is_inside(scenes, &scene) && bodies_keep_apart(&scenes, &scene),
+                    "{} and {}",
+                    task.id,
+                    partner.id
+                );
                 assert!(!outcome(&scene, None).expect("no ball, so none is invalid").solved, "{}", task.id);
             }
         }

@@ -172,11 +172,18 @@ fn keeps_clear(before: &Scene, after: &Scene) -> bool {
         let ([left, bottom, right, top], was) = (after.bounds(), before.bounds());
         left >= was[0].min(0.0) && bottom >= was[1].min(0.0) && right <= was[2].max(SIZE) && top <= was[3].max(SIZE)
     });
+    inside && bodies_keep_apart(&[before], after)
+}
+
+/// Whether no two bodies are nearer than `CLEARANCE`, or than they were in one of the scenes that this one was made
+/// from.
+pub(super) fn bodies_keep_apart(before: &[&Scene], after: &Scene) -> bool {
     let apart = |a: usize, b: usize| {
-        let now = distance(&after.bodies[a], &after.bodies[b]);
-        now >= CLEARANCE || now >= distance(&before.bodies[a], &before.bodies[b]) - 1e-3
+        let between = |scene: &Scene| distance(&scene.bodies[a], &scene.bodies[b]);
+        let now = between(after);
+        now >= CLEARANCE || before.iter().any(|before| now >= between(before) - 1e-3)
     };
-    inside && (0..after.bodies.len()).all(|a| (0..a).all(|b| apart(a, b)))
+    (0..after.bodies.len()).all(|a| (0..a).all(|b| apart(a, b)))
 }
 
 #[cfg(test)]

@@ -100,8 +100,8 @@ pub fn training_tasks(fold: FoldId, without_dev: bool) -> Vec<TaskId> {
     if without_dev { tasks.train } else { tasks.all_train() }
 }
 
-/// Whether a net that is trained on these tasks may learn from a scene: from these tasks, their
-/// variants, blends of two of them, unlisted tasks of their templates, and random scenes.
+/// Whether a net that is trained on these tasks may learn from a scene: from these tasks, their variants, blends of
+/// two of them, unlisted tasks of their templates, and random scenes.
 fn trains_on(scene: SceneId, tasks: &[TaskId]) -> bool {
     let is_one = |task| tasks.binary_search(&task).is_ok();
     match scene {
