@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use pathlight::benchmark::folds::{FoldId, Setup};
 use pathlight::puzzle::templates::Template;
 use pathlight_lab::data::collect::{self, SOLUTIONS};
-use pathlight_lab::data::label::{self, LABELS};
+use pathlight_lab::data::label::{self, LABELS, Scenes};
 use pathlight_lab::data::scene_id::HELD_OUT;
 use pathlight_lab::data::task_selection::TaskSelection;
 use pathlight_lab::data::{difficulty, merge, solve_rates};
@@ -153,20 +153,28 @@ pub struct Label {
 
 impl Label {
     fn run(self, progress: &mut dyn Progress) -> anyhow::Result<()> {
+        let scenes = self.scenes();
         let settings = label::Settings {
             out: self.out,
             solutions: self.solutions,
             rounds: self.rounds,
             selection: self.selection.into(),
+            scenes,
             weights: self.weights,
-            variants: self.variants,
-            blends: self.blends,
-            random_scenes: self.random_scenes,
-            unlisted: self.unlisted,
             training_tasks_of: self.setup.zip(self.fold).map(|(setup, fold)| FoldId { setup, fold }),
             seed: self.seed,
         };
         settings.label(progress)
+    }
+
+    fn scenes(&self) -> Scenes {
+        let &Label { variants, blends, unlisted, random_scenes, .. } = self;
+        let of_number = blends.map(Scenes::Blends).or(unlisted.map(Scenes::Unlisted));
+        of_number.or(random_scenes.map(Scenes::Random)).unwrap_or(if variants {
+            Scenes::Variants
+        } else {
+            Scenes::Tasks
+        })
     }
 }
 

@@ -10,7 +10,7 @@ use pathlight::benchmark::folds::{FoldId, Setup};
 use serde::de::DeserializeOwned;
 
 use super::fold_result::{DataFiles, FoldResult, Hyperparameters, Recipes};
-use crate::data::label::read_labels;
+use crate::data::label::{Scenes, read_labels};
 use crate::measure::agents::{Weights, measured_with};
 use crate::measure::evaluate::{self, Report};
 use crate::progress::Progress;
@@ -73,18 +73,17 @@ struct FoldRun<'a> {
 impl FoldRun<'_> {
     fn check_data(&self) -> anyhow::Result<()> {
         let (data, &Hyperparameters { label_rounds, variant_rounds, .. }) = (self.data, self.hyperparameters);
-        let files = [(&data.labels, label_rounds, "label", false), (&data.variants, variant_rounds, "variant", true)];
-        for (path, rounds, option, variants) in files {
+        let files = [
+            (&data.labels, label_rounds, "label", Scenes::Tasks),
+            (&data.variants, variant_rounds, "variant", Scenes::Variants),
+        ];
+        for (path, rounds, option, scenes) in files {
             let labelled = read_labels(path)?;
             ensure!(
-                labelled.variants == variants
-                    && labelled.proposer.is_none()
-                    && !labelled.blends
-                    && !labelled.unlisted
-                    && !labelled.random_scenes,
+                labelled.scenes == scenes && labelled.proposer.is_none(),
                 "{} holds other balls than --{option}s takes: it takes those that `pathlight-lab data label{}` sampled",
                 path.display(),
-                if variants { " --variants" } else { "" },
+                if scenes == Scenes::Variants { " --variants" } else { "" },
             );
             ensure!(
                 labelled.rounds() == Some(rounds.into()),

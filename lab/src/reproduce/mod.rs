@@ -10,7 +10,7 @@ use anyhow::{Context, ensure};
 use pathlight::benchmark::folds::FoldId;
 
 use crate::data::collect::{self, SOLUTIONS};
-use crate::data::label::{self, LABELS};
+use crate::data::label::{self, LABELS, Scenes};
 use crate::progress::Progress;
 use fold_result::{DataFiles, FoldResult, Hyperparameters, ResultSettings};
 
@@ -59,8 +59,9 @@ impl Settings {
             progress.say(found.trim_end());
         }
         let &Hyperparameters { label_rounds, variant_rounds, .. } = &self.hyperparameters;
-        for (out, rounds, variants) in [(labels, label_rounds, false), (variants, variant_rounds, true)] {
-            let option = if variants { " --variants" } else { "" };
+        let files = [(labels, label_rounds, Scenes::Tasks), (variants, variant_rounds, Scenes::Variants)];
+        for (out, rounds, scenes) in files {
+            let option = if scenes == Scenes::Variants { " --variants" } else { "" };
             progress.say(&format!(
                 "$ pathlight-lab data label --solutions {} --out {} --rounds {rounds}{option}",
                 solutions.display(),
@@ -70,7 +71,7 @@ impl Settings {
                 out: out.clone(),
                 solutions: solutions.clone(),
                 rounds: rounds.into(),
-                variants,
+                scenes,
                 ..label::Settings::default()
             };
             settings.label(progress)?;

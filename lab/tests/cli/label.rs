@@ -266,6 +266,8 @@ fn files_that_name_unknown_tasks_or_impossible_balls_are_refused() {
     let task = task_of(&serde_json::from_str(line.lines().next().expect("a line")).expect("labels"));
     let ball = format!(r#"{{"scene":{{"task":"{task}"}},"solved":[[100,100,64]],"failed":[]}}"#);
     refused(&write("ball", &[settings, line.trim_end(), &ball]), "has a wrong radius or is not inside the scene");
+    let blend = format!(r#"{{"scene":{{"blend":["{task}","00002:999",0]}},"solved":[],"failed":[]}}"#);
+    refused(&write("blend", &[settings, &blend]), "the benchmark has no task 00002:999");
     refused(
         &write("none", &[&settings.replace("\"tasks\":2", "\"tasks\":0")]),
         "is not a file of `pathlight-lab data label`",

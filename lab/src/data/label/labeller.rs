@@ -12,7 +12,7 @@ use pathlight::puzzle::templates::TEMPLATES;
 use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
 
-use super::{BALLS, Settings, UNSOLVED};
+use super::{BALLS, Scenes, Settings, UNSOLVED};
 use crate::data::labels::{LabelledBalls, Sampled, Tried, sample, try_balls};
 use crate::data::scene_blends::blend_of;
 use crate::data::scene_id::SceneId;
@@ -67,10 +67,10 @@ impl Labeller<'_> {
             let (partner, scene) = blend_of(&task, number, self.tasks_of(id.template))?;
             Some((SceneId::Blend(id, partner, number), scene, (round_number / count) as usize))
         };
-        let changed = match self.settings.blends {
-            Some(count) => blend(count),
-            None if self.settings.variants => variant(),
-            None => None,
+        let changed = match self.settings.scenes {
+            Scenes::Variants => variant(),
+            Scenes::Blends(count) => blend(count),
+            Scenes::Tasks | Scenes::Unlisted(_) | Scenes::Random(_) => None,
         };
         // If no variant or blend of this number fits, the scene itself is used.
         let (scene_id, scene, round_in_scene) = changed.unwrap_or((SceneId::Task(id), task.scene.clone(), round));
@@ -80,10 +80,9 @@ impl Labeller<'_> {
         let partner = if let SceneId::Blend(_, partner, _) = scene_id { Some(partner) } else { None };
         let own = [id].into_iter().chain(partner).filter_map(|task| self.known.of_task.get(&task));
         let own: Vec<Sampled> = own.flatten().map(|&ball| (ball, None)).collect();
-        let siblings = if self.settings.variants || self.settings.blends.is_some() {
-            &[][..]
-        } else {
-            self.known.of_template[id.template].as_slice()
+        let siblings = match self.settings.scenes {
+            Scenes::Variants | Scenes::Blends(_) => &[],
+            _ => self.known.of_template[id.template].as_slice(),
         };
         let balls = sample((scene_id, &scene), &own, siblings, BALLS, &mut self.rng(scene_id, round));
         LabelledBalls::new(scene_id, try_balls(&scene, balls))

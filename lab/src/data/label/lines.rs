@@ -8,6 +8,7 @@ use pathlight::benchmark::folds::Setup;
 use pathlight::simulator;
 use serde::{Deserialize, Serialize};
 
+use super::Scenes;
 use crate::data::label_use::Proposer;
 use crate::data::labels::{LabelledBalls, PATHS_LEN};
 use crate::data::scene_id::SceneId;
@@ -35,18 +36,8 @@ pub struct LabelSettings {
     /// Whether it has learned from random scenes alone.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub net_of_random_scenes: bool,
-    /// Whether balls were tried in variants of the scenes.
-    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
-    pub variants: bool,
-    /// The number of blends of each task; absent if balls were not tried in blends.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub blends: Option<NonZeroU32>,
-    /// Whether balls were tried in random scenes; `tasks` is then their number.
-    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
-    pub random_scenes: bool,
-    /// How many unlisted tasks of each template were labelled instead of the tasks, at most.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub unlisted: Option<usize>,
+    #[serde(flatten)]
+    pub scenes: SceneFields,
     /// Setup and fold if only the fold's training tasks were used; absent if all tasks were.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub training_tasks_of: Option<(Setup, u8)>,
@@ -54,6 +45,49 @@ pub struct LabelSettings {
 
 fn default_limit() -> usize {
     100
+}
+
+/// The fields that say which scenes balls were tried in; none if in those of the tasks.
+#[derive(Default, Serialize, Deserialize)]
+#[serde(default)]
+pub struct SceneFields {
+    /// Whether in variants of the scenes.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    variants: bool,
+    /// The number of blends of each task.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    blends: Option<NonZeroU32>,
+    /// Whether in random scenes; their number is that of the tasks.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    random_scenes: bool,
+    /// The most unlisted tasks of a template.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    unlisted: Option<usize>,
+}
+
+impl From<Scenes> for SceneFields {
+    fn from(scenes: Scenes) -> SceneFields {
+        let none = SceneFields::default();
+        match scenes {
+            Scenes::Tasks => none,
+            Scenes::Variants => SceneFields { variants: true, ..none },
+            Scenes::Blends(count) => SceneFields { blends: Some(count), ..none },
+            Scenes::Unlisted(count) => SceneFields { unlisted: Some(count), ..none },
+            Scenes::Random(_) => SceneFields { random_scenes: true, ..none },
+        }
+    }
+}
+
+impl SceneFields {
+    fn scenes(&self, tasks: NonZeroUsize) -> Scenes {
+        match *self {
+            SceneFields { blends: Some(count), .. } => Scenes::Blends(count),
+            SceneFields { unlisted: Some(count), .. } => Scenes::Unlisted(count),
+            SceneFields { random_scenes: true, .. } => Scenes::Random(tasks.get() as u32),
+            SceneFields { variants: true, .. } => Scenes::Variants,
+            _ => Scenes::Tasks,
+        }
+    }
 }
 
 impl journal::Entry for LabelledBalls {
@@ -85,14 +119,8 @@ pub struct Labelled {
     pub training_tasks_of: Option<(Setup, u8)>,
     /// The net that proposed the balls; `None` if they were sampled.
     pub proposer: Option<Proposer>,
-    /// The balls are in variants of the scenes.
-    pub variants: bool,
-    /// The balls are in blends of the scenes.
-    pub blends: bool,
-    /// The balls are in random scenes.
-    pub random_scenes: bool,
-    /// The balls are in unlisted tasks.
-    pub unlisted: bool,
+    /// The scenes that the balls were tried in.
+    pub scenes: Scenes,
     tasks: NonZeroUsize,
 }
 
@@ -117,10 +145,7 @@ pub fn read_labels(path: &Path) -> anyhow::Result<Labelled> {
         weights,
         net_without_dev: without_dev,
         net_of_random_scenes,
-        variants,
-        blends,
-        random_scenes,
-        unlisted,
+        scenes,
         ..
     } = settings;
     ensure!(
@@ -136,10 +161,23 @@ pub fn read_labels(path: &Path) -> anyhow::Result<Labelled> {
             true => Proposer::RandomScenes,
             false => Proposer::Tasks { without_dev },
         }),
-        variants,
-        blends: blends.is_some(),
-        random_scenes,
-        unlisted: unlisted.is_some(),
+        scenes: scenes.scenes(tasks),
         tasks,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_fields_of_a_file_say_which_scenes_it_is_of() {
+        let three = NonZeroUsize::new(3).expect("not zero");
+        let blends = Scenes::Blends(NonZeroU32::new(4).expect("not zero"));
+        for scenes in [Scenes::Tasks, Scenes::Variants, blends, Scenes::Unlisted(5), Scenes::Random(3)] {
+            let text = serde_json::to_string(&SceneFields::from(scenes)).expect("JSON");
+            let fields: SceneFields = serde_json::from_str(&text).expect("fields");
+            assert_eq!(fields.scenes(three), scenes, "{text}");
+        }
+    }
 }

@@ -43,6 +43,26 @@ const BLOCK: usize = 100;
 /// The default file of labelled balls.
 pub const LABELS: &str = "target/labels.jsonl";
 
+/// The scenes that balls are tried in.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Scenes {
+    /// The scenes of the tasks.
+    #[default]
+    Tasks,
+    /// Variants of the tasks' scenes, another variant in every round. Balls are sampled around the solutions of the
+    /// task alone.
+    Variants,
+    /// This many blends of each task. A blend lies between the scenes of the task and of another labelled task of its
+    /// template. Each round takes the next blend, and after the last the first again. Where no blend fits, the task's
+    /// own scene is used. Balls are sampled around the solutions of both tasks.
+    Blends(NonZeroU32),
+    /// Up to this many unlisted tasks of each template. Balls are sampled around the solutions of its tasks.
+    Unlisted(usize),
+    /// Random scenes: those of the first N that some ball solves, and a sixth of the others. Balls are sampled around
+    /// those that solve.
+    Random(u32),
+}
+
 /// What to label, and where it is kept.
 pub struct Settings {
     /// File to write, or to continue.
@@ -52,24 +72,11 @@ pub struct Settings {
     /// Every scene tries 64 balls per round.
     pub rounds: usize,
     pub selection: TaskSelection,
+    pub scenes: Scenes,
     /// Label the balls that the dynamics net of these weights proposes, likeliest first, instead of sampled ones. Every
     /// round takes the next 64. The net has learned from tasks of `training_tasks_of`, or from random scenes alone; for
     /// balls in random scenes, from these alone.
     pub weights: Option<PathBuf>,
-    /// Label balls in variants of the tasks' scenes, another variant in every round. Balls are sampled around the
-    /// solutions of the task alone.
-    pub variants: bool,
-    /// Label balls in this many blends of each task instead. A blend lies between the scenes of the task and of another
-    /// labelled task of its template. Each round takes the next blend, and after the last the first again. Where no
-    /// blend fits, the task's own scene is used. Without `weights`, balls are sampled around the solutions of both
-    /// tasks.
-    pub blends: Option<NonZeroU32>,
-    /// Label balls in random scenes instead of the tasks: in those of the first N that some ball solves, and in a sixth
-    /// of the others. Balls are sampled around those that solve.
-    pub random_scenes: Option<u32>,
-    /// Label balls in up to this many unlisted tasks of each template instead of the tasks. Balls are sampled around
-    /// the solutions of its tasks.
-    pub unlisted: Option<usize>,
     /// Use only the training tasks of this fold: only they are labelled, and only their solutions are sampled around.
     pub training_tasks_of: Option<FoldId>,
     /// Seed of all random draws.
@@ -83,11 +90,8 @@ impl Default for Settings {
             solutions: SOLUTIONS.into(),
             rounds: 8,
             selection: TaskSelection::default(),
+            scenes: Scenes::default(),
             weights: None,
-            variants: false,
-            blends: None,
-            random_scenes: None,
-            unlisted: None,
             training_tasks_of: None,
             seed: 0,
         }
@@ -104,9 +108,9 @@ impl Settings {
         let allowed = self.training_tasks_of.map(|fold| fold.tasks().all_train());
         let allows = |id: TaskId| allowed.as_ref().is_none_or(|allowed| allowed.binary_search(&id).is_ok());
         let tasks: Vec<TaskId> = self.selection.ids().filter(|&id| allows(id)).collect();
-        let scenes: Vec<SceneId> = match (self.random_scenes, self.unlisted) {
-            (Some(count), _) => (0..count).map(SceneId::Random).collect(),
-            (None, Some(count)) => {
+        let scenes: Vec<SceneId> = match self.scenes {
+            Scenes::Tasks | Scenes::Variants | Scenes::Blends(_) => tasks.iter().copied().map(SceneId::Task).collect(),
+            Scenes::Unlisted(count) => {
                 let templates: BTreeSet<usize> = tasks.iter().map(|task| task.template).collect();
                 let of_template = |template: usize| {
                     let combinations = unlisted_tasks(TEMPLATES[template], count);
@@ -114,10 +118,10 @@ impl Settings {
                 };
                 templates.into_iter().flat_map(of_template).collect()
             }
-            (None, None) => tasks.iter().copied().map(SceneId::Task).collect(),
+            Scenes::Random(count) => (0..count).map(SceneId::Random).collect(),
         };
         // Who learns from random scenes alone must not learn from tasks through the balls there.
-        let fold = self.training_tasks_of.filter(|_| self.random_scenes.is_none());
+        let fold = self.training_tasks_of.filter(|_| !matches!(self.scenes, Scenes::Random(_)));
         let proposing = self.weights.as_deref().map(|path| proposing_nets(path, fold)).transpose()?;
         let (nets, card) = proposing.unzip();
         let settings = LabelSettings {
@@ -131,10 +135,7 @@ impl Settings {
             weights: self.weights.as_deref().map(digest).transpose()?,
             net_without_dev: card.as_ref().is_some_and(|card| card.without_dev),
             net_of_random_scenes: card.is_some_and(|card| card.random_scenes_alone),
-            variants: self.variants,
-            blends: self.blends,
-            random_scenes: self.random_scenes.is_some(),
-            unlisted: self.unlisted,
+            scenes: self.scenes.into(),
             training_tasks_of: self.training_tasks_of.map(|FoldId { setup, fold }| (setup, fold)),
         };
         let solutions = read_solutions(&self.solutions)?.solutions.into_iter().filter(|one| allows(one.task));
@@ -163,10 +164,10 @@ impl Settings {
             balls += block.iter().map(LabelledBalls::count).sum::<usize>();
             progress.advance(block.len() as u64, format!("{balls} balls"));
         }
-        let what = match (self.random_scenes, self.unlisted) {
-            (Some(_), _) => "random scenes",
-            (None, Some(_)) => "unlisted tasks",
-            (None, None) => "tasks",
+        let what = match self.scenes {
+            Scenes::Tasks | Scenes::Variants | Scenes::Blends(_) => "tasks",
+            Scenes::Unlisted(_) => "unlisted tasks",
+            Scenes::Random(_) => "random scenes",
         };
         progress.finish(&format!("{balls} balls of {} {what}", scenes.len()));
         Ok(())
