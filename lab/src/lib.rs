@@ -10,7 +10,7 @@
 //! | `data` | what nets learn from: solutions, labelled balls, variants and blends of scenes, samples |
 //! | `training` | the training runs of all nets, and publishing their weights |
 //! | `measure` | agents, forecasts and chances on test tasks; the simulator beside PHYRE's |
-//! | `reproduce` | the paper's table over setups and folds, and the report on it |
+//! | `reproduce` | the main results: training and measuring all folds of both setups, and the report |
 //! | `figures` | the results as SVG |
 
 pub mod data;

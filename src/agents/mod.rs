@@ -93,7 +93,7 @@ impl Proposal {
 pub enum Origin {
     /// A cell of the placement map, by its centre in px, from which the ball was improved.
     Map { x: f64, y: f64 },
-    /// An earlier proposal, by its number from 1, with Gaussian noise.
+    /// The end of a random walk from an earlier proposal, given by its number from 1.
     Perturbed { number: usize },
     /// Uniform over the action space: by the random agent, or because the placement map has no place where a ball may
     /// be.

@@ -15,7 +15,7 @@ use crate::puzzle::sampling::{gaussian, random_ball};
 use crate::puzzle::scene::Scene;
 use crate::raster::{ball_image, cell_centre};
 
-/// Balls that the map itself places, before noise.
+/// Balls that the map itself places, before those from random walks.
 const STARTS: usize = 5;
 
 /// Rounds of improvement of each.

@@ -95,10 +95,10 @@ test("published figures stand beside ours, with their source and simulator, and 
   const shown = (rows) =>
     page.locator(`#results-${rows} tr`).evaluateAll((all) => all.map((row) => row.innerText.split("\t")));
   const ours = await shown("ours");
-  const [, ...besideRows] = ours.shift();
+  const [, ...otherData] = ours.shift();
   assert.ok(
-    report.includes(`| **online, with proposed balls or random scenes** | ours | ${besideRows.join(" | ")} |`),
-    `${besideRows}`,
+    report.includes(`| **online, with proposed balls or random scenes** | ours | ${otherData.join(" | ")} |`),
+    `${otherData}`,
   );
   assert.deepEqual(
     ours.map(([name]) => name.split(":")[0]),

@@ -30,12 +30,12 @@ import { toCsv } from "./csv.js";
 
 /**
  * `compared`: auccess, within and cross. `ours` are means and deviations over the folds; of `published`, `method` is
- * empty if it goes by its authors. `online_beside_rows` is that of the online agent if its net learned from balls that
- * it proposed (within) or from random scenes (cross); null unless all ten folds are measured. `paper` has the auccess
- * of the paper's nets on each template, within and cross.
+ * empty if it goes by its authors. `online_with_other_data` is that of the online agent if its net learned from balls
+ * that it proposed (within) or from random scenes (cross); null unless all ten folds are measured. `paper` has the
+ * auccess of the paper's nets on each template, within and cross.
  * @typedef {object} Results
  * @property {ModelResults[]} models
- * @property {{ ours: { agent: string, auccess: string[] }[], online_beside_rows: (string | null)[], published:
+ * @property {{ ours: { agent: string, auccess: string[] }[], online_with_other_data: (string | null)[], published:
  *   { method: string, source: string, url: string, auccess: string[] }[], paper?: { published: string[],
  *   ours: string[] }[] }} compared
  */

@@ -6,14 +6,14 @@ import { createCell } from "../widgets/dom.js";
 import { fragmentOf } from "../element/markup.js";
 
 /** @param {import("../model/results.js").Results["compared"]} compared */
-export function ourRows({ ours, online_beside_rows: besideRows }) {
+export function ourRows({ ours, online_with_other_data: otherData }) {
   const rows = AGENTS.flatMap((name) => {
     const found = ours.find(({ agent }) => agent === name);
     return found ? [row(found.auccess, text.results.namedAgent(name, text.model.agents[name]))] : [];
   });
-  if (!besideRows.some(Boolean)) return rows;
-  const auccess = besideRows.map((measured) => measured ?? "–");
-  return [row(auccess, text.results.beside.besideRows), ...rows];
+  if (!otherData.some(Boolean)) return rows;
+  const auccess = otherData.map((measured) => measured ?? "–");
+  return [row(auccess, text.results.beside.otherData), ...rows];
 }
 
 /** @param {import("../model/results.js").Results["compared"]["published"]} published */

@@ -10,7 +10,7 @@ use pathlight_lab::measure::task_set::TaskSet;
 use pathlight_lab::measure::{calibration, carried, evaluate, fidelity, forecasts, paper_table};
 use pathlight_lab::progress::Progress;
 use pathlight_lab::reproduce::RESULTS;
-use pathlight_lab::reproduce::beside_rows::{self, Table};
+use pathlight_lab::reproduce::other_data::{self, Table};
 
 use super::agent_arg::agent;
 use super::engine_arg::EngineArg;
@@ -23,11 +23,11 @@ pub enum Command {
     Carried(Carried),
     Paper(Paper),
     /// Print the results of a dynamics net that learned from random scenes alone, which `measure evaluate --all-tasks`
-    /// wrote, beside the rows, as Markdown
-    RandomScenes(BesideRows),
+    /// wrote, beside the main results, as Markdown
+    RandomScenes(OtherData),
     /// Print the results of dynamics nets that learned from balls they had proposed, which `measure evaluate` wrote,
-    /// beside the rows, as Markdown
-    ProposedBalls(BesideRows),
+    /// beside the main results, as Markdown
+    ProposedBalls(OtherData),
     Forecasts(Forecasts),
     Calibration(Calibration),
     Fidelity(Fidelity),
@@ -172,19 +172,19 @@ pub struct Paper {
 }
 
 #[derive(clap::Args)]
-pub struct BesideRows {
+pub struct OtherData {
     /// Folder of the results
     #[arg(value_name = "DIR")]
     folder: PathBuf,
 
-    /// Folder of the rows, from `reproduce`
+    /// Folder of the main results, from `reproduce`
     #[arg(long, value_name = "DIR", default_value = RESULTS)]
-    rows: PathBuf,
+    main: PathBuf,
 }
 
-impl BesideRows {
+impl OtherData {
     fn page(self, table: Table) -> anyhow::Result<String> {
-        beside_rows::page(table, &self.folder, &self.rows)
+        other_data::page(table, &self.folder, &self.main)
     }
 }
 
@@ -235,7 +235,7 @@ impl Forecasts {
     }
 }
 
-/// Measure how often balls solve to which the model gives a chance, on the test tasks of a fold or in other scenes
+/// Measure how often balls of a given predicted chance solve, on the test tasks of a fold or in other scenes
 #[derive(clap::Args)]
 pub struct Calibration {
     #[command(flatten)]

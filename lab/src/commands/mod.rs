@@ -35,7 +35,7 @@ mod train;
 
 use shown_progress::ShownProgress;
 
-/// The research behind Pathlight: data, training, measurements, the paper's table and its figures.
+/// The research behind Pathlight: data, training, measurements and figures.
 #[derive(Parser)]
 #[command(version, arg_required_else_help = true)]
 struct CommandLine {

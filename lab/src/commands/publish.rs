@@ -27,10 +27,10 @@ pub enum Command {
         #[arg(long, default_value = "results/shipped")]
         results: PathBuf,
 
-        /// The folder of the rows of `reproduce`, whose means stand beside published figures; with the results in its
-        /// folders proposed-balls, random-scenes and paper
+        /// The folder of the main results, from `reproduce`, whose means stand beside published figures; with the
+        /// results in its folders proposed-balls, random-scenes and paper
         #[arg(long, value_name = "DIR", default_value = RESULTS)]
-        rows: PathBuf,
+        main: PathBuf,
 
         /// The folder that the page loads from, whose model.json names the models
         #[arg(long, default_value = "assets")]
@@ -42,9 +42,9 @@ impl Command {
     pub fn run(self) -> anyhow::Result<()> {
         match self {
             Command::Weights { weights, assets } => print_paths(&publish::publish(&weights, &assets)?),
-            Command::Results { results, rows, assets } => {
+            Command::Results { results, main, assets } => {
                 let shipped = Shipped { measurements: &results, assets: &assets };
-                let compared = compared::comparison(&rows)?;
+                let compared = compared::comparison(&main)?;
                 print_paths(&[publish_results::publish(&shipped, &compared)?])
             }
         }

@@ -14,7 +14,7 @@ use pathlight_lab::reproduce::{RESULTS, Settings};
 
 use super::fold_args::{fold, setup};
 
-/// Reproduce the paper's table, or continue with it: data, folds, report
+/// Train and measure every fold of both setups, or continue with it: data, folds, report
 #[derive(clap::Args)]
 pub struct Args {
     /// Do only this part

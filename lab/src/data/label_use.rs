@@ -55,8 +55,9 @@ pub enum Refusal {
 /// | sampled, and each says around which task's solution | all tasks | within | yes, but for balls near test tasks |
 /// | sampled, and they do not say | all tasks | within | no: balls near solutions of test tasks cannot be left out |
 ///
-/// Of a file that may be used, only balls in training tasks, in their variants and in blends of two of them are learned
-/// from, and none that was sampled around a solution of a task that is not one of these.
+/// Of a file that may be used, a net learns only from balls in training tasks, in their variants, in blends of two of
+/// them, in unlisted tasks of their templates and in random scenes, and from none that was sampled around a solution of
+/// a task that is not a training task.
 ///
 /// # Errors
 /// If it may not.

@@ -33,7 +33,7 @@ pub struct LabelledBalls {
     /// Balls that do not, px.
     pub failed: Vec<Ball>,
     /// For each ball, the solved ones first, the other task of the template around whose solution it was sampled, if it
-    /// was: a ball near a solution of a test task tells of it.
+    /// was: a ball near a solution of a test task reveals where it lies.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub siblings: Vec<Option<TaskId>>,
     /// The sampled paths of the green object and of the ball for each ball, the solved ones first. Absent from older
@@ -87,8 +87,9 @@ pub struct Tried {
     paths: SampledPaths,
 }
 
-/// Samples `count` valid balls of a scene. `own_solutions` solve it; a ball near one that was itself sampled around the
-/// solution of another task tells of that task too. `sibling_solutions` solve tasks of its template.
+/// Samples up to `count` valid balls of a scene. `own_solutions` solve it or the tasks that it was made from; a ball
+/// around one that was itself sampled around the solution of another task records that task too. `sibling_solutions`
+/// solve tasks of its template.
 pub fn sample(
     (id, scene): (SceneId, &Scene),
     own_solutions: &[Sampled],

@@ -25,7 +25,7 @@ const TURNING: f64 = 0.07;
 /// Bodies nearer than this touch, px.
 const TOUCHING: f64 = 1.0;
 
-/// Bodies that are moved apart from each other keep this distance, px, or theirs if it was less.
+/// Any two bodies keep at least this distance, px, or theirs if it was less.
 const CLEARANCE: f64 = 0.3;
 
 /// Draws per variant.
@@ -92,8 +92,8 @@ impl Groups {
         Groups { support, on_floor, at_side, of_body }
     }
 
-    /// The scene with its groups moved by normal draws of this deviation, px, and its free bodies changed, both times
-    /// `scale`.
+    /// The scene with its groups moved by normal draws of this deviation, px, and its free bodies changed; `scale`
+    /// multiplies all changes.
     fn moved(&self, scene: &Scene, scale: f64, deviation: f64, rng: &mut impl Rng) -> Scene {
         let mut variant = scene.clone();
         let count = scene.bodies.len();

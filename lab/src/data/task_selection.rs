@@ -8,7 +8,7 @@ use pathlight::puzzle::templates::{TEMPLATES, Template};
 pub struct TaskSelection {
     /// Only the tasks of this template.
     pub template: Option<&'static Template>,
-    /// At most the first of each template.
+    /// Only the first N of each template.
     pub limit: usize,
 }
 

@@ -22,7 +22,7 @@ pub struct Columns {
     pub columns: Vec<Column>,
 }
 
-/// A column.
+/// One thing that was measured, with its value for each template.
 pub struct Column {
     pub headings: [String; 2],
     pub colour: &'static str,

@@ -22,7 +22,7 @@ pub struct Group {
     pub agents: Vec<Measured>,
 }
 
-/// One agent.
+/// An agent's results.
 pub struct Measured {
     pub agent: AgentName,
     /// For each fold the first attempt that solved each task, from 1.

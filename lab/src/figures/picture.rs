@@ -1,6 +1,6 @@
 //! What the figures are made of: the SVG document with its text alternatives, and words.
 //!
-//! A figure is drawn on paper of its own, so that it reads on any ground. Numbers are rounded, so that the same input
+//! A figure has its own background, so that it is legible on any page. Numbers are rounded, so that the same input
 //! yields the same bytes.
 
 use pathlight::colour::palette::palette;
@@ -8,7 +8,7 @@ use svg::Document;
 use svg::node::Text as Words;
 use svg::node::element::{Definitions, Description, Group, Line, Rectangle, Text, Title};
 
-/// Colour of what is beside the point: axes, and words below pictures.
+/// Colour of axes and captions.
 pub const MUTED: &str = "#5b626c";
 
 /// Colour of lines behind the data.

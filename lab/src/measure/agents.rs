@@ -3,7 +3,7 @@
 
 use pathlight::agents::agent_name::AgentName;
 
-/// An agent.
+/// How an agent is called, measured and drawn.
 pub struct MeasuredAgent {
     pub agent: AgentName,
     /// Its name in reports.

@@ -33,7 +33,7 @@ pub struct Settings {
     pub scenes: MeasuredScenes,
     /// Random balls for each scene, and as many of the model's candidates.
     pub balls: u16,
-    /// At most the first test tasks of each template.
+    /// Use only the first N test tasks of each template.
     pub limit: Option<u16>,
     /// Seed of the random balls.
     pub seed: u64,

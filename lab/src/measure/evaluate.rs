@@ -28,12 +28,12 @@ use crate::progress::Progress;
 /// What to measure.
 #[derive(Default)]
 pub struct Settings {
-    /// The random agent is always measured too; empty are all that the weights allow, but for those that are measured
-    /// only if they are named, and DQN only if `dqn` names its weights.
+    /// If empty, all agents that the weights allow, except those with `on_request`; DQN only if `dqn` is set. The
+    /// random agent is always measured too.
     pub agents: Vec<AgentName>,
     pub fold: FoldId,
     pub tasks: TaskSet,
-    /// At most the first of these tasks of each template.
+    /// Use only the first N of these tasks of each template.
     pub limit: Option<u16>,
     /// Seed of all random draws.
     pub seed: u64,

@@ -38,8 +38,8 @@ struct ModelResults {
     auccess: BTreeMap<String, f64>,
     /// For each agent the first attempt that solved each task, from 1; null if none of a hundred did.
     first_solved: BTreeMap<String, Vec<Option<usize>>>,
-    /// How often balls solve to which the model gives a chance, in ten bins of chances: uniformly random balls, and the
-    /// model's own candidates.
+    /// How often balls solve, in ten bins of their predicted chance: uniformly random balls, and the model's own
+    /// candidates.
     calibration: BTreeMap<&'static str, Vec<Bin>>,
 }
 

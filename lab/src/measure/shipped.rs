@@ -1,5 +1,5 @@
-//! The measurements of the models on the page, which belong to weights trained as those that the page has: a
-//! measurement knows its model by its card, so it must be made again whenever weights are published.
+//! The measurements of the models on the page. A measurement is matched to weights by their card, so it must be made
+//! again whenever weights are published.
 
 use std::fs;
 use std::path::Path;
@@ -19,9 +19,9 @@ use crate::files::json_file;
 
 /// What a command measures of a model, as its `--json` file has it.
 pub trait Measurement: DeserializeOwned {
-    /// What follows `measure`.
+    /// The command that makes it, after `measure`.
     const COMMAND: &'static str;
-    /// What follows the name of the model in that of the file.
+    /// The end of the file's name, after that of the model.
     const SUFFIX: &'static str;
 
     /// How the model was trained, if one was measured.

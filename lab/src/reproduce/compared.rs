@@ -7,8 +7,8 @@ use pathlight::agents::agent_name::AgentName;
 use pathlight::benchmark::folds::Setup;
 use serde::Serialize;
 
-use super::beside_rows::{self, Table};
 use super::fold_result::{self, FoldResult};
+use super::other_data::{self, Table};
 use crate::measure::agents::AGENTS;
 use crate::measure::evaluate::Report;
 use crate::measure::paper_table::{self, ByTemplate};
@@ -58,13 +58,13 @@ const BEST: [Published; 2] = [
     },
 ];
 
-/// Our rows and the published ones, as the page shows them.
+/// The auccess of our agents and the published ones, as the page shows them.
 #[derive(Serialize)]
 pub struct Comparison {
-    ours: Vec<OurRow>,
+    ours: Vec<AgentMean>,
     /// The auccess of the online agent, within and cross, if its net learned from proposed balls or random scenes;
     /// `None` unless all ten folds are measured.
-    online_beside_rows: [Option<String>; 2],
+    online_with_other_data: [Option<String>; 2],
     published: Vec<Published>,
     /// The paper's nets by template, within and cross.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -73,21 +73,21 @@ pub struct Comparison {
 
 /// An agent's auccess, within and cross: the mean over the folds, and the deviation.
 #[derive(Serialize)]
-pub struct OurRow {
+pub struct AgentMean {
     pub agent: AgentName,
     pub auccess: [String; 2],
 }
 
-/// Sets the rows of all agents in a folder of results beside the published ones; and what its folders
-/// `proposed-balls`, `random-scenes` and `paper` hold, if it has them.
+/// Compares the main results in a folder with the published ones; and what its folders `proposed-balls`,
+/// `random-scenes` and `paper` hold, if it has them.
 ///
 /// # Errors
-/// If there are no rows, a result is damaged, or results were made with different settings.
+/// If there are no results, one is damaged, or results were made with different settings.
 pub fn comparison(results: &Path) -> anyhow::Result<Comparison> {
     let paper = Some(results.join("paper")).filter(|folder| folder.exists());
     Ok(Comparison {
-        ours: our_rows(&fold_result::read(results)?),
-        online_beside_rows: online_beside_rows(results)?,
+        ours: our_means(&fold_result::read(results)?),
+        online_with_other_data: online_with_other_data(results)?,
         published: BEST.into_iter().chain(REPORTED.map(|(_, published)| published)).collect(),
         paper: paper.map(|folder| paper_table::by_template(&folder)).transpose()?,
     })
@@ -98,19 +98,19 @@ pub fn comparison(results: &Path) -> anyhow::Result<Comparison> {
 ///
 /// # Errors
 /// If a result is damaged, or results were made with different settings.
-pub fn online_beside_rows(results: &Path) -> anyhow::Result<[Option<String>; 2]> {
-    let online = |table: Table| beside_rows::online(table, &results.join(table.name()));
+pub fn online_with_other_data(results: &Path) -> anyhow::Result<[Option<String>; 2]> {
+    let online = |table: Table| other_data::online(table, &results.join(table.name()));
     Ok([online(Table::ProposedBalls)?, online(Table::RandomScenes)?])
 }
 
-/// Returns the rows of all agents.
-pub fn our_rows(results: &[FoldResult]) -> Vec<OurRow> {
+/// Returns the mean auccess of all agents.
+pub fn our_means(results: &[FoldResult]) -> Vec<AgentMean> {
     let mean = |setup: Setup, agent: AgentName| {
         let of_setup = results.iter().map(|result| &result.report).filter(|report| report.setup == setup);
         mean_and_deviation(&scores(of_setup, agent))
     };
-    let row = |agent| OurRow { agent, auccess: [Setup::Within, Setup::Cross].map(|setup| mean(setup, agent)) };
-    AGENTS.iter().map(|measured| row(measured.agent)).collect()
+    let of_agent = |agent| AgentMean { agent, auccess: [Setup::Within, Setup::Cross].map(|setup| mean(setup, agent)) };
+    AGENTS.iter().map(|measured| of_agent(measured.agent)).collect()
 }
 
 /// Returns the auccess of an agent in the reports that have it.

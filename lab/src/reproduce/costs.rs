@@ -20,14 +20,14 @@ use crate::data::scene_id::SceneId;
 use crate::data::solutions::Solution;
 use crate::files::replace_file::replace_file;
 
-/// How many times the labels the estimate is for.
+/// The factor by which the estimate increases the number of labels.
 const MORE_LABELS: f64 = 10.0;
 
 /// Cores that the estimate is for.
 const CORES: [usize; 3] = [1, 20, 200];
 
-/// A row's costs, core-minutes.
-struct RowCost {
+/// A fold's costs, core-minutes.
+struct FoldCost {
     nets: f64,
     success: f64,
     dynamics: f64,
@@ -35,8 +35,8 @@ struct RowCost {
     evaluation: f64,
 }
 
-impl RowCost {
-    /// Returns the cost of the whole row, core-minutes. The nets that learn from labels train `times` as long.
+impl FoldCost {
+    /// Returns the cost of the whole fold, core-minutes. The nets that learn from labels train `times` as long.
     fn all(&self, times: f64) -> f64 {
         self.nets + times * (self.success + self.dynamics + self.dqn) + self.evaluation
     }
@@ -52,15 +52,15 @@ pub fn write(results: &[FoldResult], solutions: &Path, folder: &Path) -> anyhow:
         "# Costs\n\n`pathlight-lab reproduce` wrote this beside the report. Times are wall-clock times multiplied by \
          the number of threads.\n\n",
     );
-    rows(&mut text, results)?;
+    folds(&mut text, results)?;
     estimate(&mut text, results, per_ball)?;
     let path = folder.join("costs.md");
     replace_file(&path, text.as_bytes())
 }
 
-fn cost(result: &FoldResult) -> RowCost {
+fn cost(result: &FoldResult) -> FoldCost {
     let minutes = |seconds: f64| seconds * result.threads as f64 / 60.0;
-    RowCost {
+    FoldCost {
         nets: minutes(result.nets.seconds),
         success: minutes(result.success.seconds),
         dynamics: minutes(result.dynamics.seconds),
@@ -69,15 +69,15 @@ fn cost(result: &FoldResult) -> RowCost {
     }
 }
 
-fn rows(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
-    writeln!(text, "## Each row, core-minutes\n")?;
+fn folds(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
+    writeln!(text, "## Each fold, core-minutes\n")?;
     writeln!(
         text,
         "| setup | fold | threads | four nets | success net | dynamics net | DQN | evaluation | all |\n|{}",
         " ---: |".repeat(9)
     )?;
     for result in results {
-        let cost @ RowCost { nets, success, dynamics, dqn, evaluation } = cost(result);
+        let cost @ FoldCost { nets, success, dynamics, dqn, evaluation } = cost(result);
         let (setup, fold, threads, all) = (result.report.setup, result.report.fold, result.threads, cost.all(1.0));
         writeln!(
             text,
@@ -88,44 +88,44 @@ fn rows(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// All rows with more labels, of which every ball is seen as often, so that the nets that learn from them train longer
-/// by the same factor.
+/// Estimates all folds with that many labels. Each ball is seen as often as before, so the nets that learn from labels
+/// train longer by the same factor.
 fn estimate(text: &mut String, results: &[FoldResult], seconds_per_ball: f64) -> anyhow::Result<()> {
     let Some(first) = results.first() else { return Ok(()) };
     let tasks: usize = TEMPLATES.iter().map(|&template| Task::of(template).count()).sum();
     let Hyperparameters { label_rounds, variant_rounds, .. } = first.hyperparameters;
     let balls = MORE_LABELS * (tasks * BALLS) as f64 * f64::from(label_rounds + variant_rounds);
     let label_hours = balls * seconds_per_ball / 3600.0;
+    let of_setup =
+        |setup: Setup| -> Vec<f64> { of(results, setup).map(|result| cost(result).all(MORE_LABELS) / 60.0).collect() };
+    let setups: Vec<Vec<f64>> =
+        [Setup::Within, Setup::Cross].map(of_setup).into_iter().filter(|of| !of.is_empty()).collect();
+    let count = setups.len() * usize::from(FOLDS);
+    let longest = setups.iter().flatten().copied().fold(0.0, f64::max);
     // The mean of a setup stands for its folds that were not made.
-    let hours = |setup: Setup| {
-        let costs: Vec<f64> = of(results, setup).map(|result| cost(result).all(MORE_LABELS) / 60.0).collect();
-        (!costs.is_empty()).then(|| costs.iter().sum::<f64>() / costs.len() as f64)
-    };
-    let rows: Vec<f64> = [Setup::Within, Setup::Cross].into_iter().filter_map(hours).collect();
-    let count = rows.len() * usize::from(FOLDS);
-    let longest = rows.iter().copied().fold(0.0, f64::max);
-    let all: f64 = rows.iter().sum::<f64>() * f64::from(FOLDS);
+    let means = setups.iter().map(|of| of.iter().sum::<f64>() / of.len() as f64);
+    let all = means.sum::<f64>() * f64::from(FOLDS);
     writeln!(
         text,
-        "\n## {count} rows at {MORE_LABELS} times the labels, estimated\n\n\
+        "\n## {count} folds at {MORE_LABELS} times the labels, estimated\n\n\
          {balls:.2e} balls to label, at {:.2} ms each on one core (measured on {} balls when this was written). The \
-         success net, dynamics net and DQN are trained {MORE_LABELS} times as long; four nets and evaluation stay. A row is one job \
+         success net, dynamics net and DQN are trained {MORE_LABELS} times as long; four nets and evaluation stay. A fold is one job \
          on one core; the labels are made by at most {} jobs, one for each template.\n",
         1e3 * seconds_per_ball,
         TEMPLATES.len() * BALLS,
         TEMPLATES.len(),
     )?;
-    writeln!(text, "| cores | labels, h | rows, h | all, h | most of it |\n| ---: | ---: | ---: | ---: | --- |")?;
+    writeln!(text, "| cores | labels, h | folds, h | all, h | most of it |\n| ---: | ---: | ---: | ---: | --- |")?;
     for cores in CORES {
         let labels = label_hours / cores.min(TEMPLATES.len()) as f64;
         // No schedule is shorter than the mean load of a core, or than the longest job.
-        let rows = longest.max(all / cores as f64);
-        let most = match (labels > rows, rows > longest) {
+        let folds = longest.max(all / cores as f64);
+        let most = match (labels > folds, folds > longest) {
             (true, _) => "labels",
             (false, true) => "training",
-            (false, false) => "the training of one row, which further cores do not shorten",
+            (false, false) => "the training of one fold, which further cores do not shorten",
         };
-        writeln!(text, "| {cores} | {labels:.2} | {rows:.2} | {:.2} | {most} |", labels + rows)?;
+        writeln!(text, "| {cores} | {labels:.2} | {folds:.2} | {:.2} | {most} |", labels + folds)?;
     }
     Ok(())
 }

@@ -43,7 +43,7 @@ pub struct Hyperparameters {
     pub dynamics_epochs: u16,
     /// Epochs of DQN.
     pub dqn_epochs: u16,
-    /// At most the first test tasks of each template.
+    /// Use only the first N test tasks of each template.
     pub limit: u16,
 }
 
@@ -245,40 +245,40 @@ mod tests {
 
     use super::*;
 
-    /// A row of the repository; its settings are today's defaults but for the data, which are not in it.
+    /// A result of the repository; its settings are today's defaults but for the data, which are not in it.
     #[test]
     fn rows_of_the_repository_were_made_with_the_settings_of_today() {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../results");
-        let results = read(&folder).expect("the rows agree");
+        let results = read(&folder).expect("the results agree");
         assert_eq!(results.len(), 20);
-        let row = results[3].settings().of_today();
+        let third = results[3].settings().of_today();
         let today = ResultSettings {
             hyperparameters: Hyperparameters::default(),
             simulator: simulator::VERSION,
             agents_version: agents::VERSION,
-            solutions: row.solutions.clone(),
-            labels: row.labels.clone(),
-            labels_and_variants: row.labels_and_variants.clone(),
+            solutions: third.solutions.clone(),
+            labels: third.labels.clone(),
+            labels_and_variants: third.labels_and_variants.clone(),
             recipes: Recipes::default(),
         };
-        assert_eq!(row.differences(&today), "");
+        assert_eq!(third.differences(&today), "");
         let written: FoldResult =
-            serde_json::from_slice(&serde_json::to_vec(&results[3]).expect("plain data")).expect("a row");
-        assert_eq!(written.settings().of_today().differences(&today), "", "a row that is written now is read alike");
+            serde_json::from_slice(&serde_json::to_vec(&results[3]).expect("plain data")).expect("a result");
+        assert_eq!(written.settings().of_today().differences(&today), "", "a result that is written now is read alike");
     }
 
     #[test]
     fn a_row_with_the_old_names_of_the_success_net_is_read_alike() {
         let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../results/cross-3.json");
-        let text = fs::read_to_string(file).expect("a row");
+        let text = fs::read_to_string(file).expect("a result");
         let old = ["\"", "_epochs\"", "_epochs_cross\""]
             .into_iter()
             .fold(text.clone(), |text, end| text.replace(&format!("\"success{end}"), &format!("\"judge{end}")));
         assert!(old.contains("\"judge_epochs_cross\":60") && !old.contains("\"success"));
-        let [old, row] = [old, text].map(|text| serde_json::from_str::<FoldResult>(&text).expect("a row"));
-        assert_eq!(old.settings().differences(&row.settings()), "");
-        let score = |row: &FoldResult| row.report.score(AgentName::Success);
-        assert!(score(&row).is_some());
-        assert_eq!(score(&old), score(&row));
+        let [old, new] = [old, text].map(|text| serde_json::from_str::<FoldResult>(&text).expect("a result"));
+        assert_eq!(old.settings().differences(&new.settings()), "");
+        let score = |result: &FoldResult| result.report.score(AgentName::Success);
+        assert!(score(&new).is_some());
+        assert_eq!(score(&old), score(&new));
     }
 }

@@ -54,7 +54,7 @@ pub fn run(
     })
 }
 
-/// What a folder of the run holds the training of.
+/// The nets that are trained in one folder of the run.
 #[derive(Clone, Copy)]
 enum Net {
     Four,

@@ -1,4 +1,4 @@
-//! Reproduces the paper's table over setups and folds, and reports on it.
+//! Trains and measures every fold of both setups, and reports on the results.
 //!
 //! Three parts: the data that all folds share; a result per setup and fold, as a JSON file each; a report on the
 //! existing results. Each part continues where it was interrupted. Results do not depend on each other, so they can be
@@ -14,11 +14,11 @@ use crate::data::label::{self, LABELS, Scenes};
 use crate::progress::Progress;
 use fold_result::{DataFiles, FoldResult, Hyperparameters, ResultSettings};
 
-pub mod beside_rows;
 pub mod compared;
 mod costs;
 pub mod fold_result;
 mod fold_run;
+pub mod other_data;
 pub mod report;
 mod training_report;
 

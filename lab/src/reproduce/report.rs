@@ -11,10 +11,10 @@ use pathlight::benchmark::folds::{FOLDS, Setup};
 use pathlight::puzzle::task::{TaskId, ids};
 use pathlight::puzzle::templates::TEMPLATES;
 
-use super::compared::{OurRow, Published, REPORTED, mean_and_deviation, online_beside_rows, our_rows};
+use super::compared::{AgentMean, Published, REPORTED, mean_and_deviation, online_with_other_data, our_means};
 use super::fold_result::FoldResult;
 use super::training_report;
-use crate::data::collect::{Collected, read_solutions};
+use crate::data::collect::{Collected, SOLUTIONS, read_solutions};
 use crate::data::label::BALLS;
 use crate::files::digest;
 use crate::files::replace_file::replace_file;
@@ -28,30 +28,30 @@ const ABLATIONS: [(AgentName, AgentName, &str); 3] = [
     (AgentName::Online, AgentName::OnlineByBalls, "balls are compared by imagined paths too"),
 ];
 
-/// What the online agent is called if its net learned from other data than that of the row.
-const BESIDE_ROWS: &str = "online, with proposed balls or random scenes";
+/// What the online agent is called if its net learned from other data than those of the main results.
+const OTHER_DATA: &str = "online, with proposed balls or random scenes";
 
 /// Writes the report to a folder, and returns it.
 ///
 /// # Errors
-/// If the solutions cannot be read, or are not those of the results, the results beside the rows are damaged, or the
+/// If the solutions cannot be read, or are not those of the results, the results with other data are damaged, or the
 /// folder cannot be written.
 pub fn write(results: &[FoldResult], solutions: &Path, folder: &Path) -> anyhow::Result<String> {
     let mut text = String::new();
-    let beside_rows = online_beside_rows(folder)?;
-    head(&mut text, results, &beside_rows)?;
-    table(&mut text, results, &beside_rows)?;
+    let other_data = online_with_other_data(folder)?;
+    head(&mut text, results, &other_data)?;
+    table(&mut text, results, &other_data)?;
     ablations(&mut text, results)?;
     folds(&mut text, results)?;
     training_report::write(&mut text, results)?;
     data(&mut text, results, solutions)?;
-    text.push_str(REPRODUCING);
+    reproducing(&mut text, solutions)?;
     let path = folder.join("README.md");
     replace_file(&path, text.as_bytes())?;
     Ok(text)
 }
 
-fn head(text: &mut String, results: &[FoldResult], beside_rows: &[Option<String>; 2]) -> anyhow::Result<()> {
+fn head(text: &mut String, results: &[FoldResult], other_data: &[Option<String>; 2]) -> anyhow::Result<()> {
     let Some(FoldResult { hyperparameters, report, .. }) = results.first() else { return Ok(()) };
     writeln!(
         text,
@@ -59,7 +59,7 @@ fn head(text: &mut String, results: &[FoldResult], beside_rows: &[Option<String>
          `pathlight-lab reproduce` printed this from the files beside it, one per setup and fold; {} of {} exist. Seed \
          {}, simulator {}, agents {}, at most {} test tasks per template.\n\n\
          Auccess is measured with at most {MAX_ATTEMPTS} attempts per task, and only these attempts are simulated. \
-         The nets of the rows learn only from rollouts in training tasks and variants of them, and from none whose ball \
+         The nets here learn only from rollouts in training tasks and variants of them, and from none whose ball \
          was sampled around a solution of a test task; but in the setup within, the search that found the training \
          tasks' solutions also started from known solutions of test tasks of the same template.\n\n\
          - **online**: the dynamics net imagines candidates, and a Gaussian process learns from each attempt, by the \
@@ -78,26 +78,26 @@ fn head(text: &mut String, results: &[FoldResult], beside_rows: &[Option<String>
         report.agents_version,
         hyperparameters.limit,
     )?;
-    if beside_rows.iter().any(Option::is_some) {
+    if other_data.iter().any(Option::is_some) {
         writeln!(
             text,
-            "**{BESIDE_ROWS}**: within, its net also learned from [balls that a net proposed](proposed-balls/README.md); in \
+            "**{OTHER_DATA}**: within, its net also learned from [balls that a net proposed](proposed-balls/README.md); in \
              cross, it learned from [random scenes](random-scenes/README.md) alone. It was trained with other settings \
-             than those of the rows.\n"
+             than the nets below it.\n"
         )?;
     }
     Ok(())
 }
 
-/// The paper's table, with our results beside it.
-fn table(text: &mut String, results: &[FoldResult], beside_rows: &[Option<String>; 2]) -> anyhow::Result<()> {
+/// The mean of each agent over the folds, and what was published.
+fn table(text: &mut String, results: &[FoldResult], other_data: &[Option<String>; 2]) -> anyhow::Result<()> {
     writeln!(text, "## Auccess, mean over folds ± standard deviation\n")?;
-    writeln!(text, "| agent | engine | within | cross |\n| --- | --- | ---: | ---: |")?;
-    if beside_rows.iter().any(Option::is_some) {
-        let [within, cross] = beside_rows.each_ref().map(|auccess| auccess.as_deref().unwrap_or("–"));
-        writeln!(text, "| **{BESIDE_ROWS}** | ours | {within} | {cross} |")?;
+    writeln!(text, "| agent | simulator | within | cross |\n| --- | --- | ---: | ---: |")?;
+    if other_data.iter().any(Option::is_some) {
+        let [within, cross] = other_data.each_ref().map(|auccess| auccess.as_deref().unwrap_or("–"));
+        writeln!(text, "| **{OTHER_DATA}** | ours | {within} | {cross} |")?;
     }
-    for OurRow { agent, auccess: [within, cross] } in our_rows(results) {
+    for AgentMean { agent, auccess: [within, cross] } in our_means(results) {
         writeln!(text, "| **{}** | ours | {within} | {cross} |", row(agent).label)?;
     }
     for (label, Published { auccess: [within, cross], .. }) in REPORTED {
@@ -212,23 +212,32 @@ fn data(text: &mut String, results: &[FoldResult], path: &Path) -> anyhow::Resul
     Ok(())
 }
 
-const REPRODUCING: &str = "
+fn reproducing(text: &mut String, solutions: &Path) -> anyhow::Result<()> {
+    let command = match solutions == Path::new(SOLUTIONS) {
+        true => "pathlight-lab reproduce".to_string(),
+        false => format!("pathlight-lab reproduce --solutions {}", solutions.display()),
+    };
+    write!(
+        text,
+        "
 ## Reproducing
 
 Run `make build` first. Each command continues where it was interrupted; settings other than the defaults (`--help`)
 need other folders.
 
 ```
-pathlight-lab reproduce                             # data, all twenty folds, report
-pathlight-lab reproduce --setup within --fold 3     # data if missing, one fold, report
-pathlight-lab reproduce --only report               # this file and costs.md
+{command}                             # data, all twenty folds, report
+{command} --setup within --fold 3     # data if missing, one fold, report
+{command} --only report               # this file and costs.md
 ```
 
 Folds only read the shared data files, so up to twenty processes can run in parallel, on all machines that share
-the folder. `scripts/cluster/submit FOLDER` submits the whole chain to Slurm, from the search for solutions \
-to the report, as
-arrays of jobs that each wait for the one before. `costs.md` says what that takes.
-";
+the folder. `scripts/cluster/submit FOLDER` submits the whole chain to Slurm, from the search for solutions to the
+report, as arrays of jobs that each wait for the one before. `costs.md` says what that takes.
+"
+    )?;
+    Ok(())
+}
 
 /// The results of a setup.
 pub fn of(results: &[FoldResult], setup: Setup) -> impl Iterator<Item = &FoldResult> {

@@ -1,4 +1,4 @@
-//! The part of the report on how the nets of each row were trained.
+//! The part of the report on how the nets of each fold were trained.
 
 use std::fmt::{self, Write as _};
 
@@ -46,7 +46,7 @@ pub fn write(text: &mut String, results: &[FoldResult]) -> fmt::Result {
                 card.batch,
                 card.balls_per_scene,
                 card.learning_rate,
-                // Older rows call its one loss otherwise.
+                // Older results call its one loss otherwise.
                 last_loss(success, success.losses.first().map_or("", String::as_str))
             ))
         },

@@ -1,8 +1,8 @@
 //! Trains the net that imagines what balls lead to, and adds it to the weights of the four nets, where it takes the
 //! place of a success net.
 //!
-//! It learns from labelled balls of the tasks that the four nets were trained on, so that the weights as a whole have
-//! seen no other tasks. It starts from the success net of these weights, if they have one: the U-Net of both is the
+//! It learns from no test task of the fold that the four nets were trained on, so that the weights as a whole have seen
+//! none. It starts from the success net of these weights, if they have one: the U-Net of both is the
 //! same.
 
 use std::path::{Path, PathBuf};

@@ -1,4 +1,4 @@
-//! The labelled balls of a fold's training tasks, by scene, and those of them that make a batch; used by the
+//! The labelled balls that a net of a fold may learn from, by scene, and those of them that make a batch; used by the
 //! trainings of success net, dynamics net and DQN.
 
 use std::collections::btree_map::{BTreeMap, Entry};
@@ -21,7 +21,7 @@ use crate::data::label_use::{Choice, LabelOrigin, may_learn};
 use crate::data::labels::{LabelledBalls, PATHS_LEN};
 use crate::data::scene_id::SceneId;
 
-/// The scenes of a fold's training tasks with their labelled balls; at least one.
+/// The scenes that a net of a fold may learn from, with their labelled balls; at least one.
 pub struct LabelledScenes(Vec<LabelledScene>);
 
 /// A scene and its labelled balls.
@@ -128,7 +128,7 @@ impl LabelledScenes {
     /// lists no such tasks.
     ///
     /// # Errors
-    /// If a file cannot be used, may tell of the fold's test tasks, or none has balls of its training tasks.
+    /// If a file cannot be used, may reveal the fold's test tasks, or none has balls that a net of it may learn from.
     pub fn read(files: &[PathBuf], fold: FoldId, without_dev: bool) -> anyhow::Result<LabelledScenes> {
         let tasks = training_tasks(fold, without_dev);
         let mut scenes: BTreeMap<SceneId, LabelledScene> = BTreeMap::new();
@@ -151,7 +151,7 @@ impl LabelledScenes {
         Ok(LabelledScenes(scenes.into_values().collect()))
     }
 
-    /// These scenes, for a net whose card does not tell of blends, unlisted tasks and random scenes.
+    /// These scenes, for a net whose card does not count blends, unlisted tasks and random scenes.
     ///
     /// # Errors
     /// If the labels hold any.

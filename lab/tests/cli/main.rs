@@ -8,7 +8,6 @@ use std::process::{Command, Output};
 
 use pathlight::nets::{Card, PathNet};
 
-mod beside_rows;
 mod calibration;
 mod carried;
 mod collect;
@@ -19,6 +18,7 @@ mod forecasts;
 mod killed;
 mod label;
 mod merge;
+mod other_data;
 mod paper_table;
 mod pipes;
 mod reference;

@@ -206,7 +206,7 @@ fn a_file_that_another_process_uses_is_left_alone() {
 }
 
 #[test]
-fn the_report_and_the_readme_are_those_of_the_rows() {
+fn the_report_and_the_readme_are_those_of_the_results() {
     let folder = tempdir().expect("a folder");
     for of in ["", "proposed-balls", "random-scenes"] {
         let copies = folder.path().join(of);
@@ -226,7 +226,7 @@ fn the_report_and_the_readme_are_those_of_the_rows() {
 
     let readme = fs::read_to_string(root("README.md")).expect("the README");
     let table = |text: &str| -> Vec<String> {
-        let from_head = text.lines().skip_while(|line| *line != "| agent | engine | within | cross |");
+        let from_head = text.lines().skip_while(|line| *line != "| agent | simulator | within | cross |");
         from_head.take_while(|line| line.starts_with('|')).map(str::to_string).collect()
     };
     let (rows, shown) = (table(&report), table(&readme));
@@ -256,7 +256,7 @@ fn what_is_missing_is_named() {
     fs::create_dir(folder.path().join("results")).expect("a folder");
     fs::write(folder.path().join("results/within-0.json"), "{").expect("a file");
     assert_refused(&with("folds"), "is not a result of `pathlight-lab reproduce`");
-    for (index, named) in [("25", "submit the job with"), ("20", "rows of 0-19"), ("within", "submit the job with")] {
+    for (index, named) in [("25", "submit the job with"), ("20", "some of 0-19"), ("within", "submit the job with")] {
         let refused = job(index, folder.path(), &words);
         assert!(String::from_utf8_lossy(&refused.stderr).contains(named), "{index}");
     }

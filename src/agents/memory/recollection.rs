@@ -14,7 +14,7 @@ use crate::puzzle::task::TaskId;
 /// A similarity of e to minus this, 0.001, or less counts as 0.
 const NEGLIGIBLE: f64 = 6.9;
 
-/// The logit of a random ball before anything is known: one in fifty.
+/// The logit of a random ball before anything is known: a chance of 1.8 %.
 const RANDOM_LOGIT: f64 = -4.0;
 
 /// How much a puzzle must have moved the logit of a ball to be named.

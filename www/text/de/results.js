@@ -41,7 +41,7 @@ export const results = {
       published: "Artikel",
       ours: "unsere",
     },
-    besideRows:
+    otherData:
       "online, wenn das Netz auch aus selbst vorgeschlagenen Kugeln (bekannte Arten) oder nur aus zufälligen Rätseln (neue Arten) gelernt hat",
     ours: "Unsere Agenten, in unserem Simulator",
     published: "Veröffentlichte Ergebnisse, im Simulator von PHYRE",

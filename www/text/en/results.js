@@ -42,7 +42,7 @@ export const results = {
       published: "published",
       ours: "ours",
     },
-    besideRows:
+    otherData:
       "online, with a net that also learned from balls it proposed (known kinds), or learned from random puzzles alone (new kinds)",
     ours: "Ours, in our simulator",
     published: "Published, in PHYRE’s own simulator",

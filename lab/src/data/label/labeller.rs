@@ -103,10 +103,9 @@ impl Labeller<'_> {
         Some(try_balls(scene, balls.collect()))
     }
 
-    /// The balls of a scene of which no solutions are known: those that nets propose, or sampled ones, of which some of
-    /// the second half are near those of the first that solve. If no proposed ball solves, or none of the first half,
-    /// most random scenes are left out, so that nets see about as many with solutions as without: there are no balls
-    /// then.
+    /// The balls of a scene without known solutions: those that nets propose, or sampled ones. Of these, some of the
+    /// second half lie near balls of the first half that solve. Most random scenes in which no proposed ball solves, or
+    /// none of the first half, get no balls, so that nets see about as many scenes with solutions as without.
     fn in_new_scene(&self, id: SceneId, round: usize) -> LabelledBalls {
         let scene = id.scene().expect("a scene of the selection");
         let (siblings, unsolved) = match id {

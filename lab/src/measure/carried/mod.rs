@@ -37,7 +37,7 @@ pub use report::page;
 pub struct Settings {
     pub fold: FoldId,
     pub tasks: TaskSet,
-    /// At most the first of these tasks of each template.
+    /// Use only the first N of these tasks of each template.
     pub limit: Option<u16>,
     /// Seed of the random agent.
     pub seed: u64,

@@ -1,9 +1,9 @@
 //! How well the dynamics net imagines what balls lead to, on test tasks of a fold or in other scenes.
 //!
-//! Uniformly random balls, and solutions, because few random balls solve: of tasks the known ones, in other scenes
-//! those found among some more random balls. The path of a body is drawn along its sampled positions, the imagined one
-//! like the real one, and compared by soft IoU. Half of the image of a path may be the body at its start; so the path
-//! of a body that stays where it is is compared too.
+//! Each scene is tried with uniformly random balls and, because few of these solve, with solutions: the known ones of a
+//! task, in other scenes those found among some more random balls. Imagined and real paths are drawn alike, along the
+//! sampled positions, and compared by soft IoU. The body at its start may be half of the image of its path; so a body
+//! that never moves is compared too, as a baseline.
 //!
 //! `Forecasts` has the soft IoUs by template, for `figures`, and beside them those of the maps of the four nets.
 
@@ -52,7 +52,7 @@ pub struct Settings {
     pub balls: usize,
     /// Known solutions.
     pub solutions: PathBuf,
-    /// At most the first test tasks of each template.
+    /// Use only the first N test tasks of each template.
     pub limit: Option<u16>,
     /// Seed of the random balls.
     pub seed: u64,

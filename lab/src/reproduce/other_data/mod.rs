@@ -1,4 +1,4 @@
-//! The results of dynamics nets that learned from other data than those of the rows, beside the rows, as Markdown.
+//! The results of dynamics nets that learned from other data than those of the main results, beside these, as Markdown.
 
 use std::fmt::{self, Write as _};
 use std::path::Path;
@@ -27,27 +27,27 @@ struct Results {
     table: Table,
     /// On several folds of one setup.
     reports: Vec<Report>,
-    /// The rows on the same folds.
-    rows: Vec<Report>,
+    /// The main results on the same folds.
+    main: Vec<Report>,
     /// On all tasks, if the nets have seen none; `reports` are parts of it.
     on_all_tasks: Option<Report>,
 }
 
-/// Reads the results of `measure evaluate` in a folder, and the rows in another; returns the page.
+/// Reads the results of `measure evaluate` in a folder, and the main results in another; returns the page.
 ///
 /// # Errors
-/// If there are no results, one is damaged or has no row, or they were made with different settings.
-pub fn page(table: Table, folder: &Path, rows: &Path) -> anyhow::Result<String> {
+/// If there are no results, one is damaged, the main results lack its fold, or they were made with different settings.
+pub fn page(table: Table, folder: &Path, main: &Path) -> anyhow::Result<String> {
     let (reports, on_all_tasks) = read(table, folder)?;
-    let mut all_rows: Vec<Report> = fold_result::read(rows)?.into_iter().map(|row| row.report).collect();
-    all_rows.retain(|row| reports.iter().any(|report| (row.setup, row.fold) == (report.setup, report.fold)));
+    let mut on_folds: Vec<Report> = fold_result::read(main)?.into_iter().map(|result| result.report).collect();
+    on_folds.retain(|one| reports.iter().any(|report| (one.setup, one.fold) == (report.setup, report.fold)));
     ensure!(
-        all_rows.len() == reports.len(),
-        "{} lacks rows of some folds that {} holds: name the folder of all rows",
-        rows.display(),
+        on_folds.len() == reports.len(),
+        "{} lacks some folds that {} holds: name the folder of the main results with --main",
+        main.display(),
         folder.display()
     );
-    let results = Results { table, reports, rows: all_rows, on_all_tasks };
+    let results = Results { table, reports, main: on_folds, on_all_tasks };
     let mut text = String::new();
     results.head(&mut text)?;
     results.means(&mut text)?;
@@ -152,17 +152,17 @@ impl Results {
         Ok(())
     }
 
-    /// The means over the folds that are measured, beside those of the rows, on the same test tasks.
+    /// The means over the folds that are measured, beside those of the main results, on the same test tasks.
     fn means(&self, text: &mut String) -> fmt::Result {
         writeln!(
             text,
             "\n## Auccess, mean over folds ± standard deviation\n\nOn the same test tasks.\n\n| setup | folds | agent \
-             | {} | the rows | first minus rows, folds on which it is positive |\n\
+             | {} | main results | difference, folds on which it is positive |\n\
              | --- | ---: | --- | ---: | ---: | ---: |",
             self.table.column(),
         )?;
         for agent in AGENTS {
-            let [with, without] = [&self.reports, &self.rows].map(|reports| scores(reports.iter(), agent));
+            let [with, without] = [&self.reports, &self.main].map(|reports| scores(reports.iter(), agent));
             let differences: Vec<f64> = with.iter().zip(&without).map(|(with, without)| with - without).collect();
             writeln!(
                 text,
@@ -185,7 +185,7 @@ impl Results {
         writeln!(
             text,
             "\n## By template\n\nAuccess of the online agent over the tasks of all folds that test a template.\n\n\
-             | template | {} | the rows | random |\n| --- | ---: | ---: | ---: |",
+             | template | {} | main results | random |\n| --- | ---: | ---: | ---: |",
             self.table.column(),
         )?;
         for template in TEMPLATES {
@@ -194,7 +194,7 @@ impl Results {
                 let firsts: Vec<Option<usize>> = firsts.collect();
                 if firsts.is_empty() { "–".to_string() } else { format!("{:.0}", auccess(&firsts)) }
             };
-            let cells = [&self.reports, &self.rows].map(|reports| cell(reports, AgentName::Online));
+            let cells = [&self.reports, &self.main].map(|reports| cell(reports, AgentName::Online));
             if cells[0] != "–" {
                 let random = cell(&self.reports, AgentName::Random);
                 writeln!(text, "| {:05} {} | {} | {random} |", template.number, template.name, cells.join(" | "))?;

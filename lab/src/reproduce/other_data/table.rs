@@ -1,13 +1,13 @@
-//! The tables of results beside the rows: their setups, their words, and what makes them.
+//! The tables of nets that learned from other data: their setups, their words, and what makes them.
 
 use pathlight::benchmark::folds::Setup;
 
-/// A table of nets that learned from other data than those of the rows: from which.
+/// A table of nets that learned from other data than those of the main results.
 #[derive(Clone, Copy)]
 pub enum Table {
     /// Balls that an earlier net of the same fold proposed, in the setup within.
     ProposedBalls,
-    /// Random scenes alone, beside the rows of the setup cross.
+    /// Random scenes alone, on the folds of the setup cross.
     RandomScenes,
 }
 
@@ -56,14 +56,14 @@ impl Table {
                 "Each dynamics net first learned from sampled balls in the training tasks and in variants of them; the \
                  known solutions are [uniform](../../docs/reproducing.md#data). Then it proposed balls in its training \
                  tasks, and was trained further on the sampled and the proposed balls there. The nets of the \
-                 [rows](../README.md) learned without proposed balls, from older solutions and with other settings. All \
+                 [main results](../README.md) learned without proposed balls, from older solutions and with other settings. All \
                  these nets learned from the training tasks and their variants alone, so these results compare with \
-                 published ones as the rows do."
+                 published ones as the main results do."
             }
             Table::RandomScenes => {
                 "One dynamics net learned from random scenes alone, which have no template. It has seen no task, so \
-                 the test tasks of all folds are new to it. The nets of the [rows](../README.md) learned from training \
-                 tasks and variants of them, but from no random scenes, and with other settings."
+                 the test tasks of all folds are new to it. The nets of the [main results](../README.md) learned from \
+                 training tasks and variants of them, but from no random scenes, and with other settings."
             }
         }
     }

@@ -1,5 +1,5 @@
 //! `pathlight-lab measure random-scenes` and `proposed-balls`: the results of nets that learned from other data than
-//! those of the rows, beside the rows.
+//! those of the main results, beside these.
 
 use std::fs;
 
@@ -10,7 +10,7 @@ use tempfile::tempdir;
 use super::{assert_refused, output_of, root};
 
 #[test]
-fn results_stand_beside_the_rows_of_the_same_folds() {
+fn results_stand_beside_the_main_ones_of_the_same_folds() {
     let folder = tempdir().expect("a folder");
     let name = folder.path().display().to_string();
     let words = ["measure", "proposed-balls", &name];
@@ -25,10 +25,10 @@ fn results_stand_beside_the_rows_of_the_same_folds() {
     put(&result);
     let page = output_of(&words);
     assert!(page.contains("7 variants"), "{page}");
-    let row = json("results/within-0.json");
-    let in_row = row["report"]["agents"].as_array().expect("agents").iter().find(|agent| agent["agent"] == "online");
+    let main = json("results/within-0.json");
+    let of_main = main["report"]["agents"].as_array().expect("agents").iter().find(|agent| agent["agent"] == "online");
     let [with, without] =
-        [&online, in_row.expect("the online agent")].map(|score| score["auccess"].as_f64().expect("a number"));
+        [&online, of_main.expect("the online agent")].map(|score| score["auccess"].as_f64().expect("a number"));
     let cells = format!("| within | 1 | **online** | {with:.1} | {without:.1} | {:.1}, ", with - without);
     assert!(page.contains(&cells), "{page} lacks {cells}");
 
@@ -38,7 +38,7 @@ fn results_stand_beside_the_rows_of_the_same_folds() {
 }
 
 #[test]
-fn results_on_all_tasks_stand_beside_the_rows_of_every_fold() {
+fn results_on_all_tasks_stand_beside_the_main_ones_of_every_fold() {
     let folder = tempdir().expect("a folder");
     let name = folder.path().display().to_string();
     let words = ["measure", "random-scenes", &name];
