@@ -122,20 +122,17 @@ impl Evaluate {
             shuffles,
         } = self;
         let (fold, tasks) = (fold.into(), task_set(dev, all_tasks));
+        json_file::check(json.as_deref())?;
         if carry {
             let settings = carried::Settings { fold, tasks, limit, seed, shuffles, weights };
             let report = settings.measure(progress)?;
-            if let Some(path) = &json {
-                json_file::write(path, &report)?;
-            }
+            json_file::write(json.as_deref(), &report)?;
             return Ok(report.markdown()?);
         }
         let settings = evaluate::Settings { agents, fold, tasks, limit, seed, engine, weights, dqn };
         let report = settings.measure(progress)?;
         // The file comes first, so that a closed pipe does not lose it.
-        if let Some(path) = &json {
-            json_file::write(path, &report)?;
-        }
+        json_file::write(json.as_deref(), &report)?;
         Ok(report.table()?)
     }
 }
@@ -226,11 +223,10 @@ impl Forecasts {
     fn run(self) -> anyhow::Result<String> {
         let Forecasts { fold, scenes, balls, solutions, limit, seed, json, weights } = self;
         let (fold, scenes) = (fold.into(), scenes.into());
+        json_file::check(json.as_deref())?;
         let settings = forecasts::Settings { fold, scenes, balls, solutions, limit, seed, weights };
         let (forecasts, table) = settings.measure()?;
-        if let Some(path) = &json {
-            json_file::write(path, &forecasts)?;
-        }
+        json_file::write(json.as_deref(), &forecasts)?;
         Ok(table)
     }
 }
@@ -274,10 +270,9 @@ impl Calibration {
     fn run(self) -> anyhow::Result<String> {
         let Calibration { fold, scenes, balls, limit, seed, json, weights } = self;
         let (fold, scenes) = (fold.into(), scenes.into());
+        json_file::check(json.as_deref())?;
         let calibration = calibration::Settings { fold, scenes, balls, limit, seed, weights }.measure()?;
-        if let Some(path) = &json {
-            json_file::write(path, &calibration)?;
-        }
+        json_file::write(json.as_deref(), &calibration)?;
         Ok(calibration.table()?)
     }
 }

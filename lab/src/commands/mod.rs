@@ -12,6 +12,7 @@ use clap::{Parser, Subcommand};
 
 #[path = "../../../src/commands/agent_arg.rs"]
 mod agent_arg;
+mod at_least_one;
 mod data;
 #[path = "../../../src/commands/engine_arg.rs"]
 mod engine_arg;

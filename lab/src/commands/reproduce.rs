@@ -4,7 +4,6 @@ use std::io::{self, Write};
 use std::path::PathBuf;
 
 use clap::ValueEnum;
-use clap::builder::TypedValueParser;
 use pathlight::benchmark::folds::{FOLDS, FoldId, Setup};
 use pathlight_lab::data::collect::SOLUTIONS;
 use pathlight_lab::data::label::LABELS;
@@ -12,6 +11,7 @@ use pathlight_lab::progress::Progress;
 use pathlight_lab::reproduce::fold_result::{DataFiles, Hyperparameters};
 use pathlight_lab::reproduce::{RESULTS, Settings};
 
+use super::at_least_one::at_least_one;
 use super::fold_args::{fold, setup};
 
 /// Train and measure every fold of both setups, or continue with it: data, folds, report
@@ -123,10 +123,6 @@ struct HyperparameterArgs {
     /// Use at most the first N test tasks of each template
     #[arg(long, value_name = "N", default_value_t = Hyperparameters::default().limit, value_parser = at_least_one())]
     limit: u16,
-}
-
-fn at_least_one() -> impl TypedValueParser<Value = u16> {
-    clap::value_parser!(u16).range(1..)
 }
 
 impl From<HyperparameterArgs> for Hyperparameters {

@@ -10,6 +10,7 @@ use pathlight_lab::training::dynamics::DynamicsRecipe;
 use pathlight_lab::training::settings::{LabelsRecipe, PathsRecipe, RunSettings};
 use pathlight_lab::training::{dqn, dynamics, paths, success};
 
+use super::at_least_one::at_least_one;
 use super::fold_args::FoldArgs;
 use super::optimiser_arg::OptimiserName;
 use super::path_weights_args::PathWeightsArgs;
@@ -81,10 +82,6 @@ impl From<RunArgs> for RunSettings {
     fn from(RunArgs { out, checkpoint, stop_after, seed, .. }: RunArgs) -> RunSettings {
         RunSettings { out, checkpoint, stop_after, seed }
     }
-}
-
-fn at_least_one() -> impl TypedValueParser<Value = u16> {
-    clap::value_parser!(u16).range(1..)
 }
 
 /// Numbers of epochs: without an epoch nothing would be trained.

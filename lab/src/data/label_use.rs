@@ -51,6 +51,7 @@ pub enum Refusal {
 /// | proposed by a net without dev tasks | its fold | any, without dev tasks | yes |
 /// | sampled | any fold, or all tasks | cross | yes: they come from solutions of their own template alone |
 /// | sampled | its fold | within | yes |
+/// | sampled, and they do not say around which task's solution | its fold | within, without dev tasks | no: balls near solutions of dev tasks cannot be left out |
 /// | sampled | another fold | within | no: solutions of test tasks steered where balls lie |
 /// | sampled, and each says around which task's solution | all tasks | within | yes, but for balls near test tasks |
 /// | sampled, and they do not say | all tasks | within | no: balls near solutions of test tasks cannot be left out |
@@ -74,9 +75,9 @@ pub fn may_learn(origin: LabelOrigin, learner: FoldId, without_dev: bool) -> Res
         (Choice::Proposed(Proposer::Tasks { .. }), Some(_)) => Ok(()),
         (Choice::Sampled { .. }, _) if learner.setup == Setup::Cross => Ok(()),
         (Choice::Sampled { .. }, Some(of)) if of != learner => Err(Refusal::OtherFold { of, learner }),
-        (Choice::Sampled { .. }, Some(_)) => Ok(()),
-        (Choice::Sampled { tells_siblings: true }, None) => Ok(()),
-        (Choice::Sampled { tells_siblings: false }, None) => Err(Refusal::UnknownSiblings),
+        (Choice::Sampled { tells_siblings: true }, _) => Ok(()),
+        (Choice::Sampled { tells_siblings: false }, Some(_)) if !without_dev => Ok(()),
+        (Choice::Sampled { tells_siblings: false }, _) => Err(Refusal::UnknownSiblings),
     }
 }
 
@@ -97,7 +98,7 @@ impl std::fmt::Display for Refusal {
                 of.setup, of.fold, learner.setup, learner.fold
             ),
             Refusal::UnknownSiblings => f.write_str(
-                "does not say which balls were sampled around solutions of test tasks: label the balls again",
+                "does not say which balls were sampled around solutions of test or dev tasks: label the balls again",
             ),
         }
     }
@@ -203,5 +204,13 @@ mod tests {
     #[test]
     fn within_templates_sampled_balls_of_all_tasks_are_refused_if_they_do_not_say_around_which() {
         assert_eq!(told(UNTOLD, None, WITHIN), Err(Refusal::UnknownSiblings));
+    }
+
+    #[test]
+    fn within_templates_and_without_dev_tasks_sampled_balls_are_refused_if_they_do_not_say_around_which() {
+        for (choice, may) in [(SAMPLED, Ok(())), (UNTOLD, Err(Refusal::UnknownSiblings))] {
+            let origin = LabelOrigin { training_tasks_of: Some(WITHIN), choice };
+            assert_eq!(may_learn(origin, WITHIN, true), may);
+        }
     }
 }

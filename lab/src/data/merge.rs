@@ -16,6 +16,7 @@ use pathlight::puzzle::templates::TEMPLATES;
 use serde::Serialize;
 
 use crate::data::collect::CollectEntry;
+use crate::data::label::Scenes;
 use crate::data::labels::LabelledBalls;
 use crate::files::differences::differences;
 use crate::files::journal::{self, Entry, is_file_of};
@@ -59,6 +60,7 @@ fn read<E: Entry>(
         let template = template(&mut settings).take().with_context(|| {
             format!("{name} is not of one template: make it with `pathlight-lab {} --template`", E::COMMAND)
         })?;
+        ensure!(template < TEMPLATES.len(), "{name} is of no template that there is: make it again");
         if let Some(other) = shards.get(&template) {
             anyhow::bail!("{name} and {} are of the same template: leave one out", other.path.display());
         }
@@ -102,7 +104,7 @@ fn merged_solutions(files: &[PathBuf]) -> anyhow::Result<Vec<u8>> {
         let name = path.display();
         ensure!(
             entries.len() == ids(TEMPLATES[*template]).take(settings.limit).count(),
-            "{name} is not complete: continue it with `pathlight-lab data collect --template {template} --out {name}`"
+            "{name} is not complete: continue it with the `pathlight-lab data collect` that began it"
         );
         entries.iter().try_for_each(|entry| lines.push(entry))?;
     }
@@ -118,14 +120,18 @@ fn merged_labels(files: &[PathBuf]) -> anyhow::Result<Vec<u8>> {
         let training = Fold::new(setup, fold).all_train();
         tasks.retain(|task| training.binary_search(task).is_ok());
     }
-    let all = NonZeroUsize::new(tasks.len()).context("the files are of no tasks: make them again")?;
+    let scenes = match settings.scenes() {
+        Scenes::Unlisted(_) => per_round.iter().sum(),
+        _ => tasks.len(),
+    };
+    let all = NonZeroUsize::new(scenes).context("the files are of no tasks: make them again")?;
     shards.iter_mut().for_each(|shard| shard.settings.tasks = all);
     check(&shards, &tasks)?;
     let rounds = shards[0].entries.len() / per_round[0];
     for (shard, per_round) in shards.iter().zip(&per_round) {
         ensure!(
             shard.entries.len() == rounds * per_round,
-            "{} and {} do not have equally many whole rounds: continue them with `pathlight-lab data label`",
+            "{} and {} do not have equally many whole rounds: continue them with the `pathlight-lab data label` that began them",
             shards[0].path.display(),
             shard.path.display()
         );

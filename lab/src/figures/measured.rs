@@ -7,7 +7,7 @@ use pathlight::benchmark::auccess::{auccess, solved_within};
 use pathlight::benchmark::folds::{FoldId, Setup};
 use pathlight::puzzle::task::TaskId;
 
-use crate::measure::evaluate::Report;
+use crate::measure::report::Report;
 use crate::measure::shipped::Shipped;
 use crate::reproduce::fold_result;
 

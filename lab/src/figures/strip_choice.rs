@@ -6,7 +6,7 @@ use pathlight::benchmark::auccess::{MAX_ATTEMPTS, auccess};
 use pathlight::puzzle::task::TaskId;
 use pathlight::puzzle::templates::TEMPLATES;
 
-use crate::measure::evaluate::Report;
+use crate::measure::report::Report;
 
 /// A task counts as solved late if this attempt or a later one solved it.
 const LATE: usize = 10;

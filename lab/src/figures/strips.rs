@@ -24,7 +24,7 @@ use super::picture::{Anchor, Figure, MUTED, words};
 use super::scene_drawing::{self, LineStyle, ball_outline, hatch, map, path, positions, window};
 use super::strip_choice::{Choice, Chosen};
 use crate::files::weights_file::load_nets;
-use crate::measure::evaluate::Report;
+use crate::measure::report::Report;
 use crate::measure::shipped::Shipped;
 
 /// Headings of the pictures of a strip.

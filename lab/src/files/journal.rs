@@ -64,7 +64,7 @@ impl Journal {
         }
         let contents = parse::<E>(&journal.file, path)?;
         let other = differences(&contents.settings, settings);
-        ensure!(other.is_empty(), "{name} has other settings ({other}): write to another file with --out");
+        ensure!(other.is_empty(), "{name} has other settings ({other}): choose another file, or remove this one");
         journal.ends = contents.ends;
         journal.keep(contents.entries.len())?;
         if !contents.ends_with_newline {

@@ -6,7 +6,7 @@ use std::path::Path;
 use anyhow::Context;
 use serde::{Deserialize, Serialize};
 
-use super::replace_file::replace_file;
+use super::replace_file::{check_replaceable, replace_file};
 
 /// Reads a file; `command` is what writes it.
 ///
@@ -18,10 +18,18 @@ pub fn read<T: for<'a> Deserialize<'a>>(path: &Path, command: &str) -> anyhow::R
     serde_json::from_slice(&bytes).with_context(|| format!("{name} is damaged: write it again with `{command}`"))
 }
 
-/// Writes a file, and its folder if that is missing.
+/// Checks that the file can be written, if one is named: before a measurement that would be lost.
 ///
 /// # Errors
-/// If it cannot be written; then nothing has changed.
-pub fn write(path: &Path, value: &impl Serialize) -> anyhow::Result<()> {
-    replace_file(path, &serde_json::to_vec(value)?)
+/// If it cannot.
+pub fn check(path: Option<&Path>) -> anyhow::Result<()> {
+    path.map_or(Ok(()), check_replaceable)
+}
+
+/// Writes the file, and its folder if that is missing, if one is named.
+///
+/// # Errors
+/// If it cannot be written; then the file has not changed.
+pub fn write(path: Option<&Path>, value: &impl Serialize) -> anyhow::Result<()> {
+    path.map_or(Ok(()), |path| replace_file(path, &serde_json::to_vec(value)?))
 }

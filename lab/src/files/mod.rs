@@ -10,6 +10,7 @@ pub mod differences;
 pub mod file_lock;
 pub mod journal;
 pub mod json_file;
+pub mod quoted;
 pub mod replace_file;
 pub mod weights_file;
 

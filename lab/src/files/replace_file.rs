@@ -5,27 +5,51 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use anyhow::Context;
-use tempfile::Builder;
+use tempfile::{Builder, NamedTempFile};
 
-/// Writes a file, and its folder if that is missing. A file that is there already stays as it is until the new one is
-/// complete and on disk. A device, a pipe or a link, which are not to be replaced, is written to.
+/// Writes a file, and its folder if that is missing. A file that is there already, or that a link leads to, stays as it
+/// is until the new one is complete and on disk. A device or a pipe is written to.
 ///
 /// # Errors
-/// If it cannot be written; then nothing has changed.
+/// If it cannot be written; then the file has not changed.
 pub fn replace_file(path: &Path, bytes: &[u8]) -> anyhow::Result<()> {
-    let is_special = fs::symlink_metadata(path).is_ok_and(|found| !found.is_file() && !found.is_dir());
-    let written = if is_special { fs::write(path, bytes) } else { replace(path, bytes) };
+    let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
+    let written = if is_special(&target) { fs::write(&target, bytes) } else { replace(&target, bytes) };
     written.with_context(|| format!("cannot write {}", path.display()))
 }
 
-fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
+/// Checks that a file can be written, before the work whose result it is to hold. Makes its folder if that is missing.
+///
+/// # Errors
+/// If it cannot be written.
+pub fn check_replaceable(path: &Path) -> anyhow::Result<()> {
+    let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
+    let checked = match target.is_dir() {
+        true => Err(io::ErrorKind::IsADirectory.into()),
+        false if is_special(&target) => Ok(()),
+        false => temporary_file(&target).map(|_| ()),
+    };
+    checked.with_context(|| format!("cannot write {}", path.display()))
+}
+
+/// Whether this is a device, a pipe, or a link that leads nowhere.
+fn is_special(target: &Path) -> bool {
+    fs::symlink_metadata(target).is_ok_and(|found| !found.is_file() && !found.is_dir())
+}
+
+/// Makes a file beside another.
+fn temporary_file(path: &Path) -> io::Result<NamedTempFile> {
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     fs::create_dir_all(folder)?;
     let mut builder = Builder::new();
     // As other programs create files; a temporary file is its owner's alone otherwise.
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    let mut part = builder.prefix(".part-").tempfile_in(folder)?;
+    builder.prefix(".part-").tempfile_in(folder)
+}
+
+fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    let mut part = temporary_file(path)?;
     part.write_all(bytes)?;
     part.as_file().sync_all()?;
     part.persist(path)?;
@@ -53,6 +77,9 @@ mod tests {
         replace_file(&link, b"through the link").expect("written");
         assert!(link.is_symlink());
         assert_eq!(fs::read(&file).expect("a file"), b"through the link");
+        fs::remove_file(&file).expect("removed");
+        replace_file(&link, b"through the link").expect("written");
+        assert_eq!(fs::read(&file).expect("a file"), b"through the link");
     }
 
     #[test]
@@ -65,6 +92,9 @@ mod tests {
         assert_eq!(mode(&ours), mode(&other));
         fs::create_dir(folder.path().join("taken")).expect("a folder");
         replace_file(&folder.path().join("taken"), b"").expect_err("a folder is not replaced");
+        check_replaceable(&folder.path().join("taken")).expect_err("a folder is not replaced");
+        check_replaceable(&ours).expect("a file can be replaced");
+        check_replaceable(&folder.path().join("none")).expect("a file can be made");
         assert_eq!(fs::read_dir(folder.path()).expect("a folder").count(), 3);
     }
 }

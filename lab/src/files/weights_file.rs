@@ -30,7 +30,7 @@ pub fn load_nets(path: Option<&Path>, fold: FoldId) -> anyhow::Result<(PathNet, 
 pub fn load_nets_of_any_fold(path: &Path) -> anyhow::Result<(PathNet, Card)> {
     let name = path.display();
     let bytes = fs::read(path).with_context(|| {
-        format!("cannot read the weights in {name}: run `pathlight-lab train paths`, or name a file with --weights")
+        format!("cannot read the weights in {name}: train nets with `pathlight-lab train`, or name another file")
     })?;
     PathNet::load(&bytes).with_context(|| format!("cannot use {name}"))
 }

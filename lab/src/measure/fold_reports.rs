@@ -7,7 +7,7 @@ use anyhow::{Context, ensure};
 use pathlight::agents::agent_name::AgentName;
 use pathlight::benchmark::folds::FoldId;
 
-use super::evaluate::Report;
+use super::report::Report;
 use super::shipped::Measurement;
 use super::task_set::TaskSet;
 use crate::files::json_file;
@@ -36,7 +36,7 @@ pub fn read<S: PartialEq>(
         let name = path.display();
         let report: Report = json_file::read(&path, script)?;
         ensure!(
-            (FoldId { setup: report.setup, fold: report.fold }, report.tasks_of) == (fold, TaskSet::Test)
+            (report.fold_id(), report.tasks_of) == (fold, TaskSet::Test)
                 && report.is_whole(&fold.tasks().test)
                 && agents.iter().all(|&agent| report.score(agent).is_some()),
             "{name} does not hold the agents {}, of this version, on all test tasks of {fold}: remove it, and run \

@@ -11,5 +11,6 @@ pub mod forecasts;
 pub mod measured_scenes;
 pub mod paper_table;
 pub mod publish_results;
+pub mod report;
 pub mod shipped;
 pub mod task_set;

@@ -11,8 +11,8 @@ use pathlight::nets::Card;
 use pathlight::puzzle::templates::TEMPLATES;
 use serde::Serialize;
 
-use super::evaluate::{Report, score_cell};
 use super::fold_reports;
+use super::report::{Report, score_cell};
 use crate::training::settings::{PathsRecipe, recipe_of};
 
 /// What the paper reports of a setup, over its ten folds.

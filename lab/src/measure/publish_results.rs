@@ -12,7 +12,7 @@ use pathlight::puzzle::task::TaskId;
 use serde::Serialize;
 
 use super::calibration::{Bin, Calibration};
-use super::evaluate::Report;
+use super::report::Report;
 use super::shipped::Shipped;
 use crate::files::json_file;
 use crate::files::replace_file::replace_file;

@@ -13,9 +13,10 @@ use pathlight::simulator;
 use serde::de::DeserializeOwned;
 
 use super::calibration::Calibration;
-use super::evaluate::Report;
 use super::forecasts::Forecasts;
+use super::report::Report;
 use crate::files::json_file;
+use crate::files::quoted::quoted;
 
 /// What a command measures of a model, as its `--json` file has it.
 pub trait Measurement: DeserializeOwned {
@@ -42,7 +43,7 @@ impl Measurement for Report {
     fn is_whole(&self, test: &[TaskId]) -> bool {
         self.engine.is_first()
             && (self.simulator, self.agents_version) == (simulator::VERSION, agents::VERSION)
-            && self.agents.iter().all(|score| score.first_solved.iter().map(|(task, _)| task).eq(test))
+            && self.is_of(test)
     }
 }
 
@@ -95,10 +96,12 @@ impl Shipped<'_> {
         let path = self.measurements.join(format!("{name}{}.json", M::SUFFIX));
         let file = path.display();
         let command = format!(
-            "pathlight-lab measure {} --setup {} --fold {} --weights {weights_name} --json {file}",
+            "pathlight-lab measure {} --setup {} --fold {} --weights {} --json {}",
             M::COMMAND,
             fold.setup,
-            fold.fold
+            fold.fold,
+            quoted(&weights),
+            quoted(&path)
         );
         let measured: M = json_file::read(&path, &command)?;
         ensure!(

@@ -3,15 +3,16 @@
 
 use std::path::Path;
 
+use anyhow::ensure;
 use pathlight::agents::agent_name::AgentName;
-use pathlight::benchmark::folds::Setup;
+use pathlight::benchmark::folds::{FoldId, Setup};
 use serde::Serialize;
 
 use super::fold_result::{self, FoldResult};
 use super::other_data::{self, Table};
 use crate::measure::agents::AGENTS;
-use crate::measure::evaluate::Report;
 use crate::measure::paper_table::{self, ByTemplate};
+use crate::measure::report::Report;
 
 /// Published auccess, mean over the ten folds, on PHYRE's own engine.
 #[derive(Serialize)]
@@ -82,11 +83,22 @@ pub struct AgentMean {
 /// `random-scenes` and `paper` hold, if it has them.
 ///
 /// # Errors
-/// If there are no results, one is damaged, or results were made with different settings.
+/// If a result is missing, damaged or not of all test tasks of its fold, or results were made with different settings.
 pub fn comparison(results: &Path) -> anyhow::Result<Comparison> {
+    let folds = fold_result::read(results)?;
+    for fold in FoldId::all() {
+        let is_whole =
+            |result: &&FoldResult| result.report.fold_id() == fold && result.report.is_of(&fold.tasks().test);
+        ensure!(
+            folds.iter().any(|result| is_whole(&result)),
+            "{} has no result on all test tasks of {fold}: run `pathlight-lab reproduce`, or name another folder with \
+             --main",
+            results.display()
+        );
+    }
     let paper = Some(results.join("paper")).filter(|folder| folder.exists());
     Ok(Comparison {
-        ours: our_means(&fold_result::read(results)?),
+        ours: our_means(&folds),
         online_with_other_data: online_with_other_data(results)?,
         published: BEST.into_iter().chain(REPORTED.map(|(_, published)| published)).collect(),
         paper: paper.map(|folder| paper_table::by_template(&folder)).transpose()?,

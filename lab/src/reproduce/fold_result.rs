@@ -15,7 +15,7 @@ use serde::{Deserialize, Serialize};
 use crate::files::differences::differences;
 use crate::files::digest;
 use crate::files::replace_file::replace_file;
-use crate::measure::evaluate::Report;
+use crate::measure::report::Report;
 use crate::training::dynamics::{self, DynamicsRecipe};
 use crate::training::settings::{LabelsRecipe, PathsRecipe, recipe_of};
 use crate::training::training_run::Checkpoint;
@@ -138,6 +138,7 @@ impl ResultSettings {
     /// # Errors
     /// If the data cannot be read.
     pub fn expected(hyperparameters: &Hyperparameters, data: &DataFiles) -> anyhow::Result<ResultSettings> {
+        let digest = |path: &Path| digest(path).context("run `pathlight-lab reproduce --only data` first");
         let labels = digest(&data.labels)?;
         Ok(ResultSettings {
             hyperparameters: hyperparameters.clone(),
@@ -178,7 +179,7 @@ impl FoldResult {
         };
         let result: FoldResult = serde_json::from_slice(&bytes)
             .with_context(|| format!("{name} is not a result of `pathlight-lab reproduce`: remove it"))?;
-        let found = FoldId { setup: result.report.setup, fold: result.report.fold };
+        let found = result.report.fold_id();
         ensure!(
             found == fold,
             "{name} holds the result of {} {}: remove it, or name it after that fold",
@@ -213,6 +214,20 @@ impl FoldResult {
             },
         }
     }
+}
+
+/// Reads the first result in a folder, and returns it with its file; `None` if there is none.
+///
+/// # Errors
+/// If its file is damaged.
+pub fn first(folder: &Path) -> anyhow::Result<Option<(PathBuf, FoldResult)>> {
+    for fold in FoldId::all() {
+        let path = folder.join(format!("{fold}.json"));
+        if let Some(result) = FoldResult::load(&path, fold)? {
+            return Ok(Some((path, result)));
+        }
+    }
+    Ok(None)
 }
 
 /// Reads all results in a folder, within before cross, folds ascending.

@@ -11,8 +11,10 @@ use serde::de::DeserializeOwned;
 
 use super::fold_result::{DataFiles, FoldResult, Hyperparameters, Recipes};
 use crate::data::label::{Scenes, read_labels};
+use crate::files::quoted::quoted;
 use crate::measure::agents::{Weights, measured_with};
-use crate::measure::evaluate::{self, Report};
+use crate::measure::evaluate;
+use crate::measure::report::Report;
 use crate::progress::Progress;
 use crate::training::settings::RunSettings;
 use crate::training::training_run::{Checkpoint, read_checkpoint};
@@ -97,7 +99,7 @@ impl FoldRun<'_> {
 
     fn train_nets(&self, recipes: &Recipes, progress: &mut dyn Progress) -> anyhow::Result<()> {
         let epochs = self.hyperparameters.epochs;
-        self.announce("paths", &format!("--solutions {}", self.data.solutions.display()), epochs, Net::Four, progress);
+        self.announce("paths", &format!("--solutions {}", quoted(&self.data.solutions)), epochs, Net::Four, progress);
         let settings = paths::Settings {
             fold: self.fold,
             solutions: self.data.solutions.clone(),
@@ -114,7 +116,7 @@ impl FoldRun<'_> {
             Setup::Within => self.hyperparameters.success_epochs,
             Setup::Cross => self.hyperparameters.success_epochs_cross,
         };
-        let files = format!("--weights {} --labels {}", weights.display(), self.data.labels.display());
+        let files = format!("--weights {} --labels {}", quoted(&weights), quoted(&self.data.labels));
         self.announce("success", &files, epochs, Net::Success, progress);
         let settings = success::Settings {
             fold: self.fold,
@@ -131,8 +133,8 @@ impl FoldRun<'_> {
     fn train_dynamics(&self, recipes: &Recipes, progress: &mut dyn Progress) -> anyhow::Result<()> {
         let weights = self.weights(Net::Success);
         let epochs = self.hyperparameters.dynamics_epochs;
-        let [all, variants] = [&self.data.labels, &self.data.variants].map(|path| path.display());
-        let files = format!("--weights {} --labels {all} --labels {variants}", weights.display());
+        let [all, variants] = [&self.data.labels, &self.data.variants].map(|path| quoted(path));
+        let files = format!("--weights {} --labels {all} --labels {variants}", quoted(&weights));
         self.announce("dynamics", &files, epochs, Net::Dynamics, progress);
         let settings = dynamics::Settings {
             fold: self.fold,
@@ -148,7 +150,7 @@ impl FoldRun<'_> {
 
     fn train_dqn(&self, recipes: &Recipes, progress: &mut dyn Progress) -> anyhow::Result<()> {
         let epochs = self.hyperparameters.dqn_epochs;
-        let options = format!("--labels {} --batch {}", self.data.labels.display(), recipes.dqn.batch);
+        let options = format!("--labels {} --batch {}", quoted(&self.data.labels), recipes.dqn.batch);
         self.announce("dqn", &options, epochs, Net::Dqn, progress);
         let settings = dqn::Settings {
             fold: self.fold,
@@ -164,7 +166,7 @@ impl FoldRun<'_> {
     /// Measures all agents: those of the dynamics net and DQN, then those of the success net and the four nets.
     fn evaluate(&self, progress: &mut dyn Progress) -> anyhow::Result<Report> {
         let dqn = self.weights(Net::Dqn);
-        let option = format!(" --dqn {}", dqn.display());
+        let option = format!(" --dqn {}", quoted(&dqn));
         let agents: Vec<AgentName> = measured_with(Weights::Dynamics).chain(measured_with(Weights::Dqn)).collect();
         let mut report = self.evaluate_with(Net::Dynamics, agents, Some(dqn), &option, progress)?;
         let of_success_net =
@@ -189,7 +191,7 @@ impl FoldRun<'_> {
         let &Hyperparameters { seed, limit, .. } = self.hyperparameters;
         let weights = self.weights(net);
         let named: String = agents.iter().map(|agent| format!(" --agent {agent}")).collect();
-        let options = format!("--weights {}{option}{named} --limit {limit}", weights.display());
+        let options = format!("--weights {}{option}{named} --limit {limit}", quoted(&weights));
         self.say("measure evaluate", &options, progress);
         let settings = evaluate::Settings {
             agents,
@@ -222,7 +224,7 @@ impl FoldRun<'_> {
 
     /// Says which training begins.
     fn announce(&self, net_name: &str, options: &str, epochs: u16, net: Net, progress: &mut dyn Progress) {
-        let options = format!("{options} --epochs {epochs} --out {}", self.folder_of(net).display());
+        let options = format!("{options} --epochs {epochs} --out {}", quoted(&self.folder_of(net)));
         self.say(&format!("train {net_name}"), &options, progress);
     }
 

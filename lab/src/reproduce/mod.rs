@@ -11,6 +11,7 @@ use pathlight::benchmark::folds::FoldId;
 
 use crate::data::collect::{self, SOLUTIONS};
 use crate::data::label::{self, LABELS, Scenes};
+use crate::files::quoted::quoted;
 use crate::progress::Progress;
 use fold_result::{DataFiles, FoldResult, Hyperparameters, ResultSettings};
 
@@ -53,7 +54,7 @@ impl Settings {
     pub fn make_data(&self, progress: &mut dyn Progress) -> anyhow::Result<()> {
         let DataFiles { solutions, labels, variants } = &self.data;
         if !collect::is_of_earlier_search(solutions)? {
-            progress.say(&format!("$ pathlight-lab data collect --out {}", solutions.display()));
+            progress.say(&format!("$ pathlight-lab data collect --out {}", quoted(solutions)));
             let search = collect::Settings { out: solutions.clone(), ..collect::Settings::default() };
             let found = search.search(progress)?;
             progress.say(found.trim_end());
@@ -64,8 +65,8 @@ impl Settings {
             let option = if scenes == Scenes::Variants { " --variants" } else { "" };
             progress.say(&format!(
                 "$ pathlight-lab data label --solutions {} --out {} --rounds {rounds}{option}",
-                solutions.display(),
-                out.display()
+                quoted(solutions),
+                quoted(out)
             ));
             let settings = label::Settings {
                 out: out.clone(),
@@ -82,7 +83,7 @@ impl Settings {
     /// Makes the result of a fold, unless its file exists.
     ///
     /// # Errors
-    /// If the file was made with other settings, or the result cannot be made.
+    /// If the file, or another result in the folder, was made with other settings, or the result cannot be made.
     pub fn make_result(&self, fold: FoldId, progress: &mut dyn Progress) -> anyhow::Result<()> {
         let path = self.results.join(format!("{fold}.json"));
         let name = path.display();
@@ -96,6 +97,16 @@ impl Settings {
             );
             progress.say(&format!("{name} exists"));
             return Ok(());
+        }
+        if let Some((other_name, result)) = fold_result::first(&self.results)? {
+            let expected = ResultSettings::expected(&self.hyperparameters, &self.data)?;
+            let other = result.settings().differences(&expected);
+            ensure!(
+                other.is_empty(),
+                "{name} would be made with other settings than {} ({other}), and one report cannot have both: choose \
+                 other folders with --results and --train-dir",
+                other_name.display()
+            );
         }
         let folder = self.train_dir.join(fold.to_string());
         let result = fold_run::run(fold, &self.hyperparameters, &self.data, &folder, progress);

@@ -14,12 +14,13 @@ use pathlight::puzzle::templates::TEMPLATES;
 use super::compared::{AgentMean, Published, REPORTED, mean_and_deviation, online_with_other_data, our_means};
 use super::fold_result::FoldResult;
 use super::training_report;
-use crate::data::collect::{Collected, SOLUTIONS, read_solutions};
+use crate::data::collect::{Collected, SOLUTIONS, is_of_earlier_search, read_solutions};
 use crate::data::label::BALLS;
 use crate::files::digest;
+use crate::files::quoted::quoted;
 use crate::files::replace_file::replace_file;
 use crate::measure::agents::{AGENTS, row};
-use crate::measure::evaluate::score_cell;
+use crate::measure::report::score_cell;
 
 /// An agent, one that lacks a part of it, and the part.
 const ABLATIONS: [(AgentName, AgentName, &str); 3] = [
@@ -39,7 +40,7 @@ const OTHER_DATA: &str = "online, with proposed balls or random scenes";
 pub fn write(results: &[FoldResult], solutions: &Path, folder: &Path) -> anyhow::Result<String> {
     let mut text = String::new();
     let other_data = online_with_other_data(folder)?;
-    head(&mut text, results, &other_data)?;
+    head(&mut text, results, &other_data, solutions, folder)?;
     table(&mut text, results, &other_data)?;
     ablations(&mut text, results)?;
     folds(&mut text, results)?;
@@ -51,7 +52,13 @@ pub fn write(results: &[FoldResult], solutions: &Path, folder: &Path) -> anyhow:
     Ok(text)
 }
 
-fn head(text: &mut String, results: &[FoldResult], other_data: &[Option<String>; 2]) -> anyhow::Result<()> {
+fn head(
+    text: &mut String,
+    results: &[FoldResult],
+    other_data: &[Option<String>; 2],
+    solutions: &Path,
+    folder: &Path,
+) -> anyhow::Result<()> {
     let Some(FoldResult { hyperparameters, report, .. }) = results.first() else { return Ok(()) };
     writeln!(
         text,
@@ -60,8 +67,7 @@ fn head(text: &mut String, results: &[FoldResult], other_data: &[Option<String>;
          {}, simulator {}, agents {}, at most {} test tasks per template.\n\n\
          Auccess is measured with at most {MAX_ATTEMPTS} attempts per task, and only these attempts are simulated. \
          The nets here learn only from rollouts in training tasks and variants of them, and from none whose ball \
-         was sampled around a solution of a test task; but in the setup within, the search that found the training \
-         tasks' solutions also started from known solutions of test tasks of the same template.\n\n\
+         was sampled around a solution of a test task{}.\n\n\
          - **online**: the dynamics net imagines candidates, and a Gaussian process learns from each attempt, by the \
          similarity of imagined paths and of balls; **by balls**: by that of balls alone.\n\
          - **dynamics**: the same candidates in the order that the net gives them, as if each attempt ended as \
@@ -69,14 +75,25 @@ fn head(text: &mut String, results: &[FoldResult], other_data: &[Option<String>;
          - **success net**: a net that sees the scene alone orders the balls. The dynamics net is trained from it.\n\
          - **DQN, smaller**: the benchmark's baseline (Bakhtin et al. 2019), made smaller.\n\
          - **the paper's four nets**: those of Harter et al. (2020), trained jointly, with balls from their placement \
-         map. [Their own table](paper/README.md) is newer: uniform solutions, and later attempts as in the authors' \
-         code.\n",
+         map.{}\n",
         results.len(),
         2 * FOLDS,
         hyperparameters.seed,
         report.simulator,
         report.agents_version,
         hyperparameters.limit,
+        match is_of_earlier_search(solutions)? {
+            true =>
+                "; but in the setup within, the search that found the training tasks' solutions also started from \
+                     known solutions of test tasks of the same template",
+            false => "",
+        },
+        match folder.join("paper").exists() {
+            true =>
+                " [Their own table](paper/README.md) is newer: uniform solutions, and later attempts as in the \
+                     authors' code.",
+            false => "",
+        },
     )?;
     if other_data.iter().any(Option::is_some) {
         writeln!(
@@ -215,7 +232,7 @@ fn data(text: &mut String, results: &[FoldResult], path: &Path) -> anyhow::Resul
 fn reproducing(text: &mut String, solutions: &Path) -> anyhow::Result<()> {
     let command = match solutions == Path::new(SOLUTIONS) {
         true => "pathlight-lab reproduce".to_string(),
-        false => format!("pathlight-lab reproduce --solutions {}", solutions.display()),
+        false => format!("pathlight-lab reproduce --solutions {}", quoted(solutions)),
     };
     write!(
         text,
@@ -223,7 +240,7 @@ fn reproducing(text: &mut String, solutions: &Path) -> anyhow::Result<()> {
 ## Reproducing
 
 Run `make build` first. Each command continues where it was interrupted; settings other than the defaults (`--help`)
-need other folders.
+need other folders (`--results`, `--train-dir`).
 
 ```
 {command}                             # data, all twenty folds, report

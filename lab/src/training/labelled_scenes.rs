@@ -147,7 +147,10 @@ impl LabelledScenes {
         }
         let is_solved = |scene: &LabelledScene| scene.balls.iter().any(|&(_, solves)| solves);
         scenes.retain(|id, scene| !matches!(id, SceneId::Blend(..) | SceneId::Unlisted(..)) || is_solved(scene));
-        ensure!(!scenes.is_empty(), "the labels hold no balls of the training tasks of {fold}: label all templates");
+        ensure!(
+            !scenes.is_empty(),
+            "the labels hold no balls of the training tasks of {fold}: label all templates, in one round at least"
+        );
         Ok(LabelledScenes(scenes.into_values().collect()))
     }
 

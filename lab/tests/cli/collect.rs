@@ -144,7 +144,7 @@ fn files_that_are_not_its_own_are_refused_and_left_alone() {
         let few = ["data", "collect", "--template", "2", "--limit", "20", "--per-task", "2", "--out", &own];
         assert_refused(&[&few[..], more].concat(), words);
     };
-    refused(&["--seed", "5"], "`seed` is 0 instead of 5): write to another file with --out");
+    refused(&["--seed", "5"], "`seed` is 0 instead of 5): choose another file, or remove this one");
     let other = ["data", "collect", "--per-task", "2", "--out", &own];
     assert_refused(&other, "`limit` is 20 instead of 100, `template` is 2 instead of none");
 }

@@ -72,7 +72,7 @@ fn labels_are_true_and_the_same_after_a_cut() {
         (solved, failed) = (solved + labels.solved.len(), failed + labels.failed.len());
     }
     assert!(solved > 0 && failed > 0 && solved + failed == 3 * 64);
-    assert_refused(&["data", "label", "--out", &half], "write to another file with --out");
+    assert_refused(&["data", "label", "--out", &half], "choose another file, or remove this one");
 }
 
 #[test]
@@ -98,7 +98,7 @@ fn labels_of_variants_are_true_in_the_scene_of_their_variant() {
     assert!(differs, "all balls do the same in the scenes of the tasks");
     assert_refused(
         &["data", "label", "--template", "2", "--limit", "3", "--out", &out],
-        "write to another file with --out",
+        "choose another file, or remove this one",
     );
 }
 
@@ -146,7 +146,7 @@ fn labels_of_blends_are_true_and_their_rounds_take_the_blends_in_turn() {
     let again = text.lines().nth(1 + tasks.len()).expect("a line of the second round");
     assert_eq!(serde_json::from_str::<LabelledBalls>(again).expect("labels"), proposed[2 * tasks.len()]);
     let others = ["data", "label", "--blends", "3", "--template", "2", "--limit", "4", "--out", &file("sampled")];
-    assert_refused(&others, "write to another file with --out");
+    assert_refused(&others, "choose another file, or remove this one");
 }
 
 #[test]
@@ -176,7 +176,7 @@ fn labels_of_random_scenes_are_true_and_the_same_after_a_cut() {
     assert_ne!(lines[0].failed, lines[7].failed, "a round tries other balls");
     assert_refused(
         &["data", "label", "--random-scenes", "8", "--out", &file("cut")],
-        "write to another file with --out",
+        "choose another file, or remove this one",
     );
 }
 
@@ -209,7 +209,7 @@ fn labels_of_unlisted_tasks_are_true_and_say_around_whose_solutions_they_lie() {
     assert!(first.siblings.iter().all(Option::is_none));
     assert_refused(
         &["data", "label", "--unlisted", "4", "--template", "2", "--out", &out],
-        "write to another file with --out",
+        "choose another file, or remove this one",
     );
 }
 
@@ -239,7 +239,7 @@ fn labels_of_a_fold_use_its_training_tasks_and_their_solutions_only() {
     let same: Vec<&LabelledBalls> =
         all.iter().filter(|labels| fold.test.binary_search(&task_of(labels)).is_err()).collect();
     assert_eq!(of_fold.iter().collect::<Vec<_>>(), same, "solutions of test tasks were used");
-    assert_refused(&["data", "label", "--out", &file("fold")], "write to another file with --out");
+    assert_refused(&["data", "label", "--out", &file("fold")], "choose another file, or remove this one");
     assert_refused(&["data", "label", "--fold", "0", "--out", &file("half")], "--setup");
 }
 

@@ -39,12 +39,16 @@ fn files_of_single_templates_make_the_file_of_all() {
     merge(&files, &path("merged.jsonl"));
 
     // A fold of the setup cross has training tasks of 20 templates only.
-    for options in [&["--variants"][..], &["--setup", "cross", "--fold", "0"]] {
-        let label = [&["data", "label", "--limit", "2", "--rounds", "2", "--solutions", &solutions], options].concat();
+    let of_fold = ["--limit", "2", "--setup", "cross", "--fold", "0"];
+    for options in [&["--limit", "2", "--variants"][..], &of_fold, &["--unlisted", "2"]] {
+        let label = [&["data", "label", "--rounds", "2", "--solutions", &solutions], options].concat();
         let (all, merged) = (path("labels.jsonl"), path("labels-merged.jsonl"));
         output_of(&[&label[..], &["--out", &all]].concat());
         let labelled = fs::read_to_string(&all).expect("labels");
-        let has = |template: usize| labelled.contains(&format!("\"{template:05}:"));
+        let has = |template: usize| {
+            let [task, unlisted] = [format!("\"{template:05}:"), format!("{{\"unlisted\":[{template},")];
+            labelled.contains(&task) || labelled.contains(&unlisted)
+        };
         let file = |template: usize| {
             let out = path(&format!("labels-{template}.jsonl"));
             output_of(&[&label[..], &["--template", &template.to_string(), "--out", &out]].concat());
@@ -68,6 +72,9 @@ fn files_of_single_templates_make_the_file_of_all() {
     };
     merge_with(&[&solutions], &path("new.jsonl"), "is not of one template");
     merge_with(&[&files[3]], &path("new.jsonl"), "are of the same template");
+    let no_template = fs::read_to_string(&files[0]).expect("a file").replacen("\"template\":24", "\"template\":99", 1);
+    fs::write(path("none.jsonl"), no_template).expect("written");
+    merge_with(&[&path("none.jsonl")], &path("new.jsonl"), "is of no template that there is");
     fs::write(path("other.jsonl"), "kept").expect("written");
     merge_with(&[], &path("other.jsonl"), "exists with other contents");
     assert_eq!(fs::read_to_string(path("other.jsonl")).expect("a file"), "kept");
@@ -90,7 +97,7 @@ fn a_search_that_was_interrupted_is_not_merged() {
     let whole = fs::read_to_string(&files[7]).expect("a file");
     let begun: String = whole.split_inclusive('\n').take(2).collect();
     fs::write(&files[7], begun).expect("written");
-    assert_refused(&merge, "continue it with `pathlight-lab data collect --template 7");
+    assert_refused(&merge, "continue it with the `pathlight-lab data collect` that began it");
     fs::write(&files[7], whole).expect("written");
     output_of(&merge);
 }

@@ -4,6 +4,7 @@ use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
 
+use pathlight_lab::data::collect::is_of_earlier_search;
 use serde_json::Value;
 use tempfile::tempdir;
 
@@ -186,6 +187,22 @@ fn data_that_are_complete_stay_as_they_are() {
     let folds =
         [&["reproduce", "--only", "folds", "--results", &results, "--label-rounds", "0"], &swapped[..]].concat();
     assert_refused(&folds, "variants.jsonl holds other balls than --labels takes");
+
+    fs::write(file("solutions.jsonl"), "").expect("written");
+    assert!(!is_of_earlier_search(solutions.as_ref()).expect("an empty file"), "it is continued");
+}
+
+#[test]
+fn results_of_other_settings_are_found_before_a_fold_is_trained() {
+    let folder = tempdir().expect("a folder");
+    fs::copy(root("results/within-0.json"), folder.path().join("within-0.json")).expect("a copy");
+    let results = folder.path().display().to_string();
+    let fold = |fold| ["reproduce", "--only", "folds", "--setup", "within", "--fold", fold, "--results", &results];
+    let labels = ["--labels", "no/labels.jsonl"];
+    assert_refused(&[&fold("0")[..], &labels].concat(), "run `pathlight-lab reproduce --only data` first");
+    let solutions = root("assets/solutions.jsonl").display().to_string();
+    let any = ["--labels", &solutions, "--variants", &solutions];
+    assert_refused(&[&fold("1")[..], &any].concat(), "and one report cannot have both");
 }
 
 #[test]
@@ -208,7 +225,7 @@ fn a_file_that_another_process_uses_is_left_alone() {
 #[test]
 fn the_report_and_the_readme_are_those_of_the_results() {
     let folder = tempdir().expect("a folder");
-    for of in ["", "proposed-balls", "random-scenes"] {
+    for of in ["", "proposed-balls", "random-scenes", "paper"] {
         let copies = folder.path().join(of);
         fs::create_dir_all(&copies).expect("a folder");
         for file in fs::read_dir(root("results").join(of)).expect("results") {

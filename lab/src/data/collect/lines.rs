@@ -93,5 +93,7 @@ pub fn read_solutions(path: &Path) -> anyhow::Result<Collected> {
 /// # Errors
 /// Says what is wrong with the file.
 pub fn is_of_earlier_search(path: &Path) -> anyhow::Result<bool> {
-    Ok(path.exists() && journal::read::<CollectEntry>(path)?.0.max_rollouts == 0)
+    // A file that is cut off in its settings is mended when it is opened to be continued.
+    let has_settings = path.exists() && journal::is_file_of::<CollectEntry>(path)?;
+    Ok(has_settings && journal::read::<CollectEntry>(path)?.0.max_rollouts == 0)
 }

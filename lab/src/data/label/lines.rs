@@ -37,7 +37,7 @@ pub struct LabelSettings {
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub net_of_random_scenes: bool,
     #[serde(flatten)]
-    pub scenes: SceneFields,
+    pub scene_fields: SceneFields,
     /// Setup and fold if only the fold's training tasks were used; absent if all tasks were.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub training_tasks_of: Option<(Setup, u8)>,
@@ -75,6 +75,13 @@ impl From<Scenes> for SceneFields {
             Scenes::Unlisted(count) => SceneFields { unlisted: Some(count), ..none },
             Scenes::Random(_) => SceneFields { random_scenes: true, ..none },
         }
+    }
+}
+
+impl LabelSettings {
+    /// The scenes that balls were tried in.
+    pub fn scenes(&self) -> Scenes {
+        self.scene_fields.scenes(self.tasks)
     }
 }
 
@@ -138,6 +145,7 @@ impl Labelled {
 /// If the file is missing or damaged, or was made with another version of the simulator.
 pub fn read_labels(path: &Path) -> anyhow::Result<Labelled> {
     let (settings, lines) = journal::read::<LabelledBalls>(path)?;
+    let scenes = settings.scenes();
     let LabelSettings {
         simulator: version,
         tasks,
@@ -145,7 +153,6 @@ pub fn read_labels(path: &Path) -> anyhow::Result<Labelled> {
         weights,
         net_without_dev: without_dev,
         net_of_random_scenes,
-        scenes,
         ..
     } = settings;
     ensure!(
@@ -161,7 +168,7 @@ pub fn read_labels(path: &Path) -> anyhow::Result<Labelled> {
             true => Proposer::RandomScenes,
             false => Proposer::Tasks { without_dev },
         }),
-        scenes: scenes.scenes(tasks),
+        scenes,
         tasks,
     })
 }

@@ -135,7 +135,7 @@ impl Settings {
             weights: self.weights.as_deref().map(digest).transpose()?,
             net_without_dev: card.as_ref().is_some_and(|card| card.without_dev),
             net_of_random_scenes: card.is_some_and(|card| card.random_scenes_alone),
-            scenes: self.scenes.into(),
+            scene_fields: self.scenes.into(),
             training_tasks_of: self.training_tasks_of.map(|FoldId { setup, fold }| (setup, fold)),
         };
         let solutions = read_solutions(&self.solutions)?.solutions.into_iter().filter(|one| allows(one.task));

@@ -142,8 +142,12 @@ impl Settings {
         )?;
         for (name, solved) in [("solved", true), ("not solved", false)] {
             let of: Vec<&Forecast> = forecasts.iter().copied().filter(|forecast| forecast.solved == solved).collect();
+            if of.is_empty() {
+                writeln!(text, "{name:12}{:>9}", 0)?;
+                continue;
+            }
             let mean = |value: &dyn Fn(&Forecast) -> f64| {
-                of.iter().map(|forecast| value(forecast)).sum::<f64>() / of.len().max(1) as f64
+                of.iter().map(|forecast| value(forecast)).sum::<f64>() / of.len() as f64
             };
             let distances: Vec<String> = (0..PRINTED.len())
                 .map(|index| format!("{:>7.1}", mean(&|forecast| forecast.distances[index])))

@@ -13,8 +13,8 @@ use pathlight::puzzle::templates::TEMPLATES;
 use super::compared::{mean_and_deviation, scores};
 use super::fold_result;
 use crate::measure::agents::row;
-use crate::measure::evaluate::{Report, score_cell};
 use crate::measure::fold_reports::{self, ALL_TASKS};
+use crate::measure::report::{Report, scene_counts, score_cell};
 pub use table::Table;
 
 mod table;
@@ -47,6 +47,12 @@ pub fn page(table: Table, folder: &Path, main: &Path) -> anyhow::Result<String> 
         main.display(),
         folder.display()
     );
+    for fold in on_folds.iter().filter(|report| !report.is_of(&report.fold_id().tasks().test)).map(Report::fold_id) {
+        anyhow::bail!(
+            "{}/{fold}.json is not of all test tasks of its fold: name the folder of the main results with --main",
+            main.display()
+        );
+    }
     let results = Results { table, reports, main: on_folds, on_all_tasks };
     let mut text = String::new();
     results.head(&mut text)?;
@@ -128,14 +134,8 @@ impl Results {
             None => format!("The last training of {setup} {fold}"),
             Some(_) => "The training".to_string(),
         };
-        let counts = [
-            (card.balls, "balls"),
-            (card.variants, "variants"),
-            (card.blends, "blends"),
-            (card.random_scenes, "random scenes"),
-        ];
-        let counts = counts.iter().filter(|(count, _)| *count > 0).map(|(count, of)| format!("{count} {of}"));
-        let data = counts.collect::<Vec<_>>().join(", ");
+        let data: Vec<String> = [format!("{} balls", card.balls)].into_iter().chain(scene_counts(card)).collect();
+        let data = data.join(", ");
         write!(
             text,
             "# {title}\n\n`pathlight-lab measure {command}` printed this from the files beside it, which `{}` made. \
