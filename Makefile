@@ -52,7 +52,7 @@ test-cluster:
 bench: $(PACKAGE)
 	@BENCH="$(BENCH)" ROUNDS="$(ROUNDS)" benches/run
 
-# Apart from each other: built together, both would have the lab's features, so that the player carried what trains nets.
+# Built separately: built together, the player would also contain the training code.
 build: $(PACKAGE)
 	cargo build --release --package pathlight
 	cargo build --release --package pathlight-lab

@@ -24,7 +24,7 @@ pub struct AttemptLine {
     pub scene: Option<Value>,
     /// px; null if the scene ran without a ball, or, with the status `invalid`, if an action placed none.
     pub ball: Option<Ball>,
-    /// What simulated it; absent if that is the first engine.
+    /// What simulated it; absent if that is `box2d`.
     #[serde(default, skip_serializing_if = "Engine::is_first")]
     pub engine: Engine,
     /// The version of the engine.
@@ -44,7 +44,7 @@ pub struct AttemptLine {
 pub enum Verdict {
     /// Status, steps and every bit of every pose.
     Same,
-    /// In which it differs.
+    /// Status, steps or poses differ; these are those found now.
     OtherOutcome { status: Status, steps: usize, reason: String },
     /// Why it cannot be simulated.
     NotValid { fault: LineFault, reason: String },

@@ -26,7 +26,7 @@ pub enum ImaginedMap {
     Success,
 }
 
-/// What there is to say of a map; its texts for the page are in `www/model/map-text.js`.
+/// What there is to say of a map; its texts for the page are in `www/text/en/model.js`.
 struct Declaration {
     name: &'static str,
     /// Whether a net of Harter et al. (2020) makes it. Weights may come without the others.
@@ -89,10 +89,11 @@ impl ImaginedMap {
         format!("rgb({r} {g} {b})")
     }
 
-    /// Returns red, green, blue and opacity (0..=255) of a value in 0..=1; higher values contrast more with the paper.
+    /// Returns red, green, blue and opacity (0..=255) of a value in 0..=1; higher values contrast more with the
+    /// background.
     pub fn colour(self, value: f32, dark: bool) -> [u8; 4] {
         let value = f64::from(value.clamp(0.0, 1.0));
-        // The ends of a scale are near white and near black; one of them is invisible on either paper.
+        // The ends of a scale are near white and near black; one of them is invisible on either background.
         let position = if dark { 0.78 - 0.42 * value } else { 0.3 + 0.6 * value };
         let colorous::Color { r, g, b } = self.declaration().gradient.eval_continuous(position);
         [r, g, b, (235.0 * libm::sqrt(value)) as u8]

@@ -1,4 +1,4 @@
-//! The colours of the roles and of the paper, light and dark. The style sheet reads them from `palette`.
+//! The colours of the roles and of the background, light and dark. The style sheet reads them from `palette`.
 //!
 //! The hues are distinguishable for colour-blind people: those of Okabe and Ito, a purple, and a red that is as red as
 //! its name; tests/page/palette.test.mjs holds how far it is from the others. The dark palette has lighter tones of the

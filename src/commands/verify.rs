@@ -11,15 +11,15 @@ use rayon::prelude::*;
 use super::json_lines::{Numbered, parse};
 use super::progress::say;
 
-/// Simulate the attempts of a file again, and say for each whether it is the same, has another outcome or is not valid
+/// Simulate the attempts of a file again, and say for each whether it is the same to the bit, differs or is not valid
 ///
 /// Each line is an attempt as the page exports it and `simulate --verifiable` writes it: {"task" or "scene", "ball",
 /// "simulator", "status", "steps", "digest"}. The digest is the SHA-256, in lowercase hexadecimal, of x, y (px) and
 /// angle (radians) of every moving body at the start and after each step, as f32, little-endian.
 ///
 /// Prints {"line", "verdict", "reason"} for each line that is not blank. The verdict is "same" if all poses are the
-/// same to the bit, "other_outcome", or "not_valid" if the line cannot be simulated. The exit code is 0 if all are the
-/// same, 2 if some are not valid, and 1 otherwise.
+/// same to the bit, "other_outcome" if status, steps or poses differ, or "not_valid" if the line cannot be simulated.
+/// The exit code is 0 if all are the same, 2 if some are not valid, and 1 otherwise.
 #[derive(clap::Args)]
 pub struct Args {
     /// Attempts as JSON lines; "-" is standard input

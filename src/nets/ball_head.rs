@@ -26,10 +26,10 @@ pub const POSITIONS: usize = 2 * SAMPLES;
 /// Unit of the net's displacements and errors, px.
 pub const UNIT: f32 = 64.0;
 
-/// Numbers that describe a ball and the two bodies of the goal.
+/// Numbers that describe a ball, the green object and its goal.
 pub const BALL_NUMBERS: usize = 12 + RADII;
 
-/// Numbers that describe the two bodies of the goal and the ball, for the chance from the paths alone.
+/// Numbers that describe the green object, its goal and the ball, for the chance from the paths alone.
 pub const PLACES: usize = 5;
 
 /// Outputs of the layer `scene`.
@@ -107,7 +107,7 @@ pub struct Predictions<F> {
     pub path_logits: F,
 }
 
-/// Where the bodies of the goal start, px.
+/// Where the green object and its goal start, px.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Starts {
     /// The green object.

@@ -176,7 +176,7 @@ pub struct DynamicsCard {
     /// How many of the scenes are blends of two tasks' scenes.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub blends: usize,
-    /// How many of the scenes are those of unlisted tasks, which the benchmark leaves out of its templates.
+    /// How many of the scenes are unlisted tasks: laid out by a template's script, not listed by the benchmark.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub unlisted: usize,
     /// How many of the scenes are random ones, of no task.

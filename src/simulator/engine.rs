@@ -43,7 +43,7 @@ impl Engine {
         Engine::Rapier,
     ];
 
-    /// Whether it is the first engine, which output does not name.
+    /// Whether it is `box2d`, which output does not name.
     pub fn is_first(&self) -> bool {
         *self == Engine::default()
     }

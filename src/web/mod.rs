@@ -1,10 +1,10 @@
 //! The wasm exports, which the page and its worker call. The only user of wasm_bindgen and web_sys.
 //!
 //! `game` is one puzzle on the page, `game_view` what is drawn of it; `model` is the nets in the worker, `memory` what
-//! they remember, and `solve_map` their search for all solutions; `scripting` is what a script asks of a task, and
-//! `metrics` how agents are compared. This file holds the exports that need no state: the constants, the templates,
-//! thumbnails, maps and legends. Data go to JavaScript as plain objects with the field names of the Rust types
-//! (`types.d.ts` declares them), or as typed arrays; an error is an `Error` with a `code`.
+//! they remember; `solve_map` searches all solutions of one radius by simulation; `scripting` is what a script asks of
+//! a task, and `metrics` how agents are compared. This file holds the exports that need no state: the constants, the
+//! templates, thumbnails, maps and legends. Data go to JavaScript as plain objects with the field names of the Rust
+//! types (`types.d.ts` declares them), or as typed arrays; an error is an `Error` with a `code`.
 
 use serde::Serialize;
 use wasm_bindgen::prelude::*;

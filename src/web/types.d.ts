@@ -118,7 +118,7 @@ export interface AttemptLine {
     scene?: CustomScene;
     /** Null without a ball, or, with the status `invalid`, if an action placed none. */
     ball: Ball | null;
-    /** What simulated it, if that is not the first engine: the native program, which alone has another. */
+    /** The engine, if not `box2d`: the native program alone has another. */
     engine?: "rapier";
     /** The version of the engine. */
     simulator: number;
@@ -199,7 +199,7 @@ export interface Template {
     tasks: string[];
 }
 
-/** CSS colours of the roles and of the paper. */
+/** CSS colours of the roles and of the background, `paper`. */
 export interface Palette {
     paper: string;
     green: string;
@@ -407,7 +407,7 @@ export interface DynamicsCard {
     coverage: boolean;
     /** Variants of the tasks' scenes among the scenes. */
     variants: number;
-    /** Tasks among the scenes that the benchmark leaves out of its templates. */
+    /** How many of the scenes are unlisted tasks: laid out by a template's script, not listed by the benchmark. */
     unlisted?: number;
     /** Random scenes, of no task, among the scenes. */
     random_scenes?: number;

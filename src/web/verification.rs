@@ -65,8 +65,8 @@ pub fn attempt_line(
     to_js(&AttemptLine::of(&load(puzzle)?, ball_from(ball)?, Engine::default()))
 }
 
-/// Simulates the attempt of a line again, and returns whether it is the same to the bit. Fails for no value: what is
-/// not a line is `not_valid`.
+/// Simulates the attempt of a line again, and returns whether it is the same to the bit. Never fails: what is not a
+/// line is `not_valid`.
 #[wasm_bindgen(js_name = verifyAttempt, unchecked_return_type = "Verification")]
 pub fn verify_attempt(#[wasm_bindgen(unchecked_param_type = "unknown")] line: JsValue) -> Result<JsValue, JsValue> {
     let verdict = match read_names(&line) {

@@ -56,7 +56,10 @@ test("from the home page: twenty puzzles, which take it fewer attempts than with
   const [withMemory, without] = [learned, fresh].map((number) => Number(number.replace(",", "")));
   assert.ok(withMemory < without, words);
   const rows = await played(page).allTextContents();
-  assert.match(rows.join("\n"), /solved at once, as in puzzle \d+\. Without memory: (on attempt|not solved in 100)/);
+  assert.match(
+    rows.join("\n"),
+    /solved at once, helped by puzzle \d+\. Without memory: (on attempt|not solved in 100)/,
+  );
   assert.equal(await page.locator("#learns-chart :is(circle, path.mark.learned)").count(), 20);
   assert.equal(await page.locator("#learns-chart :is(rect, path.mark.fresh)").count(), 20);
   assert.equal(await page.locator("#learns-memory").textContent(), "It remembers 20 puzzles.");

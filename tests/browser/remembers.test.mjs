@@ -98,11 +98,11 @@ test("what the person solves helps the model at the next puzzle of the kind; for
   await source(page).filter({ hasText: /./ }).waitFor({ timeout: 120_000 });
   const told = await model(page).textContent();
   assert.ok(attemptOf(told) < without, `${told}, and on attempt ${without} without`);
-  assert.equal(await source(page).textContent(), `It remembered: as in Cradle ${placeOf(FIRST)}.`);
+  assert.equal(await source(page).textContent(), `It learned this from Cradle ${placeOf(FIRST)}.`);
   await words(page, "It remembers 2 puzzles.");
   await page
     .locator("#announcement")
-    .filter({ hasText: /solved.*It remembered: as in Cradle/s })
+    .filter({ hasText: /solved.*It learned this from Cradle/s })
     .waitFor({ state: "attached" });
   await axeFindsNothingInLightAndDark(page, "it has remembered");
 
@@ -141,7 +141,7 @@ test("both teach it, also by a puzzle that is the other way round", async () => 
   assert.equal(both.filter(({ solved }) => solved).length, 2);
   await goTo(page, RIGHT);
   await raced(page, RIGHT);
-  assert.equal(await source(page).textContent(), `It remembered: as in Over the Divide ${placeOf(LEFT)}, mirrored.`);
+  assert.equal(await source(page).textContent(), `It learned this from Over the Divide ${placeOf(LEFT)} (mirrored).`);
 });
 
 test("each model remembers for itself, and what it is shown beside is without", async () => {
@@ -179,7 +179,7 @@ test("a custom puzzle is remembered by its name", async () => {
   await words(page, "It remembers 1 puzzle.");
   await goTo(page, SECOND);
   await raced(page, SECOND);
-  assert.equal(await source(page).textContent(), "It remembered: as in “My slide”.");
+  assert.equal(await source(page).textContent(), "It learned this from “My slide”.");
   assert.equal(await source(page).locator("a").count(), 0);
   await words(page, "It remembers 2 puzzles.");
 });
@@ -251,7 +251,7 @@ test("in a browser that keeps nothing it remembers as long as the page is open",
   await words(page, "It remembers 1 puzzle.");
   await page.evaluate((task) => (location.hash = location.hash.replace(/task=[^&]+/, `task=${task}`)), SECOND);
   await raced(page, SECOND);
-  assert.match(await source(page).textContent(), /^It remembered: as in Cradle/);
+  assert.match(await source(page).textContent(), /^It learned this from Cradle/);
 });
 
 test("by keyboard and by touch on a phone, in German too", async () => {

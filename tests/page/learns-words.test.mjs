@@ -35,13 +35,13 @@ test("a mean is that of the last five, and geometric", () => {
 test("a puzzle in words names the one that helped", () => {
   const words = (/** @type {object} */ more, earlier = [FIRST]) =>
     playedWords({ task: SECOND, learned: 1, fresh: null, reminder, ...more }, earlier, 100);
-  assert.equal(words({}), "solved at once, as in puzzle 1. Without memory: not solved in 100 attempts.");
+  assert.equal(words({}), "solved at once, helped by puzzle 1. Without memory: not solved in 100 attempts.");
   assert.equal(words({ learned: 4, fresh: 1, reminder: null }), "solved on attempt 4. Without memory: at once.");
   assert.equal(words({ learned: null }), "not solved in 100 attempts. Without memory: not solved in 100 attempts.");
   const mirrored = { ...reminder, mirrored: true };
-  assert.match(words({ reminder: mirrored }), /, as in puzzle 1, mirrored\. /);
+  assert.match(words({ reminder: mirrored }), /, helped by puzzle 1 \(mirrored\)\. /);
   const other = { ...reminder, task: "00003:007" };
-  assert.match(words({ reminder: other }), /, as in Topple to the Wall 00003:007\. /);
+  assert.match(words({ reminder: other }), /, helped by Topple to the Wall 00003:007\. /);
   assert.match(words({ reminder: { ...reminder, solved: false, change: -2 } }), /^solved at once\. /);
 });
 
@@ -63,7 +63,7 @@ test("German says the same in its own order", async () => {
   const played = { task: SECOND, learned: 4, fresh: null, reminder };
   assert.equal(
     playedWords(played, [FIRST], 100),
-    "im 4. Versuch gelöst, wie in Rätsel 1. Ohne Gedächtnis: nicht in 100 Versuchen.",
+    "im 4. Versuch gelöst, dank Rätsel 1. Ohne Gedächtnis: nicht in 100 Versuchen.",
   );
   assert.equal(
     totalWords([played], 100),

@@ -65,7 +65,8 @@ export class Benchmark {
   }
 
   /**
-   * Returns a task in words: its name, its goal and a description of its scene.
+   * Returns what a puzzle is: its id as a task (null for a custom scene), its name as a custom scene (null for a task,
+   * or if it has none) and a description of its scene.
    * @param {Puzzle} task
    * @returns {About}
    */
@@ -97,8 +98,8 @@ export class Benchmark {
   }
 
   /**
-   * Returns all reasons why a value is no custom scene that may be played; none if it may. Takes a fraction of a
-   * millisecond, and throws for no value.
+   * Returns every reason why a value cannot be played as a custom scene; an empty list if it can. Takes a fraction of a
+   * millisecond, and never throws.
    * @param {unknown} scene
    * @returns {SceneProblem[]}
    */
@@ -144,7 +145,7 @@ export class Benchmark {
   }
 
   /**
-   * Simulates a task with a ball, or alone without one. An invalid ball is no error: the status of its rollout is
+   * Simulates a task, with a ball if one is given. An invalid ball is no error: the status of its rollout is
    * `invalid`.
    * @param {Puzzle} task
    * @param {Ball | null} [ball]
@@ -201,7 +202,8 @@ export class Benchmark {
   }
 
   /**
-   * Returns whether a ball solves by luck: of the 27 balls within a pixel in x, y and radius, how many solve.
+   * Returns how many of the 27 balls within a pixel in x, y and radius may be placed, and how many of these solve. Few
+   * solve if the ball does so by luck.
    * @param {Puzzle} task
    * @param {Ball} ball
    * @returns {Luck}
@@ -211,7 +213,7 @@ export class Benchmark {
   }
 
   /**
-   * Simulates a ball, or the scene alone without one, and returns the line that `pathlight verify` and `verifyAttempt`
+   * Simulates a scene, with a ball if one is given, and returns the line that `pathlight verify` and `verifyAttempt`
    * check.
    * @param {Puzzle} task
    * @param {Ball | null} [ball]
@@ -222,7 +224,7 @@ export class Benchmark {
   }
 
   /**
-   * Simulates the attempt of a line again, and returns whether it is the same to the bit. Throws for no value.
+   * Simulates the attempt of a line again, and returns whether it is the same to the bit. Never throws.
    * @param {unknown} line
    * @returns {Verification}
    */

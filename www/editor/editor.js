@@ -1,6 +1,6 @@
 // The panel Make: the scene of the open puzzle as something to take apart. An EditedScene holds what the person makes
 // of it; one that may be played becomes the puzzle of all panels whenever a gesture has ended, and its link the
-// address. What the nets imagine and where the green object goes alone follow while something is dragged
+// address. What the nets imagine and where the green object goes without a ball follow while something is dragged
 // (live-scene.js), and no frame waits for them. Fires "edit" when what the scene shows may have changed.
 
 import { paintEditedScene, palette } from "../pkg/pathlight.js";
@@ -20,7 +20,7 @@ import { textOfScene } from "./scene-link.js";
 /** @typedef {import("../pkg/pathlight.js").CustomScene} CustomScene */
 /** @typedef {import("../pkg/pathlight.js").SceneProblem} SceneProblem */
 
-/** A scene that has not changed for so long, ms, becomes the puzzle; a drag that ends does so at once. */
+/** Time without a change after which the scene becomes the puzzle, ms; at the end of a drag it does so at once. */
 const REST = 300;
 
 export class Editor extends Component {

@@ -23,7 +23,7 @@ export class LiveScene extends Component {
   /** @type {import("../pkg/pathlight.js").Maps | null} */
   #maps = null;
   /**
-   * What the scene does alone.
+   * What the scene does without a ball.
    * @type {Watched | null}
    */
   #watched = null;

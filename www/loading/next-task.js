@@ -1,6 +1,6 @@
 // Breaks up long work, so that the page answers a person and draws in between.
 
-/** A task may take so long, ms: on a phone that is four times slower it still answers within a tenth of a second. */
+/** Longest task of the event loop, ms: a phone that is four times slower still answers within a tenth of a second. */
 const LONGEST = 12;
 
 /** When the present part of the work began, ms. */

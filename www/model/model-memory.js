@@ -1,6 +1,6 @@
 // What the model remembers of the puzzles that it and the person have played, while it is switched on: attempts go in
-// by the worker, which has the wasm's memory, and are kept by storage/kept-memory.js. What was tried at a puzzle never
-// counts there, only at others: the person's ball must not tell the model how to solve the same puzzle.
+// by the worker, which has the wasm's `Memory`, and are kept by storage/kept-memory.js. What was tried at a puzzle
+// never counts there, only at others: the person's ball must not tell the model how to solve the same puzzle.
 //
 //   switch   it has been switched on or off
 //   change   it remembers something else, or another model is loaded

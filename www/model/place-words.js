@@ -10,13 +10,13 @@ import { text } from "../text/text.js";
 /** @typedef {[x: number, y: number]} Point px of the scene */
 /** @typedef {import("../text/en/places.js").Named} Named */
 
-/** So near a body a place is "just" beside it, px. */
+/** Distance from a body within which a place is "just" beside it, px. */
 const JUST = 8;
 /** Farther from every body than this, the place is told by its part of the scene, px. */
 const NEAR = 36;
 /** A cell is strong from this fraction of the peak on. */
 const STRONG = 0.6;
-/** Another strong place is worth telling so far from the peak, px. */
+/** Least distance from the peak at which another strong place is worth telling, px. */
 const APART = 64;
 /** Bars that are less tilted than this lie, those that are less than this from upright stand, radians. */
 const LYING = 0.12;

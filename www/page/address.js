@@ -7,8 +7,8 @@ import { formatFragment, parseFragment } from "../state/url-state.js";
 /** @typedef {import("../state/url-state.js").State} State */
 
 /**
- * Browsers refuse to change the address at every step of a drag, or of a key that is held; so long lies between two
- * changes, ms.
+ * Least time between two changes of the address, ms. Browsers refuse to change it at every step of a drag, or of a key
+ * that is held.
  */
 const DELAY = 200;
 

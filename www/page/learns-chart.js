@@ -12,7 +12,7 @@ const WIDTH = 320;
 const HEIGHT = 150;
 /** The tries at which a line is drawn. */
 const TICKS = [1, 3, 10, 30, 100];
-/** At least so many puzzles have room. */
+/** Least number of puzzles that have room. */
 const ROOM = 20;
 
 /**

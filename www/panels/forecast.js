@@ -11,7 +11,7 @@ import { chanceWords, errorWords } from "../model/chance-words.js";
 
 /** @typedef {import("../play/session.js").Session} Session */
 
-/** A ball that has not moved for so long is at rest, and its chance is announced, ms. */
+/** Time without a move after which a ball is at rest, and its chance is announced, ms. */
 const REST = 700;
 
 export class Forecast extends Component {

@@ -20,8 +20,8 @@ import { paintStill } from "./still.js";
  * @property {{ used: number, solvedAt: number | null, remembers: boolean } | null} model how the model did, and whether
  *   it played with a memory; null if it has not played
  * @property {(context: CanvasRenderingContext2D, dark: boolean, ball: boolean) => void} paint draws the scene into a
- *   square canvas; if `ball`, with the ball and the paths of that attempt and of the model's that solved it, or as it
- *   is seen if there is none; only until the puzzle is left
+ *   square canvas, until the puzzle is left; if `ball`, with the ball and paths of the person's solving attempt, and of
+ *   the model's if there is one; without such an attempt, what is shown now
  * @property {() => boolean} isOpen whether the puzzle has not been left
  * @property {(() => Run) | null} openRun shows that attempt, or what has run, again; null if nothing has
  */

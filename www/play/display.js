@@ -140,7 +140,7 @@ export class Display extends EventTarget {
   }
 
   /**
-   * Stops the clock and frees the wasm's memory. `revealResult` comes before. The session must not be used afterwards.
+   * Stops the clock and frees the wasm's `Game`. `revealResult` comes before. The session must not be used afterwards.
    */
   close() {
     this.playback.stop();

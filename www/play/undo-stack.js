@@ -1,4 +1,5 @@
-// The placements of one puzzle in order, to undo and redo them. Knows nothing of what a placement is.
+// Values in order, to undo and redo changes: the placements of a puzzle, the scenes of an editor. Knows nothing of what
+// they are.
 
 /** @template Value */
 export class UndoStack {

@@ -24,7 +24,7 @@ export function showsHome(state) {
 }
 
 /**
- * What a state shows instead of the grid, or null.
+ * What a state shows instead of the home page, or null.
  * @param {State} state
  */
 export function pageViewOf(state) {
@@ -33,8 +33,8 @@ export function pageViewOf(state) {
 }
 
 /**
- * The address of what is shown instead of the grid. Null if the link that the person came by hides the puzzles or the
- * model.
+ * The address of what is shown instead of the home page. Null if the link that the person came by hides the puzzles
+ * or the model.
  * @param {PageView} view
  * @param {State} state
  */
@@ -44,8 +44,8 @@ export function pageViewHref(view, { model, hide }) {
 }
 
 /**
- * The address of another puzzle (null: the grid) that keeps the model and what is hidden. Null if the link that the
- * person came by hides the ways to other puzzles.
+ * The address of another puzzle (null: the home page) that keeps the model and what is hidden. Null if the link that
+ * the person came by hides the ways to other puzzles.
  * @param {State} state
  * @param {string | null} task
  * @param {Panel} [panel]

@@ -34,7 +34,7 @@ export const HIDEABLE = /** @type {const} */ ([
   "save",
 ]);
 /**
- * What the page can show instead of the grid: the results of the models, and the model as it learns from puzzle to
+ * What the page can show instead of the home page: the results of the models, and the model as it learns from puzzle to
  * puzzle.
  */
 export const PAGE_VIEWS = /** @type {const} */ (["results", "learns"]);
@@ -44,13 +44,13 @@ export const PAGE_VIEWS = /** @type {const} */ (["results", "learns"]);
 
 /**
  * @typedef {object} State
- * @property {string | null} task "00007:008", or null for the grid or a custom scene
+ * @property {string | null} task "00007:008", or null for the home page or a custom scene
  * @property {string | null} scene a custom scene as editor/scene-link.js packs it, or null
  * @property {string | null} model a name in assets/model.json, or null for the first
  * @property {Panel} panel as the address names it; it may be hidden, see `viewOf`
  * @property {Step | null} step the step that the walkthrough is at, or null for all together
  * @property {"presentation" | PageView | null} view "presentation" for the scene and one sentence, in large type; with
- *   no task, what is shown instead of the grid; null for all panels
+ *   no task, what is shown instead of the home page; null for all panels
  * @property {number | null} proposal the number of the model's ball that is looked at, from 1, or null
  * @property {MapName[] | null} layers the maps to lay over the scene, in the order of MAPS; null for those that the
  *   panel lays there by itself, see `viewOf`
@@ -63,7 +63,7 @@ export const PAGE_VIEWS = /** @type {const} */ (["results", "learns"]);
  */
 
 /**
- * What is shown when the address says nothing: the grid of templates.
+ * What is shown when the address says nothing: the home page.
  * @type {Readonly<State>}
  */
 export const INITIAL_STATE = Object.freeze({

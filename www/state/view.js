@@ -97,7 +97,7 @@ function visibleLayers({ hide, step, view }, panel, layers) {
   if (view === "presentation" && step) return STEP_LAYERS[step];
   const { maps } = factsOf(panel);
   if (maps) return layers.filter((layer) => maps.includes(layer));
-  // Those that the person switched on stay to be played by; the one of a walkthrough's step does not.
+  // In Play, maps that the person switched on stay; that of a step of the story does not.
   return step ? [] : layers;
 }
 

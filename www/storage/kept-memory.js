@@ -50,7 +50,7 @@ export class KeptMemory {
   }
 
   /**
-   * Adds the last puzzle of a memory of the wasm's. Each ball at a puzzle is remembered once.
+   * Adds the last puzzle of the wasm's `Memory`. Each ball at a puzzle is remembered once.
    * @param {string} model
    * @param {{ key: string, name: string | null }} puzzle
    * @param {string} json

@@ -77,7 +77,7 @@ export class Progress extends EventTarget {
   of(by, task) {
     const kept = this.#attempts.in(slotOf(task)).filter((attempt) => isOf(attempt, task, by));
     const turns = [...grouped(kept, turnOf).values()].sort(([a], [b]) => compareVersions(a, b));
-    // A model's turn of newer versions counts once it has ended.
+    // Once a model's turn of the newest versions has ended, it alone counts.
     const last = progressOf(turns.at(-1) ?? []);
     if (by !== PLAYER && (last.solved !== null || last.attempts >= ATTEMPT_LIMIT)) return last;
     return turns.map(progressOf).reduce(merge, this.#counts.of(by, task));
@@ -120,8 +120,8 @@ export class Progress extends EventTarget {
   }
 
   /**
-   * Adds attempts that an author has just made, beside those that another tab has kept. The turn of a model by other
-   * versions goes, for it is not brought back.
+   * Adds attempts that an author has just made, beside those that another tab has kept. Deletes a model's turn of other
+   * versions, which is never brought back.
    * @param {string} puzzle
    * @param {string} by
    * @param {import("./attempts.js").Attempt[]} attempts

@@ -1,6 +1,6 @@
 // Saves something as a file, as the browser's downloads do.
 
-/** The browser may read a download some time after the click; its address is kept so long, ms. */
+/** How long the address of a download is kept, ms: the browser may read it some time after the click. */
 const DOWNLOAD_TIME = 60_000;
 
 /**

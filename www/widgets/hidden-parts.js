@@ -1,5 +1,5 @@
 // Hides the parts that a link hides: elements with data-hideable="name …", which names what they belong to. Something
-// that belongs to several parts is hidden with the last of them. The names are HIDEABLE's in url-state.js.
+// that belongs to several parts is hidden only if all of them are. The names are HIDEABLE's in url-state.js.
 
 /**
  * @param {import("./dom.js").Root} root

@@ -1,5 +1,6 @@
-// Draws a scene on a canvas by plain calls: the recorded one, because it is shown before the wasm, which draws puzzles
-// that are played, and small pictures. One unit is one px of the scene, y up.
+// Draws a scene on a canvas by plain calls: the recorded scene, which is shown before the wasm is loaded, the two
+// scenes of “Watch it learn”, and small pictures. The wasm draws puzzles that are played. One unit is one px of the
+// scene, y up.
 
 import { SCENE_SIZE } from "../shell/constants.js";
 

@@ -95,12 +95,12 @@ pub struct Evaluate {
     #[arg(long, value_name = "FILE")]
     dqn: Option<PathBuf>,
 
-    /// Measure agents that remember: what the attempts at one task taught is used for the next, in order of ids. Beside
-    /// them the same agents without memory, and with less of it
+    /// Measure agents that remember: what the attempts at one task taught is used for the next, in order of ids. Also
+    /// measures them without memory, and with parts of it left out
     #[arg(long, conflicts_with_all = ["agents", "engine", "dqn"])]
     carry: bool,
 
-    /// Measure them in a shuffled order too; can be repeated
+    /// Also play the tasks in an order shuffled with this seed; can be repeated
     #[arg(long = "shuffle", value_name = "SEED", requires = "carry")]
     shuffles: Vec<u64>,
 }

@@ -51,10 +51,10 @@ pub enum Refusal {
 /// | proposed by a net without dev tasks | its fold | any, without dev tasks | yes |
 /// | sampled | any fold, or all tasks | cross | yes: they come from solutions of their own template alone |
 /// | sampled | its fold | within | yes |
-/// | sampled, and they do not say around which task's solution | its fold | within, without dev tasks | no: balls near solutions of dev tasks cannot be left out |
 /// | sampled | another fold | within | no: solutions of test tasks steered where balls lie |
 /// | sampled, and each says around which task's solution | all tasks | within | yes, but for balls near test tasks |
 /// | sampled, and they do not say | all tasks | within | no: balls near solutions of test tasks cannot be left out |
+/// | sampled, and they do not say | its fold | within, without dev tasks | no: nor can those of dev tasks |
 ///
 /// Of a file that may be used, a net learns only from balls in training tasks, in their variants, in blends of two of
 /// them, in unlisted tasks of their templates and in random scenes, and from none that was sampled around a solution of

@@ -58,8 +58,8 @@ pub struct Args {
     #[arg(long, conflicts_with_all = ["poses", "paths"])]
     verifiable: bool,
 
-    /// Also print whether the ball solves by luck: how many of the 27 balls within a pixel in x, y and radius may be
-    /// placed and how many of these solve, and whether the ball itself solves with --engine rapier
+    /// Also print how many of the 27 balls within a pixel in x, y and radius may be placed and how many of these solve,
+    /// and whether the ball itself solves with --engine rapier: few and no are signs of luck
     #[arg(long, conflicts_with_all = ["verifiable", "batch", "engine"])]
     luck: bool,
 
@@ -134,7 +134,7 @@ struct Answer {
     /// px; null if there is none: none was asked for, or the action places none.
     #[serde(serialize_with = "whole_numbers")]
     ball: Option<Ball>,
-    /// Absent if it is the first.
+    /// Absent if it is `box2d`.
     #[serde(skip_serializing_if = "Engine::is_first")]
     engine: Engine,
     status: Status,

@@ -50,8 +50,8 @@ export const learns = {
   played: (learned, fresh, limit, helped) =>
     `${tries(learned, limit)}${learned === null ? "" : " gelöst"}${helped}. Ohne Gedächtnis: ${tries(fresh, limit)}.`,
   helped: {
-    same: (place, mirrored) => `, wie in Rätsel ${place}${mirrored ? ", gespiegelt" : ""}`,
-    other: (kind, task, mirrored) => `, wie in ${kind ? `„${kind}“ ` : ""}${task}${mirrored ? ", gespiegelt" : ""}`,
+    same: (place, mirrored) => `, dank Rätsel ${place}${mirrored ? " (gespiegelt)" : ""}`,
+    other: (kind, task, mirrored) => `, dank ${kind ? `„${kind}“ ` : ""}${task}${mirrored ? " (gespiegelt)" : ""}`,
   },
   total: (count, learned, fresh) =>
     `In diesem einen Durchgang brauchte es für ${puzzles(count)} mit Gedächtnis ${counted(learned, "Versuch", "Versuche")}, ohne ${number(fresh)}.`,

@@ -147,7 +147,7 @@ export const panels = {
   remembers: {
     nothing: "Noch erinnert es sich an nichts. Ab jetzt lernt es aus dem, was ihr beide in diesem Browser probiert.",
     damaged: "Seine Erinnerungen waren beschädigt oder aus einer anderen Version: Es hat sie vergessen.",
-    source: (mirrored) => ["Es hat sich erinnert: wie in ", mirrored ? ", gespiegelt." : "."],
+    source: (mirrored) => ["Gelernt aus ", mirrored ? " (gespiegelt)." : "."],
     puzzle: (kind, place) => `„${kind}“ ${place}`,
     custom: (name) => (name === null ? "einem eigenen Rätsel" : `„${name}“`),
   },

@@ -28,7 +28,7 @@ export const attempts = {
 
   replays: {
     saved: (/** @type {number} */ count) =>
-      `${count === 1 ? "One attempt is" : `${number(count)} attempts are`} saved: “pathlight verify” simulates them again.`,
+      `${count === 1 ? "One attempt is" : `${number(count)} attempts are`} saved. “Open attempts” simulates the file again; so does the command “pathlight verify”.`,
     read: (/** @type {number} */ share) => `${percent(share)} of the file is read.`,
     begun: "Each attempt is simulated again.",
     simulated: (/** @type {number} */ done, /** @type {number} */ of) =>

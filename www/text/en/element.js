@@ -46,7 +46,7 @@ export const element = {
     guess: "The model’s guess",
     introduction: "Introduction",
     leaveIntroduction: "Leave the introduction",
-    takeOff: "Take it off",
+    takeOff: "Hide the maps",
   },
 
   story: { label: "Story", back: "Back", next: "Next", leave: "All panels" },

@@ -47,9 +47,9 @@ export const learns = {
   /** Which puzzle helped; `kind` and `task` of another kind, `place` of the same. */
   helped: {
     same: (/** @type {number} */ place, /** @type {boolean} */ mirrored) =>
-      `, as in puzzle ${place}${mirrored ? ", mirrored" : ""}`,
+      `, helped by puzzle ${place}${mirrored ? " (mirrored)" : ""}`,
     other: (/** @type {string} */ kind, /** @type {string} */ task, /** @type {boolean} */ mirrored) =>
-      `, as in ${kind ? `${kind} ` : ""}${task}${mirrored ? ", mirrored" : ""}`,
+      `, helped by ${kind ? `${kind} ` : ""}${task}${mirrored ? " (mirrored)" : ""}`,
   },
   total: (/** @type {number} */ count, /** @type {number} */ learned, /** @type {number} */ fresh) =>
     `In this one run, ${puzzles(count)} took it ${counted(learned, "attempt", "attempts")} with its memory, and ${counted(fresh, "attempt", "attempts")} without.`,

@@ -1,4 +1,4 @@
-// What `offline/` says. index.html holds it, as offline/updates.js imports nothing.
+// What `offline/` says. index.html holds these words too, so that offline/updates.js needs no module for them.
 
 export const offline = {
   label: "Update",

@@ -51,9 +51,8 @@ export const page = {
   picker: {
     puzzle: (/** @type {string} */ task) => `Puzzle ${task}`,
     place: (/** @type {number} */ place, /** @type {number} */ of) => `${place} of ${of}`,
-    solved: (/** @type {number} */ place, /** @type {number} */ at) => `${place}: solved at try ${at}`,
-    tried: (/** @type {number} */ place, /** @type {number} */ made) =>
-      `${place}: missed, ${made === 1 ? "1 try" : `${made} tries`}`,
+    solved: (/** @type {number} */ place, /** @type {number} */ at) => `${place}: solved on attempt ${at}`,
+    tried: (/** @type {number} */ place, /** @type {number} */ made) => `${place}: not solved, ${attempts(made)}`,
   },
 
   links: {
@@ -142,7 +141,7 @@ export const page = {
         : `${number(count)} puzzles are kept: find them under “Your custom puzzles”.`,
     known: (/** @type {number} */ count) => `${count === 1 ? "One is" : `${number(count)} are`} there already.`,
     left: (/** @type {number} */ count, /** @type {number} */ most) =>
-      `No room for ${number(count)}: the page keeps ${number(most)} puzzles. They stay in the file; delete some first.`,
+      `No room for ${number(count)}: the page keeps ${number(most)} puzzles. Those stay in the file; first delete some puzzles here.`,
     solved: (/** @type {number} */ made) => `✓ solved, in ${attempts(made)}`,
     missed: (/** @type {number} */ made) => `× not solved, in ${attempts(made)}`,
   },

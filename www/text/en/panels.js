@@ -112,7 +112,7 @@ export const panels = {
     result: "Prediction and reality",
     measured: "How is it measured?",
     measuredHow:
-      "Your line counts as if the green object had slid along it. The shaded path and the real one, inside the line, are laid over each other: 100% means that both are the same. The model is measured in the same way: by its base path if there is no ball, by its target path if there is one. It has not seen your ball.",
+      "Your line counts as if the green object had slid along it. The shaded path is laid over the real one, which is outlined: 100% means that both are the same. The model is measured in the same way: by its base path if there is no ball, by its target path if there is one. It has not seen your ball.",
     hint: "Draw with the mouse or a finger. With keys, in the scene: arrows draw on from the green object, with <kbd>Shift</kbd> further; <kbd>Backspace</kbd> takes a piece back.",
     ends: (/** @type {number} */ x, /** @type {number} */ y) =>
       `Your line ends at x ${number(x)}, y ${number(y)}. Ready? Run it.`,
@@ -163,7 +163,7 @@ export const panels = {
     nothing: "It remembers nothing yet. From now on it learns from what you both try in this browser.",
     damaged: "Its memory was damaged or from another version: it has forgotten it.",
     /** What stands before the earlier puzzle that helped, and after it. */
-    source: (/** @type {boolean} */ mirrored) => ["It remembered: as in ", mirrored ? ", mirrored." : "."],
+    source: (/** @type {boolean} */ mirrored) => ["It learned this from ", mirrored ? " (mirrored)." : "."],
     puzzle: (/** @type {string} */ kind, /** @type {number} */ place) => `${kind} ${place}`,
     custom: (/** @type {string | null} */ name) => (name === null ? "a custom puzzle" : `“${name}”`),
   },

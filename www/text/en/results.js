@@ -22,7 +22,7 @@ export const results = {
   outcome: (/** @type {number[]} */ [hundred, ten, one], /** @type {number} */ of) =>
     `${number(hundred)} of ${number(of)} puzzles solved within a hundred attempts, ${number(ten)} within ten, ${number(one)} at the first.`,
   /** 0 to 100. */
-  auccess: (/** @type {number} */ auccess) => `Auccess ${number(auccess, 1)} of 100.`,
+  auccess: (/** @type {number} */ auccess) => `Auccess ${number(auccess, 1)} of 100: the fewer attempts, the higher.`,
   compared: (/** @type {[agent: string, auccess: number][]} */ others) =>
     `For comparison: ${list(others.map(([agent, auccess]) => `${agent} ${number(auccess, 1)}`))}.`,
   ofKind: (/** @type {number} */ solved, /** @type {number} */ of) => `${number(solved)} of ${number(of)} solved`,
@@ -37,13 +37,13 @@ export const results = {
     cross: "New kinds",
     byKind: {
       title: "The paper’s nets, kind by kind",
-      about: "Ours are newer here than above. A dash: never tested as new.",
+      about: "Our nets in this table were trained later than those above. A dash: no split tests this kind as new.",
       kind: "Kind",
       published: "published",
       ours: "ours",
     },
     otherData:
-      "online, with a net that also learned from balls it proposed (known kinds), or learned from random puzzles alone (new kinds)",
+      "online, trained differently: also on balls that the net had proposed (known kinds), or on random puzzles alone (new kinds)",
     ours: "Ours, in our simulator",
     published: "Published, in PHYRE’s own simulator",
   },

@@ -72,7 +72,7 @@ export const sharing = {
      */
     parts: {
       compare: "The race against the model",
-      story: "The sentence that hints at the solution",
+      story: "The sentence that says what happens and what to do",
       hint: "How to place the ball",
       fields: "The ball’s slider and numbers, undo and redo",
       watch: "The button that runs the scene without a ball",
