@@ -244,9 +244,9 @@ function contradictionsInPage() {
     check(balls(kept) === balls(lists.play), `kept are the player's balls ${balls(kept)}, listed ${balls(lists.play)}`);
     const picker = /** @type {HTMLSelectElement} */ (document.getElementById("task"));
     const progress = picker.selectedOptions[0]?.textContent ?? "";
-    const tried = Number(progress.match(/not solved, (\d+) at/)?.[1] ?? 0);
+    const tried = Number(progress.match(/missed, (\d+) tr/)?.[1] ?? 0);
     check(
-      /solved on attempt \d/.test(progress) || (!you && tried >= lists.play.length),
+      /solved at try \d/.test(progress) || (!you && tried >= lists.play.length),
       `the picker says “${progress}”, of ${lists.play.length} attempts the first to solve is ${you}`,
     );
   }

@@ -64,7 +64,7 @@ test("the attempts of both come back after a reload and after another puzzle, an
   assert.equal(await page.locator("#race-verdict").textContent(), verdict);
   assert.match(
     await page.locator("#task option:checked").textContent(),
-    /solved on attempt 2$/,
+    /solved at try 2$/,
     "the picker counts them alike",
   );
   await page.locator("#play-attempts [data-act=replay]").first().click();
@@ -260,7 +260,7 @@ test("two devices: what one has solved at once stays so when it reads the otherâ
   await first.locator("#progress-words").filter({ hasText: "tried 1 puzzle and solved 1, in 3 attempts." }).waitFor();
   await first.goto(`${session.origin}/#task=${EASY}`);
   await first.locator("#play-attempts li").nth(2).waitFor();
-  assert.match(await first.locator("#task option:checked").textContent(), /solved on attempt 1$/);
+  assert.match(await first.locator("#task option:checked").textContent(), /solved at try 1$/);
   assert.equal(await first.locator("#play-attempts li .mark.solved").count(), 1);
   await first.locator("#home").click();
 

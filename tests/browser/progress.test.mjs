@@ -35,10 +35,10 @@ async function run(page, ball, words) {
 async function played(page) {
   const { missing, solving } = await known();
   await run(page, missing, /^Not solved/);
-  assert.equal(await label(page), "1: not solved, 1 attempt");
+  assert.equal(await label(page), "1: missed, 1 try");
   await page.locator("#reset").click();
   await run(page, solving, /^Solved/);
-  assert.equal(await label(page), "1: solved on attempt 2");
+  assert.equal(await label(page), "1: solved at try 2");
 }
 
 test("progress is told on the grid and in the picker, and outlasts the page", async () => {
@@ -53,7 +53,7 @@ test("progress is told on the grid and in the picker, and outlasts the page", as
     .waitFor();
   assert.equal(await mark(page).textContent(), "✓ 1 of 100 solved, in 2 attempts");
   await page.locator("#templates a").first().click();
-  assert.equal(await label(page), "1: solved on attempt 2");
+  assert.equal(await label(page), "1: solved at try 2");
 });
 
 test("the picker shows its whole words", async () => {
@@ -84,7 +84,7 @@ test("an attempt is not told before it has run, and counts when it is left", asy
   assert.equal(await label(page), "1 of 100");
   await page.locator("#next").click();
   await page.locator("#previous").click();
-  assert.equal(await label(page), "1: solved on attempt 1");
+  assert.equal(await label(page), "1: solved at try 1");
   assert.equal(await attempts(page), 1);
 });
 
@@ -94,13 +94,10 @@ test("another tab’s attempts are seen, and added to", async () => {
   await other.goto(page.url());
   const { missing, solving } = await known();
   await run(page, missing, /^Not solved/);
-  await other
-    .locator("#task option:checked")
-    .filter({ hasText: "1: not solved, 1 attempt" })
-    .waitFor({ state: "attached" });
+  await other.locator("#task option:checked").filter({ hasText: "1: missed, 1 try" }).waitFor({ state: "attached" });
   await other.emulateMedia({ reducedMotion: "reduce" });
   await run(other, solving, /^Solved/);
-  assert.equal(await label(other), "1: solved on attempt 2");
+  assert.equal(await label(other), "1: solved at try 2");
 });
 
 test("progress is saved to a file, and forgotten only when the person is sure", async () => {
@@ -192,7 +189,7 @@ for (const [what, kept, tried] of [
     await page.emulateMedia({ reducedMotion: "reduce" });
     await page.locator("#templates a").first().click();
     await run(page, (await known()).solving, /^Solved/);
-    assert.equal(await label(page), `1: solved on attempt ${tried ? 3 : 1}`);
+    assert.equal(await label(page), `1: solved at try ${tried ? 3 : 1}`);
   });
 }
 

@@ -48,11 +48,13 @@ export const page = {
     keysKey: "Keys  ?",
   },
 
+  /** Short words: they have to fit into the picker. */
   picker: {
     puzzle: (/** @type {string} */ task) => `Puzzle ${task}`,
     place: (/** @type {number} */ place, /** @type {number} */ of) => `${place} of ${of}`,
-    solved: (/** @type {number} */ place, /** @type {number} */ at) => `${place}: solved on attempt ${at}`,
-    tried: (/** @type {number} */ place, /** @type {number} */ made) => `${place}: not solved, ${attempts(made)}`,
+    solved: (/** @type {number} */ place, /** @type {number} */ at) => `${place}: solved at try ${at}`,
+    tried: (/** @type {number} */ place, /** @type {number} */ made) =>
+      `${place}: missed, ${made === 1 ? "1 try" : `${made} tries`}`,
   },
 
   links: {
