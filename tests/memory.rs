@@ -3,7 +3,7 @@
 use pathlight::agents::memory::{Attempt, CAPACITY, Memory, PuzzleSource, Recollection, Reminder};
 use pathlight::agents::sigmoid;
 use pathlight::puzzle::action::Ball;
-use pathlight::puzzle::scene::{SIZE, Scene};
+use pathlight::puzzle::scene::{Body, SIZE, Scene, Shape};
 use pathlight::puzzle::task::{Task, TaskId, ids};
 use pathlight::puzzle::templates::TEMPLATES;
 
@@ -220,4 +220,41 @@ fn of_ten_thousand_attempts_the_latest_are_remembered_under_their_numbers() {
     memory.observe(BALL, UNLIKELY, true);
     assert_eq!(memory.puzzles().last().expect("a puzzle").0, 1001);
     assert!(memory.attempts() <= CAPACITY);
+}
+
+#[test]
+fn of_too_many_attempts_at_one_puzzle_the_latest_are_remembered() {
+    let mut memory = taught("00002:007", false);
+    begin(&mut memory, "00002:017");
+    for _ in 0..CAPACITY + 2 {
+        memory.observe(BALL, UNLIKELY, false);
+    }
+    memory.observe(BALL, UNLIKELY, true);
+    assert_eq!(memory.attempts(), CAPACITY);
+    let last = memory.puzzles().last().and_then(|(number, _, attempts)| Some((number, attempts.last()?.solved)));
+    assert_eq!(last, Some((2, true)));
+}
+
+#[test]
+fn a_ball_that_touches_a_body_of_a_custom_scene_is_read_again() {
+    let Task { mut scene, .. } = task("00002:007");
+    // As long as the scene: its ends move most when the angle is rounded.
+    scene.bodies.push(Body {
+        x: 100.0,
+        y: 128.0,
+        angle: std::f64::consts::FRAC_PI_2,
+        shapes: vec![Shape::Polygon(vec![[-128.0, -4.0], [128.0, -4.0], [128.0, 4.0], [-128.0, 4.0]])],
+        ..scene.bodies[0].clone()
+    });
+    let mut memory = Memory::default();
+    memory.begin(PuzzleSource::Scene(Box::new(scene.clone())), &scene);
+    let touching: Vec<Ball> = [[16.0, 240.0], [16.0, 16.0]]
+        .into_iter()
+        .flat_map(|[r, y]| [100.0 - 4.0 - r, 100.0 + 4.0 + r].map(|x| Ball { x, y, r }))
+        .collect();
+    for ball in touching {
+        memory.observe(ball, UNLIKELY, false);
+    }
+    let json = memory.to_json(None);
+    Memory::default().read_json(json.as_bytes(), None).expect("a memory that it wrote");
 }

@@ -92,7 +92,7 @@ fn attempts_run_until_solved_and_replay_the_same() {
     game.reset();
     assert_eq!(game.steps(), 0);
     let number = attempt["number"].as_u64().expect("a number") as usize;
-    assert_eq!(json(game.replay("player", number).expect("made")), attempt);
+    assert_eq!(json(game.replay("player", &number.into()).expect("made")), attempt);
     assert_eq!(game.steps(), steps);
     assert_eq!(json(game.standing("player").expect("a score"))["solved_at"], number);
     // The object touched its goal for the last three seconds.
@@ -106,28 +106,30 @@ fn two_attempts_are_overlaid_and_one_is_removed() {
     let mut game = open(TASK);
     let tries: Vec<_> = balls(&game).take(2).collect();
     let made: Vec<_> = tries.iter().map(|&(x, y, r)| json(game.attempt(x, y, r).expect("valid"))).collect();
-    let steps = |game: &mut Game, number| {
-        game.replay("player", number).expect("made");
+    let steps = |game: &mut Game, number: u32| {
+        game.replay("player", &number.into()).expect("made");
         game.steps()
     };
     let longest = steps(&mut game, 1).max(steps(&mut game, 2));
-    let pair = json(game.overlay("player", 2, "player", 1).expect("both made"));
+    let pair = json(game.overlay("player", &2.into(), "player", &1.into()).expect("both made"));
     assert_eq!((&pair[0], &pair[1]), (&made[1], &made[0]));
     assert_eq!(game.steps(), longest);
-    assert_eq!(code(game.overlay("player", 1, "model", 1).expect_err("refused")), "no_attempt");
+    assert_eq!(code(game.overlay("player", &1.into(), "model", &1.into()).expect_err("refused")), "no_attempt");
 
-    game.remove("player", 1).expect("made");
+    game.remove("player", &1.into()).expect("made");
     assert_eq!(json(game.attempts("player").expect("a list"))[0]["ball"], made[1]["ball"]);
-    assert_eq!(code(game.remove("player", 2).expect_err("refused")), "no_attempt");
+    for number in [2.0, 1.9, 4_294_967_297.0, -4_294_967_295.0, f64::NAN] {
+        assert_eq!(code(game.remove("player", &number.into()).expect_err("refused")), "no_attempt", "{number}");
+    }
 }
 
 #[wasm_bindgen_test]
 fn what_was_never_tried_cannot_be_replayed() {
     let mut game = open(TASK);
     for number in [0, 1] {
-        assert_eq!(code(game.replay("player", number).expect_err("refused")), "no_attempt");
+        assert_eq!(code(game.replay("player", &number.into()).expect_err("refused")), "no_attempt");
     }
-    assert_eq!(code(game.replay("nobody", 1).expect_err("refused")), "bad_data");
+    assert_eq!(code(game.replay("nobody", &1.into()).expect_err("refused")), "bad_data");
     assert_eq!(code(game.add_model_attempt(JsValue::from("ball")).expect_err("refused")), "bad_data");
 }
 

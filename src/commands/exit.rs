@@ -17,7 +17,8 @@ pub fn code(result: anyhow::Result<ExitCode>) -> ExitCode {
     }
 }
 
-fn is_broken_pipe(error: &anyhow::Error) -> bool {
+/// Whether whoever read the output has stopped reading.
+pub fn is_broken_pipe(error: &anyhow::Error) -> bool {
     let kind = |cause: &(dyn std::error::Error + 'static)| match cause.downcast_ref::<serde_json::Error>() {
         Some(error) => error.io_error_kind(),
         None => cause.downcast_ref::<io::Error>().map(io::Error::kind),

@@ -8,6 +8,7 @@ use anyhow::Context;
 use pathlight::verification::{AttemptLine, LineFault, Verdict};
 use rayon::prelude::*;
 
+use super::exit::is_broken_pipe;
 use super::json_lines::{Numbered, parse};
 use super::progress::say;
 
@@ -40,18 +41,24 @@ impl Args {
         anyhow::ensure!(!attempts.is_empty(), "{} holds no attempts: export some on the page", self.file);
         let verdicts: Vec<(usize, Verdict)> =
             attempts.into_par_iter().map(|(number, line)| (number, verdict(line))).collect();
-        let mut out = io::stdout().lock();
-        for (line, verdict) in &verdicts {
-            serde_json::to_writer(&mut out, &Numbered { line: *line, answer: verdict })?;
-            writeln!(out)?;
-        }
         let count = |matches: fn(&Verdict) -> bool| verdicts.iter().filter(|(_, verdict)| matches(verdict)).count();
         let same = count(|verdict| matches!(verdict, Verdict::Same));
         let other = count(|verdict| matches!(verdict, Verdict::OtherOutcome { .. }));
         let not_valid = count(|verdict| matches!(verdict, Verdict::NotValid { .. }));
+        // A reader that needs no more lines, like `head`, still gets the code of all.
+        print(&verdicts).or_else(|error| if is_broken_pipe(&error) { Ok(()) } else { Err(error) })?;
         say(&format!("{same} the same to the bit, {other} with another outcome, {not_valid} not valid"));
         Ok(ExitCode::from(if not_valid > 0 { 2 } else { u8::from(other > 0) }))
     }
+}
+
+fn print(verdicts: &[(usize, Verdict)]) -> anyhow::Result<()> {
+    let mut out = io::stdout().lock();
+    for (line, verdict) in verdicts {
+        serde_json::to_writer(&mut out, &Numbered { line: *line, answer: verdict })?;
+        writeln!(out)?;
+    }
+    Ok(())
 }
 
 fn verdict(line: &[u8]) -> Verdict {

@@ -89,6 +89,17 @@ impl Ball {
         Obstacles::new(scene).check(self)
     }
 
+    /// Checks all but that this ball overlaps no body: its radius, and that it is inside the scene.
+    ///
+    /// # Errors
+    /// The reason why it is invalid.
+    pub fn check_alone(&self) -> Result<(), Invalid> {
+        if !RADIUS.contains(&self.r) {
+            return Err(Invalid::Radius);
+        }
+        self.check_inside_scene()
+    }
+
     /// Returns this ball with PHYRE's rounding: the centre truncated, the radius rounded half to even. Does not check
     /// that it is valid.
     pub fn rounded(&self) -> Ball {
@@ -178,10 +189,7 @@ impl Obstacles {
     /// # Errors
     /// The reason why it is invalid.
     pub fn check(&self, ball: &Ball) -> Result<(), Invalid> {
-        if !RADIUS.contains(&ball.r) {
-            return Err(Invalid::Radius);
-        }
-        ball.check_inside_scene()?;
+        ball.check_alone()?;
         match self.0.iter().find(|obstacle| overlaps(obstacle.clearance([ball.x, ball.y], ball.r), ball.r)) {
             Some(obstacle) => Err(Invalid::Overlaps(obstacle.body)),
             None => Ok(()),

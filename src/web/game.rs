@@ -5,9 +5,9 @@ use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
 use super::describe::invalid_reason;
-use super::error::{Code, error, from_js, to_js};
+use super::error::{Code, error, from_js, to_js, whole_number};
 use super::paint::LineStyle;
-use super::puzzle_from_js::load;
+use super::puzzle_from_js::{load, written};
 use super::recording::Recording;
 use crate::puzzle::action::{Ball, Invalid, Obstacles};
 use crate::puzzle::nearest_place::nearest_place;
@@ -170,9 +170,11 @@ impl Game {
     pub fn remove(
         &mut self,
         #[wasm_bindgen(unchecked_param_type = "Author")] who: &str,
-        number: usize,
+        #[wasm_bindgen(unchecked_param_type = "number")] number: &JsValue,
     ) -> Result<(), JsValue> {
-        if self.game.remove(author_named(who)?, number) { Ok(()) } else { Err(no_attempt(number)) }
+        let who = author_named(who)?;
+        let is_removed = attempt_number(number).is_some_and(|number| self.game.remove(who, number));
+        if is_removed { Ok(()) } else { Err(no_attempt(number)) }
     }
 
     /// Removes all attempts of an author.
@@ -196,8 +198,14 @@ impl Game {
     }
 }
 
-pub(super) fn no_attempt(number: usize) -> JsValue {
-    error(Code::NoAttempt, format!("there is no attempt {number}"))
+/// Returns the number of an attempt; `None` if it cannot be one. It comes as JavaScript's value, because wasm-bindgen
+/// would wrap or truncate others.
+pub(super) fn attempt_number(value: &JsValue) -> Option<usize> {
+    whole_number(value, 1..=u32::MAX, "").ok().map(|number| number as usize)
+}
+
+pub(super) fn no_attempt(number: &JsValue) -> JsValue {
+    error(Code::NoAttempt, format!("there is no attempt {}", written(number)))
 }
 
 pub(super) fn author_named(name: &str) -> Result<Author, JsValue> {

@@ -9,7 +9,7 @@ use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 
 use super::error::{from_js, to_js};
 use super::frame::{self, View};
-use super::game::{Game, ListedAttempt, author_named, no_attempt};
+use super::game::{Game, ListedAttempt, attempt_number, author_named, no_attempt};
 use super::imagined_ball::paths_to_js;
 use super::paint::LineStyle;
 use super::recording::Recording;
@@ -37,7 +37,7 @@ impl Game {
     pub fn replay(
         &mut self,
         #[wasm_bindgen(unchecked_param_type = "Author")] who: &str,
-        number: usize,
+        #[wasm_bindgen(unchecked_param_type = "number")] number: &JsValue,
     ) -> Result<JsValue, JsValue> {
         let (recording, listed) = self.simulate_again(who, number)?;
         self.recordings = vec![recording];
@@ -52,9 +52,9 @@ impl Game {
     pub fn overlay(
         &mut self,
         #[wasm_bindgen(unchecked_param_type = "Author")] first_who: &str,
-        first_number: usize,
+        #[wasm_bindgen(unchecked_param_type = "number")] first_number: &JsValue,
         #[wasm_bindgen(unchecked_param_type = "Author")] second_who: &str,
-        second_number: usize,
+        #[wasm_bindgen(unchecked_param_type = "number")] second_number: &JsValue,
     ) -> Result<JsValue, JsValue> {
         let (first, first_listed) = self.simulate_again(first_who, first_number)?;
         let (second, second_listed) = self.simulate_again(second_who, second_number)?;
@@ -179,7 +179,7 @@ impl Game {
         &self,
         context: &CanvasRenderingContext2d,
         #[wasm_bindgen(unchecked_param_type = "Author")] who: &str,
-        number: usize,
+        #[wasm_bindgen(unchecked_param_type = "number")] number: &JsValue,
         dark: bool,
     ) -> Result<(), JsValue> {
         let (recording, _) = self.simulate_again(who, number)?;
@@ -195,8 +195,8 @@ impl Game {
     pub fn paint_pair(
         &self,
         context: &CanvasRenderingContext2d,
-        player: usize,
-        model: usize,
+        #[wasm_bindgen(unchecked_param_type = "number")] player: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "number")] model: &JsValue,
         dark: bool,
     ) -> Result<(), JsValue> {
         let (player, _) = self.simulate_again("player", player)?;
@@ -214,10 +214,10 @@ impl Game {
     }
 
     /// Simulates an earlier attempt once more.
-    fn simulate_again(&self, who: &str, number: usize) -> Result<(Recording, ListedAttempt), JsValue> {
+    fn simulate_again(&self, who: &str, number: &JsValue) -> Result<(Recording, ListedAttempt), JsValue> {
         let who = author_named(who)?;
-        let attempt = number.checked_sub(1).and_then(|index| self.game.attempts(who).get(index).copied());
-        let attempt = attempt.ok_or_else(|| no_attempt(number))?;
+        let attempt = |number: usize| Some((number, *self.game.attempts(who).get(number - 1)?));
+        let (number, attempt) = attempt_number(number).and_then(attempt).ok_or_else(|| no_attempt(number))?;
         Ok((self.record_again(who, attempt)?, ListedAttempt::new(number, attempt)))
     }
 }

@@ -86,7 +86,10 @@ pub fn simulate(
 
 /// Returns the ball of a JavaScript value; `T` says whether there has to be one.
 pub(super) fn ball_from<T: DeserializeOwned>(ball: JsValue) -> Result<T, JsValue> {
-    from_js(ball).map_err(|_| error(Code::BadData, "a ball is an array of three numbers, px: x, y and its radius"))
+    let fault = || error(Code::BadData, "a ball is an array of three numbers, px: x, y and its radius");
+    // What follows the three numbers of a tuple is not looked at otherwise.
+    let has_more = ball.dyn_ref::<js_sys::Array>().is_some_and(|array| array.length() > 3);
+    if has_more { Err(fault()) } else { from_js(ball).map_err(|_| fault()) }
 }
 
 /// Returns the rollout of an invalid ball.

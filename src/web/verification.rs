@@ -4,7 +4,7 @@
 use serde_json::Value;
 use wasm_bindgen::prelude::*;
 
-use super::error::{from_js, to_js};
+use super::error::to_js;
 use super::puzzle_from_js::{load, plain_scene, written};
 use super::scripting::ball_from;
 use crate::puzzle::action::Ball;
@@ -102,7 +102,7 @@ fn read_names(line: &JsValue) -> Result<(Option<TaskId>, Engine), String> {
 fn read_line(line: &JsValue, task: Option<TaskId>, engine: Engine) -> Option<AttemptLine> {
     let get = |key: &str| js_sys::Reflect::get(line, &key.into()).ok();
     let scene: Option<Value> = known(line, "scene").map(|scene| plain_scene(&scene));
-    let ball: Option<Ball> = from_js(get("ball")?).ok()?;
+    let ball: Option<Ball> = ball_from(get("ball")?).ok()?;
     let status: Status = serde_json::from_value(Value::String(get("status")?.as_string()?)).ok()?;
     let whole = |key: &str| get(key)?.as_f64().filter(|number| number.fract() == 0.0 && (0.0..1e9).contains(number));
     let (simulator, steps) = (whole("simulator")? as u32, whole("steps")? as usize);

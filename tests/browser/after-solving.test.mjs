@@ -214,6 +214,22 @@ for (const [screen, options] of Object.entries({ "a desktop": {}, "a phone": PHO
   });
 }
 
+test("while the model plays, the person's result is told, and not the model's", async () => {
+  const page = await openPuzzle(session);
+  await type(page, (await known()).solving);
+  await page.locator("#speed").selectOption("4");
+  await page.locator("#run").click();
+  await says(page, /^Solved!/);
+  await page.locator("#speed").selectOption("0.25");
+  await openPanel(page, "compare");
+  await page.locator("#model-turn:enabled").click();
+  await says(page, /(The model|Attempt \d+ of the model)/);
+  await openShare(page);
+  const words = await page.locator("#share-text").textContent();
+  assert.match(words, /I solved/);
+  assert.doesNotMatch(words, /model/i);
+});
+
 test("once the model has solved it too, the picture shows both paths", async () => {
   const { page } = await solved();
   /** The pixels of the scene in the picture that shows the ball. */

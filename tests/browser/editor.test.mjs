@@ -360,6 +360,9 @@ test("what may not be played does not run, and says why; a step begins the scene
   const problem = await page.locator("#make-problems li").first().textContent();
   await page.locator("#make-watch").click();
   await says(page, problem);
+  await page.locator("#share-button").click();
+  await painted(page);
+  assert.equal(await page.locator("#share-dialog").isVisible(), false, "no other puzzle is shared instead");
   await page.locator("#make-x").fill(String(bodies[body1].x + 2));
   await page.locator("#make-x").press("Enter");
   await page.locator("#step").click();

@@ -76,6 +76,11 @@ test("under reduced motion the finished scene stands still, until it is played",
   await phase(page, "imagine");
 });
 
+test("a model in the address that is no model does no harm", async () => {
+  const page = await session.open("/#model=constructor");
+  await page.locator("#picks canvas.drawn").first().waitFor();
+});
+
 test("on a phone the scene comes first", async () => {
   const page = await session.open("/", PHONE);
   await phase(page, "imagine");

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { start } from "./harness.mjs";
-import { ball, focused, known, openPuzzle, pause, says, waitForValue } from "./page-actions.mjs";
+import { ball, focused, known, openPuzzle, pause, says, type, waitForValue } from "./page-actions.mjs";
 
 let session;
 before(async () => (session = await start()));
@@ -115,6 +115,28 @@ test("where nothing has the focus, the arrows move the ball", async () => {
   await page.keyboard.press("Shift+ArrowLeft");
   await page.keyboard.press("+");
   assert.deepEqual(await ball(page), [x - 10, y, r + 1]);
+});
+
+test("where the ball comes to rest is announced", async () => {
+  const page = await openPuzzle(session, { fragment: "&forecast=off" });
+  await page.keyboard.press("ArrowRight");
+  const [x, y, r] = await ball(page);
+  await page
+    .locator("#announcement")
+    .filter({ hasText: `x ${x}, y ${y}, radius ${r}` })
+    .waitFor({ state: "attached" });
+});
+
+test("a key that is held down runs once", async () => {
+  const page = await openPuzzle(session);
+  await type(page, (await known()).missing);
+  for (const key of ["Space", "Enter"]) {
+    await page.locator("#scene").focus();
+    for (let repeat = 0; repeat < 4; repeat += 1) await page.keyboard.down(key);
+    await page.locator("#run", { hasText: "Pause" }).waitFor();
+    await page.keyboard.up(key);
+    await page.locator("#reset").click();
+  }
 });
 
 test("letters and digits that are typed into a name are no shortcuts", async () => {

@@ -52,6 +52,16 @@ test("a link to the same puzzle without a ball leaves it, and back moves none; t
   assert.deepEqual(await ball(page), [91, 190, 7]);
 });
 
+test("what is changed just before the page is loaded again is in its address", async () => {
+  const page = await openPuzzle(session);
+  await type(page, [90, 190, 7]);
+  await page.waitForFunction(() => /ball=90,190,7/.test(location.hash));
+  await page.locator("#scene").focus();
+  await page.keyboard.press("ArrowRight");
+  await page.reload();
+  await page.waitForFunction(() => /ball=91,190,7/.test(location.hash));
+});
+
 test("of a custom puzzle that cannot be read nothing is shown but why", async () => {
   const page = await openPuzzle(session);
   await page.evaluate(() => void (location.hash = "#scene=soup"));

@@ -88,7 +88,7 @@ test("an attempt that was changed is found out, and a foreign file is a sentence
     { beach: true },
   ];
   await openAttempts(page, "changed.jsonl", [line, ...changed].map((one) => JSON.stringify(one)).join("\n"));
-  await words(page, "changed.jsonl: 1 of 5 attempts come out the same to the bit");
+  await words(page, "changed.jsonl: 1 of 5 attempts comes out the same to the bit");
   for (const [name, text] of [
     ["noise.jsonl", "\u0001 noise"],
     ["empty.jsonl", "\n"],
@@ -112,7 +112,7 @@ test("an attempt at a custom scene carries the scene", async () => {
   assert.ok(line.scene.bodies.length > 2);
   const other = await openPuzzle(session, { reducedMotion: true });
   await openAttempts(other, "own.jsonl", JSON.stringify(line));
-  await words(other, "1 of 1 attempts");
+  await words(other, "1 of 1 attempt");
   await other.locator("#attempts-read button").click();
   await other.locator("#puzzle-name").filter({ hasText: "edited" }).waitFor();
 });

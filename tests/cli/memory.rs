@@ -84,6 +84,31 @@ fn a_program_that_is_killed_has_kept_the_puzzles_that_were_over() {
 }
 
 #[test]
+fn attempts_at_puzzles_that_were_left_are_kept_and_so_are_those_after_forgetting() {
+    let folder = tempdir().expect("a folder");
+    let file = folder.path().join("memory.json").display().to_string();
+    let kept = || -> Vec<Value> {
+        let kept: Value = serde_json::from_slice(&fs::read(&file).expect("a memory")).expect("JSON");
+        kept["puzzles"].as_array().expect("puzzles").iter().map(|puzzle| puzzle["task"].clone()).collect()
+    };
+    let mut agent = Partner::new(&[&RANDOM[..], &["--memory", &file]].concat());
+    for line in [&puzzle("00002:007", true)[..3], &puzzle("00002:017", true)[..1]].concat() {
+        agent.ask(&line.to_string());
+    }
+    agent.kill();
+    assert_eq!(kept(), ["00002:007"], "it was left for the next");
+
+    let begun = &puzzle("00002:023", true)[..2];
+    let lines = [begun, &[json!({ "forget": true })], &puzzle("00002:023", true)[1..]].concat();
+    answers(&["--memory", &file], &lines);
+    assert_eq!(kept(), ["00002:023"], "what was tried after forgetting is remembered");
+
+    let nowhere = folder.path().join("none/memory.json").display().to_string();
+    let output = run(&[&RANDOM[..], &["--memory", &nowhere]].concat(), "");
+    assert!(stderr(&output).contains("cannot write the memory"), "{}", stderr(&output));
+}
+
+#[test]
 fn remember_and_forget_are_refused_where_they_mean_nothing() {
     let lines = [
         json!({ "status": "solved", "remember": true }),

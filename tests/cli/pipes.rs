@@ -1,4 +1,5 @@
-//! A reader that closes the pipe early ends any command quietly: no panic, no error, success.
+//! A reader that closes the pipe early ends any command quietly: no panic, no error, success; `verify` ends with the code
+//! of all lines.
 
 use std::process::{Output, Stdio};
 
@@ -38,4 +39,10 @@ fn commands_end_quietly_when_nobody_reads() {
             assert!(!said.contains("panicked") && !said.contains("error"), "{args:?}: {said}");
         }
     }
+    std::fs::write(file("bad"), "{}\n".repeat(2000)).expect("written");
+    assert_eq!(
+        run_unread(&["verify", &file("bad")], false).status.code(),
+        Some(2),
+        "verify says whether all are valid"
+    );
 }

@@ -85,9 +85,7 @@ export class Replays extends Component {
         onProgress: (done) => setText(this.byId("attempts-words"), words.read(Math.floor(100 * done) / 100)),
       });
       if (!signal.aborted) this.#say(words.begun);
-      const { done, same } = await this.#verify(attempts, signal);
-      const sentences = [words.result(file.name, same, done)];
-      if (done < attempts.length) sentences.push(words.stopped(attempts.length - done));
+      const { done, sentences } = await this.#verify(file.name, attempts, signal);
       if (done > LISTED) sentences.push(words.listed(LISTED));
       if (left > 0) sentences.push(words.left(left, MOST_ATTEMPTS));
       return (this.#listWords = sentences.join(" "));
@@ -96,10 +94,12 @@ export class Replays extends Component {
 
   /**
    * Simulates attempts again, some at a time, and lists them, until all are done or the person stops it.
+   * @param {string} name the file's
    * @param {unknown[]} attempts
    * @param {AbortSignal} signal
    */
-  async #verify(attempts, signal) {
+  async #verify(name, attempts, signal) {
+    this.#listWords = "";
     const list = this.byId("attempts-read");
     const words = text.attempts.replays;
     const stop = new AbortController();
@@ -107,6 +107,8 @@ export class Replays extends Component {
     last.append(createButton(words.stop, () => stop.abort()));
     list.replaceChildren(last);
     let [done, same] = [0, 0];
+    /** @type {string[]} */
+    let sentences = [];
     while (done < attempts.length && !stop.signal.aborted && !signal.aborted) {
       const batch = attempts.slice(done, done + BATCH);
       const verifications = await this.#client
@@ -117,9 +119,13 @@ export class Replays extends Component {
       same += verifications.filter(({ verdict }) => verdict === "same").length;
       done += batch.length;
       setText(this.byId("attempts-words"), words.simulated(done, attempts.length));
+      sentences = [words.result(name, same, done)];
+      if (done < attempts.length) sentences.push(words.stopped(attempts.length - done));
+      // It stays if the puzzle is left now.
+      this.#listWords = sentences.join(" ");
     }
     last.remove();
-    return { done, same };
+    return { done, sentences };
   }
 
   /**

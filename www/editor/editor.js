@@ -257,13 +257,17 @@ export class Editor extends Component {
     );
   }
 
+  /** Is a scene in sight that may not be played? */
+  get blocked() {
+    return this.#visible && this.#problems.length > 0;
+  }
+
   /**
    * Makes what is seen the puzzle, and returns its session; null if it may not be played, or was edited further or
    * left meanwhile.
    */
   async settle() {
-    const [problem] = this.#edited ? sentencesOf(this.#problems, this.#edited.scene) : [];
-    if (problem && this.#visible) this.session?.refuse(problem);
+    if (this.blocked && this.#edited) this.session?.refuse(sentencesOf(this.#problems, this.#edited.scene)[0]);
     else if (await this.#becomePuzzle()) return this.session;
     return null;
   }
@@ -288,13 +292,8 @@ export class Editor extends Component {
     const list = this.byId("make-problems");
     list.hidden = this.#problems.length === 0;
     const sentences = sentencesOf(this.#problems, edited.scene);
-    if (Array.from(list.children, (item) => item.textContent).join() !== sentences.join())
-      list.replaceChildren(...sentences.map(listItem));
+    const items = sentences.map((textContent) => Object.assign(document.createElement("li"), { textContent }));
+    if (list.textContent !== sentences.join("")) list.replaceChildren(...items);
     this.#fields.update();
   }
-}
-
-/** @param {string} text */
-function listItem(text) {
-  return Object.assign(document.createElement("li"), { textContent: text });
 }

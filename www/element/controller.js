@@ -189,15 +189,15 @@ export class PuzzleController extends EventTarget {
     this.#changeState(state.view === "presentation" ? withoutPresentation(state) : withPresentation(state));
   }
 
-  /** Resolves when the state is that of what is seen. */
+  /** Makes the state that of what is seen. Resolves to false if that may not be played, which is then said. */
   async settle() {
     await this.#components.panels?.editor.settle();
+    return !this.#components.panels?.editor.blocked;
   }
 
   /** Fires "share" for the open puzzle, once what was last edited is part of it. */
   async share() {
-    await this.settle();
-    this.#components.afterSolving.share();
+    if (await this.settle()) this.#components.afterSolving.share();
   }
 
   /** Leads through the open puzzle, step by step. */

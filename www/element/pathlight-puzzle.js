@@ -176,7 +176,7 @@ export class PathlightPuzzle extends HTMLElement {
    * rests.
    */
   async settle() {
-    await this.#controller?.settle();
+    return (await this.#controller?.settle()) ?? true;
   }
 
   /** Shows the sheet about Pathlight and its model. */

@@ -61,6 +61,8 @@ export class MovingScene {
   /** @param {boolean} paused */
   #setPaused(paused) {
     this.#paused = paused;
+    // From its rest it begins anew.
+    if (!paused && this.#time === this.#story.endOfRun) this.#time = 0;
     setText(this.#pause, paused ? text.home.replay : text.home.pause);
     this.#last = 0;
     this.#draw();

@@ -27,6 +27,8 @@ export class Address {
   #timer;
   /** When an entry was last added, ms. */
   #pushed = -DELAY;
+  /** When the state was last changed, ms. */
+  #changed = -DELAY;
 
   /** @param {(own: boolean) => void} onRoute the person has gone to another entry; has the page written it? */
   constructor(onRoute) {
@@ -71,7 +73,11 @@ export class Address {
     if (placeOf(state) !== this.#place && performance.now() - this.#pushed >= DELAY) return this.push(state);
     this.#waiting = state;
     clearTimeout(this.#timer);
-    this.#timer = setTimeout(() => this.flush(), DELAY);
+    const now = performance.now();
+    // A single change is written at once, so that a page that is loaded again right after it has it.
+    if (now - this.#changed >= DELAY) this.flush();
+    else this.#timer = setTimeout(() => this.flush(), DELAY);
+    this.#changed = now;
   }
 
   /** Writes what is still to be written. */

@@ -259,11 +259,11 @@ export class Page {
 
   /** @param {string | null} model */
   async #showResults(model) {
-    this.#results ??= await loadPart(text.page.notLoaded.results, async () => {
+    const results = await loadPart(text.page.notLoaded.results, async () => {
       const { ResultsView } = await import("./results-view.js");
-      return new ResultsView(TEMPLATES, this.#hrefInCompare);
+      return (this.#results ??= new ResultsView(TEMPLATES, this.#hrefInCompare));
     });
-    this.#results?.show(model);
+    results?.show(model);
   }
 
   async #showLearns() {
@@ -277,17 +277,17 @@ export class Page {
 
   /** @param {import("../play/after-solving.js").Result} result */
   async #share(result) {
-    this.#shareDialog ??= await loadPart(text.page.notLoaded.share, async () => {
+    const dialog = await loadPart(text.page.notLoaded.share, async () => {
       const { ShareDialog } = await import("./share-dialog.js");
-      return new ShareDialog(TEMPLATES);
+      return (this.#shareDialog ??= new ShareDialog(TEMPLATES));
     });
     // The result can be drawn only while its puzzle is open.
-    if (result.isOpen()) this.#shareDialog?.show(result, this.#state, darkScheme.matches);
+    if (result.isOpen()) dialog?.show(result, this.#state, darkScheme.matches);
   }
 
   async #copyLink() {
     byId(document, "share-dialog", HTMLDialogElement).close();
-    await this.#puzzle.settle();
+    if (!(await this.#puzzle.settle())) return;
     this.#address.write(this.#state);
     this.#address.flush();
     try {

@@ -66,7 +66,8 @@ export class Picks {
    * @param {string | null} model null for the first
    */
   #unsolvedBy(model) {
-    const unsolved = this.#unsolved[model ?? ""] ?? Object.values(this.#unsolved)[0] ?? [];
+    const known = model !== null && Object.hasOwn(this.#unsolved, model) ? this.#unsolved[model] : null;
+    const unsolved = known ?? Object.values(this.#unsolved)[0] ?? [];
     return unsolved.find((task) => this.#progress.of(task).solved === null) ?? unsolved[0];
   }
 

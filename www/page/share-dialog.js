@@ -86,7 +86,7 @@ export class ShareDialog {
 
   async #draw() {
     const result = this.#result;
-    if (!result) return;
+    if (!result?.isOpen()) return;
     const canvas = Object.assign(document.createElement("canvas"), { width: WIDTH, height: HEIGHT });
     const lines = linesOf(result);
     if (this.#withBall.checked && solvedByBoth(result)) lines.model += ` ${text.sharing.card.dashed}`;
@@ -106,7 +106,7 @@ export class ShareDialog {
   async #film() {
     const result = this.#result;
     const format = filmFormat();
-    if (!result?.openRun || !format) return;
+    if (!result?.openRun || !result.isOpen() || !format) return;
     const recording = (this.#recording = new AbortController());
     const canvas = filmCanvas();
     canvas.setAttribute("aria-hidden", "true");

@@ -105,10 +105,8 @@ export class Proposals extends Component {
   get overlay() {
     const shown = this.#shown;
     if (!this.#visible || shown === null || !this.#proposals) return null;
-    /** @type {import("../pkg/pathlight.js").MapName} */
-    const source = this.#imagine.maps?.success ? "success" : "placement";
     return {
-      maps: this.#able ? [] : this.#imagine.canvasesOf([source]),
+      maps: this.#able ? [] : this.#imagine.canvasesOf([this.#imagine.maps?.success ? "success" : "placement"]),
       marks: this.#proposals.slice(0, shown).map((proposal, index, proposals) => {
         const chosen = index + 1 === shown;
         return { ball: proposal.ball, from: chosen ? sourceOf(proposal, proposals) : null, chosen };
@@ -124,8 +122,7 @@ export class Proposals extends Component {
 
   /** What the model imagines for the ball that is looked at; null until it has come. */
   get #answer() {
-    const { answer } = this.#imaginer;
-    return sameBall(answer?.of, this.session?.shown?.ball) ? answer : null;
+    return sameBall(this.#imaginer.answer?.of, this.session?.shown?.ball) ? this.#imaginer.answer : null;
   }
 
   /** The outcomes tell how the race ends: only when the model has played, or the person looks at its balls anyway. */
@@ -195,7 +192,9 @@ export class Proposals extends Component {
     } finally {
       if (this.#call === call) {
         this.#call = null;
-        this.#show();
+        // A run that the person has begun meanwhile goes on.
+        if (this.session?.playback.playing && !this.session.shown?.preview) this.#forgetRequest(this.session);
+        else this.#show();
         this.#saveIfThere();
       }
     }
@@ -249,9 +248,10 @@ export class Proposals extends Component {
   #onSessionChange(session) {
     this.#tellOutcomes();
     const { shown } = session;
-    const ball = this.#shown === null ? null : this.#proposals?.[this.#shown - 1]?.ball;
+    if (this.#shown === null) return;
+    const ball = this.#proposals?.[this.#shown - 1]?.ball;
     // A ball of another model may have the same number.
-    if (this.#shown === null || (shown?.preview && shown.number === this.#shown && sameBall(shown.ball, ball))) return;
+    if (shown?.preview && shown.number === this.#shown && sameBall(shown.ball, ball)) return;
     this.#shown = null;
     this.#requested = null;
     if (this.#proposals) this.#updateFacts(this.#proposals);

@@ -131,9 +131,11 @@ export class AfterSolving extends Component {
   share() {
     const { session } = this;
     if (!session) return;
-    // What still runs for the first time is not told.
-    const solvedAt = session.hiddenAuthor === null ? session.attempts.standing("player").solved_at : null;
-    const { used, solved_at: modelSolvedAt } = session.attempts.standing("model");
+    // What still runs for the first time is not told, nor a turn of the model that is not over.
+    const solvedAt = session.hiddenAuthor === "player" ? null : session.attempts.standing("player").solved_at;
+    const modelPlays = session.hiddenAuthor === "model" || session.ghosts !== null;
+    const standing = session.attempts.standing("model");
+    const { used, solved_at: modelSolvedAt } = modelPlays ? { used: 0, solved_at: null } : standing;
     const { game, about, placing } = session;
     /** @type {Result} */
     const detail = {

@@ -20,11 +20,21 @@ import { statusOf } from "./status.js";
 /** Half of the width of the mark where the object came nearest, as a fraction of the time line. */
 const CLOSEST_WIDTH = 0.004;
 
+/** Time without a move after which a ball is at rest, and its place is announced, ms; before its chance is. */
+const REST = 400;
+
 export class Controls extends Component {
   #time = this.byId("time", HTMLInputElement);
   #radius = this.byId("radius", HTMLInputElement);
   #fields = ["ball-x", "ball-y", "ball-r"].map((id) => this.byId(id, HTMLInputElement));
   #goalMeter = this.byId("goal-meter");
+  /**
+   * Where the ball is, as it was last announced.
+   * @type {string | null}
+   */
+  #place = null;
+  /** @type {number | undefined} */
+  #timer;
   /**
    * The first and last steps of the stretches in which the green object touches its goal, in what is shown.
    * @type {[first: number, last: number][]}
@@ -57,6 +67,11 @@ export class Controls extends Component {
     for (const field of this.#fields) field.addEventListener("change", () => this.#onTyped());
   }
 
+  close() {
+    super.close();
+    clearTimeout(this.#timer);
+  }
+
   /** @param {Session} session */
   open(session) {
     super.open(session);
@@ -68,6 +83,7 @@ export class Controls extends Component {
     this.byId("description").textContent = session.description;
     this.listen("change", () => this.#update(session));
     this.listen("draw", () => this.#updateTime(session));
+    this.#place = placeWords(session);
     this.#update(session);
   }
 
@@ -121,6 +137,7 @@ export class Controls extends Component {
     else this.#time.style.setProperty("--touches", "none");
     this.#fields.forEach((field, index) => setValue(field, String(ball?.[index] ?? "")));
     setValue(this.#radius, String(ball?.[2] ?? FIRST_RADIUS));
+    this.#announceBall(session);
     const { kind, words: said } = statusOf(session);
     const status = this.byId("status");
     if (status.textContent !== said) {
@@ -130,6 +147,18 @@ export class Controls extends Component {
     }
     status.dataset.kind = kind;
     this.#updateTime(session);
+  }
+
+  /**
+   * Says where a ball that was moved has come to rest, to those who cannot see it.
+   * @param {Session} session
+   */
+  #announceBall(session) {
+    const words = placeWords(session);
+    if (words === this.#place) return;
+    clearTimeout(this.#timer);
+    if (words) this.#timer = setTimeout(() => this.announce(words), REST);
+    this.#place = words;
   }
 
   /** @param {Session} session */
@@ -170,6 +199,14 @@ export class Controls extends Component {
       bands.push(band("text", percent(closest - CLOSEST_WIDTH * steps), percent(closest + CLOSEST_WIDTH * steps)));
     this.#time.style.setProperty("--touches", bands.length ? `linear-gradient(to right, ${bands.join(", ")})` : "none");
   }
+}
+
+/**
+ * Where the ball is that is being placed; null if there is none, or it may not be there.
+ * @param {Pick<Session, "placing" | "ball" | "invalidReason">} session
+ */
+function placeWords({ placing, ball, invalidReason }) {
+  return placing && ball && invalidReason === null ? text.attempts.replays.ball(...ball) : null;
 }
 
 /**

@@ -221,7 +221,7 @@ export class Gestures {
       session.placement.nudge(dx * distance, dy * distance, dr, this.#keyGesture);
       event.preventDefault();
     } else if (event.key === "Enter") {
-      session.run();
+      if (!event.repeat) session.run();
       event.preventDefault();
     }
   }

@@ -19,9 +19,9 @@ export function namesOf(session) {
 }
 
 /**
- * Is the run that is shown the model's alone?
+ * Is the run that is shown the model's alone? Somebody's attempt from a file is not.
  * @param {Showing} session
  */
 export function isModels({ state }) {
-  return state.kind === "attempt" && state.attempt.author === "model";
+  return state.kind === "attempt" && state.attempt.author === "model" && !state.attempt.opened;
 }

@@ -219,9 +219,11 @@ function attemptOf(parsed, digestOf) {
     agents,
   } = parsed ?? {};
   const isBall = Array.isArray(ball) && ball.length === 3 && ball.every((value) => Number.isFinite(value));
+  // A person's ball has whole numbers, also in the links that replay it.
+  const isPlaced = by !== PLAYER || (isBall && ball.every(Number.isInteger));
   const isNamed = typeof by === "string" && NAME.test(by) && isCount(number, MAX_NUMBER);
   const times = [steps, longest_touch, final_touch, simulator, agents ?? 0];
-  if (!isBall || !isNamed || !["solved", "not_solved"].includes(status)) return null;
+  if (!isBall || !isPlaced || !isNamed || !["solved", "not_solved"].includes(status)) return null;
   if (!times.every((value) => isCount(value, MAX_STEPS))) return null;
   const puzzle = scene === undefined ? taskOf(task) : digestOfScene(scene, digestOf);
   if (puzzle === null) return null;

@@ -53,7 +53,7 @@ export function leavesPlainKeys(target) {
  */
 function undoAction({ key, shiftKey }, target, undoing) {
   if (!undoing || target.closest("dialog")) return undefined;
-  /** @type {Record<string, () => void>} */
+  /** @type {Record<string, () => unknown>} */
   const actions = { z: () => (shiftKey ? undoing.redo() : undoing.undo()), y: () => undoing.redo() };
   return actions[key.toLowerCase()];
 }
@@ -62,22 +62,23 @@ function undoAction({ key, shiftKey }, target, undoing) {
  * @param {KeyboardEvent} event
  * @param {Element} target
  * @param {ShortcutTarget} puzzle
- * @returns {(() => void) | undefined}
+ * @returns {(() => unknown) | undefined}
  */
-function plainAction({ key, shiftKey }, target, puzzle) {
+function plainAction({ key, shiftKey, repeat }, target, puzzle) {
   if (!leavesPlainKeys(target)) return undefined;
   if (key === "?") return () => puzzle.showKeys();
   const { session } = puzzle;
   // Space keeps its meaning where it has one.
   if (!session || (key === " " && target.closest("button, a, input, summary"))) return undefined;
   if (/^[1-9]$/.test(key)) return () => puzzle.showPanel(Number(key) - 1);
-  /** @type {Record<string, () => void>} */
+  /** @type {Record<string, () => unknown>} */
   const actions = {
-    " ": () => session.run(),
+    // A key that is held down runs once.
+    " ": () => repeat || session.run(),
     ".": () => session.step(1),
     ",": () => session.step(-1),
     r: () => session.reset(),
-    v: () => puzzle.togglePresentation(),
+    v: () => repeat || puzzle.togglePresentation(),
     n: () => puzzle.goToOtherOutcome(shiftKey ? -1 : 1),
   };
   return actions[key.toLowerCase()];

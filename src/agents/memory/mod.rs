@@ -25,7 +25,7 @@ mod scene_sketch;
 /// not comparable. `tests/memory_golden.rs` fails when the random agent's change.
 pub const VERSION: u32 = 2;
 
-/// Attempts that are remembered. The oldest puzzles are forgotten first.
+/// Attempts that are remembered. The oldest puzzles are forgotten first, but the last one keeps its latest attempts.
 pub const CAPACITY: usize = 4000;
 
 /// What makes attempts alike, and how much they teach.
@@ -191,10 +191,15 @@ impl Memory {
         numbered.map(|(RememberedPuzzle { source, attempts, .. }, number)| (number, source, attempts.as_slice()))
     }
 
-    /// Forgets the oldest puzzles until at most `CAPACITY` attempts are left.
+    /// Forgets the oldest puzzles until at most `CAPACITY` attempts are left; if the last puzzle alone has more, its
+    /// oldest attempts.
     fn forget_oldest(&mut self) {
         let mut attempts = self.attempts();
-        let oldest = self.puzzles.iter().take_while(|puzzle| {
+        let Some((last, earlier)) = self.puzzles.split_last_mut() else { return };
+        let surplus = last.attempts.len().saturating_sub(CAPACITY);
+        last.attempts.drain(..surplus);
+        attempts -= surplus;
+        let oldest = earlier.iter().take_while(|puzzle| {
             let too_many = attempts > CAPACITY;
             attempts -= puzzle.attempts.len();
             too_many

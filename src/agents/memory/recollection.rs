@@ -155,7 +155,7 @@ impl Recollection {
         let mut balls: Vec<Ball> = Vec::new();
         for Recalled { ball, places, .. } in solved {
             for [x, y] in places {
-                let ball = Ball { x: x.round(), y: y.round(), r: ball.r };
+                let ball = Ball { x: x.round(), y: y.round(), r: ball.r.round() };
                 if balls.len() < self.settings.suggestions
                     && !balls.contains(&ball)
                     && !is_known(&ball)

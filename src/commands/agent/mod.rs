@@ -88,18 +88,43 @@ impl Args {
             let read = player.memory.read_json(&json, weights.as_deref());
             read.with_context(|| format!("cannot use the memory in {name}"))?;
         }
+        // A file that cannot be written is found before anything is learned.
+        self.save(&player.memory, weights.as_deref())?;
+        let played = self.play(&mut player, weights.as_deref());
+        self.save(&player.memory, weights.as_deref())?;
+        let refused = played?;
+        ensure!(
+            refused == 0,
+            "{refused} line{} could not be used; the answers say why",
+            if refused == 1 { "" } else { "s" }
+        );
+        Ok(())
+    }
+
+    /// Answers the lines of standard input, and returns how many could not be used.
+    fn play(&self, player: &mut Player, weights: Option<&str>) -> anyhow::Result<usize> {
         let mut out = io::stdout().lock();
         let mut refused = 0;
+        let mut saved = player.memory.attempts();
         for read in Lines::new(io::stdin().lock(), MAX_LINE) {
             let read = read?;
             if read.is_blank() {
                 continue;
             }
             let line = read.number;
-            match read.text.and_then(|text| player.answer(Line::parse(&text)?)) {
+            let mut begins = false;
+            let answer = read.text.and_then(|text| {
+                let line = Line::parse(&text)?;
+                begins = matches!(line, Line::Begin { .. });
+                player.answer(line)
+            });
+            match answer {
                 Ok(answer) => {
-                    if answer.ends_puzzle() {
-                        self.save(&player.memory, weights.as_deref())?;
+                    // A puzzle may also be left for the next one.
+                    let attempts = player.memory.attempts();
+                    if answer.ends_puzzle() || (begins && attempts != saved) {
+                        self.save(&player.memory, weights)?;
+                        saved = attempts;
                     }
                     serde_json::to_writer(&mut out, &Numbered { line, answer })?;
                 }
@@ -111,13 +136,7 @@ impl Args {
             writeln!(out)?;
             out.flush()?;
         }
-        self.save(&player.memory, weights.as_deref())?;
-        ensure!(
-            refused == 0,
-            "{refused} line{} could not be used; the answers say why",
-            if refused == 1 { "" } else { "s" }
-        );
-        Ok(())
+        Ok(refused)
     }
 
     /// Writes the memory, if it is kept in a file. The file that was there stays until the new one is complete, so

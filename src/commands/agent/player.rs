@@ -64,6 +64,8 @@ pub struct OpenPuzzle {
     agent: Box<dyn Agent>,
     /// What earlier puzzles say about its balls, if it is played with the memory.
     recollection: Option<Recollection>,
+    /// How it is remembered then.
+    remembered: Option<(PuzzleSource, Scene)>,
     /// The ball whose outcome is awaited.
     proposal: Option<Proposal>,
     /// Attempts made; invalid balls are none.
@@ -102,7 +104,11 @@ impl Player {
                     "this is the outcome of another ball: the one that waits is {}",
                     asked.ball
                 );
-                if puzzle.recollection.is_some() && status != Status::Invalid {
+                if let Some((source, scene)) = puzzle.remembered.as_ref().filter(|_| status != Status::Invalid) {
+                    // All may have been forgotten in the middle of the puzzle.
+                    if !self.memory.is_at(source) {
+                        self.memory.begin(source.clone(), scene);
+                    }
                     self.memory.observe(asked.ball, asked.chance().unwrap_or_default(), status == Status::Solved);
                 }
                 puzzle.observe(status, paths.map(|paths| *paths));
@@ -126,15 +132,16 @@ impl Player {
         source: Option<PuzzleSource>,
     ) -> anyhow::Result<&OpenPuzzle> {
         let loaded = Loaded { nets: self.nets.as_ref(), dqn: self.dqn.as_ref() };
-        let (agent, recollection) = match source {
+        let (agent, recollection) = match &source {
             Some(source) => {
                 self.agent.check_remembers()?;
-                let recollection = self.memory.begin(source, &scene);
+                let recollection = self.memory.begin(source.clone(), &scene);
                 (self.agent.start_with(loaded, &scene, seed, BALLS, &recollection), Some(recollection))
             }
             None => (self.agent.start(loaded, &scene, seed, BALLS), None),
         };
-        let mut puzzle = OpenPuzzle { task, agent, recollection, proposal: None, used: 0 };
+        let remembered = source.map(|source| (source, scene));
+        let mut puzzle = OpenPuzzle { task, agent, recollection, remembered, proposal: None, used: 0 };
         puzzle.propose();
         Ok(self.puzzle.insert(puzzle))
     }

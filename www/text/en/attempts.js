@@ -23,7 +23,7 @@ export const attempts = {
     verdict: { plan: "A plan", luck: "Mostly luck", both: "Some of both" },
     /** @type {(verdict: string, valid: number, solved: number) => string} */
     found: (verdict, valid, solved) =>
-      `${verdict}: of the ${counted(valid, "ball", "balls")} within a pixel of yours in place and radius, ${solved} solve it.`,
+      `${verdict}: of the ${counted(valid, "ball", "balls")} within a pixel of yours in place and radius, ${solved} ${solved === 1 ? "solves" : "solve"} it.`,
   },
 
   replays: {
@@ -32,14 +32,16 @@ export const attempts = {
     read: (/** @type {number} */ share) => `${percent(share)} of the file is read.`,
     begun: "Each attempt is simulated again.",
     simulated: (/** @type {number} */ done, /** @type {number} */ of) =>
-      `${number(done)} of ${number(of)} attempts are simulated again.`,
+      `${number(done)} of ${counted(of, "attempt", "attempts")} simulated again.`,
     stop: "Stop",
     /** @type {(name: string, same: number, done: number) => string} */
-    result: (name, same, done) => `${name}: ${number(same)} of ${number(done)} attempts come out the same to the bit.`,
-    stopped: (/** @type {number} */ rest) => `You stopped before the other ${number(rest)}.`,
+    result: (name, same, done) =>
+      `${name}: ${number(same)} of ${counted(done, "attempt", "attempts")} ${same === 1 ? "comes" : "come"} out the same to the bit.`,
+    stopped: (/** @type {number} */ rest) =>
+      `You stopped before the ${rest === 1 ? "last one" : `other ${number(rest)}`}.`,
     listed: (/** @type {number} */ count) => `The first ${number(count)} are listed.`,
     left: (/** @type {number} */ count, /** @type {number} */ most) =>
-      `${number(count)} more are in the file: the page reads ${number(most)}, “pathlight verify” all.`,
+      `${number(count)} more ${count === 1 ? "is" : "are"} in the file: the page reads ${number(most)}, “pathlight verify” all.`,
 
     ball: (/** @type {number} */ x, /** @type {number} */ y, /** @type {number} */ r) => `x ${x}, y ${y}, radius ${r}`,
     noBall: "no ball",

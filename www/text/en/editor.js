@@ -72,7 +72,7 @@ export const editor = {
     solvesItself: "The scene solves itself, without any ball.",
     /** @type {(solved: number, valid: number, ended: boolean) => string} */
     found: (solved, valid, ended) =>
-      `It can be solved: ${number(solved)} of ${tried(valid, ended)} solve it, ${share(solved / valid)}.`,
+      `It can be solved: ${number(solved)} of ${tried(valid, ended)} ${solved === 1 ? "solves" : "solve"} it, ${share(solved / valid)}.`,
     /** @type {(valid: number, ended: boolean) => string} */
     none: (valid, ended) => `No solution found in ${tried(valid, ended)}.`,
     harder: (/** @type {number} */ rank) => `${percent(rank)} of the benchmark’s puzzles are harder.`,
