@@ -53,10 +53,10 @@ test("a link to the same puzzle without a ball leaves it, and back moves none; t
 });
 
 test("what is changed just before the page is loaded again is in its address", async () => {
-  const page = await openPuzzle(session);
-  await type(page, [90, 190, 7]);
-  await page.waitForFunction(() => /ball=90,190,7/.test(location.hash));
+  const page = await openPuzzle(session, { fragment: "&ball=90,190,7" });
+  await page.clock.install();
   await page.locator("#scene").focus();
+  await page.clock.runFor(1000);
   await page.keyboard.press("ArrowRight");
   await page.reload();
   await page.waitForFunction(() => /ball=91,190,7/.test(location.hash));

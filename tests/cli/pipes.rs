@@ -1,5 +1,5 @@
-//! A reader that closes the pipe early ends any command quietly: no panic, no error, success; `verify` ends with the code
-//! of all lines.
+//! A reader that closes the pipe early ends any command quietly: no panic, no error, success; `verify` ends with the
+//! code of all lines.
 
 use std::process::{Output, Stdio};
 
