@@ -43,7 +43,7 @@ fn a_success_net_joins_the_weights_and_orders_the_attempts() {
     fs::write(&silent, without_siblings.collect::<String>()).expect("a file");
     assert_refused(
         &["train", "success", "--weights", WEIGHTS, "--labels", &silent.display().to_string()],
-        "does not say which balls were sampled around solutions of test tasks",
+        "does not say which balls were sampled around solutions of test or dev tasks",
     );
 
     let cut = train("cut", &["--stop-after", "3"]);

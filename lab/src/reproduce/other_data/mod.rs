@@ -47,10 +47,11 @@ pub fn page(table: Table, folder: &Path, main: &Path) -> anyhow::Result<String> 
         main.display(),
         folder.display()
     );
-    for fold in on_folds.iter().filter(|report| !report.is_of(&report.fold_id().tasks().test)).map(Report::fold_id) {
+    if let Some(cut) = on_folds.iter().find(|report| !report.is_of(&report.fold_id().tasks().test)) {
         anyhow::bail!(
-            "{}/{fold}.json is not of all test tasks of its fold: name the folder of the main results with --main",
-            main.display()
+            "{}/{}.json is not of all test tasks of its fold: name the folder of the main results with --main",
+            main.display(),
+            cut.fold_id()
         );
     }
     let results = Results { table, reports, main: on_folds, on_all_tasks };
