@@ -145,7 +145,7 @@ export class Benchmark {
   }
 
   /**
-   * Simulates a task, with a ball if one is given. An invalid ball is no error: the status of its rollout is
+   * Simulates a task with a ball, or without one. An invalid ball is no error: the status of its rollout is
    * `invalid`.
    * @param {Puzzle} task
    * @param {Ball | null} [ball]
