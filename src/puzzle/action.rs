@@ -89,11 +89,11 @@ impl Ball {
         Obstacles::new(scene).check(self)
     }
 
-    /// Checks all but that this ball overlaps no body: its radius, and that it is inside the scene.
+    /// Checks the radius of this ball, and that it is inside the scene; it may overlap bodies.
     ///
     /// # Errors
     /// The reason why it is invalid.
-    pub fn check_alone(&self) -> Result<(), Invalid> {
+    pub fn check_bounds(&self) -> Result<(), Invalid> {
         if !RADIUS.contains(&self.r) {
             return Err(Invalid::Radius);
         }
@@ -189,7 +189,7 @@ impl Obstacles {
     /// # Errors
     /// The reason why it is invalid.
     pub fn check(&self, ball: &Ball) -> Result<(), Invalid> {
-        ball.check_alone()?;
+        ball.check_bounds()?;
         match self.0.iter().find(|obstacle| overlaps(obstacle.clearance([ball.x, ball.y], ball.r), ball.r)) {
             Some(obstacle) => Err(Invalid::Overlaps(obstacle.body)),
             None => Ok(()),

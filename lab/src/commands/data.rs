@@ -168,13 +168,13 @@ impl Label {
     }
 
     fn scenes(&self) -> Scenes {
-        let &Label { variants, blends, unlisted, random_scenes, .. } = self;
-        let of_number = blends.map(Scenes::Blends).or(unlisted.map(Scenes::Unlisted));
-        of_number.or(random_scenes.map(Scenes::Random)).unwrap_or(if variants {
-            Scenes::Variants
-        } else {
-            Scenes::Tasks
-        })
+        match *self {
+            Label { variants: true, .. } => Scenes::Variants,
+            Label { blends: Some(count), .. } => Scenes::Blends(count),
+            Label { unlisted: Some(count), .. } => Scenes::Unlisted(count),
+            Label { random_scenes: Some(count), .. } => Scenes::Random(count),
+            _ => Scenes::Tasks,
+        }
     }
 }
 

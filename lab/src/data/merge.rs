@@ -60,7 +60,7 @@ fn read<E: Entry>(
         let template = template(&mut settings).take().with_context(|| {
             format!("{name} is not of one template: make it with `pathlight-lab {} --template`", E::COMMAND)
         })?;
-        ensure!(template < TEMPLATES.len(), "{name} is of no template that there is: make it again");
+        ensure!(template < TEMPLATES.len(), "{name} names a template that does not exist: make it again");
         if let Some(other) = shards.get(&template) {
             anyhow::bail!("{name} and {} are of the same template: leave one out", other.path.display());
         }
@@ -131,7 +131,8 @@ fn merged_labels(files: &[PathBuf]) -> anyhow::Result<Vec<u8>> {
     for (shard, per_round) in shards.iter().zip(&per_round) {
         ensure!(
             shard.entries.len() == rounds * per_round,
-            "{} and {} do not have equally many whole rounds: continue them with the `pathlight-lab data label` that began them",
+            "{} and {} do not have equally many whole rounds: continue them with the `pathlight-lab data label` that \
+             began them",
             shards[0].path.display(),
             shard.path.display()
         );

@@ -12,8 +12,7 @@ use std::io::{BufRead, BufReader, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, bail, ensure};
-use pathlight::puzzle::action::{Ball, RADIUS};
-use pathlight::puzzle::scene::SIZE;
+use pathlight::puzzle::action::Ball;
 use pathlight::puzzle::task::{TaskId, ids};
 use pathlight::puzzle::templates::TEMPLATES;
 use serde::Serialize;
@@ -210,10 +209,6 @@ pub fn check_task(task: TaskId) -> Result<(), String> {
 /// # Errors
 /// Names ball and scene if not.
 pub fn check_ball(scene: &impl Display, ball: &Ball) -> Result<(), String> {
-    let span = ball.r..=SIZE - ball.r;
-    if RADIUS.contains(&ball.r) && span.contains(&ball.x) && span.contains(&ball.y) {
-        Ok(())
-    } else {
-        Err(format!("the ball {ball} of {scene} has a wrong radius or is not inside the scene"))
-    }
+    let fault = |_| format!("the ball {ball} of {scene} has a wrong radius or is not inside the scene");
+    ball.check_bounds().map_err(fault)
 }

@@ -87,10 +87,9 @@ pub struct AgentMean {
 pub fn comparison(results: &Path) -> anyhow::Result<Comparison> {
     let folds = fold_result::read(results)?;
     for fold in FoldId::all() {
-        let is_whole =
-            |result: &&FoldResult| result.report.fold_id() == fold && result.report.is_of(&fold.tasks().test);
+        let is_whole = |report: &Report| report.fold_id() == fold && report.is_of(&fold.tasks().test);
         ensure!(
-            folds.iter().any(|result| is_whole(&result)),
+            folds.iter().any(|result| is_whole(&result.report)),
             "{} has no result on all test tasks of {fold}: run `pathlight-lab reproduce`, or name another folder with \
              --main",
             results.display()

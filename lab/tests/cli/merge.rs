@@ -74,7 +74,7 @@ fn files_of_single_templates_make_the_file_of_all() {
     merge_with(&[&files[3]], &path("new.jsonl"), "are of the same template");
     let no_template = fs::read_to_string(&files[0]).expect("a file").replacen("\"template\":24", "\"template\":99", 1);
     fs::write(path("none.jsonl"), no_template).expect("written");
-    merge_with(&[&path("none.jsonl")], &path("new.jsonl"), "is of no template that there is");
+    merge_with(&[&path("none.jsonl")], &path("new.jsonl"), "names a template that does not exist");
     fs::write(path("other.jsonl"), "kept").expect("written");
     merge_with(&[], &path("other.jsonl"), "exists with other contents");
     assert_eq!(fs::read_to_string(path("other.jsonl")).expect("a file"), "kept");

@@ -109,7 +109,7 @@ impl SavedPuzzle {
             let is_valid = match &self.source {
                 PuzzleSource::Task(_) => ball.check(&scene).is_ok(),
                 // Its numbers were rounded, so a ball that touched a body may overlap it now.
-                PuzzleSource::Scene(_) => ball.check_alone().is_ok(),
+                PuzzleSource::Scene(_) => ball.check_bounds().is_ok(),
             };
             if !is_valid || !(0.0..=1.0).contains(chance) || rounded(*chance, CHANCES) != *chance {
                 return Err(MemoryError::Attempt { puzzle, attempt: attempt + 1 });

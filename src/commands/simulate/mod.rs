@@ -59,7 +59,7 @@ pub struct Args {
     verifiable: bool,
 
     /// Also print how many of the 27 balls within a pixel in x, y and radius may be placed and how many of these solve,
-    /// and whether the ball itself solves with --engine rapier: few and no are signs of luck
+    /// and whether the ball itself solves with --engine rapier
     #[arg(long, conflicts_with_all = ["verifiable", "batch", "engine"])]
     luck: bool,
 
