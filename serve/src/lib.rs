@@ -53,7 +53,7 @@ pub struct Args {
 
     /// Answer requests for these host names too, for example behind a proxy; a server on a loopback address refuses all
     /// but its own names
-    #[arg(long, value_name = "NAME", num_args = 1..)]
+    #[arg(long, value_name = "NAME", num_args = 1.., value_parser = host_name)]
     allow_host: Vec<String>,
 
     /// Close connections that make no progress for this time
@@ -182,6 +182,15 @@ fn origin(text: &str) -> Result<String, String> {
         Ok(text.to_string())
     } else {
         Err("name a scheme, a host and no path, like https://school.example or http://127.0.0.1:8000".to_string())
+    }
+}
+
+/// Parses the name of a host, which `Hosts` compares with the name in the `Host` header.
+fn host_name(text: &str) -> Result<String, String> {
+    if !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_alphanumeric() || b".-_".contains(&byte)) {
+        Ok(text.to_string())
+    } else {
+        Err("give the name or the IPv4 address alone, without scheme and port, like play.example".to_string())
     }
 }
 

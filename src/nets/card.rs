@@ -9,7 +9,7 @@ use crate::benchmark::folds::{FoldId, Setup};
 /// Weights that were trained on a fold other than the one whose test tasks they are to solve.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error(
-    "the weights were trained on {} {}, so they may have seen the test tasks of {} {}: use other weights",
+    "the weights were trained on {0} {1}, so they may have seen the test tasks of {2} {3}: use weights of {2} {3}",
     .trained_on.setup, .trained_on.fold, .asked.setup, .asked.fold
 )]
 pub struct OtherFold {

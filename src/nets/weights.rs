@@ -30,9 +30,9 @@ const CARD: &str = "pathlight";
 pub enum WeightsError {
     #[error("not a safetensors file ({0}): download or train the weights again")]
     NotSafetensors(safetensors::SafeTensorError),
-    #[error("the file does not record how it was trained: write weights with `pathlight-lab train paths`")]
+    #[error("the file does not record how it was trained: train weights with `pathlight-lab train`")]
     NoCard,
-    #[error("the card of the weights cannot be read ({0}): write weights with `pathlight-lab train paths`")]
+    #[error("the card of the weights cannot be read ({0}): they belong to other nets, or have to be trained again")]
     BadCard(serde_json::Error),
     #[error("the weights lack `{0}`: they belong to other nets")]
     Missing(String),

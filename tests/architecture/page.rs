@@ -110,8 +110,8 @@ fn an_import_of_a_later_folder_is_found() {
     assert_eq!(imports("model/worker.js", "import {\n  Session,\n} from '../play/session.js';"), 1);
     assert_eq!(imports("loading/load-wasm.js", "const page = await import(\"../page/page.js\");"), 1);
     assert_eq!(imports("widgets/dom.js", "import \"../model/map-text.js\";"), 1);
-    assert_eq!(imports("panels/compare.js", "import { byId } from \"../widgets/dom.js\";"), 0);
-    assert_eq!(imports("panels/compare.js", "import { TroubleBox } from \"./trouble-box.js\";"), 0);
+    assert_eq!(imports("panels/race.js", "import { byId } from \"../widgets/dom.js\";"), 0);
+    assert_eq!(imports("panels/race.js", "import { TroubleBox } from \"./trouble-box.js\";"), 0);
     assert_eq!(imports("widgets/component.js", "/** @typedef {import(\"../play/session.js\").Session} Session */"), 0);
     assert_eq!(imports("model/worker.js", "import init from \"../pkg/pathlight.js\";"), 0);
 }

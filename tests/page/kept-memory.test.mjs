@@ -3,10 +3,12 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { BrowserStore } from "../../www/storage/browser-store.js";
 import { KeptMemory } from "../../www/storage/kept-memory.js";
+import { Progress } from "../../www/storage/progress.js";
 
 const MODEL = "within-0";
-const fresh = () => new KeptMemory(false, () => {});
+const fresh = () => new KeptMemory(new BrowserStore(false));
 
 /** A memory of the wasm's that ends with attempts at a puzzle, each with a ball of its own. */
 function json(task, count, rest = {}) {
@@ -68,4 +70,14 @@ test("forgetting is for one model", () => {
   memory.forget(MODEL);
   assert.deepEqual(keys(memory), []);
   assert.equal(memory.puzzles("cross-0").length, 1);
+});
+
+test("who forgets all progress forgets a memory that the browser has not stored", () => {
+  const progress = new Progress(false);
+  let changes = 0;
+  progress.memory.addEventListener("change", () => changes++);
+  progress.memory.add(MODEL, { key: "a", name: null }, json("a", 1));
+  progress.clear();
+  assert.deepEqual(keys(progress.memory), []);
+  assert.equal(changes, 2);
 });

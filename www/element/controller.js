@@ -70,7 +70,7 @@ export class PuzzleController extends EventTarget {
       client: this.#client,
       progress,
       preferences: this.#preferences,
-      memory: new ModelMemory(this.#client, progress.persistent),
+      memory: new ModelMemory(this.#client, progress.memory),
       hrefOf: /** @type {HrefOf} */ ((task, panel) => hrefOf()?.(task, panel) ?? null),
     };
     this.#components = new Components(parts, (component) => this.#listenTo(component));

@@ -6,7 +6,6 @@
 //   change   it remembers something else, or another model is loaded
 
 import { puzzleKey } from "../shell/puzzle-key.js";
-import { KeptMemory } from "../storage/kept-memory.js";
 
 /** @typedef {import("../pkg/pathlight.js").Ball} Ball */
 /** @typedef {import("../pkg/pathlight.js").TriedProposal} TriedProposal */
@@ -27,12 +26,13 @@ export class ModelMemory extends EventTarget {
 
   /**
    * @param {SharedClient} client
-   * @param {boolean} persistent does it outlast the page?
+   * @param {import("../storage/kept-memory.js").KeptMemory} kept
    */
-  constructor(client, persistent) {
+  constructor(client, kept) {
     super();
     this.#client = client;
-    this.kept = new KeptMemory(persistent, () => this.#changed());
+    this.kept = kept;
+    kept.addEventListener("change", () => this.#changed());
     client.addEventListener("change", () => {
       if (client.status === "ready") for (const attempt of this.#waiting.splice(0)) this.remember(...attempt);
       this.#changed();
@@ -71,7 +71,6 @@ export class ModelMemory extends EventTarget {
   /** Forgets all that the loaded model remembers. */
   forget() {
     this.kept.forget(this.#name);
-    this.#changed();
   }
 
   /**
@@ -108,7 +107,7 @@ export class ModelMemory extends EventTarget {
   /**
    * Asks the worker for a memory in which the open puzzle is the last, and keeps it.
    * @param {Open} open
-   * @param {(others: ReturnType<KeptMemory["without"]>) => Promise<string>} call
+   * @param {(others: ReturnType<ModelMemory["kept"]["without"]>) => Promise<string>} call
    */
   async #ask({ puzzle, about }, call) {
     const name = this.#name;
@@ -121,7 +120,6 @@ export class ModelMemory extends EventTarget {
       return call(others());
     });
     this.kept.add(name, { key, name: about.id === null ? about.name : null }, json);
-    this.#changed();
   }
 
   #changed() {

@@ -4,7 +4,7 @@
 import { AttemptList } from "../play/attempt-list.js";
 import { text } from "../text/text.js";
 import { byId } from "../widgets/dom.js";
-import { Compare } from "./compare.js";
+import { Race } from "./race.js";
 import { ModelPair } from "./model-pair.js";
 import { Proposals } from "./proposals.js";
 import { Remembers } from "./remembers.js";
@@ -53,7 +53,7 @@ export const COMPARE = {
   },
   create: ({ root, module, client, progress, preferences, memory, hrefOf, imagine, scenePicture }) => [
     new AttemptList(root, byId(root, "model-attempts"), byId(root, "model-count"), "model"),
-    new Compare(root, client, memory, (task) => hrefOf(task, "play")),
+    new Race(root, client, memory, (task) => hrefOf(task, "play")),
     new Remembers(root, memory, preferences),
     new Proposals(root, client, imagine),
     new ModelPair(root, module, client, scenePicture),

@@ -6,7 +6,7 @@ import { SCENE_SIZE } from "../shell/constants.js";
 import { contextOf } from "../widgets/dom.js";
 import { Gestures } from "./gestures.js";
 import { Loupe } from "./loupe.js";
-import { isModels, namesOf } from "./whose.js";
+import { isModels, namesOf } from "./ball-names.js";
 
 /** @typedef {[x: number, y: number]} Point px of the scene, from its lower left corner */
 

@@ -1,6 +1,6 @@
 // One frame of what the scene shows, on another canvas: for pictures and films that are saved.
 
-import { namesOf } from "./whose.js";
+import { namesOf } from "./ball-names.js";
 
 /**
  * @param {import("./session.js").Session} session

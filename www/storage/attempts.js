@@ -43,6 +43,12 @@ export function identityOf(attempt) {
   return `${turnOf(attempt)} ${attempt.ball}`;
 }
 
+/** @type {(attempt: KeptAttempt, puzzle: string, by: string) => boolean} */
+export const isOf = (attempt, puzzle, by) => attempt.puzzle === puzzle && attempt.by === by;
+
+/** @type {(a: Versions, b: Versions) => number} */
+export const compareVersions = (a, b) => a.simulator - b.simulator || (a.agents ?? 0) - (b.agents ?? 0);
+
 /**
  * Attempts by what they have in common.
  * @param {KeptAttempt[]} attempts

@@ -2,8 +2,6 @@
 // each puzzle also has the key that its attempts are kept under, and a custom one its name. What cannot be read is
 // forgotten. Knows nothing of the document, nor how a memory is used.
 
-import { BrowserStore } from "./browser-store.js";
-
 /**
  * A puzzle that is remembered; all but its key and its name is the wasm's.
  * @typedef {{ key: string, name?: string, attempts: { ball: import("../pkg/pathlight.js").Ball }[] }} Remembered
@@ -17,17 +15,16 @@ const PREFIX = "memory.";
  */
 const MOST = 200_000;
 
-export class KeptMemory {
+/** Fires "change" whenever a model remembers something else, also when another tab has written it. */
+export class KeptMemory extends EventTarget {
   /** Was a memory damaged or of another version, so that it is gone? */
   damaged = false;
   #store;
 
-  /**
-   * @param {boolean} persistent does it outlast the page?
-   * @param {() => void} onChange another tab has changed it
-   */
-  constructor(persistent, onChange) {
-    this.#store = new BrowserStore(persistent, (key) => (key ?? PREFIX).startsWith(PREFIX) && onChange());
+  /** @param {import("./browser-store.js").BrowserStore} store */
+  constructor(store) {
+    super();
+    this.#store = store;
   }
 
   /**
@@ -70,21 +67,37 @@ export class KeptMemory {
     while (text().length > MOST) puzzles.shift();
     // What the browser does not take lasts as long as the page, which the home page says of all that is kept.
     this.#store.set(PREFIX + model, text());
+    this.#changed();
   }
 
   /** @param {string} model */
   forget(model) {
     this.#store.set(PREFIX + model, null);
     this.damaged = false;
+    this.#changed();
+  }
+
+  /** Forgets what all models remember. */
+  clear() {
+    for (const key of this.#store.keys(PREFIX)) this.#store.set(key, null);
+    this.#changed();
   }
 
   /**
-   * Forgets what the wasm could not read either.
+   * Deletes a memory that is damaged; the wasm may be the one that could not read it.
    * @param {string} model
    */
   dropDamaged(model) {
-    this.forget(model);
+    this.#store.set(PREFIX + model, null);
     this.damaged = true;
+  }
+
+  /**
+   * Another tab has written this key.
+   * @param {string | null} key null for all
+   */
+  refresh(key) {
+    if ((key ?? PREFIX).startsWith(PREFIX)) this.#changed();
   }
 
   /**
@@ -105,12 +118,8 @@ export class KeptMemory {
     this.dropDamaged(model);
     return null;
   }
-}
 
-/**
- * Forgets what all models remember.
- * @param {BrowserStore} store
- */
-export function forgetMemories(store) {
-  for (const key of store.keys(PREFIX)) store.set(key, null);
+  #changed() {
+    this.dispatchEvent(new Event("change"));
+  }
 }

@@ -7,14 +7,16 @@ import {
   MAX_NUMBER,
   PLAYER,
   compareAttempts,
+  compareVersions,
   grouped,
   identityOf,
+  isOf,
   mergeAttempts,
   turnOf,
 } from "./attempts.js";
 import { AttemptStore, CUSTOM, slotOf } from "./attempt-store.js";
 import { BrowserStore } from "./browser-store.js";
-import { forgetMemories } from "./kept-memory.js";
+import { KeptMemory } from "./kept-memory.js";
 import { Author } from "./author.js";
 import { Counts, StoredCounts, isCountsKey, merge, progressOf } from "./counts.js";
 
@@ -38,6 +40,8 @@ const PIECE = 1000;
 /** Fires "change" whenever it holds something else, also when another tab has written it. */
 export class Progress extends EventTarget {
   player = new Author(this, PLAYER);
+  /** What the models remember. */
+  memory;
   #store;
   #isKept;
   #attempts;
@@ -48,6 +52,7 @@ export class Progress extends EventTarget {
     super();
     this.#isKept = persistent;
     this.#store = new BrowserStore(persistent, (key) => this.#onStored(key));
+    this.memory = new KeptMemory(this.#store);
     this.#counts = new StoredCounts(this.#store);
     this.#attempts = new AttemptStore(this.#store, (by, task) => this.#counts.of(by, task).solved);
   }
@@ -169,7 +174,7 @@ export class Progress extends EventTarget {
   clear() {
     this.#attempts.clear();
     this.#counts.clear();
-    forgetMemories(this.#store);
+    this.memory.clear();
     this.#changed();
   }
 
@@ -275,6 +280,7 @@ export class Progress extends EventTarget {
 
   /** @param {string | null} key */
   #onStored(key) {
+    this.memory.refresh(key);
     const isCounts = key === null || isCountsKey(key);
     if (isCounts) this.#counts.refresh();
     if (this.#attempts.refresh(key) || isCounts) this.#changed();
@@ -284,12 +290,6 @@ export class Progress extends EventTarget {
     this.dispatchEvent(new Event("change"));
   }
 }
-
-/** @type {(attempt: KeptAttempt, puzzle: string, by: string) => boolean} */
-const isOf = (attempt, puzzle, by) => attempt.puzzle === puzzle && attempt.by === by;
-
-/** @type {(a: KeptAttempt, b: KeptAttempt) => number} */
-const compareVersions = (a, b) => a.simulator - b.simulator || (a.agents ?? 0) - (b.agents ?? 0);
 
 /** @type {Partial<Record<"kept" | "forgotten", Progress>>} */
 const shared = {};

@@ -68,6 +68,13 @@ fn what_is_not_an_origin_is_refused() {
 }
 
 #[test]
+fn what_is_not_a_host_name_is_refused() {
+    for text in ["", "https://play.example", "play.example:8080", "[fd00::1]", "play.example/", "*.play.example"] {
+        assert_refused(&["--allow-host", text], "without scheme and port");
+    }
+}
+
+#[test]
 fn nothing_outside_the_folders_is_served() {
     let server = Server::start();
     for path in [

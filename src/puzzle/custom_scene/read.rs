@@ -18,8 +18,13 @@ impl CustomScene {
         match keys.get("version") {
             Some(version) if version.as_f64() == Some(f64::from(VERSION)) => {}
             Some(version) => {
+                let remedy = if version.as_f64().is_some_and(|version| version > f64::from(VERSION)) {
+                    "use a newer Pathlight".to_string()
+                } else {
+                    format!("set it to {VERSION} if it is a scene")
+                };
                 return Err(vec![Problem::unreadable(format!(
-                    "This is a scene of version {version}, and this Pathlight reads version {VERSION}: use a newer one."
+                    "The version of this scene is {version}, and this Pathlight reads version {VERSION}: {remedy}."
                 ))]);
             }
             None if keys.contains_key("id") && keys.contains_key("params") => {
@@ -127,6 +132,10 @@ mod tests {
         ];
         for (pointer, value) in wrong {
             assert!(problem(pointer, value).sentence.ends_with('.'), "{pointer}");
+        }
+        for (version, remedy) in [(json!(2), "use a newer Pathlight."), (json!("1"), "set it to 1 if it is a scene.")] {
+            let sentence = problem("/version", version).sentence;
+            assert!(sentence.ends_with(remedy), "{sentence}");
         }
     }
 }

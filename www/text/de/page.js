@@ -103,7 +103,9 @@ export const page = {
     ofKind: (solved, of, made) => `${solved ? "✓" : "×"} ${solved} von ${of} gelöst, ${inAttempts(made)}`,
     forbidden: "Dieser Browser lässt die Seite nichts speichern: Wenn du sie schließt, ist dein Fortschritt weg.",
     full: (made) =>
-      `Dieser Browser hat keinen Platz mehr: ${counted(made, "Versuch geht", "Versuche gehen")} verloren, wenn du ${made === 1 ? "ihn" : "sie"} nicht als Datei speicherst, bevor du die Seite schließt.`,
+      made
+        ? `Dieser Browser hat keinen Platz mehr: ${counted(made, "Versuch geht", "Versuche gehen")} verloren, wenn du ${made === 1 ? "ihn" : "sie"} nicht als Datei speicherst, bevor du die Seite schließt.`
+        : "Dieser Browser hat keinen Platz mehr: Woran sich das Modell erinnert, ist weg, wenn du die Seite schließt.",
     readBack: (count, made) => `Eingelesen: ${puzzles(count)} mit ${counted(made, "Versuch", "Versuchen")}.`,
     added: (made, solved) => `Neu hier: ${attempts(made)}, ${counted(solved, "gelöstes Rätsel", "gelöste Rätsel")}.`,
     left: (made, most) =>

@@ -104,7 +104,9 @@ export const page = {
       `${solved ? "✓" : "×"} ${solved} of ${of} solved, in ${attempts(made)}`,
     forbidden: "This browser does not let the page store anything: your progress is lost when you close the page.",
     full: (/** @type {number} */ made) =>
-      `This browser has no room left: ${counted(made, "attempt is", "attempts are")} lost when you close the page, unless you save them to a file.`,
+      made
+        ? `This browser has no room left: ${counted(made, "attempt is", "attempts are")} lost when you close the page, unless you save them to a file.`
+        : "This browser has no room left: what the model remembers is lost when you close the page.",
     readBack: (/** @type {number} */ count, /** @type {number} */ made) =>
       `Loaded: ${puzzles(count)}, with ${attempts(made)}.`,
     added: (/** @type {number} */ made, /** @type {number} */ solved) =>

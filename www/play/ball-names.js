@@ -1,12 +1,11 @@
-// Whose balls a scene shows: their names beside them, and whether the model plays. Knows nothing of the document.
+// The names beside the balls of a run, and whether it is the model's. Knows nothing of the document.
 
 import { text } from "../text/text.js";
 
 /** @typedef {Pick<import("./session.js").Session, "state">} Showing */
 
 /**
- * Whose ball is whose: of the model's, and of a person's and the model's that run over each other. A person's alone
- * needs no name.
+ * The names of the balls, in their order: none for a person's run alone.
  * @param {Showing} session
  * @returns {string[]}
  */

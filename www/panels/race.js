@@ -12,7 +12,7 @@ import { showSource } from "./ball-source.js";
 
 /** @typedef {import("../play/session.js").Session} Session */
 
-export class Compare extends Component {
+export class Race extends Component {
   #client;
   #memory;
   #hrefOf;
