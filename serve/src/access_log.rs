@@ -2,6 +2,8 @@
 
 use std::io::{self, Write};
 use std::net::SocketAddr;
+use std::sync::mpsc::{SyncSender, sync_channel};
+use std::thread;
 use std::time::SystemTime;
 
 use axum::Extension;
@@ -10,15 +12,34 @@ use axum::http::header;
 use axum::middleware::Next;
 use axum::response::Response;
 
-/// Writes one line to standard output for each request, when its response starts.
-pub async fn log(Extension(client): Extension<SocketAddr>, request: Request, next: Next) -> Response {
+/// How many lines wait for a reader that has paused; further ones are dropped.
+const WAITING_LINES: usize = 1024;
+
+/// Where lines are sent to be written.
+pub type Lines = SyncSender<String>;
+
+/// Starts the thread that writes to standard output. It is one of its own, so that a reader that pauses does not hold up
+/// the server.
+pub fn start() -> Lines {
+    let (sender, lines) = sync_channel::<String>(WAITING_LINES);
+    thread::spawn(move || {
+        for line in lines {
+            // `println!` would panic when the reader is gone.
+            let _ = writeln!(io::stdout(), "{line}");
+        }
+    });
+    sender
+}
+
+/// Writes one line for each request, when its response starts.
+pub async fn log(lines: Lines, Extension(client): Extension<SocketAddr>, request: Request, next: Next) -> Response {
     let request_line = format!("{} {} {:?}", request.method(), request.uri(), request.version());
     let time = timestamp(SystemTime::now());
     let response = next.run(request).await;
     let length = response.headers().get(header::CONTENT_LENGTH).and_then(|length| length.to_str().ok()).unwrap_or("-");
-    // `Debug` quotes the request line and escapes quotes in it. `println!` would panic when the reader is gone.
+    // `Debug` quotes the request line and escapes quotes in it.
     let status = response.status().as_u16();
-    let _ = writeln!(io::stdout(), "{} - - [{time}] {request_line:?} {status} {length}", client.ip());
+    let _ = lines.try_send(format!("{} - - [{time}] {request_line:?} {status} {length}", client.ip()));
     response
 }
 

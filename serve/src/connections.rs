@@ -37,6 +37,8 @@ pub async fn serve(listener: TcpListener, router: Router, patience: Duration, st
     let service = router.into_service();
     let mut builder = http1::Builder::new();
     builder.timer(TokioTimer::new()).header_read_timeout(patience).max_buf_size(MAX_HEAD);
+    // Some clients close their half once they have asked: `nc -N`.
+    builder.half_close(true);
     let open = GracefulShutdown::new();
     let mut stop = pin!(stop);
     loop {

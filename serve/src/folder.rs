@@ -50,7 +50,14 @@ impl Backend for Folder {
 
     fn open(&self, path: PathBuf) -> Self::OpenFuture {
         let folder = self.clone();
-        Box::pin(async move { TokioBackend.open(folder.resolve(path).await?).await })
+        Box::pin(async move {
+            let path = folder.resolve(path).await?;
+            // To open a pipe would wait for somebody who writes into it.
+            if !tokio::fs::metadata(&path).await?.is_file() {
+                return Err(io::ErrorKind::NotFound.into());
+            }
+            TokioBackend.open(path).await
+        })
     }
 
     fn metadata(&self, path: PathBuf) -> Self::MetadataFuture {

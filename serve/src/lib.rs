@@ -114,8 +114,11 @@ impl Args {
             let stop = stop_signal()?;
             announce(address)?;
             connections::serve(listener, router, Duration::from_secs(self.patience.into()), stop).await;
-            Ok(())
-        })
+            anyhow::Ok(())
+        })?;
+        // A file system that does not answer must not keep it from ending.
+        runtime.shutdown_background();
+        Ok(())
     }
 }
 
@@ -210,7 +213,12 @@ fn router(page: &Folder, assets: &Folder, policy: HeaderValue, hosts: Hosts, log
         .into_iter()
         .chain([(header::CONTENT_SECURITY_POLICY, policy)])
         .fold(router, |router, (name, value)| router.layer(SetResponseHeaderLayer::overriding(name, value)));
-    if log { router.layer(middleware::from_fn(access_log::log)) } else { router }
+    if !log {
+        return router;
+    }
+    let lines = access_log::start();
+    router
+        .layer(middleware::from_fn(move |client, request, next| access_log::log(lines.clone(), client, request, next)))
 }
 
 /// Serves a folder. Files with a `.br` or `.gz` beside them are sent compressed; nothing is compressed per request, so

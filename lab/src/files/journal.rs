@@ -19,7 +19,8 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 
 use super::differences::differences;
-use super::file_lock::lock;
+use super::file_lock::wait_for_lock;
+use crate::progress::Progress;
 
 /// Longest line, bytes. Those of `label` have some 8,000.
 const MAX_LINE: u64 = 1 << 20;
@@ -48,13 +49,18 @@ pub struct Journal {
 }
 
 impl Journal {
-    /// Opens a file to append to, and returns the entries it holds. A new file begins with the settings.
+    /// Opens a file to append to, and returns the entries it holds. A new file begins with the settings. While another
+    /// process has it open, this one waits.
     ///
     /// # Errors
-    /// If the file has other settings, is damaged, is used by another process, or cannot be written.
-    pub fn open<E: Entry>(path: &Path, settings: &E::Settings) -> anyhow::Result<(Journal, Vec<E>)> {
+    /// If the file has other settings, is damaged, or cannot be written.
+    pub fn open<E: Entry>(
+        path: &Path,
+        settings: &E::Settings,
+        progress: &mut dyn Progress,
+    ) -> anyhow::Result<(Journal, Vec<E>)> {
         let name = path.display();
-        let mut journal = Journal { path: path.to_path_buf(), file: lock(path)?, ends: Vec::new() };
+        let mut journal = Journal { path: path.to_path_buf(), file: wait_for_lock(path, progress)?, ends: Vec::new() };
         if is_cut_off_in_the_settings(&journal.file, &serde_json::to_vec(settings)?)? {
             journal.file.set_len(0).and_then(|()| journal.file.rewind()).with_context(|| journal.cannot_write())?;
             journal.append(std::slice::from_ref(settings))?;

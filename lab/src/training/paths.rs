@@ -53,10 +53,15 @@ impl Settings {
     /// If the solutions cannot be used, or the folder cannot be continued or written.
     pub fn train(&self, progress: &mut dyn Progress) -> anyhow::Result<Option<PathBuf>> {
         let folder = self.run.out.clone().unwrap_or_else(|| training_folder(self.fold));
-        let (samples, card) = self.samples(progress)?;
+        let (solutions, card) = self.solutions()?;
         let trainer = Trainer::<PathNet>::new(self.run.seed);
         let data = digest(&self.solutions)?;
         let mut run = TrainingRun::open(folder, card, data, &["base", "target", "action", "placement"], trainer)?;
+        progress.say(&format!("making training images of {} solutions", solutions.len()));
+        let samples = solutions
+            .par_iter()
+            .map(|solution| Ok(sample(&Task::load(solution.task)?.scene, solution.ball)?))
+            .collect::<anyhow::Result<Vec<Sample>>>()?;
         let batches_per_epoch = samples.len().div_ceil(self.recipe.batch.into());
         let decay_steps = batches_per_epoch * self.recipe.decay_epochs;
         let schedule = Schedule::LinearDecay { peak: self.recipe.learning_rate, decay_steps };
@@ -91,8 +96,8 @@ impl Settings {
         order
     }
 
-    /// The samples of the fold's training tasks, and the card of nets trained on them.
-    fn samples(&self, progress: &mut dyn Progress) -> anyhow::Result<(Vec<Sample>, Card)> {
+    /// The solutions of the fold's training tasks, and the card of nets trained on them.
+    fn solutions(&self) -> anyhow::Result<(Vec<Solution>, Card)> {
         let PathsRecipe { batch, learning_rate, decay_epochs, mirror, without_dev } = self.recipe;
         let tasks = training_tasks(self.fold, without_dev);
         let Collected { solutions, simulator: version, .. } = read_solutions(&self.solutions)?;
@@ -106,11 +111,6 @@ impl Settings {
             solutions.into_iter().filter(|solution| tasks.binary_search(&solution.task).is_ok()).collect();
         ensure!(!chosen.is_empty(), "{name} holds no solutions of the training tasks of {}", self.fold);
         chosen.sort_by_key(|solution| solution.task);
-        progress.say(&format!("making training images of {} solutions", chosen.len()));
-        let samples = chosen
-            .par_iter()
-            .map(|solution| Ok(sample(&Task::load(solution.task)?.scene, solution.ball)?))
-            .collect::<anyhow::Result<Vec<Sample>>>()?;
         let card = Card {
             setup: self.fold.setup,
             fold: self.fold.fold,
@@ -121,12 +121,12 @@ impl Settings {
             decay_epochs,
             mirror,
             without_dev,
-            samples: samples.len(),
+            samples: chosen.len(),
             tasks: chosen.chunk_by(|a, b| a.task == b.task).count(),
             simulator: version,
             success: None,
             dynamics: None,
         };
-        Ok((samples, card))
+        Ok((chosen, card))
     }
 }

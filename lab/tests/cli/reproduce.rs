@@ -1,14 +1,15 @@
 //! `pathlight-lab reproduce`: results by the job array's script, and the report on them.
 
 use std::fs;
+use std::io::{BufRead, BufReader};
 use std::path::Path;
-use std::process::{Command, Output};
+use std::process::{Command, Output, Stdio};
 
 use pathlight_lab::data::collect::is_of_earlier_search;
 use serde_json::Value;
 use tempfile::tempdir;
 
-use super::{assert_refused, output_of, root};
+use super::{assert_refused, output_of, pathlight_lab, root};
 
 /// Arguments for all processes here: little data, little training, few tasks.
 fn small(folder: &Path) -> Vec<String> {
@@ -208,16 +209,22 @@ fn results_of_other_settings_are_found_before_a_fold_is_trained() {
 #[test]
 fn a_file_that_another_process_uses_is_left_alone() {
     let folder = tempdir().expect("a folder");
-    let path = folder.path().join("solutions.jsonl");
+    let path = folder.path().join("lock");
     let locked = fs::File::create(&path).expect("a file");
     locked.lock().expect("a lock");
-    let text = path.display().to_string();
-    assert_refused(&["data", "collect", "--out", &text], "another process uses");
-    assert_refused(&["data", "label", "--out", &text], "another process uses");
-    assert_eq!(fs::metadata(&path).expect("a file").len(), 0);
-    fs::rename(&path, folder.path().join("lock")).expect("renamed");
     let few = folder.path().join("few.jsonl").display().to_string();
-    output_of(&["data", "collect", "--template", "2", "--limit", "4", "--per-task", "2", "--out", &few]);
+    let collect = ["data", "collect", "--template", "2", "--limit", "4", "--per-task", "2", "--out"];
+    let mut waiting =
+        pathlight_lab().args(collect).arg(&path).stderr(Stdio::piped()).spawn().expect("the binary starts");
+    let mut lines = BufReader::new(waiting.stderr.take().expect("piped")).lines();
+    assert!(lines.any(|line| line.expect("text").contains("waiting until it has ended")));
+    assert_eq!(fs::metadata(&path).expect("a file").len(), 0);
+    locked.unlock().expect("unlocked");
+    lines.for_each(drop);
+    assert!(waiting.wait().expect("it ends").success());
+    output_of(&[&collect[..], &[&few]].concat());
+    assert_eq!(fs::read(&path).expect("a file"), fs::read(&few).expect("a file"));
+    locked.lock().expect("a lock");
     let train = ["train", "paths", "--solutions", &few, "--out", &folder.path().display().to_string()];
     assert_refused(&train, "another process uses");
 }

@@ -1,6 +1,8 @@
 //! Which files are served, and with which headers.
 
 use std::fs;
+#[cfg(unix)]
+use std::process::Command;
 
 use super::{Server, assert_refused, is, page, value};
 
@@ -65,6 +67,15 @@ fn what_is_not_an_origin_is_refused() {
     ] {
         assert_refused(&["--frame-ancestors", text], "name a scheme, a host and no path");
     }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_pipe_is_not_there() {
+    let server = Server::start();
+    let pipe = server.folder.path().join("www/pipe");
+    assert!(Command::new("mkfifo").arg(pipe).status().expect("mkfifo runs").success());
+    assert!(is(&server.get("/pipe", &[]).0, 404));
 }
 
 #[test]

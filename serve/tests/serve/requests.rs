@@ -2,8 +2,10 @@
 
 use std::fs;
 use std::io::{BufRead, BufReader, Read, Write};
-use std::net::TcpStream;
+use std::net::{Shutdown, TcpStream};
 
+#[cfg(unix)]
+use super::start_and_stop::signal;
 use super::{Server, is, value};
 
 #[test]
@@ -95,21 +97,47 @@ fn a_range_of_a_file_that_has_changed_is_answered_with_the_whole() {
 }
 
 #[test]
+fn a_client_that_has_asked_may_close_its_half() {
+    let server = Server::start();
+    for _ in 0..20 {
+        let mut stream = TcpStream::connect(&server.address).expect("it listens");
+        write!(stream, "GET /main.js HTTP/1.1\r\nHost: {}\r\n\r\n", server.address).expect("a request");
+        stream.shutdown(Shutdown::Write).expect("it is open");
+        let mut answer = String::new();
+        stream.read_to_string(&mut answer).expect("an answer");
+        assert!(answer.starts_with("HTTP/1.1 200 "), "{answer:?}");
+    }
+}
+
+#[test]
 fn the_log_has_a_line_for_each_request() {
     let mut server = Server::with(&["--log"]);
     server.get("/main.js?a=%22b", &[]);
     server.get("/no\"where", &[]);
     server.send("/main.js", &["Host: evil.example"]);
-    server.child.kill().expect("it runs");
-    let lines = BufReader::new(server.child.stdout.take().expect("piped")).lines();
-    let lines: Vec<String> = lines.map(|line| line.expect("UTF-8")).collect();
+    let mut lines = BufReader::new(server.child.stdout.take().expect("piped")).lines();
     let expected = [
         "\"GET /main.js?a=%22b HTTP/1.1\" 200 1000",
         "\"GET /no\\\"where HTTP/1.1\" 404 ",
         "\"GET /main.js HTTP/1.1\" 421 ",
     ];
-    assert_eq!(lines.len(), expected.len(), "{lines:?}");
-    for (line, request) in lines.iter().zip(expected) {
+    for request in expected {
+        let line = lines.next().expect("a line").expect("UTF-8");
         assert!(line.starts_with("127.0.0.1 - - [") && line.contains(&format!(" +0000] {request}")), "{line}");
     }
+    server.child.kill().expect("it runs");
+    assert_eq!(lines.count(), 0);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_log_that_nobody_reads_holds_nothing_up() {
+    let mut server = Server::with(&["--log"]);
+    // More than a pipe takes.
+    let long = format!("/main.js?{}", "a".repeat(20_000));
+    for _ in 0..20 {
+        assert!(is(&server.get(&long, &[]).0, 200));
+    }
+    signal(&server, "-TERM");
+    assert_eq!(server.child.wait().expect("it ends").code(), Some(0));
 }

@@ -34,7 +34,7 @@ fn an_ipv6_address_may_be_in_brackets() {
 
 /// Sends a signal to it.
 #[cfg(unix)]
-fn signal(server: &Server, name: &str) {
+pub fn signal(server: &Server, name: &str) {
     let sent = Command::new("kill").args([name, &server.child.id().to_string()]).status().expect("kill runs");
     assert!(sent.success());
 }

@@ -67,7 +67,7 @@ impl Settings {
             limit: self.selection.limit,
         };
         let tasks = self.selection.tasks();
-        let (mut journal, lines) = Journal::open::<CollectEntry>(&self.out, &settings)?;
+        let (mut journal, lines) = Journal::open::<CollectEntry>(&self.out, &settings, progress)?;
         let mut searched: Vec<TaskSolutions> = Vec::new();
         for (line, task) in lines.into_iter().zip(&tasks) {
             match line {

@@ -141,7 +141,7 @@ impl Settings {
         let solutions = read_solutions(&self.solutions)?.solutions.into_iter().filter(|one| allows(one.task));
         let labeller = Labeller { settings: self, tasks, nets, known: KnownSolutions::new(solutions) };
         let total = self.rounds * scenes.len();
-        let (mut journal, lines) = Journal::open::<LabelledBalls>(&self.out, &settings)?;
+        let (mut journal, lines) = Journal::open::<LabelledBalls>(&self.out, &settings, progress)?;
         for (line, scene) in lines.iter().zip(scenes.iter().cycle()) {
             ensure!(
                 line.scene.unchanged() == *scene,
