@@ -11,7 +11,7 @@
 # make timings   prints how long a person waits for the page
 # make pictures  takes pictures of all views of the page
 # make film      films the page for the README: assets/film.gif
-# make clean     removes what was built or installed here
+# make clean     removes what was built or installed here, but not what the lab has written into target
 
 PORT ?= 8080
 PAGE ?= target/page
@@ -38,7 +38,7 @@ play: $(PACKAGE)
 	@[ -x target/release/pathlight-serve ] || echo "== compiling the server (half a minute on 2 cores, once)"
 	@cargo build --release --workspace --bin pathlight-serve
 	@page=$(PAGE); \
-	$(BUNDLE) || { echo "warning: the page could not be bundled, so it starts more slowly; run make play again when npm reaches its registry" >&2; page=www; }; \
+	$(BUNDLE) || { echo "warning: the page could not be bundled, so it starts more slowly; mend what is said above, then run make play again" >&2; page=www; }; \
 	target/release/pathlight-serve --port $(PORT) --dir $$page
 
 check test:
@@ -75,5 +75,6 @@ $(PACKAGE): $(PACKAGED)
 	scripts/build-wasm
 
 clean:
-	cargo clean
+	rm -rf target/pathlight-*.tgz $(addprefix target/,bench compressed debug doc package page pictures release stages tmp \
+		tools wasm32-unknown-unknown wasm-package)
 	rm -rf dist www/pkg scripts/node_modules tests/browser/node_modules tests/package/node_modules

@@ -11,11 +11,11 @@
 
 import { createHash } from "node:crypto";
 import { existsSync } from "node:fs";
-import { mkdir, readFile, readdir, rm, writeFile } from "node:fs/promises";
+import { readFile, readdir } from "node:fs/promises";
 import { dirname, extname, join, posix } from "node:path";
 import { fileURLToPath } from "node:url";
 import { SOURCES, bundledPage } from "./bundle-page.mjs";
-import { isCompressible, writeCompressed } from "./compress.mjs";
+import { isCompressible, replaceFolder } from "./compress.mjs";
 
 const ROOT = join(dirname(fileURLToPath(import.meta.url)), "..");
 const SERVICE_WORKER = "offline/service-worker.js";
@@ -45,14 +45,7 @@ export async function buildDist({
     throw new Error(`${out} holds files that are not a built page: empty it, or name another folder`);
   }
   const files = await distFiles(page, assets);
-  await rm(out, { recursive: true, force: true });
-  const written = [...files].map(async ([path, content]) => {
-    const target = join(out, path);
-    await mkdir(dirname(target), { recursive: true });
-    await writeFile(target, content);
-    if (quality !== 0 && isCompressible(path)) await writeCompressed(target, content, quality);
-  });
-  await Promise.all(written);
+  await replaceFolder(out, files, quality);
   return files;
 }
 

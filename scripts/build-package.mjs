@@ -63,13 +63,15 @@ export const loadStyleSheets = () =>
 };
 
 /**
- * What a bundler gets of the package. Before version 8, Vite's development server packs modules of packages into a
+ * What a bundler gets of the package, and Node of the element. Before version 8, Vite's development server packs modules of packages into a
  * folder of its own, where their addresses lead nowhere; those that are not called .js it leaves where they are. And
  * Parcel finds these files by their names, without `exports`.
  */
 const ENTRY_MODULES = {
   "pathlight.jsx": 'export * from "./api/index.js";\n',
   "element.jsx": 'export * from "./element/pathlight-puzzle.js";\n',
+  // Where a server renders a page, the element is a tag; the browser makes a puzzle of it.
+  "element-in-node.js": "export {};\n",
 };
 
 rmSync(stage, { recursive: true, force: true });

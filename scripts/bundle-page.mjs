@@ -6,11 +6,11 @@
 // relative to a folder beside that of the module ("../pkg/…"), lead where they led before. The sources work without it.
 
 import { existsSync } from "node:fs";
-import { mkdir, readFile, readdir, rm, writeFile } from "node:fs/promises";
+import { readFile, readdir } from "node:fs/promises";
 import { dirname, join, relative } from "node:path";
 import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
-import { isCompressible, writeCompressed } from "./compress.mjs";
+import { replaceFolder } from "./compress.mjs";
 
 const ROOT = join(dirname(fileURLToPath(import.meta.url)), "..");
 export const SOURCES = join(ROOT, "www");
@@ -54,15 +54,10 @@ export async function bundledPage(page) {
  */
 export async function writeBundledPage(out) {
   const page = [...(await bundledPage(SOURCES))].filter(([path]) => !OFFLINE.test(path));
-  const assets = (await filesIn(ASSETS)).map(([path, content]) => /** @type {const} */ ([`assets/${path}`, content]));
-  await rm(out, { recursive: true, force: true });
-  const written = [...page, ...assets].map(async ([path, content]) => {
-    const target = join(out, path);
-    await mkdir(dirname(target), { recursive: true });
-    await writeFile(target, content);
-    if (isCompressible(path)) await writeCompressed(target, content, QUALITY);
-  });
-  await Promise.all(written);
+  /** @type {Files} */
+  const files = new Map(page);
+  for (const [path, content] of await filesIn(ASSETS)) files.set(`assets/${path}`, content);
+  await replaceFolder(out, files, QUALITY);
 }
 
 /**

@@ -1,11 +1,11 @@
-// Compresses files in advance, for servers that send FILE.br or FILE.gz in place of FILE.
+// Writes folders of files for servers that send FILE.br or FILE.gz in place of FILE.
 //
 // Results are kept in target/compressed, named by the hash of the content: at the best quality each file of weights
 // takes 15 s.
 
 import { createHash } from "node:crypto";
-import { mkdir, readFile, rename, writeFile } from "node:fs/promises";
-import { basename, extname, join } from "node:path";
+import { mkdir, readFile, rename, rm, writeFile } from "node:fs/promises";
+import { basename, dirname, extname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { promisify } from "node:util";
 import { brotliCompress, constants, gzip } from "node:zlib";
@@ -25,12 +25,36 @@ export function isCompressible(path) {
 }
 
 /**
+ * Replaces the contents of a folder by files and their compressed forms, once all are written: a server that serves the
+ * folder meanwhile has one version or the other.
+ * @param {string} out
+ * @param {Iterable<[path: string, content: Buffer]>} files
+ * @param {number} [quality] brotli's; by default the one that makes each file smallest, and 0 compresses nothing
+ */
+export async function replaceFolder(out, files, quality) {
+  const part = `${out}.${process.pid}`;
+  try {
+    const written = [...files].map(async ([path, content]) => {
+      const target = join(part, path);
+      await mkdir(dirname(target), { recursive: true });
+      await writeFile(target, content);
+      if (quality !== 0 && isCompressible(path)) await writeCompressed(target, content, quality);
+    });
+    await Promise.all(written);
+    await rm(out, { recursive: true, force: true });
+    await rename(part, out);
+  } finally {
+    await rm(part, { recursive: true, force: true });
+  }
+}
+
+/**
  * Writes the compressed forms of a file beside it.
  * @param {string} path
  * @param {Buffer} content the file's
  * @param {number} [quality] brotli's; by default the one that makes the file smallest
  */
-export async function writeCompressed(path, content, quality = bestQuality(path)) {
+async function writeCompressed(path, content, quality = bestQuality(path)) {
   const hash = createHash("sha256").update(content).digest("hex");
   const params = { [constants.BROTLI_PARAM_QUALITY]: quality, [constants.BROTLI_PARAM_SIZE_HINT]: content.length };
   const forms = [

@@ -1,10 +1,18 @@
 // Prints what the page's modules know of the wasm from their first line on, as a module: the constants that both sides
 // share, the colours, and the templates. scripts/build-wasm keeps it in www/pkg/constants.js.
+//
+//     node scripts/constants.mjs FOLDER    of the wasm package
 
 import { readFileSync } from "node:fs";
-import { constants, initSync, palette, templates } from "../www/pkg/pathlight.js";
+import { join, resolve } from "node:path";
+import { pathToFileURL } from "node:url";
 
-initSync({ module: readFileSync(new URL("../www/pkg/pathlight_bg.wasm", import.meta.url)) });
+const folder = resolve(process.argv[2]);
+const module = await import(pathToFileURL(join(folder, "pathlight.js")).href);
+/** @type {typeof import("../www/pkg/pathlight.js")} */
+const { constants, initSync, palette, templates } = module;
+
+initSync({ module: readFileSync(join(folder, "pathlight_bg.wasm")) });
 
 console.log("// Written by scripts/build-wasm. src/web/types.d.ts describes the constants.\n");
 for (const [name, value] of Object.entries(constants())) {

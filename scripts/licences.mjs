@@ -84,4 +84,5 @@ const lines = [
   ...parts.map(({ name, version, licence }) => `${name} ${version}: ${licence}`),
 ];
 for (const [text, names] of texts) lines.push("", "=".repeat(80), `${names.join(", ")}:`, "", text);
-console.log(lines.join("\n"));
+// With the mark of UTF-8, as servers send plain text without its encoding.
+console.log(`\uFEFF${lines.join("\n")}`);

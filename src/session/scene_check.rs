@@ -5,7 +5,7 @@ use crate::puzzle::custom_scene::{CustomScene, Fault, MAX_OVERLAP, Problem};
 use crate::puzzle::scene::Scene;
 use crate::simulator::penetration::overlaps;
 
-/// Returns why a scene may not be played, all reasons; none if it may.
+/// Returns why a scene may not be played: a reason for each body, and overlaps if there is no other; none if it may.
 pub fn problems(custom: &CustomScene) -> Vec<Problem> {
     let mut problems = custom.limit_problems();
     // What is out of the limits has no shapes to compare.

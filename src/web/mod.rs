@@ -229,8 +229,13 @@ pub fn paint_outcomes(context: &CanvasRenderingContext2d, outcomes: &[u8], dark:
 }
 
 fn paint_scene(context: &CanvasRenderingContext2d, scene: &Scene, dark: bool) -> Result<(), JsValue> {
-    let painter = Painter::new(context, dark)?;
-    scene.bodies.iter().enumerate().try_for_each(|(index, body)| painter.body(body, None, index == scene.body2))
+    // The caller may draw more, in units of the canvas.
+    context.save();
+    let painted = Painter::new(context, dark).and_then(|painter| {
+        scene.bodies.iter().enumerate().try_for_each(|(index, body)| painter.body(body, None, index == scene.body2))
+    });
+    context.restore();
+    painted
 }
 
 fn map_named(name: &str) -> Result<ImaginedMap, JsValue> {

@@ -79,7 +79,7 @@ fn bad_scene(problems: &[Problem]) -> JsValue {
     let first = problems.first().expect("a scene without problems may be played");
     match problems.len() - 1 {
         0 => error(Code::BadScene, first),
-        more => error(Code::BadScene, format!("{first} ({more} more: `sceneProblems` lists all)")),
+        more => error(Code::BadScene, format!("{first} ({more} more: `sceneProblems` lists them)")),
     }
 }
 

@@ -97,8 +97,8 @@ export interface FoundSolutions {
     valid: number;
     /** Those that solve. */
     solved: number;
-    /** The share of the benchmark's tasks that are harder, 0..1, by the share of valid balls that solve; null without a valid
-     * ball. */
+    /** The share of the benchmark's tasks that are harder, 0..1, by the share of valid balls that solve; those that are as
+     * hard count half. Null without a valid ball. */
     rank: number | null;
     /** The solving ball around which most balls solve too; null if none solves. */
     easiest: Ball | null;

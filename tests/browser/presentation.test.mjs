@@ -56,7 +56,7 @@ test("a clicker leads through the story, which ends with the ball run and imagin
     .locator("#caption-result")
     .filter({
       hasText:
-        /^The model’s guess was: .+ \(.+%\)\. (Solved|It did not work:) .+ Its path for green was \d+ px off, on average\.$/,
+        /^The model’s guess was: .+ \(.+%\)\. (Solved|It did not work\.) .+ Its path for green was \d+ px off, on average\.$/,
     })
     .waitFor();
   await page.keyboard.press("PageDown");

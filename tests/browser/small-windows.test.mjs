@@ -43,6 +43,32 @@ for (const [width, height] of [
   });
 }
 
+for (const [width, height, locale] of [
+  [390, 664, "en"],
+  [390, 664, "de"],
+  [320, 568, "de"],
+  [844, 390, "en"],
+  [1024, 600, "de"],
+]) {
+  test(`at ${width} x ${height}, with the model's guess, all can be reached after a miss, in the language ${locale}`, async () => {
+    const viewport = { width, height };
+    const page = await openPuzzle(session, { viewport, locale, reducedMotion: true, newcomer: true });
+    await type(page, (await known()).missing);
+    await page.locator("#run").click();
+    await says(page, /^(Not solved|Nicht gelöst)/);
+    await page.locator("#forecast-words:visible").waitFor({ timeout: 60_000 });
+    for (const id of ["tab-imagine", "race-it", "next", "forecast-on", "tab-make"]) {
+      const part = page.locator(`#${id}`);
+      await part.scrollIntoViewIfNeeded();
+      const box = await part.boundingBox();
+      assert.ok(box && box.y >= -1 && box.y + box.height <= height + 1, `#${id}: ${JSON.stringify(box)}`);
+      assert.ok(box.x >= -1 && box.x + box.width <= width + 1, `#${id}: ${JSON.stringify(box)}`);
+    }
+    const time = await page.locator("#time").boundingBox();
+    assert.ok(time.width >= 44, `the time line is ${time.width} px wide`);
+  });
+}
+
 test("what is longer than the window never scrolls the page away", async () => {
   const page = await openPuzzle(session, { viewport: { width: 640, height: 240 } });
   await page.locator("#difficulty").evaluate((element) => element.scrollIntoView());

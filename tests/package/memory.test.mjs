@@ -152,6 +152,9 @@ test("a memory that cannot be used is refused in a sentence with a code", async 
     [json.replace("250.0", "2500.0"), /attempt 1 at puzzle 1/],
   ])
     assert.throws(() => pathlight.memory(/** @type {string} */ (text)), { code: "bad_memory", message: says });
+  for (const wrong of [JSON.parse(json), 5, new Uint8Array(3)])
+    assert.throws(() => pathlight.memory(/** @type {any} */ (wrong)), { code: "bad_memory", message: /text/ });
+  assert.throws(() => pathlight.turn(TASKS[0], { memory: /** @type {any} */ (json) }).next(), { code: "bad_memory" });
   const refused = { code: "invalid_ball" };
   assert.throws(() => memory.remember(TASKS[0], [1, 1, 30], true), refused);
   assert.throws(() => memory.remember("7:8", [1, 1, 30], true), { code: "bad_task" });

@@ -113,6 +113,26 @@ test("a scene, its raster and a rollout fit together", async () => {
   assert.equal(raster[Math.floor(y / 4) * 64 + Math.floor(x / 4)], 1, "the green object is in the first channel");
 });
 
+/** Wasm, but not Pathlight's. */
+const EMPTY = new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0]);
+
+test("of weights that are loaded at once, those asked for last stay, and none after free", async () => {
+  const pathlight = await load({ weights: null });
+  const bytes = readFileSync(join(root, "assets/cross-0.safetensors"));
+  const first = pathlight.loadModel();
+  await pathlight.loadWeights(bytes);
+  await first;
+  assert.equal(pathlight.card.setup, "cross");
+  const late = pathlight.loadModel();
+  pathlight.free();
+  await late;
+  assert.equal(pathlight.card, null);
+});
+
+test("a server imports the element as nothing", () => {
+  assert.equal(run('console.log(Object.keys(await import("pathlight/element")).length)'), "0\n");
+});
+
 test("bad input is refused in a sentence with a code", async () => {
   const pathlight = await load({ weights: null });
   const calls = {
@@ -124,8 +144,15 @@ test("bad input is refused in a sentence with a code", async () => {
       () => pathlight.fold("within", 10),
       () => pathlight.fold("both", 0),
       () => pathlight.auccess("all"),
+      () => load("within-0"),
+      () => load({ weights: "http://" }),
     ],
-    bad_map: [() => pathlight.softIou(new Float32Array(3), new Float32Array(3))],
+    bad_map: [
+      () => pathlight.softIou(new Float32Array(3), new Float32Array(3)),
+      () => pathlight.softIou("0".repeat(4096), new Float32Array(4096)),
+      () => pathlight.softIou(new Float32Array(4096), undefined),
+      () => pathlight.paintMap({}, "target", { length: -1 }),
+    ],
     invalid_ball: [() => pathlight.solveMap(TASK, 1000).next()],
     no_weights: [
       () => pathlight.imagine(TASK),
@@ -134,7 +161,11 @@ test("bad input is refused in a sentence with a code", async () => {
     ],
     no_model: [() => load({ model: "within-9" })],
     bad_weights: [() => load({ weights: new Uint8Array(8) })],
-    no_wasm: [() => load({ wasm: "./nowhere.wasm" }), () => load({ wasm: new Uint8Array(8) })],
+    no_wasm: [
+      () => load({ wasm: "./nowhere.wasm" }),
+      () => load({ wasm: new Uint8Array(8) }),
+      () => load({ wasm: EMPTY }),
+    ],
   };
   for (const [code, refused] of Object.entries(calls)) {
     for (const call of refused) {

@@ -14,15 +14,22 @@ export async function open(session, address) {
   return page;
 }
 
-/** Waits until a path lies over the scene of the example's picture: more green than the object has. */
+/**
+ * Waits until a path lies over the scene of the example's picture: more green than the object has, and from the object
+ * down, as it falls to its goal.
+ */
 export const drawn = (page) =>
   page.waitForFunction(() => {
     const canvas = /** @type {any} */ (document.getElementById("picture"));
     const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
     let green = 0;
-    for (let at = 0; at < data.length; at += 4)
-      if (data[at + 1] > data[at] + 20 && data[at + 1] > data[at + 2]) green++;
-    return green > (canvas.width * canvas.height) / 50;
+    let below = 0;
+    for (let at = 0; at < data.length; at += 4) {
+      if (!(data[at + 1] > data[at] + 20 && data[at + 1] > data[at + 2])) continue;
+      green++;
+      if (at > data.length / 2) below++;
+    }
+    return green > (canvas.width * canvas.height) / 50 && below > green / 3;
   });
 
 /** Solves a puzzle as the model does it; `pathlight` has loaded its own. */

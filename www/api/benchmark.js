@@ -2,6 +2,7 @@
 // `Pathlight` of index.js inherits it.
 
 import * as wasm from "../pkg/pathlight.js";
+import { failure } from "./failure.js";
 
 /** @typedef {import("../pkg/pathlight.js").About} About */
 /** @typedef {import("../pkg/pathlight.js").AttemptLine} AttemptLine */
@@ -98,8 +99,8 @@ export class Benchmark {
   }
 
   /**
-   * Returns every reason why a value cannot be played as a custom scene; an empty list if it can. Takes a fraction of a
-   * millisecond, and never throws.
+   * Returns reasons why a value cannot be played as a custom scene; an empty list if it can. Not all at once: one for
+   * each body, and overlaps only when nothing else is wrong. Takes a fraction of a millisecond, and never throws.
    * @param {unknown} scene
    * @returns {SceneProblem[]}
    */
@@ -249,7 +250,7 @@ export class Benchmark {
    * @returns {number}
    */
   softIou(one, other) {
-    return wasm.softIou(one, other);
+    return wasm.softIou(valuesOf(one), valuesOf(other));
   }
 
   /**
@@ -271,6 +272,15 @@ export class Benchmark {
    * @param {{ max?: number, dark?: boolean }} [options]
    */
   paintMap(context, mapName, map, { max = 1, dark = false } = {}) {
-    wasm.paintMap(context, mapName, map, max, dark);
+    wasm.paintMap(context, /** @type {MapName} */ (String(mapName)), valuesOf(map), max, dark);
   }
+}
+
+/**
+ * Returns the values of a map. Other things would be read as memory of the wasm.
+ * @param {GridMap} map
+ */
+function valuesOf(map) {
+  if (Array.isArray(map) || (ArrayBuffer.isView(map) && !(map instanceof DataView))) return map;
+  throw failure("bad_map", "A map is an array of 64 x 64 numbers.");
 }

@@ -78,13 +78,23 @@ export async function compileWasm(source) {
       throw error;
     });
   }
-  if (source instanceof WebAssembly.Module) return source;
+  if (source instanceof WebAssembly.Module) return checked(source);
   if (typeof source !== "string" && !(source instanceof URL)) {
-    return orRefuse(WebAssembly.compile(source), (reason) =>
+    const compiling = orRefuse(WebAssembly.compile(source), (reason) =>
       failure("no_wasm", `Pathlight’s wasm could not be compiled: ${reason}. Give the wasm file of this version.`),
     );
+    return checked(await compiling);
   }
-  return compileFile(addressOf(source));
+  return checked(await compileFile(addressOf(source)));
+}
+
+/**
+ * Returns the module if it is Pathlight's. Another would be kept by the glue code, and all later calls would fail.
+ * @param {WebAssembly.Module} module
+ */
+function checked(module) {
+  if (WebAssembly.Module.exports(module).some(({ name }) => name === "verifyAttempt")) return module;
+  throw failure("no_wasm", "This wasm is not Pathlight’s. Give the wasm file of this version.");
 }
 
 /**
@@ -95,7 +105,12 @@ async function compileFile(address, hash = null) {
   /** @type {Refuse} */
   const refuse = (reason, status) => {
     const missing = status === 404 || diskOf(address);
-    const remedy = missing ? "Build or install Pathlight again." : "Check the connection and try again.";
+    const forbidden = /Content.Security.Policy|unsafe-eval/i.test(reason);
+    const remedy = forbidden
+      ? "Allow 'wasm-unsafe-eval' in the script-src of the page’s Content-Security-Policy."
+      : missing
+        ? "Build or install Pathlight again."
+        : "Check the connection and try again.";
     return failure("no_wasm", `Pathlight’s wasm could not be loaded: ${reason} for ${address}. ${remedy}`);
   };
   const module = await intact((cache) => compileIntact(address, hash, refuse, cache));
@@ -136,9 +151,12 @@ export function addressOf(address) {
   if (address instanceof URL) return address;
   if (typeof address !== "string") throw failure("bad_data", `${address} is neither bytes nor an address.`);
   const node = nodeModule("node:url");
-  return node && !/^[a-z]{2,}:/i.test(address)
-    ? node.pathToFileURL(address)
-    : new URL(address, globalThis.location?.href);
+  if (node && !/^[a-z]{2,}:/i.test(address)) return node.pathToFileURL(address);
+  try {
+    return new URL(address, globalThis.location?.href);
+  } catch {
+    throw failure("bad_data", `“${address}” is no address.`);
+  }
 }
 
 /**

@@ -63,8 +63,14 @@ import { readWeights } from "./weights.js";
  * there is no model of this name, `bad_weights` if the weights are damaged or belong to other nets.
  * @param {LoadOptions} [options]
  */
-export async function load({ wasm: source, model, weights, onProgress } = {}) {
-  await wasm.default({ module_or_path: await compileWasm(source) });
+export async function load(options = {}) {
+  if (options === null || typeof options !== "object")
+    throw failure("bad_data", 'The options of load are an object: load({ model: "cross-0" }).');
+  const { wasm: source, model, weights, onProgress } = options;
+  const module = await compileWasm(source);
+  await wasm
+    .default({ module_or_path: module })
+    .catch(({ message }) => Promise.reject(failure("no_wasm", `${message}. Give the wasm file of this version.`)));
   const pathlight = new Pathlight();
   if (weights === undefined) await pathlight.loadModel(model, onProgress);
   else if (weights !== null) await pathlight.loadWeights(weights, onProgress);
@@ -78,19 +84,22 @@ export async function load({ wasm: source, model, weights, onProgress } = {}) {
 export class Pathlight extends Benchmark {
   /** @type {wasm.Model | null} */
   #model = null;
+  /** Counts how often weights were asked for or freed: of two that are read at once, those that were asked for last stay. */
+  #asked = 0;
 
   /**
    * Loads the weights of a model that Pathlight comes with, in place of those there are. Returns its name and the names
-   * of all models.
+   * of all models. If others are asked for meanwhile, those stay.
    * @param {string | null} [name] by default the first
    * @param {OnProgress} [onProgress]
    */
   async loadModel(name, onProgress) {
+    const asked = ++this.#asked;
     const list = await readModelList();
     const names = list.map((one) => one.name);
     const entry = list[name ? names.indexOf(name) : 0];
     if (!entry) throw failure("no_model", `There is no model “${name}” here. There is: ${names.join(", ")}.`);
-    this.#use(await readWeights(entry, onProgress), entry.sha256);
+    this.#use(await readWeights(entry, onProgress), asked, entry.sha256);
     return { name: entry.name, names };
   }
 
@@ -100,26 +109,28 @@ export class Pathlight extends Benchmark {
    * @param {OnProgress} [onProgress]
    */
   async loadWeights(weights, onProgress) {
-    if (weights instanceof ArrayBuffer) return this.#use(new Uint8Array(weights));
+    const asked = ++this.#asked;
+    if (weights instanceof ArrayBuffer) return this.#use(new Uint8Array(weights), asked);
     if (ArrayBuffer.isView(weights))
-      return this.#use(new Uint8Array(weights.buffer, weights.byteOffset, weights.byteLength));
+      return this.#use(new Uint8Array(weights.buffer, weights.byteOffset, weights.byteLength), asked);
     const address = addressOf(weights);
-    this.#use(
-      await readFile(
-        address,
-        (reason) => failure("no_weights", `The weights could not be loaded: ${reason} for ${address}.`),
-        onProgress,
-      ),
+    const bytes = await readFile(
+      address,
+      (reason) => failure("no_weights", `The weights could not be loaded: ${reason} for ${address}.`),
+      onProgress,
     );
+    this.#use(bytes, asked);
   }
 
   /**
    * @param {Uint8Array} bytes
+   * @param {number} asked
    * @param {string} [sha256] theirs, if it is known
    */
-  #use(bytes, sha256) {
+  #use(bytes, asked, sha256) {
     const fresh = new wasm.Model(bytes, sha256);
-    this.free();
+    if (asked !== this.#asked) return fresh.free();
+    this.#model?.free();
     this.#model = fresh;
   }
 
@@ -128,8 +139,9 @@ export class Pathlight extends Benchmark {
     return this.#model;
   }
 
-  /** Frees the memory of the weights. What needs no weights goes on working. */
+  /** Frees the memory of the weights, also of those that are being loaded. What needs no weights goes on working. */
   free() {
+    this.#asked++;
     this.#model?.free();
     this.#model = null;
   }
@@ -187,8 +199,8 @@ export class Pathlight extends Benchmark {
    * Returns the balls that the model would try, in order. All are valid; fewer than `count` if the scene has no room.
    * A longer list begins with the balls of a shorter one.
    * @param {Puzzle} task
-   * @param {{ seed?: number, count?: number }} [options] `seed`: a whole number from 0 to 2^32 - 1; `count`: 1 to
-   *   1,000, by default the 100 attempts that count
+   * @param {{ seed?: number, count?: number }} [options] `seed`: a whole number from 0 to 2^32 - 1, without effect if
+   *   the weights have a dynamics net; `count`: 1 to 1,000, by default the 100 attempts that count
    * @returns {Proposal[]}
    */
   propose(task, { seed = 0, count } = {}) {
@@ -197,17 +209,18 @@ export class Pathlight extends Benchmark {
 
   /**
    * The model's turn: tries the balls that it proposes, one each time the next value is asked for, until one solves the
-   * task or all 100 have been tried.
+   * task or all 100 have been tried. Errors are thrown when the first is asked for.
    *
    * With a memory, the model uses what attempts at earlier puzzles taught, and remembers these. An attempt then names
    * the puzzle that it was reminded of. It throws `bad_memory` for the memory of other weights, and `bad_weights` if
    * the weights have no dynamics net.
    * @param {Puzzle} task
-   * @param {{ seed?: number, memory?: Memory | null }} [options] `seed`: as that of `propose`; without effect with a
-   *   memory
+   * @param {{ seed?: number, memory?: Memory | null }} [options] `seed`: as that of `propose`
    * @returns {Generator<TriedProposal, void, void>}
    */
   *turn(task, { seed = 0, memory = null } = {}) {
+    if (memory !== null && !(memory instanceof wasm.Memory))
+      throw failure("bad_memory", "The memory of a turn is what memory() returns.");
     const turn = memory ? this.#loaded.turnWith(task, memory) : this.#loaded.turn(task, seed);
     try {
       for (let attempt = turn.attempt(); attempt; attempt = turn.attempt()) yield attempt;
@@ -224,6 +237,8 @@ export class Pathlight extends Benchmark {
    * @returns {Memory}
    */
   memory(json) {
+    if (json !== undefined && json !== null && typeof json !== "string")
+      throw failure("bad_memory", "A memory is read from the text that toJson returned.");
     return this.#loaded.memory(json);
   }
 }

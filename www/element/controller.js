@@ -11,19 +11,17 @@ import { byId, find, setText } from "../widgets/dom.js";
 import { hideParts } from "../widgets/hidden-parts.js";
 import { sameBall } from "../puzzles/ball.js";
 import { showsPuzzle } from "../state/links.js";
-import { INITIAL_STATE, formatFragment, formatState, parseState } from "../state/url-state.js";
+import { INITIAL_STATE, completed, formatFragment, formatState, parseState } from "../state/url-state.js";
 import { viewOf, withPresentation, withoutPresentation } from "../state/view.js";
 import { text } from "../text/text.js";
 import { AskedPuzzle } from "./asked-puzzle.js";
 import { Components } from "./components.js";
-import { connectOpeners, showDialog } from "./dialogs.js";
+import { closeDialogs, connectOpeners, showDialog } from "./dialogs.js";
 import { onPuzzleKey } from "./keys.js";
 import { ModelStarter } from "./model-starter.js";
 
 /** @typedef {import("../state/url-state.js").State} State */
-
 /** @typedef {import("./pathlight-puzzle.js").HrefOf} HrefOf */
-
 /**
  * An attempt of the player's that has run to its end; the task is null for a custom scene.
  * @typedef {{ task: string | null, number: number, ball: import("../pkg/pathlight.js").Ball, solved: boolean }}
@@ -132,22 +130,22 @@ export class PuzzleController extends EventTarget {
 
   /**
    * Replaces the whole state.
-   * @param {State} state
+   * @param {Partial<State>} asked what it lacks is as in the beginning
    */
-  apply(state) {
+  apply(asked) {
+    const state = completed(asked);
     const modelChanged = state.model !== this.#client.requestedName;
     // What is left behind may still change the old state, so it goes first.
     if (state.task !== this.#state.task || state.scene !== this.#state.scene) this.#closePuzzle();
     else if (modelChanged) this.#session?.clearModelAttempts();
-    this.#state = { ...state };
-    const { ball } = state;
+    this.#state = state;
     const puzzle = this.#asked.puzzleOf(state);
     const problem = this.#asked.problemOf(state);
     this.#showProblem(problem);
     find(this.#root, ".puzzle").hidden = !showsPuzzle(state) || problem !== null;
     if (puzzle !== null && !problem) {
       const session = (this.#session ??= this.#openPuzzle(puzzle));
-      if (!sameBall(ball, session.ball)) session.placement.replace(ball);
+      if (!sameBall(state.ball, session.ball)) session.placement.replace(state.ball);
       if (modelChanged || this.#client.status === "off") this.#startModel();
     }
     this.#applyView();
@@ -186,7 +184,8 @@ export class PuzzleController extends EventTarget {
   /** Shows the scene and one sentence, or all panels again. */
   togglePresentation() {
     const state = this.#state;
-    this.#changeState(state.view === "presentation" ? withoutPresentation(state) : withPresentation(state));
+    if (this.#session)
+      this.#changeState(state.view === "presentation" ? withoutPresentation(state) : withPresentation(state));
   }
 
   /** Makes the state that of what is seen. Resolves to false if that may not be played, which is then said. */
@@ -224,6 +223,7 @@ export class PuzzleController extends EventTarget {
     const session = this.#session;
     if (!session) return;
     this.#session = null;
+    closeDialogs(this.#root);
     // While the components still listen.
     session.revealResult();
     this.#components.close();
@@ -294,6 +294,7 @@ export class PuzzleController extends EventTarget {
   #showProblem(sentence) {
     const problem = byId(this.#root, "problem");
     problem.hidden = sentence === null;
+    this.#root.host.toggleAttribute("data-problem", sentence !== null);
     setText(problem, sentence ?? "");
   }
 }

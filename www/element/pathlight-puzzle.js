@@ -79,6 +79,8 @@ export class PathlightPuzzle extends HTMLElement {
   #updating = false;
   /** Has the ball been set since the last update? */
   #ballGiven = false;
+  /** What it showed before it was taken out of its page. @type {Record<string, string | null> | null} */
+  #released = null;
   /** Ends what the element listens to while it is connected. */
   #disconnected = new AbortController();
 
@@ -98,6 +100,7 @@ export class PathlightPuzzle extends HTMLElement {
     queueMicrotask(() => {
       if (this.isConnected) return;
       this.#disconnected.abort();
+      this.#released = this.#controller?.texts ?? null;
       this.#controller?.release();
       // One that has failed is tried again where it is connected next.
       this.#loader.forgetFailure();
@@ -137,7 +140,7 @@ export class PathlightPuzzle extends HTMLElement {
   }
 
   set state(state) {
-    if (state === null) return;
+    if (!state) return;
     this.#awaited = { ...state };
     if (this.#controller && this.isConnected) this.#applyAwaited(this.#controller);
     else this.#scheduleUpdate();
@@ -254,7 +257,8 @@ export class PathlightPuzzle extends HTMLElement {
     controller.setTheme(theme === "dark" || (theme !== "light" && darkScheme.matches));
     if (this.#awaited) return this.#applyAwaited(controller);
     // The ball that was placed in one puzzle does not go on to the next.
-    const { task, scene } = controller.texts;
+    const { task, scene } = this.#released ?? controller.texts;
+    this.#released = null;
     const shown = task ?? scene;
     const isAnother = task !== this.getAttribute("task") || scene !== this.getAttribute("scene");
     if (shown && !ballGiven && isAnother) this.removeAttribute("ball");

@@ -35,8 +35,8 @@ worker.addEventListener("fetch", (event) => {
   const { request } = event;
   if (request.method !== "GET" || !request.url.startsWith(scope)) return;
   const path = new URL(request.url).href.slice(scope.length).replace(/[?#].*$/, "");
-  if (request.mode === "navigate") {
-    if (path === "" || path === "index.html") event.respondWith(cachedOrFetched(scope, request));
+  if (request.mode === "navigate" && (path === "" || path === "index.html")) {
+    event.respondWith(cachedOrFetched(scope, request));
   } else if (PATHS.has(path) || IMMUTABLE.test(path)) {
     event.respondWith(cachedOrFetched(scope + path, request));
   }

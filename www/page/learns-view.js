@@ -70,7 +70,8 @@ export class LearnsView {
     this.#client = new SharedClient(module);
     this.#client.addEventListener("change", () => this.#onClient());
     this.#list = new LearnsList((task) => hrefOf(task, this.#model));
-    this.#play.addEventListener("click", () => this.#onPlay());
+    // The second click of a double click must not pause what the first has started.
+    this.#play.addEventListener("click", ({ detail }) => detail < 2 && this.#onPlay());
     this.#next.addEventListener("click", () => this.#skip());
     this.#finish.addEventListener("click", () => this.#hurry());
     this.#forget.addEventListener("click", () => this.#onForget());
@@ -79,6 +80,8 @@ export class LearnsView {
 
   /** Shows the kinds that are new to the model. */
   async show() {
+    // Who came by a link here had the focus on what is out of sight now.
+    if (document.activeElement === document.body) byId(document, "learns-title").focus();
     this.#fail(null);
     if (!this.#model) {
       try {

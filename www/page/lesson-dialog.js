@@ -103,7 +103,9 @@ export class LessonDialog {
     const address = new URL(`#${formatFragment(lesson)}`, location.href);
     this.#address.value = address.href;
     byId(document, "lesson-own-machine").hidden = !OWN_MACHINE.test(address.hostname);
-    if (this.#preview) this.#preview.state = lesson;
+    // The preview keeps nothing, and would start without the model's guess; the page starts with it.
+    const forecast = lesson.forecast ?? (lesson.view === null && lesson.challenge === null);
+    if (this.#preview) this.#preview.state = { ...lesson, forecast };
     this.#drawCode(address.href);
   }
 

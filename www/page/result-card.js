@@ -56,6 +56,23 @@ export function paintResultCard(canvas, palette, lines, paintScene) {
 }
 
 /**
+ * A word in pieces that fit a width.
+ * @param {CanvasRenderingContext2D} context
+ * @param {string} word
+ * @param {number} width
+ */
+function pieces(context, word, width) {
+  /** @type {string[]} */
+  const all = [];
+  for (const letter of word) {
+    const longer = `${all.at(-1) ?? ""}${letter}`;
+    if (all.length && context.measureText(longer).width <= width) all[all.length - 1] = longer;
+    else all.push(letter);
+  }
+  return all;
+}
+
+/**
  * The lines of a text that fit a width.
  * @param {CanvasRenderingContext2D} context
  * @param {string} words
@@ -64,7 +81,7 @@ export function paintResultCard(canvas, palette, lines, paintScene) {
 function wrapped(context, words, width) {
   /** @type {string[]} */
   const lines = [];
-  for (const word of words.split(" ").filter(Boolean)) {
+  for (const word of words.split(" ").flatMap((word) => pieces(context, word, width))) {
     const longer = lines.length ? `${lines.at(-1)} ${word}` : word;
     if (lines.length && context.measureText(longer).width <= width) lines[lines.length - 1] = longer;
     else lines.push(word);

@@ -51,11 +51,14 @@ export class ResultsView {
   }
 
   /**
-   * Shows the results of a model, or of the first.
+   * Shows the results of a model, or of the one that was chosen last, at first the first.
    * @param {string | null} name
    */
   async show(name) {
     this.#asked = name;
+    const before = this.#chosen?.name;
+    // Who came by a link here had the focus on what is out of sight now.
+    if (document.activeElement === document.body) byId(document, "results-title").focus();
     const failure = byId(document, "results-failure");
     let compared;
     try {
@@ -74,7 +77,9 @@ export class ResultsView {
     const { paper } = compared;
     byId(document, "results-paper").hidden = !paper;
     byId(document, "results-paper").replaceChildren(paper ? paperNets(this.#templates, paper) : "");
-    this.#model.replaceChildren(...this.#models.map((one) => new Option(one.name, one.name, false, one.name === name)));
+    this.#model.replaceChildren(
+      ...this.#models.map((one) => new Option(one.name, one.name, false, one.name === (name ?? before))),
+    );
     this.#onModel();
   }
 

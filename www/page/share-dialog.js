@@ -133,7 +133,7 @@ export class ShareDialog {
       );
       if (film) {
         this.#offer(film, format.extension);
-        words = done.film;
+        words = done.film(result.solvedAt !== null);
       }
     } catch {
       words = done.filmFailed;

@@ -55,6 +55,7 @@ export class Presentation extends Component {
     const on = view === "presentation";
     this.#left = withoutPresentation(state);
     const arrived = on && !this.#on;
+    const left = !on && this.#on;
     this.#on = on;
     this.#hasStory = !hide.includes("imagine");
     this.#leaves = !hide.includes("tools");
@@ -63,6 +64,7 @@ export class Presentation extends Component {
     this.#update();
     // What had the focus is out of sight now.
     if (arrived && this.session) this.byId(this.#hasStory ? "caption-next" : "scene").focus({ preventScroll: true });
+    if (left && this.session) this.byId("scene").focus({ preventScroll: true });
   }
 
   /**

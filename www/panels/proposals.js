@@ -88,9 +88,9 @@ export class Proposals extends Component {
   close() {
     super.close();
     this.#saves = false;
+    setText(this.byId("proposal-none"), "");
     this.#drop();
     this.#imaginer.forget();
-    this.#shown = null;
   }
 
   /** @param {import("../state/view.js").View} view */

@@ -36,6 +36,8 @@ export class Race extends Component {
   #source = null;
   /** @type {string | null} */
   #callFailure = null;
+  /** Did the button of the race have the focus when it was disabled? */
+  #hadFocus = false;
 
   /**
    * @param {import("../widgets/dom.js").Root} root
@@ -49,7 +51,10 @@ export class Race extends Component {
     this.#memory = memory;
     this.#hrefOf = hrefOf;
     this.#turnButton.addEventListener("click", () => (this.#turn ? this.#stopTurn() : this.#playTurn()));
-    this.#raceButton.addEventListener("click", () => this.#race());
+    this.#raceButton.addEventListener("click", ({ detail }) => {
+      // The second click of a double click must not stop what the first has started.
+      if (detail < 2) this.#race();
+    });
     this.byId("model-skip").addEventListener("click", () => this.#show?.skip());
     this.byId("clear-attempts").addEventListener("click", () => {
       this.#stopTurn();
@@ -190,9 +195,23 @@ export class Race extends Component {
     const isTold = this.#memory.on && model.solved_at !== null && !racing;
     if (showSource(line, isTold ? this.#source : null, this.#hrefOf))
       this.announce(`${this.byId("status").textContent} ${line.textContent}`);
-    this.#raceButton.disabled =
-      this.#client.status !== "ready" || player.used === 0 || running || (racing && this.#turn === null);
+    this.#enableRace(
+      this.#client.status === "ready" && player.used > 0 && !running && !(racing && this.#turn === null),
+    );
     this.#raceButton.classList.toggle("primary", player.solved_at !== null && !this.#over);
+  }
+
+  /**
+   * Lets the race be started, or not. The button has its focus again after that, unless something else has got it.
+   * @param {boolean} enabled
+   */
+  #enableRace(enabled) {
+    const button = this.#raceButton;
+    if (!enabled && button.matches(":focus")) this.#hadFocus = true;
+    button.disabled = !enabled;
+    if (!enabled || !this.#hadFocus) return;
+    this.#hadFocus = false;
+    if (document.activeElement === document.body) button.focus({ preventScroll: true });
   }
 }
 

@@ -35,6 +35,8 @@ export class Controls extends Component {
   #place = null;
   /** @type {number | undefined} */
   #timer;
+  /** Was a puzzle open before? */
+  #opened = false;
   /**
    * The first and last steps of the stretches in which the green object touches its goal, in what is shown.
    * @type {[first: number, last: number][]}
@@ -75,6 +77,9 @@ export class Controls extends Component {
   /** @param {Session} session */
   open(session) {
     super.open(session);
+    // Of the first one, the focus on its scene tells.
+    if (this.#opened) this.announce(`${session.name}. ${session.goal}`);
+    this.#opened = true;
     this.#applySpeed();
     this.byId("goal").textContent = session.goal;
     this.byId("story").textContent = session.story;

@@ -68,6 +68,7 @@ export class Guide extends Component {
     const step = this.#step;
     if (!step || step === "race") return;
     if (phase === "watch") this.#show(finished ? "guess" : "watching");
+    else if (phase === "compare" || (shown?.author === "model" && !shown.preview)) this.#show("race");
     else if (phase === "attempt" && shown)
       this.#show(!finished ? "dropped" : shown.ending.solved ? "solved" : "missed");
     else if (placing && ball && invalidReason)
@@ -97,7 +98,9 @@ export class Guide extends Component {
     setText(this.byId("guide-words"), words);
     this.#number = Math.max(this.#number, COUNTED.findIndex((steps) => steps.includes(step)) + 1);
     setText(this.byId("guide-count"), text.play.guideCount(this.#number, COUNTED.length));
+    const hadFocus = this.#act.matches(":focus");
     this.#act.hidden = button === null;
+    if (hadFocus && button === null) this.byId("scene").focus({ preventScroll: true });
     setText(this.#act, button ?? "");
     this.byId("guide-skip").hidden = step === "race";
     this.announce(words);

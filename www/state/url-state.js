@@ -82,6 +82,16 @@ export const INITIAL_STATE = Object.freeze({
   hide: [],
 });
 
+/**
+ * A copy in which what is missing is as in the beginning: scripts of other pages, and older versions, may lack some.
+ * @param {Partial<State>} state
+ * @returns {State}
+ */
+export function completed(state) {
+  const given = Object.entries(state).filter(([, value]) => value !== undefined && value !== null);
+  return { ...INITIAL_STATE, ...Object.fromEntries(given) };
+}
+
 /** @typedef {{ format: (value: any) => string, parse: (text: string) => any }} Codec */
 
 /** What old links call otherwise. */
@@ -123,7 +133,7 @@ const CODECS = {
   view: oneOf(["presentation", ...PAGE_VIEWS]),
   proposal: ATTEMPT,
   layers: someOf(MAPS),
-  opacity: { format: String, parse: (text) => (/^(0|1|0?\.\d+)$/.test(text) ? Number(text) : undefined) },
+  opacity: { format: String, parse: (text) => (/^(0(\.0+)?|1(\.0+)?|0?\.\d+)$/.test(text) ? Number(text) : undefined) },
   forecast: {
     format: (on) => (on ? "on" : "off"),
     parse: (text) => (text === "on" ? true : text === "off" ? false : undefined),

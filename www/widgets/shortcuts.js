@@ -44,15 +44,15 @@ export function leavesPlainKeys(target) {
 }
 
 /**
- * Ctrl+Z, Ctrl+Y and Ctrl+Shift+Z, with Cmd too. In a field as well: there the browser would undo what was typed in
- * another field, and the page would not hear of it.
+ * Ctrl+Z, Ctrl+Y and Ctrl+Shift+Z, with Cmd too. In a field of numbers as well: there the browser would undo what was
+ * typed in another field, and the page would not hear of it.
  * @param {KeyboardEvent} event
  * @param {Element} target
  * @param {ShortcutTarget["undoing"]} undoing
  * @returns {(() => void) | undefined}
  */
 function undoAction({ key, shiftKey }, target, undoing) {
-  if (!undoing || target.closest("dialog")) return undefined;
+  if (!undoing || target.closest("dialog, input[type=text]")) return undefined;
   /** @type {Record<string, () => unknown>} */
   const actions = { z: () => (shiftKey ? undoing.redo() : undoing.undo()), y: () => undoing.redo() };
   return actions[key.toLowerCase()];

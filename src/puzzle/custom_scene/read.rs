@@ -32,6 +32,11 @@ impl CustomScene {
                     "This is a task as `pathlight tasks --json` prints it: use `pathlight tasks --custom` to make a scene of it.",
                 )]);
             }
+            None if keys.get("bodies").is_some_and(|bodies| bodies.pointer("/0/parts").is_some()) => {
+                return Err(vec![Problem::unreadable(
+                    "This is a scene as it is drawn, whose bodies have parts: make a custom scene by `pathlight tasks --custom`, or by `customScene` of the npm package.",
+                )]);
+            }
             None => {
                 return Err(vec![Problem::unreadable(format!(
                     "A scene has `\"version\": {VERSION}`, and this one has none: add it if it is a scene."
@@ -43,13 +48,14 @@ impl CustomScene {
         match keys.remove("bodies") {
             Some(Value::Array(values)) => {
                 for (index, value) in values.into_iter().enumerate() {
+                    if let Some((key, found)) = no_number(&value) {
+                        let why = format!("its `{key}` is {found}, and has to be a number");
+                        problems.push(unreadable_body(index, &why));
+                        continue;
+                    }
                     match serde_json::from_value(value) {
                         Ok(body) => bodies.push(without_negative_zero(body)),
-                        Err(reason) => problems.push(Problem::of_body(
-                            index,
-                            Fault::Unreadable,
-                            format!("Body {index} cannot be read: {reason}. Correct it as the schema says."),
-                        )),
+                        Err(reason) => problems.push(unreadable_body(index, &reason.to_string())),
                     }
                 }
             }
@@ -75,6 +81,18 @@ impl CustomScene {
 }
 
 /// Returns a body with 0 for each -0, which JavaScript writes as 0: its digest and its poses stay the same.
+fn unreadable_body(index: usize, why: &str) -> Problem {
+    let sentence = format!("Body {index} cannot be read: {why}. Correct it as the schema says.");
+    Problem::of_body(index, Fault::Unreadable, sentence)
+}
+
+/// Finds a key of a body whose value is no number where one belongs; serde's error would not name it.
+fn no_number(body: &Value) -> Option<(&'static str, &Value)> {
+    let numbers = ["x", "y", "angle", "radius", "length", "thickness", "height"];
+    let mut found = numbers.into_iter().filter_map(|key| Some((key, body.get(key)?)));
+    found.find(|(_, value)| !value.is_number())
+}
+
 fn without_negative_zero(body: CustomBody) -> CustomBody {
     CustomBody { x: body.x + 0.0, y: body.y + 0.0, angle: body.angle + 0.0, ..body }
 }
@@ -133,6 +151,12 @@ mod tests {
         for (pointer, value) in wrong {
             assert!(problem(pointer, value).sentence.ends_with('.'), "{pointer}");
         }
+        assert_eq!(
+            problem("/bodies/1/y", json!("60")).sentence,
+            "Body 1 cannot be read: its `y` is \"60\", and has to be a number. Correct it as the schema says."
+        );
+        let drawn = CustomScene::read(json!({"body1": 0, "body2": 1, "bodies": [{"x": 1, "parts": []}]}));
+        assert!(drawn.expect_err("no custom scene")[0].sentence.contains("`customScene`"));
         for (version, remedy) in [(json!(2), "use a newer Pathlight."), (json!("1"), "set it to 1 if it is a scene.")] {
             let sentence = problem("/version", version).sentence;
             assert!(sentence.ends_with(remedy), "{sentence}");

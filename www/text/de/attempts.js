@@ -25,14 +25,14 @@ export const attempts = {
     asking: "Der Computer probiert Kugeln dicht neben deiner.",
     verdict: { plan: "Ein Plan", luck: "Eher Glück", both: "Von beidem etwas" },
     found: (verdict, valid, solved) =>
-      `${verdict}: Von ${valid === 1 ? "der einen Kugel" : `den ${valid} Kugeln`}, die in Ort und Radius höchstens ein Pixel von deiner ${valid === 1 ? "abweicht" : "abweichen"}, ${solved > 1 ? "lösen" : "löst"} es ${solved || "keine"}.`,
+      `${verdict}: Von ${valid === 1 ? "der einen Kugel" : `den ${valid} Kugeln`}, die in Ort und Radius höchstens ein Pixel von deiner ${valid === 1 ? "abweicht" : "abweichen"}, ${solved > 1 ? "lösen" : "löst"} es ${solved > 1 ? solved : solved ? "eine" : "keine"}.`,
   },
 
   replays: {
     saved: (count) =>
       count === 1
-        ? "Ein Versuch ist gespeichert: „pathlight verify“ simuliert ihn noch einmal."
-        : `${number(count)} Versuche sind gespeichert: „pathlight verify“ simuliert sie noch einmal.`,
+        ? "Ein Versuch ist gespeichert. „Versuche öffnen“ simuliert ihn noch einmal, ebenso der Befehl „pathlight verify“."
+        : `${number(count)} Versuche sind gespeichert. „Versuche öffnen“ simuliert sie noch einmal, ebenso der Befehl „pathlight verify“.`,
     read: (share) => `Gelesen: ${percent(share)} der Datei.`,
     begun: "Jeder Versuch wird noch einmal simuliert.",
     simulated: (done, of) => `Noch einmal simuliert: ${number(done)} von ${counted(of, "Versuch", "Versuchen")}.`,

@@ -61,7 +61,7 @@ export const editor = {
     blocked: "Behebe zuerst, was oben steht: Dann lässt sich nach Lösungen suchen.",
     solvesItself: "Die Szene löst sich von selbst, ganz ohne Kugel.",
     found: (solved, valid, ended) =>
-      `Es ist lösbar: Von ${tried(valid, ended)} ${solved === 1 ? "löst" : "lösen"} es ${number(solved)} (${share(solved / valid)}).`,
+      `Es ist lösbar: Von ${tried(valid, ended)} ${solved === 1 ? "löst es eine" : `lösen es ${number(solved)}`} (${share(solved / valid)}).`,
     none: (valid, ended) => `Unter ${tried(valid, ended)} ist keine Lösung.`,
     harder: (rank) => `Schwerer als deins: ${percent(rank)} der Rätsel des Benchmarks.`,
     between: "Eine Kugel zwischen denen des Rasters könnte es trotzdem lösen.",

@@ -168,7 +168,7 @@ export const model = {
   outcomes: {
     first: "Schon seine erste Idee klappt.",
     counted: (balls, solved, touched, missed) =>
-      `Von ${counted(balls, "Kugel", "Kugeln")} ${solved > 1 ? "lösen" : "löst"} ${solved ? number(solved) : "keine"} das Rätsel, bei ${touched} berührt das grüne Objekt sein Ziel eine Weile, bei ${missed} nie.`,
+      `Von ${counted(balls, "Kugel", "Kugeln")} ${solved > 1 ? `lösen ${number(solved)}` : solved ? "löst eine" : "löst keine"} das Rätsel, bei ${touched} berührt das grüne Objekt sein Ziel eine Weile, bei ${missed} nie.`,
   },
 
   results: {

@@ -14,7 +14,7 @@ const MOMENT = "einem Augenblick";
 
 /** @type {typeof import("../en/play.js").play} */
 export const play = {
-  run: { drop: "Fallen lassen", run: "Los", pause: "Pause", replay: "Noch einmal", goOn: "Weiter" },
+  run: { drop: "Fallen lassen", run: "Los", pause: "Pause", replay: "Nochmal", goOn: "Weiter" },
   skipQuiet: "Nichts rührt sich: weiter",
   time: (time) => seconds(time),
   spokenTime: (time) => `${number(time, 1)} Sekunden`,
@@ -162,7 +162,7 @@ export const play = {
       "Je weniger Versuche, desto mehr Punkte: Ein Rätsel, das im ersten Versuch gelöst ist, gibt 100, im zweiten 85, im zehnten 50; eines, das in 100 Versuchen nicht gelöst wird, gibt keine. Die Punkte sind das Mittel über alle Rätsel, die beide gespielt haben. Kugeln, die nicht gesetzt werden dürfen, zählen nicht, für keinen von beiden. Das ist AUCCESS, das Maß des Benchmarks: der Anteil der Rätsel, die in k Versuchen gelöst sind, wobei jedes k von 1 bis 100 mit ln(k + 1) − ln(k) gewichtet wird.",
     dotted: "Was sind die gepunkteten Linien?",
     dottedHow:
-      "Die Vermutung des Modells, noch bevor sich etwas bewegt: welche Bahnen diese Kugel und Grün nehmen würden. Je breiter das Band um eine Linie, desto unsicherer ist sich das Modell. Es ist eine Vermutung, keine Simulation, und kann falsch sein: Lass die Kugel fallen und sieh, wie weit das Modell daneben lag.",
+      "Die Vermutung des Modells, noch bevor sich etwas bewegt: welche Bahnen diese Kugel und Grün nehmen würden. Je breiter das Band um eine Linie, desto unsicherer ist sich das Modell. Es ist eine Vermutung, keine Simulation, und kann falsch sein: Lass die Kugel fallen und sieh, wie weit das Modell danebenlag.",
     radius: "Radius",
     placements: "Platzierungen",
     undo: "Rückgängig",

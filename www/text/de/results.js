@@ -22,7 +22,7 @@ export const results = {
     `${name} ${what}; diese ${number(puzzles)} Rätsel des Benchmarks PHYRE hat es noch nie gesehen.`,
   outcome: ([hundred, ten, one], of) =>
     `${number(hundred)} von ${number(of)} Rätseln in höchstens hundert Versuchen gelöst, ${number(ten)} in zehn, ${number(one)} im ersten.`,
-  auccess: (auccess) => `AUCCESS: ${number(auccess, 1)} von 100.`,
+  auccess: (auccess) => `AUCCESS: ${number(auccess, 1)} von 100; je weniger Versuche, desto höher.`,
   compared: (others) => `Zum Vergleich: ${list(others.map(([agent, auccess]) => `${agent} ${number(auccess, 1)}`))}.`,
   ofKind: (solved, of) => `${number(solved)} von ${number(of)} gelöst`,
   solved: (task, at) => `${task}, gelöst im ${at}. Versuch`,

@@ -39,7 +39,7 @@ export const sharing = {
   },
 
   done: {
-    film: "Der Film ist da: Speichere ihn oder teil ihn. Er zeigt deine Kugel.",
+    film: (withBall) => `Der Film ist da: Speichere ihn oder teil ihn.${withBall ? " Er zeigt deine Kugel." : ""}`,
     filmStopped: "Die Aufnahme wurde abgebrochen.",
     filmFailed: "Dieser Browser konnte den Film nicht aufnehmen. Das Bild lässt sich speichern.",
     shareFailed: "Dieser Browser konnte nichts teilen. Kopier den Text oder speichere das Bild.",

@@ -85,7 +85,7 @@ export const editor = {
   problems: {
     unreadable: (/** @type {string} */ why) => why,
     ownGoal: "The green object cannot be its own goal: choose another body as the goal.",
-    staticObject: "The green object is static, so it never reaches a goal: make it dynamic, or choose another.",
+    staticObject: "The green object is fixed, so it never reaches a goal: let it move, or choose another.",
     /** @type {(least: number, most: number, tooMany: boolean) => string} */
     bodies: (least, most, tooMany) =>
       `A scene has ${least} to ${most} bodies, and this one has ${tooMany ? "more: remove some" : "fewer: add some"}.`,

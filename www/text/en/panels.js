@@ -18,7 +18,7 @@ export const panels = {
       `It had ${counted(ideas, "idea", "ideas")}, and believes in ${likely ? number(likely) : "none"} of them.`,
     running: "Dotted: what the model imagined. Dashed: what really happens.",
     /** @type {(solved: boolean, words: string) => string} */
-    ended: (solved, words) => (solved ? words : `It did not work: ${words}`),
+    ended: (solved, words) => (solved ? words : `It did not work. ${words}`),
   },
 
   compare: {

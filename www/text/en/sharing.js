@@ -41,7 +41,8 @@ export const sharing = {
   },
 
   done: {
-    film: "The film is ready: save or share it. It shows your ball.",
+    film: (/** @type {boolean} */ withBall) =>
+      `The film is ready: save or share it.${withBall ? " It shows your ball." : ""}`,
     filmStopped: "The film was stopped.",
     filmFailed: "This browser could not record the film. The picture can be saved.",
     shareFailed: "This browser could not share it. Copy the text, or save the picture.",
