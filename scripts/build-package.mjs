@@ -63,9 +63,9 @@ export const loadStyleSheets = () =>
 };
 
 /**
- * What a bundler gets of the package, and Node of the element. Before version 8, Vite's development server packs modules of packages into a
- * folder of its own, where their addresses lead nowhere; those that are not called .js it leaves where they are. And
- * Parcel finds these files by their names, without `exports`.
+ * What a bundler gets of the package, and Node of the element. Before version 8, Vite's development server packs
+ * modules of packages into a folder of its own, where their addresses lead nowhere; those that are not called .js it
+ * leaves where they are. And Parcel finds these files by their names, without `exports`.
  */
 const ENTRY_MODULES = {
   "pathlight.jsx": 'export * from "./api/index.js";\n',

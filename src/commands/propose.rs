@@ -95,7 +95,7 @@ impl Args {
             let written = folder.and_then(|()| fs::write(&self.out, &file));
             written.with_context(|| format!("cannot write {}", self.out.display()))?;
         }
-        progress.finish(&format!("{} tasks", tasks.len()));
+        progress.finish(&format!("{} puzzles", tasks.len().max(1)));
         Ok(())
     }
 }

@@ -6,7 +6,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::rollout::{Pose, Rollout};
+use super::rollout::{MAX_STEPS, Pose, Rollout};
 use super::sampled_paths::{SAMPLED_STEPS, SampledPath, SampledPaths};
 use super::scene::Scene;
 
@@ -23,6 +23,9 @@ pub struct RecordedPaths {
 }
 
 impl RecordedPaths {
+    /// The most poses of a body.
+    pub const MOST: usize = MAX_STEPS / STRIDE + 1;
+
     /// Returns the paths through a rollout of this scene; `None` if it has no action ball, or the green
     /// object is static.
     pub fn of(rollout: &Rollout, scene: &Scene) -> Option<RecordedPaths> {

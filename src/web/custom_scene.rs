@@ -25,8 +25,8 @@ pub fn custom_scene(#[wasm_bindgen(unchecked_param_type = "Puzzle")] puzzle: JsV
     to_js(&custom.ok_or_else(|| error(Code::BadScene, "the scene has a body of no known shape"))?)
 }
 
-/// Returns reasons why a value cannot be played as a custom scene; an empty list if it can. Never fails: that a value is
-/// no scene at all is such a reason.
+/// Returns reasons why a value cannot be played as a custom scene; an empty list if it can. Never fails: that a value
+/// is no scene at all is such a reason.
 #[wasm_bindgen(js_name = sceneProblems, unchecked_return_type = "SceneProblem[]")]
 pub fn scene_problems(#[wasm_bindgen(unchecked_param_type = "unknown")] value: JsValue) -> Result<JsValue, JsValue> {
     let found = CustomScene::read(plain_scene(&value)).map_or_else(|problems| problems, |custom| problems(&custom));

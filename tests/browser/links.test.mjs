@@ -66,10 +66,11 @@ test("of a custom puzzle that cannot be read nothing is shown but why", async ()
   const page = await openPuzzle(session);
   await page.evaluate(() => void (location.hash = "#scene=soup"));
   await page.locator("#problem").filter({ hasText: "damaged" }).waitFor();
-  await page.locator("#presentation-button").click();
-  await page.waitForFunction(() => /view=presentation/.test(location.hash));
+  await page.evaluate(() => void (location.hash = "#scene=soup&view=presentation"));
+  await page.locator("#puzzle[view=presentation]").waitFor();
   assert.ok(await page.locator("#problem").filter({ hasText: "damaged" }).isVisible());
   assert.ok(await page.locator("#scene").isHidden());
+  assert.ok(await page.locator("#home").isVisible(), "the header leads away");
   await page.goBack();
   await page.goBack();
   await page.locator("#scene").waitFor();

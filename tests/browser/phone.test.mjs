@@ -85,7 +85,10 @@ for (const [width, height] of [
       const wide = await page.evaluate(() => document.documentElement.scrollWidth);
       assert.ok(wide <= width, `${panel}: ${wide} px wide`);
       const box = await page.locator("#scene").boundingBox();
-      assert.ok(box.x >= 0 && box.y >= 0 && box.x + box.width <= width && box.y + box.height <= height, panel);
+      assert.ok(box.x >= 0 && box.x + box.width <= width && box.y + box.height <= height, panel);
+      // Where the panel has to be scrolled to, the scene moves up.
+      const bottomOfHeader = await page.locator("header").evaluate((header) => header.getBoundingClientRect().bottom);
+      assert.ok(box.y + box.height - bottomOfHeader > box.height / 2, `${panel}: the scene is at ${box.y}`);
       assert.ok(Math.abs(box.width - box.height) < 2, "the scene is square");
       assert.ok(box.width > Math.min(width, height) / 2, `the scene is large: ${box.width} px`);
       for (const button of await page.locator("button:visible, select:visible, #time").all()) {

@@ -59,7 +59,7 @@ fn a_memory_in_a_file_goes_on_where_it_ended() {
     assert_eq!(balls(&parts), whole);
     let kept: Value = serde_json::from_slice(&fs::read(&file).expect("a memory")).expect("JSON");
     assert_eq!(kept["puzzles"].as_array().map(Vec::len), Some(4));
-    assert_refused(&["agent", "--memory", &file], "learned with other weights");
+    assert_refused(&["agent", "--memory", &file], "learned by an agent without weights");
     for (content, words) in [("{", "damaged"), (r#"{"version":9}"#, "version 9")] {
         fs::write(&file, content).expect("a file");
         assert_refused(&[&RANDOM[..], &memory].concat(), words);
@@ -77,6 +77,7 @@ fn a_program_that_is_killed_has_kept_the_puzzles_that_were_over() {
     for line in puzzle("00002:007", true).iter().chain(begun) {
         agent.ask(&line.to_string());
     }
+    assert_refused(&[&RANDOM[..], &["--memory", &file]].concat(), "another process uses the memory");
     agent.kill();
     let kept: Value = serde_json::from_slice(&fs::read(&file).expect("a memory")).expect("JSON");
     assert_eq!(kept["puzzles"][0]["task"], "00002:007");

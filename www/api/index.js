@@ -84,7 +84,7 @@ export async function load(options = {}) {
 export class Pathlight extends Benchmark {
   /** @type {wasm.Model | null} */
   #model = null;
-  /** Counts how often weights were asked for or freed: of two that are read at once, those that were asked for last stay. */
+  /** How often weights were asked for or freed: of two that are read at once, those that were asked for last stay. */
   #asked = 0;
 
   /**

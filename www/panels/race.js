@@ -211,7 +211,7 @@ export class Race extends Component {
     button.disabled = !enabled;
     if (!enabled || !this.#hadFocus) return;
     this.#hadFocus = false;
-    if (document.activeElement === document.body) button.focus({ preventScroll: true });
+    if (document.activeElement?.localName === "body") button.focus({ preventScroll: true });
   }
 }
 

@@ -8,12 +8,13 @@ use pathlight::benchmark::folds::{FoldId, Setup};
 use pathlight::puzzle::templates::Template;
 use pathlight_lab::data::collect::{self, SOLUTIONS};
 use pathlight_lab::data::label::{self, LABELS, Scenes};
-use pathlight_lab::data::scene_id::HELD_OUT;
 use pathlight_lab::data::task_selection::TaskSelection;
 use pathlight_lab::data::{difficulty, merge, solve_rates};
 use pathlight_lab::progress::Progress;
 
+use super::at_least_one::count;
 use super::fold_args::{fold, setup};
+use super::scenes_args::MOST_RANDOM_SCENES;
 use super::template_arg::template;
 
 #[derive(clap::Subcommand)]
@@ -45,7 +46,7 @@ struct SelectionArgs {
     template: Option<&'static Template>,
 
     /// Use at most the first N tasks of each template
-    #[arg(long, value_name = "N", default_value_t = TaskSelection::default().limit)]
+    #[arg(long, value_name = "N", default_value_t = TaskSelection::default().limit, value_parser = count())]
     limit: usize,
 }
 
@@ -63,11 +64,11 @@ pub struct Collect {
     out: PathBuf,
 
     /// Solutions to find per task
-    #[arg(long, value_name = "N", default_value_t = collect::Settings::default().per_task)]
+    #[arg(long, value_name = "N", default_value_t = collect::Settings::default().per_task, value_parser = count())]
     per_task: usize,
 
     /// Most balls to simulate per task
-    #[arg(long, value_name = "N", default_value_t = collect::Settings::default().max_rollouts)]
+    #[arg(long, value_name = "N", default_value_t = collect::Settings::default().max_rollouts, value_parser = count())]
     max_rollouts: usize,
 
     #[command(flatten)]
@@ -127,7 +128,7 @@ pub struct Label {
     #[arg(
         long,
         value_name = "N",
-        value_parser = clap::value_parser!(u32).range(1..=i64::from(HELD_OUT)),
+        value_parser = clap::value_parser!(u32).range(1..=MOST_RANDOM_SCENES),
         conflicts_with_all = ["variants", "blends", "unlisted", "setup", "template", "limit"]
     )]
     random_scenes: Option<u32>,
@@ -214,7 +215,7 @@ pub struct Difficulty {
     balls: u32,
 
     /// Use only the first N tasks of each template, for a quick look
-    #[arg(long, value_name = "N", default_value_t = difficulty::Settings::default().limit)]
+    #[arg(long, value_name = "N", default_value_t = difficulty::Settings::default().limit, value_parser = count())]
     limit: usize,
 
     /// Seed of the balls
@@ -238,7 +239,7 @@ pub struct SolveRates {
     reference: PathBuf,
 
     /// Random actions inside the scene per task
-    #[arg(long, value_name = "N", default_value_t = 100)]
+    #[arg(long, value_name = "N", default_value_t = 100, value_parser = clap::value_parser!(u32).range(1..))]
     actions: u32,
 
     /// Use only the first N tasks of each template, for a quick look

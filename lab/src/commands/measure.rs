@@ -13,8 +13,10 @@ use pathlight_lab::reproduce::RESULTS;
 use pathlight_lab::reproduce::other_data::{self, Table};
 
 use super::agent_arg::agent;
+use super::at_least_one::count;
 use super::engine_arg::EngineArg;
 use super::fold_args::FoldArgs;
+use super::json_output;
 use super::scenes_args::ScenesArgs;
 
 #[derive(clap::Subcommand)]
@@ -126,14 +128,11 @@ impl Evaluate {
         if carry {
             let settings = carried::Settings { fold, tasks, limit, seed, shuffles, weights };
             let report = settings.measure(progress)?;
-            json_file::write(json.as_deref(), &report)?;
-            return Ok(report.markdown()?);
+            return json_output::write(json.as_deref(), &report, report.markdown()?);
         }
         let settings = evaluate::Settings { agents, fold, tasks, limit, seed, engine, weights, dqn };
         let report = settings.measure(progress)?;
-        // The file comes first, so that a closed pipe does not lose it.
-        json_file::write(json.as_deref(), &report)?;
-        Ok(report.table()?)
+        json_output::write(json.as_deref(), &report, report.table()?)
     }
 }
 
@@ -226,8 +225,7 @@ impl Forecasts {
         json_file::check(json.as_deref())?;
         let settings = forecasts::Settings { fold, scenes, balls, solutions, limit, seed, weights };
         let (forecasts, table) = settings.measure()?;
-        json_file::write(json.as_deref(), &forecasts)?;
-        Ok(table)
+        json_output::write(json.as_deref(), &forecasts, table)
     }
 }
 
@@ -272,8 +270,7 @@ impl Calibration {
         let (fold, scenes) = (fold.into(), scenes.into());
         json_file::check(json.as_deref())?;
         let calibration = calibration::Settings { fold, scenes, balls, limit, seed, weights }.measure()?;
-        json_file::write(json.as_deref(), &calibration)?;
-        Ok(calibration.table()?)
+        json_output::write(json.as_deref(), &calibration, calibration.table()?)
     }
 }
 
@@ -285,7 +282,7 @@ pub struct Fidelity {
     reference: PathBuf,
 
     /// Use only the first N tasks of each template, for a quick look
-    #[arg(long, value_name = "N", default_value_t = 100)]
+    #[arg(long, value_name = "N", default_value_t = 100, value_parser = count())]
     limit: usize,
 
     #[command(flatten)]

@@ -21,6 +21,7 @@ mod exit;
 mod figures;
 #[path = "../../../src/commands/fold_args.rs"]
 mod fold_args;
+mod json_output;
 mod measure;
 mod optimiser_arg;
 mod path_weights_args;

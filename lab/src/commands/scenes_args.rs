@@ -1,8 +1,10 @@
 //! Which scenes a command measures on.
 
-use pathlight_lab::data::scene_id::HELD_OUT;
 use pathlight_lab::measure::measured_scenes::MeasuredScenes;
 use pathlight_lab::measure::task_set::TaskSet;
+
+/// The most random scenes: their ids are listed in memory.
+pub const MOST_RANDOM_SCENES: i64 = 10_000_000;
 
 /// Scenes to measure on instead of test tasks.
 #[derive(clap::Args)]
@@ -19,7 +21,7 @@ pub struct ScenesArgs {
     #[arg(
         long,
         value_name = "N",
-        value_parser = clap::value_parser!(u32).range(1..i64::from(HELD_OUT)),
+        value_parser = clap::value_parser!(u32).range(1..=MOST_RANDOM_SCENES),
         conflicts_with_all = ["json", "limit"]
     )]
     random_scenes: Option<u32>,

@@ -2,7 +2,6 @@
 
 use std::path::PathBuf;
 
-use clap::builder::{RangedU64ValueParser, TypedValueParser};
 use pathlight_lab::data::collect::SOLUTIONS;
 use pathlight_lab::data::label::LABELS;
 use pathlight_lab::progress::Progress;
@@ -10,7 +9,7 @@ use pathlight_lab::training::dynamics::DynamicsRecipe;
 use pathlight_lab::training::settings::{LabelsRecipe, PathsRecipe, RunSettings};
 use pathlight_lab::training::{dqn, dynamics, paths, success};
 
-use super::at_least_one::at_least_one;
+use super::at_least_one::{at_least_one, count};
 use super::fold_args::FoldArgs;
 use super::optimiser_arg::OptimiserName;
 use super::path_weights_args::PathWeightsArgs;
@@ -51,7 +50,7 @@ struct RunArgs {
     batch: u16,
 
     /// Highest learning rate
-    #[arg(long, default_value_t = LabelsRecipe::default().learning_rate)]
+    #[arg(long, default_value_t = LabelsRecipe::default().learning_rate, value_parser = learning_rate)]
     learning_rate: f64,
 
     /// Batches between two checkpoints, and between two lines of losses.csv
@@ -84,9 +83,10 @@ impl From<RunArgs> for RunSettings {
     }
 }
 
-/// Numbers of epochs: without an epoch nothing would be trained.
-fn epochs() -> impl TypedValueParser<Value = usize> {
-    RangedU64ValueParser::new().range(1..)
+/// Parses a learning rate: with 0 nothing would be learned.
+fn learning_rate(text: &str) -> Result<f64, String> {
+    let rate = text.parse::<f64>().ok().filter(|rate| rate.is_finite() && *rate > 0.0);
+    rate.ok_or_else(|| "give a number above 0, like 0.001".to_string())
 }
 
 /// Train the four nets on the training tasks of a fold
@@ -100,7 +100,7 @@ pub struct Paths {
     solutions: PathBuf,
 
     /// Passes over the samples
-    #[arg(long, default_value_t = paths::Settings::default().epochs, value_parser = epochs())]
+    #[arg(long, default_value_t = paths::Settings::default().epochs, value_parser = count())]
     epochs: usize,
 
     /// Number of final epochs over which the learning rate decays linearly to zero
@@ -148,7 +148,7 @@ pub struct Success {
     labels: PathBuf,
 
     /// Passes over the scenes
-    #[arg(long, default_value_t = success::Settings::default().epochs, value_parser = epochs())]
+    #[arg(long, default_value_t = success::Settings::default().epochs, value_parser = count())]
     epochs: usize,
 
     /// Balls of each scene in a batch, sampled anew each time
@@ -187,7 +187,7 @@ pub struct Dynamics {
     labels: Vec<PathBuf>,
 
     /// Passes over the scenes
-    #[arg(long, default_value_t = dynamics::Settings::default().epochs, value_parser = epochs())]
+    #[arg(long, default_value_t = dynamics::Settings::default().epochs, value_parser = count())]
     epochs: usize,
 
     /// Balls of each scene in a batch, sampled anew each time
@@ -265,7 +265,7 @@ pub struct Dqn {
     labels: Vec<PathBuf>,
 
     /// Passes over the scenes
-    #[arg(long, default_value_t = dqn::Settings::default().epochs, value_parser = epochs())]
+    #[arg(long, default_value_t = dqn::Settings::default().epochs, value_parser = count())]
     epochs: usize,
 
     /// Balls of each scene in a batch, half of them solutions, sampled anew each time

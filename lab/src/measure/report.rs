@@ -128,6 +128,9 @@ impl Report {
                 for count in scene_counts(dynamics) {
                     write!(text, ", {count}")?;
                 }
+                if dynamics.from.is_some() {
+                    write!(text, ", trained further from other weights")?;
+                }
             }
             writeln!(text)?;
         }

@@ -12,7 +12,7 @@ use pathlight::puzzle::task::{TaskId, ids};
 use pathlight::puzzle::templates::TEMPLATES;
 
 use super::compared::{AgentMean, Published, REPORTED, mean_and_deviation, online_with_other_data, our_means};
-use super::fold_result::FoldResult;
+use super::fold_result::{FoldResult, Hyperparameters};
 use super::training_report;
 use crate::data::collect::{Collected, SOLUTIONS, is_of_earlier_search, read_solutions};
 use crate::data::label::BALLS;
@@ -46,7 +46,7 @@ pub fn write(results: &[FoldResult], solutions: &Path, folder: &Path) -> anyhow:
     folds(&mut text, results)?;
     training_report::write(&mut text, results)?;
     data(&mut text, results, solutions)?;
-    reproducing(&mut text, solutions)?;
+    reproducing(&mut text, results, solutions)?;
     let path = folder.join("README.md");
     replace_file(&path, text.as_bytes())?;
     Ok(text)
@@ -229,11 +229,18 @@ fn data(text: &mut String, results: &[FoldResult], path: &Path) -> anyhow::Resul
     Ok(())
 }
 
-fn reproducing(text: &mut String, solutions: &Path) -> anyhow::Result<()> {
-    let command = match solutions == Path::new(SOLUTIONS) {
-        true => "pathlight-lab reproduce".to_string(),
-        false => format!("pathlight-lab reproduce --solutions {}", quoted(solutions)),
-    };
+fn reproducing(text: &mut String, results: &[FoldResult], solutions: &Path) -> anyhow::Result<()> {
+    let mut command = "pathlight-lab reproduce".to_string();
+    if solutions != Path::new(SOLUTIONS) {
+        write!(command, " --solutions {}", quoted(solutions))?;
+    }
+    if let Some(FoldResult { hyperparameters, .. }) = results.first() {
+        let [used, default] = [hyperparameters, &Hyperparameters::default()].map(serde_json::to_value);
+        let default = default?;
+        for (key, value) in used?.as_object().into_iter().flatten().filter(|(key, value)| default[*key] != **value) {
+            write!(command, " --{} {value}", key.replace('_', "-"))?;
+        }
+    }
     write!(
         text,
         "

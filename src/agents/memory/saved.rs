@@ -23,6 +23,8 @@ pub enum MemoryError {
     Version(u32),
     #[error("this memory was learned with other weights: use those, or begin a new one")]
     Weights,
+    #[error("this memory was learned by an agent without weights: use that agent, or begin a new one")]
+    WithoutWeights,
     #[error("puzzle {puzzle} of this memory is damaged: {why}")]
     Task { puzzle: usize, why: TaskError },
     #[error("puzzle {puzzle} of this memory is damaged: {why}")]
@@ -85,7 +87,7 @@ impl Memory {
         }
         let saved: Saved = serde_json::from_slice(json).map_err(MemoryError::Json)?;
         if saved.weights.as_deref() != weights {
-            return Err(MemoryError::Weights);
+            return Err(if saved.weights.is_none() { MemoryError::WithoutWeights } else { MemoryError::Weights });
         }
         let forgotten = saved.forgotten as usize;
         let numbered = saved.puzzles.into_iter().zip(forgotten + 1..);

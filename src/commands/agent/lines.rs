@@ -70,6 +70,12 @@ impl Line {
             (_, _, _, true) => bail!("`forget` belongs on a line of its own: {{\"forget\":true}}"),
             (task, None, Some(status), false) => {
                 let sampled = |paths: RecordedPaths| {
+                    ensure!(
+                        paths.object.len() == paths.ball.len() && paths.object.len() <= RecordedPaths::MOST,
+                        "`paths` holds the poses at the start and at every tenth step, at most {} of each of `object` \
+                         and `ball`, and equally many: leave out those between",
+                        RecordedPaths::MOST
+                    );
                     paths.sampled().context(
                     "`paths` needs at least one pose [x,y,angle] for each of `object` and `ball`: leave it out if there are none",
                 )

@@ -3,22 +3,22 @@
 //!
 //! `json_lines` has the protocol. A line that cannot be used changes nothing. `player` answers.
 
-use std::fs;
 use std::io::{self, Write};
 use std::path::PathBuf;
 
-use anyhow::{Context, ensure};
+use anyhow::ensure;
 use pathlight::agents::agent_name::AgentName;
-use pathlight::agents::memory::Memory;
 
 use super::agent_arg::agent;
 use super::fold_args::FoldArgs;
 use super::json_lines::{Lines, Numbered, Refusal};
 use super::model_args::{DqnArgs, ModelArgs};
 use lines::{Line, MAX_LINE};
+use memory_file::MemoryFile;
 use player::Player;
 
 mod lines;
+mod memory_file;
 mod player;
 
 /// Play against any simulator: read tasks and outcomes as JSON lines, and answer each with the next ball
@@ -56,7 +56,7 @@ pub struct Args {
     #[command(flatten)]
     dqn: DqnArgs,
 
-    /// Keep what puzzles with "remember" teach in this file, and begin with what it holds
+    /// Keep what puzzles with "remember" teach in this file, and begin with what it holds; one process at a time
     #[arg(long, value_name = "FILE")]
     memory: Option<PathBuf>,
 }
@@ -81,17 +81,14 @@ impl Args {
             agent.check(&nets)?;
             (agent, Some(nets), None)
         };
-        let mut player = Player { agent, nets, dqn, seed: self.seed, memory: Memory::default(), puzzle: None };
-        if let Some(path) = self.memory.as_deref().filter(|path| path.exists()) {
-            let name = path.display();
-            let json = fs::read(path).with_context(|| format!("cannot read the memory in {name}"))?;
-            let read = player.memory.read_json(&json, weights.as_deref());
-            read.with_context(|| format!("cannot use the memory in {name}"))?;
+        let opened = self.memory.as_deref().map(|path| MemoryFile::open(path, weights)).transpose()?;
+        let (mut file, memory) = opened.unzip();
+        let memory = memory.unwrap_or_default();
+        let mut player = Player { agent, nets, dqn, seed: self.seed, memory, puzzle: None };
+        let played = play(&mut player, file.as_mut());
+        if let Some(file) = &mut file {
+            file.save(&player.memory)?;
         }
-        // A file that cannot be written is found before anything is learned.
-        self.save(&player.memory, weights.as_deref())?;
-        let played = self.play(&mut player, weights.as_deref());
-        self.save(&player.memory, weights.as_deref())?;
         let refused = played?;
         ensure!(
             refused == 0,
@@ -100,55 +97,44 @@ impl Args {
         );
         Ok(())
     }
+}
 
-    /// Answers the lines of standard input, and returns how many could not be used.
-    fn play(&self, player: &mut Player, weights: Option<&str>) -> anyhow::Result<usize> {
-        let mut out = io::stdout().lock();
-        let mut refused = 0;
-        let mut saved = player.memory.attempts();
-        for read in Lines::new(io::stdin().lock(), MAX_LINE) {
-            let read = read?;
-            if read.is_blank() {
-                continue;
-            }
-            let line = read.number;
-            let mut begins = false;
-            let answer = read.text.and_then(|text| {
-                let line = Line::parse(&text)?;
-                begins = matches!(line, Line::Begin { .. });
-                player.answer(line)
-            });
-            match answer {
-                Ok(answer) => {
-                    // A puzzle may also be left for the next one.
-                    let attempts = player.memory.attempts();
-                    if answer.ends_puzzle() || (begins && attempts != saved) {
-                        self.save(&player.memory, weights)?;
-                        saved = attempts;
-                    }
-                    serde_json::to_writer(&mut out, &Numbered { line, answer })?;
-                }
-                Err(error) => {
-                    refused += 1;
-                    serde_json::to_writer(&mut out, &Numbered { line, answer: Refusal::from(&error) })?;
-                }
-            }
-            writeln!(out)?;
-            out.flush()?;
+/// Answers the lines of standard input, and returns how many could not be used.
+fn play(player: &mut Player, mut file: Option<&mut MemoryFile>) -> anyhow::Result<usize> {
+    let mut out = io::stdout().lock();
+    let mut refused = 0;
+    let mut saved = player.memory.attempts();
+    for read in Lines::new(io::stdin().lock(), MAX_LINE) {
+        let read = read?;
+        if read.is_blank() {
+            continue;
         }
-        Ok(refused)
+        let line = read.number;
+        let mut begins = false;
+        let answer = read.text.and_then(|text| {
+            let line = Line::parse(&text)?;
+            begins = matches!(line, Line::Begin { .. });
+            player.answer(line)
+        });
+        match answer {
+            Ok(answer) => {
+                // A puzzle may also be left for the next one.
+                let attempts = player.memory.attempts();
+                if answer.ends_puzzle() || (begins && attempts != saved) {
+                    if let Some(file) = &mut file {
+                        file.save(&player.memory)?;
+                    }
+                    saved = attempts;
+                }
+                serde_json::to_writer(&mut out, &Numbered { line, answer })?;
+            }
+            Err(error) => {
+                refused += 1;
+                serde_json::to_writer(&mut out, &Numbered { line, answer: Refusal::from(&error) })?;
+            }
+        }
+        writeln!(out)?;
+        out.flush()?;
     }
-
-    /// Writes the memory, if it is kept in a file. The file that was there stays until the new one is complete, so
-    /// that a program that is ended meanwhile loses one puzzle at most.
-    fn save(&self, memory: &Memory, weights: Option<&str>) -> anyhow::Result<()> {
-        let Some(path) = &self.memory else { return Ok(()) };
-        // A link goes on leading to the file.
-        let file = path.canonicalize().unwrap_or_else(|_| path.clone());
-        let mut part = file.clone().into_os_string();
-        part.push(".part");
-        fs::write(&part, memory.to_json(weights))
-            .and_then(|()| fs::rename(&part, &file))
-            .with_context(|| format!("cannot write the memory to {}", path.display()))
-    }
+    Ok(refused)
 }
