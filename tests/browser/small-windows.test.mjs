@@ -43,12 +43,12 @@ for (const [width, height] of [
   });
 }
 
-for (const [width, height, locale] of [
-  [390, 664, "en"],
-  [390, 664, "de"],
-  [320, 568, "de"],
-  [844, 390, "en"],
-  [1024, 600, "de"],
+for (const { width, height, locale } of [
+  { width: 390, height: 664, locale: "en" },
+  { width: 390, height: 664, locale: "de" },
+  { width: 320, height: 568, locale: "de" },
+  { width: 844, height: 390, locale: "en" },
+  { width: 1024, height: 600, locale: "de" },
 ]) {
   test(`at ${width} x ${height}, with the model's guess, all can be reached after a miss, in the language ${locale}`, async () => {
     const viewport = { width, height };

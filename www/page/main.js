@@ -57,6 +57,8 @@ for (const line of story.querySelectorAll("p")) line.classList.toggle("told", li
 function languageLink([name, itself]) {
   const link = document.createElement("a");
   Object.assign(link, { href: `?lang=${name}`, lang: name, hreflang: name, textContent: itself });
+  // What the address asks for, like parts that a lesson hides, stays.
+  link.addEventListener("click", () => (link.href = `?lang=${name}${location.hash}`));
   return link;
 }
 

@@ -98,10 +98,18 @@ const ALONE: &str = "random-scenes-alone";
 /// # Errors
 /// If one cannot be read, or there is none.
 pub fn read(folder: &Path) -> anyhow::Result<Vec<Report>> {
-    let names = FoldId::all().map(|fold| fold.to_string()).chain([ALONE.to_string()]);
+    let folds = FoldId::all().map(|fold| (fold.to_string(), Some(fold)));
     let mut reports = Vec::new();
-    for path in names.map(|name| folder.join(name + ".json")).filter(|path| path.exists()) {
-        reports.push(json_file::read(&path, "pathlight-lab measure evaluate --carry")?);
+    for (name, fold) in folds.chain([(ALONE.to_string(), None)]) {
+        let path = folder.join(name + ".json");
+        if !path.exists() {
+            continue;
+        }
+        let report: Report = json_file::read(&path, "pathlight-lab measure evaluate --carry")?;
+        let found = FoldId { setup: report.setup, fold: report.fold };
+        let name = path.display();
+        ensure!(fold.is_none_or(|fold| fold == found), "{name} holds the results of {found}: name it {found}.json");
+        reports.push(report);
     }
     ensure!(
         !reports.is_empty(),
