@@ -54,11 +54,11 @@ impl Table {
         match self {
             Table::ProposedBalls => {
                 "Each dynamics net first learned from sampled balls in the training tasks and in variants of them; the \
-                 known solutions are [uniform](../../docs/reproducing.md#data). Then it proposed balls in its training \
-                 tasks, and was trained further on the sampled and the proposed balls there. The nets of the \
-                 [main results](../README.md) learned without proposed balls, from older solutions and with other settings. All \
-                 these nets learned from the training tasks and their variants alone, so these results compare with \
-                 published ones as the main results do."
+                 known solutions are [uniform](../../docs/reproducing.md#data). Then it proposed balls in scenes of its \
+                 training tasks, and was trained further on the sampled and the proposed balls. The nets of the \
+                 [main results](../README.md) learned without proposed balls, from older solutions and with other \
+                 settings. All these nets learned from the training tasks and from scenes made of them alone, so these \
+                 results compare with published ones as the main results do."
             }
             Table::RandomScenes => {
                 "One dynamics net learned from random scenes alone, which have no template. It has seen no task, so \
