@@ -35,8 +35,8 @@ impl ModelArgs {
         let name = path.display();
         let bytes = fs::read(&path).with_context(|| {
             format!(
-                "cannot read the weights in {name}: run this in Pathlight's folder, or name a file that \
-                 `pathlight-lab train paths` has written with --weights"
+                "cannot read the weights in {name}: run this in Pathlight's folder, which has those of fold 0, or \
+                 name a file that `pathlight-lab train paths` has written with --weights"
             )
         })?;
         let (nets, card) = PathNet::load(&bytes).with_context(|| format!("cannot use {name}"))?;
