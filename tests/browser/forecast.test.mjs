@@ -55,7 +55,7 @@ async function imagined(page, ball, task = EASY) {
 async function followsTheBall(page) {
   const { probability } = await imagined(page, await ball(page));
   const percent = probability < 0.01 ? "under 1" : probability > 0.99 ? "over 99" : Math.round(100 * probability);
-  await forecasts(page, new RegExp(`^The model’s guess: [a-z’ ]+ \\(${percent}%\\)\\.$`));
+  await forecasts(page, new RegExp(`^The model’s guess: [a-z’ ]+ \\(chance ${percent}%\\)\\.$`));
 }
 
 test("newcomers see it, in plain words; the switch is by the run button, and is remembered", async () => {
@@ -96,7 +96,7 @@ test("a hopeless ball is told so in plain words", async () => {
   const { probability } = await imagined(page, [8, 248, 2]);
   assert.ok(probability < 0.05);
   await type(page, [8, 248, 2]);
-  await forecasts(page, /^The model’s guess: almost surely won’t work \((under 1|\d)%\)\.$/);
+  await forecasts(page, /^The model’s guess: almost surely won’t work \(chance (under 1|\d)%\)\.$/);
 });
 
 test("it follows the mouse", async () => {

@@ -21,8 +21,8 @@ const TRIED = [tried(false, 0), tried(false, 60), tried(false, 60), tried(true, 
 
 test("a chance is never told as none or all", () => {
   assert.deepEqual([0, 0.004, 0.5, 0.996, 1].map(percent), ["under 1%", "under 1%", "50%", "over 99%", "over 99%"]);
-  assert.equal(chanceWords(0.03), "almost surely won’t work (3%)");
-  assert.equal(chanceWords(1), "almost surely works (over 99%)");
+  assert.equal(chanceWords(0.03), "almost surely won’t work (chance 3%)");
+  assert.equal(chanceWords(1), "almost surely works (chance over 99%)");
 });
 
 test("what a model knows does not contradict that it practised a puzzle", () => {

@@ -43,7 +43,7 @@ const FAILURES = {
 
 /** @type {typeof import("../en/model.js").model} */
 export const model = {
-  chance: (chance, share) => `${CHANCES[chance]} (${share})`,
+  chance: (chance, share) => `${CHANCES[chance]} (Chance ${share})`,
   hardlyAny: () => `unter ${percent(0.01)}`,
   nearlyAll: () => `über ${percent(0.99)}`,
   off: (distance) => `Seine Bahn für Grün lag im Schnitt ${number(distance)} px daneben.`,

@@ -29,7 +29,7 @@ const BALL_NETS = {
 
 export const model = {
   /** How likely a ball solves the puzzle; the share is in words. */
-  chance: (/** @type {Chance} */ chance, /** @type {string} */ share) => `${CHANCES[chance]} (${share})`,
+  chance: (/** @type {Chance} */ chance, /** @type {string} */ share) => `${CHANCES[chance]} (chance ${share})`,
   hardlyAny: () => `under ${percent(0.01)}`,
   nearlyAll: () => `over ${percent(0.99)}`,
   off: (/** @type {number} */ distance) => `Its path for green was ${number(distance)} px off, on average.`,
