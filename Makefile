@@ -38,7 +38,7 @@ play: $(PACKAGE)
 	@[ -x target/release/pathlight-serve ] || echo "== compiling the server (half a minute on 2 cores, once)"
 	@cargo build --release --workspace --bin pathlight-serve
 	@page=$(PAGE); \
-	$(BUNDLE) || { echo "warning: the page could not be bundled, so it starts more slowly; mend what is said above, then run make play again" >&2; page=www; }; \
+	$(BUNDLE) || { echo "warning: the page could not be bundled, so it starts more slowly; fix what is reported above, then run make play again" >&2; page=www; }; \
 	target/release/pathlight-serve --port $(PORT) --dir $$page
 
 check test:

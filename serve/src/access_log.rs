@@ -18,8 +18,7 @@ const WAITING_LINES: usize = 1024;
 /// Where lines are sent to be written.
 pub type Lines = SyncSender<String>;
 
-/// Starts the thread that writes to standard output. It is one of its own, so that a reader that pauses does not hold
-/// up the server.
+/// Starts a thread that writes the lines to standard output, so that a reader that pauses does not hold up the server.
 pub fn start() -> Lines {
     let (sender, lines) = sync_channel::<String>(WAITING_LINES);
     thread::spawn(move || {

@@ -17,11 +17,11 @@ use crate::puzzle::scene::{Body, Role, SIZE, Shape};
 /// Distance between the lines of a hatched goal, px.
 const HATCH_SPACING: f64 = 4.5;
 
-/// The radius that is hatched at most, px. Bodies that may be played are smaller, but not all that are drawn.
-const LARGEST_RADIUS: f64 = 512.0;
-
 /// Width of those lines, px.
 const HATCH_WIDTH: f64 = 1.2;
+
+/// Largest radius that is hatched, px. Bodies that may be played are smaller, but the editor also draws others.
+const MAX_HATCHED_RADIUS: f64 = 512.0;
 
 /// Width of the rim of black bodies, px.
 const RIM_WIDTH: f64 = 1.0;
@@ -213,7 +213,7 @@ impl<'a> Painter<'a> {
     /// Draws the hatching of a goal, which rotates with it.
     fn hatch(&self, body: &Body, outline: &Path2d) -> Result<(), JsValue> {
         let context = self.context;
-        let radius = bounding_radius(body).min(LARGEST_RADIUS);
+        let radius = bounding_radius(body).min(MAX_HATCHED_RADIUS);
         context.save();
         context.clip_with_path_2d(outline);
         context.begin_path();

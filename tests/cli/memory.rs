@@ -64,6 +64,7 @@ fn a_memory_in_a_file_goes_on_where_it_ended() {
         fs::write(&file, content).expect("a file");
         assert_refused(&[&RANDOM[..], &memory].concat(), words);
         assert_eq!(fs::read_to_string(&file).expect("a file"), content, "it is left as it was");
+        assert_eq!(fs::read_dir(folder.path()).expect("a folder").count(), 1, "and nothing is left beside it");
     }
     assert_refused(&["agent", "--weights", &file], "not a safetensors file");
 }

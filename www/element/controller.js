@@ -130,7 +130,7 @@ export class PuzzleController extends EventTarget {
 
   /**
    * Replaces the whole state.
-   * @param {Partial<State>} asked what it lacks is as in the beginning
+   * @param {Partial<State>} asked missing values are the initial ones
    */
   apply(asked) {
     const state = completed(asked);

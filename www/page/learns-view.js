@@ -80,7 +80,7 @@ export class LearnsView {
 
   /** Shows the kinds that are new to the model. */
   async show() {
-    // Who came by a link here had the focus on what is out of sight now.
+    // What had the focus may be out of sight now.
     if (document.activeElement === document.body) byId(document, "learns-title").focus();
     this.#fail(null);
     if (!this.#model) {

@@ -103,7 +103,7 @@ export class LessonDialog {
     const address = new URL(`#${formatFragment(lesson)}`, location.href);
     this.#address.value = address.href;
     byId(document, "lesson-own-machine").hidden = !OWN_MACHINE.test(address.hostname);
-    // The preview keeps nothing, and would start without the model's guess; the page starts with it.
+    // Where the link does not say, newcomers see the model's guess. The preview keeps nothing, so it would not show it.
     const forecast = lesson.forecast ?? (lesson.view === null && lesson.challenge === null);
     if (this.#preview) this.#preview.state = { ...lesson, forecast };
     this.#drawCode(address.href);

@@ -57,7 +57,7 @@ for (const line of story.querySelectorAll("p")) line.classList.toggle("told", li
 function languageLink([name, itself]) {
   const link = document.createElement("a");
   Object.assign(link, { href: `?lang=${name}`, lang: name, hreflang: name, textContent: itself });
-  // What the address asks for, like parts that a lesson hides, stays.
+  // The fragment stays: it says, for example, what a lesson hides.
   link.addEventListener("click", () => (link.href = `?lang=${name}${location.hash}`));
   return link;
 }

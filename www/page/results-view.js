@@ -57,7 +57,7 @@ export class ResultsView {
   async show(name) {
     this.#asked = name;
     const before = this.#chosen?.name;
-    // Who came by a link here had the focus on what is out of sight now.
+    // What had the focus may be out of sight now.
     if (document.activeElement === document.body) byId(document, "results-title").focus();
     const failure = byId(document, "results-failure");
     let compared;

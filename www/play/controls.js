@@ -77,7 +77,7 @@ export class Controls extends Component {
   /** @param {Session} session */
   open(session) {
     super.open(session);
-    // Of the first one, the focus on its scene tells.
+    // The first one is read when its scene gets the focus.
     if (this.#opened) this.announce(`${session.name}. ${session.goal}`);
     this.#opened = true;
     this.#applySpeed();

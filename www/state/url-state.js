@@ -83,7 +83,7 @@ export const INITIAL_STATE = Object.freeze({
 });
 
 /**
- * A copy in which what is missing is as in the beginning: scripts of other pages, and older versions, may lack some.
+ * Returns a copy in which missing values are the initial ones: states that scripts have stored may lack some.
  * @param {Partial<State>} state
  * @returns {State}
  */

@@ -84,7 +84,7 @@ export class KeptMemory extends EventTarget {
   }
 
   /**
-   * Deletes a memory that is damaged; the wasm may be the one that could not read it.
+   * Deletes a memory that cannot be read, here or by the wasm.
    * @param {string} model
    */
   dropDamaged(model) {

@@ -32,13 +32,13 @@ impl MemoryFile {
         if let Err(TryLockError::WouldBlock) = lock.try_lock() {
             bail!("another process uses the memory in {name}: wait until it has ended, or name another file");
         }
+        let mut opened = MemoryFile { file, lock_file, _lock: lock, weights, written: String::new() };
         let mut memory = Memory::default();
-        if file.exists() {
-            let json = fs::read(&file).with_context(|| format!("cannot read the memory in {name}"))?;
-            let read = memory.read_json(&json, weights.as_deref());
+        if opened.file.exists() {
+            let json = fs::read(&opened.file).with_context(|| format!("cannot read the memory in {name}"))?;
+            let read = memory.read_json(&json, opened.weights.as_deref());
             read.with_context(|| format!("cannot use the memory in {name}"))?;
         }
-        let mut opened = MemoryFile { file, lock_file, _lock: lock, weights, written: String::new() };
         // A file that cannot be written is found before anything is learned.
         opened.save(&memory)?;
         Ok((opened, memory))

@@ -34,7 +34,8 @@ impl CustomScene {
             }
             None if keys.get("bodies").is_some_and(|bodies| bodies.pointer("/0/parts").is_some()) => {
                 return Err(vec![Problem::unreadable(
-                    "This is a scene as it is drawn, whose bodies have parts: make a custom scene by `pathlight tasks --custom`, or by `customScene` of the npm package.",
+                    "This is a scene as it is drawn, whose bodies have parts: make a custom scene by `pathlight tasks \
+                     --custom`, or by `customScene` of the npm package.",
                 )]);
             }
             None => {
@@ -80,19 +81,19 @@ impl CustomScene {
     }
 }
 
-/// Returns a body with 0 for each -0, which JavaScript writes as 0: its digest and its poses stay the same.
 fn unreadable_body(index: usize, why: &str) -> Problem {
     let sentence = format!("Body {index} cannot be read: {why}. Correct it as the schema says.");
     Problem::of_body(index, Fault::Unreadable, sentence)
 }
 
-/// Finds a key of a body whose value is no number where one belongs; serde's error would not name it.
+/// Finds a key of a body that needs a number and has none; serde's error would not name it.
 fn no_number(body: &Value) -> Option<(&'static str, &Value)> {
     let numbers = ["x", "y", "angle", "radius", "length", "thickness", "height"];
     let mut found = numbers.into_iter().filter_map(|key| Some((key, body.get(key)?)));
     found.find(|(_, value)| !value.is_number())
 }
 
+/// Returns a body with 0 for each -0, which JavaScript writes as 0: its digest and its poses stay the same.
 fn without_negative_zero(body: CustomBody) -> CustomBody {
     CustomBody { x: body.x + 0.0, y: body.y + 0.0, angle: body.angle + 0.0, ..body }
 }
