@@ -26,7 +26,7 @@
 //! | `simulator` | computes the rollout of a scene and a ball: a port of Box2D 2.3's step on rapier2d's geometry |
 //! | `benchmark` | PHYRE's folds and its metric, auccess |
 //! | `nets` | the nets: the four, success net, dynamics net and DQN, and their weights; `training` is a feature |
-//! | `agents` | who proposes balls: from imagined paths, from maps, at random |
+//! | `agents` | what proposes balls: from imagined paths, from maps, at random |
 //! | `session` | one session on one puzzle: what is played, the attempts of player and model, an agent's turn |
 //! | `verification` | attempts that anyone can simulate again |
 //! | `search` | the solutions of a scene, the map of all solutions, luck |

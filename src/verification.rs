@@ -120,7 +120,7 @@ impl AttemptLine {
     /// ```
     pub fn verify(&self) -> Verdict {
         if self.digest.len() != 64 || !self.digest.bytes().all(|byte| matches!(byte, b'0'..=b'9' | b'a'..=b'f')) {
-            let reason = "`digest` is not a SHA-256: it has 64 hexadecimal digits, in lower case.";
+            let reason = "`digest` is not a SHA-256: a SHA-256 has 64 hexadecimal digits, in lower case.";
             return Verdict::not_valid(LineFault::Form, reason);
         }
         let again = match (self.puzzle(), self.ball, self.status) {

@@ -11,7 +11,7 @@ use std::{env, fs};
 
 use pathlight::agents::{self, ranking};
 use pathlight::benchmark::auccess::MAX_ATTEMPTS;
-use pathlight::nets::training::{Batch, Sample, Trainer};
+use pathlight::nets::training::{PathsBatch, Sample, Trainer};
 use pathlight::nets::{Imagined, Parameter, PathNet};
 use pathlight::puzzle::task::Task;
 use pathlight::raster::{Bitmap, Coverage, scene_channels, scene_coverage};
@@ -132,7 +132,7 @@ fn training() -> impl FnMut() -> f32 {
     let mut trainer = Trainer::from_nets(nets());
     let samples = batch();
     move || {
-        let batch = Batch::new(samples.iter().map(|sample| (sample, false)));
+        let batch = PathsBatch::new(samples.iter().map(|sample| (sample, false)));
         // In rayon's pool, as in the lab.
         rayon::scope(|_| trainer.step(batch, LEARNING_RATE)).iter().sum()
     }

@@ -58,7 +58,7 @@ pub struct CannotRemember(AgentName);
 
 /// A name that no agent has.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("there is no agent {0}")]
+#[error("there is no agent {0}: use {names}", names = AgentName::ALL.map(|name| name.to_string()).join(", "))]
 pub struct UnknownAgent(String);
 
 impl AgentName {

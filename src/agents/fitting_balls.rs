@@ -1,7 +1,7 @@
 //! Which of the balls that the success net scores, one for each radius and cell, fit into a scene.
 //!
-//! Where a ball fits, every smaller one fits too. So it is enough to know how many of the radii fit on each cell, and
-//! one clearance for each cell tells. Used by `ranking`.
+//! Where a ball fits, every smaller one fits too. So it is enough to know how many of the radii fit on each cell,
+//! which one clearance for each cell determines. Used by `ranking`.
 
 use crate::nets::success_net::{RADII, ball_at};
 use crate::puzzle::action::{Ball, Obstacles, overlaps};
@@ -21,7 +21,7 @@ pub(crate) struct FittingBalls {
 impl FittingBalls {
     pub(crate) fn new(scene: &Scene) -> FittingBalls {
         let obstacles = Obstacles::new(scene);
-        // x and y follow the same rule, so the balls on the diagonal of an empty scene tell for both axes.
+        // x and y follow the same rule, so the balls on the diagonal of an empty scene give both.
         let nothing = Obstacles::default();
         let placed =
             |index: usize, radius: usize| nothing.place(ball_at(radius * CELLS + index * SIDE + index).action()).ok();

@@ -1,10 +1,9 @@
 //! The agents that propose balls: the model, which may learn from its attempts, and the random agent.
 //!
-//! The page, the command line and the lab all call these functions, so the same seed yields the same attempts. The
-//! success net's logits and probabilities are the same natively and in wasm, bit for bit; the maps of the four nets
-//! differ in the last bits where the exponential functions of the two do, so that the placement map may start from
-//! another ball. No agent calls the simulator. All balls are valid and in the order of the attempts. `seed` is that of
-//! one puzzle: `TaskId::seed`.
+//! The page, the command line and the lab all call these functions, so the same seed yields the same attempts. What
+//! the nets compute, and so what agents propose, is the same natively and in wasm, bit for bit
+//! (`tests/proposals_golden.rs`). No agent calls the simulator. All balls are valid and in the order of the attempts.
+//! `seed` is that of one puzzle: `TaskId::seed`.
 
 #[cfg(not(target_arch = "wasm32"))]
 pub mod agent_name;
@@ -31,9 +30,9 @@ use online::{Candidate, OnlineAgent, Similarity};
 #[cfg(not(target_arch = "wasm32"))]
 use crate::nets::Dqn;
 use crate::nets::PathNet;
-use crate::puzzle::action::Ball;
+use crate::puzzle::action::{Ball, Obstacles};
 use crate::puzzle::sampled_paths::SampledPaths;
-use crate::puzzle::sampling::random_ball;
+use crate::puzzle::sampling::uniform_ball;
 use crate::puzzle::scene::Scene;
 
 /// An agent at work on one puzzle: it proposes balls one by one, and may learn from their outcomes.
@@ -193,7 +192,8 @@ pub fn from_dqn(dqn: &Dqn, scene: &Scene, count: usize) -> Vec<Proposal> {
 /// Returns `count` balls drawn uniformly from the action space; none if the scene has no room for a ball.
 pub fn random(scene: &Scene, seed: u64, count: usize) -> Vec<Proposal> {
     let mut rng = Pcg64Mcg::seed_from_u64(seed);
-    let balls = std::iter::repeat_with(|| random_ball(scene, &mut rng)).map_while(|ball| ball);
+    let obstacles = Obstacles::new(scene);
+    let balls = std::iter::repeat_with(|| uniform_ball(&obstacles, &mut rng)).map_while(|ball| ball);
     balls.map(|ball| Proposal { ball, origin: Origin::Uniform, rejected: 0 }).take(count).collect()
 }
 

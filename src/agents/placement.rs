@@ -11,7 +11,7 @@ use rand_pcg::Pcg64Mcg;
 
 use super::{Origin, Proposal};
 use crate::puzzle::action::{Action, Ball, Obstacles};
-use crate::puzzle::sampling::{gaussian, random_ball};
+use crate::puzzle::sampling::{gaussian, uniform_ball};
 use crate::puzzle::scene::Scene;
 use crate::raster::{ball_image, cell_centre};
 
@@ -79,7 +79,7 @@ pub fn proposals(map: &[f32], scene: &Scene, seed: u64, attempts: usize) -> Vec<
     for index in 0..attempts - found.len() {
         let proposal = if starts.is_empty() {
             let mut draws =
-                (0..MAX_PROPOSAL_DRAWS).map_while(|rejected| Some((rejected, random_ball(scene, &mut rng)?)));
+                (0..MAX_PROPOSAL_DRAWS).map_while(|rejected| Some((rejected, uniform_ball(&obstacles, &mut rng)?)));
             draws.find(|&(_, ball)| is_new(ball, &found)).map(|(rejected, ball)| Proposal {
                 ball,
                 origin: Origin::Uniform,
@@ -190,7 +190,7 @@ mod tests {
         let scene = scene();
         let mut rng = Pcg64Mcg::seed_from_u64(3);
         for _ in 0..20 {
-            let expected = random_ball(&scene, &mut rng).expect("the scene has room");
+            let expected = uniform_ball(&Obstacles::new(&scene), &mut rng).expect("the scene has room");
             let first = proposals(&certain_of(expected), &scene, 0, 1)[0].ball;
             assert!((first.x - expected.x).abs() <= 8.0 && (first.y - expected.y).abs() <= 8.0, "{expected}: {first}");
             assert!((first.r - expected.r).abs() <= 8.0, "{expected}: {first}");
@@ -249,7 +249,8 @@ mod tests {
     #[test]
     fn walks_end_away_from_all_before_and_those_of_the_first_start_end_nearest() {
         let scene = scene();
-        let expected = random_ball(&scene, &mut Pcg64Mcg::seed_from_u64(3)).expect("the scene has room");
+        let expected =
+            uniform_ball(&Obstacles::new(&scene), &mut Pcg64Mcg::seed_from_u64(3)).expect("the scene has room");
         let actions: Vec<Action> =
             proposals(&certain_of(expected), &scene, 0, 100).iter().map(|found| found.ball.action()).collect();
         let distance = |a: Action, b: Action| libm::hypot(libm::hypot(a.x - b.x, a.y - b.y), a.r - b.r);
@@ -268,7 +269,8 @@ mod tests {
     #[test]
     fn every_proposal_has_its_origin() {
         let scene = scene();
-        let expected = random_ball(&scene, &mut Pcg64Mcg::seed_from_u64(3)).expect("the scene has room");
+        let expected =
+            uniform_ball(&Obstacles::new(&scene), &mut Pcg64Mcg::seed_from_u64(3)).expect("the scene has room");
         let found = proposals(&certain_of(expected), &scene, 0, 20);
         let origins: Vec<Origin> = found.iter().map(|proposal| proposal.origin).collect();
         for origin in &origins[..STARTS] {

@@ -1,8 +1,8 @@
 //! The colours of the roles and of the background, light and dark. The style sheet reads them from `palette`.
 //!
-//! The hues are distinguishable for colour-blind people: those of Okabe and Ito, a purple, and a red that is as red as
-//! its name; tests/page/palette.test.mjs holds how far it is from the others. The dark palette has lighter tones of the
-//! same hues.
+//! The hues are distinguishable for colour-blind people: those of Okabe and Ito, a purple, and a strong red;
+//! tests/page/palette.test.mjs checks how far it is from the others. The dark palette has lighter tones of the same
+//! hues.
 
 use serde::Serialize;
 

@@ -2,7 +2,7 @@
 //!
 //! Each line that is not blank gets exactly one answer, in order. An answer has the number of its line; a line that
 //! cannot be used is answered with `{"line":N,"error":"…"}`. So a client that writes a line and waits for its answer
-//! never waits in vain.
+//! always gets one.
 
 use std::io::{self, BufRead, BufReader, Read};
 
@@ -29,7 +29,7 @@ impl Line {
 /// The lines of a source. A line that is too long is skipped without being kept, so memory stays bounded.
 pub struct Lines<R> {
     source: BufReader<R>,
-    /// Most bytes of a line.
+    /// Maximum number of bytes in a line.
     longest: usize,
     /// Lines read so far.
     count: usize,

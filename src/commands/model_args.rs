@@ -6,6 +6,7 @@ use std::{fs, path};
 use anyhow::Context;
 use pathlight::benchmark::folds::FoldId;
 use pathlight::nets::{Dqn, PathNet};
+use pathlight::puzzle::hex::hex;
 use sha2::{Digest, Sha256};
 
 /// A file of weights; part of the arguments of other commands.
@@ -41,7 +42,7 @@ impl ModelArgs {
         })?;
         let (nets, card) = PathNet::load(&bytes).with_context(|| format!("cannot use {name}"))?;
         card.fold_id().check(fold).with_context(|| format!("cannot use {name}"))?;
-        Ok((nets, Sha256::digest(&bytes).iter().map(|byte| format!("{byte:02x}")).collect()))
+        Ok((nets, hex(Sha256::digest(&bytes))))
     }
 }
 

@@ -1,7 +1,7 @@
 //! `pathlight propose`: the model's proposals for a fold's test tasks, as JSON lines, without any simulation, so that
 //! they can be evaluated elsewhere, for example on PHYRE's own engine.
 
-use std::fs;
+use std::fs::{self, OpenOptions};
 use std::io::{self, Write};
 use std::path::PathBuf;
 
@@ -61,6 +61,15 @@ struct TaskProposals {
 impl Args {
     pub fn run(self) -> anyhow::Result<()> {
         let fold = FoldId::from(self.fold);
+        let to_stdout = self.out.as_os_str() == "-";
+        let cannot_write =
+            || format!("cannot write {}: name a file that you may write to with --out", self.out.display());
+        if !to_stdout {
+            // Found out before anything is computed.
+            let folder = self.out.parent().map_or(Ok(()), fs::create_dir_all);
+            let opened = folder.and_then(|()| OpenOptions::new().append(true).create(true).open(&self.out));
+            opened.with_context(cannot_write)?;
+        }
         let nets = self.model.load(fold)?;
         let custom = self.scene.as_deref().map(custom_scene_file::read).transpose()?;
         let tasks = if custom.is_some() {
@@ -72,7 +81,6 @@ impl Args {
         };
         // A file is written when all lines are there; standard output line by line.
         let (mut stdout, mut file) = (io::stdout().lock(), Vec::new());
-        let to_stdout = self.out.as_os_str() == "-";
         let out: &mut dyn Write = if to_stdout { &mut stdout } else { &mut file };
         let proposals = |Puzzle { id, scene, .. }: Puzzle| {
             let proposals = agents::propose(&nets, &scene, id.seed(self.seed), self.attempts.into());
@@ -91,9 +99,7 @@ impl Args {
             progress.advance(tasks.len() as u64, "tasks".to_string());
         }
         if !to_stdout {
-            let folder = self.out.parent().map_or(Ok(()), fs::create_dir_all);
-            let written = folder.and_then(|()| fs::write(&self.out, &file));
-            written.with_context(|| format!("cannot write {}", self.out.display()))?;
+            fs::write(&self.out, &file).with_context(cannot_write)?;
         }
         progress.finish(&format!("{} puzzles", tasks.len().max(1)));
         Ok(())

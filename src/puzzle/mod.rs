@@ -5,6 +5,7 @@
 pub mod action;
 pub mod custom_scene;
 pub mod dimensions;
+pub mod hex;
 pub mod layout;
 pub mod nearest_place;
 pub mod recorded_paths;

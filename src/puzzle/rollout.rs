@@ -6,13 +6,15 @@
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
+use super::hex::hex;
+
 /// Steps per second of simulated time (PHYRE).
 pub const STEPS_PER_SECOND: usize = 60;
 
 /// Consecutive steps for which the object must touch the goal: three seconds (PHYRE).
 pub const GOAL_STEPS: usize = 3 * STEPS_PER_SECOND;
 
-/// Most steps of a rollout (PHYRE).
+/// Maximum number of steps of a rollout (PHYRE).
 pub const MAX_STEPS: usize = 1000;
 
 /// PHYRE's status of an attempt.
@@ -51,7 +53,7 @@ pub struct Rollout {
 pub fn digest_of(poses: &[Pose]) -> String {
     let mut hash = Sha256::new();
     poses.as_flattened().iter().for_each(|number| hash.update(number.to_le_bytes()));
-    hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
+    hex(hash.finalize())
 }
 
 impl Rollout {

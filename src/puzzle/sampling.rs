@@ -5,18 +5,12 @@
 use rand::{Rng, RngExt};
 
 use super::action::{Action, Ball, Obstacles};
-use super::scene::Scene;
 
-/// Most draws for one ball. In the benchmark's tasks more than four actions in ten are valid; the limit ends the search
-/// in a scene that has no room.
+/// Maximum number of draws for one ball. In the benchmark's tasks more than four actions in ten are valid; the limit
+/// ends the search in a scene that has no room.
 const MAX_DRAWS: usize = 100_000;
 
-/// Returns a valid ball drawn uniformly from the action space; `None` if the scene has no room for one.
-pub fn random_ball(scene: &Scene, rng: &mut impl Rng) -> Option<Ball> {
-    uniform_ball(&Obstacles::new(scene), rng)
-}
-
-/// Draws like `random_ball`, in a scene whose obstacles are prepared: for many draws.
+/// Returns a valid ball drawn uniformly from the action space; `None` if the scene of the obstacles has no room for one.
 pub fn uniform_ball(obstacles: &Obstacles, rng: &mut impl Rng) -> Option<Ball> {
     let mut action = || Action { x: rng.random(), y: rng.random(), r: rng.random() };
     (0..MAX_DRAWS).find_map(|_| obstacles.place(action()).ok())

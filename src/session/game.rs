@@ -13,7 +13,7 @@ use crate::puzzle::rollout::Rollout;
 use crate::puzzle::scene::Scene;
 use crate::simulator::simulate;
 
-/// Most attempts of each author at one puzzle: as many as PHYRE's metric counts.
+/// Maximum number of attempts of each author at one puzzle: as many as PHYRE's metric counts.
 pub const ATTEMPT_LIMIT: usize = MAX_ATTEMPTS;
 
 /// Who places the ball.

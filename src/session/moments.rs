@@ -21,7 +21,7 @@ pub fn quiet_stretches<'a>(rollouts: impl Iterator<Item = &'a Rollout> + Clone) 
             _ => stretches.push([step, step]),
         }
     }
-    stretches.retain(|[first, end]| end - first >= LEAST);
+    stretches.retain(|[first, end]| end - first + 1 >= LEAST);
     stretches
 }
 

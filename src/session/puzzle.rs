@@ -5,6 +5,7 @@ use sha2::{Digest, Sha256};
 
 use super::scene_check::checked;
 use crate::puzzle::custom_scene::{CustomScene, Problem};
+use crate::puzzle::hex::hex;
 use crate::puzzle::scene::Scene;
 use crate::puzzle::task::{Task, TaskId, goal_sentence, spread};
 
@@ -43,7 +44,7 @@ impl PuzzleId {
     pub fn digest(self) -> Option<String> {
         match self {
             PuzzleId::Task(_) => None,
-            PuzzleId::Custom(digest) => Some(digest.iter().map(|byte| format!("{byte:02x}")).collect()),
+            PuzzleId::Custom(digest) => Some(hex(digest)),
         }
     }
 

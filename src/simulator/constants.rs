@@ -26,7 +26,7 @@ pub const ANGULAR_DAMPING: f32 = 0.01;
 
 /// Iterations of the velocity solver in each step (PHYRE). Fewer: stacks and jars become soft.
 pub const VELOCITY_ITERATIONS: usize = 15;
-/// Most iterations of the position solver in each step (PHYRE). Fewer: overlaps last longer.
+/// Maximum number of iterations of the position solver in each step (PHYRE). Fewer: overlaps last longer.
 pub const POSITION_ITERATIONS: usize = 20;
 
 /// Largest impulse that the next step starts from, kg m/s: far above any momentum of a scene. Box2D has no such limit:
@@ -42,7 +42,7 @@ pub const LINEAR_SLOP: f32 = 0.005;
 pub const BAUMGARTE: f32 = 0.2;
 /// The same in the sub-step after a time of impact (b2_toiBaugarte).
 pub const TOI_BAUMGARTE: f32 = 0.75;
-/// Most overlap that one position iteration resolves, m (b2_maxLinearCorrection). It prevents overshoot.
+/// Maximum overlap that one position iteration resolves, m (b2_maxLinearCorrection). It prevents overshoot.
 pub const MAX_LINEAR_CORRECTION: f32 = 0.2;
 /// Longest displacement in one step, m (b2_maxTranslation): no body is faster than 120 m/s.
 pub const MAX_TRANSLATION: f32 = 2.0;

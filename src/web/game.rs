@@ -60,7 +60,7 @@ impl InvalidBall {
         match why {
             Invalid::Radius => InvalidBall::Radius,
             Invalid::Overlaps(body) => InvalidBall::Overlaps { body },
-            // The scene of a puzzle can be simulated, so what is left is a place far away.
+            // A puzzle's scene can always be simulated, so these all mean that the ball is outside it.
             Invalid::Outside | Invalid::OutOfRange | Invalid::Scene(_) => InvalidBall::Outside,
         }
     }
@@ -205,7 +205,7 @@ pub(super) fn attempt_number(value: &JsValue) -> Option<usize> {
 }
 
 pub(super) fn no_attempt(number: &JsValue) -> JsValue {
-    error(Code::NoAttempt, format!("there is no attempt {}", written(number)))
+    error(Code::NoAttempt, format!("there is no attempt {}: attempts are numbered from 1", written(number)))
 }
 
 pub(super) fn author_named(name: &str) -> Result<Author, JsValue> {

@@ -7,6 +7,7 @@ use web_sys::{CanvasRenderingContext2d, ImageData};
 
 use super::error::{Code, error};
 use crate::colour::imagined_maps::{Dashes, ImaginedMap};
+use crate::colour::outcomes::outcome_colour;
 use crate::raster::contour::contour;
 use crate::raster::{CELLS, SIDE};
 
@@ -61,21 +62,6 @@ pub(crate) fn outcomes(context: &CanvasRenderingContext2d, outcomes: &[u8], dark
         outcome_colour(outcomes[(SIDE - 1 - y / 4) * SIDE + x / 4], x % 8, y % 8, dark)
     };
     put_pixels(context, &(0..16 * CELLS).flat_map(pixel).collect::<Vec<u8>>(), 4 * SIDE)
-}
-
-/// Returns the colour of a pixel of an outcome; `x` and `y` in 0..8 are its place in a pattern of two by two cells.
-/// Solved is filled and dotted, invalid has diagonal lines, not solved has a few dots, and untried is transparent.
-fn outcome_colour(outcome: u8, x: usize, y: usize, dark: bool) -> [u8; 4] {
-    const SOLVED: [u8; 4] = [240, 188, 66, 255];
-    let gray = if dark { 225 } else { 70 };
-    match outcome {
-        1 if (x + y).is_multiple_of(8) => [gray, gray, gray, 120],
-        1 => [gray, gray, gray, 36],
-        2 if x == 3 && y == 3 => [gray, gray, gray, 150],
-        3 if x % 4 == 1 && y % 4 == 1 => [40, 30, 0, 255],
-        3 => SOLVED,
-        _ => [0; 4],
-    }
 }
 
 /// Draws the colour scale of a map, 0 at the left and the maximum at the right; the lowest row of pixels, if there

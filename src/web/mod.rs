@@ -128,7 +128,7 @@ thread_local! {
     static SHIPPED: Difficulty = Difficulty::shipped();
 }
 
-/// Returns how hard a task is: how many of how many uniform valid balls solve it.
+/// Returns how hard a task is: how many uniformly drawn valid balls were tried, and how many of them solve it.
 ///
 /// # Errors
 /// `bad_task` if there is no such task.

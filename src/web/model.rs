@@ -19,13 +19,14 @@ use crate::agents::ranking::probability_map;
 use crate::benchmark::folds::Fold;
 use crate::colour::imagined_maps::ImaginedMap;
 use crate::nets::{Card, PathNet};
+use crate::puzzle::hex::hex;
 use crate::puzzle::task::TaskId;
 use crate::session::ending::Ending;
 use crate::session::game::ATTEMPT_LIMIT;
 use crate::session::puzzle::Puzzle;
 use crate::session::turn;
 
-/// Most balls of one list of proposals, as on the command line.
+/// Maximum number of balls in one list of proposals, as on the command line.
 const MAX_PROPOSALS: u32 = 1000;
 
 /// The nets with their weights.
@@ -66,8 +67,7 @@ impl Model {
     pub fn new(bytes: &[u8], sha256: Option<String>) -> Result<Model, JsValue> {
         let (nets, card) = PathNet::load(bytes).map_err(|why| error(Code::BadWeights, why))?;
         let seen = Fold::new(card.setup, card.fold).all_train();
-        let computed = || Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect();
-        let weights = sha256.unwrap_or_else(computed);
+        let weights = sha256.unwrap_or_else(|| hex(Sha256::digest(bytes)));
         Ok(Model { model: MemoizedModel::new(nets), card, weights, seen })
     }
 

@@ -143,7 +143,7 @@ impl Painter<'_> {
             let Some(&[u, v]) = track.points.get(sample + 1) else { break };
             let (end_radius, length) = (width * track.errors[sample + 1], libm::hypot(u - x, v - y));
             if length > 0.0 {
-                // Turns as the discs do, so that nothing that is covered twice is left out.
+                // Wound in the same direction as the discs, so that overlaps are filled too.
                 let (across, up) = ((y - v) / length, (u - x) / length);
                 context.move_to(x - across * radius, y - up * radius);
                 context.line_to(u - across * end_radius, v - up * end_radius);

@@ -75,7 +75,7 @@ pub fn verify_attempt(#[wasm_bindgen(unchecked_param_type = "unknown")] line: Js
             Some(line) => line.verify(),
             None => Verdict::not_valid(
                 LineFault::Form,
-                "This is not an attempt: it is a JSON object with `task` or `scene`, `ball`, `simulator`, `status`, `steps` and `digest`.",
+                "This is not an attempt: an attempt is a JSON object with `task` or `scene`, `ball`, `simulator`, `status`, `steps` and `digest`.",
             ),
         },
     };

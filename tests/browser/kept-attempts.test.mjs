@@ -319,30 +319,39 @@ for (const [what, content] of Object.entries({
   });
 }
 
-test("a turn that other agents made is not brought back, and the new one takes its place", async () => {
-  const page = await played();
-  await page.evaluate((task) => {
-    const key = `pathlight.attempts.${task}`;
-    const lines = (localStorage.getItem(key) ?? "")
-      .trim()
-      .split("\n")
-      .map((line) => JSON.parse(line));
-    localStorage.setItem(
-      key,
-      lines.map((line) => `${JSON.stringify(line.agents ? { ...line, agents: 1 } : line)}\n`).join(""),
+for (const [whose, others] of Object.entries({ agents: { agents: 1 }, weights: { weights: "0123abcd" } })) {
+  test(`a turn that other ${whose} made is not brought back, and the new one takes its place`, async () => {
+    const page = await played();
+    await page.evaluate(
+      ([task, others]) => {
+        const key = `pathlight.attempts.${task}`;
+        const lines = (localStorage.getItem(key) ?? "")
+          .trim()
+          .split("\n")
+          .map((line) => JSON.parse(line));
+        localStorage.setItem(
+          key,
+          lines.map((line) => `${JSON.stringify(line.agents ? { ...line, ...others } : line)}\n`).join(""),
+        );
+      },
+      /** @type {const} */ ([EASY, others]),
     );
-  }, EASY);
-  await page.reload();
-  await modelLoaded(page);
-  assert.deepEqual(await titles(page, "model-attempts"), []);
-  await playModelTurn(page);
-  const kept = await page.evaluate(
-    (task) =>
-      (localStorage.getItem(`pathlight.attempts.${task}`) ?? "")
-        .trim()
-        .split("\n")
-        .map((line) => JSON.parse(line)),
-    EASY,
-  );
-  assert.ok(kept.some(({ agents }) => agents > 1) && !kept.some(({ agents }) => agents === 1), JSON.stringify(kept));
-});
+    await page.reload();
+    await modelLoaded(page);
+    assert.deepEqual(await titles(page, "model-attempts"), []);
+    await playModelTurn(page);
+    const kept = await page.evaluate(
+      (task) =>
+        (localStorage.getItem(`pathlight.attempts.${task}`) ?? "")
+          .trim()
+          .split("\n")
+          .map((line) => JSON.parse(line)),
+      EASY,
+    );
+    const turn = kept.filter(({ by }) => by === "within-0");
+    assert.ok(turn.length > 0);
+    for (const { agents, weights } of turn) {
+      assert.ok(agents > 1 && /^[0-9a-f]{8}$/.test(weights) && weights !== "0123abcd", JSON.stringify(kept));
+    }
+  });
+}

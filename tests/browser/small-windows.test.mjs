@@ -1,5 +1,5 @@
-// Small and low windows, and a finger that has been lifted: nothing lies over another, the page never scrolls to a
-// void.
+// Small and low windows, and a finger that has been lifted: nothing lies over another, the page never scrolls
+// past its content.
 
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";

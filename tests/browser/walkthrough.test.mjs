@@ -146,7 +146,7 @@ test("it ends with the futures of the likeliest balls, and with the one that is 
   const pictures = new Set([await picture(page)]);
   await page.locator('[aria-label="Step 4: Where to start"]').click();
   for (const [name, words] of Object.entries({
-    "Forty futures": /^It had \d+ ideas, and believes in (\d+|none) of them\.$/,
+    "Forty futures": /^It considered \d+ balls, and gives (\d+|none) of them a chance above 50%\.$/,
     "Run and compare":
       /^The model’s guess was: .+ \(.+%\)\. (Solved|It did not work\.) .+ Its path for green was \d+ px off, on average\.$/,
   })) {

@@ -52,7 +52,7 @@ fn a_scene_that_may_not_be_played_is_refused_with_all_reasons() {
     scene["bodies"][1]["angle"] = 9.into();
     fs::write(&path, scene.to_string()).expect("written");
     assert_refused(&["simulate", "--scene", file], "The radius of the green ball (body 0) is 99.0 px");
-    assert_refused(&["simulate", "--scene", file], "(body 1) has no place");
+    assert_refused(&["simulate", "--scene", file], "(body 1) has no valid place");
     fs::write(&path, "{").expect("written");
     assert_refused(&["simulate", "--scene", file], "scene.json");
 }

@@ -47,6 +47,16 @@ fn what_a_puzzle_taught_is_used_at_the_next_until_it_is_forgotten() {
 }
 
 #[test]
+fn what_is_forgotten_in_the_middle_of_a_puzzle_is_no_reminder_any_more() {
+    let [first, second] = ["00002:007", "00002:017"];
+    let begun = [json!({ "task": second, "remember": true }), json!({ "status": "not_solved" })];
+    let lines = |between: &[Value]| [&puzzle(first, true)[..], &begun[..1], between, &begun[1..]].concat();
+    let last = |between: &[Value]| answers(&[], &lines(between)).pop().expect("an answer");
+    assert_eq!(last(&[])["reminder"]["task"], first);
+    assert!(last(&[json!({ "forget": true })]).get("reminder").is_none());
+}
+
+#[test]
 fn a_memory_in_a_file_goes_on_where_it_ended() {
     let folder = tempdir().expect("a folder");
     let file = folder.path().join("memory.json").display().to_string();
@@ -64,7 +74,8 @@ fn a_memory_in_a_file_goes_on_where_it_ended() {
         fs::write(&file, content).expect("a file");
         assert_refused(&[&RANDOM[..], &memory].concat(), words);
         assert_eq!(fs::read_to_string(&file).expect("a file"), content, "it is left as it was");
-        assert_eq!(fs::read_dir(folder.path()).expect("a folder").count(), 1, "and nothing is left beside it");
+        let beside = fs::read_dir(folder.path()).expect("a folder").count();
+        assert_eq!(beside, 2, "and nothing but the lock is left beside it");
     }
     assert_refused(&["agent", "--weights", &file], "not a safetensors file");
 }

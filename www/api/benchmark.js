@@ -2,6 +2,7 @@
 // `Pathlight` of index.js inherits it.
 
 import * as wasm from "../pkg/pathlight.js";
+import { cleanUp } from "./clean-up.js";
 import { failure } from "./failure.js";
 
 /** @typedef {import("../pkg/pathlight.js").About} About */
@@ -76,7 +77,7 @@ export class Benchmark {
     try {
       return game.about();
     } finally {
-      game.free();
+      cleanUp(() => game.free());
     }
   }
 
@@ -175,8 +176,10 @@ export class Benchmark {
         yield { progress: map.progress(), outcomes };
       }
     } finally {
-      final = map.outcomes();
-      map.free();
+      cleanUp(() => {
+        final = map.outcomes();
+        map.free();
+      });
     }
   }
 
@@ -197,8 +200,10 @@ export class Benchmark {
         yield { found };
       }
     } finally {
-      final = search.found();
-      search.free();
+      cleanUp(() => {
+        final = search.found();
+        search.free();
+      });
     }
   }
 

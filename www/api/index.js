@@ -7,6 +7,7 @@
 
 import * as wasm from "../pkg/pathlight.js";
 import { Benchmark } from "./benchmark.js";
+import { cleanUp } from "./clean-up.js";
 import { failure } from "./failure.js";
 import { addressOf, compileWasm, readFile } from "./files.js";
 import { readModelList } from "./model-files.js";
@@ -84,12 +85,13 @@ export async function load(options = {}) {
 export class Pathlight extends Benchmark {
   /** @type {wasm.Model | null} */
   #model = null;
-  /** How often weights were asked for or freed: of two that are read at once, those that were asked for last stay. */
+  /** Counts the calls that load or free weights: of two loads that overlap, only the later one takes effect. */
   #asked = 0;
 
   /**
-   * Loads the weights of a model that Pathlight comes with, in place of those there are. Returns its name and the names
-   * of all models. If others are asked for meanwhile, those stay.
+   * Loads the weights of a model that Pathlight comes with, in place of those there are. Returns its name, the
+   * names of all models and the SHA-256 of its weights, if the list has it. If others are asked for meanwhile, those
+   * stay.
    * @param {string | null} [name] by default the first
    * @param {OnProgress} [onProgress]
    */
@@ -100,7 +102,7 @@ export class Pathlight extends Benchmark {
     const entry = list[name ? names.indexOf(name) : 0];
     if (!entry) throw failure("no_model", `There is no model “${name}” here. There is: ${names.join(", ")}.`);
     this.#use(await readWeights(entry, onProgress), asked, entry.sha256);
-    return { name: entry.name, names };
+    return { name: entry.name, names, sha256: entry.sha256 };
   }
 
   /**
@@ -225,7 +227,7 @@ export class Pathlight extends Benchmark {
     try {
       for (let attempt = turn.attempt(); attempt; attempt = turn.attempt()) yield attempt;
     } finally {
-      turn.free();
+      cleanUp(() => turn.free());
     }
   }
 

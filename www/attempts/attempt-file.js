@@ -19,7 +19,8 @@ const MAX_DEPTH = 8;
 /**
  * Saves attempts, so that they can be verified and also be read back as progress (storage/attempts.js).
  * @param {string} name of the puzzle
- * @param {(AttemptLine & { by: string, longest_touch: number, final_touch: number, agents?: number })[]} lines
+ * @param {(AttemptLine & { by: string, longest_touch: number, final_touch: number, agents?: number, weights?: string })[]}
+ *   lines
  */
 export function saveAttempts(name, lines) {
   const text = lines.map((line) => `${JSON.stringify(line)}\n`).join("");

@@ -25,7 +25,8 @@ export function filmFormat() {
  */
 export async function recorded(canvas, type, signal, drawFrame) {
   drawFrame(0);
-  const recorder = new MediaRecorder(canvas.captureStream(), { mimeType: type, videoBitsPerSecond: BIT_RATE });
+  const stream = canvas.captureStream();
+  const recorder = new MediaRecorder(stream, { mimeType: type, videoBitsPerSecond: BIT_RATE });
   /** @type {Blob[]} */
   const parts = [];
   recorder.addEventListener("dataavailable", ({ data }) => parts.push(data));
@@ -41,6 +42,7 @@ export async function recorded(canvas, type, signal, drawFrame) {
   } finally {
     // It has stopped by itself if it has failed.
     if (recorder.state === "recording") recorder.stop();
+    for (const track of stream.getTracks()) track.stop();
   }
   await stopped;
   if (failure) throw failure;

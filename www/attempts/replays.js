@@ -2,7 +2,8 @@
 // worker, says whether the same comes out to the bit, and replays it.
 
 import { Component } from "../widgets/component.js";
-import { AGENTS_VERSION, SIMULATOR_VERSION } from "../shell/constants.js";
+import { SIMULATOR_VERSION } from "../shell/constants.js";
+import { turnVersions } from "../model/turn-versions.js";
 import { createButton, setText } from "../widgets/dom.js";
 import { pathlight } from "../shell/page-api.js";
 import { sceneName } from "../puzzles/puzzle-name.js";
@@ -60,8 +61,12 @@ export class Replays extends Component {
     if (!session) return;
     const { name } = session;
     const made = [
-      ...attemptsBy("player", session.attempts.of("player")),
-      ...attemptsBy(session.attempts.modelName ?? "model", session.attempts.of("model")),
+      ...attemptsBy("player", session.attempts.of("player"), {}),
+      ...attemptsBy(
+        session.attempts.modelName ?? "model",
+        session.attempts.of("model"),
+        turnVersions(this.#client.loaded),
+      ),
     ];
     this.#tell(async (signal) => {
       const balls = made.map(({ ball }) => ball);
@@ -161,15 +166,15 @@ export class Replays extends Component {
     const puzzle = task ?? sceneName(scene);
     const words = text.attempts.replays;
     const place = ball ? words.ball(...ball) : words.noBall;
-    if (verification.verdict === "same" && status === "invalid") {
-      item.textContent = `${puzzle}, ${place}: ${words.invalid}`;
-      return item;
-    }
-    const outcome =
-      verification.verdict === "same"
-        ? words[status === "solved" ? "solved" : "missed"](steps)
-        : otherWords(attempt, verification);
-    item.append(createButton(`${puzzle}, ${place}: ${outcome}`, () => this.#replay(attempt)));
+    const same = verification.verdict === "same";
+    const found = same ? status : verification.status;
+    const outcome = !same
+      ? otherWords(attempt, verification)
+      : found === "invalid"
+        ? words.invalid
+        : words[found === "solved" ? "solved" : "missed"](steps);
+    const sentence = `${puzzle}, ${place}: ${outcome}`;
+    item.append(found === "invalid" ? sentence : createButton(sentence, () => this.#replay(attempt)));
     return item;
   }
 
@@ -208,15 +213,16 @@ export class Replays extends Component {
  * What the lines of attempts tell beside what verifies them.
  * @param {string} by
  * @param {import("../pkg/pathlight.js").Attempt[]} attempts
+ * @param {{ agents?: number, weights?: string }} versions of a model
  */
-function attemptsBy(by, attempts) {
-  const agents = by === "player" ? undefined : AGENTS_VERSION;
+function attemptsBy(by, attempts, { agents, weights }) {
   return attempts.map(({ ball, ending: { longest_touch, final_touch } }) => ({
     ball,
     by,
     longest_touch,
     final_touch,
     agents,
+    weights,
   }));
 }
 

@@ -81,11 +81,10 @@ export class Components {
     if (this.#panelsAwaited) return false;
     this.#panelsAwaited = true;
     if (later) await afterFrame();
-    const { createPanelComponents } = await import("./panel-components.js").catch((error) => {
+    const { all, ...panels } = await this.#createPanels().catch((error) => {
       this.#panelsAwaited = false;
       throw error;
     });
-    const { all, ...panels } = await createPanelComponents(this.#parts, this.canvas);
     for (const component of all) {
       await pauseIfLong();
       this.#add([component]);
@@ -94,6 +93,11 @@ export class Components {
     this.panels = panels;
     for (const element of this.#parts.root.querySelectorAll("[inert]")) element.removeAttribute("inert");
     return true;
+  }
+
+  async #createPanels() {
+    const { createPanelComponents } = await import("./panel-components.js");
+    return createPanelComponents(this.#parts, this.canvas);
   }
 
   /** @param {Component[]} components */
@@ -129,7 +133,7 @@ export class Components {
     for (const component of this.#all) component.setState(view);
   }
 
-  /** In reverse: what others read goes last. */
+  /** In reverse order: a component is closed before those that it reads from. */
   close() {
     this.#session = null;
     for (const component of this.#all.toReversed()) component.close();

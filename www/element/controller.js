@@ -94,9 +94,8 @@ export class PuzzleController extends EventTarget {
     const { panel, view } = this.#state;
     try {
       if (!(await this.#components.addPanels(panel === "play" && view === null))) return;
-    } catch (error) {
-      this.#showProblem(text.element.noPanels);
-      throw error;
+    } catch {
+      return this.#showProblem(text.element.noPanels);
     }
     if (this.#session) this.#startModel();
     this.#applyView();
@@ -135,7 +134,7 @@ export class PuzzleController extends EventTarget {
   apply(asked) {
     const state = completed(asked);
     const modelChanged = state.model !== this.#client.requestedName;
-    // What is left behind may still change the old state, so it goes first.
+    // Closing the puzzle may still change the old state, so it comes first.
     if (state.task !== this.#state.task || state.scene !== this.#state.scene) this.#closePuzzle();
     else if (modelChanged) this.#session?.clearModelAttempts();
     this.#state = state;

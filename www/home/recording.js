@@ -49,8 +49,12 @@ let read = null;
 
 /** Returns the recording. Nobody is told if it cannot be read: the page stands without it. */
 export function readRecording() {
-  read ??= readFile(ADDRESS, (reason) => failure("bad_data", `${reason}: ${ADDRESS}`)).then((bytes) =>
-    new Response(bytes).json(),
-  );
+  read ??= readFile(ADDRESS, (reason) => failure("bad_data", `${reason}: ${ADDRESS}`))
+    .then((bytes) => new Response(bytes).json())
+    .catch((error) => {
+      // The network may be back when it is asked for again.
+      read = null;
+      throw error;
+    });
   return read;
 }

@@ -1,4 +1,4 @@
-// What the first picture need not wait for, waits for it.
+// Delays work that the first picture does not need until the next frame is on the screen.
 
 /** Resolves once the next frame is on the screen; in a page that is not seen, which has no frames, at once. */
 export function afterFrame() {

@@ -33,17 +33,30 @@ export class LatestCall {
     this.#next = { question };
     if (this.#call) return;
     const call = (this.#call = new AbortController());
-    for (let next = this.#take(); next; next = this.#take()) {
-      try {
-        const answer = await this.#ask(next.question, call.signal);
-        if (!call.signal.aborted) this.#onAnswer(answer, next.question);
-      } catch (error) {
-        // A newer question is asked all the same.
-        if (!call.signal.aborted && !this.#next) this.#onFailure(/** @type {Error} */ (error).message);
+    try {
+      for (let next = this.#take(); next; next = this.#take()) {
+        const act = await this.#answered(next.question, call.signal);
+        if (call.signal.aborted) return;
+        act();
       }
-      if (call.signal.aborted) return;
+    } finally {
+      if (this.#call === call) this.#call = null;
     }
-    this.#call = null;
+  }
+
+  /**
+   * Resolves to what has to be done with the answer, or with the failure to get one.
+   * @param {Question} question
+   * @param {AbortSignal} signal
+   */
+  async #answered(question, signal) {
+    try {
+      const answer = await this.#ask(question, signal);
+      return () => this.#onAnswer(answer, question);
+    } catch (error) {
+      // A newer question is asked all the same.
+      return () => this.#next || this.#onFailure(/** @type {Error} */ (error).message);
+    }
   }
 
   /** Forgets the question; its answer never comes. */

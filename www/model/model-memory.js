@@ -32,8 +32,10 @@ export class ModelMemory extends EventTarget {
     super();
     this.#client = client;
     this.kept = kept;
-    kept.addEventListener("change", () => this.#changed());
     client.addEventListener("change", () => {
+      // Without a model there is nothing to tell; and the store, which all puzzles share, keeps no removed one alive.
+      if (client.status === "off") kept.removeEventListener("change", this.#changed);
+      else kept.addEventListener("change", this.#changed);
       if (client.status === "ready") for (const attempt of this.#waiting.splice(0)) this.remember(...attempt);
       this.#changed();
     });
@@ -122,9 +124,9 @@ export class ModelMemory extends EventTarget {
     this.kept.add(name, { key, name: about.id === null ? about.name : null }, json);
   }
 
-  #changed() {
+  #changed = () => {
     this.dispatchEvent(new Event("change"));
-  }
+  };
 }
 
 /**

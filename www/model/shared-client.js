@@ -77,6 +77,27 @@ export class SharedClient extends EventTarget {
     });
   }
 
+  /**
+   * Takes a model like `start`. Resolves once it is loaded; rejects with a sentence if it cannot be or is left, and with
+   * the signal's reason once that is aborted.
+   * @param {string | null} name
+   * @param {AbortSignal} signal
+   * @returns {Promise<void>}
+   */
+  ready(name, signal) {
+    this.start(name);
+    const ended = new AbortController();
+    const { promise, resolve, reject } = Promise.withResolvers();
+    const look = () => {
+      if (this.status === "ready") resolve(undefined);
+      else if (this.status !== "loading") reject(new Error(this.failure?.message ?? text.model.worker.stopped("")));
+    };
+    this.addEventListener("change", look, { signal: ended.signal });
+    signal.addEventListener("abort", () => reject(signal.reason), { signal: ended.signal });
+    look();
+    return promise.finally(() => ended.abort());
+  }
+
   /** Leaves the worker; the last puzzle that leaves it ends it. */
   stop() {
     this.#leave();
@@ -88,7 +109,7 @@ export class SharedClient extends EventTarget {
    * @type {WorkerClient["call"]}
    */
   call(name, args, signal, onUpdate) {
-    if (!this.#client) throw new Error(text.model.worker.notStarted);
+    if (!this.#client) return Promise.reject(new Error(text.model.worker.notStarted));
     return this.#client.call(name, args, signal, onUpdate);
   }
 

@@ -4,6 +4,7 @@
 // The page sends { id, call, args }, and the worker answers with any number of { id, update }, then with one
 // { id, value } or { id, error }. { cancel: id } ends a call that is still running; nobody waits for its answer.
 
+import { cleanUp } from "../api/clean-up.js";
 import { load as loadPathlight } from "../api/index.js";
 
 /** @typedef {import("../pkg/pathlight.js").Ball} Ball */
@@ -12,8 +13,10 @@ import { load as loadPathlight } from "../api/index.js";
 
 /** @typedef {typeof calls} Calls */
 /**
- * The model that is loaded: its name, the names of all models, and how it was trained.
- * @typedef {{ name: string, names: string[], card: import("../pkg/pathlight.js").ModelCard }} LoadedModel
+ * The model that is loaded: its name, the names of all models, the SHA-256 of its weights if it is known, and how it was
+ * trained.
+ * @typedef {{ name: string, names: string[], sha256?: string, card: import("../pkg/pathlight.js").ModelCard }}
+ *   LoadedModel
  */
 /**
  * An error for the person. Codes that the page knows: "no_model" (no model of this name), "crashed" (the wasm trapped,
@@ -96,7 +99,7 @@ const calls = {
       }
       return { tries, memory: memory.toJson() };
     } finally {
-      memory.free();
+      cleanUp(() => memory.free());
     }
   },
 
@@ -113,7 +116,7 @@ const calls = {
       memory.remember(puzzle, ball, solved);
       return memory.toJson();
     } finally {
-      memory.free();
+      cleanUp(() => memory.free());
     }
   },
 

@@ -57,7 +57,7 @@ export class CustomGallery {
     const input = byId(document, "custom-file", HTMLInputElement);
     byId(document, "custom-open").addEventListener("click", () => input.click());
     byId(document, "custom-save").addEventListener("click", () =>
-      savePuzzles([...this.#shown.values()].map(({ scene }) => scene)),
+      savePuzzles(this.#store.scenes.filter((scene) => pathlight.sceneProblems(scene).length === 0)),
     );
     input.addEventListener("change", () => {
       this.#open(Array.from(input.files ?? []));

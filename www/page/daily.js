@@ -2,7 +2,7 @@
 
 import { solveRateOf } from "../puzzles/difficulty.js";
 
-/** A puzzle of the day is solved by at least this share of the valid balls, so that nobody despairs. */
+/** A puzzle of the day is solved by at least this share of the valid balls, so that it is never too hard. */
 const LEAST_SOLVE_RATE = 0.01;
 /**
  * A prime: each day’s puzzle lies this many places after the last one’s, so that kinds alternate and none comes twice

@@ -176,13 +176,13 @@ export class LearnsView {
    * @param {AbortSignal} signal
    */
   async #playAll(tasks, signal) {
-    await this.#loaded(signal);
+    await this.#client.ready(this.#model, signal);
     let next = this.#playOne(tasks[0], this.#memory, signal);
     for (const [index, task] of tasks.entries()) {
       const game = await next;
       if (index + 1 < tasks.length) {
         next = this.#playOne(tasks[index + 1], game.memory, signal);
-        // It is looked at when this puzzle has been shown.
+        // A failure is handled when `next` is awaited, after this puzzle has been shown.
         next.catch(() => {});
       }
       await this.#showGame(task, game, signal);
@@ -226,30 +226,6 @@ export class LearnsView {
     setText(byId(document, "learns-status"), text.learns.status(this.#all.length, words));
     this.#update();
     await this.#clock.run(this.#hurries ? 0 : reducedMotion.matches ? STILL : PAUSE, signal);
-  }
-
-  /**
-   * Resolves once the model is loaded.
-   * @param {AbortSignal} signal
-   * @returns {Promise<void>}
-   */
-  #loaded(signal) {
-    this.#client.start(this.#model);
-    return new Promise((resolve, reject) => {
-      const look = () => {
-        const { status, failure } = this.#client;
-        if (status === "loading") return;
-        this.#client.removeEventListener("change", look);
-        if (status === "ready") resolve();
-        else reject(new Error(failure?.message ?? text.learns.left));
-      };
-      this.#client.addEventListener("change", look);
-      signal.addEventListener("abort", () => {
-        this.#client.removeEventListener("change", look);
-        reject(signal.reason);
-      });
-      look();
-    });
   }
 
   #onClient() {

@@ -23,7 +23,7 @@ const LAST = 1.1;
 const BEFORE = 1;
 /** How long one of them is shown at most, s. */
 const ONE = 0.4;
-/** Puzzles of which the curve shows the mean. */
+/** Puzzles of which the curve shows the geometric mean. */
 const WINDOW = 5;
 
 /**
@@ -54,7 +54,7 @@ export function runningMeans(tries) {
 }
 
 /**
- * Which puzzle helped, like ", as in puzzle 3"; empty if none did.
+ * Which puzzle helped, like ", helped by puzzle 3"; empty if none did.
  * @param {Played} played
  * @param {string[]} earlier the tasks of its kind that were played before it, in order
  */

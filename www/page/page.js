@@ -8,7 +8,7 @@ import { byId, find } from "../widgets/dom.js";
 import { hideParts } from "../widgets/hidden-parts.js";
 import { dismissNotice, showDone, showNotice } from "../widgets/notice.js";
 import { sceneName } from "../puzzles/puzzle-name.js";
-import { leavesPlainKeys } from "../widgets/shortcuts.js";
+import { isChord, leavesPlainKeys } from "../widgets/shortcuts.js";
 import { TEMPLATES, templateOf } from "../puzzles/templates.js";
 import { hrefOf, pageViewOf, showsPuzzle } from "../state/links.js";
 import { INITIAL_STATE, PAGE_VIEWS } from "../state/url-state.js";
@@ -236,8 +236,7 @@ export class Page {
     const [target] = event.composedPath();
     if (!event.composedPath().includes(this.#puzzle)) this.#puzzle.pressKey(event);
     const offset = { "[": -1, "]": 1 }[event.key];
-    if (!offset || event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || !leavesPlainKeys(target))
-      return;
+    if (!offset || event.defaultPrevented || isChord(event) || !leavesPlainKeys(target)) return;
     event.preventDefault();
     this.#stepPuzzle(offset);
   }

@@ -107,7 +107,7 @@ export class ModelPair extends Component {
     this.#asked = loaded.name;
     this.#say(text.panels.modelPair.playing);
     try {
-      await started(this.#other, names[1], call.signal);
+      await this.#other.ready(names[1], call.signal);
       const ask = async (/** @type {SharedClient} */ client, /** @type {string} */ name) => {
         const [imagined, tried] = await Promise.all([
           client.call("imagine", [puzzle], call.signal),
@@ -169,29 +169,6 @@ export class ModelPair extends Component {
     this.byId("more").hidePopover();
     this.session?.preview(number, tried[number - 1].ball, true, true);
   }
-}
-
-/**
- * Resolves when a model is loaded; rejects with a sentence if it cannot be.
- * @param {SharedClient} client
- * @param {string} name
- * @param {AbortSignal} signal
- */
-function started(client, name, signal) {
-  return new Promise((/** @type {(value: void) => void} */ resolve, reject) => {
-    const check = () => {
-      if (client.status === "ready") resolve();
-      else if (client.status === "failed") reject(new Error(client.failure?.message));
-      else return;
-      client.removeEventListener("change", check);
-    };
-    client.addEventListener("change", check);
-    signal.addEventListener("abort", () => {
-      client.removeEventListener("change", check);
-      reject(signal.reason);
-    });
-    client.start(name);
-  });
 }
 
 /** @param {TriedProposal[]} tried */

@@ -122,8 +122,7 @@ export class Race extends Component {
             show.add(attempt);
           })
         : this.#client.call("turn", [session.puzzle], turn.signal, (attempt) => show.add(attempt));
-      await played.finally(() => show.end());
-      await shown;
+      await Promise.all([played.finally(() => show.end()), shown]);
       if (turn.signal.aborted) return;
       // Neither a replay that is being watched nor what the person does meanwhile is interrupted.
       const free = !show.interrupted && !session.playback.playing && !session.shown?.preview;

@@ -1,12 +1,13 @@
 // Keeps the attempts of player and model at each puzzle in the browser, and brings them back when the puzzle is opened
 // again: the player's are simulated once more; the model's come with its turn, if it was made by the model that is
-// loaded, with the same agents. A turn with a memory is not kept: the next time the model remembers more, and plays
+// loaded, with the same weights and agents. A turn with a memory is not kept: the next time the model remembers more, and plays
 // otherwise.
 
 import { Component } from "../widgets/component.js";
-import { AGENTS_VERSION, SIMULATOR_VERSION } from "../shell/constants.js";
+import { turnVersions } from "../model/turn-versions.js";
+import { SIMULATOR_VERSION } from "../shell/constants.js";
 import { puzzleKey } from "../shell/puzzle-key.js";
-import { PLAYER } from "../storage/attempts.js";
+import { PLAYER, sameVersions } from "../storage/attempts.js";
 
 /** @typedef {import("./session.js").Session} Session */
 
@@ -60,14 +61,12 @@ export class KeptAttempts extends Component {
   /** A turn that the loaded model has made before. */
   #bringBackModel() {
     const { session } = this;
-    const name = this.#client.loaded?.name;
-    if (!session || name === undefined || this.#memory.on || session.attempts.modelName !== null) return;
+    const { loaded } = this.#client;
+    if (!session || !loaded || this.#memory.on || session.attempts.modelName !== null) return;
     const attempts = this.#progress
       .attemptsAt(this.#puzzle)
-      .filter(
-        ({ by, simulator, agents }) => by === name && simulator === SIMULATOR_VERSION && agents === AGENTS_VERSION,
-      );
-    session.attempts.restoreModel(attempts, name);
+      .filter((one) => one.by === loaded.name && sameVersions(one, turnVersions(loaded)));
+    session.attempts.restoreModel(attempts, loaded.name);
     this.#kept.model = ballsOf(session.attempts.of("model"));
   }
 
@@ -83,10 +82,6 @@ export class KeptAttempts extends Component {
       const by = author === "player" ? PLAYER : session.attempts.modelName;
       // The attempts of a model that goes are not deleted.
       if (by === null) continue;
-      const versions =
-        author === "player"
-          ? { simulator: SIMULATOR_VERSION }
-          : { simulator: SIMULATOR_VERSION, agents: AGENTS_VERSION };
       this.#progress.remove(
         this.#puzzle,
         by,
@@ -96,7 +91,7 @@ export class KeptAttempts extends Component {
         this.#puzzle,
         by,
         attempts.filter(({ ball }) => !kept.includes(String(ball))),
-        versions,
+        author === "player" ? { simulator: SIMULATOR_VERSION } : turnVersions(this.#client.loaded),
       );
     }
   }

@@ -22,6 +22,8 @@ export class Playback extends EventTarget {
   /** Steps per second while it plays, or null for real time by `speed`. */
   #rate = /** @type {number | null} */ (null);
   #lastFrame = 0;
+  /** The frame that is awaited while it plays. */
+  #frame = 0;
 
   /**
    * Loads a rollout by its number of steps, paused at a step.
@@ -29,7 +31,7 @@ export class Playback extends EventTarget {
    * @param {number} [step]
    */
   load(last, step = 0) {
-    this.playing = false;
+    this.stop();
     this.#rate = null;
     this.last = last;
     this.#moveTo(step);
@@ -53,13 +55,13 @@ export class Playback extends EventTarget {
     if (this.ended) this.step = 0;
     this.playing = true;
     this.#lastFrame = performance.now();
-    requestAnimationFrame(this.#onFrame);
+    this.#frame = requestAnimationFrame(this.#onFrame);
     this.#moveTo(this.step);
   }
 
   pause() {
     if (!this.playing) return;
-    this.playing = false;
+    this.stop();
     this.#moveTo(Math.floor(this.step));
   }
 
@@ -68,7 +70,7 @@ export class Playback extends EventTarget {
    * @param {number} step
    */
   seek(step) {
-    this.playing = false;
+    this.stop();
     this.#moveTo(Math.round(step));
   }
 
@@ -83,6 +85,7 @@ export class Playback extends EventTarget {
   /** Stops for good, without a tick. */
   stop() {
     this.playing = false;
+    cancelAnimationFrame(this.#frame);
   }
 
   get #pacedSpeed() {
@@ -91,12 +94,11 @@ export class Playback extends EventTarget {
 
   /** @param {number} now */
   #onFrame = (now) => {
-    if (!this.playing) return;
     const elapsed = Math.min(now - this.#lastFrame, MAX_FRAME) / 1000;
     this.#lastFrame = now;
     const step = this.step + Math.max(elapsed, 0) * (this.#rate ?? STEPS_PER_SECOND * this.#pacedSpeed);
     if (step >= this.last) this.playing = false;
-    else requestAnimationFrame(this.#onFrame);
+    else this.#frame = requestAnimationFrame(this.#onFrame);
     this.#moveTo(step);
   };
 

@@ -1,7 +1,7 @@
 // The kept attempts as the browser's store has them: JSON lines, a key (slot) for each task, and one for all custom
 // scenes. Knows nothing of the document.
 
-import { AttemptReader, TASK, formatAttempts, identityOf } from "./attempts.js";
+import { AttemptReader, TASK, formatAttempts, identityOf, mergeAttempts } from "./attempts.js";
 import { linesOf } from "./sliced-work.js";
 
 /** @typedef {import("./attempts.js").KeptAttempt} KeptAttempt */
@@ -95,13 +95,21 @@ export class AttemptStore {
   }
 
   /**
-   * Forgets what was read, as another tab has written it. Returns whether the key is of attempts.
+   * Forgets what was read, as another tab has written it. What the browser had not taken is added to that. Returns
+   * whether the key is of attempts.
    * @param {string | null} key null for all
    */
   refresh(key) {
     if (key === null) this.#known.clear();
     if (!key?.startsWith(PREFIX)) return false;
-    this.#known.delete(key.slice(PREFIX.length));
+    const slot = key.slice(PREFIX.length);
+    const unwritten = this.#store.unwritten.includes(key) ? this.in(slot) : [];
+    this.#known.delete(slot);
+    if (unwritten.length > 0) {
+      this.#store.revert(key);
+      const { here, fresh } = mergeAttempts(this.latestIn(slot), unwritten);
+      this.write(slot, [...here, ...fresh]);
+    }
     return true;
   }
 }

@@ -4,12 +4,16 @@
 // {"task":"00007:008","by":"player","number":2,"ball":[128,200,12],"status":"solved","steps":312,"longest_touch":180,
 //  "final_touch":180,"simulator":3}
 // A custom scene has its digest as "scene" instead of the "task"; in files it may be the scene itself. "by" is "player"
-// or the name of a model, and then "agents" is the version of the agents; "number" counts the attempts of that
+// or the name of a model; then "agents" is the version of the agents, and "weights" are the first digits of the SHA-256 of
+// its weights, if that is known. "number" counts the attempts of that
 // author at that puzzle from 1; lengths are in px, times in steps; "simulator" is the version of the simulator.
 
 /** @typedef {import("../pkg/pathlight.js").Attempt} Attempt */
 
-/** @typedef {{ simulator: number, agents?: number }} Versions what an attempt depends on; a person's has no agents */
+/**
+ * What an attempt depends on; a person's has neither agents nor weights.
+ * @typedef {{ simulator: number, agents?: number, weights?: string }} Versions
+ */
 
 /**
  * An attempt at a puzzle: the id of a task, or the digest of a custom scene.
@@ -21,6 +25,7 @@ export const TASK = /^\d{5}:\d{3}$/;
 /** The name of a model, or "player". */
 export const NAME = /^[\w.-]+$/;
 const DIGEST = /^[0-9a-f]{64}$/;
+const WEIGHTS = /^[0-9a-f]{8}$/;
 /** The attempts that each author has on a puzzle. */
 export const ATTEMPT_LIMIT = 100;
 /** More attempts than a person can make: a number above it is damage. */
@@ -34,8 +39,8 @@ const MAX_LINE = 65_536;
  * The author at the puzzle. The turns of a model by other versions are turns of their own.
  * @param {KeptAttempt} attempt
  */
-export function turnOf({ puzzle, by, simulator, agents }) {
-  return by === PLAYER ? `${puzzle} ${by}` : `${puzzle} ${by} ${simulator} ${agents}`;
+export function turnOf({ puzzle, by, simulator, agents, weights }) {
+  return by === PLAYER ? `${puzzle} ${by}` : `${puzzle} ${by} ${simulator} ${agents} ${weights}`;
 }
 
 /** @param {KeptAttempt} attempt */
@@ -45,6 +50,9 @@ export function identityOf(attempt) {
 
 /** @type {(attempt: KeptAttempt, puzzle: string, by: string) => boolean} */
 export const isOf = (attempt, puzzle, by) => attempt.puzzle === puzzle && attempt.by === by;
+
+/** @type {(a: Versions, b: Versions) => boolean} */
+export const sameVersions = (a, b) => a.simulator === b.simulator && a.agents === b.agents && a.weights === b.weights;
 
 /** @type {(a: Versions, b: Versions) => number} */
 export const compareVersions = (a, b) => a.simulator - b.simulator || (a.agents ?? 0) - (b.agents ?? 0);
@@ -132,7 +140,7 @@ export function formatAttempts(attempts) {
 }
 
 /** @param {KeptAttempt} attempt */
-export function lineOf({ puzzle, by, number, ball, ending: { solved, ...times }, simulator, agents }) {
+export function lineOf({ puzzle, by, number, ball, ending: { solved, ...times }, simulator, agents, weights }) {
   return {
     ...(TASK.test(puzzle) ? { task: puzzle } : { scene: puzzle }),
     by,
@@ -142,6 +150,7 @@ export function lineOf({ puzzle, by, number, ball, ending: { solved, ...times },
     ...times,
     simulator,
     agents,
+    weights,
   };
 }
 
@@ -223,6 +232,7 @@ function attemptOf(parsed, digestOf) {
     final_touch = 0,
     simulator = 0,
     agents,
+    weights,
   } = parsed ?? {};
   const isBall = Array.isArray(ball) && ball.length === 3 && ball.every((value) => Number.isFinite(value));
   // A person's ball has whole numbers, also in the links that replay it.
@@ -231,6 +241,7 @@ function attemptOf(parsed, digestOf) {
   const times = [steps, longest_touch, final_touch, simulator, agents ?? 0];
   if (!isBall || !isPlaced || !isNamed || !["solved", "not_solved"].includes(status)) return null;
   if (!times.every((value) => isCount(value, MAX_STEPS))) return null;
+  if (weights !== undefined && !WEIGHTS.test(weights)) return null;
   const puzzle = scene === undefined ? taskOf(task) : digestOfScene(scene, digestOf);
   if (puzzle === null) return null;
   return {
@@ -241,6 +252,7 @@ function attemptOf(parsed, digestOf) {
     ending: { solved: status === "solved", steps, longest_touch, final_touch },
     simulator,
     agents,
+    weights,
   };
 }
 

@@ -17,9 +17,9 @@ export class BrowserStore {
    * @param {boolean} persistent does it outlast the page?
    * @param {(key: string | null) => void} [onChange] another tab has written this key, or cleared all
    */
-  constructor(persistent, onChange = () => {}) {
+  constructor(persistent, onChange) {
     this.#persistent = persistent;
-    if (!persistent) return;
+    if (!persistent || !onChange) return;
     globalThis.addEventListener?.("storage", ({ key }) => {
       if (key === null) onChange(null);
       else if (key.startsWith(PREFIX)) onChange(key.slice(PREFIX.length));

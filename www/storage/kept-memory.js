@@ -62,7 +62,7 @@ export class KeptMemory extends EventTarget {
     const attempts = [...before, ...latest.attempts.filter(({ ball }) => !balls.has(String(ball)))];
     const puzzle = { ...latest, key, ...(name === null ? {} : { name }), attempts };
     const puzzles = [...all.filter((one) => one.key !== key), puzzle];
-    // The wasm counts the puzzles before the first one too; here they change places.
+    // The wasm also counts the puzzles that it forgot. Here puzzles change places, so that number would mean nothing.
     const text = () => JSON.stringify({ ...head, forgotten: 0, puzzles });
     while (text().length > MOST) puzzles.shift();
     // What the browser does not take lasts as long as the page, which the home page says of all that is kept.

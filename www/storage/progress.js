@@ -12,6 +12,7 @@ import {
   identityOf,
   isOf,
   mergeAttempts,
+  sameVersions,
   turnOf,
 } from "./attempts.js";
 import { AttemptStore, CUSTOM, slotOf } from "./attempt-store.js";
@@ -132,16 +133,14 @@ export class Progress extends EventTarget {
    * @param {import("./attempts.js").Attempt[]} attempts
    * @param {import("./attempts.js").Versions} versions
    */
-  add(puzzle, by, attempts, { simulator, agents }) {
+  add(puzzle, by, attempts, versions) {
     if (attempts.length === 0) return;
     this.#change(slotOf(puzzle), (all) => {
-      const isOutdated = (/** @type {KeptAttempt} */ one) =>
-        isOf(one, puzzle, by) && by !== PLAYER && (one.simulator !== simulator || one.agents !== agents);
-      const stays = all.filter((one) => !isOutdated(one));
+      const stays = all.filter((one) => !isOf(one, puzzle, by) || by === PLAYER || sameVersions(one, versions));
       const before = by === PLAYER ? this.of(by, puzzle).attempts : stays.filter((one) => isOf(one, puzzle, by)).length;
       const made = attempts.map(({ ball, ending }, index) => {
         const number = Math.min(before + index + 1, MAX_NUMBER);
-        return { puzzle, by, number, ball, ending, simulator, agents };
+        return { puzzle, by, number, ball, ending, ...versions };
       });
       const { here, fresh, left } = mergeAttempts(stays, made);
       this.#addGone(left, [...here, ...fresh, ...left]);

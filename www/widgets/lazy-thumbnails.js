@@ -83,12 +83,16 @@ export class LazyThumbnails {
 
   #drawSome() {
     const end = performance.now() + FRAME_BUDGET;
-    for (const canvas of this.#queue) {
-      this.#queue.delete(canvas);
-      this.#draw(contextOf(canvas), canvas);
-      canvas.classList.add("drawn");
-      if (performance.now() > end) break;
+    try {
+      for (const canvas of this.#queue) {
+        this.#queue.delete(canvas);
+        this.#draw(contextOf(canvas), canvas);
+        canvas.classList.add("drawn");
+        if (performance.now() > end) break;
+      }
+    } finally {
+      // If one cannot be drawn, the others are.
+      this.#schedule();
     }
-    this.#schedule();
   }
 }

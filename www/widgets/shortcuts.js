@@ -44,6 +44,15 @@ export function leavesPlainKeys(target) {
 }
 
 /**
+ * Is a modifier held that makes a key another one than the character it types? AltGr (Ctrl and Alt) and Option type
+ * some characters, such as the brackets on German keyboards.
+ * @param {KeyboardEvent} event
+ */
+export function isChord({ ctrlKey, metaKey, altKey }) {
+  return metaKey || (ctrlKey && !altKey);
+}
+
+/**
  * Ctrl+Z, Ctrl+Y and Ctrl+Shift+Z, with Cmd too. In a field of numbers as well: there the browser would undo what was
  * typed in another field, and the page would not hear of it.
  * @param {KeyboardEvent} event

@@ -67,7 +67,7 @@ pub struct Collect {
     #[arg(long, value_name = "N", default_value_t = collect::Settings::default().per_task, value_parser = count())]
     per_task: usize,
 
-    /// Most balls to simulate per task
+    /// Maximum number of balls to simulate per task
     #[arg(long, value_name = "N", default_value_t = collect::Settings::default().max_rollouts, value_parser = count())]
     max_rollouts: usize,
 
@@ -202,7 +202,7 @@ impl Merge {
     }
 }
 
-/// Measure how hard the tasks are: how many of uniform valid balls solve each, as JSON
+/// Measure how hard the tasks are: how many of the same number of uniformly drawn valid balls solve each, as JSON
 #[derive(clap::Args)]
 pub struct Difficulty {
     /// Valid balls per task
@@ -243,7 +243,7 @@ pub struct SolveRates {
     actions: u32,
 
     /// Use only the first N tasks of each template, for a quick look
-    #[arg(long, value_name = "N", default_value_t = 100)]
+    #[arg(long, value_name = "N", default_value_t = 100, value_parser = count())]
     limit: usize,
 
     /// Seed of the random actions

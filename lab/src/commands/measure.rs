@@ -57,8 +57,8 @@ impl Command {
 /// Measure agents on the test tasks of a fold
 #[derive(clap::Args)]
 pub struct Evaluate {
-    /// Agent to measure; can be repeated. The random agent is always measured too [default: all that the weights allow
-    /// but online-by-balls; DQN with --dqn]
+    /// Agent to measure; can be repeated. The random agent is always measured too [default: every agent that
+    /// the weights allow except online-by-balls; dqn only with --dqn]
     #[arg(long = "agent", value_parser = agent())]
     agents: Vec<AgentName>,
 

@@ -14,7 +14,7 @@ use pathlight_lab::reproduce::{RESULTS, Settings};
 use super::at_least_one::at_least_one;
 use super::fold_args::{fold, setup};
 
-/// Train and measure every fold of both setups, or continue with it: data, folds, report
+/// Train and measure every fold of both setups, continuing where an earlier run stopped: data, folds, report
 #[derive(clap::Args)]
 pub struct Args {
     /// Do only this part
@@ -71,7 +71,12 @@ struct HyperparameterArgs {
     seed: u64,
 
     /// Rounds of labelling; every task tries 64 balls per round
-    #[arg(long, value_name = "ROUNDS", default_value_t = Hyperparameters::default().label_rounds)]
+    #[arg(
+        long,
+        value_name = "ROUNDS",
+        default_value_t = Hyperparameters::default().label_rounds,
+        value_parser = at_least_one()
+    )]
     label_rounds: u16,
 
     /// Rounds of labelling variants of the scenes, another variant of each task and 64 balls per round

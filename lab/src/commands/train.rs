@@ -133,7 +133,8 @@ impl From<Paths> for paths::Settings {
     }
 }
 
-/// Train the net that predicts which balls solve, and add it to the weights of the four nets, instead of a dynamics net
+/// Train the net that predicts which balls solve, and add it to the weights of the four nets; a dynamics net in them is
+/// left out
 #[derive(clap::Args)]
 pub struct Success {
     #[command(flatten)]
@@ -223,7 +224,7 @@ pub struct Dynamics {
     #[arg(long)]
     without_paths: bool,
 
-    /// Start from the dynamics net of these weights instead
+    /// Start from the dynamics net of these weights, not from a success net or from fresh weights
     #[arg(long, value_name = "FILE")]
     from: Option<PathBuf>,
 

@@ -1,7 +1,8 @@
-//! How many of uniform valid balls solve each task, as in difficulty.json of `pathlight::benchmark`.
+//! How many uniformly drawn valid balls solve each task, as in difficulty.json of `pathlight::benchmark`.
 
 use pathlight::benchmark::difficulty::Difficulty;
-use pathlight::puzzle::sampling::random_ball;
+use pathlight::puzzle::action::Obstacles;
+use pathlight::puzzle::sampling::uniform_ball;
 use pathlight::puzzle::task::Task;
 use pathlight::puzzle::templates::TEMPLATES;
 use pathlight::simulator::{self, outcome};
@@ -43,7 +44,8 @@ impl Settings {
 
     fn solving_balls(&self, task: &Task) -> u32 {
         let mut rng = Pcg64Mcg::seed_from_u64(task.id.seed(self.seed));
-        let balls = (0..self.balls).map_while(|_| random_ball(&task.scene, &mut rng));
+        let obstacles = Obstacles::new(&task.scene);
+        let balls = (0..self.balls).map_while(|_| uniform_ball(&obstacles, &mut rng));
         let outcomes = balls.filter_map(|ball| outcome(&task.scene, Some(ball)).ok());
         outcomes.filter(|outcome| outcome.solved).count() as u32
     }

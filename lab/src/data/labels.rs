@@ -6,9 +6,9 @@
 
 use base64::engine::general_purpose::STANDARD_NO_PAD;
 use base64::{DecodeError, Engine};
-use pathlight::puzzle::action::Ball;
+use pathlight::puzzle::action::{Ball, Obstacles};
 use pathlight::puzzle::sampled_paths::{SAMPLES, SampledPaths};
-use pathlight::puzzle::sampling::{perturbed, random_ball};
+use pathlight::puzzle::sampling::{perturbed, uniform_ball};
 use pathlight::puzzle::scene::Scene;
 use pathlight::puzzle::task::TaskId;
 use pathlight::simulator::sampled_paths;
@@ -98,6 +98,7 @@ pub fn sample(
     rng: &mut Pcg64Mcg,
 ) -> Vec<Sampled> {
     let mut balls = Vec::with_capacity(count);
+    let obstacles = Obstacles::new(scene);
     for index in 0..count {
         let own = |rng: &mut _| own_solutions.choose(rng).copied();
         let sibling = |rng: &mut _| sibling_solutions.choose(rng).map(|known| (known.ball, Some(known.task)));
@@ -111,7 +112,7 @@ pub fn sample(
             let ball = perturbed(known.action(), deviation, rng).place(scene).ok()?;
             Some((ball, task.filter(|&other| Some(other) != id.task())))
         });
-        let Some(ball) = near_known.or_else(|| Some((random_ball(scene, rng)?, None))) else { break };
+        let Some(ball) = near_known.or_else(|| Some((uniform_ball(&obstacles, rng)?, None))) else { break };
         balls.push(ball);
     }
     balls

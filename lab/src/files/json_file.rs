@@ -11,11 +11,12 @@ use super::replace_file::{check_replaceable, replace_file};
 /// Reads a file; `command` is what writes it.
 ///
 /// # Errors
-/// If it is missing or damaged.
+/// If it is missing, damaged, or was written by another command.
 pub fn read<T: for<'a> Deserialize<'a>>(path: &Path, command: &str) -> anyhow::Result<T> {
     let name = path.display();
     let bytes = fs::read(path).with_context(|| format!("cannot read {name}: write it with `{command}`"))?;
-    serde_json::from_slice(&bytes).with_context(|| format!("{name} is damaged: write it again with `{command}`"))
+    serde_json::from_slice(&bytes)
+        .with_context(|| format!("{name} is damaged, or another command wrote it: write it again with `{command}`"))
 }
 
 /// Checks that the file can be written, if one is named: before a measurement that would be lost.

@@ -4,6 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use anyhow::Context;
+use pathlight::puzzle::hex::hex;
 use sha2::{Digest, Sha256};
 
 pub mod differences;
@@ -20,5 +21,5 @@ pub mod weights_file;
 /// If it cannot be read.
 pub fn digest(path: &Path) -> anyhow::Result<String> {
     let bytes = fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
-    Ok(Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect())
+    Ok(hex(Sha256::digest(bytes)))
 }

@@ -12,8 +12,8 @@ use pathlight::agents::imagined_candidates::imagined_candidates;
 use pathlight::agents::{self, sigmoid};
 use pathlight::benchmark::folds::{FoldId, Setup};
 use pathlight::nets::{Card, PathNet};
-use pathlight::puzzle::action::Ball;
-use pathlight::puzzle::sampling::random_ball;
+use pathlight::puzzle::action::{Ball, Obstacles};
+use pathlight::puzzle::sampling::uniform_ball;
 use pathlight::simulator::{self, simulate};
 use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
@@ -120,8 +120,9 @@ impl Settings {
         let scene = id.scene()?;
         let count = usize::from(self.balls);
         let mut rng = Pcg64Mcg::seed_from_u64(id.seed(self.seed));
+        let obstacles = Obstacles::new(&scene);
         let random: Vec<Ball> =
-            std::iter::repeat_with(|| random_ball(&scene, &mut rng)).map_while(|ball| ball).take(count).collect();
+            std::iter::repeat_with(|| uniform_ball(&obstacles, &mut rng)).map_while(|ball| ball).take(count).collect();
         let lacking = "the weights have no dynamics net: train one with `pathlight-lab train dynamics`";
         let read = nets.read(&scene).context(lacking)?;
         let imagined = read.imagine(&random);

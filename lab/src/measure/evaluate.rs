@@ -118,7 +118,7 @@ impl Settings {
         }
     }
 
-    /// Whether the nets of an agent may be new to the tasks: the dynamics net alone can be trained without any.
+    /// Whether the nets of an agent may be new to the tasks. Only the dynamics net can be trained without any task.
     fn may_measure(&self, agent: AgentName) -> bool {
         self.tasks != TaskSet::All || matches!(row(agent).weights, Weights::Dynamics | Weights::None)
     }

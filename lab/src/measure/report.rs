@@ -102,8 +102,7 @@ impl Report {
     /// was not measured.
     pub fn score(&self, agent: AgentName) -> Option<[f64; 4]> {
         let firsts = self.first_solved(agent, None);
-        let [first, ten, hundred] = [1, 10, MAX_ATTEMPTS].map(|attempts| 100.0 * solved_within(&firsts, attempts));
-        (!firsts.is_empty()).then(|| [auccess(&firsts), first, ten, hundred])
+        (!firsts.is_empty()).then(|| score_of(&firsts))
     }
 
     /// The results as a table for people: a row per template and one for all.
@@ -159,11 +158,18 @@ impl Report {
             if column == 0 {
                 write!(text, " {:>5}", firsts.len())?;
             }
-            let [first, ten, hundred] = [1, 10, MAX_ATTEMPTS].map(|attempts| 100.0 * solved_within(&firsts, attempts));
-            write!(text, "  {:>15.1} {first:>4.0} % {ten:>4.0} % {hundred:>4.0} %", auccess(&firsts))?;
+            let [auccess, first, ten, hundred] = score_of(&firsts);
+            write!(text, "  {auccess:>15.1} {first:>4.0} % {ten:>4.0} % {hundred:>4.0} %")?;
         }
         writeln!(text)
     }
+}
+
+/// Auccess, and the percentages of tasks solved at the first attempt, within 10 and within 100, of the first solving
+/// attempts at some tasks.
+pub fn score_of(firsts: &[Option<usize>]) -> [f64; 4] {
+    let [first, ten, hundred] = [1, 10, MAX_ATTEMPTS].map(|attempts| 100.0 * solved_within(firsts, attempts));
+    [auccess(firsts), first, ten, hundred]
 }
 
 /// How many scenes of each kind a dynamics net has learned from, beside those of the tasks: "12 variants".

@@ -20,8 +20,8 @@ use crate::training::settings::RunSettings;
 use crate::training::training_run::{Checkpoint, read_checkpoint};
 use crate::training::{dqn, dynamics, paths, success};
 
-/// Trains and evaluates a fold in a folder of its own, and says the commands that a person would type for it. Continues
-/// where it was interrupted.
+/// Trains and evaluates a fold in a folder of its own, and reports the equivalent commands. Continues where it was
+/// interrupted.
 ///
 /// # Errors
 /// If the labelled balls are not those of the hyperparameters, and the errors of training and evaluation.

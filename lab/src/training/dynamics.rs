@@ -36,7 +36,7 @@ pub struct Settings {
     pub without_dev: bool,
     /// Learn chances alone, not the paths, to measure what these bring; such weights cannot be published.
     pub without_paths: bool,
-    /// Start from the dynamics net of these weights instead.
+    /// Start from the dynamics net of these weights, not from a success net or from fresh weights.
     pub from: Option<PathBuf>,
     pub run: RunSettings,
 }

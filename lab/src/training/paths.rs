@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use anyhow::ensure;
 use pathlight::benchmark::folds::FoldId;
-use pathlight::nets::training::{Batch, Sample, Schedule, Trainer};
+use pathlight::nets::training::{PathsBatch, Sample, Schedule, Trainer};
 use pathlight::nets::{Card, PathNet};
 use pathlight::puzzle::task::Task;
 use pathlight::simulator;
@@ -80,12 +80,12 @@ impl Settings {
     }
 
     /// A batch of the run; it depends only on the seed and its number.
-    fn batch(&self, samples: &[Sample], number: usize) -> Batch {
+    fn batch(&self, samples: &[Sample], number: usize) -> PathsBatch {
         let size = usize::from(self.recipe.batch);
         let batches_per_epoch = samples.len().div_ceil(size);
         let order = self.order(samples.len(), number / batches_per_epoch);
         let chosen = order.chunks(size).nth(number % batches_per_epoch).unwrap_or_default();
-        Batch::new(chosen.iter().map(|&(sample, mirrored)| (&samples[sample], mirrored)))
+        PathsBatch::new(chosen.iter().map(|&(sample, mirrored)| (&samples[sample], mirrored)))
     }
 
     /// The order of the samples in an epoch, and whether each is mirrored.

@@ -43,7 +43,7 @@ pub struct TrainingRun<M, C = Card> {
 #[derive(Serialize, Deserialize)]
 pub struct Checkpoint<C = Card> {
     pub card: C,
-    /// SHA-256 of the file of training data.
+    /// SHA-256 of each file of training data, separated by spaces.
     pub data: String,
     /// Batches trained on.
     pub done: usize,

@@ -15,10 +15,12 @@ use crate::puzzle::task::TaskId;
 pub use recollection::{Recollection, Reminder};
 pub use saved::MemoryError;
 use scene_sketch::SceneSketch;
+pub use settings::Settings;
 
 mod recollection;
 mod saved;
 mod scene_sketch;
+mod settings;
 
 /// Version of what a memory teaches. Raise it whenever the same attempts make an agent that remembers propose other
 /// balls or another order: results of such agents record it beside `agents::VERSION`, and those of other versions are
@@ -27,40 +29,6 @@ pub const VERSION: u32 = 2;
 
 /// Attempts that are remembered. The oldest puzzles are forgotten first, but the last one keeps its latest attempts.
 pub const CAPACITY: usize = 4000;
-
-/// What makes attempts alike, and how much they teach.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Settings {
-    /// Distance of two sketches at which the similarity of their scenes has fallen to 0.61; infinite if all scenes are
-    /// alike.
-    pub scene_length: f64,
-    /// Distance of two balls in x, y and radius, px, at which their similarity has fallen to 0.61.
-    pub ball_length: f64,
-    /// Shares of three similarities of balls, by position in the scene, relative to the green object, and relative to
-    /// its goal.
-    pub shares: [f64; 3],
-    /// By how much a wholly unexpected success raises the logit of the same ball.
-    pub success: f64,
-    /// By how much a wholly unexpected failure lowers it.
-    pub failure: f64,
-    /// A failure counts as if at least this chance had been expected.
-    pub least_expected: f64,
-    /// At most this number of balls that solved similar scenes become candidates.
-    pub suggestions: usize,
-}
-
-impl Settings {
-    /// Chosen on dev tasks.
-    pub const DEFAULT: Settings = Settings {
-        scene_length: 0.8,
-        ball_length: 8.0,
-        shares: [1.0 / 3.0; 3],
-        success: 6.0,
-        failure: 2.0,
-        least_expected: 0.05,
-        suggestions: 20,
-    };
-}
 
 /// What a puzzle is played on: a task, or another scene.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -212,12 +180,6 @@ impl Memory {
     /// Returns the number of attempts that are remembered.
     pub fn attempts(&self) -> usize {
         self.puzzles.iter().map(|puzzle| puzzle.attempts.len()).sum()
-    }
-
-    /// By how much an attempt moved the logit of its own ball.
-    fn surprise(&self, &Attempt { chance, solved, .. }: &Attempt) -> f64 {
-        let Settings { success, failure, least_expected, .. } = self.settings;
-        if solved { success * (1.0 - chance) } else { -failure * chance.max(least_expected) }
     }
 }
 

@@ -93,7 +93,7 @@ impl Memory {
                         ball: attempt.ball,
                         solved: attempt.solved,
                         similarity,
-                        weight: similarity * self.surprise(attempt),
+                        weight: similarity * self.settings.weight(attempt),
                         places: [[x, y], to_object, to_goal],
                     }
                 }));

@@ -2,6 +2,7 @@
 
 use std::ffi::OsString;
 use std::fs::{self, File, TryLockError};
+use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, bail};
@@ -9,8 +10,7 @@ use pathlight::agents::memory::Memory;
 
 pub struct MemoryFile {
     file: PathBuf,
-    /// Beside it: the file itself is replaced when it is written.
-    lock_file: PathBuf,
+    /// Of a file beside it, as the file itself is replaced. It stays there: another process may be opening it.
     _lock: File,
     /// SHA-256 of the weights that the memory is learned with.
     weights: Option<String>,
@@ -27,12 +27,11 @@ impl MemoryFile {
         let name = path.display();
         // A link goes on leading to the file.
         let file = path.canonicalize().unwrap_or_else(|_| path.to_path_buf());
-        let lock_file = beside(&file, ".lock");
-        let lock = File::create(&lock_file).with_context(|| format!("cannot write the memory to {name}"))?;
+        let lock = File::create(beside(&file, ".lock")).with_context(|| cannot_write(path))?;
         if let Err(TryLockError::WouldBlock) = lock.try_lock() {
             bail!("another process uses the memory in {name}: wait until it has ended, or name another file");
         }
-        let mut opened = MemoryFile { file, lock_file, _lock: lock, weights, written: String::new() };
+        let mut opened = MemoryFile { file, _lock: lock, weights, written: String::new() };
         let mut memory = Memory::default();
         if opened.file.exists() {
             let json = fs::read(&opened.file).with_context(|| format!("cannot read the memory in {name}"))?;
@@ -55,18 +54,20 @@ impl MemoryFile {
             return Ok(());
         }
         let part = beside(&self.file, ".part");
-        fs::write(&part, &json)
-            .and_then(|()| fs::rename(&part, &self.file))
-            .with_context(|| format!("cannot write the memory to {}", self.file.display()))?;
+        let write = || {
+            let mut written = File::create(&part)?;
+            written.write_all(json.as_bytes())?;
+            written.sync_all()?;
+            fs::rename(&part, &self.file)
+        };
+        write().with_context(|| cannot_write(&self.file))?;
         self.written = json;
         Ok(())
     }
 }
 
-impl Drop for MemoryFile {
-    fn drop(&mut self) {
-        let _ = fs::remove_file(&self.lock_file);
-    }
+fn cannot_write(path: &Path) -> String {
+    format!("cannot write the memory to {}: name a file in a folder that you may write to", path.display())
 }
 
 fn beside(file: &Path, ending: &str) -> PathBuf {

@@ -31,8 +31,8 @@ mod player;
 /// every tenth step, in px and radians. The answer is the next ball, or "ball":null once the puzzle is solved, 100
 /// attempts are made or no ball is left.
 ///
-/// {"task":"00007:008","remember":true} begins a puzzle with what earlier such puzzles taught, and remembers its
-/// attempts. The answer may have "reminder": the puzzle that changed the chance of the ball most. {"forget":true}
+/// {"task":"00007:008","remember":true} begins a puzzle with what earlier puzzles with "remember" taught, and remembers
+/// its attempts. The answer may have "reminder": the puzzle that changed the chance of the ball most. {"forget":true}
 /// forgets all, and is answered with {"line","remembered":0}.
 ///
 /// A line that cannot be used changes nothing and is answered with {"line","error"}; if there was one, the exit code is
@@ -42,7 +42,7 @@ pub struct Args {
     #[command(flatten)]
     fold: FoldArgs,
 
-    /// Agent that plays [default: the first that the weights allow of online, success and paper]
+    /// Agent that plays [default: online, success or paper, whichever the weights allow first in this order]
     #[arg(long, value_parser = agent())]
     agent: Option<AgentName>,
 
@@ -56,7 +56,8 @@ pub struct Args {
     #[command(flatten)]
     dqn: DqnArgs,
 
-    /// Keep what puzzles with "remember" teach in this file, and begin with what it holds; one process at a time
+    /// Keep what puzzles with "remember" teach in this file, and begin with what it holds. One process at a time
+    /// uses it; FILE.lock beside it sees to that
     #[arg(long, value_name = "FILE")]
     memory: Option<PathBuf>,
 }

@@ -91,6 +91,9 @@ impl Player {
             },
             Line::Forget => {
                 self.memory.forget();
+                if let Some(puzzle) = &mut self.puzzle {
+                    puzzle.recollection = None;
+                }
                 return Ok(Answer::Forgot { remembered: self.memory.attempts() });
             }
             Line::Outcome { task, ball, status, paths } => {

@@ -11,10 +11,10 @@ use super::simd::{lanes_that_divide, load, multiply_add, vectorize};
 /// Rows of `a` that `few_columns` takes at once: their number must be a multiple of this, unless `b` is one column.
 pub(crate) const TILE_ROWS: usize = 8;
 
-/// Most lanes of the registers that hold rows.
+/// Maximum number of lanes of the registers that hold rows.
 const ROWS_LANES: usize = 16;
 
-/// Most columns of `b` for which gemm does not pay off.
+/// Maximum number of columns of `b` for which gemm does not pay off.
 #[cfg(not(target_arch = "wasm32"))]
 const FEW_COLUMNS: usize = 32;
 

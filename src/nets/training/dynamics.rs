@@ -7,7 +7,8 @@
 use burn::tensor::{Tensor, TensorData};
 
 use super::cross_entropy::binary_cross_entropy_with_logits;
-use super::trainer::{SuccessBatch, Trainer};
+use super::success::SuccessBatch;
+use super::trainer::Trainer;
 use crate::nets::ball_batch::BallBatch;
 use crate::nets::ball_head::{COORDINATES, POSITIONS, Starts, UNIT};
 use crate::nets::{DynamicsNet, PathWeights, SuccessNet, seeded};

@@ -5,12 +5,14 @@ mod cross_entropy;
 mod dqn;
 mod dynamics;
 mod muon;
-mod sample;
+mod paths;
 mod schedule;
+mod success;
 mod trainer;
 
 pub use dqn::DqnBatch;
 pub use dynamics::DynamicsBatch;
-pub use sample::Sample;
+pub use paths::{PathsBatch, Sample};
 pub use schedule::{Schedule, WARMUP_STEPS};
-pub use trainer::{Batch, CheckpointError, SuccessBatch, Trainable, Trainer};
+pub use success::SuccessBatch;
+pub use trainer::{CheckpointError, Trainable, Trainer};

@@ -1,7 +1,7 @@
 //! Learning-rate schedules: the learning rate as a function of the step alone, so that a run can be continued at any
 //! checkpoint without a state of its own.
 
-/// Steps over which the learning rate of the success net rises from zero.
+/// Steps over which the learning rate of the success net, the dynamics net and DQN rises from zero.
 pub const WARMUP_STEPS: usize = 200;
 
 /// How the learning rate changes over a run.

@@ -23,7 +23,7 @@ pub const VERSION: u32 = 1;
 /// How many bodies a scene may have; the benchmark's have up to 61.
 pub const BODIES: RangeInclusive<usize> = 2..=64;
 
-/// Most characters of a name.
+/// Maximum number of characters in a name.
 pub const NAME_LENGTH: usize = 60;
 
 /// How deep a dynamic body may overlap another body or a wall at the start, px. The position solver separates them
@@ -116,7 +116,8 @@ impl CustomScene {
         for (name, index) in [("body1", self.body1), ("body2", self.body2)] {
             if index >= count {
                 problems.push(Problem::unreadable(format!(
-                    "`{name}` is {index}, but the bodies run from 0: choose one of them."
+                    "`{name}` is {index}, but the bodies are numbered from 0 to {}: choose one of them.",
+                    count - 1
                 )));
             }
         }
@@ -177,7 +178,9 @@ impl CustomScene {
         if !(x.is_finite() && y.is_finite() && (-TAU..=TAU).contains(&angle)) {
             return problem(
                 Fault::Place,
-                format!("The {name} has no place: its angle is between -2π and 2π, and x and y are numbers."),
+                format!(
+                    "The {name} has no valid place: its angle must be between -2π and 2π, and x and y must be numbers."
+                ),
             );
         }
         let [left, bottom, right, top] = self.body(index).bounds();

@@ -12,7 +12,7 @@ impl CustomScene {
     pub fn read(value: Value) -> Result<CustomScene, Vec<Problem>> {
         let Value::Object(mut keys) = value else {
             return Err(vec![Problem::unreadable(
-                "This is not a scene: it is a JSON object with `version`, `body1`, `body2` and `bodies`.",
+                "This is not a scene: a scene is a JSON object with `version`, `body1`, `body2` and `bodies`.",
             )]);
         };
         match keys.get("version") {

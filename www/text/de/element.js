@@ -94,7 +94,7 @@ export const element = {
     thinks: "Wie das Modell denkt",
     training: "Wie es trainiert wurde",
     trained:
-      "Niemand hat ihm die Gesetze der Bewegung erklärt. Es bekam gelöste Rätsel zu sehen: die Szene, die Bahn, die das grüne Objekt von selbst nimmt, die Bahnen von Grün und der roten Kugel in der Lösung und den Ort, an dem diese Kugel startete. Jedes Mal wurden alle seine Zahlen ein wenig verändert, damit die nächsten Karten besser passen.",
+      "Niemand hat ihm die Gesetze der Bewegung erklärt. Seine Kartennetze bekamen gelöste Rätsel zu sehen: die Szene, die Bahn, die das grüne Objekt von selbst nimmt, die Bahnen von Grün und der roten Kugel in der Lösung und den Ort, an dem diese Kugel startete. Jedes Mal wurden alle ihre Zahlen ein wenig verändert, damit die nächsten Karten besser passen.",
     noModel: "Kein Modell ist geladen.",
     sources: "Woher die Ideen kommen",
     paper: `Die Netze: Augustin Harter, Andrew Melnik, Gaurav Kumar, Dhruv Agarwal, Animesh Garg und Helge Ritter, <a href="https://arxiv.org/abs/2011.07357">Solving Physics Puzzles by Reasoning about Paths</a> (2020).`,

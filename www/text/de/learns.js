@@ -27,7 +27,6 @@ export const learns = {
   next: "Nächstes",
   finish: "Bis zum Ende",
   fetching: (done) => `Das Modell wird geladen …${done === null ? "" : ` ${percent(done)}`}`,
-  left: "Das Modell wurde angehalten.",
 
   withMemory: "Mit Gedächtnis",
   without: "Ohne",
@@ -41,6 +40,7 @@ export const learns = {
   withMemoryKey: "● mit Gedächtnis",
   withoutKey: "■ ohne",
   missedKey: "× nicht gelöst",
+  lineKey: "— Verlauf über fünf Rätsel",
   chartLabel: "Versuche je Rätsel, mit Gedächtnis und ohne; die Zahlen stehen in der Liste darunter",
   axis: "Rätsel",
 

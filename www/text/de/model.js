@@ -83,7 +83,7 @@ export const model = {
       name: "Vierzig mögliche Bahnen",
       meaning:
         "Jede Linie ist eine mögliche Bahn von Grün, jede mit einer anderen Kugel. Je kräftiger die Linie, desto besser die Chancen.",
-      how: "Das Dynamiknetz hat an Kugeln aller Art gelernt, was sie bewirken. Es sagt für acht Größen an jedem Ort, wie wahrscheinlich eine Kugel das Rätsel löst, und die vielversprechendsten werden zu Ideen. Bei jeder Idee stellt es sich vor, wohin sich Grün und die Kugel bewegen würden und wie wahrscheinlich das eine Lösung ist. Gezeichnet sind die vierzig aussichtsreichsten. Nichts davon wird simuliert.",
+      how: "Das Dynamiknetz hat an Kugeln aller Art gelernt, was sie bewirken. Es sagt für acht Größen an jedem Ort, wie wahrscheinlich eine Kugel das Rätsel löst, und die vielversprechendsten kommen in die Auswahl. Bei jeder davon stellt es sich vor, wohin sich Grün und die Kugel bewegen würden und wie wahrscheinlich das eine Lösung ist. Gezeichnet sind die vierzig aussichtsreichsten. Nichts davon wird simuliert.",
     },
     run: {
       name: "Ausprobieren und vergleichen",

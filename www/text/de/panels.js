@@ -13,7 +13,7 @@ export const panels = {
     none: "Das Modell findet keine Kugel, die es probieren kann.",
     choosing: "Das Modell wählt aus.",
     ideas: (ideas, likely) =>
-      `Es hatte ${counted(ideas, "Idee", "Ideen")} und glaubt an ${likely > 1 ? number(likely) : likely ? "eine" : "keine"}${ideas > 1 ? " davon" : ""}.`,
+      `Es hat ${counted(ideas, "Kugel", "Kugeln")} erwogen und gibt ${likely > 1 ? number(likely) : likely ? "einer" : "keiner"}${ideas > 1 ? " davon" : ""} eine Chance von mehr als 50\u00a0%.`,
     running: "Gepunktet: was sich das Modell vorgestellt hat. Gestrichelt: was wirklich passiert.",
     ended: (solved, words) => (solved ? words : `Es hat nicht geklappt. ${words}`),
   },
@@ -51,7 +51,7 @@ export const panels = {
     empty: `Lass eine Kugel fallen<span data-hideable="compare">, lass das Modell spielen</span> oder schau ohne Kugel zu: Dann siehst du hier, wie gut die Vorstellung war.`,
     numbers: "Was bedeuten die Zahlen?",
     numbersHow:
-      "Die Fläche ist vorgestellt, die Linie umgibt, was wirklich war. 100\u00a0% heißt, dass beide gleich sind, 0\u00a0%, dass sie nichts gemeinsam haben. Es ist das Verhältnis von Schnitt und Vereinigung auf 64 × 64 Feldern: die Summe der jeweils kleineren Werte, geteilt durch die Summe der jeweils größeren.",
+      "Die schattierte Fläche ist vorgestellt, die Umrisslinie zeigt, was wirklich passiert ist. 100\u00a0% heißt, dass beide gleich sind, 0\u00a0%, dass sie nichts gemeinsam haben. Es ist das Verhältnis von Schnitt und Vereinigung auf 64 × 64 Feldern: die Summe der jeweils kleineren Werte, geteilt durch die Summe der jeweils größeren.",
     noMap: "diese Karte hat das Modell nicht",
     notYet: "noch nicht vorgestellt",
     described: (name, words) => `${name}: ${words}`,
@@ -146,7 +146,7 @@ export const panels = {
 
   remembers: {
     nothing: "Noch erinnert es sich an nichts. Ab jetzt lernt es aus dem, was ihr beide in diesem Browser probiert.",
-    damaged: "Seine Erinnerungen waren beschädigt oder aus einer anderen Version: Es hat sie vergessen.",
+    damaged: "Seine Erinnerungen waren beschädigt oder aus einer anderen Version, deshalb fängt es ohne welche an.",
     source: (mirrored) => ["Gelernt aus ", mirrored ? " (gespiegelt)." : "."],
     puzzle: (kind, place) => `„${kind}“ ${place}`,
     custom: (name) => (name === null ? "einem eigenen Rätsel" : `„${name}“`),

@@ -1,4 +1,4 @@
-// What `attempts/` says: files of attempts, and whether a ball had luck.
+// What `attempts/` says: files of attempts, and whether a solution was luck.
 
 import { counted, number, percent } from "./format.js";
 

@@ -96,7 +96,7 @@ export const element = {
     thinks: "How the model thinks",
     training: "How it was trained",
     trained:
-      "Nobody told it the laws of motion. It was shown solved puzzles: the scene, the path that the green object takes by itself, the paths that it and the red ball take when the puzzle is solved, and where the red ball started. Each time, all its numbers were changed a little so that its next maps would be closer.",
+      "Nobody told it the laws of motion. Its map nets were shown solved puzzles: the scene, the path that the green object takes by itself, the paths that it and the red ball take when the puzzle is solved, and where the red ball started. Each time, all their numbers were changed a little so that their next maps would be closer.",
     noModel: "No model is loaded.",
     sources: "Where the ideas come from",
     paper: `The nets: Augustin Harter, Andrew Melnik, Gaurav Kumar, Dhruv Agarwal, Animesh Garg and Helge Ritter, <a href="https://arxiv.org/abs/2011.07357">Solving Physics Puzzles by Reasoning about Paths</a> (2020).`,

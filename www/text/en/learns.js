@@ -21,7 +21,6 @@ export const learns = {
   next: "Next",
   finish: "To the end",
   fetching: (/** @type {number | null} */ done) => `Fetching the model …${done === null ? "" : ` ${percent(done)}`}`,
-  left: "The model was stopped.",
 
   withMemory: "With memory",
   without: "Without",
@@ -35,6 +34,7 @@ export const learns = {
   withMemoryKey: "● with memory",
   withoutKey: "■ without",
   missedKey: "× not solved",
+  lineKey: "— trend over five puzzles",
   chartLabel: "Attempts for each puzzle, with memory and without; the list below has the numbers",
   axis: "puzzle",
 

@@ -70,8 +70,9 @@ export const model = {
     },
     imagined: {
       name: "Forty futures",
-      meaning: "Each line is a future for green with another ball. The stronger the line, the better the odds.",
-      how: "The dynamics net learned from balls of all kinds what happens after they drop. It says for eight sizes of ball at every place how likely such a ball solves the puzzle, and the most promising become ideas. For each idea it imagines where green and the ball would go, and how likely that solves the puzzle. The forty likeliest are drawn. Nothing is simulated.",
+      meaning:
+        "Each line is a possible path of green, each with a different ball. The stronger the line, the better the odds.",
+      how: "The dynamics net learned from balls of all kinds what happens after they drop. It says for eight sizes of ball at every place how likely such a ball solves the puzzle, and the most promising become candidates. For each candidate it imagines where green and the ball would go, and how likely that solves the puzzle. The forty likeliest are drawn. Nothing is simulated.",
     },
     run: {
       name: "Run and compare",

@@ -15,7 +15,7 @@ export const panels = {
     choosing: "The model is choosing.",
     /** @type {(ideas: number, likely: number) => string} */
     ideas: (ideas, likely) =>
-      `It had ${counted(ideas, "idea", "ideas")}, and believes in ${likely ? number(likely) : "none"} of them.`,
+      `It considered ${counted(ideas, "ball", "balls")}, and gives ${likely ? number(likely) : "none"} of them a chance above 50%.`,
     running: "Dotted: what the model imagined. Dashed: what really happens.",
     /** @type {(solved: boolean, words: string) => string} */
     ended: (solved, words) => (solved ? words : `It did not work. ${words}`),
@@ -55,7 +55,7 @@ export const panels = {
     empty: `Drop a ball<span data-hideable="compare">, let the model play</span> or watch without a ball: then you see here how well the model imagined it.`,
     numbers: "What do the numbers mean?",
     numbersHow:
-      "The shade is imagined, the line goes round what was real. 100% means that both are the same, 0% that they have nothing in common. It is the soft intersection over union on 64 × 64 cells: the smaller of the two values in each cell, added up, divided by the larger of the two, added up.",
+      "The shaded area is what was imagined; the outline is what really happened. 100% means that both are the same, 0% that they have nothing in common. It is the soft intersection over union on 64 × 64 cells: the smaller of the two values in each cell, added up, divided by the larger of the two, added up.",
     noMap: "this model has no such map",
     notYet: "not imagined yet",
     described: (/** @type {string} */ name, /** @type {string} */ words) => `${name}: ${words}`,
@@ -161,7 +161,7 @@ export const panels = {
 
   remembers: {
     nothing: "It remembers nothing yet. From now on it learns from what you both try in this browser.",
-    damaged: "Its memory was damaged or from another version: it has forgotten it.",
+    damaged: "Its memory was damaged or from another version, so it starts again with an empty one.",
     /** What stands before the earlier puzzle that helped, and after it. */
     source: (/** @type {boolean} */ mirrored) => ["It learned this from ", mirrored ? " (mirrored)." : "."],
     puzzle: (/** @type {string} */ kind, /** @type {number} */ place) => `${kind} ${place}`,

@@ -80,7 +80,7 @@ export const sharing = {
       attempts: "The list of attempts",
       save: "The button that saves all maps as one picture",
       forecast: "The model’s guess",
-      transport: "The time line and single steps",
+      transport: "The timeline and single steps",
       speed: "The speed",
       puzzles: "The links to other puzzles",
       tools: "The buttons at the top",

@@ -32,7 +32,7 @@ pub struct Settings {
     pub out: PathBuf,
     /// Solutions to find per task.
     pub per_task: usize,
-    /// Most balls to simulate per task.
+    /// Maximum number of balls to simulate per task.
     pub max_rollouts: usize,
     pub selection: TaskSelection,
     /// Seed of all random draws.
@@ -72,7 +72,11 @@ impl Settings {
         for (line, task) in lines.into_iter().zip(&tasks) {
             match line {
                 CollectEntry::Task(found) if found.task == task.id => searched.push(found),
-                _ => bail!("{} has another line than that of {}: remove the file", self.out.display(), task.id),
+                _ => bail!(
+                    "{} has a line of something else where that of {} belongs: remove the file",
+                    self.out.display(),
+                    task.id
+                ),
             }
         }
         progress.begin(tasks.len() as u64);

@@ -96,7 +96,7 @@ const ALONE: &str = "random-scenes-alone";
 /// alone.
 ///
 /// # Errors
-/// If one cannot be read, or there is none.
+/// If one cannot be read, is of another fold than its name says or not of all its tasks, or there is none.
 pub fn read(folder: &Path) -> anyhow::Result<Vec<Report>> {
     let folds = FoldId::all().map(|fold| (fold.to_string(), Some(fold)));
     let mut reports = Vec::new();
@@ -109,6 +109,11 @@ pub fn read(folder: &Path) -> anyhow::Result<Vec<Report>> {
         let found = FoldId { setup: report.setup, fold: report.fold };
         let name = path.display();
         ensure!(fold.is_none_or(|fold| fold == found), "{name} holds the results of {found}: name it {found}.json");
+        ensure!(
+            report.is_of(&report.tasks_of.tasks(found, None)),
+            "{name} holds only some of the tasks: write it again with `pathlight-lab measure evaluate --carry --json`, \
+             without --limit"
+        );
         reports.push(report);
     }
     ensure!(
@@ -117,6 +122,17 @@ pub fn read(folder: &Path) -> anyhow::Result<Vec<Report>> {
         folder.display()
     );
     Ok(reports)
+}
+
+impl Report {
+    /// Whether every run played exactly these tasks, in any order.
+    fn is_of(&self, tasks: &[TaskId]) -> bool {
+        self.runs.iter().all(|run| {
+            let mut played: Vec<TaskId> = run.first_solved.iter().map(|&(task, _)| task).collect();
+            played.sort();
+            played == tasks
+        })
+    }
 }
 
 impl MemoryUse {

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::fmt::{self, Write as _};
 
 use pathlight::agents::agent_name::AgentName;
-use pathlight::benchmark::auccess::{MAX_ATTEMPTS, auccess, solved_within};
+use pathlight::benchmark::auccess::auccess;
 use pathlight::benchmark::folds::FoldId;
 use pathlight::puzzle::task::TaskId;
 use pathlight::puzzle::templates::TEMPLATES;
@@ -13,6 +13,7 @@ use pathlight::puzzle::templates::TEMPLATES;
 use super::{MemoryUse, Report, Run};
 use crate::measure::agents::row;
 use crate::measure::report::score_cell;
+use crate::measure::report::score_of;
 use crate::measure::task_set::TaskSet;
 
 /// The parts of the learning curve: from which task of a template to which.
@@ -24,7 +25,7 @@ const HEAD: &str = "# Agents that remember
 evaluate --carry` wrote.
 
 Here an agent meets the test tasks of a fold, or all tasks, one after the other, and what it learned at one is used \
-for the next, as by PHYRE's DQN-O (56.2 across templates, in order of ids). That is another setting than that of \
+for the next, as by PHYRE's DQN-O (56.2 across templates, in order of ids). This protocol differs from that of \
 [the other results](../README.md), whose agents start each task afresh: do not compare across the two tables. Only \
 counted attempts are simulated. The constants of the memory were chosen on dev tasks; some of \
 those within are test tasks of cross 0. The formula that gives proposals of the paper's nets a chance by their rank \
@@ -180,8 +181,7 @@ fn mean_score<'a>(runs: impl Iterator<Item = &'a Run>) -> String {
     let scores: Vec<[f64; 4]> = runs
         .map(|run| {
             let firsts: Vec<_> = run.first_solved.iter().map(|&(_, first)| first).collect();
-            let [one, ten, hundred] = [1, 10, MAX_ATTEMPTS].map(|attempts| 100.0 * solved_within(&firsts, attempts));
-            [auccess(&firsts), one, ten, hundred]
+            score_of(&firsts)
         })
         .collect();
     if scores.is_empty() {

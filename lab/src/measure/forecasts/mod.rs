@@ -15,10 +15,10 @@ use anyhow::Context;
 use pathlight::agents::sigmoid;
 use pathlight::benchmark::folds::FoldId;
 use pathlight::nets::{Card, PathNet};
-use pathlight::puzzle::action::{Ball, Invalid};
+use pathlight::puzzle::action::{Ball, Invalid, Obstacles};
 use pathlight::puzzle::rollout::Rollout;
 use pathlight::puzzle::sampled_paths::{SAMPLED_STEPS, SAMPLES, SampledPath};
-use pathlight::puzzle::sampling::random_ball;
+use pathlight::puzzle::sampling::uniform_ball;
 use pathlight::puzzle::scene::{Body, Scene};
 use pathlight::puzzle::task::TaskId;
 use pathlight::raster::soft_iou::soft_iou;
@@ -195,7 +195,8 @@ impl Settings {
     ) -> anyhow::Result<(MapIous, Vec<Forecast>)> {
         let scene = id.scene()?;
         let mut rng = Pcg64Mcg::seed_from_u64(id.seed(self.seed));
-        let mut random = std::iter::repeat_with(|| random_ball(&scene, &mut rng)).map_while(|ball| ball);
+        let obstacles = Obstacles::new(&scene);
+        let mut random = std::iter::repeat_with(|| uniform_ball(&obstacles, &mut rng)).map_while(|ball| ball);
         let mut balls: Vec<Ball> = random.by_ref().take(self.balls).collect();
         let solutions: Vec<Ball> = match id {
             SceneId::Task(task) => known.get(&task).cloned().unwrap_or_default(),

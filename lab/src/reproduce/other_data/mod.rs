@@ -91,7 +91,7 @@ fn read(table: Table, folder: &Path) -> anyhow::Result<(Vec<Report>, Option<Repo
             let reports = fold_reports::read(folder, &AGENTS, script, settings)?;
             ensure!(
                 reports.iter().all(|report| report.setup == setup),
-                "{} holds results of another setup than {setup}, which `{script}` measures: remove them",
+                "{} holds results of a setup other than {setup}, the one that `{script}` measures: remove them",
                 folder.display(),
             );
             Ok((reports, None))

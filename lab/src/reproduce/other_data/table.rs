@@ -58,7 +58,7 @@ impl Table {
                  training tasks, and was trained further on the sampled and the proposed balls. The nets of the \
                  [main results](../README.md) learned without proposed balls, from older solutions and with other \
                  settings. All these nets learned from the training tasks and from scenes made of them alone, so these \
-                 results compare with published ones as the main results do."
+                 results can be compared with published ones as the main results can."
             }
             Table::RandomScenes => {
                 "One dynamics net learned from random scenes alone, which have no template. It has seen no task, so \

@@ -1,0 +1,10 @@
+import { AGENTS_VERSION, SIMULATOR_VERSION } from "../shell/constants.js";
+
+/**
+ * What the turns of a model depend on: the same balls follow as long as these are the same.
+ * @param {import("./worker.js").LoadedModel | null} loaded
+ */
+export function turnVersions(loaded) {
+  // So much of the SHA-256 tells weights apart.
+  return { simulator: SIMULATOR_VERSION, agents: AGENTS_VERSION, weights: loaded?.sha256?.slice(0, 8) };
+}
