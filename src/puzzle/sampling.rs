@@ -10,7 +10,8 @@ use super::action::{Action, Ball, Obstacles};
 /// ends the search in a scene that has no room.
 const MAX_DRAWS: usize = 100_000;
 
-/// Returns a valid ball drawn uniformly from the action space; `None` if the scene of the obstacles has no room for one.
+/// Returns a valid ball drawn uniformly from the action space; `None` if the scene of the obstacles has no room for
+/// one.
 pub fn uniform_ball(obstacles: &Obstacles, rng: &mut impl Rng) -> Option<Ball> {
     let mut action = || Action { x: rng.random(), y: rng.random(), r: rng.random() };
     (0..MAX_DRAWS).find_map(|_| obstacles.place(action()).ok())

@@ -10,7 +10,8 @@ const LEVEL: f32 = 0.4;
 /// A piece of a line, in cells from the bottom left corner of the image.
 pub type Segment = [[f64; 2]; 2];
 
-/// Returns the line around the strong values of 64 x 64 cells, row 0 at the bottom: pieces no longer than a cell's diagonal, and the square of cell centres that each lies in.
+/// Returns the line around the strong values of 64 x 64 cells, row 0 at the bottom: pieces no longer than a cell's
+/// diagonal, and the square of cell centres that each lies in.
 ///
 /// # Panics
 /// If there are fewer than `CELLS` values.

@@ -322,20 +322,17 @@ for (const [what, content] of Object.entries({
 for (const [whose, others] of Object.entries({ agents: { agents: 1 }, weights: { weights: "0123abcd" } })) {
   test(`a turn that other ${whose} made is not brought back, and the new one takes its place`, async () => {
     const page = await played();
-    await page.evaluate(
-      ([task, others]) => {
-        const key = `pathlight.attempts.${task}`;
-        const lines = (localStorage.getItem(key) ?? "")
-          .trim()
-          .split("\n")
-          .map((line) => JSON.parse(line));
-        localStorage.setItem(
-          key,
-          lines.map((line) => `${JSON.stringify(line.agents ? { ...line, ...others } : line)}\n`).join(""),
-        );
-      },
-      /** @type {const} */ ([EASY, others]),
-    );
+    await page.evaluate(([task, others]) => {
+      const key = `pathlight.attempts.${task}`;
+      const lines = (localStorage.getItem(key) ?? "")
+        .trim()
+        .split("\n")
+        .map((line) => JSON.parse(line));
+      localStorage.setItem(
+        key,
+        lines.map((line) => `${JSON.stringify(line.agents ? { ...line, ...others } : line)}\n`).join(""),
+      );
+    }, /** @type {const} */ ([EASY, others]));
     await page.reload();
     await modelLoaded(page);
     assert.deepEqual(await titles(page, "model-attempts"), []);

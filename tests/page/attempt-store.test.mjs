@@ -4,12 +4,12 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { AttemptStore } from "../../www/storage/attempt-store.js";
 import { BrowserStore } from "../../www/storage/browser-store.js";
-import { formatAttempts } from "../../www/storage/attempts.js";
+import { formatAttempts } from "../../www/storage/attempt-lines.js";
 
 const TASK = "00007:008";
 const KEY = `attempts.${TASK}`;
 
-/** @type {(x: number) => import("../../www/storage/attempts.js").KeptAttempt} */
+/** @type {(x: number) => import("../../www/storage/attempt-lines.js").KeptAttempt} */
 const attempt = (x) => ({
   puzzle: TASK,
   by: "player",
@@ -45,5 +45,8 @@ test("what the browser had not taken is added to what another tab has written me
   full = false;
   attempts.write(TASK, [...attempts.in(TASK), attempt(4)]);
   const stored = new AttemptStore(new BrowserStore(true), () => null);
-  assert.deepEqual(stored.in(TASK).map(({ ball }) => ball[0]), [2, 3, 1, 4]);
+  assert.deepEqual(
+    stored.in(TASK).map(({ ball }) => ball[0]),
+    [2, 3, 1, 4],
+  );
 });

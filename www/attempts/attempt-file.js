@@ -17,10 +17,10 @@ const MAX_LINE = 65_536;
 const MAX_DEPTH = 8;
 
 /**
- * Saves attempts, so that they can be verified and also be read back as progress (storage/attempts.js).
+ * Saves attempts, so that they can be verified and also be read back as progress (storage/attempt-lines.js).
  * @param {string} name of the puzzle
- * @param {(AttemptLine & { by: string, longest_touch: number, final_touch: number, agents?: number, weights?: string })[]}
- *   lines
+ * @param {(AttemptLine & { by: string, longest_touch: number, final_touch: number, agents?: number,
+ *   weights?: string })[]} lines
  */
 export function saveAttempts(name, lines) {
   const text = lines.map((line) => `${JSON.stringify(line)}\n`).join("");

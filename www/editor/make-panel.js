@@ -1,7 +1,7 @@
 // The panel Make: its markup and its components.
 
 import { text } from "../text/text.js";
-import { Check } from "./check.js";
+import { SolvableCheck } from "./solvable-check.js";
 import { Editor } from "./editor.js";
 import { SharePuzzle } from "./share-puzzle.js";
 
@@ -75,6 +75,6 @@ export const MAKE = {
   },
   create({ root, client, progress }) {
     const editor = new Editor(root, client);
-    return [editor, new SharePuzzle(root, editor, progress.persistent), new Check(root, client, editor)];
+    return [editor, new SharePuzzle(root, editor, progress.persistent), new SolvableCheck(root, client, editor)];
   },
 };

@@ -17,7 +17,7 @@ import { text } from "../text/text.js";
 import { AskedPuzzle } from "./asked-puzzle.js";
 import { Components } from "./components.js";
 import { closeDialogs, connectOpeners, showDialog } from "./dialogs.js";
-import { onPuzzleKey } from "./keys.js";
+import { onPuzzleKey } from "./shortcuts.js";
 import { ModelStarter } from "./model-starter.js";
 
 /** @typedef {import("../state/url-state.js").State} State */

@@ -78,8 +78,8 @@ export class SharedClient extends EventTarget {
   }
 
   /**
-   * Takes a model like `start`. Resolves once it is loaded; rejects with a sentence if it cannot be or is left, and with
-   * the signal's reason once that is aborted.
+   * Takes a model like `start`. Resolves once it is loaded; rejects with a sentence if it cannot be or is left, and
+   * with the signal's reason once that is aborted.
    * @param {string | null} name
    * @param {AbortSignal} signal
    * @returns {Promise<void>}

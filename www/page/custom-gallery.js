@@ -10,7 +10,7 @@ import { pathlight } from "../shell/page-api.js";
 import { puzzleKey } from "../shell/puzzle-key.js";
 import { sceneName } from "../puzzles/puzzle-name.js";
 import { INITIAL_STATE, formatFragment } from "../state/url-state.js";
-import { PLAYER, grouped } from "../storage/attempts.js";
+import { PLAYER, grouped } from "../storage/attempt-lines.js";
 import { MOST_PUZZLES, customPuzzles } from "../storage/puzzle-store.js";
 import { atOnce, inSlices } from "../storage/sliced-work.js";
 import { readPuzzles, savePuzzles } from "../editor/puzzle-file.js";
@@ -187,7 +187,7 @@ export class CustomGallery {
 
   /**
    * @param {CustomScene} scene
-   * @param {import("../storage/attempts.js").KeptAttempt[]} attempts
+   * @param {import("../storage/attempt-lines.js").KeptAttempt[]} attempts
    */
   #bringBack(scene, attempts) {
     const { failure } = this.#store.add([scene]);
@@ -214,7 +214,7 @@ function keptWords(added, known, left) {
 
 /**
  * How a puzzle went for the player; nothing if it was not tried.
- * @param {import("../storage/attempts.js").KeptAttempt[]} attempts
+ * @param {import("../storage/attempt-lines.js").KeptAttempt[]} attempts
  */
 function wordsOf(attempts) {
   if (attempts.length === 0) return "";

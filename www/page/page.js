@@ -8,7 +8,7 @@ import { byId, find } from "../widgets/dom.js";
 import { hideParts } from "../widgets/hidden-parts.js";
 import { dismissNotice, showDone, showNotice } from "../widgets/notice.js";
 import { sceneName } from "../puzzles/puzzle-name.js";
-import { isChord, leavesPlainKeys } from "../widgets/shortcuts.js";
+import { isChord, leavesPlainKeys } from "../element/shortcuts.js";
 import { TEMPLATES, templateOf } from "../puzzles/templates.js";
 import { hrefOf, pageViewOf, showsPuzzle } from "../state/links.js";
 import { INITIAL_STATE, PAGE_VIEWS } from "../state/url-state.js";

@@ -29,7 +29,7 @@ export class Picks {
 
   /**
    * @param {Template[]} templates
-   * @param {import("../storage/author.js").Author} progress the person’s
+   * @param {import("../storage/author-progress.js").AuthorProgress} progress the person’s
    */
   constructor(templates, progress) {
     this.#progress = progress;

@@ -5,7 +5,7 @@ import { byId } from "../widgets/dom.js";
 import { download } from "../widgets/download.js";
 import { showNotice } from "../widgets/notice.js";
 import { pathlight } from "../shell/page-api.js";
-import { PLAYER } from "../storage/attempts.js";
+import { PLAYER } from "../storage/attempt-lines.js";
 import { MOST_ATTEMPTS } from "../storage/progress.js";
 import { progressJson, progressOfText } from "../storage/progress-file.js";
 import { FileProblem, inSlices } from "../storage/sliced-work.js";
@@ -130,7 +130,7 @@ export class ProgressView {
 /**
  * Of the player's attempts at custom scenes: how many scenes were tried, how many are solved, and how many attempts
  * there are.
- * @param {import("../storage/attempts.js").KeptAttempt[]} kept
+ * @param {import("../storage/attempt-lines.js").KeptAttempt[]} kept
  * @returns {Sum}
  */
 function sumOf(kept) {

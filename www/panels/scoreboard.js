@@ -45,7 +45,7 @@ export class Scoreboard extends Component {
     const tasks = model ? player.tasks.filter((task) => model.of(task).attempts > 0) : [];
     this.byId("score").hidden = tasks.length === 0;
     if (!model || tasks.length === 0) return;
-    /** @param {import("../storage/author.js").Author} author */
+    /** @param {import("../storage/author-progress.js").AuthorProgress} author */
     const score = (author) => Math.round(pathlight.auccess(tasks.map((task) => author.of(task).solved)));
     setText(this.byId("score-words"), text.panels.score(tasks.length, score(player), score(model)));
   }

@@ -1,13 +1,13 @@
 // Keeps the attempts of player and model at each puzzle in the browser, and brings them back when the puzzle is opened
 // again: the player's are simulated once more; the model's come with its turn, if it was made by the model that is
-// loaded, with the same weights and agents. A turn with a memory is not kept: the next time the model remembers more, and plays
-// otherwise.
+// loaded, with the same weights and agents. A turn with a memory is not kept: the next time the model remembers more,
+// and plays otherwise.
 
 import { Component } from "../widgets/component.js";
 import { turnVersions } from "../model/turn-versions.js";
 import { SIMULATOR_VERSION } from "../shell/constants.js";
 import { puzzleKey } from "../shell/puzzle-key.js";
-import { PLAYER, sameVersions } from "../storage/attempts.js";
+import { PLAYER, sameVersions } from "../storage/attempt-lines.js";
 
 /** @typedef {import("./session.js").Session} Session */
 

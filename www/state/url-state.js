@@ -3,7 +3,7 @@
 // ball, so that it opens the same view elsewhere; for teaching it may hide parts of the page. Knows nothing of the
 // document.
 
-import { NAME } from "../storage/attempts.js";
+import { NAME } from "../storage/attempt-lines.js";
 import { ATTEMPT_LIMIT, MAPS, MAX_RADIUS, MIN_RADIUS, SCENE_SIZE } from "../shell/constants.js";
 import { text as catalogue } from "../text/text.js";
 import { PANELS } from "./panels.js";

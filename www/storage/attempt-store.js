@@ -1,10 +1,10 @@
 // The kept attempts as the browser's store has them: JSON lines, a key (slot) for each task, and one for all custom
 // scenes. Knows nothing of the document.
 
-import { AttemptReader, TASK, formatAttempts, identityOf, mergeAttempts } from "./attempts.js";
+import { AttemptReader, TASK, formatAttempts, identityOf, mergeAttempts } from "./attempt-lines.js";
 import { linesOf } from "./sliced-work.js";
 
-/** @typedef {import("./attempts.js").KeptAttempt} KeptAttempt */
+/** @typedef {import("./attempt-lines.js").KeptAttempt} KeptAttempt */
 
 const PREFIX = "attempts.";
 /** The slot of all custom scenes: every change to a scene makes another scene. */

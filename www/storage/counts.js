@@ -4,9 +4,9 @@
 //
 // { "player": { "00007:013": { "attempts": 4, "solved": 3 } } }   "solved" is null as long as no attempt solved it
 
-import { MAX_NUMBER, PLAYER, TASK, grouped, turnOf } from "./attempts.js";
+import { MAX_NUMBER, PLAYER, TASK, grouped, turnOf } from "./attempt-lines.js";
 
-/** @typedef {import("./attempts.js").KeptAttempt} KeptAttempt */
+/** @typedef {import("./attempt-lines.js").KeptAttempt} KeptAttempt */
 /** @typedef {{ attempts: number, solved: number | null }} TaskProgress */
 
 const KEY = "counts";

@@ -4,7 +4,7 @@
 //
 // { "tasks": {…}, "models": { "within-0": {…} }, "attempts": [{…}] }   as counts.js and attempts.js have them
 
-import { AttemptReader, NAME, PLAYER, lineOf } from "./attempts.js";
+import { AttemptReader, NAME, PLAYER, lineOf } from "./attempt-lines.js";
 import { text as catalogue } from "../text/text.js";
 import { Counts } from "./counts.js";
 import { FileProblem, linesOf } from "./sliced-work.js";
@@ -16,7 +16,7 @@ const OBJECT = /^\s*\{\s*"(tasks|models|attempts)"/;
 
 /** @param {import("./progress.js").Progress} progress */
 export function progressJson(progress) {
-  /** @param {import("./author.js").Author} author */
+  /** @param {import("./author-progress.js").AuthorProgress} author */
   const tasksOf = (author) => Object.fromEntries(author.tasks.map((task) => [task, author.of(task)]));
   const models = Object.fromEntries(progress.modelNames.map((name) => [name, tasksOf(progress.ofModel(name))]));
   const attempts = progress.all.map((attempt) => JSON.stringify(lineOf(attempt)));
@@ -28,7 +28,7 @@ export function progressJson(progress) {
  * What a file holds, read step by step. Throws a FileProblem if it holds no progress.
  * @param {string} text
  * @param {(scene: any) => string} digestOf returns the digest of a custom scene, or throws
- * @returns {Generator<number, { attempts: import("./attempts.js").KeptAttempt[], counts: Counts, unread: number },
+ * @returns {Generator<number, { attempts: import("./attempt-lines.js").KeptAttempt[], counts: Counts, unread: number },
  *   void>}
  */
 export function* progressOfText(text, digestOf) {

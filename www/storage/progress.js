@@ -14,14 +14,14 @@ import {
   mergeAttempts,
   sameVersions,
   turnOf,
-} from "./attempts.js";
+} from "./attempt-lines.js";
 import { AttemptStore, CUSTOM, slotOf } from "./attempt-store.js";
 import { BrowserStore } from "./browser-store.js";
 import { KeptMemory } from "./kept-memory.js";
-import { Author } from "./author.js";
+import { AuthorProgress } from "./author-progress.js";
 import { Counts, StoredCounts, isCountsKey, merge, progressOf } from "./counts.js";
 
-/** @typedef {import("./attempts.js").KeptAttempt} KeptAttempt */
+/** @typedef {import("./attempt-lines.js").KeptAttempt} KeptAttempt */
 /** @typedef {import("./counts.js").TaskProgress} TaskProgress */
 
 /** The most attempts at custom scenes that are kept, some 200 kB. */
@@ -40,7 +40,7 @@ const PIECE = 1000;
 
 /** Fires "change" whenever it holds something else, also when another tab has written it. */
 export class Progress extends EventTarget {
-  player = new Author(this, PLAYER);
+  player = new AuthorProgress(this, PLAYER);
   /** What the models remember. */
   memory;
   #store;
@@ -65,7 +65,7 @@ export class Progress extends EventTarget {
 
   /** @param {string} name */
   ofModel(name) {
-    return new Author(this, name);
+    return new AuthorProgress(this, name);
   }
 
   /** The names of the models that have played. */
@@ -130,8 +130,8 @@ export class Progress extends EventTarget {
    * versions, which is never brought back.
    * @param {string} puzzle
    * @param {string} by
-   * @param {import("./attempts.js").Attempt[]} attempts
-   * @param {import("./attempts.js").Versions} versions
+   * @param {import("./attempt-lines.js").Attempt[]} attempts
+   * @param {import("./attempt-lines.js").Versions} versions
    */
   add(puzzle, by, attempts, versions) {
     if (attempts.length === 0) return;

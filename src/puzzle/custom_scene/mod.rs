@@ -116,8 +116,7 @@ impl CustomScene {
         for (name, index) in [("body1", self.body1), ("body2", self.body2)] {
             if index >= count {
                 problems.push(Problem::unreadable(format!(
-                    "`{name}` is {index}, but the bodies are numbered from 0 to {}: choose one of them.",
-                    count - 1
+                    "`{name}` is {index}, but there are {count} bodies, numbered from 0: choose one of them."
                 )));
             }
         }
@@ -178,9 +177,7 @@ impl CustomScene {
         if !(x.is_finite() && y.is_finite() && (-TAU..=TAU).contains(&angle)) {
             return problem(
                 Fault::Place,
-                format!(
-                    "The {name} has no valid place: its angle must be between -2π and 2π, and x and y must be numbers."
-                ),
+                format!("The {name} has no valid place: x and y must be numbers, and the angle from -2π to 2π."),
             );
         }
         let [left, bottom, right, top] = self.body(index).bounds();

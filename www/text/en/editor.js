@@ -91,7 +91,7 @@ export const editor = {
       `A scene has ${least} to ${most} bodies, and this one has ${tooMany ? "more: remove some" : "fewer: add some"}.`,
     name: (/** @type {number} */ most) => `The name is longer than ${most} characters: shorten it.`,
     place: (/** @type {IndexedBody} */ body) =>
-      `The ${indexed(body)} has no valid place: its angle must be between -2π and 2π, and x and y must be numbers.`,
+      `The ${indexed(body)} has no valid place: x and y must be numbers, and the angle from -2π to 2π.`,
     /** @type {(body: IndexedBody, size: Size, length: number, allowed: [least: number, most: number]) => string} */
     length: (body, size, length, [least, most]) =>
       `The ${SIZES[size]} of the ${indexed(body)} is ${px(length)} px, but may be ${least} to ${most}: ` +

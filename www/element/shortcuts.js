@@ -1,18 +1,17 @@
 // The keyboard shortcuts of a puzzle; those of its scene are in play/gestures.js. A field that is typed in, a list, a
 // dialog and a menu keep their own keys.
 
-/** @typedef {import("../play/session.js").Session} Session */
+import { visibleTabs } from "../state/view.js";
 
 /**
  * What the shortcuts act on. The session is null while no puzzle is open.
  * @typedef {object} ShortcutTarget
- * @property {Session | null} session
- * @property {{ undo(): void, redo(): void } | null} undoing what undo and redo act on
- * @property {{ onKeydown(event: KeyboardEvent): void }} scene
- * @property {(index: number) => void} showPanel
+ * @property {import("./components.js").Components} components
+ * @property {import("../play/session.js").Session | null} session
+ * @property {import("../state/url-state.js").State} state
+ * @property {(panel: import("../state/url-state.js").Panel) => void} showPanel
  * @property {() => void} showKeys
  * @property {() => void} togglePresentation
- * @property {(by: 1 | -1) => void} goToOtherOutcome
  */
 
 const OWN_KEYS = "input:not([type=range], [type=checkbox], [type=radio]), select, dialog, [popover]";
@@ -22,16 +21,18 @@ const OWN_KEYS = "input:not([type=range], [type=checkbox], [type=radio]), select
  * @param {KeyboardEvent} event
  * @param {ShortcutTarget} puzzle
  */
-export function onShortcut(event, puzzle) {
+export function onPuzzleKey(event, puzzle) {
+  const { canvas, panels } = puzzle.components;
+  panels?.presentation.onKeydown(event);
   const { ctrlKey, metaKey, altKey, target } = event;
   if (event.defaultPrevented || altKey || !(target instanceof Element)) return;
-  const act = ctrlKey || metaKey ? undoAction(event, target, puzzle.undoing) : plainAction(event, target, puzzle);
+  const act = ctrlKey || metaKey ? undoAction(event, target, puzzle) : plainAction(event, target, puzzle);
   if (act) {
     event.preventDefault();
     act();
-  } else if (target === document.body && puzzle.session) {
+  } else if (target.matches("body") && puzzle.session) {
     // Nothing has the focus, as after a button that is disabled now: the arrows mean the ball.
-    puzzle.scene.onKeydown(event);
+    canvas.onKeydown(event);
   }
 }
 
@@ -57,10 +58,11 @@ export function isChord({ ctrlKey, metaKey, altKey }) {
  * typed in another field, and the page would not hear of it.
  * @param {KeyboardEvent} event
  * @param {Element} target
- * @param {ShortcutTarget["undoing"]} undoing
+ * @param {ShortcutTarget} puzzle
  * @returns {(() => void) | undefined}
  */
-function undoAction({ key, shiftKey }, target, undoing) {
+function undoAction({ key, shiftKey }, target, { components, session, state }) {
+  const undoing = state.panel === "make" ? components.panels?.editor : session?.placement;
   if (!undoing || target.closest("dialog, input[type=text]")) return undefined;
   /** @type {Record<string, () => unknown>} */
   const actions = { z: () => (shiftKey ? undoing.redo() : undoing.undo()), y: () => undoing.redo() };
@@ -73,13 +75,17 @@ function undoAction({ key, shiftKey }, target, undoing) {
  * @param {ShortcutTarget} puzzle
  * @returns {(() => unknown) | undefined}
  */
-function plainAction({ key, shiftKey, repeat }, target, puzzle) {
+function plainAction({ key, shiftKey, repeat }, target, { components, session, state, ...puzzle }) {
   if (!leavesPlainKeys(target)) return undefined;
-  if (key === "?") return () => puzzle.showKeys();
-  const { session } = puzzle;
+  // What a link for a lesson hides has no key either: no button leads away from what it shows.
+  const locked = state.hide.includes("tools");
+  if (key === "?") return () => !locked && puzzle.showKeys();
   // Space keeps its meaning where it has one.
   if (!session || (key === " " && target.closest("button, a, input, summary"))) return undefined;
-  if (/^[1-9]$/.test(key)) return () => puzzle.showPanel(Number(key) - 1);
+  if (/^[1-9]$/.test(key)) {
+    const panel = visibleTabs(state)[Number(key) - 1];
+    return () => panel && puzzle.showPanel(panel);
+  }
   /** @type {Record<string, () => unknown>} */
   const actions = {
     // A key that is held down runs once.
@@ -87,8 +93,8 @@ function plainAction({ key, shiftKey, repeat }, target, puzzle) {
     ".": () => session.step(1),
     ",": () => session.step(-1),
     r: () => session.reset(),
-    v: () => repeat || puzzle.togglePresentation(),
-    n: () => puzzle.goToOtherOutcome(shiftKey ? -1 : 1),
+    v: () => repeat || locked || puzzle.togglePresentation(),
+    n: () => components.panels?.proposals.goToOtherOutcome(shiftKey ? -1 : 1),
   };
   return actions[key.toLowerCase()];
 }

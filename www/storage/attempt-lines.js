@@ -4,9 +4,9 @@
 // {"task":"00007:008","by":"player","number":2,"ball":[128,200,12],"status":"solved","steps":312,"longest_touch":180,
 //  "final_touch":180,"simulator":3}
 // A custom scene has its digest as "scene" instead of the "task"; in files it may be the scene itself. "by" is "player"
-// or the name of a model; then "agents" is the version of the agents, and "weights" are the first digits of the SHA-256 of
-// its weights, if that is known. "number" counts the attempts of that
-// author at that puzzle from 1; lengths are in px, times in steps; "simulator" is the version of the simulator.
+// or the name of a model; then "agents" is the version of the agents, and "weights" are the first digits of the SHA-256
+// of its weights, if that is known. "number" counts the attempts of that author at that puzzle from 1; lengths are in
+// px, times in steps; "simulator" is the version of the simulator.
 
 /** @typedef {import("../pkg/pathlight.js").Attempt} Attempt */
 

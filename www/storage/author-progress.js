@@ -1,6 +1,6 @@
 // The progress of the player, or of a model in its own turns.
 
-export class Author {
+export class AuthorProgress {
   #progress;
   #by;
 

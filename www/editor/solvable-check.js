@@ -9,7 +9,7 @@ import { Search } from "../model/search.js";
 
 /** @typedef {import("../pkg/pathlight.js").FoundSolutions} FoundSolutions */
 
-export class Check extends Component {
+export class SolvableCheck extends Component {
   #client;
   #editor;
   #button = this.byId("check-search", HTMLButtonElement);
