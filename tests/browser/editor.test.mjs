@@ -112,7 +112,12 @@ test("a finger drags the knobs: a bar is turned and resized", async () => {
       }
     });
     await touch.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: await at(from) });
-    await touch.send("Input.dispatchTouchEvent", { type: "touchMove", touchPoints: await at(to) });
+    // Several moves, as a finger makes: the browser may keep the first for itself.
+    for (const share of [0.4, 0.7, 1]) {
+      const between = (axis) => from[axis] + share * (to[axis] - from[axis]);
+      const touchPoints = await at([between(0), between(1)]);
+      await touch.send("Input.dispatchTouchEvent", { type: "touchMove", touchPoints });
+    }
     await touch.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
     await page.waitForFunction(() => document.body.dataset.ended);
     // The browser takes a touch for its own that a busy page does not answer in time. A person would try again.
@@ -259,7 +264,7 @@ test("the edited scene is the puzzle of every panel: placed, run, played by the 
   await page.locator("#model-attempts li").first().waitFor({ timeout: 60_000 });
   await openPanel(page, "map");
   await page.locator("#solve-map-search").click();
-  await page.locator("#solve-map-words").filter({ hasText: "tried so far" }).waitFor();
+  await page.locator("#solve-map-words").filter({ hasText: /tried/ }).waitFor();
 });
 
 test("Back returns to the puzzle that was edited", async () => {

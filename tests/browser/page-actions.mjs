@@ -198,6 +198,40 @@ export function attempts(page) {
 }
 
 /**
+ * Presses a button of the puzzle in the moment in which a search says enough: the search may be over when a click from
+ * outside arrives. Resolves to all that it has said.
+ * @param {Page} page
+ * @param {string} button
+ * @param {string} words
+ * @param {{ after: number, times?: number }} options `after` how many sentences, `times` how often it is pressed
+ * @returns {Promise<string[]>}
+ */
+export function pressDuring(page, button, words, { after, times = 1 }) {
+  return page.evaluate(
+    ([button, words, after, times]) =>
+      new Promise((resolve) => {
+        const root = /** @type {ShadowRoot} */ (document.querySelector("#puzzle")?.shadowRoot);
+        const said = /** @type {string[]} */ ([]);
+        const observer = new MutationObserver(() => {
+          const text = root.querySelector(words)?.textContent ?? "";
+          if (text === "" || said.includes(text)) return;
+          if (said.push(text) < after) return;
+          observer.disconnect();
+          for (let time = 0; time < times; time += 1)
+            /** @type {HTMLElement} */ (root.querySelector(button)).click();
+          resolve(said);
+        });
+        observer.observe(/** @type {Element} */ (root.querySelector(words)), {
+          childList: true,
+          characterData: true,
+          subtree: true,
+        });
+      }),
+    /** @type {const} */ ([button, words, after, times]),
+  );
+}
+
+/**
  * Balls of a puzzle, found by simulation: one that solves it, one that does not, one that may not be placed.
  * @param {string} [task]
  * @returns {Promise<{ solving: Ball, missing: Ball, invalid: Ball }>}

@@ -71,7 +71,7 @@ test("a clicker leads through the story, which ends with the ball run and imagin
 test("it plays by itself to its end, and waits for the ball", async () => {
   const page = await openPresentation({ fragment: "&step=imagined" });
   await imagined(page);
-  await page.locator("#caption-result").filter({ hasText: "It had" }).waitFor();
+  await page.locator("#caption-result").filter({ hasText: "It considered" }).waitFor();
   await page.locator("#caption-play").click();
   assert.equal(await title(page), "Run and compare");
   await page.locator("#caption-play-label", { hasText: "Play" }).waitFor();

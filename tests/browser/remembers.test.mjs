@@ -222,7 +222,7 @@ test("what is damaged or of other weights is forgotten, with a word, and it goes
     await solve(page, SECOND);
     await words(
       page,
-      /^Its memory was damaged or from another version: it has forgotten it\. It remembers 1 puzzle\.$/,
+      /^Its memory was damaged or from another version, so it starts again with an empty one\. It remembers 1 puzzle\.$/,
     );
     await page.reload();
     await words(page, /^It remembers 1 puzzle\.$/);
@@ -233,7 +233,7 @@ test("what is damaged or of other weights is forgotten, with a word, and it goes
     storageState: stored({ [MEMORY]: JSON.stringify(whole), "pathlight.remembers": "on" }),
   });
   await playModelTurn(page);
-  await words(page, /it has forgotten it\. It remembers 1 puzzle\.$/);
+  await words(page, /with an empty one\. It remembers 1 puzzle\.$/);
 });
 
 test("in a browser that keeps nothing it remembers as long as the page is open", async () => {

@@ -71,7 +71,7 @@ fn results_of_the_other_setup_are_refused() {
     add_online_by_balls(&mut result);
     fs::write(folder.path().join("cross-0.json"), result.to_string()).expect("written");
     let name = folder.path().display().to_string();
-    assert_refused(&["measure", "proposed-balls", &name], "holds results of another setup than within");
+    assert_refused(&["measure", "proposed-balls", &name], "holds results of a setup other than within");
 }
 
 /// Adds the agent online-by-balls, with the results of the online agent; returns these.

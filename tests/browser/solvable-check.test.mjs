@@ -5,7 +5,7 @@ import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { axeFindsNothing } from "./axe.mjs";
 import { start } from "./harness.mjs";
-import { ball, known, openPuzzle, pause, says, type } from "./page-actions.mjs";
+import { ball, known, openPuzzle, pause, pressDuring, says, type } from "./page-actions.mjs";
 
 let session;
 before(async () => (session = await start()));
@@ -35,7 +35,10 @@ const scene = (object, goal) => ({
 test("a puzzle that can be solved: how many balls do, and the easiest only when it is asked for", async () => {
   const page = await openPuzzle(session, { fragment: "&panel=make", reducedMotion: true });
   await page.locator("#check-search").click();
-  await page.locator("#check-words").filter({ hasText: "so far" }).waitFor();
+  await page
+    .locator("#check-words")
+    .filter({ hasText: /\d balls/ })
+    .waitFor();
   await page.locator("#check-search").filter({ hasText: "Search" }).waitFor({ timeout: 120_000 });
   const words = await page.locator("#check-words").textContent();
   assert.match(
@@ -55,7 +58,10 @@ test("a puzzle that can be solved: how many balls do, and the easiest only when 
 test("what is edited so that it may not be played is not searched, nor is what it was before", async () => {
   const page = await openScene(scene({ x: 60, y: 200 }, { x: 200, y: 10 }));
   await page.locator("#check-search").click();
-  await page.locator("#check-words").filter({ hasText: "so far" }).waitFor();
+  await page
+    .locator("#check-words")
+    .filter({ hasText: /\d balls/ })
+    .waitFor();
   await page.locator("#scene").press("n");
   for (let step = 0; step < 8; step += 1) await page.locator("#scene").press("Shift+ArrowUp");
   await page.locator("#make-problems:visible").waitFor();
@@ -67,16 +73,19 @@ test("what is edited so that it may not be played is not searched, nor is what i
   for (let step = 0; step < 4; step += 1) await page.locator("#scene").press("Shift+ArrowDown");
   // What was edited a moment ago is searched: its puzzle does not end the search when it comes.
   await page.locator("#check-search:enabled").click();
-  await page.locator("#check-words").filter({ hasText: "so far" }).waitFor();
+  await page
+    .locator("#check-words")
+    .filter({ hasText: /\d balls/ })
+    .waitFor();
   await pause(page, 600);
   assert.match(await page.locator("#check-words").textContent(), /\d balls/);
 });
 
 test("the search can be stopped, and says what it has found so far", async () => {
   const page = await openPuzzle(session, { fragment: "&panel=make" });
+  const stopped = pressDuring(page, "#check-search", "#check-words", { after: 1 });
   await page.locator("#check-search").click();
-  await page.locator("#check-words").filter({ hasText: "so far" }).waitFor();
-  await page.locator("#check-search").filter({ hasText: "Stop" }).click();
+  assert.match((await stopped)[0], /so far/);
   await page.locator("#check-progress").waitFor({ state: "hidden" });
   const words = await page.locator("#check-words").textContent();
   await pause(page, 400);
