@@ -1,13 +1,13 @@
 // How often the chances that a model gives to balls come true, as a chart and as a table: where it says 30%, three of
 // ten balls should solve.
 
+import { svgElement } from "./svg-element.js";
 import { text } from "../text/text.js";
 import { createCell } from "../widgets/dom.js";
 
 /** @typedef {import("../model/results.js").Bin} Bin */
 /** @typedef {{ random: Bin[], candidates: Bin[] }} Calibration */
 
-const SVG = "http://www.w3.org/2000/svg";
 /** Width and height of the chart, in its own units: percent. */
 const SIDE = 100;
 /** A share of fewer balls is chance. */
@@ -18,26 +18,26 @@ const FEW = 10;
  * @param {Calibration} calibration
  */
 export function calibrationChart({ random, candidates }) {
-  const chart = element("svg", {
+  const chart = svgElement("svg", {
     viewBox: `-20 -5 ${SIDE + 30} ${SIDE + 18}`,
     role: "img",
     "aria-label": text.results.calibration.chart,
   });
   for (const at of [0, 50, 100]) {
     const [across, up] = [
-      element("text", { x: at, y: SIDE + 9, "text-anchor": "middle" }),
-      element("text", { x: -3, y: SIDE - at + 2, "text-anchor": "end" }),
+      svgElement("text", { x: at, y: SIDE + 9, "text-anchor": "middle" }),
+      svgElement("text", { x: -3, y: SIDE - at + 2, "text-anchor": "end" }),
     ];
     across.textContent = up.textContent = text.format.percent(at / 100);
-    chart.append(across, up, element("path", { d: `M${at} 0V${SIDE}M0 ${at}H${SIDE}`, class: "grid" }));
+    chart.append(across, up, svgElement("path", { d: `M${at} 0V${SIDE}M0 ${at}H${SIDE}`, class: "grid" }));
   }
-  chart.append(element("path", { d: `M0 ${SIDE}L${SIDE} 0`, class: "diagonal" }));
+  chart.append(svgElement("path", { d: `M0 ${SIDE}L${SIDE} 0`, class: "diagonal" }));
   for (const [kind, bins] of Object.entries({ random, candidates })) {
     const points = bins
       .filter(({ balls }) => balls >= FEW)
       .map(({ balls, chance, solved }) => [SIDE * chance, SIDE * (1 - solved / balls)]);
     chart.append(
-      element("path", {
+      svgElement("path", {
         d: `M${points.map((point) => point.map((value) => value.toFixed(1)).join(" ")).join("L")}`,
         class: kind,
       }),
@@ -45,8 +45,8 @@ export function calibrationChart({ random, candidates }) {
     chart.append(
       ...points.map(([x, y]) =>
         kind === "random"
-          ? element("circle", { cx: x, cy: y, r: 1.8, class: kind })
-          : element("rect", { x: x - 1.8, y: y - 1.8, width: 3.6, height: 3.6, class: kind }),
+          ? svgElement("circle", { cx: x, cy: y, r: 1.8, class: kind })
+          : svgElement("rect", { x: x - 1.8, y: y - 1.8, width: 3.6, height: 3.6, class: kind }),
       ),
     );
   }
@@ -72,14 +72,4 @@ export function calibrationTable({ random, candidates }) {
     );
     return row;
   });
-}
-
-/**
- * @param {string} name
- * @param {Record<string, string | number>} attributes
- */
-function element(name, attributes) {
-  const created = document.createElementNS(SVG, name);
-  for (const [key, value] of Object.entries(attributes)) created.setAttribute(key, String(value));
-  return created;
 }

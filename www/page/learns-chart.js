@@ -1,12 +1,12 @@
 // How many tries each puzzle took with a memory and without, as a chart: a mark for each puzzle, and a line through the
 // mean of the last few.
 
+import { svgElement } from "./svg-element.js";
 import { text } from "../text/text.js";
 import { runningMeans } from "./learns-words.js";
 
 /** @typedef {import("./learns-words.js").Played} Played */
 
-const SVG = "http://www.w3.org/2000/svg";
 /** The size of the chart, in its own units. */
 const WIDTH = 320;
 const HEIGHT = 150;
@@ -20,7 +20,7 @@ const ROOM = 20;
  * @param {number} limit the tries that there are
  */
 export function learnsChart(all, limit) {
-  const chart = element("svg", {
+  const chart = svgElement("svg", {
     viewBox: `-28 -12 ${WIDTH + 36} ${HEIGHT + 40}`,
     role: "img",
     "aria-label": text.learns.chartLabel,
@@ -31,7 +31,7 @@ export function learnsChart(all, limit) {
   for (const tries of TICKS) {
     const y = up(tries);
     chart.append(
-      element("path", { d: `M0 ${y.toFixed(1)}H${WIDTH}`, class: "grid" }),
+      svgElement("path", { d: `M0 ${y.toFixed(1)}H${WIDTH}`, class: "grid" }),
       label(String(tries), { x: -6, y: y + 4, "text-anchor": "end" }),
     );
   }
@@ -42,7 +42,7 @@ export function learnsChart(all, limit) {
     const firsts = all.map((played) => played[series]);
     const means = runningMeans(firsts.map((first) => first ?? limit));
     const points = means.map((mean, index) => `${across(index).toFixed(1)} ${up(mean).toFixed(1)}`);
-    if (points.length > 1) chart.append(element("path", { d: `M${points.join("L")}`, class: series }));
+    if (points.length > 1) chart.append(svgElement("path", { d: `M${points.join("L")}`, class: series }));
     chart.append(...firsts.map((first, index) => mark(series, first, across(index), up(first ?? limit))));
   }
   return chart;
@@ -58,11 +58,11 @@ export function learnsChart(all, limit) {
 function mark(series, first, x, y) {
   if (first === null) {
     const d = `M${x - 3} ${y - 3}l6 6m0 -6l-6 6`;
-    return element("path", { d, class: `mark ${series}` });
+    return svgElement("path", { d, class: `mark ${series}` });
   }
   return series === "learned"
-    ? element("circle", { cx: x, cy: y, r: 3.4, class: series })
-    : element("rect", { x: x - 2.8, y: y - 2.8, width: 5.6, height: 5.6, class: series });
+    ? svgElement("circle", { cx: x, cy: y, r: 3.4, class: series })
+    : svgElement("rect", { x: x - 2.8, y: y - 2.8, width: 5.6, height: 5.6, class: series });
 }
 
 /**
@@ -70,17 +70,7 @@ function mark(series, first, x, y) {
  * @param {Record<string, string | number>} attributes
  */
 function label(words, attributes) {
-  const created = element("text", attributes);
+  const created = svgElement("text", attributes);
   created.textContent = words;
-  return created;
-}
-
-/**
- * @param {string} name
- * @param {Record<string, string | number>} attributes
- */
-function element(name, attributes) {
-  const created = document.createElementNS(SVG, name);
-  for (const [key, value] of Object.entries(attributes)) created.setAttribute(key, String(value));
   return created;
 }
