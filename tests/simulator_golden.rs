@@ -6,7 +6,8 @@
 //! --release --test simulator_golden`.
 
 use md5::{Digest, Md5};
-use pathlight::puzzle::sampling::random_ball;
+use pathlight::puzzle::action::Obstacles;
+use pathlight::puzzle::sampling::uniform_ball;
 use pathlight::puzzle::task::{Task, ids};
 use pathlight::puzzle::templates::{TEMPLATES, Template};
 use pathlight::simulator::Engine;
@@ -49,7 +50,7 @@ fn digest(engine: Engine, template: &'static Template, tasks: usize) -> String {
     for id in ids(template).step_by(40).take(tasks) {
         let scene = Task::load(id).expect("an id of the template").scene;
         let mut random = Pcg32::seed_from_u64(id.number.into());
-        let mut ball = || Some(random_ball(&scene, &mut random).expect("the scene has room"));
+        let mut ball = || Some(uniform_ball(&Obstacles::new(&scene), &mut random).expect("the scene has room"));
         let balls = [None, ball(), ball()];
         for ball in balls {
             let rollout = engine.simulate(&scene, ball).expect("a valid ball");

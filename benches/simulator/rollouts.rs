@@ -1,8 +1,8 @@
 //! The rollouts that all implementations of the simulator's bench run: 20 tasks of each template, all with a random
 //! valid ball.
 
-use pathlight::puzzle::action::Ball;
-use pathlight::puzzle::sampling::random_ball;
+use pathlight::puzzle::action::{Ball, Obstacles};
+use pathlight::puzzle::sampling::uniform_ball;
 use pathlight::puzzle::scene::Scene;
 use pathlight::puzzle::task::Task;
 use pathlight::puzzle::templates::TEMPLATES;
@@ -16,7 +16,7 @@ pub fn rollouts() -> Vec<(Scene, Ball)> {
     let tasks = TEMPLATES.iter().flat_map(|template| Task::of(template).step_by(5));
     tasks
         .map(|Task { scene, .. }| {
-            let ball = random_ball(&scene, &mut random).expect("the scene has room");
+            let ball = uniform_ball(&Obstacles::new(&scene), &mut random).expect("the scene has room");
             (scene, ball)
         })
         .collect()

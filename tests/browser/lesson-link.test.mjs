@@ -75,7 +75,7 @@ test("boxes by keys make the link, the preview and the code; the link opens just
   while ((await coded(page)) !== link) assert.ok(Date.now() < until, "the code says the link");
   await page.locator("#lesson-own-machine:visible").waitFor();
   await page.keyboard.press("Escape");
-  assert.equal(await page.locator("#lesson-preview pathlight-puzzle").count(), 0);
+  await page.locator("#lesson-preview pathlight-puzzle").waitFor({ state: "detached" });
 
   const pupil = await session.open(link.slice(session.origin.length));
   await pupil.locator("#predict:visible").waitFor();

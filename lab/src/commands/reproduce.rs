@@ -71,12 +71,7 @@ struct HyperparameterArgs {
     seed: u64,
 
     /// Rounds of labelling; every task tries 64 balls per round
-    #[arg(
-        long,
-        value_name = "ROUNDS",
-        default_value_t = Hyperparameters::default().label_rounds,
-        value_parser = at_least_one()
-    )]
+    #[arg(long, value_name = "ROUNDS", default_value_t = Hyperparameters::default().label_rounds)]
     label_rounds: u16,
 
     /// Rounds of labelling variants of the scenes, another variant of each task and 64 balls per round

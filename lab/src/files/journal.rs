@@ -131,7 +131,7 @@ pub fn is_file_of<E: Entry>(path: &Path) -> anyhow::Result<bool> {
     let cannot_read = || format!("cannot read {}", path.display());
     let mut line = Vec::new();
     BufReader::new(File::open(path).with_context(cannot_read)?)
-        .take(MAX_LINE as u64)
+        .take(MAX_LINE)
         .read_until(b'\n', &mut line)
         .with_context(cannot_read)?;
     Ok(serde_json::from_slice::<E::Settings>(&line).is_ok())

@@ -7,6 +7,7 @@ use std::process::{Output, Stdio};
 use tempfile::tempdir;
 
 use super::pathlight_lab;
+use super::reference::solve_rates;
 
 /// Runs a command whose standard output nobody reads, and with `both` whose standard error nobody reads either.
 fn run_unread(args: &[&str], both: bool) -> Output {
@@ -26,7 +27,7 @@ fn commands_end_quietly_when_nobody_reads() {
     let file = |name: &str| folder.path().join(name).display().to_string();
     fs::write(file("outcomes.jsonl"), "").expect("written");
     fs::write(file("trajectories.jsonl"), "").expect("written");
-    fs::write(file("solve_rates.json"), "{}").expect("written");
+    fs::write(file("solve_rates.json"), solve_rates()).expect("written");
     let [reference, assets, solutions, figures] = [".", "assets", "solutions", "figures"].map(file);
     let weights = "assets/within-0.safetensors";
     let commands: [&[&str]; 6] = [
@@ -35,7 +36,7 @@ fn commands_end_quietly_when_nobody_reads() {
         &["publish", "weights", weights, "--assets", &assets],
         &["figures", "--out", &figures],
         &["measure", "fidelity", "--reference", &reference],
-        &["data", "solve-rates", "--limit", "0", "--reference", &reference],
+        &["data", "solve-rates", "--actions", "1", "--limit", "1", "--reference", &reference],
     ];
     for args in commands {
         for both in [false, true] {

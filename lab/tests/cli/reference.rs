@@ -80,13 +80,18 @@ fn agreement_and_distances_are_counted() {
     assert_refused(&["measure", "fidelity", "--reference", "no/such/folder"], "--reference names the folder");
 }
 
-#[test]
-fn rates_of_random_actions_stand_beside_the_reference() {
-    let folder = tempdir().expect("a folder");
+/// Returns a solve_rates.json in which all tasks have the same rates: a quarter valid, a fifth of them solving.
+pub fn solve_rates() -> String {
     let counts = json!({"valid": 50, "invalid": 150, "solved": 10});
     let all: Value =
         TEMPLATES.iter().flat_map(|template| ids(template)).map(|id| (id.to_string(), counts.clone())).collect();
-    fs::write(folder.path().join("solve_rates.json"), all.to_string()).expect("written");
+    all.to_string()
+}
+
+#[test]
+fn rates_of_random_actions_stand_beside_the_reference() {
+    let folder = tempdir().expect("a folder");
+    fs::write(folder.path().join("solve_rates.json"), solve_rates()).expect("written");
     let words = ["data", "solve-rates", "--actions", "40", "--limit", "1", "--reference"];
     let text = output_of(&[&words[..], &[&folder.path().display().to_string()]].concat());
     let last: Vec<f64> = text
