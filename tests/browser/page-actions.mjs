@@ -198,8 +198,8 @@ export function attempts(page) {
 }
 
 /**
- * Presses a button of the puzzle in the moment in which a search says enough: the search may be over when a click from
- * outside arrives. Resolves to all that it has said.
+ * Presses a button of the puzzle as soon as a search has said enough: it may be over when a click from outside arrives.
+ * Resolves to all that it has said.
  * @param {Page} page
  * @param {string} button
  * @param {string} words

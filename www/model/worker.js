@@ -13,8 +13,7 @@ import { load as loadPathlight } from "../api/index.js";
 
 /** @typedef {typeof calls} Calls */
 /**
- * The model that is loaded: its name, the names of all models, the SHA-256 of its weights if it is known, and how it
- * was trained.
+ * The model that is loaded, the names of all models, and the SHA-256 of its weights if the list has it.
  * @typedef {{ name: string, names: string[], sha256?: string, card: import("../pkg/pathlight.js").ModelCard }}
  *   LoadedModel
  */

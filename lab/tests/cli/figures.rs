@@ -256,7 +256,7 @@ fn what_is_missing_is_named_with_what_makes_it() {
     assert_refused(&["figures", "--out", &path("out"), "--assets", &path("")], "within-0.safetensors");
     fs::write(folder.path().join("shipped/within-0.json"), "{").expect("a file");
     refused(
-        "within-0.json is damaged, or another command wrote it: write it again with `pathlight-lab measure evaluate --setup within --fold 0 \
-         --weights assets/within-0.safetensors --json ",
+        "within-0.json is damaged, or another command wrote it: write it again with `pathlight-lab measure evaluate \
+         --setup within --fold 0 --weights assets/within-0.safetensors --json ",
     );
 }

@@ -12,8 +12,7 @@ use pathlight::puzzle::templates::TEMPLATES;
 
 use super::{MemoryUse, Report, Run};
 use crate::measure::agents::row;
-use crate::measure::report::score_cell;
-use crate::measure::report::score_of;
+use crate::measure::report::{score_cell, score_of};
 use crate::measure::task_set::TaskSet;
 
 /// The parts of the learning curve: from which task of a template to which.
