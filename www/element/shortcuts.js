@@ -45,8 +45,8 @@ export function leavesPlainKeys(target) {
 }
 
 /**
- * Is a modifier held that makes a key another one than the character it types? AltGr (Ctrl and Alt) and Option type
- * some characters, such as the brackets on German keyboards.
+ * Is Ctrl or Cmd held, so that the key is a command? AltGr, which counts as Ctrl and Alt, and Option type characters,
+ * such as the brackets on German keyboards.
  * @param {KeyboardEvent} event
  */
 export function isChord({ ctrlKey, metaKey, altKey }) {

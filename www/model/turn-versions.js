@@ -5,6 +5,6 @@ import { AGENTS_VERSION, SIMULATOR_VERSION } from "../shell/constants.js";
  * @param {import("./worker.js").LoadedModel | null} loaded
  */
 export function turnVersions(loaded) {
-  // So much of the SHA-256 tells weights apart.
+  // Eight digits are enough to tell weights apart.
   return { simulator: SIMULATOR_VERSION, agents: AGENTS_VERSION, weights: loaded?.sha256?.slice(0, 8) };
 }
