@@ -37,7 +37,7 @@ export async function embed(session, markup = LESSON, { headers = {}, ...options
 export const imagined = (puzzle) =>
   puzzle
     .locator("#imagined-in")
-    .filter({ hasText: /Imagined in \d+ ms/ })
+    .filter({ hasText: /Imagined in [\d,]+ ms/ })
     .waitFor();
 
 export const workers = (page, count) => assert.equal(page.workers().length, count, "workers");

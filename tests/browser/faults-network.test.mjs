@@ -43,7 +43,7 @@ async function solves(page, count) {
 const imagined = (page) =>
   page
     .locator("#imagined-in")
-    .filter({ hasText: /Imagined in \d+ ms/ })
+    .filter({ hasText: /Imagined in [\d,]+ ms/ })
     .waitFor({ timeout: 60_000 });
 
 /** The browser itself tells of what it could not load. */

@@ -115,6 +115,15 @@ test("it follows the mouse", async () => {
   await page.mouse.up();
 });
 
+test("the first guess moves nothing", async () => {
+  const page = await open();
+  const places = () => Promise.all(["#tabs", "#radius", "#watch"].map((part) => page.locator(part).boundingBox()));
+  const before = await places();
+  await page.mouse.click(...(await spot(page, 90, 236)));
+  await followsTheBall(page);
+  assert.deepEqual(await places(), before);
+});
+
 test("it follows a finger", async () => {
   const page = await open("", PHONE);
   await modelLoaded(page);
@@ -224,7 +233,8 @@ test("a ball that may not be placed is not imagined", async () => {
   await page.locator("#forecast-words").waitFor({ state: "hidden" });
   assert.deepEqual(await legend(page), GUESSED, "the legend stays, so that nothing jumps while the ball is dragged");
   await page.locator("#watch").click();
-  await page.locator("#laid").waitFor({ state: "hidden" });
+  await page.locator("#laid li").first().waitFor({ state: "hidden" });
+  assert.deepEqual(await legend(page), []);
 });
 
 test("it reveals nothing in Predict", async () => {

@@ -29,7 +29,7 @@ export async function openPuzzles(page, count, from = 0) {
     await page.evaluate((task) => void (location.hash = `#task=${task}&panel=imagine`), task);
     await page
       .locator("#imagined-in")
-      .filter({ hasText: /Imagined in \d+ ms/ })
+      .filter({ hasText: /Imagined in [\d,]+ ms/ })
       .waitFor();
   }
 }

@@ -51,7 +51,7 @@ export async function openImagined(session, options) {
   const page = await openPuzzle(session, { fragment: "&panel=imagine", ...options });
   await page
     .locator("#imagined-in")
-    .filter({ hasText: /Imagined in \d+ ms/ })
+    .filter({ hasText: /Imagined in [\d,]+ ms/ })
     .waitFor();
   return page;
 }

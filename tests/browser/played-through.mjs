@@ -11,11 +11,20 @@ const TIMEOUT = 120_000;
 export async function playThrough(page, origin) {
   /** Waits for an element whose text passes. */
   const says = (id, pattern) => page.waitForFunction(saysInPage, { timeout: TIMEOUT }, id, pattern.source);
-  /** Clicks at a part of an element, 0..1, y down, as soon as it can be used. */
+  /**
+   * Clicks at a part of an element, 0..1, y down, as soon as it can be used. Again, if the element moved away before the
+   * click arrived.
+   */
   const click = async (id, across = 0.5, down = 0.5) => {
     await page.waitForFunction(isUsableInPage, { timeout: TIMEOUT }, id);
-    const { x, y, width, height } = await restingBox(page, id);
-    await page.mouse.click(x + across * width, y + down * height);
+    for (let clicks = 0; clicks < 10; clicks++) {
+      const { x, y, width, height } = await restingBox(page, id);
+      await page.evaluate(awaitClickInPage);
+      await page.mouse.click(x + across * width, y + down * height);
+      await page.waitForFunction(wasClickedInPage, { timeout: TIMEOUT });
+      if (await page.evaluate(wasClickedAtInPage, id)) return;
+    }
+    throw new Error(`no click arrives at ${id}`);
   };
 
   await page.goto(`${origin}/#task=${EASY}`);
@@ -45,7 +54,7 @@ export async function playThrough(page, origin) {
   await click("run");
   await says("status", /^Solved!/);
   await click("tab-imagine");
-  await says("imagined-in", /Imagined in \d+ ms/);
+  await says("imagined-in", /Imagined in [\d,]+ ms/);
   await click("tab-play");
   await click("open-compare");
   await click("model-turn");
@@ -74,6 +83,21 @@ function saysInPage(id, source) {
 function isUsableInPage(id) {
   const element = /** @type {any} */ (document.getElementById("puzzle"))?.shadowRoot?.getElementById(id);
   return Boolean(element?.checkVisibility() && !element.disabled);
+}
+
+function awaitClickInPage() {
+  const page = /** @type {any} */ (window);
+  page.clicked = null;
+  window.addEventListener("click", (event) => (page.clicked = event.composedPath()), { capture: true, once: true });
+}
+
+function wasClickedInPage() {
+  return Boolean(/** @type {any} */ (window).clicked);
+}
+
+function wasClickedAtInPage(id) {
+  const element = /** @type {any} */ (document.getElementById("puzzle")).shadowRoot.getElementById(id);
+  return /** @type {any} */ (window).clicked.includes(element);
 }
 
 function boxInPage(id) {

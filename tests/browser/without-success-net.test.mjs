@@ -29,7 +29,7 @@ test("the maps of the paper are drawn, and the other says that there is none", a
   const page = await openPuzzle(session, { fragment: "&panel=imagine&layers=placement,success" });
   await page
     .locator("#imagined-in")
-    .filter({ hasText: /Imagined in \d+ ms/ })
+    .filter({ hasText: /Imagined in [\d,]+ ms/ })
     .waitFor();
   for (const map of ["base", "target", "action", "placement"]) {
     assert.match(await page.locator(`[data-map=${map}] .summary`).textContent(), /^Most sure /, map);
@@ -63,7 +63,7 @@ test("its story ends with the maps, also if a link asks for more", async () => {
   const page = await openPuzzle(session, { fragment: "&panel=imagine&step=chosen" });
   await page
     .locator("#imagined-in")
-    .filter({ hasText: /Imagined in \d+ ms/ })
+    .filter({ hasText: /Imagined in [\d,]+ ms/ })
     .waitFor();
   assert.ok(await page.locator("#choice").isHidden());
   assert.equal(await page.locator("#walkthrough-dots button:visible").count(), 4);

@@ -83,8 +83,9 @@ export class Overlays extends Component {
     this.#guess = Boolean(overlay.imagined || (this.#guess && isDragged));
     /** @type {(string | undefined)[]} */
     const shown = [...layers, ...(this.#guess ? ["guess"] : [])];
-    // The other panels say themselves which maps they are.
-    this.#legend.hidden = tab !== "play" || shown.length === 0;
+    // The other panels say themselves which maps they are. With the guess switched on it is there from the beginning,
+    // empty: the tabs below must not jump when the first guess comes.
+    this.#legend.hidden = tab !== "play" || !(forecast || shown.length > 0);
     this.byId("laid-off").hidden = layers.length === 0;
     for (const entry of this.#legend.querySelectorAll("li")) entry.hidden = !shown.includes(entry.dataset.of);
   }

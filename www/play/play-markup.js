@@ -31,7 +31,6 @@ export function playMarkup() {
 <div id="compare-trouble" class="trouble" role="alert" data-hideable="compare" hidden><p></p><button type="button">${text.element.tryAgain}</button></div>
 <div class="part" data-hideable="play">
   <p id="story" data-hideable="story"></p>
-  <details id="forecast-how" hidden><summary>${words.dotted}</summary><p>${words.dottedHow}</p></details>
   <div class="ball-form" data-hideable="fields">
     <label class="radius">${words.radius} <input type="range" id="radius" step="1"></label>
     <div class="undoing" role="group" aria-label="${words.placements}">
@@ -42,6 +41,7 @@ export function playMarkup() {
   <p class="hint" data-hideable="hint">${words.hint}</p>
   <p class="small" id="difficulty"></p>
   <p data-hideable="watch"><button type="button" id="watch">${words.watch}</button></p>
+  <details id="forecast-how" hidden><summary>${words.dotted}</summary><p>${words.dottedHow}</p></details>
 </div>
 <div class="columns">
   <section aria-labelledby="player-title" data-hideable="attempts">
