@@ -12,8 +12,8 @@ export async function playThrough(page, origin) {
   /** Waits for an element whose text passes. */
   const says = (id, pattern) => page.waitForFunction(saysInPage, { timeout: TIMEOUT }, id, pattern.source);
   /**
-   * Clicks at a part of an element, 0..1, y down, as soon as it can be used. Again, if the element moved away before the
-   * click arrived.
+   * Clicks at a part of an element, 0..1, y down, as soon as it can be used; again if the element moved away before
+   * the click arrived.
    */
   const click = async (id, across = 0.5, down = 0.5) => {
     await page.waitForFunction(isUsableInPage, { timeout: TIMEOUT }, id);
