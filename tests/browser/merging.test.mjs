@@ -103,6 +103,19 @@ test("histories merged in any order are the same, and lose no attempt and no sol
   );
 });
 
+test("an old solution that is only counted is saved too", () => {
+  const [model, older, newer] = ["model", VERSIONS[0], VERSIONS[1]];
+  const attempt = (x, solved, versions) => ({ act: "attempt", puzzle: TASK, by: model, versions, x, solved });
+  const forgotten = played([attempt(1, true, older), { act: "forget", puzzle: TASK }]);
+  const solvedLater = played([attempt(1, false, older), attempt(2, true, older)]);
+  const together = merged(progressJson(forgotten), progressJson(solvedLater));
+  assert.equal(together.ofModel(model).of(TASK).solved, 2, "the kept turn counts");
+  const file = progressJson(together);
+  const device = played([attempt(1, false, newer)]);
+  readBack(device, file);
+  assert.equal(device.ofModel(model).of(TASK).solved, 1, "the newer turn has not ended, so all that is known counts");
+});
+
 test("a file that is read twice, or by the device that saved it, changes nothing", () => {
   fc.assert(
     fc.property(history, history, (...histories) => {

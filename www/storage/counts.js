@@ -20,6 +20,11 @@ export class Counts {
   /** @type {Map<string, TaskProgress>} by author and task */
   #entries = new Map();
 
+  /** @param {Counts} [counts] that it begins with */
+  constructor(counts) {
+    if (counts) this.merge(counts);
+  }
+
   /**
    * @param {string} by
    * @param {string} task

@@ -16,11 +16,14 @@ const OBJECT = /^\s*\{\s*"(tasks|models|attempts)"/;
 
 /** @param {import("./progress.js").Progress} progress */
 export function progressJson(progress) {
-  /** @param {import("./author-progress.js").AuthorProgress} author */
-  const tasksOf = (author) => Object.fromEntries(author.tasks.map((task) => [task, author.of(task)]));
-  const models = Object.fromEntries(progress.modelNames.map((name) => [name, tasksOf(progress.ofModel(name))]));
+  const known = progress.counts.all.sort((a, b) => Number(a.task > b.task) - Number(a.task < b.task));
+  /** @param {string} author */
+  const tasksOf = (author) =>
+    Object.fromEntries(known.filter(({ by }) => by === author).map(({ task, progress }) => [task, progress]));
+  const names = [...new Set(known.map(({ by }) => by))].filter((by) => by !== PLAYER).sort();
+  const models = Object.fromEntries(names.map((name) => [name, tasksOf(name)]));
   const attempts = progress.all.map((attempt) => JSON.stringify(lineOf(attempt)));
-  const counts = JSON.stringify({ tasks: tasksOf(progress.player), models }, null, 1);
+  const counts = JSON.stringify({ tasks: tasksOf(PLAYER), models }, null, 1);
   return `${counts.slice(0, -2)},\n "attempts": [\n${attempts.join(",\n")}\n]}\n`;
 }
 

@@ -68,10 +68,11 @@ export class Progress extends EventTarget {
     return new AuthorProgress(this, name);
   }
 
-  /** The names of the models that have played. */
-  get modelNames() {
-    const names = [...this.#counts.all, ...this.all].map(({ by }) => by).filter((by) => by !== PLAYER);
-    return [...new Set(names)].sort();
+  /** What is known of each author and task, by all turns of a model, also those that `of` leaves out. */
+  get counts() {
+    const counts = new Counts(this.#counts);
+    counts.addGone(this.all, this.all);
+    return counts;
   }
 
   /**
@@ -203,8 +204,7 @@ export class Progress extends EventTarget {
       })),
     );
     const solvedBefore = this.#solved;
-    const counted = new Counts();
-    counted.merge(counts);
+    const counted = new Counts(counts);
     let room = Math.max(0, MOST_ATTEMPTS - this.all.length);
     let [added, left, done] = [0, 0, 0];
     /** @type {(() => void)[]} */
