@@ -87,7 +87,7 @@ export function compareAttempts(a, b) {
 }
 
 /** @type {(a: string, b: string) => number} */
-const compareTexts = (a, b) => Number(a > b) - Number(a < b);
+export const compareTexts = (a, b) => Number(a > b) - Number(a < b);
 
 /**
  * Of two records of the same ball the one that tells more, with the earlier number.

@@ -4,7 +4,7 @@
 //
 // { "tasks": {…}, "models": { "within-0": {…} }, "attempts": [{…}] }   as counts.js and attempts.js have them
 
-import { AttemptReader, NAME, PLAYER, lineOf } from "./attempt-lines.js";
+import { AttemptReader, NAME, PLAYER, compareTexts, lineOf } from "./attempt-lines.js";
 import { text as catalogue } from "../text/text.js";
 import { Counts } from "./counts.js";
 import { FileProblem, linesOf } from "./sliced-work.js";
@@ -16,7 +16,7 @@ const OBJECT = /^\s*\{\s*"(tasks|models|attempts)"/;
 
 /** @param {import("./progress.js").Progress} progress */
 export function progressJson(progress) {
-  const known = progress.counts.all.sort((a, b) => Number(a.task > b.task) - Number(a.task < b.task));
+  const known = progress.counts.all.sort((a, b) => compareTexts(a.task, b.task));
   /** @param {string} author */
   const tasksOf = (author) =>
     Object.fromEntries(known.filter(({ by }) => by === author).map(({ task, progress }) => [task, progress]));

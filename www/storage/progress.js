@@ -68,7 +68,7 @@ export class Progress extends EventTarget {
     return new AuthorProgress(this, name);
   }
 
-  /** What is known of each author and task, by all turns of a model, also those that `of` leaves out. */
+  /** What would still count if all attempts were deleted. Of a model all turns count, not only what `of` returns. */
   get counts() {
     const counts = new Counts(this.#counts);
     counts.addGone(this.all, this.all);
