@@ -321,11 +321,20 @@ fn fields_of_all(fullest: &Value, barest: &Value) -> Vec<String> {
 #[wasm_bindgen_test]
 fn cards_have_the_fields_that_their_types_declare() {
     let (_, shipped) = PathNet::load(include_bytes!("../assets/within-0.safetensors")).expect("weights");
-    let success = SuccessCard { seed: 0, epochs: 1, batch: 1, balls_per_scene: 1, learning_rate: 0.1, balls: 1 };
+    let success = SuccessCard {
+        seed: 0,
+        epochs: 1,
+        batch: 1,
+        balls_per_scene: 1,
+        optimiser: Optimiser::Muon,
+        learning_rate: 0.1,
+        balls: 1,
+    };
     let dynamics = shipped.dynamics.clone().expect("the shipped weights have a dynamics net");
     let barest = DynamicsCard {
         optimiser: Optimiser::Adam,
         path_weights: PathWeights::default(),
+        blends: 0,
         unlisted: 0,
         random_scenes: 0,
         random_scenes_alone: false,
@@ -337,6 +346,7 @@ fn cards_have_the_fields_that_their_types_declare() {
     let fullest = DynamicsCard {
         optimiser: Optimiser::Muon,
         path_weights: PathWeights { all: 2.0, solving: 4.0 },
+        blends: 1,
         unlisted: 1,
         random_scenes: 1,
         random_scenes_alone: true,
@@ -346,12 +356,13 @@ fn cards_have_the_fields_that_their_types_declare() {
         ..dynamics
     };
     let json = |card: &Card| serde_json::to_value(card).expect("JSON");
-    let bare = json(&Card { success: None, dynamics: Some(barest), ..shipped.clone() });
+    let with_adam = SuccessCard { optimiser: Optimiser::Adam, ..success.clone() };
+    let bare = json(&Card { success: Some(with_adam), dynamics: Some(barest), ..shipped.clone() });
     let full = json(&Card { success: Some(success), dynamics: Some(fullest), ..shipped.clone() });
     let none = json(&Card { success: None, dynamics: None, ..shipped });
     assert_eq!(fields_of_all(&full, &none), declared("ModelCard"));
     assert_eq!(fields_of_all(&full["dynamics"], &bare["dynamics"]), declared("DynamicsCard"));
-    assert_eq!(fields(&full["success"]), declared("SuccessCard"));
+    assert_eq!(fields_of_all(&full["success"], &bare["success"]), declared("SuccessCard"));
     assert_eq!(fields(&full["dynamics"]["path_weights"]), declared("PathWeights"));
 }
 

@@ -88,7 +88,10 @@ pub struct SuccessCard {
     /// Balls drawn per scene in a batch.
     #[serde(alias = "drawn")]
     pub balls_per_scene: u16,
-    /// Highest learning rate of Adam.
+    /// The optimiser.
+    #[serde(default, skip_serializing_if = "Optimiser::is_adam")]
+    pub optimiser: Optimiser,
+    /// Its highest learning rate.
     #[serde(alias = "rate")]
     pub learning_rate: f64,
     /// Labelled balls that these are drawn from.
@@ -214,7 +217,10 @@ pub struct DqnCard {
     pub batch: u16,
     /// Balls drawn per scene in a batch, half of them solutions.
     pub balls_per_scene: u16,
-    /// Highest learning rate of Adam.
+    /// The optimiser.
+    #[serde(default, skip_serializing_if = "Optimiser::is_adam")]
+    pub optimiser: Optimiser,
+    /// Its highest learning rate.
     pub learning_rate: f64,
     /// Labelled balls that these are drawn from.
     pub balls: usize,

@@ -200,6 +200,7 @@ impl ModuleMapper for Loader<'_> {
 mod tests {
     use super::*;
     use crate::benchmark::folds::Setup;
+    use crate::nets::Optimiser;
 
     /// Sets the biases, the parameters of one dimension, to a value.
     struct SetBiases(f32);
@@ -255,6 +256,7 @@ mod tests {
             epochs: 1,
             batch: 1,
             balls_per_scene: 2,
+            optimiser: Optimiser::Muon,
             learning_rate: 1.0,
             balls: 1,
             variants: 0,

@@ -348,7 +348,7 @@ export interface RememberedAttempt {
 /** A ball that the model considers before it chooses one. */
 export interface Candidate {
     ball: Ball;
-    /** The probability that it solves, from what is imagined and, if there is one, from the success net; 0..1. */
+    /** The probability that it solves, as the dynamics net imagines it; 0..1. */
     probability: number;
     /** The imagined path of the green object, as in `ImaginedBall`. */
     object: Float32Array;
@@ -378,6 +378,8 @@ export interface SuccessCard {
     epochs: number;
     batch: number;
     balls_per_scene: number;
+    /** The optimiser, if not Adam. */
+    optimiser?: "muon";
     learning_rate: number;
     balls: number;
 }
@@ -407,6 +409,8 @@ export interface DynamicsCard {
     coverage: boolean;
     /** Variants of the tasks' scenes among the scenes. */
     variants: number;
+    /** Blends of two tasks' scenes among the scenes. */
+    blends?: number;
     /** How many of the scenes are unlisted tasks: laid out by a template's script, not listed by the benchmark. */
     unlisted?: number;
     /** Random scenes, of no task, among the scenes. */

@@ -29,6 +29,7 @@ mod path_weights_args;
 mod progress;
 mod publish;
 mod reproduce;
+mod run_args;
 mod scenes_args;
 mod shown_progress;
 #[path = "../../../src/commands/template_arg.rs"]

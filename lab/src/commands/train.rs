@@ -6,13 +6,14 @@ use pathlight_lab::data::collect::SOLUTIONS;
 use pathlight_lab::data::label::LABELS;
 use pathlight_lab::progress::Progress;
 use pathlight_lab::training::dynamics::DynamicsRecipe;
-use pathlight_lab::training::settings::{LabelsRecipe, PathsRecipe, RunSettings};
+use pathlight_lab::training::settings::PathsRecipe;
 use pathlight_lab::training::{dqn, dynamics, paths, success};
 
 use super::at_least_one::{at_least_one, count};
 use super::fold_args::FoldArgs;
 use super::optimiser_arg::OptimiserName;
 use super::path_weights_args::PathWeightsArgs;
+use super::run_args::RunArgs;
 
 #[derive(clap::Subcommand)]
 pub enum Command {
@@ -35,58 +36,6 @@ impl Command {
         }
         Ok(())
     }
-}
-
-/// How to train, and where the run is kept.
-#[derive(clap::Args)]
-struct RunArgs {
-    /// Folder of the run: checkpoint, losses.csv, weights.safetensors [default: target/train/SETUP-FOLD for the four
-    /// nets, and success, dynamics or dqn in it for the others]
-    #[arg(long)]
-    out: Option<PathBuf>,
-
-    /// Samples per batch for the four nets, scenes per batch for the others
-    #[arg(long, default_value_t = LabelsRecipe::default().batch, value_parser = at_least_one())]
-    batch: u16,
-
-    /// Highest learning rate
-    #[arg(long, default_value_t = LabelsRecipe::default().learning_rate, value_parser = learning_rate)]
-    learning_rate: f64,
-
-    /// Batches between two checkpoints, and between two lines of losses.csv
-    #[arg(
-        long,
-        value_name = "BATCHES",
-        default_value_t = RunSettings::default().checkpoint,
-        value_parser = at_least_one()
-    )]
-    checkpoint: u16,
-
-    /// Stop at the first checkpoint after this many batches; the same command continues from there
-    #[arg(long, value_name = "BATCHES")]
-    stop_after: Option<usize>,
-
-    /// Seed of the initial weights, and of the order of the samples or scenes
-    #[arg(long, default_value_t = 0)]
-    seed: u64,
-}
-
-impl RunArgs {
-    fn labels_recipe(&self, balls_per_scene: u16) -> LabelsRecipe {
-        LabelsRecipe { batch: self.batch, learning_rate: self.learning_rate, balls_per_scene }
-    }
-}
-
-impl From<RunArgs> for RunSettings {
-    fn from(RunArgs { out, checkpoint, stop_after, seed, .. }: RunArgs) -> RunSettings {
-        RunSettings { out, checkpoint, stop_after, seed }
-    }
-}
-
-/// Parses a learning rate: with 0 nothing would be learned.
-fn learning_rate(text: &str) -> Result<f64, String> {
-    let rate = text.parse::<f64>().ok().filter(|rate| rate.is_finite() && *rate > 0.0);
-    rate.ok_or_else(|| "give a number above 0, like 0.001".to_string())
 }
 
 /// Train the four nets on the training tasks of a fold
@@ -161,13 +110,17 @@ pub struct Success {
     )]
     balls_per_scene: u16,
 
+    /// Optimiser
+    #[arg(long, value_enum, default_value_t)]
+    optimiser: OptimiserName,
+
     #[command(flatten)]
     run: RunArgs,
 }
 
 impl From<Success> for success::Settings {
-    fn from(Success { fold, weights, labels, epochs, balls_per_scene, run }: Success) -> success::Settings {
-        let recipe = run.labels_recipe(balls_per_scene);
+    fn from(Success { fold, weights, labels, epochs, balls_per_scene, optimiser, run }: Success) -> success::Settings {
+        let recipe = run.labels_recipe(optimiser, balls_per_scene);
         success::Settings { fold: fold.into(), weights, labels, epochs, recipe, run: run.into() }
     }
 }
@@ -278,6 +231,10 @@ pub struct Dqn {
     )]
     balls_per_scene: u16,
 
+    /// Optimiser
+    #[arg(long, value_enum, default_value_t)]
+    optimiser: OptimiserName,
+
     /// Leave the fold's dev tasks out, so that settings may be chosen on them
     #[arg(long)]
     without_dev: bool,
@@ -287,8 +244,8 @@ pub struct Dqn {
 }
 
 impl From<Dqn> for dqn::Settings {
-    fn from(Dqn { fold, labels, epochs, balls_per_scene, without_dev, run }: Dqn) -> dqn::Settings {
-        let recipe = run.labels_recipe(balls_per_scene);
+    fn from(Dqn { fold, labels, epochs, balls_per_scene, optimiser, without_dev, run }: Dqn) -> dqn::Settings {
+        let recipe = run.labels_recipe(optimiser, balls_per_scene);
         dqn::Settings { fold: fold.into(), labels, epochs, recipe, without_dev, run: run.into() }
     }
 }

@@ -12,12 +12,17 @@ pub fn training_folder(fold: FoldId) -> PathBuf {
     format!("target/train/{fold}").into()
 }
 
+/// The file that `load_nets` reads: the shipped weights if none is named.
+pub fn weights_path(path: Option<&Path>, fold: FoldId) -> PathBuf {
+    path.map_or_else(|| format!("assets/{fold}.safetensors").into(), Path::to_path_buf)
+}
+
 /// Reads the nets of a fold, and how they were trained; without a path, the shipped ones.
 ///
 /// # Errors
 /// If the file cannot be read, or its nets were trained on another fold and so may know this fold's test tasks.
 pub fn load_nets(path: Option<&Path>, fold: FoldId) -> anyhow::Result<(PathNet, Card)> {
-    let path = path.map_or_else(|| format!("assets/{fold}.safetensors").into(), Path::to_path_buf);
+    let path = weights_path(path, fold);
     let (nets, card) = load_nets_of_any_fold(&path)?;
     card.fold_id().check(fold).with_context(|| format!("cannot use {}", path.display()))?;
     Ok((nets, card))

@@ -12,7 +12,7 @@ use pathlight::raster::scene_coverage;
 
 use super::labelled_scenes::{Drawn, LabelledScenes, Sampling};
 use super::settings::{LabelsRecipe, RunSettings};
-use super::training_run::{TrainingRun, digests};
+use super::training_run::{Inputs, TrainingRun};
 use crate::data::label::LABELS;
 use crate::files::weights_file::training_folder;
 use crate::progress::Progress;
@@ -45,7 +45,7 @@ impl Settings {
     /// # Errors
     /// If the labels cannot be used, or the folder cannot be continued or written.
     pub fn train(&self, progress: &mut dyn Progress) -> anyhow::Result<Option<PathBuf>> {
-        let LabelsRecipe { batch, learning_rate, balls_per_scene } = self.recipe;
+        let LabelsRecipe { batch, optimiser, learning_rate, balls_per_scene } = self.recipe;
         let scenes = LabelledScenes::read(&self.labels, self.fold, self.without_dev)?.of_tasks()?;
         let card = DqnCard {
             setup: self.fold.setup,
@@ -54,14 +54,15 @@ impl Settings {
             epochs: self.epochs,
             batch,
             balls_per_scene,
+            optimiser,
             learning_rate,
             balls: scenes.balls(),
             variants: scenes.variants(),
             without_dev: self.without_dev,
         };
         let folder = self.run.out.clone().unwrap_or_else(|| training_folder(self.fold).join("dqn"));
-        let trainer = Trainer::<Dqn>::new(self.run.seed);
-        let mut run = TrainingRun::open(folder, card, digests(&self.labels)?, &["dqn"], trainer)?;
+        let trainer = Trainer::<Dqn>::new(self.run.seed).with_optimiser(optimiser);
+        let mut run = TrainingRun::open(folder, card, Inputs::of(&self.labels)?, &["dqn"], trainer)?;
         let complete = run.train(
             &scenes.plan(self.epochs, batch, learning_rate),
             &self.run,

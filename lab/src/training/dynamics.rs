@@ -16,10 +16,10 @@ use serde::{Deserialize, Serialize};
 
 use super::labelled_scenes::{Drawn, LabelledScenes, Sampling};
 use super::settings::RunSettings;
-use super::training_run::{TrainingRun, digests};
+use super::training_run::{Inputs, TrainingRun};
 use crate::data::label::LABELS;
 use crate::files::digest;
-use crate::files::weights_file::{load_nets, load_nets_of_any_fold, training_folder};
+use crate::files::weights_file::{load_nets, load_nets_of_any_fold, training_folder, weights_path};
 use crate::progress::Progress;
 
 /// What to train.
@@ -97,7 +97,13 @@ impl Settings {
     pub fn train(&self, progress: &mut dyn Progress) -> anyhow::Result<Option<PathBuf>> {
         let DynamicsRecipe { batch, optimiser, learning_rate, balls_per_scene, imagined_per_scene, path_weights } =
             self.recipe;
-        let (mut nets, mut card) = load_nets(self.weights.as_deref(), self.fold)?;
+        ensure!(
+            imagined_per_scene <= balls_per_scene,
+            "the net cannot learn the paths of {imagined_per_scene} of {balls_per_scene} balls: lower \
+             --imagined-per-scene, or raise --balls-per-scene"
+        );
+        let weights = weights_path(self.weights.as_deref(), self.fold);
+        let (mut nets, mut card) = load_nets(Some(&weights), self.fold)?;
         let without_dev = self.without_dev || card.without_dev;
         ensure!(
             card.without_dev || !self.without_dev || self.from.is_some() || nets.success.is_none(),
@@ -139,7 +145,8 @@ impl Settings {
         };
         let trainer = trainer.with_optimiser(optimiser);
         let losses = ["cell", "ball", "from paths", "paths", "errors"];
-        let mut run = TrainingRun::open(folder, card, digests(&self.labels)?, &losses, trainer)?;
+        let inputs = Inputs::of(&self.labels)?.added_to(&weights)?;
+        let mut run = TrainingRun::open(folder, card, inputs, &losses, trainer)?;
         let paths = (!self.without_paths).then_some(path_weights);
         let complete = run.train(
             &scenes.plan(self.epochs, batch, learning_rate),

@@ -132,8 +132,14 @@ impl LabelledScenes {
     pub fn read(files: &[PathBuf], fold: FoldId, without_dev: bool) -> anyhow::Result<LabelledScenes> {
         let tasks = training_tasks(fold, without_dev);
         let mut scenes: BTreeMap<SceneId, LabelledScene> = BTreeMap::new();
-        for path in files {
+        for (index, path) in files.iter().enumerate() {
+            ensure!(!files[..index].contains(path), "{} is named twice: name each file once", path.display());
             let labelled = read_labels(path)?;
+            ensure!(
+                labelled.rounds().is_some(),
+                "{} ends within a round: let `pathlight-lab data label` finish it",
+                path.display()
+            );
             may_learn(origin(&labelled), fold, without_dev).map_err(|why| anyhow!("{} {why}", path.display()))?;
             for line in labelled.lines {
                 if trains_on(line.scene, &tasks) && line.count() > 0 {

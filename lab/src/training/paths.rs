@@ -1,6 +1,7 @@
 //! Trains the four nets jointly on the solutions of a fold's training tasks.
 
 use std::path::PathBuf;
+use std::slice;
 
 use anyhow::ensure;
 use pathlight::benchmark::folds::FoldId;
@@ -15,11 +16,10 @@ use rayon::prelude::*;
 
 use super::labelled_scenes::training_tasks;
 use super::settings::{PathsRecipe, RunSettings};
-use super::training_run::{Plan, TrainingRun};
+use super::training_run::{Inputs, Plan, TrainingRun};
 use crate::data::collect::{Collected, SOLUTIONS, read_solutions};
 use crate::data::samples::sample;
 use crate::data::solutions::Solution;
-use crate::files::digest;
 use crate::files::weights_file::training_folder;
 use crate::progress::Progress;
 
@@ -52,11 +52,17 @@ impl Settings {
     /// # Errors
     /// If the solutions cannot be used, or the folder cannot be continued or written.
     pub fn train(&self, progress: &mut dyn Progress) -> anyhow::Result<Option<PathBuf>> {
+        ensure!(
+            self.recipe.decay_epochs <= self.epochs,
+            "the learning rate cannot decay over {} epochs of {}: lower --decay-epochs",
+            self.recipe.decay_epochs,
+            self.epochs
+        );
         let folder = self.run.out.clone().unwrap_or_else(|| training_folder(self.fold));
         let (solutions, card) = self.solutions()?;
         let trainer = Trainer::<PathNet>::new(self.run.seed);
-        let data = digest(&self.solutions)?;
-        let mut run = TrainingRun::open(folder, card, data, &["base", "target", "action", "placement"], trainer)?;
+        let inputs = Inputs::of(slice::from_ref(&self.solutions))?;
+        let mut run = TrainingRun::open(folder, card, inputs, &["base", "target", "action", "placement"], trainer)?;
         progress.say(&format!("making training images of {} solutions", solutions.len()));
         let samples = solutions
             .par_iter()
@@ -100,7 +106,9 @@ impl Settings {
     fn solutions(&self) -> anyhow::Result<(Vec<Solution>, Card)> {
         let PathsRecipe { batch, learning_rate, decay_epochs, mirror, without_dev } = self.recipe;
         let tasks = training_tasks(self.fold, without_dev);
-        let Collected { solutions, simulator: version, .. } = read_solutions(&self.solutions)?;
+        let collected = read_solutions(&self.solutions)?;
+        collected.check_complete(&self.solutions)?;
+        let Collected { solutions, simulator: version, .. } = collected;
         let name = self.solutions.display();
         ensure!(
             version == simulator::VERSION,

@@ -5,6 +5,7 @@
 
 use std::path::PathBuf;
 
+use pathlight::nets::Optimiser;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
@@ -53,7 +54,10 @@ impl Default for PathsRecipe {
 pub struct LabelsRecipe {
     /// Scenes per batch.
     pub batch: u16,
-    /// Highest learning rate of Adam.
+    /// The optimiser.
+    #[serde(default)]
+    pub optimiser: Optimiser,
+    /// Its highest learning rate.
     pub learning_rate: f64,
     /// Balls of each scene in a batch, sampled anew each time.
     pub balls_per_scene: u16,
@@ -61,7 +65,7 @@ pub struct LabelsRecipe {
 
 impl Default for LabelsRecipe {
     fn default() -> LabelsRecipe {
-        LabelsRecipe { batch: 32, learning_rate: 3e-3, balls_per_scene: 256 }
+        LabelsRecipe { batch: 32, optimiser: Optimiser::Adam, learning_rate: 3e-3, balls_per_scene: 256 }
     }
 }
 

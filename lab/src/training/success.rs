@@ -13,10 +13,9 @@ use pathlight::raster::scene_coverage;
 
 use super::labelled_scenes::{Drawn, LabelledScenes, Sampling};
 use super::settings::{LabelsRecipe, RunSettings};
-use super::training_run::TrainingRun;
+use super::training_run::{Inputs, TrainingRun};
 use crate::data::label::LABELS;
-use crate::files::digest;
-use crate::files::weights_file::{load_nets, training_folder};
+use crate::files::weights_file::{load_nets, training_folder, weights_path};
 use crate::progress::Progress;
 
 /// What to train.
@@ -52,8 +51,9 @@ impl Settings {
     /// # Errors
     /// If the weights or the labels cannot be used, or the folder cannot be continued or written.
     pub fn train(&self, progress: &mut dyn Progress) -> anyhow::Result<Option<PathBuf>> {
-        let LabelsRecipe { batch, learning_rate, balls_per_scene } = self.recipe;
-        let (mut nets, mut card) = load_nets(self.weights.as_deref(), self.fold)?;
+        let LabelsRecipe { batch, optimiser, learning_rate, balls_per_scene } = self.recipe;
+        let weights = weights_path(self.weights.as_deref(), self.fold);
+        let (mut nets, mut card) = load_nets(Some(&weights), self.fold)?;
         let scenes = LabelledScenes::read(slice::from_ref(&self.labels), self.fold, card.without_dev)?.of_tasks()?;
         card.dynamics = None;
         card.success = Some(SuccessCard {
@@ -61,12 +61,14 @@ impl Settings {
             epochs: self.epochs,
             batch,
             balls_per_scene,
+            optimiser,
             learning_rate,
             balls: scenes.balls(),
         });
         let folder = self.run.out.clone().unwrap_or_else(|| training_folder(self.fold).join("success"));
-        let trainer = Trainer::<SuccessNet>::new(self.run.seed);
-        let mut run = TrainingRun::open(folder, card, digest(&self.labels)?, &["success"], trainer)?;
+        let trainer = Trainer::<SuccessNet>::new(self.run.seed).with_optimiser(optimiser);
+        let inputs = Inputs::of(slice::from_ref(&self.labels))?.added_to(&weights)?;
+        let mut run = TrainingRun::open(folder, card, inputs, &["success"], trainer)?;
         let complete = run.train(
             &scenes.plan(self.epochs, batch, learning_rate),
             &self.run,

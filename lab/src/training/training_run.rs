@@ -45,6 +45,9 @@ pub struct Checkpoint<C = Card> {
     pub card: C,
     /// SHA-256 of each file of training data, separated by spaces.
     pub data: String,
+    /// SHA-256 of the weights that the nets are added to, if they are added to any. Absent in older files.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub added_to: Option<String>,
     /// Batches trained on.
     pub done: usize,
     /// Wall-clock time of training so far, s.
@@ -55,6 +58,33 @@ pub struct Checkpoint<C = Card> {
     pub log: Vec<(usize, usize, Vec<f32>)>,
 }
 
+/// The files that a run reads.
+pub struct Inputs {
+    /// SHA-256 of each file of training data, separated by spaces.
+    pub data: String,
+    /// SHA-256 of the weights that the nets are added to, if they are added to any.
+    pub added_to: Option<String>,
+}
+
+impl Inputs {
+    /// Those of nets that learn from these files.
+    ///
+    /// # Errors
+    /// If one cannot be read.
+    pub fn of(data: &[PathBuf]) -> anyhow::Result<Inputs> {
+        let digests = data.iter().map(|path| digest(path)).collect::<anyhow::Result<Vec<_>>>()?;
+        Ok(Inputs { data: digests.join(" "), added_to: None })
+    }
+
+    /// The same, for nets that are added to weights.
+    ///
+    /// # Errors
+    /// If the file cannot be read.
+    pub fn added_to(self, weights: &Path) -> anyhow::Result<Inputs> {
+        Ok(Inputs { added_to: Some(digest(weights)?), ..self })
+    }
+}
+
 /// How long to train, and at which learning rates.
 pub struct Plan {
     pub epochs: usize,
@@ -63,21 +93,21 @@ pub struct Plan {
 }
 
 impl<M: Trainable, C: PartialEq + Serialize + DeserializeOwned> TrainingRun<M, C> {
-    /// Opens the run of a folder: from its checkpoint, or with the fresh trainer. `data` is the digest of the training
-    /// data, `losses` are the names of the losses of a step.
+    /// Opens the run of a folder: from its checkpoint, or with the fresh trainer. `inputs` are what is read besides,
+    /// `losses` are the names of the losses of a step.
     ///
     /// # Errors
     /// If the folder holds another run, is used by another process, or cannot be written.
     pub fn open(
         folder: PathBuf,
         card: C,
-        data: String,
+        Inputs { data, added_to }: Inputs,
         losses: &[&str],
         trainer: Trainer<M>,
     ) -> anyhow::Result<TrainingRun<M, C>> {
         let lock = lock(&folder.join(LOCK))?;
         let losses = losses.iter().map(ToString::to_string).collect();
-        let fresh = Checkpoint { card, data, done: 0, seconds: 0.0, losses, log: Vec::new() };
+        let fresh = Checkpoint { card, data, added_to, done: 0, seconds: 0.0, losses, log: Vec::new() };
         let name = folder.display();
         let (trainer, checkpoint) = match read_checkpoint(&folder)? {
             None => (trainer, fresh),
@@ -87,6 +117,9 @@ impl<M: Trainable, C: PartialEq + Serialize + DeserializeOwned> TrainingRun<M, C
             ),
             Some(found) if found.data != fresh.data => {
                 bail!("{name} holds a run on other data: use another folder, or remove this one")
+            }
+            Some(found) if found.added_to.is_some() && found.added_to != fresh.added_to => {
+                bail!("{name} holds a run with other --weights: use another folder, or remove this one")
             }
             Some(found) => {
                 let [nets, optimiser] = files(&folder, found.done);
@@ -204,15 +237,6 @@ impl<M: Trainable, C: PartialEq + Serialize + DeserializeOwned> TrainingRun<M, C
         replace_file(&weights, &save(&self.checkpoint.card)?)?;
         Ok(weights)
     }
-}
-
-/// Returns the digests of files of training data, as a run records them.
-///
-/// # Errors
-/// If one cannot be read.
-pub fn digests(files: &[PathBuf]) -> anyhow::Result<String> {
-    let digests = files.iter().map(|path| digest(path)).collect::<anyhow::Result<Vec<_>>>()?;
-    Ok(digests.join(" "))
 }
 
 /// Returns the files of the checkpoint after a number of batches.

@@ -64,6 +64,19 @@ fn solutions_of_an_older_simulator_are_refused() {
 }
 
 #[test]
+fn a_part_of_the_solutions_is_refused() {
+    let folder = tempdir().expect("a folder");
+    let text_of = fs::read_to_string(solutions()).expect("solutions");
+    let (part, _) = text_of.trim_end().rsplit_once('\n').expect("lines");
+    let file = text(&folder.path().join("part.jsonl"));
+    fs::write(&file, format!("{part}\n")).expect("a file");
+    assert_refused(
+        &["train", "paths", "--solutions", &file],
+        "is not complete (tasks left: 1): let `pathlight-lab data collect` finish it",
+    );
+}
+
+#[test]
 fn only_its_own_checkpoints_are_removed() {
     let folder = tempdir().expect("a folder");
     let others = ["other.bpk", "best-checkpoint-nets.bpk"].map(|name| folder.path().join(name));
@@ -88,6 +101,7 @@ fn the_decay_is_recorded_and_changes_the_weights() {
     assert_eq!((decay(&constant), decay(&decayed)), (0, 2));
     let losses = |name: &str| fs::read_to_string(folder.path().join(name).join("losses.csv")).expect("losses");
     assert_ne!(losses("constant"), losses("decayed"));
+    assert_refused(&["train", "paths", "--epochs", "2", "--decay-epochs", "3"], "lower --decay-epochs");
 }
 
 #[test]

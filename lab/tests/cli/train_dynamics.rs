@@ -135,6 +135,14 @@ fn a_dynamics_net_joins_the_weights_and_can_be_trained_further() {
         &["train", "dynamics", "--weights", WEIGHTS, "--labels", "Cargo.toml"],
         "not a file of `pathlight-lab data label`",
     );
+    let dynamics = ["train", "dynamics", "--weights", WEIGHTS, "--labels", &labels];
+    assert_refused(&[&dynamics[..], &["--labels", &labels]].concat(), "is named twice");
+    let sizes = ["--balls-per-scene", "4", "--imagined-per-scene", "5"];
+    assert_refused(&[&dynamics[..], &sizes].concat(), "lower --imagined-per-scene");
+    let text = fs::read_to_string(&labels).expect("labels");
+    let (cut_off, _) = text.trim_end().rsplit_once('\n').expect("lines");
+    fs::write(file("cut.jsonl"), format!("{cut_off}\n")).expect("a file");
+    assert_refused(&["train", "dynamics", "--weights", WEIGHTS, "--labels", &file("cut.jsonl")], "ends within a round");
     for net in ["paths", "success", "dynamics", "dqn"] {
         assert_refused(&["train", net, "--epochs", "0"], "--epochs");
     }

@@ -5,13 +5,13 @@ use std::path::Path;
 
 use pathlight::agents;
 use pathlight::benchmark::folds::{Fold, Setup};
-use pathlight::nets::PathNet;
+use pathlight::nets::{Optimiser, PathNet};
 use pathlight::puzzle::task::{Task, TaskId};
 use pathlight::puzzle::templates::TEMPLATES;
 use tempfile::tempdir;
 
 use super::label::{label, usable_balls};
-use super::{assert_refused, output_of, root};
+use super::{assert_refused, output_of, root, without_dynamics};
 
 const WEIGHTS: &str = "assets/within-0.safetensors";
 
@@ -52,6 +52,13 @@ fn a_success_net_joins_the_weights_and_orders_the_attempts() {
     assert_eq!(fs::read(cut.join("weights.safetensors")).expect("weights"), bytes, "cut off or not, the same net");
     let losses = |run: &Path| fs::read_to_string(run.join("losses.csv")).expect("losses");
     assert_eq!(losses(&cut), losses(&whole));
+
+    let other = without_dynamics(folder.path());
+    let words = ["train", "success", "--weights", &other, "--labels", &labels, "--epochs", "4", "--batch", "3"];
+    assert_refused(&[&words[..], &["--out", &cut.display().to_string()]].concat(), "a run with other --weights");
+    let muon = train("muon", &["--optimiser", "muon"]).join("weights.safetensors");
+    let (_, card) = PathNet::load(&fs::read(muon).expect("weights")).expect("weights that fit");
+    assert_eq!(card.success.expect("a card").optimiser, Optimiser::Muon);
 
     let scene = Task::load("00002:007".parse().expect("an id")).expect("a task").scene;
     let (shipped, _) = PathNet::load(&fs::read(root(WEIGHTS)).expect("weights")).expect("our own weights");

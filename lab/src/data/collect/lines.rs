@@ -2,9 +2,12 @@
 
 use std::path::Path;
 
+use anyhow::ensure;
+use pathlight::puzzle::templates::TEMPLATES;
 use serde::{Deserialize, Serialize};
 
 use crate::data::solutions::{Solution, TaskSolutions};
+use crate::data::task_selection::TaskSelection;
 use crate::files::journal::{self, check_ball, check_task};
 
 /// What determines the content of a file. Absent fields take their defaults.
@@ -65,6 +68,35 @@ pub struct Collected {
     pub simulator: u32,
     /// Balls simulated in the search.
     pub rollouts: usize,
+    /// Tasks of the search that are not searched yet.
+    tasks_left: usize,
+}
+
+impl Collected {
+    /// Checks that the search is complete, so that nothing is made from a part of it. `path` is its file.
+    ///
+    /// # Errors
+    /// If tasks are left.
+    pub fn check_complete(&self, path: &Path) -> anyhow::Result<()> {
+        ensure!(
+            self.tasks_left == 0,
+            "{} is not complete (tasks left: {}): let `pathlight-lab data collect` finish it",
+            path.display(),
+            self.tasks_left
+        );
+        Ok(())
+    }
+}
+
+impl CollectSettings {
+    /// The number of tasks that the file has a line for in the end; none in files of the search in rounds.
+    fn tasks(&self) -> usize {
+        if self.max_rollouts == 0 {
+            return 0;
+        }
+        let template = self.template.and_then(|number| TEMPLATES.get(number).copied());
+        TaskSelection { template, limit: self.limit }.ids().count()
+    }
 }
 
 /// Reads a file of `data collect`.
@@ -73,12 +105,14 @@ pub struct Collected {
 /// Says what is wrong with the file.
 pub fn read_solutions(path: &Path) -> anyhow::Result<Collected> {
     let (settings, lines) = journal::read::<CollectEntry>(path)?;
-    let mut collected = Collected { solutions: Vec::new(), simulator: settings.simulator, rollouts: 0 };
+    let (simulator, tasks_left) = (settings.simulator, settings.tasks());
+    let mut collected = Collected { solutions: Vec::new(), simulator, rollouts: 0, tasks_left };
     for line in lines {
         match line {
             CollectEntry::Task(task) => {
                 collected.solutions.extend(task.solutions());
                 collected.rollouts += task.rollouts;
+                collected.tasks_left = collected.tasks_left.saturating_sub(1);
             }
             CollectEntry::Solution(solution) => collected.solutions.push(solution),
             CollectEntry::Round { rollouts, .. } => collected.rollouts = rollouts,
