@@ -187,7 +187,7 @@ fn a_memory_that_cannot_be_used_is_refused_and_changes_nothing() {
     for (json, weights, says) in [
         ("{".to_string(), Some("w"), "damaged"),
         (json[..json.len() / 2].to_string(), Some("w"), "damaged"),
-        (damaged("\"version\":1", "\"version\":2"), Some("w"), "version 2"),
+        (damaged("\"version\":1", "\"version\":2"), Some("w"), "format 2"),
         (json.clone(), Some("x"), "other weights"),
         (json.clone(), None, "other weights"),
         (damaged("00002:007", "00002:999"), Some("w"), "puzzle 1"),
@@ -257,4 +257,35 @@ fn a_ball_that_touches_a_body_of_a_custom_scene_is_read_again() {
     }
     let json = memory.to_json(None);
     Memory::default().read_json(json.as_bytes(), None).expect("a memory that it wrote");
+}
+
+#[test]
+fn a_ball_that_touches_a_wall_is_read_again() {
+    let mut memory = Memory::default();
+    begin(&mut memory, "00000:000");
+    for ball in [
+        Ball { x: 224.079_999_999_999_98, y: 200.0, r: 31.92 },
+        Ball { x: 128.0, y: 256.0 - 7.000_000_4, r: 7.000_000_4 },
+        Ball { x: 7.000_000_6, y: 200.0, r: 7.000_000_6 },
+    ] {
+        ball.check(&task("00000:000").scene).expect("valid");
+        memory.observe(ball, UNLIKELY, false);
+    }
+    let json = memory.to_json(None);
+    Memory::default().read_json(json.as_bytes(), None).expect("a memory that it wrote");
+    let outside = json.replacen("224.08", "224.09", 1);
+    assert_ne!(outside, json);
+    let refused = Memory::default().read_json(outside.as_bytes(), None).expect_err("outside of the scene");
+    assert!(refused.to_string().contains("attempt 1 at puzzle 1"), "{refused}");
+}
+
+#[test]
+fn a_puzzle_without_attempts_has_no_number() {
+    let mut memory = Memory::default();
+    begin(&mut memory, "00002:007");
+    let scene = task("00002:017").scene;
+    let other = PuzzleSource::Task("00002:017".parse().expect("an id"));
+    memory.observe_other(other, &scene, BALL, false);
+    let numbers: Vec<usize> = memory.puzzles().map(|(number, ..)| number).collect();
+    assert_eq!(numbers, [1]);
 }

@@ -11,7 +11,7 @@ use rand_pcg::Pcg64Mcg;
 
 use super::{Origin, Proposal};
 use crate::puzzle::action::{Action, Ball, Obstacles};
-use crate::puzzle::sampling::{gaussian, uniform_ball};
+use crate::puzzle::sampling::{gaussian, uniform_balls};
 use crate::puzzle::scene::Scene;
 use crate::raster::{ball_image, cell_centre};
 
@@ -78,8 +78,7 @@ pub fn proposals(map: &[f32], scene: &Scene, seed: u64, attempts: usize) -> Vec<
         (0..starts.len()).map(|start| if start == 0 { 1.0 } else { MAX_TEMPERATURE }).collect();
     for index in 0..attempts - found.len() {
         let proposal = if starts.is_empty() {
-            let mut draws =
-                (0..MAX_PROPOSAL_DRAWS).map_while(|rejected| Some((rejected, uniform_ball(&obstacles, &mut rng)?)));
+            let mut draws = uniform_balls(&obstacles, &mut rng).enumerate();
             draws.find(|&(_, ball)| is_new(ball, &found)).map(|(rejected, ball)| Proposal {
                 ball,
                 origin: Origin::Uniform,
@@ -172,6 +171,7 @@ fn fit(map: &[f32], ball: Ball) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::puzzle::sampling::uniform_ball;
     use crate::puzzle::scene::{Body, Role, SIZE, Shape, ShapeType};
     use crate::puzzle::task::Task;
     use crate::raster::CELLS;

@@ -17,7 +17,6 @@ mod exit;
 mod fold_args;
 mod json_lines;
 mod model_args;
-mod moved_commands;
 mod progress;
 mod propose;
 mod simulate;
@@ -59,9 +58,5 @@ impl Command {
 
 /// Runs the command that the process was started with.
 pub fn run() -> ExitCode {
-    let result = match moved_commands::new_name(std::env::args_os().nth(1).as_deref()) {
-        Some(moved) => Err(moved),
-        None => CommandLine::parse().command.run(),
-    };
-    exit::code(result)
+    exit::code(CommandLine::parse().command.run())
 }

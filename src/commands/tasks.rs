@@ -46,7 +46,7 @@ pub struct Args {
     scene: Option<PathBuf>,
 
     /// Print this task as a custom scene, which can be edited and played with --scene
-    #[arg(long, alias = "own", value_name = "TASK", conflicts_with_all = ["template", "fold", "json", "scene"])]
+    #[arg(long, value_name = "TASK", conflicts_with_all = ["template", "fold", "json", "scene"])]
     custom: Option<TaskId>,
 
     /// Print the JSON Schema of custom scenes

@@ -6,15 +6,20 @@ use rand::{Rng, RngExt};
 
 use super::action::{Action, Ball, Obstacles};
 
-/// Maximum number of draws for one ball. In the benchmark's tasks more than four actions in ten are valid; the limit
-/// ends the search in a scene that has no room.
+/// Maximum number of draws for one ball, or for all of `uniform_balls`. In the benchmark's tasks more than four actions
+/// in ten are valid; the limit ends the search in a scene that has no room.
 const MAX_DRAWS: usize = 100_000;
 
 /// Returns a valid ball drawn uniformly from the action space; `None` if the scene of the obstacles has no room for
 /// one.
 pub fn uniform_ball(obstacles: &Obstacles, rng: &mut impl Rng) -> Option<Ball> {
-    let mut action = || Action { x: rng.random(), y: rng.random(), r: rng.random() };
-    (0..MAX_DRAWS).find_map(|_| obstacles.place(action()).ok())
+    uniform_balls(obstacles, rng).next()
+}
+
+/// Returns the valid balls among `MAX_DRAWS` draws, uniform over the action space.
+pub fn uniform_balls(obstacles: &Obstacles, rng: &mut impl Rng) -> impl Iterator<Item = Ball> {
+    let actions = (0..MAX_DRAWS).map(|_| Action { x: rng.random(), y: rng.random(), r: rng.random() });
+    actions.filter_map(|action| obstacles.place(action).ok())
 }
 
 /// Returns the action with Gaussian noise of this standard deviation on x, y and radius; the radius is clamped to

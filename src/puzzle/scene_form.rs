@@ -3,7 +3,7 @@
 //! The templates' scenes and custom scenes within their limits have it. A scene that a caller builds, or that a program
 //! sends, is checked before it is used.
 
-use super::scene::{Body, Scene, Shape};
+use super::scene::{Body, Role, Scene, Shape};
 
 /// Largest coordinate, length or angle, px and radians: far outside of any scene.
 pub const FARTHEST: f64 = 1e4;
@@ -21,6 +21,11 @@ const LEAST_TURN: f64 = 0.05;
 pub enum FormFault {
     #[error("`body1` and `body2` of the scene are the indices of two of its bodies, from 0: correct them")]
     Goal,
+    #[error(
+        "body {0} of the scene has another role than it plays: `body1` is green and dynamic, `body2` blue if dynamic and \
+         purple if not, every other body gray if dynamic and black if not"
+    )]
+    Role(usize),
     #[error("body {0} of the scene has no shape: give it circles or polygons")]
     NoShape(usize),
     #[error("body {0} of the scene has a number beyond ±{FARTHEST}: lengths are px, angles are radians")]
@@ -41,7 +46,24 @@ impl Scene {
         if self.body1 == self.body2 || self.body1.max(self.body2) >= self.bodies.len() {
             return Err(FormFault::Goal);
         }
-        self.bodies.iter().enumerate().try_for_each(|(index, body)| check_body(index, body))
+        for (index, body) in self.bodies.iter().enumerate() {
+            if body.role != self.role_of(index) || (index == self.body1 && !body.dynamic) {
+                return Err(FormFault::Role(index));
+            }
+            check_body(index, body)?;
+        }
+        Ok(())
+    }
+
+    /// The role of a body, which nets see, as the goal that is simulated has it.
+    fn role_of(&self, index: usize) -> Role {
+        match (index, self.bodies[index].dynamic) {
+            (body, _) if body == self.body1 => Role::Green,
+            (body, true) if body == self.body2 => Role::Blue,
+            (body, false) if body == self.body2 => Role::Purple,
+            (_, true) => Role::Gray,
+            (_, false) => Role::Black,
+        }
     }
 }
 
@@ -117,6 +139,22 @@ mod tests {
         for (body1, body2) in [(0, 0), (0, 1000), (usize::MAX, 0)] {
             assert_eq!(Scene { body1, body2, ..scene() }.check_form(), Err(FormFault::Goal));
         }
+    }
+
+    #[test]
+    fn roles_are_those_that_the_goal_gives() {
+        let Scene { body1, body2, .. } = scene();
+        for (body, role) in [(body1, Role::Gray), (body2, Role::Black), (body2, Role::Red)] {
+            let mut wrong = scene();
+            wrong.bodies[body].role = role;
+            assert_eq!(wrong.check_form(), Err(FormFault::Role(body)));
+        }
+        let other = (0..).find(|&body| body != body1 && body != body2).expect("a number");
+        let moved = Scene { body2: other, ..scene() };
+        assert!(matches!(moved.check_form(), Err(FormFault::Role(_))));
+        let mut still = scene();
+        still.bodies[body1].dynamic = false;
+        assert_eq!(still.check_form(), Err(FormFault::Role(body1)));
     }
 
     #[test]

@@ -3,7 +3,7 @@
 //! Distances are rapier's, between the surfaces as they are drawn: without the skin of polygons.
 
 use rapier2d::math::{Pose as Frame, Vector};
-use rapier2d::parry::query::{ClosestPoints, closest_points};
+use rapier2d::parry::query::{ClosestPoints, closest_points, contact};
 
 use super::body::{Position, metres};
 use super::constants::PX_PER_METRE;
@@ -19,8 +19,8 @@ impl Outline {
         Outline(body.shapes.iter().map(|shape| Fixture::new(shape, 0)).collect())
     }
 
-    /// Returns the nearest points of this body and another at these poses, m, if they are nearer than `limit`, m; the
-    /// same point twice if they overlap.
+    /// Returns the nearest points of this body and another at these poses, m, if they are nearer than `limit`, m; if
+    /// they overlap, the same point twice, where they do.
     pub(super) fn nearest_points(
         &self,
         pose: Pose,
@@ -37,7 +37,11 @@ impl Outline {
                 Ok(ClosestPoints::WithinMargin(p, q)) if (q - p).length() < limit => {
                     (nearest, limit) = (Some([p, q]), (q - p).length());
                 }
-                Ok(ClosestPoints::Intersecting) => return Some([frame_a.translation; 2]),
+                Ok(ClosestPoints::Intersecting) => {
+                    let deepest = contact(&frame_a, &*a.shape, &frame_b, &*b.shape, 0.0).ok().flatten();
+                    let point = deepest.map_or(frame_b.translation, |deepest| (deepest.point1 + deepest.point2) / 2.0);
+                    return Some([point; 2]);
+                }
                 Ok(_) => {}
                 Err(_) => unreachable!("rapier supports balls and convex polygons"),
             }

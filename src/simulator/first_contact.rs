@@ -40,6 +40,7 @@ pub fn first_contact(scene: &Scene, ball: Ball, rollout: &Rollout) -> Option<Con
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::puzzle::scene::Shape;
     use crate::puzzle::task::Task;
     use crate::simulator::simulate;
 
@@ -51,6 +52,16 @@ mod tests {
         let contact = first_contact(&scene, above, &simulate(&scene, Some(above)).expect("valid")).expect("a contact");
         assert!((contact.point[0] - object.x).abs() < 1.0, "{contact:?}");
         assert!(contact.step > 10);
+        // Within a step, the ball has already moved into the bar.
+        let scene = Task::load("00003:005".parse().expect("an id")).expect("a task").scene;
+        let ball = Ball { x: 119.0, y: 150.0, r: 19.0 };
+        let rollout = simulate(&scene, Some(ball)).expect("valid");
+        let Contact { step, point: [x, y] } = first_contact(&scene, ball, &rollout).expect("a contact");
+        let [bar_x, bar_y, angle] = rollout.pose(step, scene.body1).expect("it moves").map(f64::from);
+        let Shape::Polygon(corners) = &scene.bodies[scene.body1].shapes[0] else { panic!("a bar") };
+        let half_height = corners.iter().map(|[_, y]| y.abs()).fold(0.0, f64::max);
+        let above = (y - bar_y) * libm::cos(angle) - (x - bar_x) * libm::sin(angle);
+        assert!((above.abs() - half_height).abs() < 2.0, "{above} px above the middle of a bar of {half_height}");
         let far = Ball { x: 250.0, y: 5.0, r: 3.0 };
         assert_eq!(first_contact(&scene, far, &simulate(&scene, Some(far)).expect("valid")), None);
     }

@@ -111,8 +111,8 @@ impl<W: EngineWorld> Simulation<W> {
         Rollout { solved, steps, bodies, poses, touching }
     }
 
-    /// Runs to the end, and keeps the sampled paths of the green object and of the ball, without which it panics.
-    pub fn sampled_paths(self) -> (Outcome, SampledPaths) {
+    /// Runs to the end, and keeps the sampled paths of the green object and of the ball, which there has to be.
+    pub(super) fn sampled_paths(self) -> (Outcome, SampledPaths) {
         let &(_, ball) = self.dynamic_bodies.last().expect("the ball moves");
         let object = self.goal[0];
         let mut paths = SampledPaths { object: [[0.0; 2]; SAMPLES], ball: [[0.0; 2]; SAMPLES] };

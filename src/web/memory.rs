@@ -72,9 +72,9 @@ impl Memory {
             attempts: &'a [memory::Attempt],
         }
         let memory = self.memory.borrow();
-        let puzzles = memory.puzzles().filter(|(_, _, attempts)| !attempts.is_empty());
         to_js(
-            &puzzles
+            &memory
+                .puzzles()
                 .map(|(number, source, attempts)| RememberedPuzzle { number, source, attempts })
                 .collect::<Vec<_>>(),
         )

@@ -25,7 +25,7 @@ pub fn scene(#[wasm_bindgen(unchecked_param_type = "Puzzle")] puzzle: JsValue) -
     to_js(&load(puzzle)?.scene)
 }
 
-/// Returns the five channels of a scene, which the four nets and the success net see: green object, blue goal, purple
+/// Returns the five channels of a scene, which the four nets see: green object, blue goal, purple
 /// goal, gray, black. A Float32Array `[5, 64, 64]` of zeros and ones, row 0 at the bottom.
 ///
 /// # Errors

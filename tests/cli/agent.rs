@@ -161,11 +161,18 @@ fn a_bad_line_is_answered_with_an_error_and_changes_nothing() {
     let unlike = [
         (json!({"status": "not_solved", "task": "00000:000"}), "another task"),
         (json!({"status": "not_solved", "ball": [1, 2, 3]}), "another ball"),
-        (json!({"status": "not_solved", "paths": {"object": [], "ball": []}}), "`paths` needs"),
-        (json!({"status": "not_solved", "paths": {"object": [[0, 0, 0]], "ball": []}}), "equally many"),
+        (json!({"status": "not_solved", "paths": {"object": [], "ball": []}}), "`paths` has 0 poses"),
+        (
+            json!({"status": "not_solved", "paths": {"object": [[0, 0, 0]], "ball": []}}),
+            "1 poses of `object` and 0 of `ball`",
+        ),
         (
             json!({"status": "not_solved", "paths": {"object": vec![[0; 3]; 102], "ball": vec![[0; 3]; 102]}}),
-            "at most 101",
+            "should have 1 to 101",
+        ),
+        (
+            json!({"status": "not_solved", "paths": {"object": [[3e38, 0, 0], [-3e38, 0, 0], [3e38, 0, 0], [0, 0, 0]], "ball": vec![[0; 3]; 4]}}),
+            "too far apart",
         ),
         (
             json!({"status": "not_solved", "paths": {"object": [[1e39, 0, 0]], "ball": [[0, 0, 0]]}}),
@@ -192,7 +199,7 @@ fn a_bad_line_is_answered_with_an_error_and_changes_nothing() {
         }
     }
     assert_eq!(output.status.code(), Some(2));
-    assert!(stderr(&output).contains("error: 14 lines could not be used"), "{}", stderr(&output));
+    assert!(stderr(&output).contains("error: 15 lines could not be used"), "{}", stderr(&output));
     assert_refused(&["agent", "--weights", "no/such/file"], "cannot read the weights in no/such/file");
     let folder = tempdir().expect("a folder");
     let elsewhere = pathlight().arg("propose").current_dir(folder.path()).output().expect("the binary starts");

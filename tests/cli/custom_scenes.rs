@@ -66,7 +66,6 @@ fn a_scene_comes_from_standard_input_too_and_a_task_is_refused_with_the_remedy()
     assert_eq!((task.status.code(), stdout(&task)), (Some(2), String::new()));
     assert!(stderr(&task).contains("use `pathlight tasks --custom`"), "{}", stderr(&task));
     let endless = run(&["simulate", "--scene", "-"], &" ".repeat(3 << 20));
-    assert_eq!(output_of(&["tasks", "--own", TASK]), output_of(&["tasks", "--custom", TASK]), "the flag's old name");
     assert!(stderr(&endless).contains("- is larger than 1048576 bytes"), "{}", stderr(&endless));
 }
 

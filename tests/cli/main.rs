@@ -15,7 +15,6 @@ mod agent;
 mod commands_page;
 mod custom_scenes;
 mod memory;
-mod moved_commands;
 mod pipes;
 mod propose;
 mod serve;

@@ -2,6 +2,7 @@
 
 use std::fs;
 
+use pathlight::agents::memory::CAPACITY;
 use serde_json::{Value, json};
 use tempfile::tempdir;
 
@@ -70,7 +71,7 @@ fn a_memory_in_a_file_goes_on_where_it_ended() {
     let kept: Value = serde_json::from_slice(&fs::read(&file).expect("a memory")).expect("JSON");
     assert_eq!(kept["puzzles"].as_array().map(Vec::len), Some(4));
     assert_refused(&["agent", "--memory", &file], "learned by an agent without weights");
-    for (content, words) in [("{", "damaged"), (r#"{"version":9}"#, "version 9")] {
+    for (content, words) in [("{", "damaged"), (r#"{"version":9}"#, "format 9")] {
         fs::write(&file, content).expect("a file");
         assert_refused(&[&RANDOM[..], &memory].concat(), words);
         assert_eq!(fs::read_to_string(&file).expect("a file"), content, "it is left as it was");
@@ -111,6 +112,19 @@ fn attempts_at_puzzles_that_were_left_are_kept_and_so_are_those_after_forgetting
     agent.kill();
     assert_eq!(kept(), ["00002:007"], "it was left for the next");
 
+    // A full memory forgets as many attempts as it learns.
+    let attempts = vec![json!({ "ball": [30, 230, 8], "chance": 0.25, "solved": false }); CAPACITY];
+    let full = json!({ "version": 1, "forgotten": 0, "puzzles": [{ "task": "00002:007", "attempts": attempts }] });
+    fs::write(&file, full.to_string()).expect("a file");
+    let mut agent = Partner::new(&[&RANDOM[..], &["--memory", &file]].concat());
+    let left = puzzle("00002:023", true).into_iter().take(2).chain(puzzle("00002:017", true).into_iter().take(1));
+    for line in left {
+        agent.ask(&line.to_string());
+    }
+    agent.kill();
+    assert_eq!(kept(), ["00002:023"], "it took the place of the other");
+    fs::remove_file(&file).expect("removed");
+
     let begun = &puzzle("00002:023", true)[..2];
     let lines = [begun, &[json!({ "forget": true })], &puzzle("00002:023", true)[1..]].concat();
     answers(&["--memory", &file], &lines);
@@ -135,4 +149,8 @@ fn remember_and_forget_are_refused_where_they_mean_nothing() {
     let dynamics =
         run(&["agent", "--agent", "dynamics"], &lines[2].to_string().replace('{', r#"{"task":"00002:007","#));
     assert!(stdout(&dynamics).contains("cannot remember"), "{}", stdout(&dynamics));
+    let folder = tempdir().expect("a folder");
+    let file = folder.path().join("memory.json").display().to_string();
+    assert_refused(&["agent", "--agent", "dynamics", "--memory", &file], "cannot remember");
+    assert_eq!(fs::read_dir(folder.path()).expect("a folder").count(), 0, "no file is made for it");
 }

@@ -153,9 +153,10 @@ impl Memory {
         *self = Memory::new(self.settings);
     }
 
-    /// Returns the puzzles that are remembered, each with its number from 1 and its attempts.
+    /// Returns the puzzles with attempts, each with its number from 1.
     pub fn puzzles(&self) -> impl Iterator<Item = (usize, &PuzzleSource, &[Attempt])> {
-        let numbered = self.puzzles.iter().zip(self.forgotten + 1..);
+        let tried = self.puzzles.iter().filter(|puzzle| !puzzle.attempts.is_empty());
+        let numbered = tried.zip(self.forgotten + 1..);
         numbered.map(|(RememberedPuzzle { source, attempts, .. }, number)| (number, source, attempts.as_slice()))
     }
 

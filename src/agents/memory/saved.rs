@@ -6,12 +6,14 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Attempt, CHANCES, Memory, PuzzleSource, RememberedPuzzle, rounded};
+use super::{Attempt, CHANCES, LENGTHS, Memory, PuzzleSource, RememberedPuzzle, rounded};
+use crate::puzzle::action::Ball;
+use crate::puzzle::scene::SIZE;
 use crate::puzzle::scene_form::FormFault;
 use crate::puzzle::task::{Task, TaskError};
 
-/// Version of the form.
-const VERSION: u32 = 1;
+/// Version of the format.
+const FORMAT: u32 = 1;
 
 /// Why a memory cannot be used.
 #[derive(Debug, thiserror::Error)]
@@ -19,8 +21,8 @@ const VERSION: u32 = 1;
 pub enum MemoryError {
     #[error("this is no memory, or it is damaged: {0}")]
     Json(serde_json::Error),
-    #[error("this memory has version {0}, but this program reads version {VERSION}: begin a new one")]
-    Version(u32),
+    #[error("this memory has format {0}, but this program reads format {FORMAT}: begin a new one")]
+    Format(u32),
     #[error("this memory was learned with other weights: use those, or begin a new one")]
     Weights,
     #[error("this memory was learned by an agent without weights: use that agent, or begin a new one")]
@@ -62,7 +64,7 @@ impl Memory {
     pub fn to_json(&self, weights: Option<&str>) -> String {
         let puzzles = self.puzzles.iter().filter(|puzzle| !puzzle.attempts.is_empty());
         let saved = Saved {
-            version: VERSION,
+            version: FORMAT,
             weights: weights.map(str::to_string),
             forgotten: u32::try_from(self.forgotten).unwrap_or(u32::MAX),
             puzzles: puzzles
@@ -79,11 +81,11 @@ impl Memory {
     /// puzzles are forgotten.
     ///
     /// # Errors
-    /// If it is damaged, of another version, or learned with other weights; then nothing has changed.
+    /// If it is damaged, of another format, or learned with other weights; then nothing has changed.
     pub fn read_json(&mut self, json: &[u8], weights: Option<&str>) -> Result<(), MemoryError> {
         let Head { version } = serde_json::from_slice(json).map_err(MemoryError::Json)?;
-        if version != VERSION {
-            return Err(MemoryError::Version(version));
+        if version != FORMAT {
+            return Err(MemoryError::Format(version));
         }
         let saved: Saved = serde_json::from_slice(json).map_err(MemoryError::Json)?;
         if saved.weights.as_deref() != weights {
@@ -108,6 +110,7 @@ impl SavedPuzzle {
             }
         };
         for (attempt, Attempt { ball, chance, .. }) in self.attempts.iter().enumerate() {
+            let ball = moved_inside(*ball);
             let is_valid = match &self.source {
                 PuzzleSource::Task(_) => ball.check(&scene).is_ok(),
                 // Its numbers were rounded, so a ball that touched a body may overlap it now.
@@ -119,4 +122,13 @@ impl SavedPuzzle {
         }
         Ok(RememberedPuzzle { attempts: self.attempts, ..RememberedPuzzle::new(self.source, &scene) })
     }
+}
+
+/// Moves a ball back into the scene that was rounded to a place outside of it.
+fn moved_inside(ball: Ball) -> Ball {
+    let moved = |place: f64| {
+        let inside = place.max(ball.r).min(SIZE - ball.r);
+        if (place - inside).abs() <= 2.0 / LENGTHS { inside } else { place }
+    };
+    Ball { x: moved(ball.x), y: moved(ball.y), r: ball.r }
 }

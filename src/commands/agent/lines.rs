@@ -70,15 +70,18 @@ impl Line {
             (_, _, _, true) => bail!("`forget` belongs on a line of its own: {{\"forget\":true}}"),
             (task, None, Some(status), false) => {
                 let sampled = |paths: RecordedPaths| {
+                    let [object, ball] = [&paths.object, &paths.ball].map(|path| path.len());
                     ensure!(
-                        paths.object.len() == paths.ball.len() && paths.object.len() <= RecordedPaths::MOST,
-                        "`paths` holds the poses at the start and at every tenth step, at most {} of each of `object` \
-                         and `ball`, and equally many: leave out those between",
+                        object == ball,
+                        "`paths` has {object} poses of `object` and {ball} of `ball`: give both of each step"
+                    );
+                    ensure!(
+                        (1..=RecordedPaths::MOST).contains(&object),
+                        "`paths` has {object} poses of each body, and should have 1 to {}, at the start and at every \
+                         tenth step: leave out those between, or `paths` if there are none",
                         RecordedPaths::MOST
                     );
-                    paths.sampled().context(
-                    "`paths` needs at least one pose [x,y,angle] for each of `object` and `ball`: leave it out if there are none",
-                )
+                    paths.sampled().context("`paths` has poses that lie too far apart: correct them")
                 };
                 Ok(Line::Outcome { task, ball, status, paths: paths.map(sampled).transpose()?.map(Box::new) })
             }

@@ -82,6 +82,9 @@ impl Args {
             agent.check(&nets)?;
             (agent, Some(nets), None)
         };
+        if self.memory.is_some() {
+            agent.check_remembers()?;
+        }
         let opened = self.memory.as_deref().map(|path| MemoryFile::open(path, weights)).transpose()?;
         let (mut file, memory) = opened.unzip();
         let memory = memory.unwrap_or_default();
@@ -104,7 +107,6 @@ impl Args {
 fn play(player: &mut Player, mut file: Option<&mut MemoryFile>) -> anyhow::Result<usize> {
     let mut out = io::stdout().lock();
     let mut refused = 0;
-    let mut saved = player.memory.attempts();
     for read in Lines::new(io::stdin().lock(), MAX_LINE) {
         let read = read?;
         if read.is_blank() {
@@ -120,12 +122,10 @@ fn play(player: &mut Player, mut file: Option<&mut MemoryFile>) -> anyhow::Resul
         match answer {
             Ok(answer) => {
                 // A puzzle may also be left for the next one.
-                let attempts = player.memory.attempts();
-                if answer.ends_puzzle() || (begins && attempts != saved) {
-                    if let Some(file) = &mut file {
-                        file.save(&player.memory)?;
-                    }
-                    saved = attempts;
+                if (answer.ends_puzzle() || begins)
+                    && let Some(file) = &mut file
+                {
+                    file.save(&player.memory)?;
                 }
                 serde_json::to_writer(&mut out, &Numbered { line, answer })?;
             }

@@ -6,6 +6,7 @@
 use std::io::{self, Write};
 use std::path::PathBuf;
 
+use anyhow::ensure;
 use clap::ArgGroup;
 use pathlight::puzzle::action::{Action, Ball, Invalid};
 use pathlight::puzzle::recorded_paths::RecordedPaths;
@@ -79,6 +80,8 @@ pub struct Args {
 
 impl Args {
     pub fn run(self) -> anyhow::Result<()> {
+        let is_placed = self.action.is_some() || self.ball.is_some();
+        ensure!(is_placed || !self.luck, "--luck is of a ball: place one with --ball or --action");
         let start = match self.action {
             Some(action) => Start::Action(action),
             None => Start::Ball(self.ball),

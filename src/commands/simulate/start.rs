@@ -108,6 +108,6 @@ pub fn parse_ball(text: &str) -> Result<Ball, &'static str> {
 }
 
 fn three_numbers(text: &str) -> Option<[f64; 3]> {
-    let numbers: Vec<f64> = text.split(',').map(|number| number.trim().parse().ok()).collect::<Option<_>>()?;
-    numbers.try_into().ok()
+    let finite = |number: &str| number.trim().parse().ok().filter(|number: &f64| number.is_finite());
+    text.split(',').map(finite).collect::<Option<Vec<f64>>>()?.try_into().ok()
 }

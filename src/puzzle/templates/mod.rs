@@ -106,9 +106,12 @@ impl Template {
         self.grid.iter().map(|(_, values)| values.len() as u32).product()
     }
 
-    /// Returns the scene of a combination that is not one of the benchmark's tasks; `None` if it is one, or if a rule
-    /// skips it.
+    /// Returns the scene of a combination that is not one of the benchmark's tasks; `None` if it is one, if a rule
+    /// skips it, or if there is no such combination.
     pub fn unlisted(&self, combination: u32) -> Option<Scene> {
+        if combination >= self.combinations() {
+            return None;
+        }
         let is_listed = self.combinations.iter().any(|&listed| u32::from(listed) == combination);
         let (_, scene) = self.lay_out(combination as usize).filter(|_| !is_listed)?;
         Some(scene)
@@ -126,6 +129,15 @@ impl Template {
 mod tests {
     use super::*;
     use crate::puzzle::stable_shuffle::stable_shuffle;
+
+    #[test]
+    fn there_are_no_unlisted_tasks_beyond_the_last_combination() {
+        for template in TEMPLATES {
+            let listed = u32::from(template.combinations[0]);
+            assert!(template.unlisted(listed).is_none());
+            assert!(template.unlisted(template.combinations() + listed).is_none());
+        }
+    }
 
     #[test]
     fn the_table_is_in_order() {
