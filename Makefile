@@ -26,7 +26,7 @@ export CARGO_TARGET_DIR := $(CURDIR)/target
 
 PACKAGE := www/pkg/pathlight_bg.wasm
 PACKAGED := Cargo.toml Cargo.lock .cargo/config.toml scripts/build-wasm scripts/constants.mjs scripts/licences.mjs \
-	scripts/optimise-wasm src/web/types.d.ts src/benchmark/difficulty.json \
+	scripts/optimise-wasm scripts/package-lock.json LICENSE src/web/types.d.ts src/benchmark/difficulty.json \
 	$(shell find src -name '*.rs' -not -path 'src/commands/*' -not -path src/main.rs)
 
 BUNDLE := scripts/install-tools js-tools && node scripts/bundle-page.mjs
@@ -77,4 +77,4 @@ $(PACKAGE): $(PACKAGED)
 clean:
 	rm -rf target/pathlight-*.tgz $(addprefix target/,bench compressed debug doc package page pictures release stages tmp \
 		tools wasm32-unknown-unknown wasm-package)
-	rm -rf dist www/pkg scripts/node_modules tests/browser/node_modules tests/package/node_modules
+	rm -rf dist dist.* www/pkg scripts/node_modules tests/browser/node_modules tests/package/node_modules

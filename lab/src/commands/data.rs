@@ -99,7 +99,7 @@ pub struct Label {
     solutions: PathBuf,
 
     /// Rounds; every scene tries 64 balls per round
-    #[arg(long, default_value_t = label::Settings::default().rounds)]
+    #[arg(long, default_value_t = label::Settings::default().rounds, value_parser = count())]
     rounds: usize,
 
     #[command(flatten)]
@@ -135,7 +135,7 @@ pub struct Label {
 
     /// Label balls in unlisted tasks instead: up to N of each template, laid out by its script but not in the
     /// benchmark. Balls are sampled around the solutions of the template's tasks
-    #[arg(long, value_name = "N", conflicts_with_all = ["variants", "blends", "limit"])]
+    #[arg(long, value_name = "N", value_parser = count(), conflicts_with_all = ["variants", "blends", "limit"])]
     unlisted: Option<usize>,
 
     /// Use only the training tasks of one fold of this setup: only they are labelled, and only their solutions are

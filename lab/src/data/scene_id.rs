@@ -70,12 +70,12 @@ impl SceneId {
     }
 
     /// Returns the seed of the random draws for this scene, given the seed of the command. A variant has that of its
-    /// task, and a blend that of its first task.
+    /// task, and a blend that of its first task. The lowest 16 bits are left for the number of the round.
     pub fn seed(self, global_seed: u64) -> u64 {
         match self {
             SceneId::Task(task) | SceneId::Variant(task, _) | SceneId::Blend(task, ..) => task.seed(global_seed),
             SceneId::Unlisted(template, combination) => {
-                spread(global_seed) ^ (template as u64 + 1) << 32 ^ u64::from(combination)
+                spread(global_seed) ^ (template as u64 + 1) << 48 ^ u64::from(combination) << 16
             }
             SceneId::Random(number) => spread(global_seed) ^ u64::from(number) << 20,
         }

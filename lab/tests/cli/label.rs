@@ -191,6 +191,12 @@ fn labels_of_unlisted_tasks_are_true_and_say_around_whose_solutions_they_lie() {
     let scenes: Vec<SceneId> =
         unlisted_tasks(TEMPLATES[2], 3).into_iter().map(|combination| SceneId::Unlisted(2, combination)).collect();
     assert_eq!(lines.iter().map(|line| line.scene).collect::<Vec<_>>(), scenes.repeat(2));
+    let balls = |line: &LabelledBalls| [&line.solved[..], &line.failed].concat();
+    for (index, line) in lines.iter().enumerate() {
+        let repeats = |ball: &Ball| lines[..index].iter().filter(|other| balls(other).contains(ball)).count();
+        let repeated: usize = balls(line).iter().map(repeats).sum();
+        assert!(repeated < 8, "{repeated} of the balls in {} were drawn before", line.scene);
+    }
     for LabelledBalls { scene, solved, failed, siblings, .. } in &lines {
         let scene = scene.scene().expect("a scene");
         let solves = |&ball: &Ball| outcome(&scene, Some(ball)).is_ok_and(|outcome| outcome.solved);
@@ -207,6 +213,9 @@ fn labels_of_unlisted_tasks_are_true_and_say_around_whose_solutions_they_lie() {
     assert_eq!((first.scene, first.count()), (scenes[0], 64));
     assert_ne!(first.failed, lines[0].failed);
     assert!(first.siblings.iter().all(Option::is_none));
+    let fewer = ["data", "label", "--unlisted", "3", "--template", "2", "--rounds", "1", "--out", &out];
+    assert_refused(&fewer, "holds more rounds than the 1 that are asked for");
+    assert_refused(&["data", "label", "--rounds", "0"], "--rounds");
     assert_refused(
         &["data", "label", "--unlisted", "4", "--template", "2", "--out", &out],
         "choose another file, or remove this one",

@@ -150,6 +150,12 @@ impl Settings {
                 line.scene,
             );
         }
+        ensure!(
+            lines.len() <= total,
+            "{} holds more rounds than the {} that are asked for: ask for more, or name another file",
+            self.out.display(),
+            self.rounds
+        );
         let mut done = lines.len();
         let mut balls: usize = lines.iter().map(LabelledBalls::count).sum();
         progress.begin(total as u64);

@@ -205,6 +205,8 @@ impl Settings {
                 random.take(SEARCHED).filter(solves).take(MOST_SOLUTIONS).collect()
             }
         };
+        // Known solutions were found by the same draws, so some are among the random balls.
+        balls.retain(|ball| !solutions.contains(ball));
         balls.extend(&solutions);
         let read = nets.read(&scene).context("the weights have no dynamics net")?;
         let object = &scene.bodies[scene.body1];
