@@ -8,6 +8,7 @@ import { axeFindsNothing } from "./axe.mjs";
 import { start } from "./harness.mjs";
 import {
   EASY,
+  inMore,
   known,
   modelLoaded,
   openPanel,
@@ -138,6 +139,32 @@ test("whoever solved it at the first attempt asks who can match it", async () =>
   await says(page, /^Solved!/);
   await page.locator("#solved-share").click();
   await page.locator("#share-text", { hasText: /at the first attempt\. Can you match it\?$/ }).waitFor();
+});
+
+test("whoever clears misses has not solved it any earlier: title, race, picker, text and challenge agree", async () => {
+  const page = await openPuzzle(session, { reducedMotion: true });
+  const { solving, missing } = await known();
+  const drop = async (ball, words) => {
+    await type(page, ball);
+    await page.locator("#run").click();
+    await says(page, words);
+  };
+  await drop(missing, /^Not solved/);
+  await inMore(page, () => page.locator("#clear-attempts").click());
+  await drop(solving, /^Solved!/);
+  assert.equal(await page.locator("#solved-title").textContent(), "Solved in 2 attempts!");
+  assert.equal(await page.locator("#play-count").textContent(), "solved on attempt 2");
+  assert.equal(await page.locator("#race-player").textContent(), "✓ on attempt 2");
+  assert.match(await page.locator("#task option:checked").textContent(), /solved at try 2$/);
+  await page.locator("#solved-share").click();
+  await page.locator("#share-text", { hasText: /in 2 attempts\. Can you do better\?$/ }).waitFor();
+  await page.locator("#share-ball").check();
+  await page.evaluate(() =>
+    Object.assign(navigator.clipboard, { writeText: async (words) => Object.assign(window, { copied: words }) }),
+  );
+  await page.locator("#share-copy").click();
+  await page.locator("#share-done").filter({ hasText: "copied" }).waitFor();
+  assert.match(await page.evaluate(() => /** @type {any} */ (window).copied), /&challenge=2$/);
 });
 
 test("a sheet that cannot be loaded is a sentence, and is asked for again", async () => {

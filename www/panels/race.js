@@ -166,11 +166,12 @@ export class Race extends Component {
     });
     if (!this.session) return;
     const words = text.panels.compare;
-    const [player, model] = [this.session.attempts.standing("player"), this.session.attempts.standing("model")];
+    const { attempts } = this.session;
+    const [player, model] = [attempts.playerTotal, attempts.standing("model")];
     const over = this.#over;
-    this.#turnButton.disabled = this.#client.status !== "ready" || over;
+    this.setDisabled(this.#turnButton, this.#client.status !== "ready" || over);
     setText(this.#turnButton, this.#turn ? words.stop : over ? words.played : words.play);
-    this.byId("model-skip").hidden = !this.#show;
+    this.setHidden(this.byId("model-skip"), !this.#show);
     this.byId("clear-attempts", HTMLButtonElement).disabled = player.used + model.used === 0;
     this.#updateRace(player, model, this.#turn !== null || this.session.hiddenAuthor === "model");
   }

@@ -16,7 +16,7 @@ import { paintStill } from "./still.js";
  * @typedef {object} Result
  * @property {string | null} task null for a custom scene
  * @property {string} name the puzzle's
- * @property {number | null} solvedAt the attempt that solved it; null if none has
+ * @property {number | null} solvedAt at which attempt it was solved, also counting deleted ones; null if it is not
  * @property {{ used: number, solvedAt: number | null, remembers: boolean } | null} model how the model did, and whether
  *   it played with a memory; null if it has not played
  * @property {(context: CanvasRenderingContext2D, dark: boolean, ball: boolean) => void} paint draws the scene into a
@@ -91,8 +91,7 @@ export class AfterSolving extends Component {
 
   #update() {
     const { session } = this;
-    const solvedAt =
-      session && session.hiddenAuthor !== "player" ? session.attempts.standing("player").solved_at : null;
+    const solvedAt = session && session.hiddenAuthor !== "player" ? session.attempts.playerTotal.solved_at : null;
     const section = this.byId("solved");
     // What is new stands at the top of the panel.
     if (section.hidden && solvedAt !== null) this.byId("tabpanel-play").scrollTop = 0;
@@ -132,7 +131,7 @@ export class AfterSolving extends Component {
     const { session } = this;
     if (!session) return;
     // What still runs for the first time is not told, nor a turn of the model that is not over.
-    const solvedAt = session.hiddenAuthor === "player" ? null : session.attempts.standing("player").solved_at;
+    const solving = session.hiddenAuthor === "player" ? null : session.attempts.standing("player").solved_at;
     const modelPlays = session.hiddenAuthor === "model" || session.ghosts !== null;
     const standing = session.attempts.standing("model");
     const { used, solved_at: modelSolvedAt } = modelPlays ? { used: 0, solved_at: null } : standing;
@@ -141,16 +140,16 @@ export class AfterSolving extends Component {
     const detail = {
       task: about.id,
       name: session.name,
-      solvedAt,
+      solvedAt: solving && session.attempts.playerTotal.solved_at,
       model: used > 0 ? { used, solvedAt: modelSolvedAt, remembers: session.attempts.modelName === null } : null,
       paint: (context, dark, ball) => {
         if (!ball) game.paintThumbnail(context, dark);
-        else if (solvedAt && modelSolvedAt) game.paintPair(context, solvedAt, modelSolvedAt, dark);
-        else if (solvedAt) game.paintAttempt(context, "player", solvedAt, dark);
+        else if (solving && modelSolvedAt) game.paintPair(context, solving, modelSolvedAt, dark);
+        else if (solving) game.paintAttempt(context, "player", solving, dark);
         else paintStill(session, context, session.playback.step, dark);
       },
       isOpen: () => session === this.session,
-      openRun: solvedAt || !placing ? () => this.#openRun(session, solvedAt) : null,
+      openRun: solving || !placing ? () => this.#openRun(session, solving) : null,
     };
     this.dispatchEvent(new CustomEvent("share", { detail }));
   }

@@ -4,6 +4,7 @@
 /** @typedef {import("../pkg/pathlight.js").Ball} Ball */
 /** @typedef {import("../pkg/pathlight.js").Author} Author */
 /** @typedef {import("../pkg/pathlight.js").Attempt} Attempt */
+/** @typedef {import("../pkg/pathlight.js").Standing} Standing */
 
 export class Attempts extends EventTarget {
   /**
@@ -12,6 +13,11 @@ export class Attempts extends EventTarget {
    * @type {string | null}
    */
   modelName = null;
+  /**
+   * What is known of the player's attempts beside those that are here; null for nothing.
+   * @type {() => { attempts: number, solved: number | null } | null}
+   */
+  counted = () => null;
   #game;
 
   /** @param {import("../pkg/pathlight.js").Game} game */
@@ -25,9 +31,24 @@ export class Attempts extends EventTarget {
     return this.#game.attempts(author);
   }
 
-  /** @param {Author} author */
+  /**
+   * How an author is doing, as the attempts that are here are numbered.
+   * @param {Author} author
+   */
   standing(author) {
     return this.#game.standing(author);
+  }
+
+  /**
+   * How the player is doing in all: whoever deletes misses has not solved the puzzle any earlier.
+   * @returns {Standing}
+   */
+  get playerTotal() {
+    const standing = this.standing("player");
+    const counted = this.counted();
+    if (standing.used === 0 || !counted) return standing;
+    const { used, solved_at: solvedAt } = standing;
+    return { used: Math.max(used, counted.attempts), solved_at: solvedAt && (counted.solved ?? solvedAt) };
   }
 
   /**

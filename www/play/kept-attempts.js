@@ -53,6 +53,9 @@ export class KeptAttempts extends Component {
         .filter(({ by }) => by === PLAYER)
         .map(({ ball }) => ball),
     );
+    // Of a custom scene only the attempts that are kept count.
+    const { id } = session.about;
+    session.attempts.counted = () => (id === null ? null : this.#progress.player.of(id));
     this.#kept = { player: ballsOf(session.attempts.of("player")), model: [] };
     this.#bringBackModel();
     for (const event of /** @type {const} */ (["attempted", "change"])) this.listen(event, () => this.#keep(session));

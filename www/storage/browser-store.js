@@ -1,5 +1,5 @@
 // Texts by key, in localStorage. What the browser does not take, because it is full or forbids it, lasts as long as the
-// page. Knows nothing of the document.
+// page, and is written once there is room. Knows nothing of the document.
 
 const PREFIX = "pathlight.";
 
@@ -33,19 +33,34 @@ export class BrowserStore {
   }
 
   /**
-   * Returns whether the browser has taken it.
+   * Returns whether the browser has taken it. If so, there may be room again for what it has refused before.
    * @param {string} key
    * @param {string | null} text null deletes it
    */
   set(key, text) {
+    const isWritten = this.#write(key, text);
+    if (isWritten) {
+      // The newest first: it may be small and count what the others have lost.
+      for (const [other, refused] of [...this.#unwritten].reverse()) this.#write(other, refused);
+    } else {
+      this.#unwritten.delete(key);
+      this.#unwritten.set(key, text);
+    }
+    if (this.#unwritten.size === 0) this.failure = null;
+    return isWritten;
+  }
+
+  /**
+   * @param {string} key
+   * @param {string | null} text
+   */
+  #write(key, text) {
     const isWritten = this.#ask((storage) => {
       if (text === null) storage.removeItem(PREFIX + key);
       else storage.setItem(PREFIX + key, text);
       return true;
     });
     if (isWritten) this.#unwritten.delete(key);
-    else this.#unwritten.set(key, text);
-    if (this.#unwritten.size === 0) this.failure = null;
     return isWritten ?? false;
   }
 
@@ -55,6 +70,7 @@ export class BrowserStore {
    */
   revert(key) {
     this.#unwritten.delete(key);
+    if (this.#unwritten.size === 0) this.failure = null;
   }
 
   /**

@@ -100,13 +100,18 @@ export class StoredCounts extends Counts {
     this.refresh();
   }
 
-  /** Reads what is stored now: another tab may have written it. */
+  /** Reads what is stored now: another tab may have written it. What the browser had not taken is added to that. */
   refresh() {
+    const unwritten = this.#store.unwritten.includes(KEY) ? new Counts(this) : null;
+    if (unwritten) this.#store.revert(KEY);
     super.clear();
     for (const [by, tasks] of Object.entries(Object(this.#parsed(KEY)))) this.read(by, tasks);
     this.read(PLAYER, Object(this.#parsed(OLD_PLAYER_KEY)).tasks);
     for (const key of this.#store.keys(OLD_MODEL_KEY))
       this.read(key.slice(OLD_MODEL_KEY.length), Object(this.#parsed(key)).tasks);
+    if (!unwritten) return;
+    this.merge(unwritten);
+    this.#write();
   }
 
   /**

@@ -93,11 +93,13 @@ export class KeptMemory extends EventTarget {
   }
 
   /**
-   * Another tab has written this key.
+   * Another tab has written this key; that counts more than what the browser had not taken.
    * @param {string | null} key null for all
    */
   refresh(key) {
-    if ((key ?? PREFIX).startsWith(PREFIX)) this.#changed();
+    if (!(key ?? PREFIX).startsWith(PREFIX)) return;
+    if (key !== null) this.#store.revert(key);
+    this.#changed();
   }
 
   /**

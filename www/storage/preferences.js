@@ -17,9 +17,10 @@ export class Preferences {
     this.#store = new BrowserStore(persistent);
   }
 
-  /** Is the model's guess shown where a link does not say? To newcomers it is. */
+  /** Is the model's guess shown where a link does not say? To newcomers it is, where they can turn it off for good. */
   get guess() {
-    return this.#persistent && this.#store.get(GUESS) !== "off";
+    const said = this.#store.get(GUESS);
+    return said === null ? this.#persistent : said !== "off";
   }
   set guess(on) {
     this.#store.set(GUESS, on ? "on" : "off");

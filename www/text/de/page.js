@@ -105,7 +105,7 @@ export const page = {
     full: (made) =>
       made
         ? `Dieser Browser hat keinen Platz mehr: ${counted(made, "Versuch geht", "Versuche gehen")} verloren, wenn du ${made === 1 ? "ihn" : "sie"} nicht als Datei speicherst, bevor du die Seite schließt.`
-        : "Dieser Browser hat keinen Platz mehr: Woran sich das Modell erinnert, ist weg, wenn du die Seite schließt.",
+        : "Dieser Browser hat keinen Platz mehr: Die letzten Änderungen sind weg, wenn du die Seite schließt.",
     readBack: (count, made) => `Eingelesen: ${puzzles(count)} mit ${counted(made, "Versuch", "Versuchen")}.`,
     added: (made, solved) => `Neu hier: ${attempts(made)}, ${counted(solved, "gelöstes Rätsel", "gelöste Rätsel")}.`,
     left: (made, most) =>

@@ -106,7 +106,7 @@ export const page = {
     full: (/** @type {number} */ made) =>
       made
         ? `This browser has no room left: ${counted(made, "attempt is", "attempts are")} lost when you close the page, unless you save them to a file.`
-        : "This browser has no room left: what the model remembers is lost when you close the page.",
+        : "This browser has no room left: the latest changes are lost when you close the page.",
     readBack: (/** @type {number} */ count, /** @type {number} */ made) =>
       `Loaded: ${puzzles(count)}, with ${attempts(made)}.`,
     added: (/** @type {number} */ made, /** @type {number} */ solved) =>
