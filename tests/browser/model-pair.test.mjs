@@ -77,6 +77,7 @@ test("a second model that cannot be loaded is a sentence", async () => {
   await page.locator("#more-button").click();
   await page.locator("#pair-run").click();
   await page.locator("#pair-words").filter({ hasText: "weights are missing here" }).waitFor();
+  assert.match(await page.locator("#announcement").textContent(), /weights are missing here/);
   session.takeProblems();
 });
 
@@ -100,6 +101,7 @@ test("a model that is chosen while the other one is loaded ends what was asked",
   await page.context().route("**/cross-0.safetensors", (route) => gate.then(() => route.continue()));
   await page.locator("#pair-run").click();
   await page.locator("#pair-words").filter({ hasText: "Both models are playing" }).waitFor();
+  assert.match(await page.locator("#announcement").textContent(), /Both models are playing/);
   await page.locator("#model-select").selectOption("cross-0");
   open();
   await modelLoaded(page, "cross-0");

@@ -4,20 +4,28 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { start } from "./harness.mjs";
-import { openPuzzle, pause } from "./page-actions.mjs";
+import { inMore, openPanel, openPuzzle, pause } from "./page-actions.mjs";
 
 let session;
 before(async () => (session = await start({ sources: true })));
 after(() => session.stop());
 
-/** Opens a puzzle whose first worker throws at the first call of this name. */
-async function openFailing(call, error, fragment) {
+/** Opens a puzzle whose first worker throws once at a call of this name: the first, or after some that go well. */
+async function openFailing(call, error, fragment, well = 0) {
   const page = await session.open("");
   await page.context().route(
     "**/model/worker.js",
     async (route) => {
       const response = await route.fetch();
-      const failing = `{ const { ${call} } = calls; calls.${call} = () => { calls.${call} = ${call}; throw ${error}; }; }`;
+      const failing = `{
+        const { ${call} } = calls;
+        let well = ${well};
+        calls.${call} = (...args) => {
+          if (well-- > 0) return ${call}(...args);
+          calls.${call} = ${call};
+          throw ${error};
+        };
+      }`;
       await route.fulfill({ response, body: `${await response.text()}\n${failing}` });
     },
     { times: 1 },
@@ -49,6 +57,49 @@ test("an error for the proposals", async () => {
   await trouble(page, "proposals-trouble").getByRole("button", { name: "Try again" }).click();
   await page.locator("#proposals:visible").waitFor();
   assert.ok(await page.locator("#proposals-trouble").isHidden());
+});
+
+test("balls that cannot be saved are not saved later unasked, and are when the person asks again", async () => {
+  const page = await openFailing("propose", FAILURE, "&panel=imagine");
+  await page.locator("#imagined-in").filter({ hasText: "Imagined" }).waitFor();
+  /** @type {string[]} */
+  const saved = [];
+  page.on("download", (file) => saved.push(file.suggestedFilename()));
+  const announced = (words) => page.locator("#announcement").filter({ hasText: words }).waitFor();
+  const save = () => inMore(page, () => page.locator("#proposal-save").click());
+  await save();
+  await announced("the soup is cold");
+  await openPanel(page, "compare");
+  await trouble(page, "proposals-trouble").getByRole("button", { name: "Try again" }).click();
+  await page.locator("#proposals:visible").waitFor();
+  assert.deepEqual(saved, []);
+  await Promise.all([page.waitForEvent("download"), save()]);
+});
+
+test("whoever asks for the balls of a model that has stopped starts it again", async () => {
+  const page = await openFailing("imagine", "new WebAssembly.RuntimeError('unreachable')", "&panel=imagine");
+  await page.locator("#imagine-trouble:visible").filter({ hasText: "model has stopped" }).waitFor();
+  await Promise.all([
+    page.waitForEvent("download"),
+    inMore(page, async () => {
+      await page.locator("#proposal-save").click();
+      await page.locator("#announcement").filter({ hasText: "still loading" }).waitFor({ state: "attached" });
+    }),
+  ]);
+});
+
+test("an error while attempts are checked leaves no button, and nobody is said to have stopped", async () => {
+  const page = await openFailing("verify", FAILURE, "&panel=imagine", 1);
+  await page.locator("#imagined-in").filter({ hasText: "Imagined" }).waitFor();
+  const buffer = Buffer.from('{"beach":true}\n'.repeat(60));
+  await page.locator("#attempts-file").setInputFiles({ name: "beach.jsonl", mimeType: "application/jsonl", buffer });
+  const words = page.locator("#attempts-words");
+  await words.filter({ hasText: "the soup is cold" }).waitFor({ state: "attached" });
+  const [said, listed] = [await words.textContent(), page.locator("#attempts-read")];
+  assert.match(said, /^beach\.jsonl: 0 of 50 attempts come out the same to the bit\. /);
+  assert.deepEqual([await listed.locator("li").count(), await listed.locator("button").count()], [50, 0]);
+  await page.locator("#next").click();
+  assert.equal(await words.textContent(), said, "also after the puzzle has been left");
 });
 
 test("an error in the search for all solutions", async () => {

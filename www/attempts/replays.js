@@ -114,22 +114,27 @@ export class Replays extends Component {
     let [done, same] = [0, 0];
     /** @type {string[]} */
     let sentences = [];
-    while (done < attempts.length && !stop.signal.aborted && !signal.aborted) {
-      const batch = attempts.slice(done, done + BATCH);
-      const verifications = await this.#client
-        .call("verify", [batch], signal)
-        .finally(() => signal.aborted && last.remove());
-      const listed = batch.slice(0, Math.max(0, LISTED - done));
-      last.before(...listed.map((attempt, index) => this.#item(attempt, verifications[index])));
-      same += verifications.filter(({ verdict }) => verdict === "same").length;
-      done += batch.length;
-      setText(this.byId("attempts-words"), words.simulated(done, attempts.length));
-      sentences = [words.result(name, same, done)];
-      if (done < attempts.length) sentences.push(words.stopped(attempts.length - done));
-      // It stays if the puzzle is left now.
-      this.#listWords = sentences.join(" ");
+    try {
+      while (done < attempts.length && !stop.signal.aborted && !signal.aborted) {
+        const batch = attempts.slice(done, done + BATCH);
+        const verifications = await this.#client.call("verify", [batch], signal);
+        const listed = batch.slice(0, Math.max(0, LISTED - done));
+        last.before(...listed.map((attempt, index) => this.#item(attempt, verifications[index])));
+        same += verifications.filter(({ verdict }) => verdict === "same").length;
+        done += batch.length;
+        setText(this.byId("attempts-words"), words.simulated(done, attempts.length));
+        sentences = [words.result(name, same, done)];
+        if (done < attempts.length) sentences.push(words.stopped(attempts.length - done));
+        // It stays if the puzzle is left now.
+        this.#listWords = sentences.join(" ");
+      }
+    } catch (error) {
+      if (signal.aborted) throw error;
+      // Nobody has stopped it.
+      sentences = [...sentences.slice(0, 1), /** @type {Error} */ (error).message];
+    } finally {
+      last.remove();
     }
-    last.remove();
     return { done, sentences };
   }
 

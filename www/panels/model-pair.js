@@ -96,6 +96,7 @@ export class ModelPair extends Component {
   /** @param {string} words */
   #say(words) {
     setText(this.byId("pair-words"), words);
+    if (words) this.announce(words);
   }
 
   async #run() {
@@ -120,7 +121,6 @@ export class ModelPair extends Component {
       if (call.signal.aborted) return;
       this.#sides = sides;
       this.#say(verdictOf(sides));
-      this.announce(verdictOf(sides));
       this.#paint();
     } catch (error) {
       if (!call.signal.aborted) this.#say(/** @type {Error} */ (error).message);

@@ -6,15 +6,13 @@ import { Component } from "../widgets/component.js";
 import { ATTEMPT_LIMIT } from "../shell/constants.js";
 import { setText } from "../widgets/dom.js";
 import { BallImaginer } from "../model/ball-imaginer.js";
-import { chanceWords, errorWords } from "../model/chance-words.js";
 import { otherOutcome, outcomesWords } from "../model/outcomes.js";
 import { saveBalls } from "../model/save-balls.js";
 import { sameBall } from "../puzzles/ball.js";
-import { sentence } from "../text/sentence.js";
 import { text } from "../text/text.js";
+import { imaginedWords, outcomeWords } from "./proposal-facts.js";
 import { originWords, sourceOf } from "./proposal-origin.js";
 import { TroubleBox } from "./trouble-box.js";
-import { endingWords } from "../play/ending-words.js";
 
 /** @typedef {import("../pkg/pathlight.js").TriedProposal} Proposal */
 /** @typedef {import("../play/session.js").Session} Session */
@@ -76,6 +74,7 @@ export class Proposals extends Component {
       if (!imagine.maps) this.#drop();
       this.#load();
     });
+    client.addEventListener("change", () => client.failure && this.#giveUpSaving(client.failure.message));
   }
 
   /** @param {Session} session */
@@ -153,11 +152,21 @@ export class Proposals extends Component {
     else this.#request(other + 1);
   }
 
-  /** Saves the balls as soon as they are there; the model may still be on its way. */
+  /** Saves the balls as soon as they are there; the model may still be on its way, and what failed is tried again. */
   #save() {
     this.#saves = true;
+    this.#callFailure = null;
+    if (["off", "failed"].includes(this.#client.status)) this.requestModel();
+    if (this.#client.status === "loading") this.announce(text.panels.forecast.loading);
     this.#load();
     this.#saveIfThere();
+  }
+
+  /** @param {string} why the balls do not come; when they come later, nobody asks for the file any more */
+  #giveUpSaving(why) {
+    if (!this.#saves) return;
+    this.#saves = false;
+    this.announce(why);
   }
 
   #saveIfThere() {
@@ -188,7 +197,7 @@ export class Proposals extends Component {
       const proposals = await this.#client.call("propose", [this.session.puzzle], call.signal);
       if (!call.signal.aborted) this.#proposals = proposals;
     } catch (error) {
-      if (!call.signal.aborted) this.#callFailure = /** @type {Error} */ (error).message;
+      if (!call.signal.aborted) this.#giveUpSaving((this.#callFailure = /** @type {Error} */ (error).message));
     } finally {
       if (this.#call === call) {
         this.#call = null;
@@ -275,7 +284,7 @@ export class Proposals extends Component {
     const words = text.panels.proposals;
     const [number, shown] = [this.#shown, this.session?.shown];
     this.byId("proposal-facts").hidden = number === null;
-    this.byId("proposal-close").hidden = number === null;
+    this.setHidden(this.byId("proposal-close"), number === null);
     this.byId("proposal-hint").hidden = number !== null;
     setText(this.byId("proposal-number"), number === null ? "–" : text.panels.of(number, proposals.length));
     this.#slider.value = String(number ?? 1);
@@ -283,18 +292,9 @@ export class Proposals extends Component {
     if (number === null || !shown) return;
     const proposal = proposals[number - 1];
     setText(this.byId("proposal-ball"), words.place(...proposal.ball));
-    setText(
-      this.byId("proposal-outcome"),
-      `${shown.ending.solved ? "✓" : "×"} ${sentence(endingWords(shown.ending))} ${shown.tried || this.#able ? "" : words.notTried}`,
-    );
+    setText(this.byId("proposal-outcome"), outcomeWords(shown, !this.#able));
     setText(this.byId("proposal-origin"), originWords(proposal, this.#imagine.maps?.placement));
-    const real = this.session?.game.sampledPaths();
     this.byId("proposal-imagined").hidden = this.byId("proposal-imagined-term").hidden = !this.#able;
-    setText(
-      this.byId("proposal-imagined"),
-      this.#answer && real
-        ? `${sentence(chanceWords(this.#answer.imagined.probability))} ${errorWords(this.#answer.imagined, real)}`
-        : "",
-    );
+    setText(this.byId("proposal-imagined"), imaginedWords(this.#answer, this.session?.game.sampledPaths()));
   }
 }

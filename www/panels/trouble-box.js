@@ -2,7 +2,7 @@
 // call the worker.
 
 import { text } from "../text/text.js";
-import { find, setText } from "../widgets/dom.js";
+import { byId, find, passFocus, setText } from "../widgets/dom.js";
 
 /** @typedef {import("../model/shared-client.js").SharedClient} SharedClient */
 
@@ -28,6 +28,7 @@ export class TroubleBox {
   update(client, callFailure, { restartModel, repeatCall }) {
     const { failure } = client;
     const message = failure?.message ?? callFailure;
+    if (message === null) passFocus(this.#box, byId(/** @type {ShadowRoot} */ (this.#box.getRootNode()), "scene"));
     this.#box.hidden = message === null;
     setText(find(this.#box, "p"), message ?? "");
     setText(this.#button, failure?.code === "no_model" ? text.panels.trouble.otherModel : text.element.tryAgain);

@@ -44,7 +44,7 @@ export const element = {
     guess: "Vermutung des Modells",
     introduction: "Einführung",
     leaveIntroduction: "Einführung beenden",
-    takeOff: "Ausblenden",
+    takeOff: "Karten ausblenden",
   },
 
   story: { label: "Geschichte", back: "Zurück", next: "Weiter", leave: "Alles zeigen" },

@@ -129,7 +129,7 @@ export const panels = {
     noOther: (by) => `Keine Kugel ${by > 0 ? "nach" : "vor"} dieser hat ein anderes Ergebnis.`,
     none: "keine",
     place: (x, y, r) => `x ${decimal(x)}; y ${decimal(y)}; Radius ${decimal(r)}`,
-    notTried: "Als sie dran war, wurde sie nicht probiert.",
+    notTried: "Als das Modell dran war, hat es sie nicht probiert.",
     origin: {
       perturbed: (ball) => `Kugel ${ball}, zufällig verschoben.`,
       success: (chance) =>

@@ -36,7 +36,8 @@ export const results = {
     cross: "Neue Arten",
     byKind: {
       title: "Die Netze des Fachartikels, Art für Art",
-      about: "Unsere sind hier neuer als oben. Ein Strich: nie als neue Art geprüft.",
+      about:
+        "Unsere Netze in dieser Tabelle wurden später trainiert als die oben. Ein Strich: Keine Aufteilung prüft diese Art als neue.",
       kind: "Art",
       published: "Artikel",
       ours: "unsere",

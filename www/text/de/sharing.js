@@ -68,7 +68,7 @@ export const sharing = {
     close: "Schließen",
     parts: {
       compare: "Der Wettlauf gegen das Modell",
-      story: "Der Satz, der auf die Lösung hinweist",
+      story: "Der Satz, der sagt, was passiert und was zu tun ist",
       hint: "Wie man die Kugel setzt",
       fields: "Regler und Zahlen der Kugel, Rückgängig und Wiederholen",
       watch: "Der Knopf, der die Szene ohne Kugel laufen lässt",
