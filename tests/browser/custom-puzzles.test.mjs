@@ -161,6 +161,15 @@ test("hide=puzzles: a file that is dropped opens no other puzzle", async () => {
   assert.match(page.url(), /task=/);
 });
 
+test("a file dropped on the results leaves them behind", async () => {
+  const page = await session.open("/#view=results");
+  await page.locator("#results-templates a").first().waitFor();
+  await drop(page, file("one.json", SCENE));
+  await page.locator("#puzzle-name").filter({ hasText: "Over the wall" }).waitFor();
+  assert.doesNotMatch(page.url(), /view=/);
+  await page.locator("#forecast:visible").waitFor();
+});
+
 test("a puzzle is kept, shown in the grid after a reload, opened, deleted and brought back; all are saved", async () => {
   const page = await openPuzzle(session, { fragment: "&panel=make" });
   await page.locator("[data-adds=ball]").click();

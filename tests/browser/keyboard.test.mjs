@@ -109,7 +109,7 @@ test("what has the focus can be seen", async () => {
 
 test("where nothing has the focus, the arrows move the ball", async () => {
   const page = await openPuzzle(session);
-  await (await focused(page)).evaluate((element) => element.blur());
+  await blur(page);
   await page.keyboard.press("Shift+ArrowUp");
   const [x, y, r] = await ball(page);
   await page.keyboard.press("Shift+ArrowLeft");
@@ -125,6 +125,44 @@ test("where the ball comes to rest is announced", async () => {
     .locator("#announcement")
     .filter({ hasText: `x ${x}, y ${y}, radius ${r}` })
     .waitFor({ state: "attached" });
+});
+
+/** Takes the focus from everything, as a button does that is disabled now, or in some browsers a click on mere words. */
+async function blur(page) {
+  await (await focused(page)).evaluate((element) => element.blur());
+}
+
+test("no key acts on what lies behind a dialog, not even if nothing in it has the focus", async () => {
+  const page = await openPuzzle(session);
+  await type(page, (await known()).missing);
+  await page.waitForFunction(() => /ball=/.test(location.hash));
+  const before = { url: page.url(), ball: await ball(page) };
+  for (const [opener, dialog] of [
+    ["#share-button", "#share-dialog[open]"],
+    ["#keys-button", "#keys-dialog[open]"],
+  ]) {
+    await page.locator(opener).click();
+    await page.locator(dialog).waitFor();
+    await blur(page);
+    for (const key of ["]", "2", "v", "ArrowLeft", "Control+z", "Space"]) await page.keyboard.press(key);
+    assert.ok(await page.locator(dialog).isVisible());
+    assert.deepEqual({ url: page.url(), ball: await ball(page) }, before);
+    assert.match(await page.locator("#run").innerText(), /Drop it/);
+    await page.keyboard.press("Escape");
+    await page.locator(dialog).waitFor({ state: "detached" });
+  }
+  await page.keyboard.press("2");
+  await page.locator("#imagine").waitFor();
+});
+
+test("a dialog over the presentation is closed alone", async () => {
+  const page = await openPuzzle(session, { fragment: "&view=presentation" });
+  await page.keyboard.press("?");
+  await page.locator("#keys-dialog[open]").waitFor();
+  await blur(page);
+  await page.keyboard.press("Escape");
+  await page.locator("#keys-dialog[open]").waitFor({ state: "detached" });
+  assert.ok(await page.locator("#presentation").isVisible());
 });
 
 test("a key that is held down runs once", async () => {

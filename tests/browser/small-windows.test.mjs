@@ -43,6 +43,27 @@ for (const [width, height] of [
   });
 }
 
+for (const [width, height] of [
+  [320, 256],
+  [360, 400],
+  [480, 320],
+  [560, 500],
+  [600, 500],
+]) {
+  test(`at ${width} x ${height} the panel is wide enough to be used, and can be reached`, async () => {
+    const page = await openPuzzle(session, { viewport: { width, height } });
+    const { width: panel } = await page.locator("#tabpanel-play").boundingBox();
+    assert.ok(panel >= 240, `the panel is ${panel} px wide`);
+    for (const id of ["scene", "run", "tab-make", "race-it", "radius"]) {
+      const part = page.locator(`#${id}`);
+      await part.scrollIntoViewIfNeeded();
+      const box = await part.boundingBox();
+      assert.ok(box.x >= -1 && box.x + box.width <= width + 1, `#${id}: ${JSON.stringify(box)}`);
+      assert.ok(box.y >= -1 && box.y + box.height <= height + 1, `#${id}: ${JSON.stringify(box)}`);
+    }
+  });
+}
+
 for (const { width, height, locale } of [
   { width: 390, height: 664, locale: "en" },
   { width: 390, height: 664, locale: "de" },

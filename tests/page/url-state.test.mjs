@@ -38,6 +38,13 @@ test("a scene takes the place of a task", () => {
   assert.equal(parseFragment("task=00007:008&scene=abc").state.task, null);
 });
 
+test("a puzzle takes the place of a view of the page, but can be presented", () => {
+  for (const puzzle of ["task=00007:008", "scene=abc"]) {
+    for (const view of ["results", "learns"]) assert.equal(parseFragment(`${puzzle}&view=${view}`).state.view, null);
+    assert.equal(parseFragment(`${puzzle}&view=presentation`).state.view, "presentation");
+  }
+});
+
 test("the panel Make is known by its old name too", () => {
   const state = { ...INITIAL_STATE, task: "00007:008", panel: "make", hide: ["map", "make"] };
   assert.deepEqual(parseFragment("task=00007:008&panel=bend&hide=map,bend"), { state, problem: null });

@@ -45,6 +45,14 @@ export function leavesPlainKeys(target) {
 }
 
 /**
+ * Is a dialog of the page or of a puzzle open? All of them are modal: nothing behind them may be used.
+ * @param {ParentNode | null} root
+ */
+export function showsDialog(root) {
+  return Boolean(root?.querySelector("dialog[open]"));
+}
+
+/**
  * Is Ctrl or Cmd held, so that the key is a command? AltGr, which counts as Ctrl and Alt, and Option type characters,
  * such as the brackets on German keyboards.
  * @param {KeyboardEvent} event

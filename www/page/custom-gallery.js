@@ -4,7 +4,7 @@
 
 import { LazyThumbnails } from "../widgets/lazy-thumbnails.js";
 import { paintThumbnail } from "../widgets/scene-thumbnail.js";
-import { byId, createButton } from "../widgets/dom.js";
+import { byId, createButton, find, passFocus } from "../widgets/dom.js";
 import { showNotice } from "../widgets/notice.js";
 import { pathlight } from "../shell/page-api.js";
 import { puzzleKey } from "../shell/puzzle-key.js";
@@ -111,6 +111,8 @@ export class CustomGallery {
     const kept = new Map(this.#store.scenes.map((scene) => [JSON.stringify(scene), scene]));
     for (const [json, { item, canvas }] of this.#shown) {
       if (kept.has(json)) continue;
+      const beside = item.nextElementSibling ?? item.previousElementSibling;
+      passFocus(item, beside ? find(beside, "button") : byId(document, "custom-open"));
       item.remove();
       this.#thumbnails.remove(canvas);
       this.#shown.delete(json);

@@ -35,8 +35,9 @@ export class HomePage {
     byId(document, "guide-start", HTMLButtonElement).disabled = false;
   }
 
-  get hasFocus() {
-    return section.contains(document.activeElement);
+  /** @param {FocusOptions} options */
+  focus(options) {
+    byId(document, "gallery-title").focus(options);
   }
 
   /** @param {boolean} dark */

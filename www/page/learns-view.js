@@ -8,7 +8,7 @@ import { ATTEMPT_LIMIT } from "../shell/constants.js";
 import { LEARNT_TASK } from "../home/home-tasks.js";
 import { TEMPLATES } from "../puzzles/templates.js";
 import { text } from "../text/text.js";
-import { byId, setText } from "../widgets/dom.js";
+import { byId, focusIsLost, passFocus, setText } from "../widgets/dom.js";
 import { PausableClock } from "./pausable-clock.js";
 import { LearnsBoard } from "./learns-board.js";
 import { LearnsKinds } from "./learns-kinds.js";
@@ -81,7 +81,7 @@ export class LearnsView {
   /** Shows the kinds that are new to the model. */
   async show() {
     // What had the focus may be out of sight now.
-    if (document.activeElement === document.body) byId(document, "learns-title").focus();
+    if (focusIsLost()) byId(document, "learns-title").focus();
     this.#fail(null);
     if (!this.#model) {
       try {
@@ -253,7 +253,9 @@ export class LearnsView {
 
   /** @param {unknown} error null if there is none any more */
   #fail(error) {
-    byId(document, "learns-failure").hidden = error === null;
+    const failure = byId(document, "learns-failure");
+    if (error === null) passFocus(failure, byId(document, "learns-title"));
+    failure.hidden = error === null;
     setText(byId(document, "learns-failure-words"), error === null ? "" : /** @type {Error} */ (error).message);
   }
 }

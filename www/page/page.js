@@ -4,12 +4,12 @@
 import { DARK_PALETTE, LIGHT_PALETTE } from "../pkg/constants.js";
 import { PathlightPuzzle } from "../element/pathlight-puzzle.js";
 import { loadWasm } from "../loading/load-wasm.js";
-import { byId, find } from "../widgets/dom.js";
+import { byId, find, focusIsLost } from "../widgets/dom.js";
 import { hideParts } from "../widgets/hidden-parts.js";
 import { dismissNotice, showDone, showNotice } from "../widgets/notice.js";
 import { sceneName } from "../puzzles/puzzle-name.js";
-import { isChord, leavesPlainKeys } from "../element/shortcuts.js";
-import { TEMPLATES, templateOf } from "../puzzles/templates.js";
+import { isChord, leavesPlainKeys, showsDialog } from "../element/shortcuts.js";
+import { TASKS, TEMPLATES, templateOf } from "../puzzles/templates.js";
 import { hrefOf, pageViewOf, showsPuzzle } from "../state/links.js";
 import { INITIAL_STATE, PAGE_VIEWS } from "../state/url-state.js";
 import { sharedProgress } from "../storage/progress.js";
@@ -151,7 +151,7 @@ export class Page {
    * @param {State} state
    */
   #applyState(state) {
-    const cameFromHome = this.#home.hasFocus;
+    const focused = document.activeElement;
     const shown = showsPuzzle(state);
     const view = pageViewOf(state);
     this.#home.show(state);
@@ -164,7 +164,8 @@ export class Page {
     this.#puzzle.state = state;
     this.#applyTitle(state);
     this.#applyLinks();
-    if (shown && cameFromHome) this.#puzzle.focus({ preventScroll: true });
+    // A view of the page takes the focus itself, once it is loaded.
+    if (focused !== document.body && focusIsLost()) (shown ? this.#puzzle : this.#home).focus({ preventScroll: true });
   }
 
   /**
@@ -222,6 +223,7 @@ export class Page {
       ...this.#state,
       task: task ?? null,
       scene: scene ?? null,
+      view: showsPuzzle(this.#state) ? this.#state.view : null,
       ball: null,
       proposal: null,
       challenge: null,
@@ -233,10 +235,11 @@ export class Page {
 
   /** @param {KeyboardEvent} event */
   #onKeydown(event) {
-    const [target] = event.composedPath();
+    // When nothing in a dialog has the focus, keys go to the page behind it.
+    if (showsDialog(document) || showsDialog(this.#puzzle.shadowRoot)) return;
     if (!event.composedPath().includes(this.#puzzle)) this.#puzzle.pressKey(event);
     const offset = { "[": -1, "]": 1 }[event.key];
-    if (!offset || event.defaultPrevented || isChord(event) || !leavesPlainKeys(target)) return;
+    if (!offset || event.defaultPrevented || isChord(event) || !leavesPlainKeys(event.composedPath()[0])) return;
     event.preventDefault();
     this.#stepPuzzle(offset);
   }
@@ -251,9 +254,7 @@ export class Page {
   }
 
   #openRandomPuzzle() {
-    /** @type {<Item>(list: Item[]) => Item} */
-    const any = (list) => list[Math.floor(Math.random() * list.length)];
-    this.#navigate({ task: any(any(TEMPLATES).tasks) });
+    this.#navigate({ task: TASKS[Math.floor(Math.random() * TASKS.length)] });
   }
 
   /** @param {string | null} model */

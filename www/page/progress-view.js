@@ -1,7 +1,7 @@
 // The person's progress: a line above the grid, a note on each of its templates, a mark on each puzzle of the picker.
 // Saves it to a file, and deletes it when the person is sure.
 
-import { byId } from "../widgets/dom.js";
+import { byId, passFocus } from "../widgets/dom.js";
 import { download } from "../widgets/download.js";
 import { showNotice } from "../widgets/notice.js";
 import { pathlight } from "../shell/page-api.js";
@@ -36,6 +36,8 @@ export class ProgressView {
     byId(document, "progress-forget").addEventListener("click", () => dialog.showModal());
     // Its "close" waits for the next frame, which may come after another puzzle has been opened, or not at all.
     dialog.addEventListener("submit", ({ submitter }) => {
+      // First, so that the focus is where the dialog was opened, and goes on when that is hidden.
+      dialog.close();
       if (submitter?.getAttribute("value") === "forget") progress.clear();
     });
     const file = byId(document, "progress-file", HTMLInputElement);
@@ -66,7 +68,10 @@ export class ProgressView {
     const sumOfTried = (/** @type {string[]} */ tasks) => player.sum(tasks.filter((task) => tried.has(task)));
     const all = sumOfTried(this.#templates.flatMap(({ tasks }) => tasks));
     const custom = sumOf(this.#progress.ofCustomScenes);
-    byId(document, "progress").hidden = all.tried + custom.tried === 0;
+    const section = byId(document, "progress");
+    const none = all.tried + custom.tried === 0;
+    if (none) passFocus(section, byId(document, "gallery-order"));
+    section.hidden = none;
     byId(document, "progress-words").textContent = [
       ...totalWords(all, custom),
       ...unkeptWords(this.#progress.unkept),

@@ -5,7 +5,7 @@ import { calibrationChart, calibrationTable } from "./calibration-chart.js";
 import { ourRows, paperNets, publishedRows } from "./compared-rows.js";
 import { AGENTS, readResults, resultsCsv } from "../model/results.js";
 import { text } from "../text/text.js";
-import { byId } from "../widgets/dom.js";
+import { byId, focusIsLost, passFocus } from "../widgets/dom.js";
 import { download } from "../widgets/download.js";
 
 /** @typedef {import("../model/results.js").ModelResults} ModelResults */
@@ -58,11 +58,12 @@ export class ResultsView {
     this.#asked = name;
     const before = this.#chosen?.name;
     // What had the focus may be out of sight now.
-    if (document.activeElement === document.body) byId(document, "results-title").focus();
+    if (focusIsLost()) byId(document, "results-title").focus();
     const failure = byId(document, "results-failure");
     let compared;
     try {
       ({ models: this.#models, compared } = await readResults());
+      passFocus(failure, byId(document, "results-title"));
       failure.hidden = true;
     } catch (error) {
       failure.hidden = false;

@@ -69,9 +69,10 @@ export class AttemptList extends Component {
     if (act === "overlay") this.session?.overlay(this.#author, number);
     if (act === "remove") {
       this.session?.remove(this.#author, number);
-      // The focus goes to the attempt that has moved up, or to the one before.
+      // The focus goes to the attempt that has moved up, or to the one before, or where another attempt begins.
       const next = this.#list.children[Math.min(number, this.#length) - 1];
       if (next) find(next, "[data-act=remove]").focus();
+      else this.byId("scene").focus({ preventScroll: true });
     }
   }
 
@@ -86,7 +87,8 @@ export class AttemptList extends Component {
     const standing = session.attempts.standing(this.#author);
     // An attempt that runs for the first time is listed when it has ended.
     const used = standing.used - Number(session.hiddenAuthor === this.#author);
-    const solvedAt = standing.solved_at !== null && standing.solved_at <= used ? standing.solved_at : null;
+    const isSolved = standing.solved_at !== null && standing.solved_at <= used;
+    const solvedAt = isSolved && (this.#author === "player" ? session.attempts.playerTotal : standing).solved_at;
     if (used < this.#length) this.#clear();
     if (used > this.#length) {
       this.#list.append(

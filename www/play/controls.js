@@ -130,13 +130,13 @@ export class Controls extends Component {
     this.byId("run").title = `${label}  ${text.element.keys.space}`;
     this.#time.disabled = placing;
     this.#time.max = String(last);
-    this.byId("reset", HTMLButtonElement).disabled = placing;
-    this.byId("undo", HTMLButtonElement).disabled = !session.placement.canUndo;
-    this.byId("redo", HTMLButtonElement).disabled = !session.placement.canRedo;
+    this.setDisabled(this.byId("reset", HTMLButtonElement), placing);
+    this.setDisabled(this.byId("undo", HTMLButtonElement), !session.placement.canUndo);
+    this.setDisabled(this.byId("redo", HTMLButtonElement), !session.placement.canRedo);
     this.#touches = placing ? [] : game.touches();
     // Of two rollouts over each other the meter could mean either; of one that never touched it has nothing to say.
     this.#goalMeter.hidden = placing || phase === "compare" || session.approach !== null;
-    this.byId("see-closest").hidden = session.approach === null;
+    this.setHidden(this.byId("see-closest"), session.approach === null);
     // Marks of a new attempt would tell how it ends.
     if (session.hiddenAuthor === null) this.#markMoments(last + 1, session.approach?.step);
     else this.#time.style.setProperty("--touches", "none");
@@ -168,7 +168,7 @@ export class Controls extends Component {
 
   /** @param {Session} session */
   #updateTime({ playback: { step, seconds, last }, quietEnd }) {
-    this.byId("skip-quiet").hidden = quietEnd === null;
+    this.setHidden(this.byId("skip-quiet"), quietEnd === null);
     setValue(this.#time, String(Math.floor(step)));
     this.#time.setAttribute("aria-valuetext", text.play.spokenTime(seconds));
     this.#time.style.setProperty("--done", String(last ? step / last : 0));

@@ -98,9 +98,7 @@ export class Guide extends Component {
     setText(this.byId("guide-words"), words);
     this.#number = Math.max(this.#number, COUNTED.findIndex((steps) => steps.includes(step)) + 1);
     setText(this.byId("guide-count"), text.play.guideCount(this.#number, COUNTED.length));
-    const hadFocus = this.#act.matches(":focus");
-    this.#act.hidden = button === null;
-    if (hadFocus && button === null) this.byId("scene").focus({ preventScroll: true });
+    this.setHidden(this.#act, button === null);
     setText(this.#act, button ?? "");
     this.byId("guide-skip").hidden = step === "race";
     this.announce(words);

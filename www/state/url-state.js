@@ -224,6 +224,8 @@ export function parseState(texts) {
   const state = { ...INITIAL_STATE, ...parsed };
   // A custom scene takes the place of a task.
   if (state.scene !== null) state.task = null;
+  // A puzzle takes the place of a view of the page.
+  if ((state.task ?? state.scene) !== null && state.view !== "presentation") state.view = null;
   return { state, unread };
 }
 

@@ -13,7 +13,7 @@
 // another state by `requestState` (event "staterequest") and for the model to be started once more by `requestModel`
 // (event "modelrequest").
 
-import { byId, fromTemplate, setText } from "./dom.js";
+import { byId, fromTemplate, passFocus, setText } from "./dom.js";
 
 /** @typedef {import("../play/session.js").Session} Session */
 /** @typedef {import("../state/url-state.js").State} State */
@@ -113,6 +113,28 @@ export class Component extends EventTarget {
    */
   fromTemplate(id) {
     return fromTemplate(this.#root, id);
+  }
+
+  /**
+   * Hides an element, or shows it. The focus that is in it goes to the scene.
+   * @protected
+   * @param {HTMLElement} element
+   * @param {boolean} hidden
+   */
+  setHidden(element, hidden) {
+    if (hidden) passFocus(element, this.byId("scene"));
+    element.hidden = hidden;
+  }
+
+  /**
+   * Disables a button, or enables it. The focus that is on it goes to the scene.
+   * @protected
+   * @param {HTMLButtonElement} button
+   * @param {boolean} disabled
+   */
+  setDisabled(button, disabled) {
+    if (disabled) passFocus(button, this.byId("scene"));
+    button.disabled = disabled;
   }
 
   /**

@@ -34,6 +34,24 @@ export function find(parent, selector, type) {
 }
 
 /**
+ * Gives the focus that is in an element to another: the element is about to be hidden, disabled or removed.
+ * @param {Element} from
+ * @param {HTMLElement} to
+ */
+export function passFocus(from, to) {
+  if (from.matches(":focus-within")) to.focus({ preventScroll: true });
+}
+
+/**
+ * Has nothing in the page the focus, or only what is hidden by now? The browser takes it from that a frame later.
+ */
+export function focusIsLost() {
+  let focused = document.activeElement;
+  while (focused?.shadowRoot?.activeElement) focused = focused.shadowRoot.activeElement;
+  return !focused || focused === document.body || !focused.checkVisibility();
+}
+
+/**
  * A copy of what a <template> holds.
  * @param {Root} root
  * @param {string} id

@@ -2,13 +2,20 @@
 // edge, what has been done.
 
 import { text } from "../text/text.js";
-import { byId, createButton } from "./dom.js";
+import { byId, createButton, passFocus } from "./dom.js";
 
 const bar = byId(document, "notice");
 /** How long a sentence about what has been done stays, ms. */
 const DONE_TIME = 6000;
 /** @type {number | undefined} */
 let timer;
+/** What had the focus before something in the bar: it has it again afterwards. @type {EventTarget | null} */
+let focusedBefore = null;
+
+document.addEventListener("focusout", (event) => {
+  const enters = event.relatedTarget instanceof Node && bar.contains(event.relatedTarget);
+  if (enters && !bar.contains(/** @type {Node} */ (event.target))) [focusedBefore] = event.composedPath();
+});
 
 /**
  * Shows a sentence with links and buttons.
@@ -20,10 +27,15 @@ export function showNotice(sentence, actions = []) {
   const controls = actions.map(([label, action]) =>
     typeof action === "string" ? link(label, action) : createButton(label, action),
   );
-  byId(document, "notice-actions").replaceChildren(...controls, createButton(text.page.widgets.close, dismissNotice));
+  const list = byId(document, "notice-actions");
+  // A notice about progress changes often: whoever is about to stop it stays there.
+  const place = Array.from(list.children).findIndex((control) => control.matches(":focus"));
+  list.replaceChildren(...controls, createButton(text.page.widgets.close, dismissNotice));
   bar.classList.remove("done");
   clearTimeout(timer);
   bar.hidden = false;
+  const control = list.children[place] ?? list.lastElementChild;
+  if (place >= 0) /** @type {HTMLElement} */ (control).focus();
 }
 
 /**
@@ -37,6 +49,7 @@ export function showDone(sentence) {
 }
 
 export function dismissNotice() {
+  if (focusedBefore instanceof HTMLElement) passFocus(bar, focusedBefore);
   bar.hidden = true;
 }
 
