@@ -1,8 +1,8 @@
 //! One frame of the page: the order in which its layers are drawn.
 //!
 //! From the bottom: ribbons, static bodies, maps, imagined paths, paths, dynamic bodies, balls, ghosts, the spark,
-//! marks, the sketch, and the ring or the knob. Used by `game_view` and `custom_scene`; `paint`, `ribbon` and `marks` do
-//! the drawing.
+//! marks, the sketch, and the ring or the knob. Used by `game_view` and `custom_scene`; `paint`, `ribbon` and `marks`
+//! do the drawing.
 
 use serde::Deserialize;
 use wasm_bindgen::prelude::*;

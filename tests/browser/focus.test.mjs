@@ -1,5 +1,5 @@
-// The focus is not lost when what has it is hidden, disabled or removed: keys and screen readers go on from a place that
-// makes sense.
+// The focus is not lost when what has it is hidden, disabled or removed: keys and screen readers go on from a place
+// that makes sense.
 
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";

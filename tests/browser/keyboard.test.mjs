@@ -127,7 +127,7 @@ test("where the ball comes to rest is announced", async () => {
     .waitFor({ state: "attached" });
 });
 
-/** Takes the focus from everything, as a button does that is disabled now, or in some browsers a click on mere words. */
+/** Takes the focus from everything, as when a button is disabled, or in some browsers by a click on mere words. */
 async function blur(page) {
   await (await focused(page)).evaluate((element) => element.blur());
 }

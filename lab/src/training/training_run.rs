@@ -67,7 +67,7 @@ pub struct Inputs {
 }
 
 impl Inputs {
-    /// Those of nets that learn from these files.
+    /// Reads the inputs of nets that learn from these files.
     ///
     /// # Errors
     /// If one cannot be read.
@@ -76,7 +76,7 @@ impl Inputs {
         Ok(Inputs { data: digests.join(" "), added_to: None })
     }
 
-    /// The same, for nets that are added to weights.
+    /// Adds the weights that the nets are added to.
     ///
     /// # Errors
     /// If the file cannot be read.
