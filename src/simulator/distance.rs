@@ -3,7 +3,7 @@
 //! Distances are rapier's, between the surfaces as they are drawn: without the skin of polygons.
 
 use rapier2d::math::{Pose as Frame, Vector};
-use rapier2d::parry::query::{ClosestPoints, closest_points, contact};
+use rapier2d::parry::query::{ClosestPoints, closest_points};
 
 use super::body::{Position, metres};
 use super::constants::PX_PER_METRE;
@@ -20,7 +20,7 @@ impl Outline {
     }
 
     /// Returns the nearest points of this body and another at these poses, m, if they are nearer than `limit`, m; if
-    /// they overlap, the same point twice, where they do.
+    /// they overlap, the point of its surface nearest to the other's origin, twice.
     pub(super) fn nearest_points(
         &self,
         pose: Pose,
@@ -38,9 +38,7 @@ impl Outline {
                     (nearest, limit) = (Some([p, q]), (q - p).length());
                 }
                 Ok(ClosestPoints::Intersecting) => {
-                    let deepest = contact(&frame_a, &*a.shape, &frame_b, &*b.shape, 0.0).ok().flatten();
-                    let point = deepest.map_or(frame_b.translation, |deepest| (deepest.point1 + deepest.point2) / 2.0);
-                    return Some([point; 2]);
+                    return Some([a.shape.project_point(&frame_a, frame_b.translation, false).point; 2]);
                 }
                 Ok(_) => {}
                 Err(_) => unreachable!("rapier supports balls and convex polygons"),
