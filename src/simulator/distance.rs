@@ -19,8 +19,8 @@ impl Outline {
         Outline(body.shapes.iter().map(|shape| Fixture::new(shape, 0)).collect())
     }
 
-    /// Returns the nearest points of this body and another at these poses, m, if they are nearer than `limit`, m; if
-    /// they overlap, the point of its surface nearest to the other's origin, twice.
+    /// Returns the nearest points of this body and another at these poses, m, if they are nearer than `limit`, m; the
+    /// same point twice if they overlap.
     pub(super) fn nearest_points(
         &self,
         pose: Pose,
@@ -37,14 +37,19 @@ impl Outline {
                 Ok(ClosestPoints::WithinMargin(p, q)) if (q - p).length() < limit => {
                     (nearest, limit) = (Some([p, q]), (q - p).length());
                 }
-                Ok(ClosestPoints::Intersecting) => {
-                    return Some([a.shape.project_point(&frame_a, frame_b.translation, false).point; 2]);
-                }
+                Ok(ClosestPoints::Intersecting) => return Some([frame_a.translation; 2]),
                 Ok(_) => {}
                 Err(_) => unreachable!("rapier supports balls and convex polygons"),
             }
         }
         nearest
+    }
+
+    /// Returns the point on the surface of this body at a pose that is nearest to another point, m.
+    pub(super) fn nearest_on_surface(&self, pose: Pose, point: Vector) -> Option<Vector> {
+        let frame = frame(pose);
+        let on_surface = |part: &Fixture| part.shape.project_point(&(frame * part.local), point, false).point;
+        self.0.iter().map(on_surface).min_by(|a, b| (*a - point).length().total_cmp(&(*b - point).length()))
     }
 }
 

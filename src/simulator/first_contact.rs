@@ -29,8 +29,10 @@ pub fn first_contact(scene: &Scene, ball: Ball, rollout: &Rollout) -> Option<Con
     (0..=rollout.steps).find_map(|step| {
         let object_pose = rollout.pose(step, scene.body1).unwrap_or_else(|| pose_of(object));
         let ball_pose = rollout.pose(step, scene.bodies.len())?;
-        let [nearest, _] = outline.nearest_points(object_pose, &ball_outline, ball_pose, limit)?;
+        outline.nearest_points(object_pose, &ball_outline, ball_pose, limit)?;
         let centre = Vector::new(ball_pose[0], ball_pose[1]);
+        // The ball may have moved into the object within a step.
+        let nearest = outline.nearest_on_surface(object_pose, centre / PX_PER_METRE as f32)?;
         let towards = nearest * PX_PER_METRE as f32 - centre;
         let point = centre + towards * (ball.r as f32 / towards.length().max(f32::EPSILON));
         Some(Contact { step, point: [point.x.into(), point.y.into()] })
@@ -52,7 +54,7 @@ mod tests {
         let contact = first_contact(&scene, above, &simulate(&scene, Some(above)).expect("valid")).expect("a contact");
         assert!((contact.point[0] - object.x).abs() < 1.0, "{contact:?}");
         assert!(contact.step > 10);
-        // Within a step, the ball has already moved into the bar.
+        // At this step the ball has already moved into the bar.
         let scene = Task::load("00003:005".parse().expect("an id")).expect("a task").scene;
         let ball = Ball { x: 119.0, y: 150.0, r: 19.0 };
         let rollout = simulate(&scene, Some(ball)).expect("valid");

@@ -156,7 +156,7 @@ impl Model {
     /// `pathlight agent --memory` wrote.
     ///
     /// # Errors
-    /// `bad_memory` if it is damaged, of another version, or learned with other weights.
+    /// `bad_memory` if it is damaged, of another format, or learned with other weights.
     pub fn memory(&self, json: Option<String>) -> Result<Memory, JsValue> {
         Memory::new(&self.weights, json.as_deref())
     }

@@ -76,6 +76,12 @@ test("balls that cannot be saved are not saved later unasked, and are when the p
   await Promise.all([page.waitForEvent("download"), save()]);
 });
 
+test("whoever asks for the balls after the maps have failed gets them", async () => {
+  const page = await openFailing("imagine", FAILURE, "&panel=imagine");
+  await trouble(page, "imagine-trouble").waitFor();
+  await Promise.all([page.waitForEvent("download"), inMore(page, () => page.locator("#proposal-save").click())]);
+});
+
 test("whoever asks for the balls of a model that has stopped starts it again", async () => {
   const page = await openFailing("imagine", "new WebAssembly.RuntimeError('unreachable')", "&panel=imagine");
   await page.locator("#imagine-trouble:visible").filter({ hasText: "model has stopped" }).waitFor();

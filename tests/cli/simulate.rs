@@ -52,7 +52,7 @@ fn luck_counts_the_balls_beside_one_and_asks_the_other_engine() {
     assert_eq!(luck["rapier"], rapier);
     assert!((1..=27).contains(&luck["valid"].as_u64().expect("a count")), "{luck}");
     assert!(luck["solved"].as_u64() <= luck["valid"].as_u64());
-    assert_refused(&["simulate", "--task", TASK, "--luck"], "--luck is of a ball: place one with --ball or --action");
+    assert_refused(&["simulate", "--task", TASK, "--luck"], "--luck needs a ball: place one with --ball or --action");
     for action in ["nan,0.5,0.5", "0.5,inf,0.5"] {
         assert_refused(&["simulate", "--task", TASK, "--action", action], "an action is three numbers from 0 to 1");
     }

@@ -15,7 +15,7 @@ for (const [what, standing, counted, total] of /** @type {const} */ ([
   ["nothing is known beside them", [2, 2], null, [2, 2]],
   ["misses were deleted", [1, 1], [10, 10], [10, 10]],
   ["an earlier solution was deleted", [1, 1], [10, 9], [10, 9]],
-  ["a solution was deleted", [1, null], [10, 9], [10, null]],
+  ["a solution was deleted", [1, null], [10, 9], [1, null]],
   ["all were deleted", [0, null], [9, 9], [0, null]],
   ["another tab has forgotten them", [2, 2], [0, null], [2, 2]],
 ])) {

@@ -87,6 +87,23 @@ test("counts that were refused are added to what another tab has counted meanwhi
   assert.deepEqual(JSON.parse(entries["pathlight.counts"]), all);
 });
 
+test("what another tab has forgotten does not come back with counts that were refused", () => {
+  const first = new StoredCounts(new BrowserStore(true));
+  const counted = (task) => {
+    const counts = new Counts();
+    counts.set("player", task, { attempts: 4, solved: 2 });
+    return counts;
+  };
+  first.add(counted(TASK));
+  room = 0;
+  first.add(counted(OTHER));
+  new StoredCounts(new BrowserStore(true)).clear();
+  room = Infinity;
+  first.refresh(true);
+  assert.deepEqual(first.all, []);
+  assert.equal(entries["pathlight.counts"], undefined);
+});
+
 test("a memory that was refused does not take the place of what another tab has remembered meanwhile", () => {
   const [first, second] = [stored(), stored()];
   const remember = (progress, key) =>

@@ -49,7 +49,7 @@ export class Imagine extends Component {
    */
   #call = null;
   /** @type {string | null} */
-  #callFailure = null;
+  failure = null;
   /** Is the panel seen? */
   #shown = false;
   /** Do the pictures under the maps show the open puzzle? They are drawn when the panel is seen. */
@@ -74,7 +74,7 @@ export class Imagine extends Component {
   open(session) {
     super.open(session);
     // Asked for first: the worker imagines while the page draws.
-    this.#request();
+    this.request();
     this.#scenesDrawn = false;
   }
 
@@ -203,10 +203,10 @@ export class Imagine extends Component {
     else bar.value = progress;
     if (status === "ready") {
       if (loaded) this.#onLoaded(loaded);
-      this.#request();
+      this.request();
     } else {
       this.#call?.abort();
-      this.#callFailure = null;
+      this.failure = null;
       this.#setImagined(null);
       this.#updateTrouble();
     }
@@ -225,26 +225,28 @@ export class Imagine extends Component {
     }
   }
 
-  async #request() {
+  /** Asks for the maps again, as after a failure. */
+  async request() {
     this.#call?.abort();
     if (!this.session || this.#client.status !== "ready") return;
     const call = (this.#call = new AbortController());
-    this.#callFailure = null;
+    this.failure = null;
     this.#updateTrouble();
     try {
       const imagined = await this.#client.call("imagine", [this.session.puzzle], call.signal);
       if (!call.signal.aborted) this.#setImagined(imagined);
     } catch (error) {
       if (call.signal.aborted) return;
-      this.#callFailure = /** @type {Error} */ (error).message;
+      this.failure = /** @type {Error} */ (error).message;
+      this.dispatchEvent(new Event("failure"));
       this.#updateTrouble();
     }
   }
 
   #updateTrouble() {
-    this.#trouble.update(this.#client, this.#callFailure, {
+    this.#trouble.update(this.#client, this.failure, {
       restartModel: () => this.requestModel(),
-      repeatCall: () => this.#request(),
+      repeatCall: () => this.request(),
     });
   }
 

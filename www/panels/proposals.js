@@ -75,6 +75,7 @@ export class Proposals extends Component {
       this.#load();
     });
     client.addEventListener("change", () => client.failure && this.#giveUpSaving(client.failure.message));
+    imagine.addEventListener("failure", () => this.#giveUpSaving(imagine.failure ?? ""));
   }
 
   /** @param {Session} session */
@@ -158,15 +159,15 @@ export class Proposals extends Component {
     this.#callFailure = null;
     if (["off", "failed"].includes(this.#client.status)) this.requestModel();
     if (this.#client.status === "loading") this.announce(text.panels.forecast.loading);
+    if (!this.#imagine.maps) this.#imagine.request();
     this.#load();
     this.#saveIfThere();
   }
 
   /** @param {string} why the balls do not come; when they come later, nobody asks for the file any more */
   #giveUpSaving(why) {
-    if (!this.#saves) return;
+    if (this.#saves) this.announce(why);
     this.#saves = false;
-    this.announce(why);
   }
 
   #saveIfThere() {
@@ -183,7 +184,6 @@ export class Proposals extends Component {
     this.#call = null;
     this.#callFailure = null;
     this.#proposals = null;
-    // Also stop showing the previewed proposal.
     if (this.#shown !== null && this.session?.shown?.preview) this.session.reset();
     this.#shown = null;
     this.#update();

@@ -40,15 +40,14 @@ export class Attempts extends EventTarget {
   }
 
   /**
-   * How the player is doing in all: whoever deletes misses has not solved the puzzle any earlier.
+   * How the player is doing. A solution has the number that it had before misses were deleted.
    * @returns {Standing}
    */
   get playerTotal() {
     const standing = this.standing("player");
     const counted = this.counted();
-    if (standing.used === 0 || !counted) return standing;
-    const { used, solved_at: solvedAt } = standing;
-    return { used: Math.max(used, counted.attempts), solved_at: solvedAt && (counted.solved ?? solvedAt) };
+    if (standing.solved_at === null || !counted) return standing;
+    return { used: Math.max(standing.used, counted.attempts), solved_at: counted.solved ?? standing.solved_at };
   }
 
   /**

@@ -100,8 +100,11 @@ export class StoredCounts extends Counts {
     this.refresh();
   }
 
-  /** Reads what is stored now: another tab may have written it. What the browser had not taken is added to that. */
-  refresh() {
+  /**
+   * Reads what is stored now: another tab may have written it. What the browser had not taken is added to that.
+   * @param {boolean} [heard] another tab has written it; if it has forgotten all, what was not taken is forgotten too
+   */
+  refresh(heard = false) {
     const unwritten = this.#store.unwritten.includes(KEY) ? new Counts(this) : null;
     if (unwritten) this.#store.revert(KEY);
     super.clear();
@@ -109,7 +112,7 @@ export class StoredCounts extends Counts {
     this.read(PLAYER, Object(this.#parsed(OLD_PLAYER_KEY)).tasks);
     for (const key of this.#store.keys(OLD_MODEL_KEY))
       this.read(key.slice(OLD_MODEL_KEY.length), Object(this.#parsed(key)).tasks);
-    if (!unwritten) return;
+    if (!unwritten || (heard && this.#store.get(KEY) === null)) return;
     this.merge(unwritten);
     this.#write();
   }

@@ -17,7 +17,7 @@ const MOST = 200_000;
 
 /** Fires "change" whenever a model remembers something else, also when another tab has written it. */
 export class KeptMemory extends EventTarget {
-  /** Was a memory damaged or of another version, so that it is gone? */
+  /** Was a memory damaged or of another format, so that it is gone? */
   damaged = false;
   #store;
 

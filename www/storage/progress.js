@@ -281,7 +281,7 @@ export class Progress extends EventTarget {
   #onStored(key) {
     this.memory.refresh(key);
     const isCounts = key === null || isCountsKey(key);
-    if (isCounts) this.#counts.refresh();
+    if (isCounts) this.#counts.refresh(true);
     if (this.#attempts.refresh(key) || isCounts) this.#changed();
   }
 

@@ -43,7 +43,8 @@ export function passFocus(from, to) {
 }
 
 /**
- * Has nothing in the page the focus, or only what is hidden by now? The browser takes it from that a frame later.
+ * Does nothing in the page have the focus, or only something that is now hidden? The browser takes it away a frame
+ * later.
  */
 export function focusIsLost() {
   let focused = document.activeElement;

@@ -58,7 +58,7 @@ pub struct Checkpoint<C = Card> {
     pub log: Vec<(usize, usize, Vec<f32>)>,
 }
 
-/// The files that a run reads.
+/// The digests of the files that a run reads.
 pub struct Inputs {
     /// SHA-256 of each file of training data, separated by spaces.
     pub data: String,
@@ -93,8 +93,8 @@ pub struct Plan {
 }
 
 impl<M: Trainable, C: PartialEq + Serialize + DeserializeOwned> TrainingRun<M, C> {
-    /// Opens the run of a folder: from its checkpoint, or with the fresh trainer. `inputs` are what is read besides,
-    /// `losses` are the names of the losses of a step.
+    /// Opens the run of a folder: from its checkpoint, or with the fresh trainer. `inputs` are the digests of
+    /// the files that the run reads, `losses` the names of the losses of a step.
     ///
     /// # Errors
     /// If the folder holds another run, is used by another process, or cannot be written.

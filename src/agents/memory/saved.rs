@@ -124,7 +124,7 @@ impl SavedPuzzle {
     }
 }
 
-/// Moves a ball back into the scene that was rounded to a place outside of it.
+/// Returns a ball that rounding put just outside the scene, moved back inside.
 fn moved_inside(ball: Ball) -> Ball {
     let moved = |place: f64| {
         let inside = place.max(ball.r).min(SIZE - ball.r);

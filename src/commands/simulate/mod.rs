@@ -81,7 +81,7 @@ pub struct Args {
 impl Args {
     pub fn run(self) -> anyhow::Result<()> {
         let is_placed = self.action.is_some() || self.ball.is_some();
-        ensure!(is_placed || !self.luck, "--luck is of a ball: place one with --ball or --action");
+        ensure!(is_placed || !self.luck, "--luck needs a ball: place one with --ball or --action");
         let start = match self.action {
             Some(action) => Start::Action(action),
             None => Start::Ball(self.ball),

@@ -37,7 +37,7 @@ export const results = {
     byKind: {
       title: "Die Netze des Fachartikels, Art für Art",
       about:
-        "Unsere Netze in dieser Tabelle wurden später trainiert als die oben. Ein Strich: Keine Aufteilung prüft diese Art als neue.",
+        "Unsere Netze in dieser Tabelle wurden später trainiert als die oben. Ein Strich bedeutet: Keine Aufteilung prüft diese Art als neu.",
       kind: "Art",
       published: "Artikel",
       ours: "unsere",

@@ -73,7 +73,7 @@ pub struct Collected {
 }
 
 impl Collected {
-    /// Checks that the search is complete, so that nothing is made from a part of it. `path` is its file.
+    /// Checks that the search is complete, so that no nets are trained on a part of it. `path` is its file.
     ///
     /// # Errors
     /// If tasks are left.
