@@ -171,7 +171,10 @@ fn a_bad_line_is_answered_with_an_error_and_changes_nothing() {
             "should have 1 to 101",
         ),
         (
-            json!({"status": "not_solved", "paths": {"object": [[3e38, 0, 0], [-3e38, 0, 0], [3e38, 0, 0], [0, 0, 0]], "ball": vec![[0; 3]; 4]}}),
+            json!({"status": "not_solved", "paths": {
+                "object": [[3e38, 0, 0], [-3e38, 0, 0], [3e38, 0, 0], [0, 0, 0]],
+                "ball": vec![[0; 3]; 4],
+            }}),
             "too far apart",
         ),
         (

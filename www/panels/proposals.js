@@ -153,7 +153,7 @@ export class Proposals extends Component {
     else this.#request(other + 1);
   }
 
-  /** Saves the balls as soon as they are there; the model may still be on its way, and what failed is tried again. */
+  /** Saves the balls once the model has proposed them; it may still be loading, and what failed is tried again. */
   #save() {
     this.#saves = true;
     this.#callFailure = null;

@@ -76,7 +76,7 @@ impl Inputs {
         Ok(Inputs { data: digests.join(" "), added_to: None })
     }
 
-    /// Adds the weights that the nets are added to.
+    /// Also names the weights that the nets are added to.
     ///
     /// # Errors
     /// If the file cannot be read.
