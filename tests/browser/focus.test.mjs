@@ -10,8 +10,9 @@ let session;
 before(async () => (session = await start()));
 after(() => session.stop());
 
-/** Presses a control by key, as somebody without a mouse does. */
+/** Presses a control by key once it is shown, as somebody without a mouse does. */
 async function press(control) {
+  await control.waitFor();
   await control.focus();
   await control.press("Enter");
 }
