@@ -100,7 +100,7 @@ test("the grid says how it went; a puzzle that is deleted takes its attempts alo
   await page.locator("#progress").waitFor({ state: "hidden" });
   await page.locator("#notice button", { hasText: "Undo" }).click();
   await words.filter({ hasText: "✓ solved, in 2 attempts" }).waitFor();
-  await page.locator("#custom-puzzles a").click();
+  await page.locator('#custom-puzzles a[href*="scene="]').click();
   await page.locator("#play-attempts li").nth(1).waitFor();
 });
 

@@ -62,7 +62,10 @@ test("a link opens the puzzle elsewhere, with its name and goal", async () => {
   const text = await textOf(first, SCENE);
   const page = await session.open(`/#scene=${text}`);
   await page.locator("#puzzle-name").filter({ hasText: "Over the wall" }).waitFor();
-  assert.match(await page.locator("#goal").textContent(), /green ball.*purple bar/);
+  await page
+    .locator("#goal")
+    .filter({ hasText: /green ball.*purple bar/ })
+    .waitFor();
   assert.equal(await page.locator(".picker").isVisible(), false);
   // Beside a puzzle the name of the page is enough, of whatever kind it is.
   await page.setViewportSize({ width: 800, height: 900 });

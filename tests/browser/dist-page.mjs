@@ -34,7 +34,7 @@ export async function imagine(page) {
 
 /** Waits until something is as expected. */
 export async function eventually(actual, expected) {
-  const end = Date.now() + 20_000;
+  const end = Date.now() + 90_000;
   for (;;) {
     const now = await actual();
     if (JSON.stringify(now) === JSON.stringify(expected)) return;

@@ -43,7 +43,7 @@ export const imagined = (puzzle) =>
 export const workers = (page, count) => assert.equal(page.workers().length, count, "workers");
 
 export async function wait(passes, what) {
-  for (const end = Date.now() + 20_000; !(await passes());) {
+  for (const end = Date.now() + 90_000; !(await passes());) {
     assert.ok(Date.now() < end, what);
     await new Promise((resume) => setTimeout(resume, 20));
   }

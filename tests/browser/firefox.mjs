@@ -9,5 +9,6 @@ export async function startFirefox() {
   const executablePath = process.env.FIREFOX ?? PLACES.find(existsSync);
   if (!executablePath)
     throw new Error(`Firefox is missing (looked at ${PLACES.join(", ")}): install it, or set FIREFOX to its path`);
-  return puppeteer.launch({ browser: "firefox", executablePath, headless: true, protocolTimeout: 600_000 });
+  const timeouts = { timeout: 180_000, protocolTimeout: 600_000 };
+  return puppeteer.launch({ browser: "firefox", executablePath, headless: true, ...timeouts });
 }

@@ -16,7 +16,7 @@ after(async () => {
   await session.stop();
 });
 
-test("a puzzle is solved, imagined, and played by the model", { timeout: 360_000 }, async () => {
+test("a puzzle is solved, imagined, and played by the model", { timeout: 1_800_000 }, async () => {
   const page = await firefox.newPage();
   const problems = [];
   page.on("console", (message) => ["error", "warn"].includes(message.type()) && problems.push(message.text()));

@@ -139,6 +139,7 @@ test("it follows keys and fields, and is announced once the ball rests", async (
   const page = await open("&ball=84,230,8");
   await followsTheBall(page);
   const first = await words(page);
+  await page.locator("#announcement").filter({ hasText: first }).waitFor({ state: "attached" });
   await page.locator("#scene").focus();
   const heard = await page.evaluateHandle(() => {
     const region = document.querySelector("#puzzle")?.shadowRoot?.getElementById("announcement");

@@ -101,6 +101,8 @@ class Session {
 
   /** Opens a path in a new page of a context of Playwright's, whose pages share a profile. */
   async openIn(context, path = "/") {
+    // A machine under load may take much longer than usual.
+    context.setDefaultTimeout(90_000);
     const page = await context.newPage();
     page.on("console", (message) => {
       if (message.type() === "error") this.problems.push(`console: ${message.text()}`);

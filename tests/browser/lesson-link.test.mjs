@@ -71,7 +71,7 @@ test("boxes by keys make the link, the preview and the code; the link opens just
     () => document.querySelector("#lesson-preview pathlight-puzzle")?.getAttribute("panel") === "predict",
   );
   await page.locator("#lesson-preview #predict:visible").waitFor();
-  const until = Date.now() + 10_000;
+  const until = Date.now() + 90_000;
   while ((await coded(page)) !== link) assert.ok(Date.now() < until, "the code says the link");
   await page.locator("#lesson-own-machine:visible").waitFor();
   await page.keyboard.press("Escape");

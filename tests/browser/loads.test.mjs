@@ -56,9 +56,10 @@ test("the first picture of a puzzle waits for no panel", async () => {
         Object.assign(window, {
           loaded: performance.getEntriesByType("resource").map(({ name }) => new URL(name).pathname),
         });
-      else requestAnimationFrame(look);
+      // Right after the frame: until the next one, panels may come.
+      else requestAnimationFrame(() => setTimeout(look));
     };
-    requestAnimationFrame(look);
+    requestAnimationFrame(() => setTimeout(look));
   });
   await page.goto(`${session.origin}/#task=${EASY}`);
   const loaded = await (await page.waitForFunction(() => /** @type {any} */ (window).loaded)).jsonValue();

@@ -6,7 +6,7 @@ import { readFile } from "node:fs/promises";
 import { after, before, test } from "node:test";
 import { Game, initSync } from "../../www/pkg/pathlight.js";
 import { start } from "./harness.mjs";
-import { EASY, openPuzzle, palette, pixels, says, type } from "./page-actions.mjs";
+import { EASY, openPuzzle, palette, pixels, rested, says, type } from "./page-actions.mjs";
 
 const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 
@@ -26,6 +26,7 @@ after(() => session.stop());
 
 test("a loupe shows what the finger covers, inside of the scene, until the finger lets go", async () => {
   const page = await openPuzzle(session, PHONE);
+  await rested(page);
   const box = await page.locator("#scene").boundingBox();
   const client = await page.context().newCDPSession(page);
   const touch = (name, x, y) =>
@@ -92,6 +93,8 @@ test("where nothing moves, a run can be skipped to its end", async () => {
   const page = await pausedAt(first - 10);
   const skip = page.locator("#skip-quiet");
   assert.ok(await skip.isHidden());
+  // At a speed that was chosen, quiet stretches are not hurried through.
+  await page.locator("#speed").selectOption("0.25");
   await page.locator("#run").click();
   await skip.waitFor();
   await skip.press("Enter");

@@ -57,13 +57,21 @@ export async function openImagined(session, options) {
 }
 
 /**
+ * Waits until the model is loaded: a busy page may not answer a touch in time, and the browser takes it for its own.
+ * @param {Page} page
+ */
+export async function rested(page) {
+  await page.locator("#imagined-in").filter({ hasText: "Imagined" }).waitFor({ state: "attached" });
+}
+
+/**
  * Waits until the value of a field passes a test.
  * @param {Page} page
  * @param {string} selector
  * @param {(value: string) => boolean} passes
  */
 export async function waitForValue(page, selector, passes) {
-  const end = Date.now() + 30_000;
+  const end = Date.now() + 90_000;
   for (;;) {
     const value = await page.locator(selector).inputValue();
     if (passes(value)) return;
@@ -111,7 +119,7 @@ export async function click(page, x, y) {
 }
 
 /** Waits until the status line says so, and returns it. */
-export async function says(page, pattern, timeout = 30_000) {
+export async function says(page, pattern, timeout = 90_000) {
   const status = page.locator("#status");
   await status
     .filter({ hasText: pattern })

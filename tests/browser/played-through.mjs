@@ -5,7 +5,7 @@ import assert from "node:assert/strict";
 import { EASY, known } from "./page-actions.mjs";
 
 /** For what takes longer than a moment, ms. */
-const TIMEOUT = 120_000;
+const TIMEOUT = 600_000;
 
 /** @param {string} origin of the page */
 export async function playThrough(page, origin) {

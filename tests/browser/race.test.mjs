@@ -44,6 +44,8 @@ test("the player wins, and nothing is told before both have run", async () => {
     ).observe(root, { childList: true, characterData: true, subtree: true });
     return log;
   });
+  // So slow that it can be paused before it has ended.
+  await page.locator("#speed").selectOption("0.25");
   await race(page).click();
   await says(page, /over each other; the second is dashed/, 60_000);
   await page.locator("#run").click();

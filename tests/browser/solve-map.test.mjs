@@ -15,7 +15,7 @@ const search = (page) => page.locator("#solve-map-search");
 test("the map grows, and ends when it is told to", async () => {
   const page = await openPuzzle(session, { fragment: "&panel=map" });
   const bare = await picture(page);
-  const stopped = pressDuring(page, "#solve-map-search", "#solve-map-words", { after: 4 });
+  const stopped = pressDuring(page, "#solve-map-search", "#solve-map-words", { after: 8 });
   await search(page).click();
   const said = await stopped;
   for (const sentence of said)
@@ -26,7 +26,7 @@ test("the map grows, and ends when it is told to", async () => {
     shares,
     shares.toSorted((a, b) => a - b),
   );
-  assert.ok(shares[3] > shares[0], said.join("\n"));
+  assert.ok(shares[7] > shares[0], said.join("\n"));
   await search(page).filter({ hasText: "Try every place" }).waitFor();
   await painted(page);
   assert.notEqual(await picture(page), bare, "what is known is in the scene");

@@ -124,6 +124,7 @@ test("of two open pages one takes the new version, and the other goes on in the 
   const old = await versionOf(one);
   server.folder = second.folder;
   await comeBack(one);
+  await sentence(other).waitFor();
   await sentence(one).getByRole("button", { name: "Load the new version" }).click();
   await one.waitForFunction(
     (old) => document.querySelector('script[src$="/main.js"]')?.getAttribute("src")?.startsWith(old) === false,
@@ -132,7 +133,6 @@ test("of two open pages one takes the new version, and the other goes on in the 
   const renewed = await versionOf(one);
 
   // Its worker is started anew, and fetches the weights of the other model.
-  await sentence(other).waitFor();
   await imagine(other);
   await inMore(other, () => other.locator("#model-select").selectOption("cross-0"));
   await modelLoaded(other, "cross-0");

@@ -84,8 +84,9 @@ test("it plays by itself to the end, and a step is in the link", async () => {
 
 test("opened for the first time it shows two maps, then plays through once; later the person sets the pace", async () => {
   const page = await openPuzzle(session, { newcomer: true });
+  // It begins some seconds after the panel is opened, or once the model is there.
+  await page.locator("#imagined-in").filter({ hasText: "Imagined" }).waitFor({ state: "attached" });
   await page.locator("#tab-imagine").click();
-  await page.locator("#imagined-in").filter({ hasText: "Imagined" }).waitFor();
   await page.locator("#walkthrough-play-label", { hasText: "Pause" }).waitFor();
   assert.deepEqual((await shown(page)).laid, ["target", "action"]);
   await playsThrough(page);

@@ -17,7 +17,7 @@ const SETTINGS = ["--automation", "--enable-write-console-messages-to-stdout=tru
 /** As WebDriver writes them. */
 const KEYS = { Tab: "\uE004" };
 /** For a script or a page, ms. */
-const TIMEOUT = 120_000;
+const TIMEOUT = 600_000;
 /** Between two looks at a condition, ms. */
 const LOOK = 50;
 

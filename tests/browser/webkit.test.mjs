@@ -20,7 +20,7 @@ after(async () => {
   await session?.stop();
 });
 
-test("a puzzle is solved, imagined, and played by the model", { timeout: 360_000, skip }, async () => {
+test("a puzzle is solved, imagined, and played by the model", { timeout: 1_800_000, skip }, async () => {
   await playThrough(await webkit.newPage(), session.origin);
   assert.deepEqual(webkit.problems, []);
 });

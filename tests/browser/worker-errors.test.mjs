@@ -3,6 +3,7 @@
 
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
+import { wait } from "./embedding.mjs";
 import { start } from "./harness.mjs";
 import { inMore, openPanel, openPuzzle, pause } from "./page-actions.mjs";
 
@@ -128,7 +129,7 @@ for (const { what, error, words } of [
     const page = await openFailing("propose", error, "&panel=compare");
     const box = page.locator("#compare-trouble:visible").filter({ hasText: words });
     await box.waitFor();
-    assert.equal(page.workers().length, 0);
+    await wait(() => page.workers().length === 0, "the worker ends");
     await box.getByRole("button", { name: "Try again" }).click();
     await page.locator("#proposals:visible").waitFor();
     assert.equal(page.workers().length, 1);

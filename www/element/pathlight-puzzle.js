@@ -22,6 +22,7 @@ import {
   stateTexts,
   takeEarlyProperties,
 } from "./attributes.js";
+import { focusIsLost } from "../widgets/dom.js";
 import { PuzzleLoader } from "./puzzle-loader.js";
 
 /** @typedef {import("../state/url-state.js").State} State */
@@ -147,11 +148,14 @@ export class PathlightPuzzle extends HTMLElement {
   }
 
   /**
-   * Puts the focus on the scene.
+   * Puts the focus on the scene; once the puzzle is loaded, if nothing else has it by then.
    * @param {FocusOptions} [options]
    */
   focus(options) {
-    this.#root.getElementById("scene")?.focus(options);
+    const isLoaded = this.#controller !== null;
+    this.#call(() => {
+      if (isLoaded || focusIsLost()) this.#root.getElementById("scene")?.focus(options);
+    });
   }
 
   /** Fires "share" for the open puzzle, as when the person wants to share it. */

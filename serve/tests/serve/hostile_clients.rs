@@ -66,7 +66,7 @@ fn a_head_that_arrives_slowly_is_given_up() {
 #[cfg(target_os = "linux")]
 #[test]
 fn a_response_that_nobody_reads_is_given_up() {
-    let server = Server::with(&["--patience", "1"]);
+    let server = Server::with(&["--patience", "5"]);
     let (_stream, _) = server.download();
     let files = format!("/proc/{}/fd", server.child.id());
     let is_open = || {
