@@ -11,7 +11,7 @@ use super::print_paths;
 /// Draw the figures of the results: templates, what is imagined for some tasks, curves, bars and soft IoU by template
 #[derive(clap::Args)]
 pub struct Args {
-    /// The folder of the results of `reproduce`, whose folders shipped/ and paper/ have those of the models on the page and of the paper's nets
+    /// The folder of the results of `reproduce`, whose folder shipped/ has those of the models on the page
     #[arg(long, value_name = "DIR", default_value = RESULTS)]
     results: PathBuf,
 

@@ -82,11 +82,7 @@ pub fn by_template(folder: &Path) -> anyhow::Result<[ByTemplate; 2]> {
     }))
 }
 
-/// Reads the results in a folder, within before cross, folds ascending.
-///
-/// # Errors
-/// As `page`.
-pub fn read(folder: &Path) -> anyhow::Result<Vec<Report>> {
+fn read(folder: &Path) -> anyhow::Result<Vec<Report>> {
     fold_reports::read(folder, &[AgentName::Paper, AgentName::Random], "scripts/paper-table", settings)
 }
 

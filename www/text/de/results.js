@@ -36,7 +36,8 @@ export const results = {
     cross: "Neue Arten",
     byKind: {
       title: "Die Netze des Fachartikels, Art für Art",
-      about: "Ein Strich bedeutet: Keine Aufteilung prüft diese Art als neu.",
+      about:
+        "Unsere Netze in dieser Tabelle wurden später trainiert als die oben. Ein Strich bedeutet: Keine Aufteilung prüft diese Art als neu.",
       kind: "Art",
       published: "Artikel",
       ours: "unsere",
