@@ -4,7 +4,16 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { start } from "./harness.mjs";
-import { becomeRegular, focused, known, openPuzzle, says, type, unsolvedTask } from "./page-actions.mjs";
+import {
+  MODEL_TRIES_AGAIN,
+  becomeRegular,
+  focused,
+  known,
+  openPuzzle,
+  says,
+  type,
+  unsolvedTask,
+} from "./page-actions.mjs";
 
 let session;
 before(async () => (session = await start()));
@@ -98,7 +107,7 @@ test("reset and the last attempt that is deleted leave it to the scene", async (
 test("so does the model’s turn that is skipped, and its ball that is left", async () => {
   const page = await openPuzzle(session, { task: await unsolvedTask(), fragment: "&panel=compare" });
   await page.locator("#model-turn:enabled").click();
-  await says(page, /The model tries: attempt ([2-9]|\d\d)/);
+  await says(page, MODEL_TRIES_AGAIN);
   await press(page.locator("#model-skip"));
   await waitForFocus(page, "scene");
   await page.locator("#proposal-next").click();

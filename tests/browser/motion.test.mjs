@@ -6,7 +6,7 @@ import { readFile } from "node:fs/promises";
 import { after, before, test } from "node:test";
 import { Game, initSync } from "../../www/pkg/pathlight.js";
 import { start } from "./harness.mjs";
-import { EASY, openPuzzle, palette, pixels, rested, says, type } from "./page-actions.mjs";
+import { EASY, mapsImagined, openPuzzle, palette, pixels, says, type } from "./page-actions.mjs";
 
 const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 
@@ -26,7 +26,7 @@ after(() => session.stop());
 
 test("a loupe shows what the finger covers, inside of the scene, until the finger lets go", async () => {
   const page = await openPuzzle(session, PHONE);
-  await rested(page);
+  await mapsImagined(page);
   const box = await page.locator("#scene").boundingBox();
   const client = await page.context().newCDPSession(page);
   const touch = (name, x, y) =>

@@ -57,10 +57,11 @@ export async function openImagined(session, options) {
 }
 
 /**
- * Waits until the model is loaded: a busy page may not answer a touch in time, and the browser takes it for its own.
+ * Waits until the maps are imagined, whatever panel is shown. Touches should come later: a page that is busy with the
+ * model may not answer one in time, and then the browser scrolls with it.
  * @param {Page} page
  */
-export async function rested(page) {
+export async function mapsImagined(page) {
   await page.locator("#imagined-in").filter({ hasText: "Imagined" }).waitFor({ state: "attached" });
 }
 
@@ -117,6 +118,12 @@ export async function spot(page, x, y) {
 export async function click(page, x, y) {
   await page.mouse.click(...(await spot(page, x, y)));
 }
+
+/**
+ * What the status line says of any attempt of the model but its first. Each is shown for half a second, so a slow
+ * machine may miss one.
+ */
+export const MODEL_TRIES_AGAIN = /The model tries: attempt ([2-9]|\d\d)/;
 
 /** Waits until the status line says so, and returns it. */
 export async function says(page, pattern, timeout = 90_000) {

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { start } from "./harness.mjs";
-import { ball, known, openPanel, openPuzzle, rested, says, spot } from "./page-actions.mjs";
+import { ball, known, mapsImagined, openPanel, openPuzzle, says, spot } from "./page-actions.mjs";
 
 const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, deviceScaleFactor: 3 };
 
@@ -24,7 +24,7 @@ async function drag(page, points) {
 
 test("a tap places, a finger drags, nothing scrolls", async () => {
   const page = await openPuzzle(session, { ...PHONE, reducedMotion: true });
-  await rested(page);
+  await mapsImagined(page);
   await page.touchscreen.tap(...(await spot(page, 128, 220)));
   assert.deepEqual((await ball(page)).slice(0, 2), [128, 220]);
   await drag(page, [
@@ -41,7 +41,7 @@ test("a tap places, a finger drags, nothing scrolls", async () => {
 
 test("a finger need not hit a small ball, nor its knob, exactly", async () => {
   const page = await openPuzzle(session, { ...PHONE, fragment: "&ball=128,220,4" });
-  await rested(page);
+  await mapsImagined(page);
   // One px of the scene is about 1.5 px of the screen, so this is 18 px of the screen beside the ball.
   await drag(page, [
     [116, 220],

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { start } from "./harness.mjs";
-import { click, openImagined, openPuzzle, picture } from "./page-actions.mjs";
+import { click, mapsImagined, openImagined, openPuzzle, picture } from "./page-actions.mjs";
 
 const MAPS = ["base", "target", "action", "placement", "success"];
 /** The maps that each step lays over the scene and leaves in the panel. */
@@ -85,7 +85,7 @@ test("it plays by itself to the end, and a step is in the link", async () => {
 test("opened for the first time it shows two maps, then plays through once; later the person sets the pace", async () => {
   const page = await openPuzzle(session, { newcomer: true });
   // It begins some seconds after the panel is opened, or once the model is there.
-  await page.locator("#imagined-in").filter({ hasText: "Imagined" }).waitFor({ state: "attached" });
+  await mapsImagined(page);
   await page.locator("#tab-imagine").click();
   await page.locator("#walkthrough-play-label", { hasText: "Pause" }).waitFor();
   assert.deepEqual((await shown(page)).laid, ["target", "action"]);
