@@ -340,7 +340,6 @@ fn cards_have_the_fields_that_their_types_declare() {
         random_scenes_alone: false,
         without_paths: false,
         from: None,
-        success: None,
         ..dynamics.clone()
     };
     let fullest = DynamicsCard {
@@ -352,7 +351,6 @@ fn cards_have_the_fields_that_their_types_declare() {
         random_scenes_alone: true,
         without_paths: true,
         from: Some("0".repeat(64)),
-        success: Some(success.clone()),
         ..dynamics
     };
     let json = |card: &Card| serde_json::to_value(card).expect("JSON");

@@ -19,8 +19,8 @@ use pathlight::raster;
 use pathlight::session::puzzle::Puzzle;
 use pathlight::simulator::simulate;
 use pathlight::verification::{AttemptLine, Verdict};
-use pathlight_lab::data::collect::CollectEntry;
 use pathlight_lab::data::labels::LabelledBalls;
+use pathlight_lab::data::solutions::TaskSolutions;
 use pathlight_lab::files::journal::{self, Entry};
 use serde_json::Value;
 
@@ -125,7 +125,7 @@ pub fn weights(bytes: &[u8]) {
 
 /// A file of `pathlight-lab data collect`.
 pub fn solutions(bytes: &[u8]) {
-    journal::<CollectEntry>(bytes);
+    journal::<TaskSolutions>(bytes);
 }
 
 /// A file of `pathlight-lab data label`. What it lets through can be trained on.

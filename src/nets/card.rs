@@ -197,9 +197,6 @@ pub struct DynamicsCard {
     /// SHA-256 of the weights whose dynamics net it started from, if it did.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub from: Option<String>,
-    /// The settings of the success net that it started from, if it did.
-    #[serde(alias = "judge", default, skip_serializing_if = "Option::is_none")]
-    pub success: Option<SuccessCard>,
 }
 
 /// The settings that DQN was trained with: the card of its own weights.

@@ -15,7 +15,7 @@ use burn::tensor::{Device, Tensor};
 use super::ball_batch::BallTensors;
 use super::ball_head::{BallHead, Predictions};
 use super::seeded;
-use super::success_net::{RADII, SuccessNet};
+use super::success_net::RADII;
 use super::u_net::{self, Activations, WIDTHS};
 use crate::raster::SIDE;
 
@@ -64,21 +64,6 @@ impl DynamicsNet {
         DynamicsNet { down, up, head: BallHead::new(device) }
     }
 
-    /// Returns a net whose U-Net is that of a success net, with fresh features of the finest level and a fresh head.
-    pub fn from_success_net(net: SuccessNet, device: &Device) -> DynamicsNet {
-        let DynamicsNet { up: mut fresh, head, .. } = DynamicsNet::new(device);
-        let SuccessNet { down, mut up } = net;
-        let last = fresh.pop().expect("five layers");
-        let of_success_net = up.last_mut().expect("five layers");
-        // A transposed convolution has its outputs in the second dimension of its weight.
-        let features = last.weight.val().narrow(1, RADII, FINEST);
-        of_success_net.weight = of_success_net.weight.clone().map(|logits| Tensor::cat(vec![logits, features], 1));
-        let features = last.bias.expect("new layers have a bias").val().narrow(0, RADII, FINEST);
-        of_success_net.bias =
-            of_success_net.bias.take().map(|bias| bias.map(|logits| Tensor::cat(vec![logits, features], 0)));
-        DynamicsNet { down, up, head }
-    }
-
     /// The logits of the cells alone, `[batch, RADII, 64, 64]`: the last layer leaves out the features of balls.
     pub fn cell_logits(&self, scenes: Tensor<4>) -> Tensor<4> {
         let mut up = self.up.clone();
@@ -102,29 +87,5 @@ impl DynamicsNet {
         let features = self.encode(scenes);
         let predictions = self.head.forward(&features, balls);
         (features.logits, predictions)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use burn::tensor::Distribution;
-
-    use super::*;
-    use crate::raster::CHANNELS;
-
-    #[test]
-    fn a_net_from_a_success_net_scores_cells_as_that_does() {
-        let device = seeded(0);
-        let success = SuccessNet::new(&device);
-        let scenes = Tensor::random([2, CHANNELS, SIDE, SIDE], Distribution::Uniform(0.0, 1.0), &device);
-        let expected: Vec<f32> = success.forward(scenes.clone()).into_data().iter().collect();
-        let net = DynamicsNet::from_success_net(success, &device);
-        let features = net.encode(scenes.clone());
-        for logits in [net.cell_logits(scenes), features.logits] {
-            let logits: Vec<f32> = logits.into_data().iter().collect();
-            assert!(logits.iter().zip(&expected).all(|(found, expected)| (found - expected).abs() < 1e-5));
-        }
-        let finest: Vec<f32> = features.levels[0].clone().into_data().iter().collect();
-        assert!(finest.iter().any(|&value| value > 0.0), "the features of balls are fresh, not empty");
     }
 }

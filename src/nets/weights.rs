@@ -200,7 +200,6 @@ impl ModuleMapper for Loader<'_> {
 mod tests {
     use super::*;
     use crate::benchmark::folds::Setup;
-    use crate::nets::Optimiser;
 
     /// Sets the biases, the parameters of one dimension, to a value.
     struct SetBiases(f32);
@@ -249,6 +248,8 @@ mod tests {
     #[cfg(not(target_arch = "wasm32"))]
     #[test]
     fn dqn_has_files_of_its_own() {
+        use crate::nets::Optimiser;
+
         let card = DqnCard {
             setup: Setup::Cross,
             fold: 3,

@@ -422,8 +422,6 @@ export interface DynamicsCard {
     without_paths?: boolean;
     /** SHA-256 of the weights that it started from. */
     from?: string;
-    /** How the success net that it started from was trained. */
-    success?: SuccessCard;
 }
 
 /** What a frame shows. */

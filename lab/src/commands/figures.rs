@@ -11,7 +11,7 @@ use super::print_paths;
 /// Draw the figures of the results: templates, what is imagined for some tasks, curves, bars and soft IoU by template
 #[derive(clap::Args)]
 pub struct Args {
-    /// The folder of the results of `reproduce`, whose folder shipped/ has those of the models on the page
+    /// Folder of the results, with the folders shipped/ (models on the page) and paper/ (the paper's nets)
     #[arg(long, value_name = "DIR", default_value = RESULTS)]
     results: PathBuf,
 

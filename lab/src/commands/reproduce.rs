@@ -41,10 +41,6 @@ pub struct Args {
     #[arg(long, default_value = LABELS)]
     labels: PathBuf,
 
-    /// Balls in variants of the scenes: labelled until complete, and trained on by the dynamics net
-    #[arg(long, default_value_os_t = Settings::default().data.variants)]
-    variants: PathBuf,
-
     /// Folder of the training runs, each in its own subfolder SETUP-FOLD
     #[arg(long, value_name = "DIR", default_value_os_t = Settings::default().train_dir)]
     train_dir: PathBuf,
@@ -74,42 +70,9 @@ struct HyperparameterArgs {
     #[arg(long, value_name = "ROUNDS", default_value_t = Hyperparameters::default().label_rounds)]
     label_rounds: u16,
 
-    /// Rounds of labelling variants of the scenes, another variant of each task and 64 balls per round
-    #[arg(long, value_name = "ROUNDS", default_value_t = Hyperparameters::default().variant_rounds)]
-    variant_rounds: u16,
-
-    /// Epochs of the four nets
+    /// Epochs of the success net and of the dynamics net
     #[arg(long, default_value_t = Hyperparameters::default().epochs, value_parser = at_least_one())]
     epochs: u16,
-
-    /// Epochs of the success net in the setup within
-    #[arg(
-        long,
-        value_name = "EPOCHS",
-        alias = "judge-epochs",
-        default_value_t = Hyperparameters::default().success_epochs,
-        value_parser = at_least_one()
-    )]
-    success_epochs: u16,
-
-    /// Epochs of the success net in the setup cross
-    #[arg(
-        long,
-        value_name = "EPOCHS",
-        alias = "judge-epochs-cross",
-        default_value_t = Hyperparameters::default().success_epochs_cross,
-        value_parser = at_least_one()
-    )]
-    success_epochs_cross: u16,
-
-    /// Epochs of the dynamics net, over scenes and variants
-    #[arg(
-        long,
-        value_name = "EPOCHS",
-        default_value_t = Hyperparameters::default().dynamics_epochs,
-        value_parser = at_least_one()
-    )]
-    dynamics_epochs: u16,
 
     /// Epochs of DQN
     #[arg(
@@ -130,11 +93,7 @@ impl From<HyperparameterArgs> for Hyperparameters {
         Hyperparameters {
             seed: args.seed,
             label_rounds: args.label_rounds,
-            variant_rounds: args.variant_rounds,
             epochs: args.epochs,
-            success_epochs: args.success_epochs,
-            success_epochs_cross: args.success_epochs_cross,
-            dynamics_epochs: args.dynamics_epochs,
             dqn_epochs: args.dqn_epochs,
             limit: args.limit,
         }
@@ -143,8 +102,8 @@ impl From<HyperparameterArgs> for Hyperparameters {
 
 impl Args {
     pub fn run(self, progress: &mut dyn Progress) -> anyhow::Result<()> {
-        let Args { only, setup, folds, results, solutions, labels, variants, train_dir, hyperparameters } = self;
-        let data = DataFiles { solutions, labels, variants };
+        let Args { only, setup, folds, results, solutions, labels, train_dir, hyperparameters } = self;
+        let data = DataFiles { solutions, labels };
         let settings = Settings { results, data, train_dir, hyperparameters: hyperparameters.into() };
         let asked = |part| only.is_none_or(|only| only == part);
         if asked(Part::Data) {

@@ -125,8 +125,7 @@ impl From<Success> for success::Settings {
     }
 }
 
-/// Train the net that imagines what balls lead to, and add it to the weights of the four nets; it starts from their
-/// success net, if they have one
+/// Train the net that imagines what balls lead to, and add it to the weights of the four nets
 #[derive(clap::Args)]
 pub struct Dynamics {
     #[command(flatten)]
@@ -177,7 +176,7 @@ pub struct Dynamics {
     #[arg(long)]
     without_paths: bool,
 
-    /// Start from the dynamics net of these weights, not from a success net or from fresh weights
+    /// Start from the dynamics net of these weights, not from fresh weights
     #[arg(long, value_name = "FILE")]
     from: Option<PathBuf>,
 

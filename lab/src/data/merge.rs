@@ -15,9 +15,9 @@ use pathlight::puzzle::task::{TaskId, ids};
 use pathlight::puzzle::templates::TEMPLATES;
 use serde::Serialize;
 
-use crate::data::collect::CollectEntry;
 use crate::data::label::Scenes;
 use crate::data::labels::LabelledBalls;
+use crate::data::solutions::TaskSolutions;
 use crate::files::differences::differences;
 use crate::files::journal::{self, Entry, is_file_of};
 use crate::files::replace_file::replace_file;
@@ -38,7 +38,7 @@ struct Shard<E: Entry> {
 /// If the files do not belong together or are not complete, or the file exists with other contents.
 pub fn merge(files: &[PathBuf], out: &Path) -> anyhow::Result<bool> {
     let first = files.first().context("no file to merge is named")?;
-    let collected = is_file_of::<CollectEntry>(first)?;
+    let collected = is_file_of::<TaskSolutions>(first)?;
     let merged = if collected { merged_solutions(files)? } else { merged_labels(files)? };
     if let Ok(existing) = fs::read(out) {
         ensure!(existing == merged, "{} exists with other contents: choose another --out, or remove it", out.display());
@@ -96,7 +96,7 @@ fn tasks(limit: usize) -> Vec<TaskId> {
 }
 
 fn merged_solutions(files: &[PathBuf]) -> anyhow::Result<Vec<u8>> {
-    let shards = read::<CollectEntry>(files, |settings| &mut settings.template)?;
+    let shards = read::<TaskSolutions>(files, |settings| &mut settings.template)?;
     let settings = &shards[0].settings;
     check(&shards, &tasks(settings.limit))?;
     let mut lines = Lines::new(settings)?;

@@ -9,7 +9,7 @@ use pathlight::puzzle::task::TaskId;
 
 use crate::measure::report::Report;
 use crate::measure::shipped::Shipped;
-use crate::reproduce::fold_result;
+use crate::reproduce::compared::main_results;
 
 /// The fold of the models that the page has.
 const SHIPPED_FOLD: u8 = 0;
@@ -57,7 +57,7 @@ pub fn shipped_folds() -> [FoldId; 2] {
     [Setup::Within, Setup::Cross].map(|setup| FoldId { setup, fold: SHIPPED_FOLD })
 }
 
-/// Reads all groups: the shipped models, then what `pathlight-lab reproduce` measured; of each within before cross.
+/// Reads all groups: the shipped models, then the main results; of each within before cross.
 ///
 /// # Errors
 /// If results are missing or damaged.
@@ -67,7 +67,7 @@ pub fn groups(results: &Path, shipped: &Shipped) -> anyhow::Result<Vec<Group>> {
         let of = format!("fold {}, the models on the page", fold.fold);
         groups.push(group(fold.setup, of, vec![shipped.read(&fold.to_string())?.0]));
     }
-    let (within, cross): (Vec<Report>, Vec<Report>) = fold_result::read(results)?
+    let (within, cross): (Vec<Report>, Vec<Report>) = main_results(results)?
         .into_iter()
         .map(|result| result.report)
         .partition(|report| report.setup == Setup::Within);
@@ -75,8 +75,8 @@ pub fn groups(results: &Path, shipped: &Shipped) -> anyhow::Result<Vec<Group>> {
         let Some(Report { setup, .. }) = reports.first() else { continue };
         let numbers: Vec<u8> = reports.iter().map(|report| report.fold).collect();
         let of = match numbers.as_slice() {
-            [fold] => format!("fold {fold} of reproduce"),
-            several => format!("mean over folds {} of reproduce", listed(several)),
+            [fold] => format!("fold {fold} of the main results"),
+            several => format!("mean over folds {} of the main results", listed(several)),
         };
         groups.push(group(*setup, of, reports));
     }

@@ -24,7 +24,8 @@ mod templates;
 
 /// Where the results are, and the figures go.
 pub struct Settings {
-    /// The folder of the results of `reproduce`, whose folder shipped/ has those of the models on the page.
+    /// The folder of the results of `reproduce`, whose folders shipped/ and paper/ have those of the models on the page
+    /// and of the paper's nets.
     pub results: PathBuf,
     /// Solutions of all tasks.
     pub solutions: PathBuf,

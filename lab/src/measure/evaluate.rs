@@ -73,7 +73,7 @@ impl Settings {
             for agent in AgentName::ALL.into_iter().filter(|&agent| self.measures(agent)) {
                 match row(agent).weights {
                     Weights::Dynamics => self.tasks.check_dynamics(&card)?,
-                    Weights::Success => self.tasks.check(card.without_dev, "paths")?,
+                    Weights::Success | Weights::Paths => self.tasks.check(card.without_dev, "paths")?,
                     Weights::Dqn | Weights::None => {}
                 }
             }

@@ -82,7 +82,11 @@ pub fn by_template(folder: &Path) -> anyhow::Result<[ByTemplate; 2]> {
     }))
 }
 
-fn read(folder: &Path) -> anyhow::Result<Vec<Report>> {
+/// Reads the results in a folder, within before cross, folds ascending.
+///
+/// # Errors
+/// As `page`.
+pub fn read(folder: &Path) -> anyhow::Result<Vec<Report>> {
     fold_reports::read(folder, &[AgentName::Paper, AgentName::Random], "scripts/paper-table", settings)
 }
 

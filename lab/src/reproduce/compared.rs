@@ -6,6 +6,7 @@ use std::path::Path;
 use anyhow::ensure;
 use pathlight::agents::agent_name::AgentName;
 use pathlight::benchmark::folds::{FoldId, Setup};
+use pathlight::puzzle::task::TaskId;
 use serde::Serialize;
 
 use super::fold_result::{self, FoldResult};
@@ -79,13 +80,46 @@ pub struct AgentMean {
     pub auccess: [String; 2],
 }
 
+/// Reads the main results in a folder. If its subfolder `paper` has results, adds the score of the paper's nets to each
+/// fold.
+///
+/// # Errors
+/// If there are no results, one is damaged, results were made with different settings, or those of the paper's nets are
+/// not of the same tasks.
+pub fn main_results(folder: &Path) -> anyhow::Result<Vec<FoldResult>> {
+    let mut results = fold_result::read(folder)?;
+    let paper = folder.join("paper");
+    if !FoldId::all().any(|fold| paper.join(format!("{fold}.json")).exists()) {
+        return Ok(results);
+    }
+    for mut of_paper in paper_table::read(&paper)? {
+        let fold = of_paper.fold_id();
+        let Some(FoldResult { report, .. }) = results.iter_mut().find(|result| result.report.fold_id() == fold) else {
+            continue;
+        };
+        of_paper.agents.retain(|score| score.agent == AgentName::Paper);
+        let measured = report.agents.first().map(|score| &score.first_solved);
+        let tasks: Vec<TaskId> = measured.into_iter().flatten().map(|&(task, _)| task).collect();
+        ensure!(
+            of_paper.is_of(&tasks) && (of_paper.seed, of_paper.simulator) == (report.seed, report.simulator),
+            "the results of {fold} in {} and in {} are not of the same tasks, seed and simulator: choose another \
+             folder with --results",
+            folder.display(),
+            paper.display()
+        );
+        report.agents.extend(of_paper.agents);
+        report.agents.sort_by_key(|score| score.agent as usize);
+    }
+    Ok(results)
+}
+
 /// Compares the main results in a folder with the published ones; and what its folders `proposed-balls`,
 /// `random-scenes` and `paper` hold, if it has them.
 ///
 /// # Errors
 /// If a result is missing, damaged or not of all test tasks of its fold, or results were made with different settings.
 pub fn comparison(results: &Path) -> anyhow::Result<Comparison> {
-    let folds = fold_result::read(results)?;
+    let folds = main_results(results)?;
     for fold in FoldId::all() {
         let is_whole = |report: &Report| report.fold_id() == fold && report.is_of(&fold.tasks().test);
         ensure!(

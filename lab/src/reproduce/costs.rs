@@ -1,7 +1,7 @@
 //! What the results cost, and what more would: `costs.md` beside the report. Apart from it, because times differ from
 //! run to run, and the report does not.
 
-use std::fmt::Write as _;
+use std::fmt::{self, Write as _};
 use std::path::Path;
 use std::time::Instant;
 
@@ -11,13 +11,11 @@ use pathlight::puzzle::templates::TEMPLATES;
 use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
 
-use super::fold_result::{FoldResult, Hyperparameters};
+use super::fold_result::FoldResult;
 use super::report::of;
-use crate::data::collect::read_solutions;
 use crate::data::label::BALLS;
-use crate::data::labels::{Sampled, sample, try_balls};
+use crate::data::labels::{sample, try_balls};
 use crate::data::scene_id::SceneId;
-use crate::data::solutions::Solution;
 use crate::files::replace_file::replace_file;
 
 /// The factor by which the estimate increases the number of labels.
@@ -26,9 +24,11 @@ const MORE_LABELS: f64 = 10.0;
 /// Cores that the estimate is for.
 const CORES: [usize; 3] = [1, 20, 200];
 
-/// A fold's costs, core-minutes.
+/// What a fold of a setup costs, core-minutes: medians over its folds.
 struct FoldCost {
-    nets: f64,
+    setup: Setup,
+    /// Folds that were made.
+    folds: usize,
     success: f64,
     dynamics: f64,
     dqn: f64,
@@ -36,53 +36,61 @@ struct FoldCost {
 }
 
 impl FoldCost {
+    /// Returns the costs of the setups that have results.
+    fn of(results: &[FoldResult]) -> Vec<FoldCost> {
+        let of_setup = |setup| {
+            let median = |seconds: &dyn Fn(&FoldResult) -> Option<f64>| {
+                let minutes = |result| Some(seconds(result)? * result.threads as f64 / 60.0);
+                median(of(results, setup).filter_map(minutes).collect())
+            };
+            FoldCost {
+                setup,
+                folds: of(results, setup).count(),
+                success: median(&|result| Some(result.success.seconds)),
+                dynamics: median(&|result| Some(result.dynamics.seconds)),
+                dqn: median(&|result| Some(result.dqn.seconds)),
+                evaluation: median(&|result| result.evaluation_seconds),
+            }
+        };
+        [Setup::Within, Setup::Cross].map(of_setup).into_iter().filter(|cost| cost.folds > 0).collect()
+    }
+
     /// Returns the cost of the whole fold, core-minutes. The nets that learn from labels train `times` as long.
     fn all(&self, times: f64) -> f64 {
-        self.nets + times * (self.success + self.dynamics + self.dqn) + self.evaluation
+        times * (self.success + self.dynamics + self.dqn) + self.evaluation
     }
 }
 
 /// Writes the costs to a folder.
 ///
 /// # Errors
-/// If the solutions cannot be read, or the folder cannot be written.
-pub fn write(results: &[FoldResult], solutions: &Path, folder: &Path) -> anyhow::Result<()> {
-    let per_ball = seconds_per_ball(&read_solutions(solutions)?.solutions)?;
+/// If the folder cannot be written.
+pub fn write(results: &[FoldResult], folder: &Path) -> anyhow::Result<()> {
+    let Some(FoldResult { hyperparameters, .. }) = results.first() else { return Ok(()) };
+    let costs = FoldCost::of(results);
     let mut text = String::from(
         "# Costs\n\n`pathlight-lab reproduce` wrote this beside the report. Times are wall-clock times multiplied by \
-         the number of threads.\n\n",
+         the number of threads. An epoch of the four nets, which every weights file holds and no agent here uses, is \
+         not counted.\n\n",
     );
-    folds(&mut text, results)?;
-    estimate(&mut text, results, per_ball)?;
-    let path = folder.join("costs.md");
-    replace_file(&path, text.as_bytes())
+    table(&mut text, &costs)?;
+    estimate(&mut text, &costs, hyperparameters.label_rounds, seconds_per_ball())?;
+    replace_file(&folder.join("costs.md"), text.as_bytes())
 }
 
-fn cost(result: &FoldResult) -> FoldCost {
-    let minutes = |seconds: f64| seconds * result.threads as f64 / 60.0;
-    FoldCost {
-        nets: minutes(result.nets.seconds),
-        success: minutes(result.success.seconds),
-        dynamics: minutes(result.dynamics.seconds),
-        dqn: minutes(result.dqn.seconds),
-        evaluation: minutes(result.evaluation_seconds),
-    }
-}
-
-fn folds(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
-    writeln!(text, "## Each fold, core-minutes\n")?;
+fn table(text: &mut String, costs: &[FoldCost]) -> fmt::Result {
     writeln!(
         text,
-        "| setup | fold | threads | four nets | success net | dynamics net | DQN | evaluation | all |\n|{}",
-        " ---: |".repeat(9)
+        "## A fold, core-minutes\n\nMedians over the folds, because some runs were paused while the clock ran. Not all \
+         folds have a time of evaluation: some were evaluated in parts.\n\n\
+         | setup | folds | success net | dynamics net | DQN | evaluation | all |\n| --- |{}",
+        " ---: |".repeat(6)
     )?;
-    for result in results {
-        let cost @ FoldCost { nets, success, dynamics, dqn, evaluation } = cost(result);
-        let (setup, fold, threads, all) = (result.report.setup, result.report.fold, result.threads, cost.all(1.0));
+    for cost @ FoldCost { setup, folds, success, dynamics, dqn, evaluation } in costs {
         writeln!(
             text,
-            "| {setup} | {fold} | {threads} | {nets:.1} | {success:.1} | {dynamics:.1} | {dqn:.1} | {evaluation:.1} | \
-             {all:.1} |"
+            "| {setup} | {folds} | {success:.1} | {dynamics:.1} | {dqn:.1} | {evaluation:.1} | {:.1} |",
+            cost.all(1.0)
         )?;
     }
     Ok(())
@@ -90,27 +98,21 @@ fn folds(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
 
 /// Estimates all folds with that many labels. Each ball is seen as often as before, so the nets that learn from labels
 /// train longer by the same factor.
-fn estimate(text: &mut String, results: &[FoldResult], seconds_per_ball: f64) -> anyhow::Result<()> {
-    let Some(first) = results.first() else { return Ok(()) };
+fn estimate(text: &mut String, costs: &[FoldCost], label_rounds: u16, seconds_per_ball: f64) -> fmt::Result {
     let tasks: usize = TEMPLATES.iter().map(|&template| Task::of(template).count()).sum();
-    let Hyperparameters { label_rounds, variant_rounds, .. } = first.hyperparameters;
-    let balls = MORE_LABELS * (tasks * BALLS) as f64 * f64::from(label_rounds + variant_rounds);
+    let balls = MORE_LABELS * (tasks * BALLS) as f64 * f64::from(label_rounds);
     let label_hours = balls * seconds_per_ball / 3600.0;
-    let of_setup =
-        |setup: Setup| -> Vec<f64> { of(results, setup).map(|result| cost(result).all(MORE_LABELS) / 60.0).collect() };
-    let setups: Vec<Vec<f64>> =
-        [Setup::Within, Setup::Cross].map(of_setup).into_iter().filter(|of| !of.is_empty()).collect();
-    let count = setups.len() * usize::from(FOLDS);
-    let longest = setups.iter().flatten().copied().fold(0.0, f64::max);
-    // The mean of a setup stands for its folds that were not made.
-    let means = setups.iter().map(|of| of.iter().sum::<f64>() / of.len() as f64);
-    let all = means.sum::<f64>() * f64::from(FOLDS);
+    let hours = costs.iter().map(|cost| cost.all(MORE_LABELS) / 60.0);
+    let count = costs.len() * usize::from(FOLDS);
+    let longest = hours.clone().fold(0.0, f64::max);
+    let all = hours.sum::<f64>() * f64::from(FOLDS);
     writeln!(
         text,
         "\n## {count} folds at {MORE_LABELS} times the labels, estimated\n\n\
-         {balls:.2e} balls to label, at {:.2} ms each on one core (measured on {} balls when this was written). The \
-         success net, dynamics net and DQN are trained {MORE_LABELS} times as long; four nets and evaluation stay. A fold is one job \
-         on one core; the labels are made by at most {} jobs, one for each template.\n",
+         {balls:.2e} balls to label, at {:.2} ms each on one core (measured on {} uniform balls when this was \
+         written). The success net, dynamics net and DQN are trained {MORE_LABELS} times as long; evaluation \
+         stays. A fold is one job on one core; the labels are made by at most {} jobs, one for each \
+         template.\n",
         1e3 * seconds_per_ball,
         TEMPLATES.len() * BALLS,
         TEMPLATES.len(),
@@ -130,15 +132,35 @@ fn estimate(text: &mut String, results: &[FoldResult], seconds_per_ball: f64) ->
     Ok(())
 }
 
-/// How long a ball takes to label, on one core: a round of the first task of each template.
-fn seconds_per_ball(solutions: &[Solution]) -> anyhow::Result<f64> {
-    let started = Instant::now();
-    for template in TEMPLATES {
-        let Some(task) = Task::of(template).next() else { continue };
-        let own: Vec<Solution> = solutions.iter().filter(|solution| solution.task == task.id).copied().collect();
-        let balls: Vec<Sampled> = own.iter().map(|solution| (solution.ball, None)).collect();
-        let mut rng = Pcg64Mcg::seed_from_u64(task.id.seed(0));
-        try_balls(&task.scene, sample((SceneId::Task(task.id), &task.scene), &balls, &own, BALLS, &mut rng));
+/// Returns the median; NaN if there are no numbers.
+fn median(mut numbers: Vec<f64>) -> f64 {
+    numbers.sort_by(f64::total_cmp);
+    let middle = numbers.len() / 2;
+    match numbers.len() {
+        0 => f64::NAN,
+        len if len % 2 == 0 => (numbers[middle - 1] + numbers[middle]) / 2.0,
+        _ => numbers[middle],
     }
-    Ok(started.elapsed().as_secs_f64() / (TEMPLATES.len() * BALLS) as f64)
+}
+
+/// How long a ball takes to label, on one core, s: a round of uniform balls in the first task of each template.
+fn seconds_per_ball() -> f64 {
+    let started = Instant::now();
+    for task in TEMPLATES.into_iter().filter_map(|template| Task::of(template).next()) {
+        let mut rng = Pcg64Mcg::seed_from_u64(task.id.seed(0));
+        try_balls(&task.scene, sample((SceneId::Task(task.id), &task.scene), &[], &[], BALLS, &mut rng));
+    }
+    started.elapsed().as_secs_f64() / (TEMPLATES.len() * BALLS) as f64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_median_is_in_the_middle() {
+        assert!(median(vec![]).is_nan());
+        assert_eq!(median(vec![9.0, 1.0, 2.0]), 2.0);
+        assert_eq!(median(vec![9.0, 1.0, 2.0, 4.0]), 3.0);
+    }
 }

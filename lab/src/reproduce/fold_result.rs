@@ -7,40 +7,29 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, ensure};
 use pathlight::agents;
-use pathlight::benchmark::folds::FoldId;
+use pathlight::benchmark::folds::{FoldId, Setup};
 use pathlight::nets::DqnCard;
 use pathlight::simulator;
 use serde::{Deserialize, Serialize};
 
+use super::recipes::Recipes;
 use crate::files::differences::differences;
 use crate::files::digest;
 use crate::files::replace_file::replace_file;
 use crate::measure::report::Report;
-use crate::training::dynamics::{self, DynamicsRecipe};
-use crate::training::settings::{LabelsRecipe, PathsRecipe, recipe_of};
+use crate::training::dynamics::DynamicsRecipe;
+use crate::training::settings::{LabelsRecipe, recipe_of};
 use crate::training::training_run::Checkpoint;
-use crate::training::{dqn, paths, success};
 
-/// Settings that can be chosen for a table. The defaults are those of the results in the repository. Aliases: keys of
-/// older files.
+/// Settings that can be chosen for a table. The defaults are those of the results in the repository.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Hyperparameters {
     /// Seed of training and evaluation.
     pub seed: u64,
     /// Rounds of labelling; every task tries 64 balls per round.
     pub label_rounds: u16,
-    /// Rounds of labelling variants of the scenes, another variant of each task and 64 balls per round.
-    pub variant_rounds: u16,
-    /// Epochs of the four nets.
+    /// Epochs of the success net and of the dynamics net.
     pub epochs: u16,
-    /// Epochs of the success net in the setup within.
-    #[serde(alias = "judge_epochs")]
-    pub success_epochs: u16,
-    /// Epochs of the success net in the setup cross.
-    #[serde(alias = "judge_epochs_cross")]
-    pub success_epochs_cross: u16,
-    /// Epochs of the dynamics net, over scenes and variants.
-    pub dynamics_epochs: u16,
     /// Epochs of DQN.
     pub dqn_epochs: u16,
     /// Use only the first N test tasks of each template.
@@ -49,17 +38,7 @@ pub struct Hyperparameters {
 
 impl Default for Hyperparameters {
     fn default() -> Hyperparameters {
-        Hyperparameters {
-            seed: 0,
-            label_rounds: 15,
-            variant_rounds: 4,
-            epochs: 10,
-            success_epochs: 150,
-            success_epochs_cross: 60,
-            dynamics_epochs: 12,
-            dqn_epochs: 15,
-            limit: 100,
-        }
+        Hyperparameters { seed: 0, label_rounds: 10, epochs: 30, dqn_epochs: 15, limit: 100 }
     }
 }
 
@@ -67,36 +46,38 @@ impl Default for Hyperparameters {
 pub struct DataFiles {
     pub solutions: PathBuf,
     pub labels: PathBuf,
-    pub variants: PathBuf,
 }
 
-/// The result of a setup and fold. Aliases: keys of older files.
+/// The result of a setup and fold.
 #[derive(Serialize, Deserialize)]
 pub struct FoldResult {
     pub hyperparameters: Hyperparameters,
-    /// The training of the four nets.
-    pub nets: Checkpoint,
+    /// SHA-256 of the file of solutions.
+    pub solutions: String,
     /// The training of the success net.
-    #[serde(alias = "judge")]
     pub success: Checkpoint,
-    /// The training of the dynamics net, which starts from the success net.
+    /// The training of the dynamics net.
     pub dynamics: Checkpoint,
     /// The training of DQN.
     pub dqn: Checkpoint<DqnCard>,
-    /// Size of the weights of the four nets and the dynamics net, bytes.
-    pub weights: u64,
-    /// Size of DQN's weights, bytes.
-    pub dqn_weights: u64,
-    /// Wall-clock time of the evaluation of all agents, s.
-    pub evaluation_seconds: f64,
+    /// Wall-clock time of the evaluation of the agents, s; absent if they were evaluated apart.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub evaluation_seconds: Option<f64>,
     /// Threads that it was made with.
     pub threads: usize,
     pub report: Report,
 }
 
-/// What determines a result, apart from its setup and fold. Results belong in one table if these agree.
-#[derive(PartialEq, Serialize)]
+/// What determines a result, apart from its fold. Results belong in one table if `differences` finds none.
 pub struct ResultSettings {
+    setup: Setup,
+    shared: SharedSettings,
+    nets: NetsSettings,
+}
+
+/// The settings that must be the same in both setups.
+#[derive(Serialize)]
+struct SharedSettings {
     #[serde(flatten)]
     hyperparameters: Hyperparameters,
     simulator: u32,
@@ -105,31 +86,23 @@ pub struct ResultSettings {
     solutions: String,
     /// SHA-256 of the file of labelled balls.
     labels: String,
-    /// SHA-256 of the files that the dynamics net learns from: that, and the balls in variants.
-    labels_and_variants: String,
+}
+
+/// How the nets of a setup are trained.
+#[derive(Serialize)]
+struct NetsSettings {
+    success: NetSettings<LabelsRecipe>,
+    dynamics: NetSettings<DynamicsRecipe>,
+    dqn: NetSettings<LabelsRecipe>,
+}
+
+/// How a net is trained.
+#[derive(Serialize)]
+struct NetSettings<R> {
+    seed: u64,
+    epochs: usize,
     #[serde(flatten)]
-    recipes: Recipes,
-}
-
-/// How the nets of a result are trained.
-#[derive(PartialEq, Serialize)]
-pub struct Recipes {
-    pub nets: PathsRecipe,
-    pub success: Option<LabelsRecipe>,
-    pub dynamics: Option<DynamicsRecipe>,
-    pub dqn: LabelsRecipe,
-}
-
-impl Default for Recipes {
-    fn default() -> Recipes {
-        Recipes {
-            nets: paths::Settings::default().recipe,
-            success: Some(success::Settings::default().recipe),
-            dynamics: Some(dynamics::Settings::default().recipe),
-            // Smaller batches than those of the other nets, so that a short training has more steps.
-            dqn: LabelsRecipe { batch: 16, ..dqn::Settings::default().recipe },
-        }
-    }
+    recipe: R,
 }
 
 impl ResultSettings {
@@ -137,41 +110,44 @@ impl ResultSettings {
     ///
     /// # Errors
     /// If the data cannot be read.
-    pub fn expected(hyperparameters: &Hyperparameters, data: &DataFiles) -> anyhow::Result<ResultSettings> {
+    pub fn expected(
+        setup: Setup,
+        hyperparameters: &Hyperparameters,
+        data: &DataFiles,
+    ) -> anyhow::Result<ResultSettings> {
         let digest = |path: &Path| digest(path).context("run `pathlight-lab reproduce --only data` first");
-        let labels = digest(&data.labels)?;
-        Ok(ResultSettings {
+        Ok(ResultSettings::of_today(setup, hyperparameters, digest(&data.solutions)?, digest(&data.labels)?))
+    }
+
+    fn of_today(setup: Setup, hyperparameters: &Hyperparameters, solutions: String, labels: String) -> ResultSettings {
+        let &Hyperparameters { seed, epochs, dqn_epochs, .. } = hyperparameters;
+        let Recipes { success, dynamics, dqn } = Recipes::of(setup);
+        let shared = SharedSettings {
             hyperparameters: hyperparameters.clone(),
             simulator: simulator::VERSION,
             agents_version: agents::VERSION,
-            solutions: digest(&data.solutions)?,
-            labels_and_variants: format!("{labels} {}", digest(&data.variants)?),
+            solutions,
             labels,
-            recipes: Recipes::default(),
-        })
+        };
+        let nets = NetsSettings {
+            success: NetSettings { seed, epochs: epochs.into(), recipe: success },
+            dynamics: NetSettings { seed, epochs: epochs.into(), recipe: dynamics },
+            dqn: NetSettings { seed, epochs: dqn_epochs.into(), recipe: dqn },
+        };
+        ResultSettings { setup, shared, nets }
     }
 
-    /// Returns these settings as those of today, if only the version of the agents is older: from 3 to 4 the paper's
-    /// agent alone has changed, whose newer results stand apart (`measure paper`).
-    pub fn of_today(mut self) -> ResultSettings {
-        if self.agents_version == 3 {
-            self.agents_version = 4;
-        }
-        self
-    }
-
-    /// Names the settings that differ; empty if none do.
+    /// Names the settings that differ; empty if none do. Those of the nets are compared only within a setup.
     pub fn differences(&self, other: &ResultSettings) -> String {
-        differences(self, other)
+        let shared = differences(&self.shared, &other.shared);
+        let nets = if self.setup == other.setup { differences(&self.nets, &other.nets) } else { String::new() };
+        [shared, nets].into_iter().filter(|named| !named.is_empty()).collect::<Vec<_>>().join(", ")
     }
 }
 
 impl FoldResult {
     /// Reads the result of a fold; `None` if there is no file.
-    ///
-    /// # Errors
-    /// If the file is not a result, or the result of another fold.
-    pub fn load(path: &Path, fold: FoldId) -> anyhow::Result<Option<FoldResult>> {
+    fn load(path: &Path, fold: FoldId) -> anyhow::Result<Option<FoldResult>> {
         let name = path.display();
         let bytes = match fs::read(path) {
             Err(error) if error.kind() == ErrorKind::NotFound => return Ok(None),
@@ -198,49 +174,69 @@ impl FoldResult {
     }
 
     /// The settings it was made with.
-    pub fn settings(&self) -> ResultSettings {
-        ResultSettings {
+    fn settings(&self) -> anyhow::Result<ResultSettings> {
+        let success = self.success.card.success.as_ref().context("the card of `success` has no success net")?;
+        let dynamics = self.dynamics.card.dynamics.as_ref().context("the card of `dynamics` has no dynamics net")?;
+        ensure!(
+            dynamics.from.is_none()
+                && !(dynamics.without_paths || dynamics.without_dev)
+                && self.success.data == self.dynamics.data
+                && self.dqn.data == self.dynamics.data,
+            "success net, dynamics net and DQN were not trained on the same labels, from fresh weights"
+        );
+        let shared = SharedSettings {
             hyperparameters: self.hyperparameters.clone(),
             simulator: self.report.simulator,
             agents_version: self.report.agents_version,
-            solutions: self.nets.data.clone(),
-            labels: self.success.data.clone(),
-            labels_and_variants: self.dynamics.data.clone(),
-            recipes: Recipes {
-                nets: recipe_of(&self.nets.card),
-                success: self.success.card.success.as_ref().map(recipe_of),
-                dynamics: self.dynamics.card.dynamics.as_ref().map(recipe_of),
-                dqn: recipe_of(&self.dqn.card),
-            },
-        }
+            solutions: self.solutions.clone(),
+            labels: self.dynamics.data.clone(),
+        };
+        let dqn = &self.dqn.card;
+        let nets = NetsSettings {
+            success: NetSettings { seed: success.seed, epochs: success.epochs, recipe: recipe_of(success) },
+            dynamics: NetSettings { seed: dynamics.seed, epochs: dynamics.epochs, recipe: recipe_of(dynamics) },
+            dqn: NetSettings { seed: dqn.seed, epochs: dqn.epochs, recipe: recipe_of(dqn) },
+        };
+        Ok(ResultSettings { setup: self.report.setup, shared, nets })
     }
 }
 
-/// Reads the first result in a folder, and returns it with its file; `None` if there is none.
-///
-/// # Errors
-/// If its file is damaged.
-pub fn first(folder: &Path) -> anyhow::Result<Option<(PathBuf, FoldResult)>> {
-    for fold in FoldId::all() {
-        let path = folder.join(format!("{fold}.json"));
-        if let Some(result) = FoldResult::load(&path, fold)? {
-            return Ok(Some((path, result)));
-        }
-    }
-    Ok(None)
+/// A result in a folder.
+pub struct Existing {
+    pub path: PathBuf,
+    pub result: FoldResult,
+    /// The settings it was made with.
+    pub settings: ResultSettings,
 }
 
 /// Reads all results in a folder, within before cross, folds ascending.
 ///
 /// # Errors
-/// If there is none, a file is damaged, or results have different settings.
-pub fn read(folder: &Path) -> anyhow::Result<Vec<FoldResult>> {
-    let mut results: Vec<FoldResult> = Vec::new();
+/// If a file is damaged.
+pub fn existing(folder: &Path) -> anyhow::Result<Vec<Existing>> {
+    let mut all = Vec::new();
     for fold in FoldId::all() {
         let path = folder.join(format!("{fold}.json"));
-        let Some(result) = FoldResult::load(&path, fold)? else { continue };
-        if let Some(first) = results.first() {
-            let other = result.settings().differences(&first.settings());
+        if let Some(result) = FoldResult::load(&path, fold)? {
+            let settings = result.settings().with_context(|| {
+                format!("{} is not as `pathlight-lab reproduce` makes it: remove it", path.display())
+            })?;
+            all.push(Existing { path, result, settings });
+        }
+    }
+    Ok(all)
+}
+
+/// Reads all results in a folder, at least one, within before cross, folds ascending.
+///
+/// # Errors
+/// If there is none, a file is damaged, or results have different settings.
+pub fn read(folder: &Path) -> anyhow::Result<Vec<FoldResult>> {
+    let all = existing(folder)?;
+    ensure!(!all.is_empty(), "{} holds no results: run `pathlight-lab reproduce` first", folder.display());
+    for (index, Existing { path, settings, .. }) in all.iter().enumerate() {
+        for before in &all[..index] {
+            let other = settings.differences(&before.settings);
             ensure!(
                 other.is_empty(),
                 "{} was made with other settings than the results before it ({other}): keep such results in different \
@@ -248,52 +244,28 @@ pub fn read(folder: &Path) -> anyhow::Result<Vec<FoldResult>> {
                 path.display()
             );
         }
-        results.push(result);
     }
-    ensure!(!results.is_empty(), "{} holds no results: run `pathlight-lab reproduce` first", folder.display());
-    Ok(results)
+    Ok(all.into_iter().map(|existing| existing.result).collect())
 }
 
 #[cfg(test)]
 mod tests {
-    use pathlight::agents::agent_name::AgentName;
-
     use super::*;
 
-    /// A result of the repository; its settings are today's defaults but for the data, which are not in it.
+    /// The labels are not in the repository.
     #[test]
-    fn rows_of_the_repository_were_made_with_the_settings_of_today() {
-        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../results");
-        let results = read(&folder).expect("the results agree");
-        assert_eq!(results.len(), 20);
-        let third = results[3].settings().of_today();
-        let today = ResultSettings {
-            hyperparameters: Hyperparameters::default(),
-            simulator: simulator::VERSION,
-            agents_version: agents::VERSION,
-            solutions: third.solutions.clone(),
-            labels: third.labels.clone(),
-            labels_and_variants: third.labels_and_variants.clone(),
-            recipes: Recipes::default(),
-        };
-        assert_eq!(third.differences(&today), "");
-        let written: FoldResult =
-            serde_json::from_slice(&serde_json::to_vec(&results[3]).expect("plain data")).expect("a result");
-        assert_eq!(written.settings().of_today().differences(&today), "", "a result that is written now is read alike");
-    }
-
-    #[test]
-    fn a_row_with_the_old_names_of_the_success_net_is_read_alike() {
-        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../results/cross-3.json");
-        let text = fs::read_to_string(file).expect("a result");
-        let old = ["\"", "_epochs\"", "_epochs_cross\""]
-            .into_iter()
-            .fold(text.clone(), |text, end| text.replace(&format!("\"success{end}"), &format!("\"judge{end}")));
-        assert!(old.contains("\"judge_epochs_cross\":60") && !old.contains("\"success"));
-        let [old, new] = [old, text].map(|text| serde_json::from_str::<FoldResult>(&text).expect("a result"));
-        assert_eq!(old.settings().differences(&new.settings()), "");
-        let score = |result: &FoldResult| result.report.score(AgentName::Success);
-        assert!(score(&new).is_some());
-        assert_eq!(score(&old), score(&new));
+    fn results_of_the_repository_were_made_with_the_settings_of_today() {
+        let repository = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+        let all = existing(&repository.join("results")).expect("results");
+        assert_eq!(all.len(), 20);
+        let solutions = digest(&repository.join("assets/solutions.jsonl")).expect("solutions");
+        for Existing { path, result, settings } in &all {
+            let (setup, labels) = (result.report.setup, all[0].settings.shared.labels.clone());
+            let today = ResultSettings::of_today(setup, &Hyperparameters::default(), solutions.clone(), labels);
+            assert_eq!(settings.differences(&today), "", "{}", path.display());
+            let written = serde_json::to_vec(result).expect("plain data");
+            let written: FoldResult = serde_json::from_slice(&written).expect("a result");
+            assert_eq!(written.settings().expect("settings").differences(&today), "", "{}", path.display());
+        }
     }
 }

@@ -10,16 +10,17 @@ use anyhow::{Context, ensure};
 use pathlight::benchmark::folds::FoldId;
 
 use crate::data::collect::{self, SOLUTIONS};
-use crate::data::label::{self, LABELS, Scenes};
+use crate::data::label::{self, LABELS};
 use crate::files::quoted::quoted;
 use crate::progress::Progress;
-use fold_result::{DataFiles, FoldResult, Hyperparameters, ResultSettings};
+use fold_result::{DataFiles, Hyperparameters, ResultSettings};
 
 pub mod compared;
 mod costs;
 pub mod fold_result;
 mod fold_run;
 pub mod other_data;
+mod recipes;
 pub mod report;
 mod training_report;
 
@@ -39,10 +40,9 @@ pub struct Settings {
 
 impl Default for Settings {
     fn default() -> Settings {
-        let data =
-            DataFiles { solutions: SOLUTIONS.into(), labels: LABELS.into(), variants: "target/variants.jsonl".into() };
+        let data = DataFiles { solutions: SOLUTIONS.into(), labels: LABELS.into() };
         let hyperparameters = Hyperparameters::default();
-        Settings { results: RESULTS.into(), data, train_dir: "target/train".into(), hyperparameters }
+        Settings { results: RESULTS.into(), data, train_dir: "target/reproduce".into(), hyperparameters }
     }
 }
 
@@ -52,32 +52,24 @@ impl Settings {
     /// # Errors
     /// If a file cannot be continued or written.
     pub fn make_data(&self, progress: &mut dyn Progress) -> anyhow::Result<()> {
-        let DataFiles { solutions, labels, variants } = &self.data;
-        if !collect::is_of_earlier_search(solutions)? {
-            progress.say(&format!("$ pathlight-lab data collect --out {}", quoted(solutions)));
-            let search = collect::Settings { out: solutions.clone(), ..collect::Settings::default() };
-            let found = search.search(progress)?;
-            progress.say(found.trim_end());
-        }
-        let &Hyperparameters { label_rounds, variant_rounds, .. } = &self.hyperparameters;
-        let files = [(labels, label_rounds, Scenes::Tasks), (variants, variant_rounds, Scenes::Variants)];
-        for (out, rounds, scenes) in files {
-            let option = if scenes == Scenes::Variants { " --variants" } else { "" };
-            progress.say(&format!(
-                "$ pathlight-lab data label --solutions {} --out {} --rounds {rounds}{option}",
-                quoted(solutions),
-                quoted(out)
-            ));
-            let settings = label::Settings {
-                out: out.clone(),
-                solutions: solutions.clone(),
-                rounds: rounds.into(),
-                scenes,
-                ..label::Settings::default()
-            };
-            settings.label(progress)?;
-        }
-        Ok(())
+        let DataFiles { solutions, labels } = &self.data;
+        progress.say(&format!("$ pathlight-lab data collect --out {}", quoted(solutions)));
+        let search = collect::Settings { out: solutions.clone(), ..collect::Settings::default() };
+        let found = search.search(progress)?;
+        progress.say(found.trim_end());
+        let rounds = self.hyperparameters.label_rounds;
+        progress.say(&format!(
+            "$ pathlight-lab data label --solutions {} --out {} --rounds {rounds}",
+            quoted(solutions),
+            quoted(labels)
+        ));
+        let settings = label::Settings {
+            out: labels.clone(),
+            solutions: solutions.clone(),
+            rounds: rounds.into(),
+            ..label::Settings::default()
+        };
+        settings.label(progress)
     }
 
     /// Makes the result of a fold, unless its file exists.
@@ -87,26 +79,22 @@ impl Settings {
     pub fn make_result(&self, fold: FoldId, progress: &mut dyn Progress) -> anyhow::Result<()> {
         let path = self.results.join(format!("{fold}.json"));
         let name = path.display();
-        if let Some(result) = FoldResult::load(&path, fold)? {
-            let expected = ResultSettings::expected(&self.hyperparameters, &self.data)?;
-            let other = result.settings().of_today().differences(&expected);
-            ensure!(
-                other.is_empty(),
-                "{name} was made with other settings ({other}): choose other folders with --results and --train-dir, \
-                 or remove it"
-            );
+        let results = fold_result::existing(&self.results)?;
+        if !results.is_empty() {
+            let expected = ResultSettings::expected(fold.setup, &self.hyperparameters, &self.data)?;
+            for existing in &results {
+                let other = existing.settings.differences(&expected);
+                ensure!(
+                    other.is_empty(),
+                    "{} was made with other settings than asked for ({other}), and one report cannot have both: choose \
+                     other folders with --results and --train-dir, or remove it",
+                    existing.path.display()
+                );
+            }
+        }
+        if results.iter().any(|existing| existing.path == path) {
             progress.say(&format!("{name} exists"));
             return Ok(());
-        }
-        if let Some((other_name, result)) = fold_result::first(&self.results)? {
-            let expected = ResultSettings::expected(&self.hyperparameters, &self.data)?;
-            let other = result.settings().differences(&expected);
-            ensure!(
-                other.is_empty(),
-                "{name} would be made with other settings than {} ({other}), and one report cannot have both: choose \
-                 other folders with --results and --train-dir",
-                other_name.display()
-            );
         }
         let folder = self.train_dir.join(fold.to_string());
         let result = fold_run::run(fold, &self.hyperparameters, &self.data, &folder, progress);
@@ -118,11 +106,11 @@ impl Settings {
     /// Writes README.md and costs.md of the existing results; returns the first.
     ///
     /// # Errors
-    /// If results or solutions cannot be used, or the folder cannot be written.
+    /// If results cannot be used, or the folder cannot be written.
     pub fn report(&self) -> anyhow::Result<String> {
-        let results = fold_result::read(&self.results)?;
-        let text = report::write(&results, &self.data.solutions, &self.results)?;
-        costs::write(&results, &self.data.solutions, &self.results)?;
+        let results = compared::main_results(&self.results)?;
+        let text = report::write(&results, &self.results)?;
+        costs::write(&results, &self.results)?;
         Ok(text)
     }
 }

@@ -1,30 +1,23 @@
 //! The report on the existing results: `README.md` beside them.
 
-use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::Path;
 
-use anyhow::ensure;
 use pathlight::agents::agent_name::AgentName;
 use pathlight::benchmark::auccess::MAX_ATTEMPTS;
 use pathlight::benchmark::folds::{FOLDS, Setup};
-use pathlight::puzzle::task::{TaskId, ids};
-use pathlight::puzzle::templates::TEMPLATES;
 
 use super::compared::{AgentMean, Published, REPORTED, mean_and_deviation, online_with_other_data, our_means};
 use super::fold_result::{FoldResult, Hyperparameters};
 use super::training_report;
-use crate::data::collect::{Collected, SOLUTIONS, is_of_earlier_search, read_solutions};
 use crate::data::label::BALLS;
-use crate::files::digest;
-use crate::files::quoted::quoted;
 use crate::files::replace_file::replace_file;
 use crate::measure::agents::{AGENTS, row};
 use crate::measure::report::score_cell;
 
 /// An agent, one that lacks a part of it, and the part.
 const ABLATIONS: [(AgentName, AgentName, &str); 3] = [
-    (AgentName::Dynamics, AgentName::Success, "it imagines what a ball leads to, and is trained further"),
+    (AgentName::Dynamics, AgentName::Success, "it imagines what a ball leads to"),
     (AgentName::Online, AgentName::Dynamics, "it is told how each attempt ended"),
     (AgentName::Online, AgentName::OnlineByBalls, "balls are compared by imagined paths too"),
 ];
@@ -35,18 +28,17 @@ const OTHER_DATA: &str = "online, with proposed balls or random scenes";
 /// Writes the report to a folder, and returns it.
 ///
 /// # Errors
-/// If the solutions cannot be read, or are not those of the results, the results with other data are damaged, or the
-/// folder cannot be written.
-pub fn write(results: &[FoldResult], solutions: &Path, folder: &Path) -> anyhow::Result<String> {
+/// If the results with other data are damaged, or the folder cannot be written.
+pub fn write(results: &[FoldResult], folder: &Path) -> anyhow::Result<String> {
     let mut text = String::new();
     let other_data = online_with_other_data(folder)?;
-    head(&mut text, results, &other_data, solutions, folder)?;
+    head(&mut text, results, &other_data, folder)?;
     table(&mut text, results, &other_data)?;
     ablations(&mut text, results)?;
     folds(&mut text, results)?;
     training_report::write(&mut text, results)?;
-    data(&mut text, results, solutions)?;
-    reproducing(&mut text, results, solutions)?;
+    data(&mut text, results)?;
+    reproducing(&mut text, results)?;
     let path = folder.join("README.md");
     replace_file(&path, text.as_bytes())?;
     Ok(text)
@@ -56,51 +48,44 @@ fn head(
     text: &mut String,
     results: &[FoldResult],
     other_data: &[Option<String>; 2],
-    solutions: &Path,
     folder: &Path,
 ) -> anyhow::Result<()> {
     let Some(FoldResult { hyperparameters, report, .. }) = results.first() else { return Ok(()) };
     writeln!(
         text,
         "# Results\n\n\
-         `pathlight-lab reproduce` printed this from the files beside it, one per setup and fold; {} of {} exist. Seed \
+         `pathlight-lab reproduce` printed this from the files beside it, one per setup and fold, and from those in \
+         `paper/`, `proposed-balls/` and `random-scenes/`, if they exist. Of the first, {} of {} exist. Seed \
          {}, simulator {}, agents {}, at most {} test tasks per template.\n\n\
          Auccess is measured with at most {MAX_ATTEMPTS} attempts per task, and only these attempts are simulated. \
-         The nets here learn only from rollouts in training tasks and variants of them, and from none whose ball \
-         was sampled around a solution of a test task{}.\n\n\
+         The nets here learn only from rollouts in training tasks, and from none whose ball was sampled around a \
+         solution of a test task.\n\n\
          - **online**: the dynamics net imagines candidates, and a Gaussian process learns from each attempt, by the \
          similarity of imagined paths and of balls; **by balls**: by that of balls alone.\n\
          - **dynamics**: the same candidates in the order that the net gives them, as if each attempt ended as \
          imagined.\n\
-         - **success net**: a net that sees the scene alone orders the balls. The dynamics net is trained from it.\n\
+         - **success net**: a net that sees only the scene ranks the balls. It is trained like the dynamics net.\n\
          - **DQN, smaller**: the benchmark's baseline (Bakhtin et al. 2019), made smaller.\n\
          - **the paper's four nets**: those of Harter et al. (2020), trained jointly, with balls from their placement \
-         map.{}\n",
+         map{}.\n",
         results.len(),
         2 * FOLDS,
         hyperparameters.seed,
         report.simulator,
         report.agents_version,
         hyperparameters.limit,
-        match is_of_earlier_search(solutions)? {
-            true =>
-                "; but in the setup within, the search that found the training tasks' solutions also started from \
-                     known solutions of test tasks of the same template",
-            false => "",
-        },
-        match folder.join("paper").exists() {
-            true =>
-                " [Their own table](paper/README.md) is newer: uniform solutions, and later attempts as in the \
-                     authors' code.",
-            false => "",
+        if folder.join("paper").exists() {
+            ". [Their own table](paper/README.md) says how they were trained"
+        } else {
+            ""
         },
     )?;
     if other_data.iter().any(Option::is_some) {
         writeln!(
             text,
-            "**{OTHER_DATA}**: within, its net also learned from [balls that a net proposed](proposed-balls/README.md); in \
-             cross, it learned from [random scenes](random-scenes/README.md) alone. It was trained with other settings \
-             than the nets below it.\n"
+            "**{OTHER_DATA}**: within, its net also learned from [balls that a net \
+             proposed](proposed-balls/README.md); in cross, it learned from [random scenes](random-scenes/README.md) \
+             alone. It was trained longer than the nets below it.\n"
         )?;
     }
     Ok(())
@@ -178,62 +163,19 @@ fn folds(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
 }
 
 /// How many solutions of the tasks are known, and the files that the results were made from.
-fn data(text: &mut String, results: &[FoldResult], path: &Path) -> anyhow::Result<()> {
-    if let Some(FoldResult { nets, .. }) = results.first() {
-        ensure!(
-            digest(path)? == nets.data,
-            "the results were made from other solutions than those in {}: name their file with --solutions",
-            path.display()
-        );
-    }
-    let mut known: BTreeMap<TaskId, usize> =
-        TEMPLATES.iter().flat_map(|&template| ids(template)).map(|id| (id, 0)).collect();
-    let Collected { solutions, rollouts, .. } = read_solutions(path)?;
-    for solution in &solutions {
-        *known.entry(solution.task).or_default() += 1;
-    }
-    let most = known.values().max().copied().unwrap_or_default();
-    let count = |of: &dyn Fn(usize) -> bool| known.values().filter(|&&count| of(count)).count();
+fn data(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
+    let Some(FoldResult { hyperparameters, solutions, dynamics, .. }) = results.first() else { return Ok(()) };
     writeln!(
         text,
-        "\n## Data\n\n{} solutions of {} tasks, found in {rollouts} rollouts. {} tasks have {most}, {} have fewer, {} \
-         have none; fewer are known where few balls solve the task. Tasks without a known solution still count in \
-         auccess.\n",
-        solutions.len(),
-        known.len(),
-        count(&|count| count == most),
-        count(&|count| count < most),
-        count(&|count| count == 0),
-    )?;
-    writeln!(text, "| template | tasks with fewer | solutions | without any |\n| --- | ---: | ---: | --- |")?;
-    for template in TEMPLATES {
-        let of_template: Vec<(TaskId, usize)> = ids(template).map(|id| (id, known[&id])).collect();
-        let fewer = of_template.iter().filter(|(_, count)| *count < most).count();
-        let total: usize = of_template.iter().map(|(_, count)| count).sum();
-        let none: Vec<String> =
-            of_template.iter().filter(|(_, count)| *count == 0).map(|(id, _)| id.to_string()).collect();
-        if fewer > 0 {
-            writeln!(text, "| {:05} {} | {fewer} | {total} | {} |", template.number, template.name, none.join(", "))?;
-        }
-    }
-    let Some(FoldResult { hyperparameters, nets, dynamics, .. }) = results.first() else { return Ok(()) };
-    writeln!(
-        text,
-        "\nBalls were labelled in {} rounds, {BALLS} per task and round, and in variants of the scenes in {} rounds. \
-         SHA-256 of the file of solutions: `{}`, of the files of balls: `{}`.",
-        hyperparameters.label_rounds,
-        hyperparameters.variant_rounds,
-        nets.data,
-        dynamics.data.replace(' ', "`, `"),
+        "\n## Data\n\nBalls were labelled in {} rounds, {BALLS} per task and round, half of them around known \
+         solutions. SHA-256 of the file of solutions: `{}`, of the file of balls: `{}`.",
+        hyperparameters.label_rounds, solutions, dynamics.data,
     )?;
     Ok(())
 }
 
-fn reproducing(text: &mut String, results: &[FoldResult], solutions: &Path) -> anyhow::Result<()> {
+fn reproducing(text: &mut String, results: &[FoldResult]) -> anyhow::Result<()> {
     let mut command = "pathlight-lab reproduce".to_string();
-    if solutions != Path::new(SOLUTIONS) {
-        write!(command, " --solutions {}", quoted(solutions))?;
-    }
     if let Some(FoldResult { hyperparameters, .. }) = results.first() {
         let [used, default] = [hyperparameters, &Hyperparameters::default()].map(serde_json::to_value);
         let default = default?;

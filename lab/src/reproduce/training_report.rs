@@ -9,86 +9,68 @@ use crate::training::training_run::Checkpoint;
 pub fn write(text: &mut String, results: &[FoldResult]) -> fmt::Result {
     writeln!(
         text,
-        "\n## Training\n\nLearning rates are peak values. The four nets' rate is constant, then decays linearly to \
-         zero over the decay epochs; the others' warms up, then decays linearly to zero. A loss is the mean over the \
-         last batches. `costs.md` has the times."
-    )?;
-    table(
-        text,
-        "The four nets",
-        "solutions (tasks) | epochs x batch | learning rate | decay epochs | placement loss",
-        results,
-        |FoldResult { nets, .. }| {
-            let card = &nets.card;
-            Some(format!(
-                "{} ({}) | {} x {} | {} | {} | {:.4}",
-                card.samples,
-                card.tasks,
-                card.epochs,
-                card.batch,
-                card.learning_rate,
-                card.decay_epochs,
-                last_loss(nets, "placement")
-            ))
-        },
+        "\n## Training\n\nThe success net and the dynamics net are trained alike, from fresh weights, so the \
+         difference between them shows what imagining brings. Learning rates are peak values; they warm up, then decay \
+         linearly to zero. A loss is the mean over the last batches. `costs.md` has the times."
     )?;
     table(
         text,
         "The success net",
-        "balls | epochs x batch x balls | learning rate | loss",
+        "balls | epochs x batch x balls | optimiser | learning rate | loss",
         results,
         |FoldResult { success, .. }| {
             let card = success.card.success.as_ref()?;
             Some(format!(
-                "{} | {} x {} x {} | {} | {:.4}",
+                "{} | {} x {} x {} | {} | {} | {:.4}",
                 card.balls,
                 card.epochs,
                 card.batch,
                 card.balls_per_scene,
+                card.optimiser,
                 card.learning_rate,
-                // Older results call its one loss otherwise.
-                last_loss(success, success.losses.first().map_or("", String::as_str))
+                last_loss(success, "success")
             ))
         },
     )?;
     table(
         text,
         "The dynamics net",
-        "balls | variants of scenes | epochs x batch x balls (imagined) | learning rate | loss of a ball | weights, MB",
+        "balls | epochs x batch x balls (imagined) | optimiser | learning rate | path weight, of solving balls | \
+         loss of a ball",
         results,
-        |FoldResult { dynamics, weights, .. }| {
+        |FoldResult { dynamics, .. }| {
             let card = dynamics.card.dynamics.as_ref()?;
             Some(format!(
-                "{} | {} | {} x {} x {} ({}) | {} | {:.4} | {:.2}",
+                "{} | {} x {} x {} ({}) | {} | {} | {}, {} | {:.4}",
                 card.balls,
-                card.variants,
                 card.epochs,
                 card.batch,
                 card.balls_per_scene,
                 card.imagined_per_scene,
+                card.optimiser,
                 card.learning_rate,
-                last_loss(dynamics, "ball"),
-                *weights as f64 / 1e6
+                card.path_weights.all,
+                card.path_weights.solving,
+                last_loss(dynamics, "ball")
             ))
         },
     )?;
-    writeln!(text, "\nIt starts from the success net; the weights hold the four nets too.")?;
     table(
         text,
         "DQN",
-        "balls | epochs x batch x balls | learning rate | loss | weights, MB",
+        "balls | epochs x batch x balls | optimiser | learning rate | loss",
         results,
-        |FoldResult { dqn, dqn_weights, .. }| {
+        |FoldResult { dqn, .. }| {
             let card = &dqn.card;
             Some(format!(
-                "{} | {} x {} x {} | {} | {:.4} | {:.2}",
+                "{} | {} x {} x {} | {} | {} | {:.4}",
                 card.balls,
                 card.epochs,
                 card.batch,
                 card.balls_per_scene,
+                card.optimiser,
                 card.learning_rate,
-                last_loss(dqn, "dqn"),
-                *dqn_weights as f64 / 1e6
+                last_loss(dqn, "dqn")
             ))
         },
     )?;

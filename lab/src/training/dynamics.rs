@@ -2,8 +2,7 @@
 //! place of a success net.
 //!
 //! It learns from no test task of the fold that the four nets were trained on, so that the weights as a whole have seen
-//! none. It starts from the success net of these weights, if they have one: the U-Net of both is the
-//! same.
+//! none.
 
 use std::path::{Path, PathBuf};
 
@@ -36,7 +35,7 @@ pub struct Settings {
     pub without_dev: bool,
     /// Learn chances alone, not the paths, to measure what these bring; such weights cannot be published.
     pub without_paths: bool,
-    /// Start from the dynamics net of these weights, not from a success net or from fresh weights.
+    /// Start from the dynamics net of these weights, not from fresh weights.
     pub from: Option<PathBuf>,
     pub run: RunSettings,
 }
@@ -105,16 +104,10 @@ impl Settings {
         let weights = weights_path(self.weights.as_deref(), self.fold);
         let (mut nets, mut card) = load_nets(Some(&weights), self.fold)?;
         let without_dev = self.without_dev || card.without_dev;
-        ensure!(
-            card.without_dev || !self.without_dev || self.from.is_some() || nets.success.is_none(),
-            "the success net that the dynamics net would start from was trained on dev tasks: name the weights of \
-             `pathlight-lab train paths`, or train these with --without-dev too"
-        );
         let scenes = LabelledScenes::read(&self.labels, self.fold, without_dev)?;
         ensure!(scenes.have_paths(), "the labels hold balls without their paths: label them again");
-        let start = if self.from.is_none() { nets.success.take().zip(card.success.take()) } else { None };
         let from = self.from.as_deref().map(|path| self.dynamics_of(path, without_dev)).transpose()?;
-        let starts_without_tasks = start.is_none() && from.as_ref().is_none_or(|(_, card)| card.random_scenes_alone);
+        let starts_without_tasks = from.as_ref().is_none_or(|(_, card)| card.random_scenes_alone);
         card.success = None;
         card.dynamics = Some(DynamicsCard {
             seed: self.run.seed,
@@ -135,13 +128,11 @@ impl Settings {
             without_dev,
             without_paths: self.without_paths,
             from: self.from.as_deref().map(digest).transpose()?,
-            success: start.as_ref().map(|(_, card)| card.clone()),
         });
         let folder = self.run.out.clone().unwrap_or_else(|| training_folder(self.fold).join("dynamics"));
-        let trainer = match (from, start) {
-            (Some((net, _)), _) => Trainer::from_nets(net),
-            (None, Some((net, _))) => Trainer::from_success_net(net, self.run.seed),
-            (None, None) => Trainer::<DynamicsNet>::new(self.run.seed),
+        let trainer = match from {
+            Some((net, _)) => Trainer::from_nets(net),
+            None => Trainer::<DynamicsNet>::new(self.run.seed),
         };
         let trainer = trainer.with_optimiser(optimiser);
         let losses = ["cell", "ball", "from paths", "paths", "errors"];

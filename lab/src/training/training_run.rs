@@ -24,7 +24,7 @@ use crate::files::replace_file::replace_file;
 use crate::progress::Progress;
 
 const NETS: &str = "-checkpoint-nets.bpk";
-const OPTIMISER: &str = "-checkpoint-adam.bpk";
+const OPTIMISER: &str = "-checkpoint-optimiser.bpk";
 const CHECKPOINT: &str = "checkpoint.json";
 const LOCK: &str = "lock";
 

@@ -96,39 +96,6 @@ fn tasks_without_enough_solutions_are_named() {
 }
 
 #[test]
-fn a_file_of_the_earlier_search_is_read_and_not_continued() {
-    let folder = tempdir().expect("a folder");
-    let path = folder.path().join("old.jsonl");
-    let text = concat!(
-        r#"{"seed":0,"wanted":10,"simulator":3}"#,
-        "\n",
-        r#"{"task":"00000:000","ball":[207.0,127.0,29.0]}"#,
-        "\n",
-        r#"{"round":0,"rollouts":80000}"#,
-        "\n"
-    );
-    fs::write(&path, text).expect("written");
-    let name = path.display().to_string();
-    let labels = folder.path().join("labels.jsonl").display().to_string();
-    output_of(&[
-        "data",
-        "label",
-        "--solutions",
-        &name,
-        "--template",
-        "0",
-        "--limit",
-        "1",
-        "--rounds",
-        "1",
-        "--out",
-        &labels,
-    ]);
-    assert_refused(&["data", "collect", "--out", &name], "`max_rollouts` is 0 instead of 1000000");
-    assert_eq!(fs::read_to_string(&path).expect("still there"), text);
-}
-
-#[test]
 fn files_that_are_not_its_own_are_refused_and_left_alone() {
     let folder = tempdir().expect("a folder");
     let path = folder.path().join("letter");

@@ -37,12 +37,25 @@ fn json(path: &Path) -> Value {
     serde_json::from_slice(&fs::read(path).expect("a file")).expect("JSON")
 }
 
+/// The report of a fold, with the score of the paper's nets before that of DQN.
+fn with_paper(file: &Path) -> Value {
+    let mut report = json(file)["report"].take();
+    let paper = json(&file.with_file_name("paper").join(file.file_name().expect("a name")));
+    let place = |report: &Value, agent| {
+        let agents = report["agents"].as_array().expect("agents");
+        agents.iter().position(|score| score["agent"] == agent).expect("a score")
+    };
+    let (from, to) = (place(&paper, "paper"), place(&report, "dqn"));
+    report["agents"].as_array_mut().expect("agents").insert(to, paper["agents"][from].clone());
+    report
+}
+
 /// The agents of each group in the order of the figures, read from the JSON files.
 fn groups() -> Vec<Vec<Agent>> {
     let shipped = ["within", "cross"].map(|setup| vec![json(&root(&format!("results/shipped/{setup}-0.json")))]);
     let reproduced = ["within", "cross"].map(|setup| {
         let files = (0..10).map(|fold| format!("results/{setup}-{fold}.json"));
-        files.map(|file| root(&file)).filter(|file| file.exists()).map(|file| json(&file)["report"].take()).collect()
+        files.map(|file| root(&file)).filter(|file| file.exists()).map(|file| with_paper(&file)).collect()
     });
     shipped
         .into_iter()

@@ -104,16 +104,13 @@ fn trainings_continue_after_any_kill() {
 fn reproduce_continues_after_any_kill() {
     let folder = tempdir().expect("a folder");
     let [solutions, labels] = data(folder.path());
-    let variants = folder.path().join("variants.jsonl").display().to_string();
-    output_of(&["data", "label", "--variants", "--template", "2", "--limit", "6", "--rounds", "1", "--out", &variants]);
     let fold = ["reproduce", "--only", "folds", "--setup", "cross", "--fold", "0", "--limit", "1"];
     let files = ["--results", "%/results", "--train-dir", "%/runs", "--solutions", &solutions, "--labels", &labels];
-    let rounds = ["--variants", &variants, "--label-rounds", "1", "--variant-rounds", "1"];
-    let short = ["--epochs", "1", "--success-epochs-cross", "1", "--dynamics-epochs", "1", "--dqn-epochs", "1"];
-    assert_same_when_killed(&[&fold[..], &files, &rounds, &short].concat(), |folder| {
+    let short = ["--label-rounds", "1", "--epochs", "1", "--dqn-epochs", "1"];
+    assert_same_when_killed(&[&fold[..], &files, &short].concat(), |folder| {
         // Results also hold how long it took; the report does not.
         let results = folder.join("results").display().to_string();
-        output_of(&["reproduce", "--only", "report", "--results", &results, "--solutions", &solutions]);
+        output_of(&["reproduce", "--only", "report", "--results", &results]);
         let runs = ["", "success", "dynamics", "dqn"].map(|run| folder.join("runs/cross-0").join(run));
         let made = runs.iter().flat_map(|run| ["weights.safetensors", "losses.csv"].map(|file| run.join(file)));
         made.chain([folder.join("results/README.md")]).map(|file| fs::read(file).expect("a result")).collect()

@@ -260,8 +260,11 @@ fn files_that_name_unknown_tasks_or_impossible_balls_are_refused() {
         fs::write(&path, lines.join("\n") + "\n").expect("written");
         path.display().to_string()
     };
-    let settings = format!(r#"{{"seed":0,"per_task":1,"simulator":{}}}"#, simulator::VERSION);
-    let solutions = write("solutions", &[&settings, r#"{"task":"00099:000","ball":[100,100,10]}"#]);
+    let settings = format!(
+        r#"{{"seed":0,"per_task":1,"max_rollouts":9,"simulator":{},"template":null,"limit":1}}"#,
+        simulator::VERSION
+    );
+    let solutions = write("solutions", &[&settings, r#"{"task":"00099:000","rollouts":1,"balls":[[100,100,10]]}"#]);
     let out = folder.path().join("out").display().to_string();
     let label = ["data", "label", "--solutions", &solutions, "--out", &out];
     assert_refused(&label, "line 2 of ");

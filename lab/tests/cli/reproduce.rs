@@ -5,7 +5,7 @@ use std::io::{BufRead, BufReader};
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
-use pathlight_lab::data::collect::is_of_earlier_search;
+use pathlight_lab::files::digest;
 use serde_json::Value;
 use tempfile::tempdir;
 
@@ -23,19 +23,9 @@ fn small(folder: &Path) -> Vec<String> {
         &within("solutions.jsonl"),
         "--labels",
         &within("labels.jsonl"),
-        "--variants",
-        &within("variants.jsonl"),
         "--label-rounds",
         "1",
-        "--variant-rounds",
-        "1",
         "--epochs",
-        "1",
-        "--success-epochs",
-        "2",
-        "--success-epochs-cross",
-        "1",
-        "--dynamics-epochs",
         "1",
         "--dqn-epochs",
         "1",
@@ -52,7 +42,7 @@ fn job(index: &str, folder: &Path, words: &[String]) -> Output {
         .current_dir(root(""))
         .env("PATHLIGHT_LAB", env!("CARGO_BIN_EXE_pathlight-lab"))
         .env("SLURM_ARRAY_TASK_ID", index);
-    script.env("FOLDER", folder).env("LABEL_ROUNDS", "1").env("VARIANT_ROUNDS", "1").arg("fold").args(&words[14..]);
+    script.env("FOLDER", folder).env("LABEL_ROUNDS", "1").arg("fold").args(&words[10..]);
     script.output().expect("the script runs")
 }
 
@@ -60,11 +50,10 @@ fn job(index: &str, folder: &Path, words: &[String]) -> Output {
 fn jobs_make_results_and_the_report_reads_them() {
     let folder = tempdir().expect("a folder");
     let words = small(folder.path());
-    let (solutions, labels, variants) = (words[5].as_str(), words[7].as_str(), words[9].as_str());
+    let (solutions, labels) = (words[5].as_str(), words[7].as_str());
     output_of(&["data", "collect", "--template", "2", "--limit", "10", "--per-task", "3", "--out", solutions]);
     let few = ["--template", "2", "--limit", "6", "--rounds", "1", "--solutions", solutions];
     output_of(&[&["data", "label", "--out", labels], &few[..]].concat());
-    output_of(&[&["data", "label", "--variants", "--out", variants], &few[..]].concat());
 
     for index in ["3", "10"] {
         let made = job(index, folder.path(), &words);
@@ -80,9 +69,13 @@ fn jobs_make_results_and_the_report_reads_them() {
     let results = folder.path().join("results");
     let file = |name: &str| fs::read(results.join(name)).expect("a result");
     let result: Value = serde_json::from_slice(&file("within-3.json")).expect("JSON");
-    assert_eq!(result["success"]["card"]["success"]["epochs"], 2);
-    assert_eq!(result["dynamics"]["card"]["dynamics"]["success"]["epochs"], 2, "it starts from the success net");
-    for (run, losses) in [("nets", 4), ("success", 1), ("dynamics", 5), ("dqn", 1)] {
+    let four_nets = digest(&folder.path().join("runs/within-3/weights.safetensors")).expect("a file");
+    for (net, path) in [("success", "/success/card/success"), ("dynamics", "/dynamics/card/dynamics")] {
+        let card = result.pointer(path).unwrap_or_else(|| panic!("{path}"));
+        assert_eq!((&card["epochs"], &card["optimiser"]), (&1.into(), &"muon".into()), "{net}");
+        assert_eq!(result[net]["added_to"], four_nets, "{net}");
+    }
+    for (run, losses) in [("success", 1), ("dynamics", 5), ("dqn", 1)] {
         assert_eq!(result[run]["losses"].as_array().map(Vec::len), Some(losses), "{run}");
         let (epoch, done, last) =
             serde_json::from_value::<(usize, usize, Vec<f32>)>(result[run]["log"][0].clone()).expect("a line");
@@ -93,7 +86,7 @@ fn jobs_make_results_and_the_report_reads_them() {
     }
     let agents: Vec<&Value> = result["report"]["agents"].as_array().expect("agents").iter().collect();
     let names: Vec<_> = agents.iter().map(|one| &one["agent"]).collect();
-    assert_eq!(names, ["online", "online-by-balls", "dynamics", "success", "paper", "dqn", "random"]);
+    assert_eq!(names, ["online", "online-by-balls", "dynamics", "success", "dqn", "random"]);
     assert!(agents.iter().all(|one| one["first_solved"].as_array().is_some_and(|tasks| tasks.len() == 25)));
 
     let before = file("cross-0.json");
@@ -102,7 +95,9 @@ fn jobs_make_results_and_the_report_reads_them() {
     assert_eq!(file("cross-0.json"), before);
     let other: Vec<String> = [&words[..], &["--seed".to_string(), "1".to_string()]].concat();
     let refused = job("10", folder.path(), &other);
-    assert!(String::from_utf8_lossy(&refused.stderr).contains("`seed` is 0 instead of 1): choose other folders"));
+    assert!(
+        String::from_utf8_lossy(&refused.stderr).contains("`seed` is 0 instead of 1), and one report cannot have both")
+    );
 
     let report = ["reproduce", "--only", "report", "--results", &words[1]];
     fs::write(results.join("within-4.json"), result.to_string()).expect("written");
@@ -114,9 +109,10 @@ fn jobs_make_results_and_the_report_reads_them() {
     for (key, value, difference) in [
         ("/hyperparameters/epochs", Value::from(7), "`epochs` is 7 instead of 1"),
         ("/report/agents_version", Value::from(99), "`agents_version` is 99 instead of"),
-        ("/nets/card/decay_epochs", Value::from(5), "`nets.decay_epochs` is 5 instead of 1"),
-        ("/nets/card/without_dev", Value::from(true), "`nets.without_dev` is true instead of false"),
+        ("/solutions", Value::from("0"), "`solutions` is \"0\" instead of"),
+        ("/success/card/success/optimiser", Value::from("adam"), "`success.optimiser` is"),
         ("/dynamics/card/dynamics/batch", Value::from(9), "`dynamics.batch` is 9 instead of 32"),
+        ("/dynamics/card/dynamics/epochs", Value::from(9), "`dynamics.epochs` is 9 instead of 1"),
         ("/dqn/card/batch", Value::from(9), "`dqn.batch` is 9 instead of 16"),
     ] {
         let mut stray = result_of_within_4.clone();
@@ -129,11 +125,38 @@ fn jobs_make_results_and_the_report_reads_them() {
             assert!(String::from_utf8_lossy(&made.stderr).contains(difference), "{made:?}");
         }
     }
+    // Neither do those of nets that were not trained as `reproduce` trains them.
+    for (key, value) in [
+        ("/success/data", Value::from("0")),
+        ("/dqn/data", Value::from("0")),
+        ("/dynamics/card/dynamics/without_dev", true.into()),
+    ] {
+        let mut stray = result_of_within_4.clone();
+        *stray.pointer_mut(key).unwrap_or_else(|| panic!("{key}")) = value;
+        fs::write(results.join("within-4.json"), stray.to_string()).expect("written");
+        assert_refused(&report, "within-4.json is not as `pathlight-lab reproduce` makes it: remove it");
+    }
+    // The setups differ in the weights of the paths.
+    let mut stray: Value = serde_json::from_slice(&file("cross-0.json")).expect("JSON");
+    assert_eq!(stray["dynamics"]["card"]["dynamics"]["path_weights"]["all"], 2.0);
+    stray["report"]["fold"] = 4.into();
+    stray["dynamics"]["card"]["dynamics"]["path_weights"]["all"] = 0.5.into();
     fs::remove_file(results.join("within-4.json")).expect("removed");
+    fs::write(results.join("cross-4.json"), stray.to_string()).expect("written");
+    assert_refused(&report, "`dynamics.path_weights.all` is 0.5 instead of 2");
+    fs::remove_file(results.join("cross-4.json")).expect("removed");
 
-    assert_refused(&report, "the results were made from other solutions than those in assets/solutions.jsonl");
-    let printed = output_of(&[&report[..], &["--solutions", solutions]].concat());
-    for (index, name) in [(0, "online"), (5, "DQN, smaller"), (6, "random")] {
+    // The paper's nets are measured apart, on the same tasks.
+    fs::create_dir(results.join("paper")).expect("a folder");
+    let printed = output_of(&report);
+    assert!(printed.contains("| **the paper's four nets** | ours | – | – |"), "{printed}");
+    let mut of_paper = result["report"].clone();
+    of_paper["agents"][0]["agent"] = "paper".into();
+    fs::write(results.join("paper/within-3.json"), of_paper.to_string()).expect("written");
+    assert_refused(&report, "does not hold the agents paper, random, of this version, on all test tasks of within-3");
+    fs::remove_dir_all(results.join("paper")).expect("removed");
+
+    for (index, name) in [(0, "online"), (4, "DQN, smaller"), (5, "random")] {
         let measured = agents[index]["auccess"].as_f64().expect("a number");
         let row = printed.lines().find(|line| line.starts_with(&format!("| **{name}** |"))).expect("a row");
         assert!(row.contains(&format!("| {measured:.1} |")), "{row}");
@@ -144,7 +167,7 @@ fn jobs_make_results_and_the_report_reads_them() {
         let row = printed.lines().find(|line| line.starts_with(&format!("| {row} |"))).expect("a row");
         assert!(row.contains(&format!("| {difference:.1}, {} of 1 |", usize::from(difference > 0.0))), "{row}");
     }
-    for title in ["The four nets", "The success net", "The dynamics net", "DQN"] {
+    for title in ["The success net", "The dynamics net", "DQN"] {
         let rows = printed.split(&format!("\n### {title}\n")).nth(1).expect("a table");
         assert!(
             rows.lines()
@@ -156,7 +179,10 @@ fn jobs_make_results_and_the_report_reads_them() {
     }
     assert_eq!(printed, fs::read_to_string(results.join("README.md")).expect("a report"));
     let costs = fs::read_to_string(results.join("costs.md")).expect("costs");
-    assert!(costs.contains("\n| within | 3 | 1 | ") && costs.contains("\n| 200 | "), "{costs}");
+    assert!(
+        costs.contains("\n| within | 1 | ") && costs.contains("\n| cross | 1 | ") && costs.contains("\n| 200 | "),
+        "{costs}"
+    );
 }
 
 #[test]
@@ -164,33 +190,25 @@ fn data_that_are_complete_stay_as_they_are() {
     let folder = tempdir().expect("a folder");
     let file = |name: &str| folder.path().join(name);
     fs::copy(root("assets/solutions.jsonl"), file("solutions.jsonl")).expect("a copy");
-    let [solutions, labels, variants] =
-        ["solutions.jsonl", "labels.jsonl", "variants.jsonl"].map(|name| file(name).display().to_string());
-    let files = ["--solutions", &solutions, "--labels", &labels, "--variants", &variants];
-    let data = [&["reproduce", "--only", "data", "--label-rounds", "0", "--variant-rounds", "0"], &files[..]].concat();
+    let [solutions, labels] = ["solutions.jsonl", "labels.jsonl"].map(|name| file(name).display().to_string());
+    let files = ["--solutions", &solutions, "--labels", &labels];
+    let data = [&["reproduce", "--only", "data", "--label-rounds", "0"], &files[..]].concat();
     for _ in 0..2 {
         output_of(&data);
         assert_eq!(
             fs::read(file("solutions.jsonl")).expect("solutions"),
             fs::read(root("assets/solutions.jsonl")).expect("ours")
         );
-        for path in [&labels, &variants] {
-            let labels = fs::read_to_string(path).expect("labels");
-            assert!(labels.lines().count() == 1 && labels.contains("\"tasks\":2500"), "{labels}");
-        }
+        let labelled = fs::read_to_string(&labels).expect("labels");
+        assert!(labelled.lines().count() == 1 && labelled.contains("\"tasks\":2500"), "{labelled}");
     }
     let results = file("results").display().to_string();
     let folds = [&["reproduce", "--only", "folds", "--results", &results, "--label-rounds", "3"], &files[..]].concat();
     assert_refused(&folds, "does not hold the balls of 3 rounds: run `pathlight-lab reproduce --only data`");
-    let folds = [&["reproduce", "--only", "folds", "--results", &results, "--label-rounds", "0"], &files[..]].concat();
-    assert_refused(&folds, "or change --variant-rounds");
-    let swapped = ["--solutions", &solutions, "--labels", &variants, "--variants", &labels];
-    let folds =
-        [&["reproduce", "--only", "folds", "--results", &results, "--label-rounds", "0"], &swapped[..]].concat();
+    let variants = file("variants.jsonl").display().to_string();
+    output_of(&["data", "label", "--variants", "--template", "2", "--limit", "1", "--rounds", "1", "--out", &variants]);
+    let folds = ["reproduce", "--only", "folds", "--results", &results, "--labels", &variants, "--label-rounds", "1"];
     assert_refused(&folds, "variants.jsonl holds other balls than --labels takes");
-
-    fs::write(file("solutions.jsonl"), "").expect("written");
-    assert!(!is_of_earlier_search(solutions.as_ref()).expect("an empty file"), "it is continued");
 }
 
 #[test]
@@ -202,8 +220,7 @@ fn results_of_other_settings_are_found_before_a_fold_is_trained() {
     let labels = ["--labels", "no/labels.jsonl"];
     assert_refused(&[&fold("0")[..], &labels].concat(), "run `pathlight-lab reproduce --only data` first");
     let solutions = root("assets/solutions.jsonl").display().to_string();
-    let any = ["--labels", &solutions, "--variants", &solutions];
-    assert_refused(&[&fold("1")[..], &any].concat(), "and one report cannot have both");
+    assert_refused(&[&fold("1")[..], &["--labels", &solutions]].concat(), "and one report cannot have both");
 }
 
 #[test]
@@ -243,9 +260,8 @@ fn the_report_and_the_readme_are_those_of_the_results() {
         }
     }
     let results = folder.path().display().to_string();
-    let solutions = "results/solutions.jsonl";
-    let report = output_of(&["reproduce", "--only", "report", "--results", &results, "--solutions", solutions]);
-    let remedy = "run `pathlight-lab reproduce --only report --solutions results/solutions.jsonl`";
+    let report = output_of(&["reproduce", "--only", "report", "--results", &results]);
+    let remedy = "run `pathlight-lab reproduce --only report`";
     assert_eq!(fs::read_to_string(root("results/README.md")).expect("a report"), report, "{remedy}");
 
     let readme = fs::read_to_string(root("README.md")).expect("the README");
@@ -258,14 +274,6 @@ fn the_report_and_the_readme_are_those_of_the_results() {
     for row in shown {
         assert!(rows.contains(&row), "{remedy}, and copy this row of the README from its table: {row}");
     }
-}
-
-#[test]
-fn the_old_names_of_the_options_are_read_and_not_offered() {
-    for (old, new) in [("--judge-epochs", "--success-epochs"), ("--judge-epochs-cross", "--success-epochs-cross")] {
-        assert_refused(&["reproduce", old, "0"], &format!("invalid value '0' for '{new} <EPOCHS>'"));
-    }
-    assert!(!output_of(&["reproduce", "--help"]).contains("judge"));
 }
 
 #[test]

@@ -11,7 +11,7 @@ use super::success::SuccessBatch;
 use super::trainer::Trainer;
 use crate::nets::ball_batch::BallBatch;
 use crate::nets::ball_head::{COORDINATES, POSITIONS, Starts, UNIT};
-use crate::nets::{DynamicsNet, PathWeights, SuccessNet, seeded};
+use crate::nets::{DynamicsNet, PathWeights};
 use crate::puzzle::action::{Ball, Invalid};
 use crate::puzzle::scene::SIZE;
 use crate::raster::{CHANNELS, Coverage};
@@ -70,11 +70,6 @@ impl Trainer<DynamicsNet> {
     /// Returns a trainer of a fresh net, whose weights depend only on the seed.
     pub fn new(seed: u64) -> Trainer<DynamicsNet> {
         Trainer::fresh(seed, DynamicsNet::new)
-    }
-
-    /// Returns a trainer of a net that starts from a success net; what that lacks depends only on the seed.
-    pub fn from_success_net(net: SuccessNet, seed: u64) -> Trainer<DynamicsNet> {
-        Trainer::from_nets(DynamicsNet::from_success_net(net, &seeded(seed)))
     }
 
     /// One optimiser step on a batch; returns the losses: of the logits of the cells, of the balls, of the paths alone,

@@ -36,8 +36,7 @@ export const results = {
     cross: "Neue Arten",
     byKind: {
       title: "Die Netze des Fachartikels, Art für Art",
-      about:
-        "Unsere Netze in dieser Tabelle wurden später trainiert als die oben. Ein Strich bedeutet: Keine Aufteilung prüft diese Art als neu.",
+      about: "Ein Strich bedeutet: Keine Aufteilung prüft diese Art als neu.",
       kind: "Art",
       published: "Artikel",
       ours: "unsere",

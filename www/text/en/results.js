@@ -37,7 +37,7 @@ export const results = {
     cross: "New kinds",
     byKind: {
       title: "The paper’s nets, kind by kind",
-      about: "Our nets in this table were trained later than those above. A dash: no split tests this kind as new.",
+      about: "A dash: no split tests this kind as new.",
       kind: "Kind",
       published: "published",
       ours: "ours",

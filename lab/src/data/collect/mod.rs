@@ -7,7 +7,7 @@
 use std::fmt::{self, Write as _};
 use std::path::PathBuf;
 
-use anyhow::bail;
+use anyhow::ensure;
 use pathlight::puzzle::task::Task;
 use pathlight::simulator;
 use rayon::prelude::*;
@@ -16,7 +16,7 @@ use crate::data::solutions::TaskSolutions;
 use crate::data::task_selection::TaskSelection;
 use crate::files::journal::Journal;
 use crate::progress::Progress;
-pub use lines::{CollectEntry, CollectSettings, Collected, is_of_earlier_search, read_solutions};
+pub use lines::{CollectSettings, Collected, read_solutions};
 
 mod lines;
 
@@ -67,17 +67,16 @@ impl Settings {
             limit: self.selection.limit,
         };
         let tasks = self.selection.tasks();
-        let (mut journal, lines) = Journal::open::<CollectEntry>(&self.out, &settings, progress)?;
-        let mut searched: Vec<TaskSolutions> = Vec::new();
-        for (line, task) in lines.into_iter().zip(&tasks) {
-            match line {
-                CollectEntry::Task(found) if found.task == task.id => searched.push(found),
-                _ => bail!(
-                    "{} has a line of something else where that of {} belongs: remove the file",
-                    self.out.display(),
-                    task.id
-                ),
-            }
+        let (mut journal, mut searched) = Journal::open::<TaskSolutions>(&self.out, &settings, progress)?;
+        searched.truncate(tasks.len());
+        for (line, task) in searched.iter().zip(&tasks) {
+            ensure!(
+                line.task == task.id,
+                "{} has the line of {} where that of {} belongs: remove the file",
+                self.out.display(),
+                line.task,
+                task.id
+            );
         }
         progress.begin(tasks.len() as u64);
         progress.advance(searched.len() as u64, summary(&searched));

@@ -56,15 +56,15 @@ impl Table {
                 "Each dynamics net first learned from sampled balls in the training tasks and in variants of them; the \
                  known solutions are [uniform](../../docs/reproducing.md#data). Then it proposed balls in its training \
                  tasks and in [blends](../../docs/glossary.md) of them, and was trained further on the sampled and the \
-                 proposed balls. The nets of the [main results](../README.md) learned without proposed balls, from \
-                 older solutions and with other settings. All these nets learned from the training tasks and from \
+                 proposed balls. The nets of the [main results](../README.md) learned from sampled balls in the \
+                 training tasks alone, in fewer epochs. All these nets learned from the training tasks and from \
                  scenes made of them alone, so these results can be compared with published ones as the main results \
                  can."
             }
             Table::RandomScenes => {
                 "One dynamics net learned from random scenes alone, which have no template. It has seen no task, so \
                  the test tasks of all folds are new to it. The nets of the [main results](../README.md) learned from \
-                 training tasks and variants of them, but from no random scenes, and with other settings."
+                 training tasks alone, in fewer batches."
             }
         }
     }
