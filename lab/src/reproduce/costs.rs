@@ -81,8 +81,8 @@ pub fn write(results: &[FoldResult], folder: &Path) -> anyhow::Result<()> {
 fn table(text: &mut String, costs: &[FoldCost]) -> fmt::Result {
     writeln!(
         text,
-        "## A fold, core-minutes\n\nMedians over the folds, because some runs were paused while the clock ran. Not all \
-         folds have a time of evaluation: some were evaluated in parts.\n\n\
+        "## A fold, core-minutes\n\nMedians over the folds, as the clock also runs while a run is paused. Folds \
+         without a time of evaluation are left out of that column.\n\n\
          | setup | folds | success net | dynamics net | DQN | evaluation | all |\n| --- |{}",
         " ---: |".repeat(6)
     )?;
