@@ -60,7 +60,7 @@ pub struct FoldResult {
     pub dynamics: Checkpoint,
     /// The training of DQN.
     pub dqn: Checkpoint<DqnCard>,
-    /// Wall-clock time of the evaluation of the agents, s; absent if they were evaluated apart.
+    /// Wall-clock time of the evaluation of the agents, s; absent if they were evaluated in separate runs.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub evaluation_seconds: Option<f64>,
     /// Threads that it was made with.
