@@ -8,10 +8,10 @@ use serde_json::Value;
 
 use crate::puzzle::action::Ball;
 use crate::puzzle::custom_scene::sentences;
-use crate::puzzle::rollout::{Status, digest_of};
+use crate::puzzle::rollout::Status;
 use crate::puzzle::task::{Task, TaskId};
 use crate::session::puzzle::Puzzle;
-use crate::simulator::Engine;
+use crate::simulator::{Digest, Engine};
 
 /// An attempt, and what came of it. Exactly one of `task` and `scene` is there.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -33,7 +33,7 @@ pub struct AttemptLine {
     pub status: Status,
     /// Simulated steps; 0 if the ball is invalid.
     pub steps: usize,
-    /// `Rollout::digest`; that of no poses if the ball is invalid.
+    /// `simulator::Digest`; that of no steps if the ball is invalid.
     pub digest: String,
 }
 
@@ -73,9 +73,10 @@ impl AttemptLine {
     /// Simulates a ball, or the scene alone without one, and returns the line of it.
     pub fn of(puzzle: &Puzzle, ball: Option<Ball>, engine: Engine) -> AttemptLine {
         let nothing = AttemptLine { ball, ..AttemptLine::placing_no_ball(puzzle, engine) };
-        match engine.simulate(&puzzle.scene, ball) {
-            Ok(rollout) => {
-                AttemptLine { status: rollout.status(), steps: rollout.steps, digest: rollout.digest(), ..nothing }
+        match engine.digest(&puzzle.scene, ball) {
+            Ok((outcome, digest)) => {
+                let status = if outcome.solved { Status::Solved } else { Status::NotSolved };
+                AttemptLine { status, steps: outcome.steps, digest: digest.to_string(), ..nothing }
             }
             Err(_) => nothing,
         }
@@ -91,7 +92,7 @@ impl AttemptLine {
             simulator: engine.version(),
             status: Status::Invalid,
             steps: 0,
-            digest: digest_of(&[]),
+            digest: Digest::default().to_string(),
         }
     }
 
@@ -119,8 +120,11 @@ impl AttemptLine {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn verify(&self) -> Verdict {
-        if self.digest.len() != 64 || !self.digest.bytes().all(|byte| matches!(byte, b'0'..=b'9' | b'a'..=b'f')) {
-            let reason = "`digest` is not a SHA-256: a SHA-256 has 64 hexadecimal digits, in lower case.";
+        let is_digest =
+            || self.digest.len() == 16 && self.digest.bytes().all(|byte| matches!(byte, b'0'..=b'9' | b'a'..=b'f'));
+        // Other versions may have written another one.
+        if self.simulator == self.engine.version() && !is_digest() {
+            let reason = "`digest` is none: a digest has 16 hexadecimal digits, in lower case.";
             return Verdict::not_valid(LineFault::Form, reason);
         }
         let again = match (self.puzzle(), self.ball, self.status) {
@@ -174,12 +178,12 @@ mod tests {
         let other = |line: AttemptLine| matches!(line.verify(), Verdict::OtherOutcome { .. });
         assert!(other(AttemptLine { steps: 3, ..line() }));
         assert!(other(AttemptLine { status: Status::Solved, ..line() }));
-        assert!(other(AttemptLine { digest: "0".repeat(64), ..line() }));
+        assert!(other(AttemptLine { digest: "0".repeat(16), ..line() }));
         assert!(other(AttemptLine { ball: Some(Ball { x: 129.0, y: 250.0, r: 4.0 }), ..line() }));
-        for digest in [line().digest.to_uppercase(), line().digest[1..].to_string(), "g".repeat(64), "é".repeat(32)] {
+        for digest in ["A".repeat(16), line().digest[1..].to_string(), "g".repeat(16), "é".repeat(8)] {
             let verdict = AttemptLine { digest, ..line() }.verify();
             assert!(
-                matches!(&verdict, Verdict::NotValid { reason, .. } if reason.contains("64 hexadecimal digits")),
+                matches!(&verdict, Verdict::NotValid { reason, .. } if reason.contains("16 hexadecimal digits")),
                 "{verdict:?}"
             );
         }
@@ -223,9 +227,9 @@ mod tests {
     }
 
     #[test]
-    fn a_digest_is_that_of_the_bytes() {
-        // SHA-256 of nothing, and of 00 00 80 3f 00 00 00 00 00 00 00 80.
-        assert_eq!(digest_of(&[]), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
-        assert_eq!(digest_of(&[[1.0, 0.0, -0.0]]), "fda6afb17305e3f22d8b12a768b492354e971796f0496516bc2a54d5a05e4432");
+    fn an_attempt_of_another_version_says_so() {
+        let older = AttemptLine { simulator: 3, digest: "0".repeat(64), ..line() };
+        let Verdict::OtherOutcome { reason, .. } = older.verify() else { panic!("its digest was another one") };
+        assert!(reason.contains("made by version 3 of the simulator, and this is version"), "{reason}");
     }
 }

@@ -4,9 +4,6 @@
 //! Made by `simulator`; played back by the page, drawn by `raster`, summarised by `session::game`.
 
 use serde::{Deserialize, Serialize};
-use sha2::{Digest, Sha256};
-
-use super::hex::hex;
 
 /// Steps per second of simulated time (PHYRE).
 pub const STEPS_PER_SECOND: usize = 60;
@@ -29,8 +26,7 @@ pub enum Status {
     Invalid,
 }
 
-/// Position and rotation of a body: x and y of its origin in px, angle in radians (not wrapped). The simulator itself
-/// works with rapier's type of the same name, an isometry in m.
+/// Position and rotation of a body: x and y of its origin in px, angle in radians (not wrapped).
 pub type Pose = [f32; 3];
 
 /// One complete simulation.
@@ -49,22 +45,10 @@ pub struct Rollout {
     pub touching: Vec<bool>,
 }
 
-/// Returns the digest of poses: SHA-256, in hexadecimal, of x, y and angle of each as f32, little-endian.
-pub fn digest_of(poses: &[Pose]) -> String {
-    let mut hash = Sha256::new();
-    poses.as_flattened().iter().for_each(|number| hash.update(number.to_le_bytes()));
-    hex(hash.finalize())
-}
-
 impl Rollout {
     /// Returns whether it solves.
     pub fn status(&self) -> Status {
         if self.solved { Status::Solved } else { Status::NotSolved }
-    }
-
-    /// Returns the digest of all poses: equal digests are equal rollouts, to the bit.
-    pub fn digest(&self) -> String {
-        digest_of(&self.poses)
     }
 
     /// Returns the poses after `step` steps, one for each of `bodies`.

@@ -11,6 +11,9 @@ pub const FARTHEST: f64 = 1e4;
 /// Smallest radius of a circle and length of an edge, px. Smaller ones have hardly a mass in single precision.
 pub const SMALLEST: f64 = 0.1;
 
+/// Largest number of corners of a polygon (Box2D's b2_maxPolygonVertices).
+pub const MAX_CORNERS: usize = 8;
+
 /// Smallest sine of the angle by which the outline of a polygon turns at a corner. rapier leaves out corners at which
 /// it turns by less than 1.5 degrees, a sine of 0.026, in single precision; the rest allows for its rounding.
 const LEAST_TURN: f64 = 0.05;
@@ -32,7 +35,7 @@ pub enum FormFault {
     Number(usize),
     #[error(
         "body {0} of the scene has a shape that is none: a circle has a radius of at least {SMALLEST} px, a polygon is convex, with three \
-         or more corners counter-clockwise and at least {SMALLEST} px from one another"
+         to {MAX_CORNERS} corners counter-clockwise and at least {SMALLEST} px from one another"
     )]
     Shape(usize),
 }
@@ -88,7 +91,7 @@ fn check_body(index: usize, body: &Body) -> Result<(), FormFault> {
     }
 }
 
-/// Whether the outline turns left at each of its three or more corners, once around in all.
+/// Whether the outline has three to `MAX_CORNERS` corners and turns left at each, once around in all.
 fn is_convex(corners: &[[f64; 2]]) -> bool {
     let edge = |index: usize| {
         let ([x, y], [u, v]) = (corners[index], corners[(index + 1) % corners.len()]);
@@ -107,7 +110,7 @@ fn is_convex(corners: &[[f64; 2]]) -> bool {
         let is_upwards = |[x, y]: [f64; 2]| y > 0.0 || (y == 0.0 && x > 0.0);
         rounds += usize::from(!is_upwards(before) && is_upwards(after));
     }
-    rounds == 1
+    rounds == 1 && corners.len() <= MAX_CORNERS
 }
 
 #[cfg(test)]

@@ -3,8 +3,8 @@
 use rapier2d::math::Vector;
 use serde::Serialize;
 
-use super::constants::PX_PER_METRE;
 use super::distance::{Outline, pose_of};
+use super::units::{PX_PER_METRE, point_in_px};
 use crate::puzzle::rollout::Rollout;
 use crate::puzzle::scene::Scene;
 
@@ -43,8 +43,8 @@ pub fn closest_approach(scene: &Scene, rollout: &Rollout) -> ClosestApproach {
 }
 
 fn approach((step, gap, points): (usize, f32, [Vector; 2])) -> ClosestApproach {
-    let px = |metres: f32| f64::from(metres) * PX_PER_METRE;
-    ClosestApproach { step, gap: px(gap), points: points.map(|point| [px(point.x), px(point.y)]) }
+    let points = points.map(|point| point_in_px(point).map(f64::from));
+    ClosestApproach { step, gap: f64::from(gap * PX_PER_METRE), points }
 }
 
 #[cfg(test)]

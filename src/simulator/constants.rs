@@ -1,12 +1,11 @@
 //! The constants of PHYRE and Box2D, each with its unit, its source and its effect.
 //!
-//! "PHYRE" is its v0.2.2 simulator, "Box2D" the 2.3 that it runs on (b2Settings.h unless another place is named). They
-//! are measured or published facts of those engines; none is tuned to outcomes.
+//! "PHYRE" is its v0.2.2 simulator, "Box2D" the one that it runs on, erincatto/box2d at commit 33af62e3 (b2Settings.h
+//! unless another place is named). They are facts of those engines; none is tuned to outcomes.
 
 use crate::puzzle::rollout::STEPS_PER_SECOND;
+use crate::puzzle::scene_form::MAX_CORNERS;
 
-/// px per metre (PHYRE). Scenes are in px; everything in this folder is in metres.
-pub const PX_PER_METRE: f64 = 6.0;
 /// Duration of a step, s (PHYRE).
 pub const TIME_STEP: f32 = 1.0 / STEPS_PER_SECOND as f32;
 /// m/s^2 (PHYRE).
@@ -56,6 +55,17 @@ pub const ANGULAR_SLEEP_TOLERANCE: f32 = 2.0 / 180.0 * std::f32::consts::PI;
 /// Time at such speeds after which an island sleeps, s (b2_timeToSleep). It ends slow creep, so it affects outcomes.
 pub const TIME_TO_SLEEP: f32 = 0.5;
 
+/// Largest number of corners of a polygon (b2_maxPolygonVertices). It also bounds the points that the search for a time
+/// of impact resolves along one axis.
+pub const MAX_POLYGON_VERTICES: usize = MAX_CORNERS;
+/// Accuracy of the separation at a time of impact, m (b2TimeOfImpact.cpp).
+pub const TOI_TOLERANCE: f32 = 0.25 * LINEAR_SLOP;
+/// Most separating axes in the search for a time of impact (b2TimeOfImpact.cpp). Fewer: fast bodies may tunnel.
+pub const MAX_TOI_ITERATIONS: usize = 20;
+/// Most steps to find the root along one axis (b2TimeOfImpact.cpp).
+pub const MAX_TOI_ROOT_ITERATIONS: usize = 50;
+/// Most contacts that are solved at a time of impact (b2_maxTOIContacts).
+pub const MAX_TOI_CONTACTS: usize = 32;
 /// Most times of impact of a contact within one step (b2_maxSubSteps).
 pub const MAX_TOI_SUBSTEPS: u32 = 8;
 /// Contacts whose block matrix has a higher condition number are solved with one point (k_maxConditionNumber in

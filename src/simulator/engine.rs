@@ -1,6 +1,6 @@
 //! The engines by name: a scene and perhaps a ball in, a rollout out, whichever computes it.
 //!
-//! The first is the port of Box2D's step, on which everything else stands; rapier2d's own pipeline is a second opinion.
+//! The first is the port of Box2D, on which everything else stands; rapier2d's own pipeline is a second opinion.
 //! The wasm leaves it out: with it, the compressed wasm would be some 360 kB, or two thirds, larger.
 
 use std::fmt;
@@ -13,7 +13,7 @@ use super::rapier_world::RapierWorld;
 use super::simulation::Outcome;
 #[cfg(not(target_arch = "wasm32"))]
 use super::simulation::Simulation;
-use super::{VERSION, outcome, simulate};
+use super::{Digest, VERSION, digest, outcome, simulate};
 use crate::puzzle::action::{Ball, Invalid};
 use crate::puzzle::rollout::Rollout;
 use crate::puzzle::scene::Scene;
@@ -22,7 +22,7 @@ use crate::puzzle::scene::Scene;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Engine {
-    /// The port of Box2D's step.
+    /// The port of Box2D.
     #[default]
     Box2d,
     /// rapier2d's own pipeline, with its own parameters.
@@ -53,7 +53,7 @@ impl Engine {
         match self {
             Engine::Box2d => VERSION,
             #[cfg(not(target_arch = "wasm32"))]
-            Engine::Rapier => 1,
+            Engine::Rapier => 2,
         }
     }
 
@@ -87,6 +87,18 @@ impl Engine {
             Engine::Box2d => outcome(scene, ball),
             #[cfg(not(target_arch = "wasm32"))]
             Engine::Rapier => Ok(Simulation::<RapierWorld>::of(scene, ball)?.run()),
+        }
+    }
+
+    /// Simulates like `outcome`, and returns the `Digest` of the rollout.
+    ///
+    /// # Errors
+    /// The reason why the ball is invalid in this scene.
+    pub fn digest(self, scene: &Scene, ball: Option<Ball>) -> Result<(Outcome, Digest), Invalid> {
+        match self {
+            Engine::Box2d => digest(scene, ball),
+            #[cfg(not(target_arch = "wasm32"))]
+            Engine::Rapier => Ok(Simulation::<RapierWorld>::of(scene, ball)?.digest()),
         }
     }
 }

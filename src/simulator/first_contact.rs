@@ -3,8 +3,8 @@
 use rapier2d::math::Vector;
 use serde::Serialize;
 
-use super::constants::PX_PER_METRE;
 use super::distance::{Outline, pose_of};
+use super::units::{PX_PER_METRE, metres};
 use crate::puzzle::action::Ball;
 use crate::puzzle::rollout::Rollout;
 use crate::puzzle::scene::Scene;
@@ -25,15 +25,15 @@ pub struct Contact {
 pub fn first_contact(scene: &Scene, ball: Ball, rollout: &Rollout) -> Option<Contact> {
     let object = &scene.bodies[scene.body1];
     let (outline, ball_outline) = (Outline::of(object), Outline::of(&ball.body()));
-    let limit = (TOUCHING / PX_PER_METRE) as f32;
+    let limit = metres(TOUCHING);
     (0..=rollout.steps).find_map(|step| {
         let object_pose = rollout.pose(step, scene.body1).unwrap_or_else(|| pose_of(object));
         let ball_pose = rollout.pose(step, scene.bodies.len())?;
         outline.nearest_points(object_pose, &ball_outline, ball_pose, limit)?;
         let centre = Vector::new(ball_pose[0], ball_pose[1]);
         // The ball may have moved into the object within a step.
-        let nearest = outline.nearest_on_surface(object_pose, centre / PX_PER_METRE as f32)?;
-        let towards = nearest * PX_PER_METRE as f32 - centre;
+        let nearest = outline.nearest_on_surface(object_pose, centre / PX_PER_METRE)?;
+        let towards = nearest * PX_PER_METRE - centre;
         let point = centre + towards * (ball.r as f32 / towards.length().max(f32::EPSILON));
         Some(Contact { step, point: [point.x.into(), point.y.into()] })
     })

@@ -1,59 +1,37 @@
-//! The simulator: a port of Box2D 2.3's step, the engine of PHYRE, on rapier2d's geometry.
+//! The simulator: a scene and perhaps a ball in, the complete rollout out.
 //!
-//! A scene and perhaps a ball in, the complete rollout out. The only user of rapier2d, which supplies shapes, mass
-//! properties, contact manifolds and distances; each file names the class or function of Box2D that it ports. Results
-//! are bit-identical natively and in wasm: f32 throughout, libm for the trigonometry, and no order that depends on a
-//! hash. Used by `session`, `search`, `verification`, `web`, `commands` and the lab. Must not depend on tasks, images
-//! or nets.
-//!
-//! | file | ports |
-//! | --- | --- |
-//! | `constants` | b2Settings.h, and PHYRE's parameters |
-//! | `body` | b2Body, b2Sweep |
-//! | `fixture` | b2Fixture, b2FixtureProxy |
-//! | `contact` | b2Contact, b2WorldManifold |
-//! | `contact_solver`, `position_solver` | b2ContactSolver |
-//! | `time_of_impact` | b2TimeOfImpact |
-//! | `world` | b2World::Step, b2ContactManager |
-//! | `island` | b2World::Solve, b2Island::Solve |
-//! | `toi_solver` | b2World::SolveTOI, b2Island::SolveTOI |
-//!
-//! `rapier_world` is a second engine, rapier2d's own pipeline, behind the same interface (`simulation`, `engine`);
-//! natively only.
+//! `box2d` is PHYRE's engine, to the last bit; `simulation` builds its world from a scene, steps it, and decides when the
+//! goal is reached. Results are bit-identical natively and in wasm: f32 throughout, libm for the trigonometry, and no
+//! order that depends on a hash. The only user of rapier2d, which supplies vectors and bounding boxes, the distances
+//! between bodies as they are drawn (`distance`, `closest_approach`, `first_contact`), and with its own pipeline a second
+//! engine behind the same interface (`rapier_world`, `engine`), natively only. Used by `session`, `search`,
+//! `verification`, `web`, `commands` and the lab. Must not depend on tasks, images or nets.
 
 use crate::puzzle::action::{Ball, Invalid};
 use crate::puzzle::rollout::Rollout;
 use crate::puzzle::sampled_paths::SampledPaths;
 use crate::puzzle::scene::Scene;
-use world::World;
+use box2d::World;
 
 pub use closest_approach::{ClosestApproach, closest_approach};
 pub use engine::{Engine, UnknownEngine};
 pub use first_contact::{Contact, first_contact};
-pub use simulation::{Outcome, Simulation};
+pub use simulation::{Digest, Outcome, Simulation};
 
-mod body;
+mod box2d;
 mod closest_approach;
 pub mod constants;
-mod contact;
-mod contact_solver;
 pub mod distance;
 mod engine;
 mod first_contact;
-mod fixture;
-mod island;
 pub mod penetration;
-mod position_solver;
 #[cfg(not(target_arch = "wasm32"))]
 mod rapier_world;
-mod scalar;
 mod simulation;
-mod time_of_impact;
-mod toi_solver;
-mod world;
+pub mod units;
 
 /// Raised whenever any rollout of the first engine changes. Stored in weights and collected data.
-pub const VERSION: u32 = 3;
+pub const VERSION: u32 = 4;
 
 /// Simulates a scene, with or without a ball. Returns the complete rollout: the pose of every dynamic body at every
 /// step.
@@ -88,4 +66,12 @@ pub fn outcome(scene: &Scene, ball: Option<Ball>) -> Result<Outcome, Invalid> {
 /// The reason why the ball is invalid in this scene, or why the scene cannot be simulated.
 pub fn sampled_paths(scene: &Scene, ball: Ball) -> Result<(Outcome, SampledPaths), Invalid> {
     Ok(Simulation::<World>::of(scene, Some(ball))?.sampled_paths())
+}
+
+/// Simulates like `outcome`, and returns the `Digest` of the rollout.
+///
+/// # Errors
+/// The reason why the ball is invalid in this scene, or why the scene cannot be simulated.
+pub fn digest(scene: &Scene, ball: Option<Ball>) -> Result<(Outcome, Digest), Invalid> {
+    Ok(Simulation::<World>::of(scene, ball)?.digest())
 }

@@ -1,10 +1,9 @@
 //! How deep bodies overlap before the first step, by the contacts that the first step would have. Used to check scenes
 //! that people make.
 
-use super::constants::PX_PER_METRE;
-use super::contact::Contact;
+use super::box2d::World;
 use super::simulation::EngineWorld;
-use super::world::World;
+use super::units::PX_PER_METRE;
 use crate::puzzle::scene::Scene;
 
 /// Two bodies of a scene that overlap at the start.
@@ -22,13 +21,9 @@ pub fn overlaps(scene: &Scene) -> Vec<Overlap> {
     for body in &scene.bodies {
         world.add(body);
     }
-    world.find_new_contacts();
     let mut overlaps: Vec<Overlap> = Vec::new();
-    for index in 0..world.contacts.len() {
-        world.update_contact(index);
-        let contact = &world.contacts[index];
-        let [a, b] = contact.bodies;
-        let (bodies, depth) = ([a.min(b), a.max(b)], depth(contact, &world));
+    for (bodies, depth) in world.depths() {
+        let depth = f64::from(depth * PX_PER_METRE);
         match overlaps.iter_mut().find(|overlap| overlap.bodies == bodies) {
             _ if depth <= 0.0 => {}
             Some(overlap) => overlap.depth = overlap.depth.max(depth),
@@ -36,16 +31,6 @@ pub fn overlaps(scene: &Scene) -> Vec<Overlap> {
         }
     }
     overlaps
-}
-
-/// Returns how deep the shapes of a contact overlap, px; not positive if they do not.
-fn depth(contact: &Contact, world: &World) -> f64 {
-    let [pose_a, pose_b] = contact.bodies.map(|body| world.bodies[body].pose());
-    let normal = contact.normal(&pose_a, &pose_b);
-    let separations = contact.points().iter().map(|point| contact.separation(point, normal, &pose_a, &pose_b));
-    let skins: f32 = contact.fixtures.iter().map(|&fixture| world.fixtures[fixture].skin()).sum();
-    let deepest = separations.map(|separation| -separation - skins).fold(0.0, f32::max);
-    f64::from(deepest) * PX_PER_METRE
 }
 
 #[cfg(test)]

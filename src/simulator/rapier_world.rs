@@ -10,9 +10,8 @@ use rapier2d::geometry::{ColliderBuilder, ColliderHandle};
 use rapier2d::math::{Rotation, Vector};
 use rapier2d::pipeline::PhysicsWorld;
 
-use super::body::{Position, metres};
 use super::constants::{ANGULAR_DAMPING, DENSITY, FRICTION, GRAVITY, RESTITUTION, TIME_STEP};
-use super::fixture::Fixture;
+use super::distance::{Outline, frame, pose_of};
 use super::simulation::EngineWorld;
 use crate::puzzle::scene::Body;
 
@@ -40,17 +39,16 @@ impl Default for RapierWorld {
 
 impl EngineWorld for RapierWorld {
     fn add(&mut self, body: &Body) -> usize {
-        let position = Position { centre: metres([body.x, body.y]), angle: body.angle as f32 };
+        let frame = frame(pose_of(body));
         let builder = if body.dynamic { RigidBodyBuilder::dynamic() } else { RigidBodyBuilder::fixed() };
-        let rigid_body = builder.pose(position.pose()).angular_damping(ANGULAR_DAMPING).ccd_enabled(true);
+        let rigid_body = builder.pose(frame).angular_damping(ANGULAR_DAMPING).ccd_enabled(true);
         let handle = self.world.insert_body(rigid_body);
-        let collider = |shape| {
-            let Fixture { shape, local, .. } = Fixture::new(shape, 0);
+        let collider = |(shape, local)| {
             let collider = ColliderBuilder::new(shape).position(local).density(DENSITY);
             self.world.insert_collider(collider.friction(FRICTION).restitution(RESTITUTION), Some(handle))
         };
-        let colliders = body.shapes.iter().map(collider).collect();
-        self.bodies.push(Tracked { handle, colliders, rotation: position.rotation(), angle: position.angle });
+        let colliders = Outline::of(body).0.into_iter().map(collider).collect();
+        self.bodies.push(Tracked { handle, colliders, rotation: frame.rotation, angle: body.angle as f32 });
         self.bodies.len() - 1
     }
 

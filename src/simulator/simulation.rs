@@ -1,9 +1,12 @@
 //! A rollout in the world of an engine: what is simulated, for how long, and when the goal is reached.
 
+use std::fmt;
+
 use rapier2d::math::Vector;
 
-use super::constants::{BALL_TOUCH_DISTANCE, PX_PER_METRE};
-use super::world::World;
+use super::box2d::World;
+use super::constants::BALL_TOUCH_DISTANCE;
+use super::units::{metres, point_in_px};
 use crate::puzzle::action::{Ball, Invalid};
 use crate::puzzle::rollout::{GOAL_STEPS, MAX_STEPS, Pose, Rollout};
 use crate::puzzle::sampled_paths::{SAMPLED_STEPS, SAMPLES, SampledPaths};
@@ -39,15 +42,42 @@ pub struct Outcome {
     pub steps: usize,
 }
 
+/// A digest of the poses of all bodies after each step: equal digests are equal rollouts, to the bit.
+///
+/// It is FNV-1a on whole words. The words of a step are x and y of the origin, m, and the angle, radians, of each body,
+/// as the bits of f32, walls first and the ball last; those of the rollout are the digests of its steps. It was taken in
+/// the same way of PHYRE's Box2D, so a recorded rollout needs no more than this to be compared with.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Digest(u64);
+
+impl Digest {
+    fn add_step(&mut self, numbers: impl Iterator<Item = f32>) {
+        // The first is FNV's offset basis with its last digit left out, as in many copies of it.
+        const BASIS: u64 = 1_469_598_103_934_665_603;
+        let hash = |digest: u64, word: u64| (digest ^ word).wrapping_mul(0x0100_0000_01b3);
+        let step = numbers.map(|number| u64::from(number.to_bits())).fold(BASIS, hash);
+        self.0 = hash(self.0, step);
+    }
+}
+
+impl fmt::Display for Digest {
+    /// 16 hexadecimal digits.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{:016x}", self.0)
+    }
+}
+
 /// A rollout before its first step: the world of a scene, and what decides whether its goal is reached.
 pub struct Simulation<W = World> {
     world: W,
+    /// Bodies of the world: walls, those of the scene, and the ball.
+    body_count: usize,
     /// The dynamic bodies: index in the scene and index in the world.
     dynamic_bodies: Vec<(usize, usize)>,
     /// The green object and its goal: indices in the world.
     goal: [usize; 2],
-    /// If both are balls: they touch when their centres are nearer than this, px.
-    touch_distance: Option<f64>,
+    /// If both are balls: they touch when their centres are nearer than this, m.
+    touch_distance: Option<f32>,
 }
 
 impl Simulation {
@@ -79,9 +109,10 @@ impl<W: EngineWorld> Simulation<W> {
             dynamic_bodies.push((scene.bodies.len(), world.add(&ball.body())));
         }
         let [object, target] = [scene.body1, scene.body2].map(|body| scene.bodies[body].ball_radius());
-        let touch_distance = object.zip(target).map(|(r1, r2)| r1 + r2 + BALL_TOUCH_DISTANCE);
+        let touch_distance = object.zip(target).map(|(r1, r2)| metres(r1) + metres(r2) + metres(BALL_TOUCH_DISTANCE));
         let goal = [indices[scene.body1], indices[scene.body2]];
-        Ok(Simulation { world, dynamic_bodies, goal, touch_distance })
+        let body_count = walls().len() + scene.bodies.len() + usize::from(ball.is_some());
+        Ok(Simulation { world, body_count, dynamic_bodies, goal, touch_distance })
     }
 
     /// Steps until the task is solved, or cannot be any more: all bodies sleep, or too few steps are left.
@@ -109,6 +140,22 @@ impl<W: EngineWorld> Simulation<W> {
             touching.push(touches);
         });
         Rollout { solved, steps, bodies, poses, touching }
+    }
+
+    /// Runs to the end, and returns the digest of all poses.
+    pub(super) fn digest(self) -> (Outcome, Digest) {
+        let mut digest = Digest::default();
+        let mut is_start = true;
+        let outcome = self.run_with(|simulation, _| {
+            if !std::mem::take(&mut is_start) {
+                let poses = (0..simulation.body_count).flat_map(|body| {
+                    let origin = simulation.world.origin(body);
+                    [origin.x, origin.y, simulation.world.angle(body)]
+                });
+                digest.add_step(poses);
+            }
+        });
+        (outcome, digest)
     }
 
     /// Runs to the end, and keeps the sampled paths of the green object and of the ball, which there has to be.
@@ -160,7 +207,7 @@ impl<W: EngineWorld> Simulation<W> {
         match self.touch_distance {
             Some(touch_distance) => {
                 let delta = self.world.origin(a) - self.world.origin(b);
-                libm::hypot(f64::from(delta.x), f64::from(delta.y)) * PX_PER_METRE < touch_distance
+                delta.length_squared().sqrt() < touch_distance
             }
             None => self.world.has_touching_contact(a, b),
         }
@@ -173,7 +220,7 @@ impl<W: EngineWorld> Simulation<W> {
 
     /// Returns the pose of a body by its index in the world, px and radians.
     fn pose(&self, index: usize) -> Pose {
-        let origin = self.world.origin(index) * PX_PER_METRE as f32;
-        [origin.x, origin.y, self.world.angle(index)]
+        let [x, y] = point_in_px(self.world.origin(index));
+        [x, y, self.world.angle(index)]
     }
 }

@@ -124,7 +124,7 @@ export interface AttemptLine {
     simulator: number;
     status: Status;
     steps: number;
-    /** SHA-256, in hexadecimal, of x, y and angle of all poses as f32, little-endian. */
+    /** A hash of all poses, 16 hexadecimal digits: equal digests are equal rollouts, to the bit. */
     digest: string;
 }
 

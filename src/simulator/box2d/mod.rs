@@ -1,0 +1,28 @@
+//! Box2D as PHYRE runs it: a port of erincatto/box2d at commit 33af62e3 (May 2018, between 2.3.1 and 2.4.0), in the
+//! same order of operations, so that every pose of every step is the same to the last bit.
+//!
+//! It holds what the puzzles need: convex shapes, friction, restitution, sleep and continuous collision against static
+//! bodies; no joints, sensors, filters or forces. Each file is named after the class or function of Box2D that it ports,
+//! and the methods after its methods. Lengths are in metres. This is an altered version of Box2D in another language;
+//! `NOTICE` has its licence. Used only by the rest of the simulator.
+//!
+//! Shortcuts that Box2D does not have are marked as such. Each gives the same bits: the tests compare the one that is
+//! hard to see through with the long way, and all are under the test of recorded rollouts.
+
+mod body;
+mod collide_circle;
+mod collide_polygon;
+mod contact;
+mod contact_manager;
+mod contact_solver;
+mod distance;
+mod fixture;
+mod island;
+mod manifold;
+mod math;
+mod shape;
+mod sweep;
+mod time_of_impact;
+mod world;
+
+pub(super) use world::World;
