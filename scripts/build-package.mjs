@@ -91,7 +91,7 @@ writeFileSync(join(stage, "pkg/pathlight.d.ts"), libraries + read("www/pkg/pathl
 appendFileSync(join(stage, "element/pathlight-puzzle.d.ts"), read("package/element.d.ts"));
 writeFileSync(join(stage, "README.md"), read("package/README.md").replaceAll("](../examples/", "](examples/"));
 for (const file of EXAMPLES) place(`examples/${file}`, `examples/${file}`);
-place("LICENSE", "LICENSE");
+for (const file of ["LICENSE", "NOTICE"]) place(file, file);
 place("assets/scene.schema.json", "scene.schema.json");
 for (const file of [entry.file, "attempts.jsonl"]) place(`assets/${file}`, `assets/${file}`);
 

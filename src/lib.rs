@@ -23,7 +23,7 @@
 //! | `puzzle` | plain data: scenes, the action ball and when it is valid, rollouts, the 25 templates and their tasks |
 //! | `colour` | the colours of roles and maps |
 //! | `raster` | scenes and rollouts as 64 x 64 images, and how well two of them agree (soft IoU) |
-//! | `simulator` | computes the rollout of a scene and a ball: a port of Box2D 2.3's step on rapier2d's geometry |
+//! | `simulator` | computes the rollout of a scene and a ball: PHYRE's Box2D, to the last bit |
 //! | `benchmark` | PHYRE's folds and its metric, auccess |
 //! | `nets` | the nets: the four, success net, dynamics net and DQN, and their weights; `training` is a feature |
 //! | `agents` | what proposes balls: from imagined paths, from maps, at random |

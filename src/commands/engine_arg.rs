@@ -4,7 +4,7 @@ use pathlight::simulator::Engine;
 
 #[derive(clap::Args)]
 pub struct EngineArg {
-    /// Engine to simulate with: box2d, the port of Box2D's step, or rapier, rapier2d's own pipeline as a second opinion
+    /// Engine to simulate with: box2d, PHYRE's Box2D, or rapier, rapier2d's own pipeline as a second opinion
     #[arg(long, default_value_t)]
     pub engine: Engine,
 }

@@ -15,8 +15,8 @@ use super::progress::say;
 /// Simulate the attempts of a file again, and say for each whether it is the same to the bit, differs or is not valid
 ///
 /// Each line is an attempt as the page exports it and `simulate --verifiable` writes it: {"task" or "scene", "ball",
-/// "simulator", "status", "steps", "digest"}. The digest is a hash, in lowercase hexadecimal, of every pose of every body
-/// after each step.
+/// "simulator", "status", "steps", "digest"}. The digest is a hash, in lowercase hexadecimal, of every pose of every
+/// body after each step.
 ///
 /// Prints {"line", "verdict", "reason"} for each line that is not blank. The verdict is "same" if all poses are the
 /// same to the bit, "other_outcome" if status, steps or poses differ, or "not_valid" if the line cannot be simulated.

@@ -184,6 +184,11 @@ mod tests {
             assert_eq!(polygon(corners), Some(FormFault::Shape(0)), "{corners:?}");
         }
         assert_eq!(fault(Shape::Circle(-1.0)), Some(FormFault::Shape(0)));
+        let regular = |corners: usize| {
+            let angle = |index| std::f64::consts::TAU * index as f64 / corners as f64;
+            polygon(&(0..corners).map(|index| [libm::cos(angle(index)), libm::sin(angle(index))]).collect::<Vec<_>>())
+        };
+        assert_eq!((regular(MAX_CORNERS), regular(MAX_CORNERS + 1)), (None, Some(FormFault::Shape(0))));
         for number in [f64::NAN, f64::INFINITY, 2e4] {
             assert_eq!(fault(Shape::Circle(number)), Some(FormFault::Number(0)));
             assert_eq!(polygon(&[a, b, [0.0, number]]), Some(FormFault::Number(0)));

@@ -1,10 +1,10 @@
 //! The simulator: a scene and perhaps a ball in, the complete rollout out.
 //!
-//! `box2d` is PHYRE's engine, to the last bit; `simulation` builds its world from a scene, steps it, and decides when the
-//! goal is reached. Results are bit-identical natively and in wasm: f32 throughout, libm for the trigonometry, and no
-//! order that depends on a hash. The only user of rapier2d, which supplies vectors and bounding boxes, the distances
-//! between bodies as they are drawn (`distance`, `closest_approach`, `first_contact`), and with its own pipeline a second
-//! engine behind the same interface (`rapier_world`, `engine`), natively only. Used by `session`, `search`,
+//! `box2d` is PHYRE's engine, to the last bit; `simulation` builds its world from a scene, steps it, and decides when
+//! the goal is reached. Results are bit-identical natively and in wasm: f32 throughout, libm for the trigonometry, and
+//! no order that depends on a hash. The only user of rapier2d, which supplies vectors and bounding boxes, the distances
+//! between bodies as they are drawn (`distance`, `closest_approach`, `first_contact`), and with its own pipeline a
+//! second engine behind the same interface (`rapier_world`, `engine`), natively only. Used by `session`, `search`,
 //! `verification`, `web`, `commands` and the lab. Must not depend on tasks, images or nets.
 
 use crate::puzzle::action::{Ball, Invalid};

@@ -45,8 +45,8 @@ pub struct Outcome {
 /// A digest of the poses of all bodies after each step: equal digests are equal rollouts, to the bit.
 ///
 /// It is FNV-1a on whole words. The words of a step are x and y of the origin, m, and the angle, radians, of each body,
-/// as the bits of f32, walls first and the ball last; those of the rollout are the digests of its steps. It was taken in
-/// the same way of PHYRE's Box2D, so a recorded rollout needs no more than this to be compared with.
+/// as the bits of f32, walls first and the ball last; those of the rollout are the digests of its steps. It was taken
+/// in the same way of PHYRE's Box2D, so a recorded rollout needs no more than this to be compared with.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Digest(u64);
 

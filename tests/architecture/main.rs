@@ -17,12 +17,6 @@ mod rust;
 
 use files::files;
 
-/// Longest file of `src/` and `lab/` without a reason, lines.
-const MAX_LINES: usize = 300;
-
-/// How the reason for a longer file begins, in a comment of its head.
-const LONG: &str = "Long because ";
-
 /// Widest line of a comment, columns: as rustfmt and Prettier hold the code to, which leave comments alone.
 const MAX_COMMENT_WIDTH: usize = 120;
 
@@ -38,29 +32,6 @@ fn no_file_is_a_dumping_ground() {
             assert!(!DUMPING_GROUNDS.contains(&stem), "{folder}/{}: name it by what it holds", source.path);
         }
     }
-}
-
-#[test]
-fn a_long_file_gives_its_reason() {
-    let too_long = |folder| {
-        let too_long = files(folder, &["rs"]).into_iter().filter(|source| is_too_long(&source.text));
-        too_long.map(move |source| format!("{folder}/{}: {} lines", source.path, source.text.lines().count()))
-    };
-    let broken: Vec<String> = ["src", "lab"].into_iter().flat_map(too_long).collect();
-    assert!(broken.is_empty(), "\nsplit these, or say in the head `{LONG}…`:\n{}", broken.join("\n"));
-}
-
-#[test]
-fn a_file_is_too_long_from_301_lines_without_a_reason() {
-    assert!(!is_too_long(&"line\n".repeat(MAX_LINES)));
-    assert!(is_too_long(&"line\n".repeat(MAX_LINES + 1)));
-    assert!(!is_too_long(&format!("//! One idea.\n//! {LONG}it is one table.\n{}", "line\n".repeat(MAX_LINES))));
-    assert!(is_too_long(&format!("{}// {LONG}late.\n", "line\n".repeat(MAX_LINES))));
-}
-
-fn is_too_long(text: &str) -> bool {
-    let mut head = text.lines().take_while(|line| line.starts_with("//"));
-    text.lines().count() > MAX_LINES && !head.any(|line| line.contains(LONG))
 }
 
 #[test]

@@ -274,10 +274,10 @@ impl Calibration {
     }
 }
 
-/// Compare the simulator with PHYRE's outcomes and trajectories
+/// Compare the simulator with PHYRE's rollouts and outcomes
 #[derive(clap::Args)]
 pub struct Fidelity {
-    /// Folder with outcomes.jsonl and trajectories.jsonl
+    /// Folder with outcomes.jsonl
     #[arg(long, value_name = "DIR")]
     reference: PathBuf,
 

@@ -28,8 +28,8 @@ pub trait Measurement: DeserializeOwned {
     /// How the model was trained, if one was measured.
     fn card(&self) -> Option<&Card>;
 
-    /// Whether it is of all these test tasks, and of today's agents and simulator.
-    fn is_whole(&self, test: &[TaskId]) -> bool;
+    /// Whether it is of all these test tasks, of today's agents, and of this version of the simulator.
+    fn is_whole(&self, test: &[TaskId], simulator: u32) -> bool;
 }
 
 impl Measurement for Report {
@@ -40,9 +40,9 @@ impl Measurement for Report {
         self.card.as_ref()
     }
 
-    fn is_whole(&self, test: &[TaskId]) -> bool {
+    fn is_whole(&self, test: &[TaskId], simulator: u32) -> bool {
         self.engine.is_first()
-            && (self.simulator, self.agents_version) == (simulator::VERSION, agents::VERSION)
+            && (self.simulator, self.agents_version) == (simulator, agents::VERSION)
             && self.is_of(test)
     }
 }
@@ -55,8 +55,8 @@ impl Measurement for Calibration {
         Some(&self.card)
     }
 
-    fn is_whole(&self, test: &[TaskId]) -> bool {
-        (self.simulator, self.agents_version, self.tasks) == (simulator::VERSION, agents::VERSION, test.len())
+    fn is_whole(&self, test: &[TaskId], simulator: u32) -> bool {
+        (self.simulator, self.agents_version, self.tasks) == (simulator, agents::VERSION, test.len())
     }
 }
 
@@ -68,8 +68,8 @@ impl Measurement for Forecasts {
         Some(&self.card)
     }
 
-    fn is_whole(&self, test: &[TaskId]) -> bool {
-        (self.simulator, self.tasks) == (simulator::VERSION, test.len())
+    fn is_whole(&self, test: &[TaskId], simulator: u32) -> bool {
+        (self.simulator, self.tasks) == (simulator, test.len())
     }
 }
 
@@ -109,7 +109,7 @@ impl Shipped<'_> {
             "{file} does not belong to the weights in {weights_name}: measure them again with `{command}`"
         );
         ensure!(
-            measured.is_whole(&fold.tasks().test),
+            measured.is_whole(&fold.tasks().test, simulator::VERSION),
             "{file} is not of all test tasks of its fold, or of another version: measure the model again with \
              `{command}`"
         );

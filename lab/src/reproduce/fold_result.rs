@@ -251,6 +251,7 @@ pub fn read(folder: &Path) -> anyhow::Result<Vec<FoldResult>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::measure::fold_reports;
 
     /// The labels are not in the repository.
     #[test]
@@ -261,7 +262,8 @@ mod tests {
         let solutions = digest(&repository.join("assets/solutions.jsonl")).expect("solutions");
         for Existing { path, result, settings } in &all {
             let (setup, labels) = (result.report.setup, all[0].settings.shared.labels.clone());
-            let today = ResultSettings::of_today(setup, &Hyperparameters::default(), solutions.clone(), labels);
+            let mut today = ResultSettings::of_today(setup, &Hyperparameters::default(), solutions.clone(), labels);
+            today.shared.simulator = fold_reports::SIMULATOR;
             assert_eq!(settings.differences(&today), "", "{}", path.display());
             let written = serde_json::to_vec(result).expect("plain data");
             let written: FoldResult = serde_json::from_slice(&written).expect("a result");

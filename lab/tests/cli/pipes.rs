@@ -26,7 +26,6 @@ fn commands_end_quietly_when_nobody_reads() {
     let folder = tempdir().expect("a folder");
     let file = |name: &str| folder.path().join(name).display().to_string();
     fs::write(file("outcomes.jsonl"), "").expect("written");
-    fs::write(file("trajectories.jsonl"), "").expect("written");
     fs::write(file("solve_rates.json"), solve_rates()).expect("written");
     let [reference, assets, solutions, figures] = [".", "assets", "solutions", "figures"].map(file);
     let weights = "assets/within-0.safetensors";

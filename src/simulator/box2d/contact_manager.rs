@@ -1,4 +1,5 @@
-//! The contacts of the world, made by the broad phase and updated by the narrow phase: b2ContactManager and b2BroadPhase.
+//! The contacts of the world, made by the broad phase and updated by the narrow phase: b2ContactManager and
+//! b2BroadPhase.
 //!
 //! Scenes have some dozens of fixtures, so all pairs are compared: no dynamic tree is needed. Contacts are in the order
 //! of Box2D, which decides the order in which they are solved.

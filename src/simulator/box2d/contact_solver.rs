@@ -1,10 +1,10 @@
 //! The contact solver: b2ContactSolver, with b2ContactVelocityConstraint, b2ContactPositionConstraint and
 //! b2PositionSolverManifold.
 //!
-//! Velocities by sequential impulses, friction first, the two normal impulses of a contact as a block; then positions by
-//! nonlinear Gauss-Seidel, which resolves overlap without adding velocity. Three shortcuts change no bit of the result:
-//! a constraint whose two velocities are those for which it changed nothing is skipped, iterations end when none
-//! changes anything, and nothing is computed for a static body, whose changes would be zero.
+//! Velocities by sequential impulses, friction first, the two normal impulses of a contact as a block; then positions
+//! by nonlinear Gauss-Seidel, which resolves overlap without adding velocity. Three shortcuts change no bit of the
+//! result: a constraint whose two velocities are those for which it changed nothing is skipped, iterations end when
+//! none changes anything, and nothing is computed for a static body, whose changes would be zero.
 
 use rapier2d::math::Vector;
 
@@ -220,8 +220,8 @@ impl VelocityConstraint {
         velocities[index_b] = b;
     }
 
-    /// Stores the impulses for the warm starting of the next step (StoreImpulses), which starts from none where they grow
-    /// without limit.
+    /// Stores the impulses for the warm starting of the next step (StoreImpulses), which starts from none where they
+    /// grow without limit.
     pub(super) fn store_impulses(&self, manifold: &mut Manifold) {
         for (to, from) in manifold.points_mut().iter_mut().zip(&self.points[..self.point_count]) {
             // The tangent impulse is at most the normal one times the friction coefficient.
@@ -486,8 +486,8 @@ impl PositionConstraint {
     }
 }
 
-/// Moves the bodies once so that contact points overlap less (SolvePositionConstraints and SolveTOIPositionConstraints).
-/// Returns the smallest separation that it met, m, at most 0.
+/// Moves the bodies once so that contact points overlap less (SolvePositionConstraints and
+/// SolveTOIPositionConstraints). Returns the smallest separation that it met, m, at most 0.
 pub(super) fn solve_position_constraints(
     constraints: &[PositionConstraint],
     positions: &mut [Position],

@@ -32,8 +32,9 @@ impl Fixture {
         Fixture { body, shape, reach, aabb, swept_aabb: aabb, fat_aabb, moved: true }
     }
 
-    /// Updates the AABBs after the body has moved (b2Fixture::Synchronize). Without `start`, it has moved from where the
-    /// AABBs were updated last. `displacement` is that of the body's origin, m. Returns whether the fat AABB changed.
+    /// Updates the AABBs after the body has moved (b2Fixture::Synchronize). Without `start`, it has moved from where
+    /// the AABBs were updated last. `displacement` is that of the body's origin, m. Returns whether the fat AABB
+    /// changed.
     pub(super) fn synchronize(&mut self, start: Option<&Transform>, end: &Transform, displacement: Vector) -> bool {
         let start_aabb = start.map_or(self.aabb, |start| self.shape.aabb(start));
         self.aabb = self.shape.aabb(end);

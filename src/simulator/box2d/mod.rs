@@ -2,9 +2,9 @@
 //! same order of operations, so that every pose of every step is the same to the last bit.
 //!
 //! It holds what the puzzles need: convex shapes, friction, restitution, sleep and continuous collision against static
-//! bodies; no joints, sensors, filters or forces. Each file is named after the class or function of Box2D that it ports,
-//! and the methods after its methods. Lengths are in metres. This is an altered version of Box2D in another language;
-//! `NOTICE` has its licence. Used only by the rest of the simulator.
+//! bodies; no joints, sensors, filters or forces. Each file is named after the class or function of Box2D that it
+//! ports, and the methods after its methods. Lengths are in metres. This is an altered version of Box2D in another
+//! language; `NOTICE` has its licence. Used only by the rest of the simulator.
 //!
 //! Shortcuts that Box2D does not have are marked as such. Each gives the same bits: the tests compare the one that is
 //! hard to see through with the long way, and all are under the test of recorded rollouts.

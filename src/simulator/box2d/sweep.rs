@@ -6,8 +6,8 @@ use rapier2d::math::Vector;
 
 use super::math::{Rotation, Transform};
 
-/// The centre of mass, m, and the angle, radians, not wrapped, of a body at the start of the step or at its last time of
-/// impact (`centre0`, `angle0`), and at the end.
+/// The centre of mass, m, and the angle, radians, not wrapped, of a body at the start of the step or at its last time
+/// of impact (`centre0`, `angle0`), and at the end.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sweep {
     /// The centre of mass in the frame of the body, m.

@@ -165,8 +165,8 @@ impl<'a> SeparationFunction<'a> {
     }
 }
 
-/// Shapes that stay this much farther apart than where they meet are not examined further, m: far more than the rounding
-/// errors of all distances within a scene.
+/// Shapes that stay this much farther apart than where they meet are not examined further, m: far more than the
+/// rounding errors of all distances within a scene.
 pub(super) const MARGIN: f32 = 1e-3;
 
 /// Returns by how much more than `MARGIN` a vertex of a turning shape may leave the straight line between its places at
@@ -180,12 +180,14 @@ pub(super) fn arc_height(sweep: &Sweep, reach: f32) -> f32 {
     reach * turn * turn * 0.125
 }
 
-/// Whether a moving shape stays so far from a fixed one, along one fixed direction, that `time_of_impact` finds nothing.
+/// Whether a moving shape stays so far from a fixed one, along one fixed direction, that `time_of_impact` finds
+/// nothing.
 ///
-/// If both ends of the motion are on the far side of a line, so is all that is between, but for `arc_height`. It answers
-/// nineteen of twenty questions at a fraction of the cost. `end` is the moving body's frame at the end of its sweep,
-/// `reach` how far the moving shape's vertices are from the centre of mass, m, and `normal` a guess of the direction,
-/// that of their contact, from the fixed shape to the moving one, or zero: then the fixed shape's edges are tried.
+/// If both ends of the motion are on the far side of a line, so is all that is between, but for `arc_height`. It
+/// answers nineteen of twenty questions at a fraction of the cost. `end` is the moving body's frame at the end of its
+/// sweep, `reach` how far the moving shape's vertices are from the centre of mass, m, and `normal` a guess of the
+/// direction, that of their contact, from the fixed shape to the moving one, or zero: then the fixed shape's edges are
+/// tried.
 pub(super) fn stays_apart(
     (fixed, transform): (&Shape, &Transform),
     (moving, sweep, end): (&Shape, &Sweep, &Transform),

@@ -32,7 +32,7 @@ export const results = {
   beside: {
     title: "Compared with published results",
     about:
-      "Auccess, averaged over PHYRE’s ten splits of the puzzles; the figures above are for one split. We trained most nets briefly, anew for each split, and measured them in our simulator, which differs slightly from PHYRE’s. RAND tries the same list of balls on every puzzle; our random balls are drawn anew each time.",
+      "Auccess, averaged over PHYRE’s ten splits of the puzzles; the figures above are for one split. We trained most nets briefly, anew for each split, and measured them in version 3 of our simulator, which differed slightly from PHYRE’s; the puzzles here run in version 4, which does not. RAND tries the same list of balls on every puzzle; our random balls are drawn anew each time.",
     within: "Known kinds",
     cross: "New kinds",
     byKind: {
@@ -44,8 +44,8 @@ export const results = {
     },
     otherData:
       "online, trained differently: also on balls that the net had proposed (known kinds), or on random puzzles alone (new kinds)",
-    ours: "Ours, in our simulator",
-    published: "Published, in PHYRE’s own simulator",
+    ours: "Ours",
+    published: "Published",
   },
 
   calibration: {
